@@ -1,0 +1,30 @@
+// A pipeline as a host function: its template run in the native domain.
+#pragma once
+
+#include <cstdint>
+
+#include "hls/num/domain.hpp"
+#include "rtl_gen/catalogue/instantiate.hpp"
+
+namespace hitpipe::rtl {
+
+/// `operands` in port order, each sign-extended when its port is signed; bits above a port's width are
+/// ignored.
+template <class Pipeline, class F>
+bool native(const std::int64_t* operands) {
+  using Operands = typename Pipeline::template Operands<hls::Native, F>;
+  Operands in;
+  Operands::for_each(in, [&](const char*, auto& field) { field = *operands++; });
+  return Pipeline::template hit<hls::Native, F>(in).to_bool();
+}
+
+template <class Pipeline>
+struct MakeNative {
+  using Entry = bool (*)(const std::int64_t*);
+  template <class F>
+  static constexpr Entry entry() {
+    return native<Pipeline, F>;
+  }
+};
+
+}  // namespace hitpipe::rtl

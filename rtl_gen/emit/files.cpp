@@ -1,0 +1,118 @@
+#include "rtl_gen/emit/files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "rtl_gen/emit/manifest.hpp"
+#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/schematic/dot.hpp"
+#include "rtl_gen/verilog/module.hpp"
+
+namespace hitpipe::rtl {
+
+namespace {
+
+constexpr int vector_count = 1000;
+constexpr std::uint64_t vector_seed = 1;
+
+/// Removed when it goes out of scope.
+class ScratchFile {
+ public:
+  ScratchFile() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "hitpipe-XXXXXX").string();
+    const int descriptor = mkstemp(pattern.data());
+    if (descriptor < 0) throw std::runtime_error(fmt::format("{}: cannot create a temporary file", pattern));
+    close(descriptor);
+    path_ = pattern;
+  }
+  ~ScratchFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+std::vector<File> emit(const Design& design, hls::IntBits bits, const Library& library,
+                       const Pipeline& pipeline) {
+  const std::vector<Port> ports = input_ports(pipeline.graph);
+  const std::string name(design.name);
+  const std::string title = fmt::format("{} {}: {} stages, {} ps", name, to_string(bits),
+                                        pipeline.schedule.stages, pipeline.schedule.clock_ps);
+  return {
+      {name + ".v", to_verilog(pipeline, library, {.module_name = name, .bits = to_string(bits)})},
+      {name + ".json", manifest(design, bits, pipeline, library)},
+      {name + ".dot", to_dot(pipeline, title)},
+      {"tb/" + name + "_tb.v", testbench(design, ports, vector_count)},
+      {"tb/" + name + "_vectors.hex", vector_file(ports, design.evaluate(bits), vector_count, vector_seed)}};
+}
+
+File draw(const std::vector<File>& files) {
+  const auto is_dot = [](const File& file) { return file.name.ends_with(".dot"); };
+  const auto found = std::find_if(files.begin(), files.end(), is_dot);
+  if (found == files.end()) throw std::invalid_argument("there is no schematic among the files");
+  const File& dot = *found;
+  const ScratchFile source;
+  {
+    std::ofstream out(source.path());
+    out << dot.contents;
+  }
+  const std::string command = fmt::format("dot -Tsvg '{}' 2>/dev/null", source.path().string());
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error(fmt::format("{}: cannot start Graphviz's dot", dot.name));
+  std::string svg;
+  std::array<char, 1 << 16> buffer{};
+  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    svg.append(buffer.data(), got);
+  const int status = pclose(pipe);
+  if (status != 0 || svg.empty()) {
+    throw std::runtime_error(fmt::format("{}: Graphviz's dot {}; install the package graphviz", dot.name,
+                                         WEXITSTATUS(status) == 127 ? "was not found" : "failed"));
+  }
+  return {std::filesystem::path(dot.name).replace_extension(".svg").string(), std::move(svg)};
+}
+
+void write_files(const std::filesystem::path& folder, const std::vector<File>& files) {
+  const auto fail = [](const std::filesystem::path& path, const std::string& what) {
+    throw std::runtime_error(fmt::format("{}: cannot {}", path.string(), what));
+  };
+  std::vector<std::filesystem::path> temporary;
+  std::error_code error;
+  try {
+    for (const File& file : files) {
+      const std::filesystem::path target = folder / file.name;
+      std::filesystem::create_directories(target.parent_path(), error);
+      if (error) fail(target.parent_path(), fmt::format("create the folder: {}", error.message()));
+      // The renames below must not fail half-way.
+      if (std::filesystem::is_directory(target, error)) fail(target, "write the file: Is a directory");
+      temporary.push_back(target.parent_path() / fmt::format(".{}.{}", target.filename().string(), getpid()));
+      std::ofstream out(temporary.back(), std::ios::binary);
+      out << file.contents;
+      out.close();
+      if (!out) fail(target, "write the file");
+    }
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      std::filesystem::rename(temporary[i], folder / files[i].name, error);
+      if (error) fail(folder / files[i].name, fmt::format("write the file: {}", error.message()));
+    }
+  } catch (...) {
+    for (const auto& path : temporary) std::filesystem::remove(path, error);
+    throw;
+  }
+}
+
+}  // namespace hitpipe::rtl

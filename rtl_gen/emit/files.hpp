@@ -1,0 +1,32 @@
+// A design as files: Verilog, manifest, schematic, testbench and its vectors.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/component/library.hpp"
+#include "rtl_gen/pipeline.hpp"
+
+namespace hitpipe::rtl {
+
+struct File {
+  std::string name;
+  std::string contents;
+};
+
+/// <design>.v, .json, .dot, and in tb/ <design>_tb.v and _vectors.hex; the same bytes for the same design,
+/// format and library. `pipeline` is the design's at that format.
+[[nodiscard]] std::vector<File> emit(const Design& design, hls::IntBits bits, const Library& library,
+                                     const Pipeline& pipeline);
+
+/// <design>.svg: the schematic among the files, drawn by Graphviz's dot. Throws std::runtime_error when dot
+/// is missing or fails.
+[[nodiscard]] File draw(const std::vector<File>& files);
+
+/// Writes all files or none: each to a temporary name first, then renamed. Creates the folders.
+/// Throws std::runtime_error naming the file and the reason.
+void write_files(const std::filesystem::path& folder, const std::vector<File>& files);
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,72 @@
+#include "rtl_gen/emit/manifest.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace hitpipe::rtl {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ports(const Graph& graph) {
+  Json list = Json::array();
+  const auto add = [&](const std::string& name, const char* direction, const Json& width, bool is_signed) {
+    list.push_back({{"name", name}, {"direction", direction}, {"width", width}, {"signed", is_signed}});
+  };
+  for (const char* name : {"clk", "rst", "in_valid"}) add(name, "in", 1, false);
+  add("in_ready", "out", 1, false);
+  add("in_tag", "in", "TAG_BITS", false);
+  add("out_valid", "out", 1, false);
+  add("out_ready", "in", 1, false);
+  add("out_tag", "out", "TAG_BITS", false);
+  for (const NodeId id : graph.inputs()) add(graph[id].name, "in", graph[id].width, graph[id].is_signed);
+  for (const Output& out : graph.outputs()) add(out.name, "out", graph[out.node].width, false);
+  return list;
+}
+
+Json stages(const Pipeline& pipeline) {
+  Json list = Json::array();
+  for (int stage = 0; stage <= pipeline.schedule.stages; ++stage) {
+    std::map<std::string, int> components;
+    for (NodeId id = 0; id < pipeline.graph.size(); ++id) {
+      if (!is_component(pipeline.graph[id].op) || pipeline.schedule.slots[id].stage != stage) continue;
+      const ComponentUse use = component_of(pipeline.graph, id);
+      ++components[fmt::format("{}_{}", component_name(use.component), use.bits)];
+    }
+    int latch_bits = 0;
+    for (const Register& r : pipeline.placement.registers) {
+      if (r.boundary != stage) continue;
+      ++components[fmt::format("latch_{}", r.width())];
+      latch_bits += r.width();
+    }
+    list.push_back({{"stage", stage}, {"components", components}, {"latch_bits", latch_bits}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string manifest(const Design& design, hls::IntBits bits, const Pipeline& pipeline,
+                     const Library& library) {
+  const std::string name(design.name);
+  const Json json{{"design", name},
+                  {"bits", to_string(bits)},
+                  {"module", name},
+                  {"files", {name + ".v"}},
+                  {"clock", "clk, rising edge"},
+                  {"reset", "rst, synchronous, active high, valid bits only"},
+                  {"handshake", "valid/ready; results in order; the whole pipeline waits for out_ready"},
+                  {"parameters", {{"TAG_BITS", 16}}},
+                  {"ports", ports(pipeline.graph)},
+                  {"stages", pipeline.schedule.stages},
+                  {"latency", pipeline.latency()},
+                  {"clock_ps", pipeline.schedule.clock_ps},
+                  {"library", library.name()},
+                  {"by_stage", stages(pipeline)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,17 @@
+// The manifest of an emitted design: what a flow needs to know, as JSON, computed from the graph that was
+// emitted.
+#pragma once
+
+#include <string>
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/pipeline.hpp"
+
+namespace hitpipe::rtl {
+
+/// Keys: design, bits, module, files, clock, reset, handshake, ports (name, direction, width, signed),
+/// stages, latency, clock_ps, library, and per stage: components with their counts, latch bits at its end.
+[[nodiscard]] std::string manifest(const Design& design, hls::IntBits bits, const Pipeline& pipeline,
+                                   const Library& library);
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,14 @@
+// The graph that is scheduled and emitted: dead nodes gone, arithmetic no wider than the bits that are used
+// of it, nodes numbered from the outputs. Compilers evaluate operands in different orders; this numbering
+// does not depend on the order in which nodes were recorded.
+#pragma once
+
+#include "rtl_gen/graph/graph.hpp"
+
+namespace hitpipe::rtl {
+
+/// Same inputs (in port order), same outputs, same values. Addition, subtraction, muxes and gates keep only
+/// the low bits that some output depends on; multipliers and comparators stay whole.
+[[nodiscard]] Graph canonical(const Graph& graph);
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,275 @@
+#include "rtl_gen/graph/graph.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace hitpipe::rtl {
+
+namespace {
+
+constexpr int max_width = 64;
+
+constexpr std::uint64_t low_mask(int width) {
+  return width >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1;
+}
+
+std::int64_t as_signed(std::uint64_t value, int width) {
+  const int spare = 64 - width;
+  return static_cast<std::int64_t>(value << spare) >> spare;
+}
+
+}  // namespace
+
+std::string_view op_name(Op op) {
+  switch (op) {
+    case Op::input:
+      return "input";
+    case Op::constant:
+      return "const";
+    case Op::slice:
+      return "slice";
+    case Op::concat:
+      return "concat";
+    case Op::extend:
+      return "extend";
+    case Op::invert:
+      return "not";
+    case Op::bit_and:
+      return "and";
+    case Op::bit_or:
+      return "or";
+    case Op::bit_xor:
+      return "xor";
+    case Op::add:
+      return "add";
+    case Op::sub:
+      return "sub";
+    case Op::mul:
+      return "mul";
+    case Op::less:
+      return "cmp";
+    case Op::equal:
+      return "eq";
+    case Op::mux:
+      return "mux";
+  }
+  return "?";
+}
+
+NodeId Graph::record(Node node) {
+  if (node.width < 1 || node.width > max_width) {
+    throw std::invalid_argument(
+        fmt::format("graph {}: a value of {} bits, allowed are 1 to {}", name_, node.width, max_width));
+  }
+  node.min_stage = is_root(node.op) && node.op != Op::input ? min_stage_ : 0;
+  const Key key{node.op, node.width, node.is_signed, node.low, node.value, node.args, node.min_stage};
+  if (node.op != Op::input) {
+    if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  }
+  const auto id = static_cast<NodeId>(nodes_.size());
+  if (node.op != Op::input) known_.emplace(key, id);
+  nodes_.push_back(std::move(node));
+  return id;
+}
+
+NodeId Graph::input(std::string_view name, int width, bool is_signed) {
+  Node n{.op = Op::input, .width = width, .is_signed = is_signed};
+  n.name = name;
+  const NodeId id = record(std::move(n));
+  inputs_.push_back(id);
+  return id;
+}
+
+NodeId Graph::constant(int width, std::uint64_t value) {
+  return record({.op = Op::constant, .width = width, .value = value & low_mask(width)});
+}
+
+NodeId Graph::slice(NodeId a, int high, int low) {
+  const Node n = nodes_[a];
+  const int width = high - low + 1;
+  if (low < 0 || width < 1 || high >= n.width) {
+    throw std::invalid_argument(
+        fmt::format("graph {}: bits {}:{} of a {}-bit value", name_, high, low, n.width));
+  }
+  if (width == n.width) return a;
+  switch (n.op) {  // a slice always lands on what can be latched
+    case Op::constant:
+      return constant(width, n.value >> low);
+    case Op::slice:
+      return slice(n.args[0], n.low + high, n.low + low);
+    case Op::invert:
+      return invert(slice(n.args[0], high, low));
+    case Op::concat: {
+      const int split = nodes_[n.args[1]].width;
+      if (high < split) return slice(n.args[1], high, low);
+      if (low >= split) return slice(n.args[0], high - split, low - split);
+      const NodeId lower = slice(n.args[1], split - 1, low);
+      return concat(slice(n.args[0], high - split, 0), lower);
+    }
+    case Op::extend: {
+      const int source = nodes_[n.args[0]].width;
+      if (high < source) return slice(n.args[0], high, low);
+      if (low < source) return extend(slice(n.args[0], source - 1, low), width, n.is_signed);
+      if (!n.is_signed) return constant(width, 0);
+      return extend(slice(n.args[0], source - 1, source - 1), width, true);
+    }
+    default:
+      return record({.op = Op::slice, .width = width, .low = low, .args = {a, no_node, no_node}});
+  }
+}
+
+NodeId Graph::concat(NodeId high, NodeId low) {
+  const Node h = nodes_[high];
+  const Node l = nodes_[low];
+  if (h.op == Op::slice && l.op == Op::slice && h.args[0] == l.args[0] && h.low == l.low + l.width) {
+    return slice(h.args[0], h.low + h.width - 1, l.low);
+  }
+  return record({.op = Op::concat, .width = h.width + l.width, .args = {high, low, no_node}});
+}
+
+NodeId Graph::extend(NodeId a, int width, bool is_signed) {
+  const Node n = nodes_[a];
+  if (width == n.width) return a;
+  if (n.op == Op::constant) {
+    return constant(width, is_signed ? static_cast<std::uint64_t>(as_signed(n.value, n.width)) : n.value);
+  }
+  if (n.op == Op::extend && (n.is_signed == is_signed || !n.is_signed)) {
+    return extend(n.args[0], width, n.is_signed);
+  }
+  return record({.op = Op::extend, .width = width, .is_signed = is_signed, .args = {a, no_node, no_node}});
+}
+
+NodeId Graph::resize(NodeId a, int width, bool is_signed) {
+  return width <= nodes_[a].width ? slice(a, width - 1, 0) : extend(a, width, is_signed);
+}
+
+NodeId Graph::invert(NodeId a) {
+  const Node n = nodes_[a];
+  if (n.op == Op::invert) return n.args[0];
+  if (n.op == Op::constant) return constant(n.width, ~n.value);
+  return record({.op = Op::invert, .width = n.width, .args = {a, no_node, no_node}});
+}
+
+NodeId Graph::binary(Op op, NodeId a, NodeId b, bool is_signed) {
+  const int wa = nodes_[a].width;
+  const int wb = nodes_[b].width;
+  if (op != Op::mul && wa != wb) {
+    throw std::invalid_argument(
+        fmt::format("graph {}: {} of {} and {} bits, the widths must be equal", name_, op_name(op), wa, wb));
+  }
+  const int width = op == Op::mul ? wa + wb : op == Op::less || op == Op::equal ? 1 : wa;
+  return record({.op = op, .width = width, .is_signed = is_signed, .args = {a, b, no_node}});
+}
+
+NodeId Graph::mux(NodeId select, NodeId if_one, NodeId if_zero) {
+  if (nodes_[select].width != 1 || nodes_[if_one].width != nodes_[if_zero].width) {
+    throw std::invalid_argument(fmt::format("graph {}: mux of {} and {} bits by {} bits", name_,
+                                            nodes_[if_one].width, nodes_[if_zero].width,
+                                            nodes_[select].width));
+  }
+  if (if_one == if_zero) return if_one;
+  return record({.op = Op::mux, .width = nodes_[if_one].width, .args = {select, if_one, if_zero}});
+}
+
+void Graph::output(std::string_view name, NodeId node) {
+  outputs_.push_back({std::string(name), node});
+}
+
+void Graph::annotate(NodeId node, std::string_view name, const SourceLine& source) {
+  Node& n = nodes_[node];
+  if (!n.name.empty() || name.empty()) return;
+  n.name = name;
+  n.source = source;
+}
+
+std::string to_text(const Graph& graph) {
+  std::string text = fmt::format("graph {}\n", graph.name());
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& n = graph[id];
+    text += fmt::format("%{} = {}:{}", id, op_name(n.op), n.width);
+    if (n.is_signed) text += " signed";
+    for (const NodeId arg : n.operands()) text += fmt::format(" %{}", arg);
+    if (n.op == Op::slice) text += fmt::format(" [{}:{}]", n.low + n.width - 1, n.low);
+    if (n.op == Op::constant) text += fmt::format(" {:#x}", n.value);
+    if (n.min_stage > 0) text += fmt::format(" stage>={}", n.min_stage);
+    if (!n.name.empty()) text += fmt::format("  {}", n.name);
+    if (n.source.line != 0) text += fmt::format(" @ {}:{}", n.source.file, n.source.line);
+    text += '\n';
+  }
+  for (const Output& out : graph.outputs()) text += fmt::format("output {} %{}\n", out.name, out.node);
+  return text;
+}
+
+std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uint64_t> inputs) {
+  if (inputs.size() != graph.inputs().size()) {
+    throw std::invalid_argument(fmt::format("graph {}: {} input values for {} inputs", graph.name(),
+                                            inputs.size(), graph.inputs().size()));
+  }
+  std::vector<std::uint64_t> value(graph.size());
+  std::size_t next_input = 0;
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& n = graph[id];
+    const std::uint64_t a = n.arity() > 0 ? value[n.args[0]] : 0;
+    const std::uint64_t b = n.arity() > 1 ? value[n.args[1]] : 0;
+    const int wa = n.arity() > 0 ? graph[n.args[0]].width : 0;
+    const int wb = n.arity() > 1 ? graph[n.args[1]].width : 0;
+    std::uint64_t v = 0;
+    switch (n.op) {
+      case Op::input:
+        v = inputs[next_input++];
+        break;
+      case Op::constant:
+        v = n.value;
+        break;
+      case Op::slice:
+        v = a >> n.low;
+        break;
+      case Op::concat:
+        v = a << wb | b;
+        break;
+      case Op::extend:
+        v = n.is_signed ? static_cast<std::uint64_t>(as_signed(a, wa)) : a;
+        break;
+      case Op::invert:
+        v = ~a;
+        break;
+      case Op::bit_and:
+        v = a & b;
+        break;
+      case Op::bit_or:
+        v = a | b;
+        break;
+      case Op::bit_xor:
+        v = a ^ b;
+        break;
+      case Op::add:
+        v = a + b;
+        break;
+      case Op::sub:
+        v = a - b;
+        break;
+      case Op::mul:
+        v = n.is_signed
+                ? static_cast<std::uint64_t>(as_signed(a, wa)) * static_cast<std::uint64_t>(as_signed(b, wb))
+                : a * b;
+        break;
+      case Op::less:
+        v = n.is_signed ? as_signed(a, wa) < as_signed(b, wb) : a < b;
+        break;
+      case Op::equal:
+        v = a == b;
+        break;
+      case Op::mux:
+        v = a != 0 ? b : value[n.args[2]];
+        break;
+    }
+    value[id] = v & low_mask(n.width);
+  }
+  std::vector<std::uint64_t> results;
+  for (const Output& out : graph.outputs()) results.push_back(value[out.node]);
+  return results;
+}
+
+}  // namespace hitpipe::rtl

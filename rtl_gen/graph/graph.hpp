@@ -1,0 +1,125 @@
+// A datapath as a flat list of nodes in topological order; an edge is the index of the node it comes from.
+// Values are bit vectors of 1..64 bits without a sign; a node that reads its operands as two's complement
+// says so. Equal nodes are recorded once. The text form (to_text) is the graph's printable identity.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace hitpipe::rtl {
+
+using NodeId = std::uint32_t;
+inline constexpr NodeId no_node = ~NodeId{0};
+
+enum class Op : std::uint8_t {
+  input,
+  constant,
+  // wires: no area, no delay
+  slice,   ///< bits low+width-1 .. low of a
+  concat,  ///< {a, b}
+  extend,  ///< a widened by its sign (is_signed) or by zeros
+  invert,
+  // gates: delay but no area (section 7.3)
+  bit_and,
+  bit_or,
+  bit_xor,
+  // components of the library
+  add,   ///< operands and result have one width; wraps
+  sub,   ///< likewise
+  mul,   ///< width(a) + width(b), both signed or both unsigned
+  less,  ///< 1 bit, a < b, operands of one width
+  equal,
+  mux,  ///< a ? b : c
+};
+
+[[nodiscard]] std::string_view op_name(Op op);
+[[nodiscard]] constexpr bool is_wire(Op op) {
+  return op == Op::slice || op == Op::concat || op == Op::extend || op == Op::invert;
+}
+/// A value that can be latched: neither a wire, which is taken from its source, nor a constant.
+[[nodiscard]] constexpr bool is_root(Op op) {
+  return !is_wire(op) && op != Op::constant;
+}
+
+/// Where in the C++ a value was named: "hls/pipelines/int_slabs.hpp", 33. line 0: unknown.
+struct SourceLine {
+  std::string file;
+  unsigned line = 0;
+};
+
+struct Node {
+  Op op = Op::input;
+  int width = 1;
+  bool is_signed = false;   ///< extend, mul, less: operands are two's complement; input: the port is
+  int low = 0;              ///< slice: lowest bit taken
+  std::uint64_t value = 0;  ///< constant, at most 64 bits
+  std::array<NodeId, 3> args{no_node, no_node, no_node};
+  std::string name{};  ///< from the C++, may be empty
+  SourceLine source{};
+  int min_stage = 0;  ///< earliest pipeline stage; set only by components with a stated partition
+
+  [[nodiscard]] int arity() const {
+    return args[0] == no_node ? 0 : args[1] == no_node ? 1 : args[2] == no_node ? 2 : 3;
+  }
+  [[nodiscard]] std::span<const NodeId> operands() const {
+    return {args.data(), static_cast<std::size_t>(arity())};
+  }
+};
+
+struct Output {
+  std::string name;
+  NodeId node;
+};
+
+class Graph {
+ public:
+  explicit Graph(std::string name) : name_(std::move(name)) {}
+
+  NodeId input(std::string_view name, int width, bool is_signed);
+  NodeId constant(int width, std::uint64_t value);
+  NodeId slice(NodeId a, int high, int low);
+  NodeId concat(NodeId high, NodeId low);
+  NodeId extend(NodeId a, int width, bool is_signed);
+  /// Takes `a` to `width` bits: the low ones when narrower, else as extend.
+  NodeId resize(NodeId a, int width, bool is_signed);
+  NodeId invert(NodeId a);
+  NodeId binary(Op op, NodeId a, NodeId b, bool is_signed = false);
+  NodeId mux(NodeId select, NodeId if_one, NodeId if_zero);
+  void output(std::string_view name, NodeId node);
+
+  /// Names a value unless it has a name already (inputs keep their port's).
+  void annotate(NodeId node, std::string_view name, const SourceLine& source);
+  /// Nodes recorded from here on start no earlier than this stage.
+  void begin_stage(int stage) { min_stage_ = stage; }
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const Node& operator[](NodeId id) const { return nodes_[id]; }
+  [[nodiscard]] NodeId size() const { return static_cast<NodeId>(nodes_.size()); }
+  [[nodiscard]] const std::vector<NodeId>& inputs() const { return inputs_; }
+  [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }
+
+ private:
+  using Key = std::tuple<Op, int, bool, int, std::uint64_t, std::array<NodeId, 3>, int>;
+  NodeId record(Node node);
+
+  std::string name_;
+  std::vector<Node> nodes_;
+  std::vector<NodeId> inputs_;
+  std::vector<Output> outputs_;
+  std::map<Key, NodeId> known_;
+  int min_stage_ = 0;
+};
+
+/// One line a node: "%7 = sub:24 %1 %4  dx0 @ hls/pipelines/int_slabs.hpp:33".
+[[nodiscard]] std::string to_text(const Graph& graph);
+
+/// The value of every output for given inputs (in port order); the graph's meaning, used to check passes.
+[[nodiscard]] std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uint64_t> inputs);
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,57 @@
+// Through the wires: which latchable values, and which of their bits, a node reads.
+#pragma once
+
+#include "rtl_gen/graph/graph.hpp"
+
+namespace hitpipe::rtl {
+
+/// Bits high..low of a 64-bit mask.
+[[nodiscard]] constexpr std::uint64_t bit_range(int high, int low) {
+  const std::uint64_t upto = high >= 63 ? ~std::uint64_t{0} : (std::uint64_t{1} << (high + 1)) - 1;
+  return upto & ~((std::uint64_t{1} << low) - 1);
+}
+
+/// Calls visit(root, bits) for every input, component or gate from which the masked bits of `value` come by
+/// wires.
+template <class Visit>
+void for_each_source_of(const Graph& graph, NodeId value, std::uint64_t bits, Visit&& visit) {
+  const Node& n = graph[value];
+  if (bits == 0 || n.op == Op::constant) return;
+  switch (n.op) {
+    case Op::slice:
+      for_each_source_of(graph, n.args[0], bits << n.low, visit);
+      break;
+    case Op::invert:
+      for_each_source_of(graph, n.args[0], bits, visit);
+      break;
+    case Op::concat: {
+      const int split = graph[n.args[1]].width;
+      for_each_source_of(graph, n.args[1], bits & bit_range(split - 1, 0), visit);
+      for_each_source_of(graph, n.args[0], bits >> split, visit);
+      break;
+    }
+    case Op::extend: {
+      const int source = graph[n.args[0]].width;
+      std::uint64_t low = bits & bit_range(source - 1, 0);
+      if (n.is_signed && (bits & ~bit_range(source - 1, 0)) != 0) low |= std::uint64_t{1} << (source - 1);
+      for_each_source_of(graph, n.args[0], low, visit);
+      break;
+    }
+    default:
+      visit(value, bits);
+      break;
+  }
+}
+
+template <class Visit>
+void for_each_source_of(const Graph& graph, NodeId value, Visit&& visit) {
+  for_each_source_of(graph, value, bit_range(graph[value].width - 1, 0), visit);
+}
+
+/// The same for all operands of a node.
+template <class Visit>
+void for_each_source(const Graph& graph, NodeId node, Visit&& visit) {
+  for (const NodeId arg : graph[node].operands()) for_each_source_of(graph, arg, visit);
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,25 @@
+// A datapath that is ready to be emitted: canonical graph, stages, registers.
+#pragma once
+
+#include "rtl_gen/component/library.hpp"
+#include "rtl_gen/graph/graph.hpp"
+#include "rtl_gen/schedule/registers.hpp"
+#include "rtl_gen/schedule/schedule.hpp"
+
+namespace hitpipe::rtl {
+
+struct Pipeline {
+  Graph graph;
+  Schedule schedule;
+  Placement placement;
+
+  /// Cycles from the clock edge that takes the operands into the input latches to the edge that latches the
+  /// outputs: the thesis's number of pipeline stages (section 7.4).
+  [[nodiscard]] int latency() const { return schedule.stages; }
+};
+
+/// Throws as schedule_asap does.
+[[nodiscard]] Pipeline make_pipeline(const Graph& traced, const Library& library,
+                                     std::optional<int> clock_ps = std::nullopt);
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "rtl_gen/graph/sources.hpp"
+#include "rtl_gen/schedule/schedule.hpp"
+
+namespace hitpipe::rtl {
+
+namespace {
+
+/// The slowest stage of any component of the graph and a latch, and the component that needs it.
+struct SlowestStage {
+  int clock_ps = 0;
+  std::string component = "a latch alone";
+};
+
+SlowestStage slowest_stage(const Graph& graph, const Library& library) {
+  SlowestStage slowest{.clock_ps = library.latch_delay_ps()};
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    if (!is_root(graph[id].op) || graph[id].op == Op::input) continue;
+    const int clock = timing_of(graph, id, library).delay_ps + library.latch_delay_ps();
+    if (clock <= slowest.clock_ps) continue;
+    slowest.clock_ps = clock;
+    if (is_component(graph[id].op)) {
+      const ComponentUse use = component_of(graph, id);
+      slowest.component = fmt::format("{}:{}", component_name(use.component), use.bits);
+    } else {
+      slowest.component = op_name(graph[id].op);
+    }
+  }
+  return slowest;
+}
+
+}  // namespace
+
+Schedule schedule_asap(const Graph& graph, const Library& library, std::optional<int> clock_ps) {
+  const SlowestStage slowest = slowest_stage(graph, library);
+  if (clock_ps && *clock_ps < slowest.clock_ps) {
+    throw std::invalid_argument(
+        fmt::format("{}: a clock of {} ps is too short for {}; the smallest that can be met is {} ps",
+                    graph.name(), *clock_ps, slowest.component, slowest.clock_ps));
+  }
+  Schedule s;
+  s.clock_ps = clock_ps.value_or(slowest.clock_ps);
+  s.latch_ps = library.latch_delay_ps();
+  s.slots.resize(graph.size());
+
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& n = graph[id];
+    Slot& slot = s.slots[id];
+    if (n.op == Op::input) slot.latched = true;
+    if (!is_root(n.op) || n.op == Op::input) continue;
+
+    int stage = std::max(1, n.min_stage);
+    int start_ps = 0;
+    for_each_source(graph, id, [&](NodeId source, std::uint64_t) {
+      const Slot& from = s.slots[source];
+      const int there = from.latched ? from.finish + 1 : from.finish;
+      const int at_ps = from.latched ? 0 : from.ready_ps;
+      if (there > stage) start_ps = 0;
+      if (there >= stage) start_ps = std::max(start_ps, at_ps);
+      stage = std::max(stage, there);
+    });
+    const Cell cell = timing_of(graph, id, library);
+    if (start_ps + cell.delay_ps + s.latch_ps > s.clock_ps) {
+      ++stage;
+      start_ps = 0;
+    }
+    slot.stage = stage;
+    slot.latched = cell.stages > 0;
+    slot.finish = stage + std::max(cell.stages, 1) - 1;
+    slot.ready_ps = slot.latched ? 0 : start_ps + cell.delay_ps;
+  }
+  s.stages = 1;
+  for (const Output& out : graph.outputs()) {
+    for_each_source_of(graph, out.node, [&](NodeId source, std::uint64_t) {
+      s.stages = std::max(s.stages, s.slots[source].finish);
+    });
+  }
+  if (const auto broken = verify(graph, library, s); !broken.empty()) {
+    throw std::logic_error(fmt::format("{}: illegal schedule: {}", graph.name(), fmt::join(broken, "; ")));
+  }
+  return s;
+}
+
+Schedule schedule_as_stated(const Graph& graph, int stages) {
+  Schedule s;
+  s.stages = stages;
+  s.slots.resize(graph.size());
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& n = graph[id];
+    if (!is_root(n.op)) continue;
+    int stage = std::max(1, n.min_stage);
+    for_each_source(graph, id,
+                    [&](NodeId source, std::uint64_t) { stage = std::max(stage, s.slots[source].finish); });
+    if (stage > stages) {
+      throw std::logic_error(fmt::format("{}: a node states stage {} of {}", graph.name(), stage, stages));
+    }
+    s.slots[id] = {.stage = stage, .finish = stage};
+  }
+  return s;
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,71 @@
+// The rules of schedule.hpp, checked one by one. Arrival times are computed here again, from the stages
+// alone.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "rtl_gen/graph/sources.hpp"
+#include "rtl_gen/schedule/schedule.hpp"
+
+namespace hitpipe::rtl {
+
+namespace {
+
+std::string label(const Graph& graph, NodeId id) {
+  const Node& n = graph[id];
+  return n.name.empty() ? fmt::format("%{} ({})", id, op_name(n.op)) : n.name;
+}
+
+}  // namespace
+
+std::vector<std::string> verify(const Graph& graph, const Library& library, const Schedule& schedule) {
+  std::vector<std::string> broken;
+  if (schedule.slots.size() != graph.size()) {
+    return {fmt::format("{} slots for {} nodes", schedule.slots.size(), graph.size())};
+  }
+  const int latch_ps = library.latch_delay_ps();
+  std::vector<int> arrival(graph.size(), 0);  // within the finishing stage, for unlatched values
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& n = graph[id];
+    const Slot& slot = schedule.slots[id];
+    if (!is_root(n.op)) continue;
+    if (n.op == Op::input) {
+      if (slot.finish != 0 || !slot.latched)
+        broken.push_back(fmt::format("input {} is not at stage 0", n.name));
+      continue;
+    }
+    if (slot.stage < 1) broken.push_back(fmt::format("{} starts in stage {}", label(graph, id), slot.stage));
+    const Cell cell = timing_of(graph, id, library);
+    if (slot.finish != slot.stage + std::max(cell.stages, 1) - 1 || slot.latched != (cell.stages > 0)) {
+      broken.push_back(fmt::format("{} has {} internal stages but occupies stages {} to {}", label(graph, id),
+                                   cell.stages, slot.stage, slot.finish));
+    }
+    int chain = 0;
+    for_each_source(graph, id, [&](NodeId source, std::uint64_t) {
+      const Slot& from = schedule.slots[source];
+      const int usable = from.latched ? from.finish + 1 : from.finish;
+      if (usable > slot.stage) {
+        broken.push_back(fmt::format("{} starts in stage {} but reads {}, which is there in stage {}",
+                                     label(graph, id), slot.stage, label(graph, source), usable));
+      } else if (usable == slot.stage && !from.latched) {
+        chain = std::max(chain, arrival[source]);
+      }
+    });
+    if (chain + cell.delay_ps + latch_ps > schedule.clock_ps) {
+      broken.push_back(fmt::format("{}: {} ps of logic and a {} ps latch exceed the clock of {} ps",
+                                   label(graph, id), chain + cell.delay_ps, latch_ps, schedule.clock_ps));
+    }
+    arrival[id] = chain + cell.delay_ps;
+  }
+  for (const Output& out : graph.outputs()) {
+    for_each_source_of(graph, out.node, [&](NodeId source, std::uint64_t) {
+      if (schedule.slots[source].finish > schedule.stages) {
+        broken.push_back(fmt::format("output {} is latched in stage {} but {} is there in stage {}", out.name,
+                                     schedule.stages, label(graph, source), schedule.slots[source].finish));
+      }
+    });
+  }
+  return broken;
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,230 @@
+#include "rtl_gen/verilog/body.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "rtl_gen/graph/sources.hpp"
+
+namespace hitpipe::rtl {
+
+namespace {
+
+std::string select_bits(const std::string& name, BitSpan declared, int high, int low) {
+  if (declared.high == high && declared.low == low) return name;
+  if (high == low) return fmt::format("{}[{}]", name, high - declared.low);
+  return fmt::format("{}[{}:{}]", name, high - declared.low, low - declared.low);
+}
+
+std::string_view infix(Op op) {
+  switch (op) {
+    case Op::bit_and:
+      return "&";
+    case Op::bit_or:
+      return "|";
+    case Op::bit_xor:
+      return "^";
+    case Op::add:
+      return "+";
+    case Op::sub:
+      return "-";
+    case Op::mul:
+      return "*";
+    case Op::less:
+      return "<";
+    default:
+      return "==";
+  }
+}
+
+}  // namespace
+
+std::string vector_range(int width) {
+  return width == 1 ? "" : fmt::format("[{}:0] ", width - 1);
+}
+
+Body::Body(const Graph& graph, const Schedule& schedule, const Placement& placement, BodyOptions options)
+    : graph_(graph), schedule_(schedule), placement_(placement), options_(std::move(options)) {
+  taken_ = options_.taken;
+  taken_.insert({"clk", options_.enable, "unused"});
+  for (const Output& out : graph.outputs()) taken_.insert(out.name);
+  for (int boundary = 0; boundary <= schedule.stages; ++boundary) {
+    taken_.insert(fmt::format("tag_s{}", boundary));
+  }
+  names_ = value_names(graph, placement, taken_);
+  taken_.insert(names_.begin(), names_.end());
+  for (const Register& r : placement.registers) registers_.push_back(claim(wished_name(r)));
+
+  if (std::any_of(placement.registers.begin(), placement.registers.end(),
+                  [](const Register& r) { return r.boundary == 0; })) {
+    text_ += "\n  // Input latches.\n";
+    write_registers(0);
+  }
+  for (int stage = 1; stage <= schedule.stages; ++stage) write_stage(stage);
+  write_unused();
+}
+
+bool Body::is_instance(NodeId id) const {
+  return graph_[id].op == Op::mul && schedule_.slots[id].latched;
+}
+
+BitSpan Body::declared(NodeId root) const {
+  return is_instance(root) ? used_span(graph_, placement_, root) : BitSpan{graph_[root].width - 1, 0};
+}
+
+std::string Body::source_comment(NodeId id) const {
+  const SourceLine& s = graph_[id].source;
+  return s.line == 0 ? "" : fmt::format(", {}:{}", s.file, s.line);
+}
+
+std::string Body::claim(const std::string& wish) {
+  std::string name = wish;
+  for (int i = 2; !taken_.insert(name).second; ++i) name = fmt::format("{}_{}", wish, i);
+  return name;
+}
+
+const std::string& Body::register_name(const Register& r) const {
+  return registers_[static_cast<std::size_t>(&r - placement_.registers.data())];
+}
+
+std::string Body::wished_name(const Register& r) const {
+  const BitSpan whole = used_span(graph_, placement_, r.value);
+  const std::string& name = names_[r.value];
+  if (r.high == whole.high && r.low == whole.low) return fmt::format("{}_s{}", name, r.boundary);
+  if (r.high == r.low && r.high == graph_[r.value].width - 1)
+    return fmt::format("{}_sign_s{}", name, r.boundary);
+  return fmt::format("{}_{}_{}_s{}", name, r.high, r.low, r.boundary);
+}
+
+std::string Body::bits_of(NodeId root, int high, int low, int stage) const {
+  const auto covers = [&](const Register& r) {
+    return r.value == root && r.boundary == stage - 1 && r.low <= low && r.high >= high;
+  };
+  const auto found = std::find_if(placement_.registers.begin(), placement_.registers.end(), covers);
+  if (found == placement_.registers.end()) return select_bits(names_[root], declared(root), high, low);
+  return select_bits(register_name(*found), {found->high, found->low}, high, low);
+}
+
+std::string Body::expression(NodeId value, int stage) const {
+  return expression(value, graph_[value].width - 1, 0, stage);
+}
+
+std::string Body::expression(NodeId value, int high, int low, int stage) const {
+  const Node& n = graph_[value];
+  const int width = high - low + 1;
+  switch (n.op) {
+    case Op::constant:
+      return fmt::format("{}'h{:x}", width, n.value >> low & bit_range(width - 1, 0));
+    case Op::slice:
+      return expression(n.args[0], n.low + high, n.low + low, stage);
+    case Op::invert:
+      return fmt::format("~{}", expression(n.args[0], high, low, stage));
+    case Op::concat: {
+      const int split = graph_[n.args[1]].width;
+      if (high < split) return expression(n.args[1], high, low, stage);
+      if (low >= split) return expression(n.args[0], high - split, low - split, stage);
+      return fmt::format("{{{}, {}}}", expression(n.args[0], high - split, 0, stage),
+                         expression(n.args[1], split - 1, low, stage));
+    }
+    case Op::extend: {
+      const int source = graph_[n.args[0]].width;
+      if (high < source) return expression(n.args[0], high, low, stage);
+      const int extra = high - std::max(low, source) + 1;
+      const std::string fill = n.is_signed ? fmt::format("{{{}{{{}}}}}", extra,
+                                                         expression(n.args[0], source - 1, source - 1, stage))
+                                           : fmt::format("{}'d0", extra);
+      if (low >= source) return fill;
+      return fmt::format("{{{}, {}}}", fill, expression(n.args[0], source - 1, low, stage));
+    }
+    default:
+      return bits_of(value, high, low, stage);
+  }
+}
+
+void Body::write_value(NodeId id) {
+  const Node& n = graph_[id];
+  const int stage = schedule_.slots[id].stage;
+  const auto arg = [&](std::size_t i) {
+    const std::string value = expression(n.args[i], stage);
+    // A product is wider than its operands: Verilog would extend them before it inverts them.
+    return n.op == Op::mul && graph_[n.args[i]].op == Op::invert ? fmt::format("{{{}}}", value) : value;
+  };
+  std::string right;
+  if (n.op == Op::mux) {
+    right = fmt::format("{} ? {} : {}", arg(0), arg(1), arg(2));
+  } else {
+    const bool reads_sign = n.is_signed && (n.op == Op::mul || n.op == Op::less);
+    const std::string_view form = reads_sign ? "$signed({}) {} $signed({})" : "{} {} {}";
+    right = fmt::format(fmt::runtime(form), arg(0), infix(n.op), arg(1));
+  }
+  text_ += fmt::format("  wire {}{} = {};\n", vector_range(n.width), names_[id], right);
+}
+
+void Body::write_multiplier(NodeId id) {
+  const Node& n = graph_[id];
+  const Slot& slot = schedule_.slots[id];
+  const BitSpan used = declared(id);
+  const MultiplierShape shape{.width_a = graph_[n.args[0]].width,
+                              .width_b = graph_[n.args[1]].width,
+                              .is_signed = n.is_signed,
+                              .stages = slot.finish - slot.stage + 1,
+                              .high = used.high,
+                              .low = used.low};
+  const std::string base = fmt::format("{}_mul_{}x{}{}_to_{}_{}", options_.prefix, shape.width_a,
+                                       shape.width_b, shape.is_signed ? "s" : "u", shape.high, shape.low);
+  const std::string& module = multipliers_.try_emplace(shape, base).first->second;
+  const std::string clocked = shape.stages > 1 ? fmt::format(".clk(clk), .en({}), ", options_.enable) : "";
+  text_ += fmt::format("  wire {}{};  // bits {}:{}, there in stage {}\n", vector_range(used.width()),
+                       names_[id], used.high, used.low, slot.finish);
+  text_ += fmt::format("  {} {} ({}.a({}), .b({}), .p({}));\n", module, claim("mul_" + names_[id]), clocked,
+                       expression(n.args[0], slot.stage), expression(n.args[1], slot.stage), names_[id]);
+}
+
+void Body::write_registers(int boundary) {
+  std::string load;
+  for (const Register& r : placement_.registers) {
+    if (r.boundary != boundary) continue;
+    const std::string& name = register_name(r);
+    text_ += fmt::format("  reg {}{};  // stage {}{}\n", vector_range(r.width()), name, boundary,
+                         source_comment(r.value));
+    load += fmt::format("      {} <= {};\n", name, bits_of(r.value, r.high, r.low, boundary));
+  }
+  if (load.empty()) return;
+  text_ += fmt::format("  always @(posedge clk) begin\n    if ({}) begin\n{}    end\n  end\n",
+                       options_.enable, load);
+}
+
+void Body::write_stage(int stage) {
+  text_ += fmt::format("\n  // Stage {}.\n", stage);
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    if (!is_root(graph_[id].op) || graph_[id].op == Op::input || schedule_.slots[id].stage != stage) continue;
+    if (is_instance(id)) {
+      write_multiplier(id);
+    } else {
+      write_value(id);
+    }
+  }
+  write_registers(stage);
+}
+
+void Body::write_unused() {
+  std::vector<std::string> unused;
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    if (!is_root(graph_[id].op)) continue;
+    const BitSpan span = declared(id);
+    std::uint64_t rest = bit_range(span.high, span.low) & ~placement_.used_bits[id];
+    while (rest != 0) {
+      const int low = std::countr_zero(rest);
+      const int high = low + std::countr_one(rest >> low) - 1;
+      unused.push_back(select_bits(names_[id], span, high, low));
+      rest &= ~bit_range(high, low);
+    }
+  }
+  if (unused.empty()) return;
+  text_ +=
+      fmt::format("\n  // Not read on purpose.\n  wire unused = &{{1'b0, {}}};\n", fmt::join(unused, ", "));
+}
+
+}  // namespace hitpipe::rtl

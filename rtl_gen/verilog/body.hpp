@@ -1,0 +1,64 @@
+// The inside of a module: the logic of each stage and the registers at its end.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "rtl_gen/component/multiplier.hpp"
+#include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/verilog/names.hpp"
+
+namespace hitpipe::rtl {
+
+/// "[23:0] ", or nothing for one bit.
+[[nodiscard]] std::string vector_range(int width);
+
+struct BodyOptions {
+  std::string prefix;             ///< of the names of component modules
+  std::string enable;             ///< signal that lets the registers load
+  std::set<std::string> taken{};  ///< names that are not free
+};
+
+class Body {
+ public:
+  /// The graph, schedule and placement must outlive the body.
+  Body(const Graph& graph, const Schedule& schedule, const Placement& placement, BodyOptions options);
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+  /// Any value as it stands in a stage; stages + 1: behind the output latches.
+  [[nodiscard]] std::string expression(NodeId value, int stage) const;
+  /// The pipelined multipliers it has instances of, and the names of their modules.
+  [[nodiscard]] const std::map<MultiplierShape, std::string>& multipliers() const { return multipliers_; }
+
+ private:
+  void write_stage(int stage);
+  void write_registers(int boundary);
+  void write_value(NodeId id);
+  void write_multiplier(NodeId id);
+  void write_unused();
+  [[nodiscard]] std::string expression(NodeId value, int high, int low, int stage) const;
+  [[nodiscard]] std::string bits_of(NodeId root, int high, int low, int stage) const;
+  /// `wish`, or with a number behind it when that is taken.
+  [[nodiscard]] std::string claim(const std::string& wish);
+  [[nodiscard]] const std::string& register_name(const Register& r) const;  ///< of one in the placement
+  [[nodiscard]] std::string wished_name(const Register& r) const;
+  [[nodiscard]] std::string source_comment(NodeId id) const;
+  /// The bits an unlatched value is declared with: a pipelined component leaves out low bits that nobody
+  /// reads.
+  [[nodiscard]] BitSpan declared(NodeId root) const;
+  [[nodiscard]] bool is_instance(NodeId id) const;
+
+  const Graph& graph_;
+  const Schedule& schedule_;
+  const Placement& placement_;
+  BodyOptions options_;
+  std::set<std::string> taken_;
+  std::vector<std::string> names_;      ///< by node
+  std::vector<std::string> registers_;  ///< by their place in the placement
+  std::map<MultiplierShape, std::string> multipliers_;
+  std::string text_;
+};
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,90 @@
+#include "rtl_gen/verilog/names.hpp"
+
+#include <bit>
+#include <iterator>
+#include <sstream>
+
+#include <fmt/format.h>
+
+namespace hitpipe::rtl {
+
+namespace {
+
+/// Of Verilog (IEEE 1364-2001), and of SystemVerilog (IEEE 1800-2012), as which tools may read a design.
+std::set<std::string> keywords() {
+  std::istringstream words(
+      "always and assign automatic begin buf bufif0 bufif1 case casex casez cell cmos config deassign "
+      "default defparam design disable edge else end endcase endconfig endfunction endgenerate "
+      "endmodule endprimitive endspecify endtable endtask event for force forever fork function "
+      "generate genvar highz0 highz1 if ifnone incdir include initial inout input instance integer join "
+      "large liblist library localparam macromodule medium module nand negedge nmos nor noshowcancelled "
+      "not notif0 notif1 or output parameter pmos posedge primitive pull0 pull1 pulldown pullup "
+      "pulsestyle_ondetect pulsestyle_onevent rcmos real realtime reg release repeat rnmos rpmos rtran "
+      "rtranif0 rtranif1 scalared showcancelled signed small specify specparam strong0 strong1 supply0 "
+      "supply1 table task time tran tranif0 tranif1 tri tri0 tri1 triand trior trireg unsigned use "
+      "vectored wait wand weak0 weak1 while wire wor xnor xor accept_on alias always_comb always_ff "
+      "always_latch assert assume before bind bins binsof bit break byte chandle checker class clocking "
+      "const constraint context continue cover covergroup coverpoint cross dist do endchecker endclass "
+      "endclocking endgroup endinterface endpackage endprogram endproperty endsequence enum eventually "
+      "expect export extends extern final first_match foreach forkjoin global iff ignore_bins "
+      "illegal_bins implements implies import inside int interconnect interface intersect join_any "
+      "join_none let local logic longint matches modport nettype new nexttime null package packed "
+      "priority program property protected pure rand randc randcase randsequence ref reject_on restrict "
+      "return s_always s_eventually s_nexttime s_until s_until_with sequence shortint shortreal soft "
+      "solve static string strong struct super sync_accept_on sync_reject_on tagged this throughout "
+      "timeprecision timeunit type typedef union unique unique0 until until_with untyped uwire var "
+      "virtual void wait_order weak wildcard with within");
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+/// The nearest reader of `value` that the C++ named, itself included.
+std::string name_downstream(const Graph& graph, NodeId value,
+                            const std::vector<std::vector<NodeId>>& readers) {
+  for (NodeId at = value;;) {
+    if (!graph[at].name.empty()) return graph[at].name;
+    if (readers[at].empty()) return graph.name();
+    at = readers[at].front();
+  }
+}
+
+}  // namespace
+
+BitSpan used_span(const Graph& graph, const Placement& placement, NodeId value) {
+  const std::uint64_t bits = placement.used_bits[value];
+  if (bits == 0) return {graph[value].width - 1, 0};
+  return {63 - std::countl_zero(bits), std::countr_zero(bits)};
+}
+
+std::vector<std::string> value_names(const Graph& graph, const Placement& placement,
+                                     std::set<std::string> taken) {
+  taken.merge(keywords());
+  std::vector<std::string> part(graph.size());  // what the C++ calls exactly the used bits
+  std::vector<std::vector<NodeId>> readers(graph.size());
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& n = graph[id];
+    for (const NodeId arg : n.operands()) readers[arg].push_back(id);
+    if (n.op != Op::slice || n.name.empty()) continue;
+    const BitSpan used = used_span(graph, placement, n.args[0]);
+    if (used.low == n.low && used.width() == n.width) part[n.args[0]] = n.name;
+  }
+  std::vector<std::string> names(graph.size());
+  const auto claim = [&](NodeId id, const std::string& wish) {
+    std::string name = wish;
+    for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", wish, i);
+    names[id] = name;
+  };
+  // Ports first: they keep their names whatever else is called so. Then what the C++ names, then the rest.
+  for (const NodeId id : graph.inputs()) claim(id, graph[id].name);
+  for (const bool named : {true, false}) {
+    for (NodeId id = 0; id < graph.size(); ++id) {
+      const Node& n = graph[id];
+      if (!is_root(n.op) || n.op == Op::input) continue;
+      const std::string& own = n.name.empty() ? part[id] : n.name;
+      if (own.empty() == named) continue;
+      claim(id, named ? own : fmt::format("{}_{}", name_downstream(graph, id, readers), op_name(n.op)));
+    }
+  }
+  return names;
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,96 @@
+// The catalogue: designs by name, formats by text, and what is said of those that are not there.
+#include "rtl_gen/catalogue/design.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "rtl_gen/catalogue/instantiate.hpp"
+#include "tests/rtl_gen/message_of.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+TEST(Designs, AreFoundByName) {
+  EXPECT_EQ(find_design("int_slabs").name, "int_slabs");
+  EXPECT_EQ(find_design("int_slabs").summary, "integer slabs test, figures 7.4-7.6");
+  for (const Design& design : designs()) EXPECT_EQ(&find_design(design.name), &design);
+}
+
+TEST(Designs, UnknownNameRejected) {
+  std::string names;
+  for (const Design& design : designs()) names += (names.empty() ? "" : ", ") + std::string(design.name);
+  EXPECT_EQ(message_of<std::runtime_error>([] { static_cast<void>(find_design("slabs")); }),
+            "design slabs: unknown; there are: " + names);
+  EXPECT_EQ(message_of<std::runtime_error>([] { static_cast<void>(find_design("")); }),
+            "design : unknown; there are: " + names);
+}
+
+TEST(ParseBits, TakesTheThesissNotation) {
+  EXPECT_EQ(parse_bits("20/24"), (hls::IntBits{20, 24}));
+  EXPECT_EQ(parse_bits("6/6"), (hls::IntBits{6, 6}));
+  EXPECT_EQ(parse_bits("32/63"), (hls::IntBits{32, 63}));
+  EXPECT_EQ(to_string(hls::IntBits{20, 24}), "20/24");
+}
+
+TEST(ParseBits, OtherTextRejected) {
+  for (const char* text :
+       {"",       "/",      "20",     "20/",       "/24",    "20-24",          "20/24/28",       "20/24 ",
+        " 20/24", "20 /24", "+20/24", "twenty/24", "20/x",   "99999999999/24", "20/99999999999", "5/6",
+        "33/40",  "20/5",   "20/40",  "6/12",      "-20/24", "20/-24"}) {
+    EXPECT_EQ(
+        message_of<std::runtime_error>([&] { static_cast<void>(parse_bits(text)); }),
+        "bits " + std::string(text) + ": allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
+  }
+}
+
+TEST(Design, FormatThatIsNotThereRejected) {
+  const Design& design = find_design("int_slabs");
+  const auto expect_rejected = [&](hls::IntBits bits, const std::string& text) {
+    const std::string message =
+        "bits " + text + ": no such format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1";
+    EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(bits)); }), message);
+    EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.evaluate(bits)); }), message);
+  };
+  expect_rejected({5, 6}, "5/6");
+  expect_rejected({33, 40}, "33/40");
+  expect_rejected({20, 5}, "20/5");
+  expect_rejected({20, 40}, "20/40");
+  if (!is_built({21, 22})) expect_rejected({21, 22}, "21/22");
+}
+
+TEST(Design, HasEveryFormatThatIsBuilt) {
+  const Design& design = find_design("int_slabs");
+  int built = 0;
+  for (int n = 0; n <= 40; ++n) {
+    for (int t = 0; t <= 80; ++t) {
+      EXPECT_EQ(design.native({n, t}) != nullptr, is_built({n, t})) << n << "/" << t;
+      EXPECT_EQ(design.traced({n, t}) != nullptr, is_built({n, t})) << n << "/" << t;
+      built += is_built({n, t}) ? 1 : 0;
+    }
+  }
+#ifdef HITPIPE_FEW_FORMATS
+  EXPECT_EQ(built, 3 * 3 + 2 + 3 + 3);
+#else
+  EXPECT_EQ(built, 864) << "sum over n of 2n-6";
+#endif
+}
+
+TEST(Design, PortsHaveTheWidthsOfTheFormat) {
+  for (const hls::IntBits bits : {hls::IntBits{20, 24}, hls::IntBits{24, 24}, hls::IntBits{6, 11}}) {
+    const std::vector<Port> ports = input_ports(find_design("int_slabs").trace(bits));
+    ASSERT_EQ(ports.size(), 17U);
+    EXPECT_EQ(ports.front().name, "irx");
+    EXPECT_EQ(ports.back().name, "izmax");
+    for (const Port& port : ports) {
+      EXPECT_EQ(port.width, port.name == "rinf"    ? 1
+                            : port.name == "irlen" ? bits.interval
+                                                   : bits.coord)
+          << port.name;
+      EXPECT_EQ(port.is_signed, port.name != "rinf") << port.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl

@@ -1,0 +1,230 @@
+// The emitted testbench: passes on the emitted design, fails on one wrong bit; its vectors, and random
+// graphs.
+#include "rtl_gen/emit/testbench.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/verilog/module.hpp"
+#include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/component/unit_library.hpp"
+#include "tests/rtl_gen/graph/recipe.hpp"
+#include "tests/rtl_gen/schedule/random_schedule.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+/// What the testbench prints about the files in a folder.
+std::string replayed(const ScratchFolder& folder, const std::string& design) {
+  const std::filesystem::path tb = folder / "tb";
+  const ToolResult compiled =
+      run_tool(tb, "iverilog", "iverilog", "-g2001 -o tb " + design + "_tb.v ../" + design + ".v");
+  if (compiled.status != 0) return "iverilog: " + compiled.output;
+  std::istringstream printed(run_tool(tb, "iverilog", "vvp", "tb").output);
+  std::string line;
+  std::string verdicts;
+  while (std::getline(printed, line)) {
+    if (line.starts_with("PASS") || line.starts_with("FAIL")) verdicts += line;
+  }
+  return verdicts;
+}
+
+void write_int_slabs(const ScratchFolder& folder, hls::IntBits bits) {
+  write_files(folder.path(),
+              emit(find_design("int_slabs"), bits, Library::thesis(), int_slabs_pipeline(bits)));
+}
+
+/// Inverts the expected HIT of one vector; the line of the file that it is in.
+std::string flip_hit(const std::filesystem::path& file, int vector) {
+  std::istringstream in(read_text(file));
+  std::string text;
+  std::string line;
+  std::string flipped;
+  for (int i = 0; std::getline(in, line); ++i) {
+    if (i == vector) {
+      char& digit = line.back();
+      const int value = digit <= '9' ? digit - '0' : digit - 'a' + 10;
+      digit = "0123456789abcdef"[value ^ 1];
+      flipped = line;
+    }
+    text += line + "\n";
+  }
+  write_text(file, text);
+  return flipped;
+}
+
+class Replay : public testing::TestWithParam<const char*> {};
+
+TEST_P(Replay, TheEmittedDesignPasses) {
+  const ScratchFolder folder;
+  write_int_slabs(folder, parse_bits(GetParam()));
+  EXPECT_EQ(replayed(folder, "int_slabs"), "PASS 1000 vectors");
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, Replay, tested_formats(), format_suffix);
+
+TEST(Testbench, OneWrongBitFails) {
+  for (const int vector : {0, 517, 999}) {
+    const ScratchFolder folder;
+    write_int_slabs(folder, {20, 24});
+    const std::string line = flip_hit(folder / "tb" / "int_slabs_vectors.hex", vector);
+    const std::string now = std::string("02468ace").find(line.back()) != std::string::npos ? "0" : "1";
+    const std::string was = now == "0" ? "1" : "0";
+    const std::string number = std::to_string(vector);
+    EXPECT_EQ(replayed(folder, "int_slabs"), "FAIL vector " + number + " (" + line + "): hit " + was +
+                                                 ", expected " + now + ", tag " + number);
+  }
+}
+
+TEST(Testbench, NothingComingBackFails) {
+  const ScratchFolder folder;
+  write_int_slabs(folder, {6, 6});
+  const std::string good = "assign out_valid = valid[4];";
+  std::string text = read_text(folder / "int_slabs.v");
+  const std::size_t at = text.find(good);
+  ASSERT_NE(at, std::string::npos);
+  write_text(folder / "int_slabs.v", text.replace(at, good.size(), "assign out_valid = 1'b0;"));
+  EXPECT_EQ(replayed(folder, "int_slabs"), "FAIL 0 of 1000 vectors came back");
+}
+
+TEST(Testbench, LostAndDoubledTestsFail) {
+  const struct {
+    const char *good, *bad;
+  } damages[] = {
+      {"else if (advance) valid", "else if (advance & ~valid[0]) valid"},  // results come twice or not at all
+      {"tag_s1 <= tag_s0", "tag_s1 <= in_tag"}};
+  for (const auto& [good, bad] : damages) {
+    const ScratchFolder folder;
+    write_int_slabs(folder, {6, 6});
+    std::string text = read_text(folder / "int_slabs.v");
+    const std::size_t at = text.find(good);
+    ASSERT_NE(at, std::string::npos);
+    write_text(folder / "int_slabs.v", text.replace(at, std::string(good).size(), bad));
+    EXPECT_EQ(replayed(folder, "int_slabs").substr(0, 4), "FAIL") << bad;
+  }
+}
+
+std::vector<Port> some_ports() {
+  return {{"s", 4, true}, {"u", 5, false}, {"bit", 1, false}, {"wide", 64, true}};
+}
+
+TEST(Vectors, FitTheirPorts) {
+  const auto vectors = operand_vectors(some_ports(), 4000, 7);
+  ASSERT_EQ(vectors.size(), 4000U);
+  for (const auto& v : vectors) {
+    ASSERT_EQ(v.size(), 4U);
+    ASSERT_TRUE(v[0] >= -8 && v[0] <= 7 && v[1] >= 0 && v[1] <= 31 && v[2] >= 0 && v[2] <= 1);
+  }
+}
+
+TEST(Vectors, ReachTheCornersOfEveryPort) {
+  const auto vectors = operand_vectors(some_ports(), 400, 7);
+  const auto reaches = [&](std::size_t port, std::int64_t value) {
+    return std::any_of(vectors.begin(), vectors.end(), [&](const auto& v) { return v[port] == value; });
+  };
+  for (const std::int64_t value : {0, 1, -1, 7, -8}) EXPECT_TRUE(reaches(0, value)) << value;
+  for (const std::int64_t value : {0, 1, 15, 16, 31}) EXPECT_TRUE(reaches(1, value)) << value;
+  for (const std::int64_t value : {0, 1}) EXPECT_TRUE(reaches(2, value)) << value;
+  for (const std::int64_t value : {std::int64_t{0}, std::int64_t{-1}, INT64_MAX, INT64_MIN}) {
+    EXPECT_TRUE(reaches(3, value)) << value;
+  }
+}
+
+TEST(Vectors, ComeFromTheSeedAlone) {
+  EXPECT_EQ(operand_vectors(some_ports(), 50, 7), operand_vectors(some_ports(), 50, 7));
+  EXPECT_NE(operand_vectors(some_ports(), 50, 7), operand_vectors(some_ports(), 50, 8));
+}
+
+TEST(Vectors, FirstPortIsInTheHighBitsAndHitInBit0) {
+  const std::vector<Port> ports{{"a", 6, true}, {"b", 5, false}};
+  const auto vectors = operand_vectors(ports, 20, 3);
+  std::string expected;
+  for (const auto& v : vectors) {
+    const std::int64_t word = (v[0] & 0x3f) << 6 | v[1] << 1 | (v[0] < v[1] ? 1 : 0);
+    expected += fmt::format("{:03x}\n", word);
+  }
+  EXPECT_EQ(vector_file(
+                ports, [](const std::int64_t* v) { return v[0] < v[1]; }, 20, 3),
+            expected);
+}
+
+// The random graph that the Evaluate below runs: a function without state is all that a Design can hold.
+const Graph* evaluated_graph = nullptr;
+
+bool evaluate_graph(const std::int64_t* operands) {
+  std::vector<std::uint64_t> in;
+  for (std::size_t i = 0; i < evaluated_graph->inputs().size(); ++i)
+    in.push_back(static_cast<std::uint64_t>(operands[i]));
+  return evaluate(*evaluated_graph, in).front() != 0;
+}
+
+/// What Icarus says of a graph with one output, "hit", against evaluate().
+std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library& library, int vectors) {
+  const Design design{.name = "toy", .summary = "", .traced = nullptr, .native = nullptr};
+  const std::vector<Port> ports = input_ports(pipeline.graph);
+  const ScratchFolder folder;
+  evaluated_graph = &graph;
+  write_files(folder.path(), {{"toy.v", to_verilog(pipeline, library)},
+                              {"tb/toy_tb.v", testbench(design, ports, vectors)},
+                              {"tb/toy_vectors.hex", vector_file(ports, evaluate_graph, vectors, 5)}});
+  evaluated_graph = nullptr;
+  return replayed(folder, "toy");
+}
+
+// Random graphs of every operation, scheduled well and badly: Icarus finds the bits that evaluate() does.
+TEST(Testbench, RandomPipelinesPass) {
+  constexpr int graphs = 40;
+  Seeded random(151);
+  const Library library = unit_library();
+  int replays = 0;
+  for (int i = 0; i < graphs; ++i, ++replays) {
+    Recipe recipe(random, 4, 70, 8);
+    recipe.join_outputs();
+    const Graph graph = recipe.graph("toy", "hit");
+    Pipeline pipeline = make_pipeline(graph, library);
+    if (i % 2 == 1) {
+      pipeline.schedule = random_schedule(pipeline.graph, library, pipeline.schedule.clock_ps, random);
+      pipeline.placement = place_registers(pipeline.graph, pipeline.schedule, Ports::latched);
+    }
+    ASSERT_EQ(replayed(graph, pipeline, library, 300), "PASS 300 vectors")
+        << "graph " << i << "\n"
+        << to_text(pipeline.graph) << to_verilog(pipeline, library);
+  }
+  EXPECT_EQ(replays, graphs);
+}
+
+// d[7:3] is latched; the comparison reads bits 6:4 of it.
+TEST(Testbench, PartsOfARegisterWithoutItsLowBitsPass) {
+  Graph graph("toy");
+  const NodeId a = graph.input("a", 8, false);
+  const NodeId b = graph.input("b", 8, false);
+  const NodeId d = graph.binary(Op::sub, a, b);
+  const NodeId e = graph.binary(Op::sub, graph.slice(d, 7, 3), graph.slice(b, 4, 0));
+  const NodeId part = graph.binary(Op::less, graph.slice(d, 6, 4), graph.slice(a, 2, 0));
+  const NodeId bit = graph.binary(Op::bit_xor, graph.slice(d, 5, 5), graph.slice(e, 4, 4));
+  graph.output("hit", graph.binary(Op::bit_xor, part, bit));
+  const Library library = unit_library();
+  EXPECT_EQ(replayed(graph, make_pipeline(graph, library), library, 300), "PASS 300 vectors");
+}
+
+// Verilog widens operands to the width of the result before it inverts them.
+TEST(Testbench, ACombinationalProductOfAnInvertedValuePasses) {
+  for (const bool is_signed : {false, true}) {
+    Graph graph("toy");
+    const NodeId a = graph.input("a", 4, is_signed);
+    const NodeId b = graph.input("b", 4, is_signed);
+    const NodeId product = graph.binary(Op::mul, graph.invert(a), b, is_signed);
+    graph.output("hit", graph.binary(Op::less, product, graph.constant(8, 0x1b)));
+    const Library library = unit_library();
+    EXPECT_EQ(replayed(graph, make_pipeline(graph, library), library, 300), "PASS 300 vectors");
+  }
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl

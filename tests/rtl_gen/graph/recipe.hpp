@@ -1,0 +1,314 @@
+// Random legal graphs as lists of calls. A recipe can be recorded in any order that its operands allow, and
+// says by itself, without the graph's code, what every value is.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "rtl_gen/graph/graph.hpp"
+#include "tests/rtl_gen/seeded.hpp"
+
+namespace hitpipe::rtl {
+
+struct Step {
+  Op op;
+  int width;
+  std::array<std::size_t, 3> args{};
+  bool is_signed = false;
+  int low = 0;
+  std::uint64_t value = 0;
+  std::string name{};
+};
+
+class Recipe {
+ public:
+  /// `inputs` ports, `length` random steps and some that make operands equally wide; the last values are
+  /// outputs.
+  Recipe(Seeded& random, int inputs, int length, int outputs) {
+    for (int i = 0; i < inputs; ++i) {
+      const int width = i == 0 ? 1 : random.between(1, 24);
+      steps_.push_back(
+          {.op = Op::input, .width = width, .is_signed = random.flip(), .name = fmt::format("in{}", i)});
+    }
+    input_count_ = steps_.size();
+    for (int i = 0; i < length; ++i) add_random(random);
+    for (int i = 0; i < outputs; ++i) outputs_.push_back(steps_.size() - 1 - static_cast<std::size_t>(i) * 3);
+    name_some(random);
+  }
+
+  [[nodiscard]] std::size_t input_count() const { return input_count_; }
+  [[nodiscard]] const Step& operator[](std::size_t i) const { return steps_[i]; }
+
+  /// One bit that depends on every output, in place of them: a design's "hit".
+  void join_outputs() {
+    std::size_t joined = bit_of(outputs_.front());
+    for (std::size_t i = 1; i < outputs_.size(); ++i) {
+      joined = push({.op = Op::bit_xor, .width = 1, .args = {joined, bit_of(outputs_[i])}});
+    }
+    outputs_ = {joined};
+  }
+
+  /// Recorded in the order written.
+  [[nodiscard]] Graph graph(std::string_view name = "recipe", std::string_view output = "out") const {
+    std::vector<std::size_t> order(steps_.size());
+    std::iota(order.begin(), order.end(), 0);
+    return record(order, name, output);
+  }
+  /// Recorded in another order: inputs first, then at random among what can be recorded.
+  [[nodiscard]] Graph shuffled(Seeded& random) const {
+    std::vector<std::size_t> order;
+    std::vector<bool> done(steps_.size(), false);
+    for (std::size_t i = 0; i < input_count_; ++i) done[i] = true, order.push_back(i);
+    while (order.size() < steps_.size()) {
+      std::vector<std::size_t> ready;
+      for (std::size_t i = 0; i < steps_.size(); ++i) {
+        const auto& args = steps_[i].args;
+        const auto arity = static_cast<std::ptrdiff_t>(arity_of(steps_[i].op));
+        const bool can =
+            std::all_of(args.begin(), args.begin() + arity, [&](std::size_t a) { return done[a]; });
+        if (!done[i] && can) ready.push_back(i);
+      }
+      const std::size_t next = ready[static_cast<std::size_t>(random.below(static_cast<int>(ready.size())))];
+      done[next] = true;
+      order.push_back(next);
+    }
+    return record(order, "recipe", "out");
+  }
+
+  /// The outputs for given inputs, by the plain meaning of every step.
+  [[nodiscard]] std::vector<std::uint64_t> outputs(const std::vector<std::uint64_t>& inputs) const {
+    std::vector<std::uint64_t> value(inputs);
+    for (std::size_t i = input_count_; i < steps_.size(); ++i)
+      value.push_back(evaluate_step(steps_[i], value));
+    std::vector<std::uint64_t> results;
+    for (const std::size_t out : outputs_) results.push_back(value[out]);
+    return results;
+  }
+
+  [[nodiscard]] std::vector<std::uint64_t> random_inputs(Seeded& random) const {
+    std::vector<std::uint64_t> values;
+    for (std::size_t i = 0; i < input_count_; ++i) values.push_back(random.value(steps_[i].width));
+    return values;
+  }
+
+ private:
+  static std::size_t arity_of(Op op) {
+    switch (op) {
+      case Op::input:
+      case Op::constant:
+        return 0;
+      case Op::slice:
+      case Op::extend:
+      case Op::invert:
+        return 1;
+      case Op::mux:
+        return 3;
+      default:
+        return 2;
+    }
+  }
+
+  std::size_t push(Step step) {
+    steps_.push_back(std::move(step));
+    return steps_.size() - 1;
+  }
+  std::size_t any(Seeded& random) {
+    return static_cast<std::size_t>(random.below(static_cast<int>(steps_.size())));
+  }
+
+  std::size_t resized(std::size_t value, int width, bool is_signed) {
+    const int from = steps_[value].width;
+    if (from == width) return value;
+    if (from > width) return push({.op = Op::slice, .width = width, .args = {value}});
+    return push({.op = Op::extend, .width = width, .args = {value}, .is_signed = is_signed});
+  }
+  std::size_t bit_of(std::size_t value) {
+    const int width = steps_[value].width;
+    const std::size_t top = push({.op = Op::slice, .width = 1, .args = {value}, .low = width - 1});
+    if (width == 1) return value;
+    return push({.op = Op::bit_xor, .width = 1, .args = {top, resized(value, 1, false)}});
+  }
+
+  void add_random(Seeded& random) {
+    static constexpr std::array ops{Op::constant, Op::slice,  Op::slice,   Op::concat, Op::extend,
+                                    Op::extend,   Op::invert, Op::bit_and, Op::bit_or, Op::bit_xor,
+                                    Op::add,      Op::sub,    Op::sub,     Op::mul,    Op::less,
+                                    Op::equal,    Op::mux,    Op::mux};
+    const Op op = ops[static_cast<std::size_t>(random.below(static_cast<int>(ops.size())))];
+    const bool is_signed = random.flip();
+    std::size_t a = any(random);
+    std::size_t b = any(random);
+    const int wa = steps_[a].width;
+    const int wb = steps_[b].width;
+    switch (op) {
+      case Op::constant: {
+        const int width = random.between(1, 24);
+        push({.op = op, .width = width, .value = random.value(width)});
+        return;
+      }
+      case Op::slice: {
+        const int low = random.below(wa);
+        push({.op = op, .width = random.between(1, wa - low), .args = {a}, .low = low});
+        return;
+      }
+      case Op::extend:
+        push({.op = op,
+              .width = std::min(40, wa) + random.below(8) + std::max(0, wa - 40),
+              .args = {a},
+              .is_signed = is_signed});
+        if (steps_.back().width > 64) steps_.back().width = 64;
+        return;
+      case Op::invert:
+        push({.op = op, .width = wa, .args = {a}});
+        return;
+      case Op::concat:
+        if (wa + wb <= 48) push({.op = op, .width = wa + wb, .args = {a, b}});
+        return;
+      case Op::mul:
+        a = resized(a, std::min(wa, 20), is_signed);
+        b = resized(b, std::min(wb, 20), is_signed);
+        push({.op = op, .width = steps_[a].width + steps_[b].width, .args = {a, b}, .is_signed = is_signed});
+        return;
+      default:
+        break;
+    }
+    const int width = random.flip() ? wa : wb;
+    a = resized(a, width, random.flip());
+    b = resized(b, width, random.flip());
+    if (op == Op::mux) {
+      const std::size_t select = resized(any(random), 1, false);
+      push({.op = op, .width = width, .args = {select, a, b}});
+      return;
+    }
+    const bool one_bit = op == Op::less || op == Op::equal;
+    push({.op = op, .width = one_bit ? 1 : width, .args = {a, b}, .is_signed = op == Op::less && is_signed});
+  }
+
+  /// A node that two steps share has the name of the first; so that order does not matter, one step names it.
+  void name_some(Seeded& random) {
+    Graph graph("naming");
+    std::vector<NodeId> ids;
+    std::set<NodeId> named;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      ids.push_back(record_step(graph, steps_[i], ids));
+      if (i >= input_count_ && random.below(3) == 0 && graph[ids.back()].op != Op::input &&
+          named.insert(ids.back()).second) {
+        steps_[i].name = fmt::format("v{}", i);
+      }
+    }
+  }
+
+  template <class Ids>
+  static NodeId record_step(Graph& graph, const Step& s, const Ids& ids) {
+    const auto arg = [&](std::size_t i) { return ids[s.args[i]]; };
+    switch (s.op) {
+      case Op::input:
+        return graph.input(s.name, s.width, s.is_signed);
+      case Op::constant:
+        return graph.constant(s.width, s.value);
+      case Op::slice:
+        return graph.slice(arg(0), s.low + s.width - 1, s.low);
+      case Op::concat:
+        return graph.concat(arg(0), arg(1));
+      case Op::extend:
+        return graph.extend(arg(0), s.width, s.is_signed);
+      case Op::invert:
+        return graph.invert(arg(0));
+      case Op::mux:
+        return graph.mux(arg(0), arg(1), arg(2));
+      default:
+        return graph.binary(s.op, arg(0), arg(1), s.is_signed);
+    }
+  }
+
+  /// Outputs are called `output`, the second one with a 1 behind it, and so on.
+  [[nodiscard]] Graph record(const std::vector<std::size_t>& order, std::string_view name,
+                             std::string_view output) const {
+    Graph graph{std::string(name)};
+    std::vector<NodeId> ids(steps_.size(), no_node);
+    for (const std::size_t i : order) {
+      ids[i] = record_step(graph, steps_[i], ids);
+      if (i >= input_count_) graph.annotate(ids[i], steps_[i].name, {});
+    }
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      graph.output(i == 0 ? std::string(output) : fmt::format("{}{}", output, i), ids[outputs_[i]]);
+    }
+    return graph;
+  }
+
+  [[nodiscard]] std::uint64_t evaluate_step(const Step& s, const std::vector<std::uint64_t>& value) const {
+    const auto bit = [](std::uint64_t x, int i) { return x >> i & 1; };
+    const auto arg = [&](std::size_t i) { return value[s.args[i]]; };
+    const auto width = [&](std::size_t i) { return steps_[s.args[i]].width; };
+    // As two's complement, by the weight of the top bit.
+    const auto number = [&](std::size_t i) {
+      const std::uint64_t sign = bit(arg(i), width(i) - 1) << (width(i) - 1);
+      return static_cast<std::int64_t>(arg(i) - sign - sign);
+    };
+    std::uint64_t result = 0;
+    switch (s.op) {
+      case Op::constant:
+        return s.value;
+      case Op::add:
+        result = arg(0) + arg(1);
+        break;
+      case Op::sub:
+        result = arg(0) - arg(1);
+        break;
+      case Op::mul:
+        result = s.is_signed ? static_cast<std::uint64_t>(number(0) * number(1)) : arg(0) * arg(1);
+        break;
+      case Op::less:
+        return (s.is_signed ? number(0) < number(1) : arg(0) < arg(1)) ? 1 : 0;
+      case Op::equal:
+        return arg(0) == arg(1) ? 1 : 0;
+      case Op::mux:
+        return arg(0) == 1 ? arg(1) : arg(2);
+      default:
+        for (int i = 0; i < s.width; ++i) {
+          std::uint64_t b = 0;
+          switch (s.op) {
+            case Op::slice:
+              b = bit(arg(0), s.low + i);
+              break;
+            case Op::concat:
+              b = i < width(1) ? bit(arg(1), i) : bit(arg(0), i - width(1));
+              break;
+            case Op::extend:
+              b = i < width(0) ? bit(arg(0), i) : s.is_signed ? bit(arg(0), width(0) - 1) : 0;
+              break;
+            case Op::invert:
+              b = 1 - bit(arg(0), i);
+              break;
+            case Op::bit_and:
+              b = bit(arg(0), i) * bit(arg(1), i);
+              break;
+            case Op::bit_or:
+              b = std::max(bit(arg(0), i), bit(arg(1), i));
+              break;
+            default:
+              b = bit(arg(0), i) != bit(arg(1), i) ? 1 : 0;
+              break;
+          }
+          result |= b << i;
+        }
+        return result;
+    }
+    return result & ~std::uint64_t{0} >> (64 - s.width);
+  }
+
+  std::vector<Step> steps_;
+  std::size_t input_count_ = 0;
+  std::vector<std::size_t> outputs_;
+};
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,221 @@
+// Where values are latched: exactly the bits that are read later, where they are read later.
+#include "rtl_gen/schedule/registers.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "rtl_gen/graph/canonical.hpp"
+#include "tests/rtl_gen/component/unit_library.hpp"
+#include "tests/rtl_gen/graph/recipe.hpp"
+#include "tests/rtl_gen/schedule/random_schedule.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+/// "boundary: name[high:low] ...", a line for each boundary that has registers.
+std::string latched(const Graph& graph, const Placement& placement) {
+  std::string text;
+  int boundary = -1;
+  for (const Register& r : placement.registers) {
+    if (r.boundary != boundary) text += fmt::format("{}{}:", boundary < 0 ? "" : "\n", r.boundary);
+    boundary = r.boundary;
+    text += fmt::format(" {}[{}:{}]", graph[r.value].name, r.high, r.low);
+  }
+  return text;
+}
+
+struct Tiny {
+  Graph g{"tiny"};
+  NodeId a = g.input("a", 8, true);
+  NodeId b = g.input("b", 8, true);
+
+  /// A gate in a stated stage.
+  NodeId gate(const char* name, int stage, NodeId x, NodeId y) {
+    g.begin_stage(stage);
+    const NodeId id = g.binary(Op::bit_and, x, y);
+    g.annotate(id, name, {});
+    return id;
+  }
+  [[nodiscard]] std::string registers(Ports ports = Ports::latched) const {
+    return latched(g, place_registers(g, schedule_asap(g, unit_library()), ports));
+  }
+};
+
+TEST(Registers, OnlyBitsThatAreRead) {
+  Tiny t;
+  const NodeId first = t.gate("first", 1, t.a, t.b);
+  const NodeId second = t.gate("second", 2, t.g.slice(first, 5, 2), t.g.slice(t.b, 3, 0));
+  t.g.output("o", second);
+  EXPECT_EQ(t.registers(),
+            "0: a[7:0] b[7:0]\n"
+            "1: b[3:0] first[5:2]\n"
+            "2: second[3:0]");
+}
+
+TEST(Registers, ASignIsLatchedAloneOnlyWhereItsWordIsNot) {
+  Tiny t;
+  const NodeId word = t.gate("word", 1, t.a, t.b);
+  const NodeId whole = t.gate("whole", 2, word, t.b);
+  const NodeId sign = t.gate("sign", 4, t.g.slice(word, 7, 7), t.g.slice(whole, 0, 0));
+  t.g.output("o", sign);
+  EXPECT_EQ(t.registers(),
+            "0: a[7:0] b[7:0]\n"
+            "1: b[7:0] word[7:0]\n"
+            "2: word[7:7] whole[0:0]\n"
+            "3: word[7:7] whole[0:0]\n"
+            "4: sign[0:0]");
+}
+
+TEST(Registers, AnExtensionsCopiesOfTheSignAreNotLatched) {
+  Tiny t;
+  const NodeId word = t.gate("word", 1, t.a, t.b);
+  const NodeId wide = t.g.extend(word, 12, true);
+  const NodeId top = t.gate("top", 2, t.g.slice(wide, 11, 6), t.g.constant(6, 0x2a));
+  t.g.output("o", top);
+  EXPECT_EQ(t.registers(),
+            "0: a[7:0] b[7:0]\n"
+            "1: word[7:6]\n"
+            "2: top[5:0]");
+}
+
+TEST(Registers, BitsApartAreRegistersApart) {
+  Tiny t;
+  const NodeId word = t.gate("word", 1, t.a, t.b);
+  const NodeId ends = t.g.concat(t.g.slice(word, 7, 6), t.g.slice(word, 1, 0));
+  t.g.output("o", t.gate("ends", 2, ends, t.g.slice(word, 4, 1)));
+  EXPECT_EQ(t.registers(),
+            "0: a[7:0] b[7:0]\n"
+            "1: word[4:0] word[7:6]\n"
+            "2: ends[3:0]");
+  Tiny apart;
+  const NodeId other = apart.gate("word", 1, apart.a, apart.b);
+  const NodeId halves = apart.g.concat(apart.g.slice(other, 7, 6), apart.g.slice(other, 1, 0));
+  apart.g.output("o", apart.gate("ends", 2, halves, apart.g.constant(4, 5)));
+  EXPECT_EQ(apart.registers(),
+            "0: a[7:0] b[7:0]\n"
+            "1: word[1:0] word[7:6]\n"
+            "2: ends[3:0]");
+}
+
+TEST(Registers, NothingThatIsNotReadAndNoConstant) {
+  Tiny t;
+  t.g.input("unread", 8, false);
+  t.g.output("o", t.gate("low", 1, t.g.slice(t.a, 2, 0), t.g.constant(3, 6)));
+  t.g.output("one", t.g.constant(1, 1));
+  EXPECT_EQ(t.registers(),
+            "0: a[2:0]\n"
+            "1: low[2:0]");
+}
+
+TEST(Registers, AnOutputIsLatchedOnceBehindTheLastStage) {
+  Tiny t;
+  const NodeId early = t.gate("early", 1, t.a, t.b);
+  t.g.output("early", early);
+  t.g.output("early_inverted", t.g.invert(early));
+  t.g.output("late", t.gate("late", 3, t.g.slice(t.a, 0, 0), t.g.slice(t.b, 0, 0)));
+  t.g.output("port", t.g.slice(t.a, 1, 0));
+  EXPECT_EQ(t.registers(),
+            "0: a[7:0] b[7:0]\n"
+            "1: a[1:0] b[0:0] early[7:0]\n"
+            "2: a[1:0] b[0:0] early[7:0]\n"
+            "3: a[1:0] early[7:0] late[0:0]");
+}
+
+TEST(Registers, InsideAComponentPortsAreNotLatched) {
+  Tiny t;
+  const NodeId first = t.gate("first", 1, t.a, t.b);
+  t.g.output("o", t.gate("second", 2, first, t.b));
+  EXPECT_EQ(t.registers(Ports::direct), "1: b[7:0] first[7:0]");
+}
+
+/// A bit of a value that can be latched; no_node for a constant bit.
+using Bit = std::pair<NodeId, int>;
+
+Bit source_bit(const Graph& graph, NodeId value, int bit) {
+  const Node& n = graph[value];
+  const auto width = [&](std::size_t i) { return graph[n.args[i]].width; };
+  switch (n.op) {
+    case Op::constant:
+      return {no_node, 0};
+    case Op::slice:
+      return source_bit(graph, n.args[0], bit + n.low);
+    case Op::invert:
+      return source_bit(graph, n.args[0], bit);
+    case Op::concat:
+      return bit < width(1) ? source_bit(graph, n.args[1], bit)
+                            : source_bit(graph, n.args[0], bit - width(1));
+    case Op::extend:
+      if (bit >= width(0) && !n.is_signed) return {no_node, 0};
+      return source_bit(graph, n.args[0], std::min(bit, width(0) - 1));
+    default:
+      return {value, bit};
+  }
+}
+
+using LatchedBit = std::tuple<int, NodeId, int>;  ///< boundary, value, bit
+
+/// Bit by bit, from the definition: a bit read in a stage is latched at every boundary since it was there.
+std::set<LatchedBit> needed(const Graph& graph, const Schedule& schedule, Ports ports, std::set<Bit>& read) {
+  std::set<LatchedBit> bits;
+  const auto use = [&](NodeId value, int stage) {
+    for (int i = 0; i < graph[value].width; ++i) {
+      const Bit bit = source_bit(graph, value, i);
+      if (bit.first == no_node) continue;
+      read.insert(bit);
+      const bool port = graph[bit.first].op == Op::input;
+      const int from = port ? (ports == Ports::latched ? 0 : 1) : schedule.slots[bit.first].finish;
+      for (int b = from; b < stage; ++b) bits.emplace(b, bit.first, bit.second);
+    }
+  };
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    if (!is_root(graph[id].op)) continue;
+    for (const NodeId arg : graph[id].operands()) use(arg, schedule.slots[id].stage);
+  }
+  for (const Output& out : graph.outputs())
+    use(out.node, schedule.stages + (ports == Ports::latched ? 1 : 0));
+  return bits;
+}
+
+TEST(Registers, RandomSchedulesLatchEveryBitThatIsReadLaterAndNoOther) {
+  constexpr int graphs = 300;
+  Seeded random(149);
+  const Library library = unit_library();
+  std::size_t latched_bits = 0;
+  for (int i = 0; i < graphs; ++i) {
+    const Graph graph = canonical(Recipe(random, 5, 40, 4).graph());
+    const Schedule schedule = random_schedule(graph, library, schedule_asap(graph, library).clock_ps, random);
+    const Ports ports = random.flip() ? Ports::latched : Ports::direct;
+    const Placement placement = place_registers(graph, schedule, ports);
+    std::set<LatchedBit> placed;
+    const Register* before = nullptr;
+    for (const Register& r : placement.registers) {
+      for (int bit = r.low; bit <= r.high; ++bit) {
+        ASSERT_TRUE(placed.emplace(r.boundary, r.value, bit).second) << "latched twice";
+      }
+      if (before != nullptr) {
+        const bool same = before->boundary == r.boundary && before->value == r.value;
+        ASSERT_LT(std::tuple(before->boundary, before->value, before->low),
+                  std::tuple(r.boundary, r.value, r.low));
+        ASSERT_TRUE(!same || before->high + 1 < r.low) << "adjacent bits are one register";
+      }
+      before = &r;
+    }
+    std::set<Bit> read;
+    ASSERT_EQ(placed, needed(graph, schedule, ports, read)) << to_text(graph);
+    latched_bits += placed.size();
+    for (NodeId id = 0; id < graph.size(); ++id) {
+      for (int bit = 0; bit < 64; ++bit) {
+        ASSERT_EQ((placement.used_bits[id] >> bit & 1) != 0, read.contains({id, bit}))
+            << "%" << id << " bit " << bit;
+      }
+    }
+  }
+  EXPECT_GT(latched_bits, static_cast<std::size_t>(graphs) * 100);
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl

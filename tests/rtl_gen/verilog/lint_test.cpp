@@ -1,0 +1,93 @@
+// Verilator, Yosys and Icarus take every format's Verilog without a word.
+#include <gtest/gtest.h>
+
+#include "rtl_gen/emit/files.hpp"
+#include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+class Lint : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    const hls::IntBits bits = parse_bits(GetParam());
+    write_files(folder.path(),
+                emit(find_design("int_slabs"), bits, Library::thesis(), int_slabs_pipeline(bits)));
+  }
+  void expect_silence(const ToolResult& result) {
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.output, "");
+  }
+
+  ScratchFolder folder;
+};
+
+TEST_P(Lint, VerilatorIsSilent) {
+  expect_silence(run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall int_slabs.v"));
+}
+
+TEST_P(Lint, YosysIsSilent) {
+  expect_silence(
+      run_tool(folder.path(), "yosys", "yosys",
+               "-q -p 'read_verilog int_slabs.v; hierarchy -check -top int_slabs; proc; check -assert'"));
+}
+
+TEST_P(Lint, IcarusIsSilent) {
+  expect_silence(run_tool(folder.path(), "iverilog", "iverilog", "-g2001 -Wall -o design int_slabs.v"));
+  expect_silence(run_tool(folder.path(), "iverilog", "iverilog",
+                          "-g2001 -Wall -o testbench tb/int_slabs_tb.v int_slabs.v"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, Lint, tested_formats(), format_suffix);
+
+/// A design with one line replaced.
+class LintOfADamagedDesign : public testing::Test {
+ protected:
+  void damage(const std::string& good, const std::string& bad) {
+    const Pipeline pipeline = int_slabs_pipeline({6, 6});
+    std::string text = emit(find_design("int_slabs"), {6, 6}, Library::thesis(), pipeline).front().contents;
+    const std::size_t at = text.find(good);
+    ASSERT_NE(at, std::string::npos);
+    write_text(folder / "int_slabs.v", text.replace(at, good.size(), bad));
+  }
+  ScratchFolder folder;
+};
+
+TEST_F(LintOfADamagedDesign, VerilatorSeesAWidth) {
+  damage("wire [5:0] d0_x", "wire [6:0] d0_x");
+  const ToolResult result =
+      run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall int_slabs.v");
+  EXPECT_NE(result.status, 0);
+  EXPECT_NE(result.output.find("%Warning-WIDTH"), std::string::npos) << result.output;
+}
+
+TEST_F(LintOfADamagedDesign, YosysSeesAWireWithoutDriver) {
+  damage("wire [5:0] d0_x = ixmin_s0 - irx_s0;", "wire [5:0] d0_x;");
+  const ToolResult result =
+      run_tool(folder.path(), "yosys", "yosys",
+               "-q -p 'read_verilog int_slabs.v; hierarchy -check -top int_slabs; proc; check -assert'");
+  EXPECT_NE(result.status, 0);
+  EXPECT_NE(result.output.find("d0_x"), std::string::npos) << result.output;
+}
+
+TEST_F(LintOfADamagedDesign, IcarusSeesAnUnknownName) {
+  damage("wire [5:0] d0_x", "wire [5:0] d0_w");
+  const ToolResult result =
+      run_tool(folder.path(), "iverilog", "iverilog", "-g2001 -Wall -o design int_slabs.v");
+  EXPECT_NE(result.status, 0);
+  EXPECT_NE(result.output.find("d0_x"), std::string::npos) << result.output;
+}
+
+TEST(RunTool, AMissingProgramIsToldItsPackage) {
+  const ScratchFolder folder;
+  try {
+    run_tool(folder.path(), "some-package", "hitpipe-no-such-program", "");
+    ADD_FAILURE() << "no exception";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "hitpipe-no-such-program was not found; install the package some-package");
+  }
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl
