@@ -1,0 +1,27 @@
+// A finite binary32 taken apart: |x| = mantissa * 2^exponent, both integers. Every finite binary32 is a
+// multiple of 2^-149 and less than 2^128 in magnitude; all exact arithmetic of sw_ref rests on this.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace hitpipe::ref {
+
+struct Binary32 {
+  std::uint32_t mantissa;  ///< < 2^24
+  int exponent;            ///< -149..104, and no smaller for a larger |x|
+  bool negative;           ///< the sign bit, of zeros too
+};
+
+/// Takes a finite `x` apart. The mantissa is below 2^23 only for subnormals and zeros, which have exponent
+/// -149.
+[[nodiscard]] inline Binary32 decode(float x) {
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const std::uint32_t fraction = bits & 0x7FFFFFU;
+  const int biased = static_cast<int>((bits >> 23) & 0xFFU);
+  const bool negative = (bits >> 31) != 0;
+  return biased == 0 ? Binary32{fraction, -149, negative}
+                     : Binary32{fraction | 0x800000U, biased - 150, negative};
+}
+
+}  // namespace hitpipe::ref

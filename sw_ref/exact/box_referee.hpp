@@ -1,0 +1,31 @@
+// The exact ray-box referee: does { origin + t * direction : 0 <= t <= length } meet the closed box? Judged
+// on the binary32 values as given, without any rounding; a direction component of +-0 is exactly zero (ray
+// parallel to that slab). An integer unit may hit where this says no; it must never miss where this says yes
+// (sections 6.2, 6.3).
+#pragma once
+
+#include <optional>
+
+#include "sw_ref/geometry/aabb.hpp"
+#include "sw_ref/geometry/ray.hpp"
+
+namespace hitpipe::ref {
+
+/// Origin in [-1, 1]^3, direction finite and not all zero, length >= 0 or infinite. Callers count what is
+/// refused.
+[[nodiscard]] bool acceptable(const Ray& ray);
+
+/// Finite, min <= max on each axis, within [-1, 1]^3.
+[[nodiscard]] bool acceptable(const Aabb& box);
+
+/// The exact answer for an acceptable ray and box: a double filter, then integers where the filter is in
+/// doubt.
+[[nodiscard]] bool ray_meets_box(const Ray& ray, const Aabb& box);
+
+/// The same answer from integers alone: the filter's judge, about a hundred times slower.
+[[nodiscard]] bool ray_meets_box_exact(const Ray& ray, const Aabb& box);
+
+/// The filter alone: the exact answer, or nothing where double precision cannot tell.
+[[nodiscard]] std::optional<bool> ray_meets_box_filtered(const Ray& ray, const Aabb& box);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,37 @@
+// The integer grid of n-bit coordinates (section 6.2.1): [-1, 1] is mapped to [-G, G], G = 2^(n-2) - 1, so
+// that the difference of two coordinates still fits n bits. Exact: integers from the binary32's mantissa and
+// exponent.
+#pragma once
+
+#include <cstdint>
+
+#include "sw_ref/exact/binary32.hpp"
+
+namespace hitpipe::ref {
+
+/// G = 2^(n-2) - 1: the integer coordinate of 1. n in 6..32.
+[[nodiscard]] constexpr std::int64_t grid_scale(int coord_bits) {
+  return (std::int64_t{1} << (coord_bits - 2)) - 1;
+}
+
+/// 2^(n-2) = G + 1: the largest magnitude of an outward rounded box coordinate.
+[[nodiscard]] constexpr std::int64_t grid_limit(int coord_bits) {
+  return std::int64_t{1} << (coord_bits - 2);
+}
+
+enum class Half : int { down = -1, up = 1 };
+
+/// floor(G * x - 1/2) or floor(G * x + 1/2), exact for |x| <= 2 and n in 6..32.
+[[nodiscard]] inline std::int64_t grid_floor(float x, int coord_bits, Half half) {
+  // G x +- 1/2 = (2 G m +- 2^s) / 2^(s+1) with |x| = m 2^-s, m < 2^24, 22 <= s <= 149; 2 G m < 2^55.
+  const Binary32 parts = decode(x);
+  const int s = -parts.exponent;
+  if (s > 60) {
+    return half == Half::down ? -1 : 0;  // |G x| < 2^54 * 2^-61 < 1/2
+  }
+  const std::int64_t magnitude = 2 * grid_scale(coord_bits) * static_cast<std::int64_t>(parts.mantissa);
+  const std::int64_t one_half = static_cast<std::int64_t>(half) * (std::int64_t{1} << s);
+  return ((parts.negative ? -magnitude : magnitude) + one_half) >> (s + 1);
+}
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,25 @@
+// Boxes on the integer grid (section 6.2.1): grown by half a unit for the rounded ray origin, then rounded
+// outward.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sw_ref/geometry/aabb.hpp"
+
+namespace hitpipe::ref {
+
+/// n-bit coordinates, x, y, z; |coordinate| <= 2^(n-2).
+struct IntBox {
+  std::array<std::int32_t, 3> min{};
+  std::array<std::int32_t, 3> max{};
+
+  friend bool operator==(const IntBox&, const IntBox&) = default;
+};
+
+/// min = floor(G * min - 1/2), max = ceil(G * max + 1/2), G = 2^(n-2) - 1, both exact. `coord_bits` is
+/// n, 6..32. Throws std::out_of_range if a coordinate lands beyond 2^(n-2) (no coordinate in [-1, 1] does) or
+/// is not a number, std::invalid_argument for another n.
+[[nodiscard]] IntBox quantise_box(const Aabb& box, int coord_bits);
+
+}  // namespace hitpipe::ref

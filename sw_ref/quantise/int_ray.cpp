@@ -1,0 +1,129 @@
+#include "sw_ref/quantise/int_ray.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "sw_ref/exact/binary32.hpp"
+#include "sw_ref/quantise/grid.hpp"
+
+namespace hitpipe::ref {
+
+// Why the integer test never misses. G, M as in the header, r the direction, io the rounded origin.
+//
+// Non-zero components. Let scale = M min|r_i| and c_i = scale / r_i: floor_i <= c_i <= ceil_i, |c_i| <= M.
+// Take a common point of ray and box, at parameter t, and T = t * scale * G >= 0. On every axis T = x c_i
+// with x = G t r_i between G (min - o) and G (max - o). As |io - G o| <= 1/2, the outward box has
+//   d0 = floor(G min - 1/2) - io <= G (min - o)   and   d1 = ceil(G max + 1/2) - io >= G (max - o),
+// so d0 <= x <= d1. The unit picks the near end by the sign of floor_i, which is that of r_i (the floor of a
+// negative number is negative), and multiplies it by the bound of c_i that makes the product smaller, the far
+// end by the one that makes it larger: near_i <= T <= far_i. Hence max near <= min far, min far >= 0, and
+// max near, an integer, is at most floor(length * scale * G). Cutting that to 2^(2n-2) - 1 loses nothing, as
+// near <= M^2 < 2^(2n-2) - 1. Trimming, x -> floor(x / 2^k), is monotone and keeps x >= 0.
+//
+// Zero components. The ray stays in the slab: d0 <= 0 <= d1, and with +-M as both bounds near_i <= 0 <=
+// far_i. A non-zero axis has the bounds 0 and 1, or -1 and 0: its near end is <= 0 and its far end >= 0,
+// wherever the box lies. So near <= 0 <= far and near <= 0 = length: no miss, but the non-zero axes tell
+// nothing.
+
+namespace {
+
+/// M = 2^(n-1) - 1: the IRDVC of the smallest direction component.
+constexpr std::int64_t irdvc_limit(int coord_bits) {
+  return (std::int64_t{1} << (coord_bits - 1)) - 1;
+}
+
+void check(const Ray& ray, hls::IntBits bits) {
+  if (!bits.valid()) {
+    throw std::invalid_argument(fmt::format("IntRaySetup: format {}/{}; n must be 6 to 32 and t 6 to 2n-1",
+                                            bits.coord, bits.interval));
+  }
+  bool any_nonzero = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(std::abs(ray.origin[axis]) <= 1.0F)) {
+      throw std::out_of_range(
+          fmt::format("IntRaySetup: origin.{} = {} is outside the cube; allowed is [-1, 1]", "xyz"[axis],
+                      ray.origin[axis]));
+    }
+    if (!std::isfinite(ray.direction[axis])) {
+      throw std::invalid_argument(fmt::format("IntRaySetup: direction.{} = {}; components must be finite",
+                                              "xyz"[axis], ray.direction[axis]));
+    }
+    any_nonzero = any_nonzero || ray.direction[axis] != 0.0F;
+  }
+  if (!any_nonzero) {
+    throw std::invalid_argument("IntRaySetup: direction is (0, 0, 0); one component must differ from 0");
+  }
+}
+
+}  // namespace
+
+IntRaySetup::IntRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bits) {
+  check(ray, bits);
+  for (int axis = 0; axis < 3; ++axis) {
+    // To nearest, ties upwards: the error is at most 1/2 exactly, which the box's half unit covers.
+    ray_.origin[static_cast<std::size_t>(axis)] =
+        static_cast<std::int32_t>(grid_floor(ray.origin[axis], bits.coord, Half::up));
+  }
+  set_irdvcs(ray);
+  ray_.infinite = ray.is_infinite();
+  ray_.length = length(ray.length);
+}
+
+void IntRaySetup::set_irdvcs(const Ray& ray) {
+  const std::int64_t limit = irdvc_limit(bits_.coord);
+  const float smallest =
+      std::min({std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z)});
+  const bool infinitesimal_scale = smallest == 0.0F;
+  const Binary32 least = infinitesimal_scale ? Binary32{} : decode(smallest);
+  // |c_i| = M m_min / (m_i 2^k). k >= 0, and the numerator is below 2^55. From k = 32 on the component is
+  // normal, m_i >= 2^23, and the quotient 0. Neither it nor its ceiling ever exceeds M, an integer.
+  const std::uint64_t numerator = static_cast<std::uint64_t>(limit) * least.mantissa;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const float component = ray.direction[axis];
+    const bool negative = std::signbit(component);
+    std::uint64_t below = 0;
+    std::uint64_t above = 1;
+    if (component == 0.0F) {
+      below = above = static_cast<std::uint64_t>(limit);
+    } else if (!infinitesimal_scale) {
+      const Binary32 parts = decode(component);
+      const int k = parts.exponent - least.exponent;
+      if (k < 32) {
+        const std::uint64_t denominator = static_cast<std::uint64_t>(parts.mantissa) << k;
+        below = numerator / denominator;
+        above = below + (numerator % denominator != 0 ? 1U : 0U);
+      }
+    }
+    ray_.irdvc_floor[i] = negative ? -static_cast<std::int32_t>(above) : static_cast<std::int32_t>(below);
+    ray_.irdvc_ceil[i] = negative ? -static_cast<std::int32_t>(below) : static_cast<std::int32_t>(above);
+  }
+  length_factor_ = static_cast<Uint128>(numerator) * static_cast<std::uint64_t>(grid_scale(bits_.coord));
+  length_exponent_ = least.exponent;
+}
+
+std::int64_t IntRaySetup::length(float length) const {
+  if (!(length >= 0.0F)) {
+    throw std::invalid_argument(fmt::format("IntRaySetup: length = {}; it must be >= 0 or infinite", length));
+  }
+  const Uint128 largest = (Uint128{1} << (2 * bits_.coord - 2)) - 1;
+  Uint128 full = largest;
+  if (!std::isinf(length)) {
+    const Binary32 parts = decode(length);
+    const Uint128 product = length_factor_ * parts.mantissa;  // < 2^109
+    const int exponent = parts.exponent + length_exponent_;
+    if (product == 0 || exponent <= -128) {
+      full = 0;
+    } else if (exponent < 0) {
+      full = std::min(product >> -exponent, largest);
+    }
+    // Otherwise both exponents are >= -104, both mantissas thus normal: the product is at least 2^46 M G,
+    // beyond the largest.
+  }
+  return static_cast<std::int64_t>(full >> bits_.trimmed());
+}
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,49 @@
+// Ray set-up for the integer slabs unit (section 6.2.1): rounded origin, inverse ray direction vector
+// components (IRDVCs) bounded from both sides, and the ray length on the scale of the distances. All exact:
+// integers made of the binary32's mantissas and exponents, no floating-point operation.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hls/box/int_format.hpp"
+#include "sw_ref/geometry/ray.hpp"
+
+namespace hitpipe::ref {
+
+struct IntRay {
+  std::array<std::int32_t, 3> origin{};       ///< n bits, |.| <= G = 2^(n-2) - 1
+  std::array<std::int32_t, 3> irdvc_floor{};  ///< n bits, |.| <= M = 2^(n-1) - 1
+  std::array<std::int32_t, 3> irdvc_ceil{};   ///< n bits, |.| <= M; floor or floor + 1
+  std::int64_t length = 0;                    ///< trimmed to t - 1 bits, >= 0
+  bool infinite = false;                      ///< the unit then ignores `length`, the largest there is
+
+  friend bool operator==(const IntRay&, const IntRay&) = default;
+};
+
+/// Sets a ray up for an n/t unit.
+class IntRaySetup {
+ public:
+  /// Needs an acceptable ray (see box_referee.hpp) and 6 <= n <= 32, 6 <= t <= 2n-1. Throws std::out_of_range
+  /// for an origin outside [-1, 1]^3, std::invalid_argument for anything else.
+  IntRaySetup(const Ray& ray, hls::IntBits bits);
+
+  [[nodiscard]] const IntRay& ray() const { return ray_; }
+
+  /// The trimmed length if the same ray ended at `length` >= 0, or infinite. Throws std::invalid_argument
+  /// otherwise.
+  [[nodiscard]] std::int64_t length(float length) const;
+
+ private:
+  __extension__ using Uint128 = unsigned __int128;
+
+  void set_irdvcs(const Ray& ray);
+
+  IntRay ray_;
+  hls::IntBits bits_;
+  // scale * G = length_factor_ * 2^length_exponent_; 0 with an infinitesimal scale.
+  Uint128 length_factor_ = 0;  // < 2^85
+  int length_exponent_ = 0;    // -149..104
+};
+
+}  // namespace hitpipe::ref

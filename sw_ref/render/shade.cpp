@@ -1,0 +1,75 @@
+#include "sw_ref/render/shade.hpp"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace hitpipe::ref {
+namespace {
+
+/// x cut to [0, most]; 0 where x is no number.
+double part(double x, double most) {
+  return x > 0.0 ? std::min(x, most) : 0.0;
+}
+
+}  // namespace
+
+SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) {
+  const Mesh::Corners corners = mesh.corners(triangle);
+  const glm::dvec3 a(corners.a);
+  const glm::dvec3 ab = glm::dvec3(corners.b) - a;
+  const glm::dvec3 ac = glm::dvec3(corners.c) - a;
+  const glm::dvec3 direction(ray.direction);
+  const glm::dvec3 normal = glm::cross(ab, ac);
+  const glm::dvec3 from_a = glm::dvec3(ray.origin) - a;
+  const glm::dvec3 moment = glm::cross(direction, from_a);
+  const double determinant = glm::dot(direction, normal);
+  // Barycentric coordinates of b and c. A ray that grazes the plane makes them rough, but clamped they still
+  // name a point of the triangle: nothing that is computed from it leaves the cube.
+  const double v = part(glm::dot(moment, ac) / determinant, 1.0);
+  const double w = part(-glm::dot(moment, ab) / determinant, 1.0 - v);
+  SurfacePoint point;
+  point.position = a + v * ab + w * ac;
+  // The normal of a sliver may vanish in double although its exact area does not.
+  const glm::dvec3 facing = determinant > 0.0 ? -normal : normal;
+  point.normal = glm::normalize(facing == glm::dvec3(0.0) ? -direction : facing);
+  point.shading_normal = point.normal;
+  if (!mesh.normals.empty()) {
+    const glm::uvec3& t = mesh.triangles[triangle];
+    const glm::dvec3 smooth =
+        glm::normalize((1.0 - v - w) * glm::dvec3(mesh.normals[t.x]) + v * glm::dvec3(mesh.normals[t.y]) +
+                       w * glm::dvec3(mesh.normals[t.z]));
+    point.shading_normal = glm::dot(smooth, point.normal) < 0.0 ? -smooth : smooth;
+  }
+  return point;
+}
+
+std::optional<Ray> shadow_ray(const SurfacePoint& point, const Light& light) {
+  if (glm::dot(point.normal, glm::dvec3(light.position) - point.position) <= 0.0) return std::nullopt;
+  const glm::vec3 offset(point.position + shadow_offset * point.normal);
+  const glm::vec3 origin = glm::clamp(offset, -1.0F, 1.0F);
+  const glm::vec3 direction = light.position - origin;
+  if (direction == glm::vec3(0.0F)) return std::nullopt;
+  return Ray{origin, direction, 1.0F};
+}
+
+glm::vec3 sky(const glm::vec3& direction) {
+  constexpr glm::vec3 horizon(0.86F, 0.82F, 0.76F);
+  constexpr glm::vec3 zenith(0.30F, 0.48F, 0.70F);
+  const float height = std::clamp(0.3F + 1.4F * direction.y / glm::length(direction), 0.0F, 1.0F);
+  return glm::mix(horizon, zenith, height);
+}
+
+glm::vec3 ambient(const SurfacePoint& point) {
+  constexpr glm::vec3 from_sky(0.17F, 0.20F, 0.25F);
+  constexpr glm::vec3 from_ground(0.12F, 0.10F, 0.08F);
+  return glm::mix(from_ground, from_sky, static_cast<float>(0.5 + 0.5 * point.shading_normal.y));
+}
+
+glm::vec3 direct(const SurfacePoint& point, const Light& light) {
+  const glm::dvec3 to_light = glm::normalize(glm::dvec3(light.position) - point.position);
+  return light.intensity * static_cast<float>(std::max(0.0, glm::dot(point.shading_normal, to_light)));
+}
+
+}  // namespace hitpipe::ref

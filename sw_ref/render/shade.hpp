@@ -1,0 +1,45 @@
+// What is seen where a ray ends: Lambert's law for point lights with shadows, ambient light, a sky.
+// All of it depends on ray, triangle and scene alone, so every traversal that finds the same triangles sends
+// the same shadow rays and computes the same image, bit for bit.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/scene.hpp"
+
+namespace hitpipe::ref {
+
+/// Distance from a surface to the origin of its shadow rays, along the normal, in the [-1, 1] cube: 128 units
+/// of the last place of binary32 near 1, so that rounding the origin cannot take it through the surface, and
+/// yet below the width of a pixel.
+constexpr double shadow_offset = 0x1p-17;
+
+/// Where a ray meets a triangle. Both normals are unit vectors on the ray's side of the surface.
+struct SurfacePoint {
+  glm::dvec3 position;
+  glm::dvec3 normal;          ///< of the triangle's plane
+  glm::dvec3 shading_normal;  ///< interpolated where the mesh has normals
+};
+
+/// The point of `triangle` that the ray hits, computed in double and kept on the triangle.
+[[nodiscard]] SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray);
+
+/// The ray from a surface to a light: t = 1 is the light. Its origin is moved onto the [-1, 1] cube, as a
+/// float, where the offset leaves it. Nothing when the light is behind the surface, which is dark without a
+/// test.
+[[nodiscard]] std::optional<Ray> shadow_ray(const SurfacePoint& point, const Light& light);
+
+/// Linear radiance of the background.
+[[nodiscard]] glm::vec3 sky(const glm::vec3& direction);
+
+/// Light that comes from everywhere and casts no shadow.
+[[nodiscard]] glm::vec3 ambient(const SurfacePoint& point);
+
+/// Light that an unblocked light sends to the point, by Lambert's law.
+[[nodiscard]] glm::vec3 direct(const SurfacePoint& point, const Light& light);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,17 @@
+// Reader of mesh files: OBJ, PLY, STL, glTF and GLB, through Assimp.
+#pragma once
+
+#include <filesystem>
+
+#include "sw_ref/scene/mesh.hpp"
+
+namespace hitpipe::ref {
+
+/// All triangles of a file in its own units: node transforms applied, polygons triangulated, points and lines
+/// left out, equal positions joined, triangles without area dropped and counted. At least one triangle
+/// remains. Throws std::runtime_error with one line that names the file and what is allowed, when the file is
+/// missing, is no regular file, is empty, cut short or malformed, has an unknown extension, a coordinate that
+/// is not finite, an index out of range, or no triangle with area.
+[[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
+
+}  // namespace hitpipe::ref

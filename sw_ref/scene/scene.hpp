@@ -1,0 +1,84 @@
+// A scene as every later stage sees it: mesh, materials, camera and lights, moved into the cube.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "sw_ref/scene/mesh.hpp"
+#include "sw_ref/scene/normalise.hpp"
+
+namespace hitpipe::ref {
+
+struct Material {
+  glm::vec3 albedo{0.7F};  ///< diffuse reflectance, linear, each in [0, 1]
+};
+
+/// A pinhole camera in the cube.
+struct Camera {
+  glm::vec3 eye{0.0F};
+  glm::dvec3 forward{0.0, 0.0, -1.0};  ///< unit
+  glm::dvec3 right{1.0, 0.0, 0.0};     ///< unit
+  glm::dvec3 up{0.0, 1.0, 0.0};        ///< unit; forward, right, up are at right angles
+  double tan_half_height = 0.5;        ///< tangent of half the vertical field of view
+};
+
+/// A point light whose intensity does not fall with distance, so that no image depends on the scene's units.
+struct Light {
+  glm::vec3 position{0.0F};
+  glm::vec3 intensity{1.0F};  ///< linear, >= 0
+};
+
+struct Scene {
+  std::string name;
+  Mesh mesh;
+  std::vector<Material> materials;
+  Camera camera;
+  std::vector<Light> lights;
+  Normalisation to_cube;  ///< from the scene's own units, for reports
+};
+
+/// In the scene's own units.
+struct LightSource {
+  glm::dvec3 position{0.0};
+  glm::dvec3 intensity{1.0};
+};
+
+/// What to place differently from the scene's own choice; own units.
+struct SceneOptions {
+  std::optional<glm::dvec3> eye;
+  std::optional<glm::dvec3> target;   ///< point in the middle of the image
+  std::optional<glm::dvec3> up;       ///< direction, not parallel to the view
+  std::optional<double> fov_degrees;  ///< vertical field of view, 0 < fov < 180
+  std::vector<LightSource> lights;    ///< in place of the scene's own, if any
+};
+
+/// A mesh with its placing, before it is moved into the cube.
+struct SceneDescription {
+  std::string name;
+  Mesh mesh;
+  std::vector<Material> materials;
+  glm::dvec3 eye{0.0};
+  glm::dvec3 target{0.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  double fov_degrees = 40.0;
+  std::vector<LightSource> lights;
+};
+
+/// The built-in scene "spheres": 12 spheres of 2,048 triangles on a floor of 2, 24,578 in all; two lights.
+[[nodiscard]] SceneDescription spheres();
+
+/// Checks the placing and moves everything into the cube.
+/// Throws std::runtime_error, one line, for a camera or light that cannot be placed: a coordinate that is not
+/// finite, eye equal to target, up parallel to the view, a field of view or intensity out of range, a point
+/// so far away that less than smallest_mesh_part of the cube would be left for the mesh.
+[[nodiscard]] Scene place(SceneDescription description);
+
+/// A built-in scene by name, or a mesh file by path with a camera and two lights chosen from its bounds.
+/// Throws std::runtime_error, one line: for a name that is neither, and as load_mesh() and place() do.
+[[nodiscard]] Scene load_scene(const std::string& name_or_path, const SceneOptions& options = {});
+
+}  // namespace hitpipe::ref

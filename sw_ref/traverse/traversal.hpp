@@ -1,0 +1,136 @@
+// Depth-first traversal of one ray through a BVH, near child first by direction and split axis (DSA,
+// section 4.5). It can be left and taken up again between box tests: it names the node whose box it wants
+// tested, and continues when it is told the answer. So a loop in software and a pipeline that answers many
+// cycles later share one traversal.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/mesh.hpp"
+
+namespace hitpipe::ref {
+
+enum class Query : std::uint8_t {
+  closest,  ///< the nearest triangle, ties to the lower index
+  any,      ///< stop at the first triangle found: only blocked or not blocked counts
+};
+
+struct TraversalCounts {
+  std::uint64_t box_tests = 0;
+  std::uint64_t triangle_tests = 0;
+
+  TraversalCounts& operator+=(const TraversalCounts& other) {
+    box_tests += other.box_tests;
+    triangle_tests += other.triangle_tests;
+    return *this;
+  }
+  friend bool operator==(const TraversalCounts&, const TraversalCounts&) = default;
+};
+
+/// Bits 0..2: the signs of the direction's x, y, z (1: negative, -0 included), the thesis's M and P.
+[[nodiscard]] inline unsigned direction_class(const glm::vec3& direction) {
+  return static_cast<unsigned>(std::signbit(direction.x)) |
+         static_cast<unsigned>(std::signbit(direction.y)) << 1U |
+         static_cast<unsigned>(std::signbit(direction.z)) << 2U;
+}
+
+/// Table 4.2: 0 or 1, the child of a branch split along `axis` (0..2) that a ray of this class visits first.
+[[nodiscard]] inline unsigned near_child(unsigned direction_class, int axis) {
+  return direction_class >> static_cast<unsigned>(axis) & 1U;
+}
+
+/// Hierarchy and mesh must outlive the traversal and stay unchanged. The hierarchy has at least one node.
+class Traversal {
+ public:
+  Traversal(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query)
+      : nodes_(bvh.nodes.data()),
+        order_(bvh.order.data()),
+        mesh_(&mesh),
+        ray_(ray),
+        length_(ray.length),
+        class_(direction_class(ray.direction)),
+        query_(query) {
+    stack_[0] = finished;
+  }
+
+  [[nodiscard]] bool done() const { return node_ == finished; }
+  /// The node whose box is to be tested now. Only while !done().
+  [[nodiscard]] std::uint32_t node() const { return node_; }
+  /// Boxes entered beyond this t need not be visited: the ray's length, or the exact t of the best hit
+  /// rounded up.
+  [[nodiscard]] float length() const { return length_; }
+  [[nodiscard]] const Ray& ray() const { return ray_; }
+  /// The best hit so far; final when done().
+  [[nodiscard]] const Hit& hit() const { return hit_; }
+  [[nodiscard]] TraversalCounts counts() const { return {box_tests_, triangle_tests_}; }
+
+  /// Continues with the result of the test of node(): true when the ray, cut at length(), may meet its box.
+  void answer(bool box_hit) {
+    ++box_tests_;
+    if (box_hit) {
+      const BvhNode& node = nodes_[node_];
+      if (!node.is_leaf()) {
+        const unsigned near = near_child(class_, node.split_axis());
+        stack_[++top_] = node.first + (near ^ 1U);
+        node_ = node.first + near;
+        return;
+      }
+      if (intersect(node)) {
+        node_ = finished;
+        return;
+      }
+    }
+    node_ = stack_[top_--];
+  }
+
+ private:
+  static constexpr std::uint32_t finished = ~0U;
+  /// `finished` at the bottom, above it at most one waiting sibling per level below the root.
+  static constexpr std::size_t stack_size = 64;
+  static_assert(stack_size >= std::size_t{BuildOptions::deepest});
+
+  /// Tests the triangles of a leaf; true when the query needs no further node.
+  bool intersect(const BvhNode& leaf) {
+    const std::uint32_t* const triangles = order_ + leaf.first;
+    for (std::int32_t i = 0; i < leaf.count; ++i) {
+      ++triangle_tests_;
+      if (!intersect_triangle(*mesh_, triangles[i], ray_, hit_)) continue;
+      length_ = cull_length(hit_);
+      if (query_ == Query::any) return true;
+    }
+    return false;
+  }
+
+  const BvhNode* nodes_;
+  const std::uint32_t* order_;
+  const Mesh* mesh_;
+  Ray ray_;
+  Hit hit_;
+  float length_;
+  std::uint32_t node_ = 0;
+  std::uint32_t top_ = 0;
+  unsigned class_;
+  std::uint32_t box_tests_ = 0;
+  std::uint32_t triangle_tests_ = 0;
+  Query query_;
+  std::array<std::uint32_t, stack_size> stack_;  // only [0, top_] is ever read, and so only that is set
+};
+
+/// One ray from root to answer with a box test set up for it: BoxTest(ray), bool test(box, length).
+template <class BoxTest>
+Hit trace(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query, TraversalCounts& counts) {
+  const BoxTest test(ray);
+  Traversal traversal(bvh, mesh, ray, query);
+  while (!traversal.done()) traversal.answer(test(bvh.nodes[traversal.node()].box, traversal.length()));
+  counts += traversal.counts();
+  return traversal.hit();
+}
+
+}  // namespace hitpipe::ref

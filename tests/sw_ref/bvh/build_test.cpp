@@ -1,0 +1,219 @@
+// The hierarchy of section 4.3, rule by rule on meshes of a few triangles, and as a whole on Spheres.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/scene/scene.hpp"
+#include "tests/sw_ref/scene/error_message.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+/// One small triangle, 0.01 wide along each axis, with its box centred at each point.
+Mesh triangles_at(const std::vector<glm::vec3>& centres, float half = 0.005F) {
+  Mesh mesh;
+  for (const glm::vec3& c : centres) {
+    const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(c - half);
+    mesh.vertices.push_back(c + glm::vec3(half, half, -half));
+    mesh.vertices.push_back(c + half);
+    mesh.triangles.emplace_back(base, base + 1, base + 2);
+  }
+  return mesh;
+}
+
+BuildOptions one_per_leaf() {
+  BuildOptions options;
+  options.max_triangles = 1;
+  return options;
+}
+
+bool contains(const Aabb& outer, const glm::vec3& p) {
+  for (int k = 0; k < 3; ++k)
+    if (p[k] < outer.min[k] || p[k] > outer.max[k]) return false;
+  return true;
+}
+
+TEST(Build, AxesAlternateAndChild0IsOnTheNegativeSide) {
+  std::vector<glm::vec3> corners;
+  for (const float x : {0.5F, -0.5F})
+    for (const float y : {0.5F, -0.5F})
+      for (const float z : {0.5F, -0.5F}) corners.emplace_back(x, y, z);
+  const Bvh bvh = build_bvh(triangles_at(corners), one_per_leaf());
+  ASSERT_EQ(bvh.nodes.size(), 15U);
+  EXPECT_EQ(bvh.depth, 4);
+  int branches = 0;
+  std::vector<std::pair<std::uint32_t, int>> pending{{0, 0}};
+  while (!pending.empty()) {
+    const auto [index, axis] = pending.back();
+    pending.pop_back();
+    const BvhNode& node = bvh.nodes[index];
+    if (node.is_leaf()) continue;
+    ++branches;
+    EXPECT_EQ(node.split_axis(), axis);
+    EXPECT_LT(bvh.nodes[node.first].box.max[axis], 0.0F);
+    EXPECT_GT(bvh.nodes[node.first + 1].box.min[axis], 0.0F);
+    pending.emplace_back(node.first, axis + 1);
+    pending.emplace_back(node.first + 1, axis + 1);
+  }
+  EXPECT_EQ(branches, 7);
+}
+
+TEST(Build, EmptyChildMovesToTheNextAxisWhichIsRecorded) {
+  // Along x every centre is at or above the middle of the box, which one wide triangle stretches.
+  Mesh mesh = triangles_at({{0.4F, 0.1F, 0.0F}, {0.4F, 0.8F, 0.0F}});
+  mesh.vertices.insert(mesh.vertices.end(), {{0.3F, 0.3F, 0.0F}, {0.5F, 0.3F, 0.0F}, {0.5F, 0.31F, 0.0F}});
+  mesh.triangles.emplace_back(6, 7, 8);
+  const Bvh bvh = build_bvh(mesh, one_per_leaf());
+  ASSERT_FALSE(bvh.nodes[0].is_leaf());
+  EXPECT_EQ(bvh.nodes[0].split_axis(), 1);
+  const BvhNode& low = bvh.nodes[bvh.nodes[0].first];
+  EXPECT_LT(low.box.max.y, 0.4F);
+  // The next level starts with the axis after the one used: z is too narrow, x separates nothing, y does.
+  ASSERT_FALSE(low.is_leaf());
+  EXPECT_EQ(low.split_axis(), 1);
+}
+
+TEST(Build, CentreOnTheMidpointGoesToChild1) {
+  const Bvh bvh = build_bvh(
+      triangles_at({{-0.5F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.5F, 0.0F, 0.0F}}, 0.125F), one_per_leaf());
+  ASSERT_EQ(bvh.nodes.size(), 5U);
+  EXPECT_TRUE(bvh.nodes[1].is_leaf());
+  EXPECT_FALSE(bvh.nodes[2].is_leaf());
+}
+
+TEST(Build, NarrowAxisIsNotSplit) {
+  BuildOptions options = one_per_leaf();
+  const Mesh mesh = triangles_at({{-0.1F, -0.2F, 0.0F}, {0.1F, 0.2F, 0.0F}});
+  EXPECT_EQ(build_bvh(mesh, options).nodes[0].split_axis(), 0);
+  options.min_split = 0.3F;  // the box is 0.21 wide along x, 0.41 along y
+  EXPECT_EQ(build_bvh(mesh, options).nodes[0].split_axis(), 1);
+  options.min_split = 0.5F;
+  EXPECT_TRUE(build_bvh(mesh, options).nodes[0].is_leaf());
+}
+
+TEST(Build, InseparableTrianglesAreHalved) {
+  const Bvh bvh = build_bvh(triangles_at(std::vector<glm::vec3>(13)));
+  ASSERT_EQ(bvh.nodes.size(), 5U);
+  EXPECT_EQ(bvh.nodes[0].split_axis(), 0);
+  EXPECT_EQ(bvh.nodes[1].count, 6);
+  EXPECT_EQ(bvh.nodes[2].count, -2);  // 7 triangles, next axis
+  EXPECT_EQ(bvh.nodes[3].count, 3);
+  EXPECT_EQ(bvh.nodes[4].count, 4);
+  const Bvh pair = build_bvh(triangles_at(std::vector<glm::vec3>(2)), one_per_leaf());
+  ASSERT_EQ(pair.nodes.size(), 3U);
+  EXPECT_EQ(pair.nodes[1].count, 1);
+  EXPECT_EQ(pair.nodes[2].count, 1);
+}
+
+TEST(Build, NodeTooNarrowAlongAllAxesIsALeaf) {
+  const Bvh bvh = build_bvh(triangles_at(std::vector<glm::vec3>(20), 4e-7F));
+  ASSERT_EQ(bvh.nodes.size(), 1U);
+  EXPECT_EQ(bvh.nodes[0].count, 20);
+  EXPECT_EQ(bvh.depth, 1);
+}
+
+TEST(Build, DepthIsLimited) {
+  BuildOptions options = one_per_leaf();
+  options.max_depth = 3;
+  const Bvh bvh = build_bvh(triangles_at(std::vector<glm::vec3>(40)), options);
+  EXPECT_EQ(bvh.depth, 3);
+  EXPECT_EQ(bvh.nodes.size(), 7U);
+  for (std::size_t i = 3; i < 7; ++i) EXPECT_EQ(bvh.nodes[i].count, 10);
+  // Each halving of the box takes one of these off: 100 levels without the limit of section 4.3.
+  std::vector<glm::vec3> centres;
+  for (int i = 0; i < 100; ++i) centres.emplace_back(std::ldexp(1.0F, -i), 0.0F, 0.0F);
+  options = one_per_leaf();
+  options.min_split = 0.0F;
+  EXPECT_EQ(build_bvh(triangles_at(centres, 0.0F), options).depth, 60);
+}
+
+TEST(Build, BoxesArePaddedOutward) {
+  const Mesh mesh = triangles_at({{0.25F, -0.75F, 0.0F}});
+  const Bvh bvh = build_bvh(mesh);
+  Aabb bounds;
+  for (const glm::vec3& p : mesh.vertices) bounds.grow(p);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_LT(bvh.nodes[0].box.min[k], bounds.min[k]);
+    EXPECT_GT(bvh.nodes[0].box.max[k], bounds.max[k]);
+    EXPECT_NEAR(bounds.min[k] - bvh.nodes[0].box.min[k], 5e-7, 6e-8);
+    EXPECT_NEAR(bvh.nodes[0].box.max[k] - bounds.max[k], 5e-7, 6e-8);
+  }
+  BuildOptions below_resolution;
+  below_resolution.padding = 1e-9F;
+  const Bvh thin = build_bvh(mesh, below_resolution);
+  for (const glm::vec3& p : mesh.vertices) EXPECT_TRUE(contains(thin.nodes[0].box, p));
+}
+
+TEST(Build, SpheresIsWholeAndTight) {
+  const Scene scene = load_scene("spheres");
+  const Bvh bvh = build_bvh(scene.mesh);
+  // Appendix B: about half as many nodes as triangles at 6 triangles per leaf.
+  EXPECT_GT(bvh.nodes.size(), 24'578U * 45 / 100);
+  EXPECT_LT(bvh.nodes.size(), 24'578U * 55 / 100);
+
+  std::vector<std::uint32_t> sorted = bvh.order;
+  std::sort(sorted.begin(), sorted.end());
+  ASSERT_EQ(sorted.size(), scene.mesh.triangles.size());
+  for (std::uint32_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], i);
+
+  std::vector<int> parents(bvh.nodes.size());
+  std::size_t in_leaves = 0;
+  for (const BvhNode& node : bvh.nodes) {
+    if (node.is_leaf()) {
+      ASSERT_LE(node.count, 6);
+      in_leaves += static_cast<std::size_t>(node.count);
+      for (std::uint32_t i = node.first; i < node.first + static_cast<std::uint32_t>(node.count); ++i) {
+        const Mesh::Corners corners = scene.mesh.corners(bvh.order[i]);
+        for (const glm::vec3& p : {corners.a, corners.b, corners.c}) ASSERT_TRUE(contains(node.box, p));
+      }
+      continue;
+    }
+    ASSERT_GE(node.count, -3);
+    Aabb both = bvh.nodes[node.first].box;
+    both.grow(bvh.nodes[node.first + 1].box);
+    ASSERT_EQ(both.min, node.box.min);  // the minimum box of the children, padded alike
+    ASSERT_EQ(both.max, node.box.max);
+    ++parents[node.first];
+    ++parents[node.first + 1];
+  }
+  EXPECT_EQ(in_leaves, scene.mesh.triangles.size());
+  EXPECT_EQ(parents[0], 0);
+  for (std::size_t i = 1; i < parents.size(); ++i) ASSERT_EQ(parents[i], 1);
+}
+
+TEST(Build, IsTheSameEveryTime) {
+  const Scene scene = load_scene("spheres");
+  const Bvh a = build_bvh(scene.mesh);
+  const Bvh b = build_bvh(scene.mesh);
+  ASSERT_EQ(a.nodes.size(), b.nodes.size());
+  EXPECT_EQ(std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(BvhNode)), 0);
+  EXPECT_EQ(a.order, b.order);
+}
+
+TEST(Build, OptionsOutOfRangeAreRejected) {
+  const Mesh mesh = triangles_at({{0, 0, 0}});
+  const auto error = [&](auto change) {
+    BuildOptions options;
+    change(options);
+    return error_message([&] { return build_bvh(mesh, options); });
+  };
+  EXPECT_EQ(error_message([] { return build_bvh(Mesh{}); }),
+            "BVH: the mesh has no triangle; at least 1 is needed");
+  EXPECT_EQ(error([](BuildOptions& o) { o.max_triangles = 0; }),
+            "BVH: 0 triangles per leaf; at least 1 is needed");
+  EXPECT_EQ(error([](BuildOptions& o) { o.max_depth = 61; }),
+            "BVH: a depth of 61 levels; allowed are 1 to 60");
+  EXPECT_EQ(error([](BuildOptions& o) { o.max_depth = 0; }), "BVH: a depth of 0 levels; allowed are 1 to 60");
+  const std::string widths = "BVH: padding and smallest split width must be numbers that are not negative";
+  EXPECT_EQ(error([](BuildOptions& o) { o.padding = -1e-7F; }), widths);
+  EXPECT_EQ(error([](BuildOptions& o) { o.padding = INFINITY; }), widths);
+  EXPECT_EQ(error([](BuildOptions& o) { o.min_split = NAN; }), widths);
+}
+
+}  // namespace
+}  // namespace hitpipe::ref

@@ -1,0 +1,139 @@
+// Primary rays, surface points and shadow rays.
+#include "sw_ref/render/shade.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/render/camera.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+Mesh floor_triangle(float height = 0.0F) {
+  Mesh mesh;
+  mesh.vertices = {{-0.9F, height, -0.9F}, {-0.9F, height, 0.9F}, {0.9F, height, 0.9F}};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+const Ray down{{-0.5F, 0.8F, 0.25F}, {0.0F, -1.0F, 0.0F}};
+
+TEST(PrimaryRay, CornerPixelsSpanTheFieldOfView) {
+  Camera camera;
+  camera.tan_half_height = 0.5;
+  const int width = 400, height = 200;
+  const Ray centre = primary_ray(camera, 200, 100, width, height);
+  EXPECT_NEAR(centre.direction.x, 0.0025F, 1e-4F);
+  EXPECT_NEAR(centre.direction.y, -0.0025F, 1e-4F);
+  const Ray corner = primary_ray(camera, 0, 0, width, height);
+  EXPECT_NEAR(corner.direction.x / corner.direction.z, 1.0F * 399 / 400, 1e-6F);
+  EXPECT_NEAR(corner.direction.y / -corner.direction.z, 0.5F * 199 / 200, 1e-6F);
+  EXPECT_TRUE(corner.is_infinite());
+  EXPECT_NEAR(glm::length(corner.direction), 1.0F, 1e-6F);
+  EXPECT_EQ(corner.origin, camera.eye);
+}
+
+TEST(SurfacePoint, LiesWhereTheRayMeetsTheTriangle) {
+  const SurfacePoint point = surface_point(floor_triangle(), 0, down);
+  EXPECT_LT(glm::distance(point.position, glm::dvec3(-0.5, 0.0, 0.25)), 1e-15);
+}
+
+TEST(SurfacePoint, NormalsFaceTheRayFromEitherSide) {
+  Mesh mesh = floor_triangle();
+  mesh.normals.assign(3, glm::normalize(glm::vec3(0.1F, 1.0F, 0.0F)));
+  const SurfacePoint above = surface_point(mesh, 0, down);
+  EXPECT_EQ(above.normal, glm::dvec3(0.0, 1.0, 0.0));
+  EXPECT_GT(above.shading_normal.y, 0.9);
+  const SurfacePoint below = surface_point(mesh, 0, {{-0.5F, -0.8F, 0.25F}, {0.0F, 1.0F, 0.0F}});
+  EXPECT_EQ(below.normal, glm::dvec3(0.0, -1.0, 0.0));
+  EXPECT_LT(below.shading_normal.y, -0.9);
+}
+
+TEST(SurfacePoint, StaysOnTheTriangleWhenTheRayGrazesIt) {
+  const Mesh mesh = floor_triangle();
+  for (const float slope : {1e-3F, 1e-12F, 1e-30F, 1e-45F}) {
+    const SurfacePoint point = surface_point(mesh, 0, {{-0.9F, slope, 0.0F}, {1.0F, -slope, 0.0F}});
+    EXPECT_EQ(point.position.y, 0.0) << slope;
+    EXPECT_LE(std::abs(point.position.x), 0.9F) << slope;
+    EXPECT_LE(std::abs(point.position.z), 0.9F) << slope;
+    EXPECT_EQ(point.normal, glm::dvec3(0.0, 1.0, 0.0)) << slope;
+  }
+}
+
+TEST(SurfacePoint, RoughCoordinatesAreCutToTheTriangle) {
+  // Rays that pass it stand for rays whose barycentric coordinates are mostly rounding error.
+  for (const glm::vec3& past : {glm::vec3(0.8F, 0.5F, -0.8F), {-0.99F, 0.5F, 0.0F}, {0.0F, 0.5F, 0.99F}}) {
+    const SurfacePoint point = surface_point(floor_triangle(), 0, {past, {0.0F, -1.0F, 0.0F}});
+    EXPECT_GE(point.position.x, -0.9F);
+    EXPECT_LE(point.position.z, 0.9F + 1e-7F);
+    EXPECT_GE(point.position.z, point.position.x - 1e-7);
+  }
+}
+
+TEST(SurfacePoint, SliverWithoutNormalInDoubleStillHasOne) {
+  Mesh mesh;
+  mesh.vertices = {{0.5F, 0.5F, 0.0F}, {0.75F, 0.75F, 0.0F}, {0x1p-149F, 0.0F, 0.0F}};
+  mesh.triangles = {{0, 1, 2}};
+  ASSERT_TRUE(has_area(mesh.corners(0)));
+  const SurfacePoint point = surface_point(mesh, 0, {{0.6F, 0.6F, 0.9F}, {0.0F, 0.0F, -2.0F}});
+  EXPECT_EQ(point.normal, glm::dvec3(0.0, 0.0, 1.0));
+  EXPECT_EQ(point.position, glm::dvec3(0.5, 0.5, 0.0));
+}
+
+TEST(ShadowRay, EndsAtTheLightAndStartsOnItsSide) {
+  const Light light{{0.25F, 0.75F, -0.5F}, {1, 1, 1}};
+  const auto ray = shadow_ray(surface_point(floor_triangle(), 0, down), light);
+  ASSERT_TRUE(ray);
+  EXPECT_EQ(ray->length, 1.0F);
+  EXPECT_EQ(ray->origin, glm::vec3(-0.5F, 0x1p-17F, 0.25F));
+  EXPECT_EQ(ray->direction, light.position - ray->origin);
+}
+
+TEST(ShadowRay, NoneGoesToALightBehindTheSurface) {
+  const SurfacePoint point = surface_point(floor_triangle(), 0, down);
+  EXPECT_FALSE(shadow_ray(point, {{0.0F, -0.5F, 0.0F}, {1, 1, 1}}));
+  EXPECT_FALSE(shadow_ray(point, {{0.3F, 0.0F, 0.0F}, {1, 1, 1}}));
+}
+
+TEST(ShadowRay, OriginIsMovedOntoTheCube) {
+  const SurfacePoint point{{0.5, 1.0, -0.25}, {0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}};
+  const auto ray = shadow_ray(point, {{0.0F, 2.0F, 0.0F}, {1, 1, 1}});
+  ASSERT_TRUE(ray);
+  EXPECT_EQ(ray->origin, glm::vec3(0.5F, 1.0F, -0.25F));
+}
+
+TEST(ShadowRay, OffsetExceedsTheRoundingOfTheOrigin) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> value(-0.99F, 0.99F);
+  int tested = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Mesh mesh;
+    for (int k = 0; k < 3; ++k) mesh.vertices.emplace_back(value(random), value(random), value(random));
+    mesh.triangles = {{0, 1, 2}};
+    const glm::vec3 origin(value(random), value(random), value(random));
+    const glm::vec3 middle = (mesh.vertices[0] + mesh.vertices[1] + mesh.vertices[2]) / 3.0F;
+    const SurfacePoint point = surface_point(mesh, 0, {origin, middle - origin});
+    const auto ray = shadow_ray(point, {origin, {1, 1, 1}});
+    if (!ray) continue;
+    ++tested;
+    const double height = glm::dot(glm::dvec3(ray->origin) - glm::dvec3(mesh.vertices[0]), point.normal);
+    EXPECT_NEAR(height, shadow_offset, shadow_offset / 16);
+  }
+  EXPECT_GT(tested, 1900);
+}
+
+TEST(Direct, FollowsLambertsLaw) {
+  const SurfacePoint point{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}};
+  const auto sixty_degrees = direct(point, {{std::sqrt(3.0F) / 2, 0.5F, 0.0F}, {2.0F, 1.0F, 0.5F}});
+  EXPECT_NEAR(sixty_degrees.x, 1.0F, 1e-6F);
+  EXPECT_NEAR(sixty_degrees.y, 0.5F, 1e-6F);
+  EXPECT_NEAR(sixty_degrees.z, 0.25F, 1e-6F);
+  EXPECT_EQ(direct(point, {{0.5F, -0.5F, 0.0F}, {1, 1, 1}}), glm::vec3(0.0F));
+}
+
+}  // namespace
+}  // namespace hitpipe::ref

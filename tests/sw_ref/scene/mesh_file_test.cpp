@@ -1,0 +1,340 @@
+// Mesh files: what each format yields, and one message for each way in which a file can be bad.
+#include "sw_ref/scene/mesh_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tests/sw_ref/scene/error_message.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+class MeshFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              fmt::format("hitpipe_mesh_file_{}_{}", test->name(), ::getpid());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+    return folder_ / name;
+  }
+  Mesh load(const std::string& name, const std::string& bytes) const { return load_mesh(write(name, bytes)); }
+
+  /// The reason for which the file is refused, after checking that the message begins with the file's name.
+  std::string reason(const std::string& name, const std::string& bytes) const {
+    const std::filesystem::path file = write(name, bytes);
+    return reason(file);
+  }
+  static std::string reason(const std::filesystem::path& file) {
+    const std::string message = error_message([&] { return load_mesh(file); });
+    const std::string prefix = fmt::format("mesh file \"{}\": ", file.string());
+    EXPECT_THAT(message, testing::StartsWith(prefix));
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0);
+    return message.starts_with(prefix) ? message.substr(prefix.size()) : message;
+  }
+
+  std::filesystem::path folder_;
+};
+
+const std::string obj_corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+std::string ply(const std::string& vertices, const std::string& faces, const std::string& body,
+                const std::string& format = "ascii") {
+  return fmt::format(
+      "ply\nformat {} 1.0\ncomment made by a test\nelement vertex {}\nproperty float x\nproperty float y\n"
+      "property float z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n{}",
+      format, vertices, faces, body);
+}
+const std::string ply_corners = "0 0 0\n1 0 0\n0 1 0\n";
+
+template <class T>
+std::string bytes(T value, bool big_endian = false) {
+  std::string out(sizeof value, '\0');
+  std::memcpy(out.data(), &value, sizeof value);
+  if (big_endian != (std::endian::native == std::endian::big)) std::reverse(out.begin(), out.end());
+  return out;
+}
+
+std::string binary_triangle(bool big_endian, std::int32_t last_index) {
+  std::string body;
+  for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) body += bytes(x, big_endian);
+  body += '\3';
+  for (const std::int32_t index : {0, 1, last_index}) body += bytes(index, big_endian);
+  return body;
+}
+
+std::string binary_stl(std::uint32_t announced, const std::vector<std::array<float, 9>>& facets) {
+  std::string out(80, '\0');
+  out += bytes(announced);
+  for (const auto& facet : facets) {
+    out += bytes(0.F) + bytes(0.F) + bytes(1.F);
+    for (const float x : facet) out += bytes(x);
+    out += std::string(2, '\0');
+  }
+  return out;
+}
+
+std::string text_stl(const std::string& second_vertex) {
+  return fmt::format(
+      "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex {}\nvertex 0 1 0\nendloop\nendfacet\n"
+      "endsolid s\n",
+      second_vertex);
+}
+
+/// A triangle (0 0 0), (1 0 0), (0 1 0) under two nodes: scaled by 2, then moved by 10 along x.
+const std::string gltf_head =
+    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+        "nodes":[{"translation":[10,0,0],"children":[1]},{"scale":[2,2,2],"mesh":0}],)";
+const std::string gltf_buffer =
+    "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIA";
+std::string gltf(int mode = 4, const std::string& buffer = gltf_buffer, unsigned vertices = 3) {
+  return fmt::format(
+      R"({}"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1,"mode":{}}}]}}],
+        "buffers":[{{"byteLength":42,"uri":"{}"}}],
+        "bufferViews":[{{"buffer":0,"byteOffset":0,"byteLength":36}},{{"buffer":0,"byteOffset":36,"byteLength":6}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3"}},
+                     {{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}}]}})",
+      gltf_head, mode, buffer, vertices);
+}
+
+TEST_F(MeshFile, TextPlyIsReadWithEitherLineEnd) {
+  std::string text = ply("3", "1", ply_corners + "3 0 1 2\n");
+  EXPECT_EQ(load("lf.ply", text).triangles.size(), 1U);
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, 1, '\r');
+  const Mesh mesh = load("crlf.ply", text);
+  ASSERT_EQ(mesh.triangles.size(), 1U);
+  EXPECT_EQ(mesh.corners(0).b, glm::vec3(1, 0, 0));
+}
+
+TEST_F(MeshFile, BinaryPlyIsReadInEitherByteOrder) {
+  const Mesh little = load("l.ply", ply("3", "1", binary_triangle(false, 2), "binary_little_endian"));
+  const Mesh big = load("b.ply", ply("3", "1", binary_triangle(true, 2), "binary_big_endian"));
+  ASSERT_EQ(little.triangles.size(), 1U);
+  ASSERT_EQ(big.triangles.size(), 1U);
+  EXPECT_EQ(little.corners(0).c, glm::vec3(0, 1, 0));
+  EXPECT_EQ(big.corners(0).c, glm::vec3(0, 1, 0));
+}
+
+TEST_F(MeshFile, StlCornersAreJoined) {
+  const Mesh text = load("t.stl", text_stl("1 0 0"));
+  EXPECT_EQ(text.vertices.size(), 3U);
+  const Mesh binary =
+      load("b.STL", binary_stl(2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0, -0.F, 1, -0.F}}));
+  EXPECT_EQ(binary.triangles.size(), 2U);
+  EXPECT_EQ(binary.vertices.size(), 4U);  // 6 corners, two shared, one of them written with -0
+}
+
+TEST_F(MeshFile, GltfNodeTransformsAreApplied) {
+  const Mesh mesh = load("m.gltf", gltf());
+  ASSERT_EQ(mesh.triangles.size(), 1U);
+  EXPECT_EQ(mesh.corners(0).a, glm::vec3(10, 0, 0));
+  EXPECT_EQ(mesh.corners(0).b, glm::vec3(12, 0, 0));
+  EXPECT_EQ(mesh.corners(0).c, glm::vec3(10, 2, 0));
+}
+
+TEST_F(MeshFile, GlbIsRead) {
+  std::string json = gltf();
+  const std::string uri = ",\"uri\":\"" + gltf_buffer + "\"";
+  json.erase(json.find(uri), uri.size());
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string buffer = binary_triangle(false, 2).substr(0, 36);
+  for (const std::uint16_t index : std::array<std::uint16_t, 4>{0, 1, 2, 0}) buffer += bytes(index);
+  const auto length = static_cast<std::uint32_t>(json.size());
+  const std::string whole = "glTF" + bytes(2U) + bytes(28 + length + 44) + bytes(length) + "JSON" + json +
+                            bytes(44U) + std::string("BIN\0", 4) + buffer;
+  EXPECT_EQ(load("m.glb", whole).triangles.size(), 1U);
+  EXPECT_EQ(reason("a.glb", whole.substr(0, whole.size() / 2)),
+            "cannot be read, it must be a complete glb file (its beginning is not that of one)");
+  EXPECT_EQ(reason("b.glb", whole.substr(0, whole.size() - 1)),
+            "cannot be read, it must be a complete glb file (GLTF: Unable to read gltf file)");
+}
+
+TEST_F(MeshFile, PolygonsAreTriangulatedAndLinesDropped) {
+  const Mesh mesh = load("m.obj", obj_corners + "v 1 1 0\nv 0.5 0.5 1\nf 1 2 4 3\nl 1 5\nf -5 -4 -1\n");
+  EXPECT_EQ(mesh.triangles.size(), 3U);
+  EXPECT_EQ(mesh.degenerate_dropped, 0U);
+}
+
+TEST_F(MeshFile, DegenerateTrianglesAreDroppedAndCounted) {
+  const Mesh mesh = load("m.obj", obj_corners + "v 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 3\nf 2 4 3\n");
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+  EXPECT_EQ(mesh.degenerate_dropped, 2U);
+}
+
+TEST_F(MeshFile, UnusedVerticesAreLeftOut) {
+  const Mesh mesh = load("m.obj", "v 9 9 9\n" + obj_corners + "f 2 3 4\n");
+  EXPECT_EQ(mesh.vertices, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+}
+
+TEST_F(MeshFile, MissingFolderEmptyAndUnknownAreRejected) {
+  EXPECT_EQ(reason(folder_ / "none.ply"), "no such file; give a .obj, .ply, .stl, .gltf or .glb file");
+  EXPECT_EQ(reason(folder_), "is not a regular file; give a .obj, .ply, .stl, .gltf or .glb file");
+  EXPECT_EQ(reason("m.obj", ""), "is empty; at least one triangle is needed");
+  EXPECT_EQ(reason("m.xyz", "1"), "unknown extension \".xyz\"; allowed are .obj, .ply, .stl, .gltf and .glb");
+}
+
+TEST_F(MeshFile, CoordinatesThatAreNotFiniteAreRejected) {
+  EXPECT_EQ(reason("n.ply", ply("3", "1", "0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n")),
+            "a vertex lies at (nan, 0, 0); coordinates must be finite");
+  EXPECT_EQ(reason("i.obj", "v 0 0 0\nv 1 inf 0\nv 0 1 0\nf 1 2 3\n"),
+            "a vertex lies at (1, inf, 0); coordinates must be finite");
+  EXPECT_EQ(reason("n.stl", text_stl("0 0 nan")), "a vertex lies at (0, 0, nan); coordinates must be finite");
+  EXPECT_EQ(reason("o.obj", "v 0 0 0\nv 1e99 0 0\nv 0 1 0\nf 1 2 3\n"),
+            "a vertex lies at (inf, 0, 0); coordinates must be finite");
+  std::string far_away = gltf();
+  far_away.replace(far_away.find("[2,2,2]"), 7, "[1e38,1,1]");
+  far_away.replace(far_away.find("\"translation\":[10,0,0]"), 22, "\"scale\":[10,1,1]");
+  EXPECT_THAT(
+      reason("t.gltf", far_away),
+      testing::MatchesRegex("a node transform moves a vertex to \\(9.99.*e\\+38, 0, 0\\); coordinates must "
+                            "stay below 3.4e38"));
+}
+
+TEST_F(MeshFile, IndicesOutOfRangeAreRejected) {
+  const std::string obj = "cannot be read, it must be a complete obj file (OBJ: vertex index out of range)";
+  EXPECT_EQ(reason("a.obj", obj_corners + "f 1 2 4\n"), obj);
+  EXPECT_EQ(reason("b.obj", obj_corners + "f 1 2 -4\n"), obj);
+  EXPECT_EQ(reason("c.obj", obj_corners + "f 1 2 99999999999999\n"), obj);
+  EXPECT_EQ(reason("d.obj", obj_corners + "f 0 1 2\n"),
+            "cannot be read, it must be a complete obj file (OBJ: Invalid face index.)");
+  EXPECT_EQ(reason("a.ply", ply("3", "1", ply_corners + "3 0 1 3\n")),
+            "face 0 refers to vertex 3; the file has vertices 0 to 2");
+  EXPECT_EQ(reason("b.ply", ply("3", "1", ply_corners + "3 0 -1 2\n")),
+            "face 0 refers to vertex -1; the file has vertices 0 to 2");
+  EXPECT_EQ(reason("c.ply", ply("3", "1", binary_triangle(false, 7), "binary_little_endian")),
+            "face 0 refers to vertex 7; the file has vertices 0 to 2");
+}
+
+TEST_F(MeshFile, PlyCutShortIsRejectedAtEveryLength) {
+  const std::string text = ply("3", "1", ply_corners + "3 0 1 2\n");
+  const std::string binary = ply("3", "1", binary_triangle(false, 2), "binary_little_endian");
+  std::size_t rejected = 0;
+  for (const std::string& whole : {text.substr(0, text.size() - 2), binary}) {
+    for (std::size_t length = 1; length < whole.size(); ++length) {
+      EXPECT_NE(reason("m.ply", whole.substr(0, length)), "no error") << length << " bytes";
+      ++rejected;
+    }
+  }
+  EXPECT_EQ(rejected, text.size() + binary.size() - 4);
+  EXPECT_EQ(reason("m.ply", text.substr(0, text.size() - 3)),
+            "cut short in element face 0; the header announces 1");
+  EXPECT_EQ(reason("b.ply", binary.substr(0, binary.size() - 1)),
+            "cut short in element face 0; the header announces 1");
+}
+
+TEST_F(MeshFile, PlyCountsBeyondTheFileAreRejected) {
+  EXPECT_EQ(reason("a.ply", ply("4000000000", "1", ply_corners + "3 0 1 2\n")),
+            "cut short in element vertex 4; the header announces 4000000000");
+  EXPECT_EQ(reason("b.ply", ply("3", "4000000000", binary_triangle(false, 2), "binary_little_endian")),
+            "cut short in element face 1; the header announces 4000000000");
+  EXPECT_EQ(reason("c.ply", ply("3", "1", ply_corners + "4000000000 0 1 2\n")),
+            "cut short in element face 0; the header announces 1");
+  EXPECT_EQ(reason("d.ply", ply("-3", "1", ply_corners)),
+            "PLY element \"vertex\" has the count \"-3\"; allowed are 0 to 4294967295");
+  EXPECT_EQ(reason("e.ply", ply("99999999999", "1", ply_corners)),
+            "PLY element \"vertex\" has the count \"99999999999\"; allowed are 0 to 4294967295");
+  std::string negative = ply("3", "1", ply_corners + "-1 0 1 2\n");
+  negative.replace(negative.find("list uchar"), 10, "list int");
+  EXPECT_EQ(reason("f.ply", negative), "element face 0 has a list of -1 entries; allowed are 0 and more");
+}
+
+TEST_F(MeshFile, PlyHeaderFaultsAreRejected) {
+  const std::string good = ply("3", "1", ply_corners + "3 0 1 2\n");
+  const auto with = [&](const std::string& old_text, const std::string& new_text) {
+    std::string changed = good;
+    return reason("m.ply", changed.replace(changed.find(old_text), old_text.size(), new_text));
+  };
+  const std::string elements =
+      "the PLY header must announce one element vertex with x, y, z, then one element face with a list "
+      "vertex_indices";
+  EXPECT_EQ(with("ply", "plx"), "the file does not begin with the line \"ply\"");
+  EXPECT_EQ(with("ascii", "binary"),
+            "the second line must be \"format\" with ascii, binary_little_endian or binary_big_endian");
+  EXPECT_EQ(
+      with("comment", "remark"),
+      "unexpected word \"remark\" in the PLY header; allowed are comment, obj_info, element, property and "
+      "end_header");
+  EXPECT_EQ(with("property float y", "property half y"),
+            "unknown PLY type \"half\"; allowed are char, uchar, short, ushort, int, uint, float, double");
+  EXPECT_EQ(with("list uchar", "list float"),
+            "a PLY list is counted in \"float\"; allowed are integer types");
+  EXPECT_EQ(with("float z", "float w"), elements);
+  EXPECT_EQ(with("vertex_indices", "corners"), elements);
+  EXPECT_EQ(with("element face 1\n", "element vertex 1\nproperty int a\nelement face 1\n"), elements);
+  EXPECT_EQ(with("element face 1\n", "element material 1\nelement face 1\n"),
+            "PLY element \"material\" has no property");
+  EXPECT_EQ(with("element face 1", "element tristrips 1"),
+            "PLY triangle strips are not read; give the triangles as element face");
+  EXPECT_EQ(with("end_header\n", ""),
+            "unexpected word \"0\" in the PLY header; allowed are comment, obj_info, element, property and "
+            "end_header");
+  EXPECT_EQ(reason("h.ply", good.substr(0, 40)),
+            "the PLY header has no end; \"end_header\" must follow the properties");
+  EXPECT_EQ(reason("l.ply", "ply\n" + std::string(5000, 'x')),
+            "the PLY header has a line of more than 4096 characters");
+  EXPECT_EQ(reason("w.ply", ply("3", "1", "0 0 0\n1 q 0\n0 1 0\n3 0 1 2\n")), "\"q\" is not a number");
+}
+
+TEST_F(MeshFile, StlCutShortIsRejected) {
+  const std::string text = text_stl("1 0 0");
+  EXPECT_EQ(reason("t.stl", text.substr(0, text.size() - 11)),
+            "is cut short; a text STL must end with \"endsolid\"");
+  const std::string binary = binary_stl(1, {{0, 0, 0, 1, 0, 0, 0, 1, 0}});
+  const std::string what =
+      "cannot be read, it must be a complete stl file (Failed to determine STL storage "
+      "representation for ";
+  EXPECT_THAT(reason("b.stl", binary.substr(0, binary.size() - 1)), testing::StartsWith(what));
+  EXPECT_THAT(reason("h.stl", binary_stl(4000000000U, {{0, 0, 0, 1, 0, 0, 0, 1, 0}})),
+              testing::StartsWith(what));
+}
+
+TEST_F(MeshFile, BrokenGltfIsRejected) {
+  EXPECT_EQ(
+      reason("m.gltf", gltf(4, "none.bin")),
+      "cannot be read, it must be a complete gltf file (GLTF: could not open referenced file \"none.bin\")");
+  EXPECT_EQ(
+      reason("c.gltf", gltf(4, gltf_buffer, 4000000000U)),
+      "cannot be read, it must be a complete gltf file (GLTF: Accessor with offset/length (0/16000000000) is "
+      "out of range.)");
+}
+
+TEST_F(MeshFile, FileWithoutTriangleIsRejected) {
+  EXPECT_EQ(reason("a.obj", obj_corners + "l 1 2 3\n"), "has no triangle; at least one is needed");
+  EXPECT_EQ(reason("b.ply", ply("3", "0", ply_corners)), "has no triangle; at least one is needed");
+  EXPECT_EQ(reason("c.gltf", gltf(0)), "has no triangle; at least one is needed");
+  EXPECT_EQ(reason("d.stl", "solid s\nendsolid s\n"), "has no triangle; at least one is needed");
+  EXPECT_EQ(reason("e.obj", obj_corners + "f 1 1 2\nf 1 2 2\n"),
+            "has only triangles without area (2); at least one with area is needed");
+}
+
+TEST_F(MeshFile, QuotedLineBreaksStayOutOfTheMessage) {
+  EXPECT_EQ(reason("m.ply", "ply\nformat ascii 1.0\na\rb\n"),
+            "unexpected word \"a\" in the PLY header; allowed are comment, obj_info, element, property and "
+            "end_header");
+  EXPECT_EQ(reason("n.ply",
+                   "ply\nformat ascii 1.0\na\x01"
+                   "b\n"),
+            "unexpected word \"a b\" in the PLY header; allowed are comment, obj_info, element, property and "
+            "end_header");
+}
+
+}  // namespace
+}  // namespace hitpipe::ref

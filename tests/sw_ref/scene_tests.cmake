@@ -1,0 +1,7 @@
+# Scenes, mesh files, hierarchy, box tests, traversal, renderer.
+foreach(name scene/mesh_file scene/scene scene/spheres bvh/build traverse/slabs traverse/traversal render/shade
+             render/image_file render/render)
+  get_filename_component(program ${name} NAME)
+  hitpipe_test(${program}_test SOURCES ${name}_test.cpp LIBS hitpipe_sw_ref fmt::fmt)
+endforeach()
+target_link_libraries(image_file_test PRIVATE OpenImageIO::OpenImageIO)
