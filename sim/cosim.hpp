@@ -1,0 +1,53 @@
+// Co-simulation: a scene rendered by primary and shadow rays whose every box test is answered by the emitted
+// Verilog, and the same rays traced in software by a traversal that cannot miss a box.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "sim/ray_unit.hpp"
+#include "sw_ref/scene/scene.hpp"
+
+namespace hitpipe::sim {
+
+struct CosimOptions {
+  int width = 256;
+  int height = 256;
+  int rays_in_flight = 32;
+  int threads = 1;
+  bool referee = false;
+  /// Told the finished share of the image, 0..1, from any thread.
+  std::function<void(double)> progress = [](double) {};
+};
+
+/// Counts do not depend on the number of threads: the image is cut into tiles, each traced by a unit of its
+/// own.
+struct CosimResult {
+  std::uint64_t rays_primary = 0;
+  std::uint64_t rays_shadow = 0;
+  std::uint64_t rejected = 0;             ///< rays no unit accepts (outside the cube); they hit nothing
+  std::uint64_t different_triangles = 0;  ///< primary: another triangle; shadow: blocked or not
+  UnitCounts unit;
+  ref::TraversalCounts reference;  ///< of the software traversal of the same rays on the same hierarchy
+  int latency = 0;
+  double rtl_seconds = 0;        ///< processor time of the units with their traversals, without the reference
+  std::vector<glm::vec3> image;  ///< linear, row by row from the top
+  std::vector<std::uint32_t> triangles;  ///< by pixel, found through the Verilog
+
+  [[nodiscard]] double occupancy_pct() const;
+  [[nodiscard]] double extra_box_tests_pct() const;
+  [[nodiscard]] double extra_triangle_tests_pct() const;
+  [[nodiscard]] double rtl_tests_per_s() const;
+  /// Nothing that must be zero is more than zero; false misses count when the design is conservative.
+  [[nodiscard]] bool verified(bool conservative) const;
+};
+
+/// Throws as make_feed() does.
+[[nodiscard]] CosimResult cosimulate(const rtl::Design& design, hls::IntBits bits,
+                                     const VerilatedDesign& verilated, const ref::Scene& scene,
+                                     const ref::Bvh& bvh, const CosimOptions& options);
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,55 @@
+#include "sim/model_source.hpp"
+
+#include <fmt/format.h>
+
+namespace hitpipe::sim {
+
+std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands) {
+  std::string drive;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    const rtl::Port& port = operands[i];
+    // A Verilated port must not be given bits above its width.
+    const std::uint64_t mask = port.width >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << port.width) - 1;
+    drive += fmt::format("    top.{0} = operands[{1}] & {2:#x}LL;\n", port.name, i, mask);
+  }
+  return fmt::format(R"(#include "V{0}.h"
+#include "verilated.h"
+
+#include <cstdint>
+
+#include "pins.hpp"
+
+namespace {{
+struct Model {{
+  VerilatedContext context;
+  V{0} top{{&context}};
+}};
+}}  // namespace
+
+#define HITPIPE_ENTRY extern "C" __attribute__((visibility("default")))
+
+HITPIPE_ENTRY void* hitpipe_create() {{ return new Model; }}
+HITPIPE_ENTRY void hitpipe_destroy(void* model) {{ delete static_cast<Model*>(model); }}
+
+HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitpipe::sim::Pins* pins) {{
+  V{0}& top = static_cast<Model*>(model)->top;
+  top.clk = 0;
+  top.rst = pins->rst;
+  top.in_valid = pins->in_valid;
+  top.in_tag = pins->in_tag;
+  top.out_ready = pins->out_ready;
+  if (pins->in_valid) {{
+{1}  }}
+  top.eval();
+  pins->in_ready = top.in_ready;
+  pins->out_valid = top.out_valid;
+  pins->hit = top.hit;
+  pins->out_tag = top.out_tag;
+  top.clk = 1;
+  top.eval();
+}}
+)",
+                     module, drive);
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,28 @@
+// What a testbench and a Verilated design exchange in one clock cycle. Compiled into both sides of the shared
+// library.
+#pragma once
+
+#include <cstdint>
+
+namespace hitpipe::sim {
+
+struct Pins {
+  // Driven before the rising edge.
+  bool rst = false;
+  bool in_valid = false;
+  bool out_ready = true;
+  std::uint16_t in_tag = 0;
+  // Seen before the rising edge, with the above applied.
+  bool in_ready = false;
+  bool out_valid = false;
+  bool hit = false;
+  std::uint16_t out_tag = 0;
+};
+
+/// The entry points of the library.
+using CreateModel = void* (*)();
+using DestroyModel = void (*)(void* model);
+/// Applies operands (in port order; used when pins->in_valid) and pins, reads the outputs, then clocks once.
+using CycleModel = void (*)(void* model, const std::int64_t* operands, Pins* pins);
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,79 @@
+// A ray unit: a Verilated box-test pipeline whose HIT steers the traversal of many rays at once. Each cycle
+// one ray that waits for no answer sends its next box; the tag says whose answer comes out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "sim/feed.hpp"
+#include "sim/verilated_design.hpp"
+#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/scene/mesh.hpp"
+#include "sw_ref/traverse/traversal.hpp"
+
+namespace hitpipe::sim {
+
+struct UnitCounts {
+  std::uint64_t box_tests = 0;
+  std::uint64_t triangle_tests = 0;
+  std::uint64_t hits = 0;  ///< box tests with HIT
+  std::uint64_t rtl_mismatches =
+      0;  ///< HIT of the Verilog differs from the C++ datapath, or comes back with another ray's tag
+  std::uint64_t false_misses = 0;  ///< against the exact referee
+  std::uint64_t false_hits = 0;
+  std::uint64_t cycles = 0;
+
+  UnitCounts& operator+=(const UnitCounts& other);
+  friend bool operator==(const UnitCounts&, const UnitCounts&) = default;
+};
+
+/// A ray on its way through the unit; `id` is the caller's.
+struct RayJob {
+  ref::Ray ray;
+  ref::Query query = ref::Query::closest;
+  std::uint32_t id = 0;
+};
+
+class RayUnit {
+ public:
+  struct Setup {
+    const VerilatedDesign* verilated;
+    rtl::Evaluate evaluate;  ///< the same datapath in C++
+    const SceneFeed* feed;
+    const ref::Bvh* bvh;
+    const ref::Mesh* mesh;
+    int rays_in_flight;  ///< 1..65536
+    bool referee;        ///< judge every answer by exact arithmetic
+  };
+
+  explicit RayUnit(const Setup& setup);
+
+  /// Runs until `next` has no more rays and all have ended. `ended` may make new rays for `next` to hand out.
+  void run(const std::function<std::optional<RayJob>()>& next,
+           const std::function<void(const RayJob&, const ref::Traversal&)>& ended);
+
+  [[nodiscard]] const UnitCounts& counts() const { return counts_; }
+
+ private:
+  struct Slot {
+    RayJob job;
+    std::optional<ref::Traversal> traversal;
+    bool expected = false;   ///< HIT by the C++ datapath for the box on its way
+    std::uint64_t turn = 0;  ///< boxes that were sent before it; answers keep their order
+  };
+
+  void send(std::size_t slot, Pins& pins);
+  void receive(const Pins& pins, bool in_turn);
+
+  Setup setup_;
+  Model model_;
+  std::unique_ptr<RayFeed> rays_;
+  std::vector<Slot> slots_;
+  std::vector<std::int64_t> operands_;
+  UnitCounts counts_;
+};
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,98 @@
+// Operands at the corners of the integer slabs unit, by name: bit patterns where arithmetic breaks, and the
+// ends of what ray set-up and quantisation hand over (section 6.2.1). Each comes with rinf 0 and 1, irlen 0
+// and the largest.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rtl_gen/catalogue/design.hpp"
+
+namespace hitpipe::sim {
+
+struct CornerVector {
+  std::string name;
+  std::vector<std::int64_t> operands;
+};
+
+/// 2^(w-1): one more than the greatest value of a signed port.
+inline std::int64_t top(const rtl::Port& port) {
+  return std::int64_t{1} << (port.width - 1);
+}
+
+inline std::vector<CornerVector> corner_vectors(const std::vector<rtl::Port>& ports) {
+  struct Pattern {
+    const char* name;
+    std::int64_t (*value)(const rtl::Port& port, int index);  // of a signed port of w bits
+  };
+  static constexpr Pattern patterns[] = {
+      {"all zero", [](const rtl::Port&, int) { return std::int64_t{0}; }},
+      {"all one", [](const rtl::Port&, int) { return std::int64_t{1}; }},
+      {"all -1: every bit set", [](const rtl::Port&, int) { return std::int64_t{-1}; }},
+      {"all greatest: no difference is left", [](const rtl::Port& p, int) { return top(p) - 1; }},
+      {"all least: differences are 0, products the greatest",
+       [](const rtl::Port& p, int) { return -top(p); }},
+      {"greatest and least in turn: differences wrap",
+       [](const rtl::Port& p, int i) { return i % 2 == 0 ? top(p) - 1 : -top(p); }},
+      {"least and greatest in turn",
+       [](const rtl::Port& p, int i) { return i % 2 == 0 ? -top(p) : top(p) - 1; }},
+      {"bits 0101", [](const rtl::Port& p, int) { return std::int64_t{0x5555555555555555} & (top(p) - 1); }},
+      {"bits 1010",
+       [](const rtl::Port& p, int) { return ~(std::int64_t{0x5555555555555555} & (top(p) - 1)); }},
+      {"the cube's corner and its opposite: greatest difference that fits",
+       [](const rtl::Port& p, int) {
+         if (p.name == "irx" || p.name == "iry" || p.name == "irz") return top(p) / 2 - 1;  // G
+         if (p.name.ends_with("min")) return -top(p) / 2;                                   // -(G + 1)
+         if (p.name.ends_with("max")) return top(p) / 2;
+         return top(p) - 1;  // M, the IRDVC of the smallest component
+       }},
+      {"the same, backward",
+       [](const rtl::Port& p, int) {
+         if (p.name == "irx" || p.name == "iry" || p.name == "irz") return -(top(p) / 2 - 1);
+         if (p.name.ends_with("min")) return -top(p) / 2;
+         if (p.name.ends_with("max")) return top(p) / 2;
+         return -(top(p) - 1);
+       }},
+      {"an axis-parallel ray: IRDVC 0 or 1 on two axes",
+       [](const rtl::Port& p, int) {
+         if (p.name == "iri_floor" || p.name == "iri_ceil") return top(p) - 1;
+         if (p.name.ends_with("ceil")) return std::int64_t{1};
+         if (p.name.ends_with("min")) return -top(p) / 4;
+         if (p.name.ends_with("max")) return top(p) / 4;
+         return std::int64_t{0};
+       }},
+      {"a box of one point at the ray's origin",
+       [](const rtl::Port& p, int) {
+         return p.name.ends_with("floor")  ? -top(p) / 2
+                : p.name.ends_with("ceil") ? -top(p) / 2 + 1
+                                           : top(p) / 4;
+       }},
+  };
+  std::vector<CornerVector> vectors;
+  for (const Pattern& pattern : patterns) {
+    for (const bool infinite : {false, true}) {
+      for (const bool longest : {false, true}) {
+        CornerVector corner{pattern.name, {}};
+        corner.name += infinite ? ", rinf 1" : ", rinf 0";
+        corner.name += longest ? ", irlen greatest" : ", irlen 0";
+        for (int i = 0; const rtl::Port& port : ports) {
+          std::int64_t value = 0;
+          if (port.name == "rinf") {
+            value = infinite ? 1 : 0;
+          } else if (port.name == "irlen") {
+            value = longest ? top(port) - 1 : 0;
+          } else {
+            value = pattern.value(port, i);
+          }
+          corner.operands.push_back(value);
+          ++i;
+        }
+        vectors.push_back(std::move(corner));
+      }
+    }
+  }
+  return vectors;
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,229 @@
+// The co-simulation of whole images: what the Verilog finds is what software finds, and no count hides
+// anything.
+#include "sim/cosim.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <mutex>
+
+#include <gtest/gtest.h>
+
+#include "sw_ref/render/render.hpp"
+#include "tests/sim/formats.hpp"
+#include "tests/sim/small_scene.hpp"
+
+namespace hitpipe::sim {
+namespace {
+
+constexpr hls::IntBits usual{20, 24};
+
+bool same_bits(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec3)) == 0;
+}
+
+/// All counts that must not depend on how the work was done.
+void expect_same_work(const CosimResult& a, const CosimResult& b) {
+  EXPECT_EQ(a.rays_primary, b.rays_primary);
+  EXPECT_EQ(a.rays_shadow, b.rays_shadow);
+  EXPECT_EQ(a.rejected, b.rejected);
+  EXPECT_EQ(a.different_triangles, b.different_triangles);
+  UnitCounts unit = b.unit;
+  unit.cycles = a.unit.cycles;
+  EXPECT_EQ(a.unit, unit);
+  EXPECT_EQ(a.reference, b.reference);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_TRUE(same_bits(a.image, b.image));
+}
+
+struct Case {
+  const char* scene;
+  hls::IntBits bits;
+};
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.scene << ' ' << c.bits.coord << '/' << c.bits.interval;
+}
+
+class CosimOfScene {
+ public:
+  explicit CosimOfScene(const std::string& name)
+      : scene_(name == "hills" ? hills() : ref::load_scene(name)) {}
+  explicit CosimOfScene(ref::Scene scene) : scene_(std::move(scene)) {}
+
+  [[nodiscard]] CosimResult run(hls::IntBits bits, const CosimOptions& options,
+                                const rtl::Design& design = int_slabs()) const {
+    return cosimulate(design, bits, verilated(bits), scene_, bvh_, options);
+  }
+  [[nodiscard]] ref::RenderResult software(int width, int height) const {
+    return ref::render(scene_, bvh_, width, height, 2, ref::BoxTestKind::robust);
+  }
+  [[nodiscard]] const ref::Scene& scene() const { return scene_; }
+
+ private:
+  ref::Scene scene_;
+  ref::Bvh bvh_ = ref::build_bvh(scene_.mesh);
+};
+
+class Cosim : public testing::TestWithParam<Case> {};
+
+TEST_P(Cosim, FindsTheTrianglesAndTheImageOfSoftware) {
+  const CosimOfScene cosim(GetParam().scene);
+  const CosimResult result =
+      cosim.run(GetParam().bits, {.width = 64, .height = 64, .threads = 2, .referee = true});
+  EXPECT_EQ(result.unit.rtl_mismatches, 0U);
+  EXPECT_EQ(result.unit.false_misses, 0U);
+  EXPECT_EQ(result.different_triangles, 0U);
+  EXPECT_TRUE(result.verified(true));
+  EXPECT_EQ(result.rejected, 0U);
+  EXPECT_EQ(result.rays_primary, 64U * 64U);
+  EXPECT_EQ(result.latency, verilated(GetParam().bits).latency());
+
+  const ref::RenderResult software = cosim.software(64, 64);
+  EXPECT_EQ(result.triangles, software.triangles);
+  EXPECT_TRUE(same_bits(result.image, software.image));
+  EXPECT_EQ(result.rays_primary, software.counts.rays_primary);
+  EXPECT_EQ(result.rays_shadow, software.counts.rays_shadow);
+  EXPECT_EQ(result.reference.box_tests, software.counts.box_tests);
+  EXPECT_EQ(result.reference.triangle_tests, software.counts.triangle_tests);
+
+  // Boxes that are too large cost tests and never save any.
+  EXPECT_GE(result.unit.box_tests, result.reference.box_tests);
+  EXPECT_GE(result.unit.triangle_tests, result.reference.triangle_tests);
+  EXPECT_GT(result.unit.box_tests, 10'000U);
+  EXPECT_GT(result.unit.hits, result.unit.false_hits);
+  EXPECT_GT(result.rays_shadow, 1000U);
+  EXPECT_GT(result.rtl_tests_per_s(), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(ScenesAndFormats, Cosim,
+                         testing::Values(Case{"spheres", {24, 24}}, Case{"spheres", {20, 24}},
+                                         Case{"spheres", {16, 16}}, Case{"spheres", {12, 12}},
+                                         Case{"hills", {24, 24}}, Case{"hills", {20, 24}},
+                                         Case{"hills", {16, 16}}, Case{"hills", {12, 12}},
+                                         Case{"hills", {6, 6}}, Case{"hills", {32, 63}}),
+                         [](const auto& parameter) {
+                           return std::string(parameter.param.scene) + "_" + test_name(parameter.param.bits);
+                         });
+
+TEST(CosimCounts, DoNotDependOnThreads) {
+  const CosimOfScene cosim("spheres");
+  // Not a multiple of a tile in either direction: nine tiles.
+  CosimOptions options{.width = 150, .height = 131, .threads = 1, .referee = true};
+  const CosimResult one = cosim.run(usual, options);
+  options.threads = 2;
+  const CosimResult two = cosim.run(usual, options);
+  expect_same_work(one, two);
+  EXPECT_EQ(one.unit.cycles, two.unit.cycles);
+  EXPECT_EQ(one.rays_primary, 150U * 131U);
+  EXPECT_EQ(one.triangles, cosim.software(150, 131).triangles);
+  options.threads = 1000;  // more than there are cores and tiles
+  expect_same_work(one, cosim.run(usual, options));
+}
+
+TEST(CosimCounts, OnlyCyclesDependOnRaysInFlight) {
+  const CosimOfScene cosim("hills");
+  CosimOptions options{.width = 48, .height = 48, .rays_in_flight = 1, .referee = true};
+  const CosimResult one = cosim.run(usual, options);
+  options.rays_in_flight = 32;
+  const CosimResult many = cosim.run(usual, options);
+  expect_same_work(one, many);
+  const auto wait = static_cast<std::uint64_t>(one.latency) + 2;  // as RayUnitOnHills derives it
+  EXPECT_EQ(one.unit.cycles, one.unit.box_tests * wait);
+  EXPECT_NEAR(one.occupancy_pct(), 100.0 / static_cast<double>(wait), 1e-9);
+  EXPECT_GT(many.occupancy_pct(), 98.0);
+  EXPECT_LE(many.occupancy_pct(), 100.0);
+}
+
+/// The C++ datapath with its answer turned round.
+template <int N, int T>
+bool negated(const std::int64_t* operands) {
+  return !int_slabs().evaluate({N, T})(operands);
+}
+
+TEST(CosimCounts, WrongDatapathMismatchesOnEveryTest) {
+  const CosimOfScene cosim("hills");
+  const CosimOptions options{.width = 32, .height = 32};
+  rtl::Design wrong = int_slabs();
+  wrong.native = [](hls::IntBits) -> rtl::Evaluate { return negated<20, 24>; };
+  const CosimResult result = cosim.run(usual, options, wrong);
+  EXPECT_GT(result.unit.box_tests, 0U);
+  EXPECT_EQ(result.unit.rtl_mismatches, result.unit.box_tests);
+  EXPECT_FALSE(result.verified(true));
+  // The image is the Verilog's.
+  EXPECT_EQ(result.triangles, cosim.software(32, 32).triangles);
+}
+
+TEST(CosimCounts, RaysFromOutsideTheCubeAreRejectedAndHitNothing) {
+  const CosimOfScene cosim(hills_from_outside());
+  const CosimResult result = cosim.run(usual, {.width = 20, .height = 10, .referee = true});
+  EXPECT_EQ(result.rays_primary, 200U);
+  EXPECT_EQ(result.rejected, 200U);
+  EXPECT_EQ(result.rays_shadow, 0U);
+  EXPECT_EQ(result.unit, UnitCounts{});
+  EXPECT_EQ(result.reference, ref::TraversalCounts{});
+  EXPECT_EQ(result.triangles, std::vector<std::uint32_t>(200, ref::Hit::none));
+  EXPECT_EQ(result.occupancy_pct(), 0.0);
+}
+
+TEST(CosimCounts, ShadowRaysThatNoUnitTakesAreRejectedAndNotBlocked) {
+  ref::Scene scene = hills();
+  const CosimResult lit = CosimOfScene(scene).run(usual, {.width = 20, .height = 20});
+  EXPECT_EQ(lit.rejected, 0U);
+  // Straight up and so far away that the direction to it is not finite.
+  scene.lights = {{{0.0F, std::numeric_limits<float>::infinity(), 0.0F}, glm::vec3(1.0F)}};
+  const CosimResult result = CosimOfScene(scene).run(usual, {.width = 20, .height = 20});
+  EXPECT_GT(result.rays_shadow, 0U);
+  EXPECT_EQ(result.rejected, result.rays_shadow);
+  EXPECT_EQ(result.triangles, lit.triangles);
+}
+
+TEST(CosimProgress, TellsEveryTileAndEndsAtOne) {
+  const CosimOfScene cosim("hills");
+  std::mutex telling;
+  std::vector<double> shares;
+  CosimOptions options{.width = 130, .height = 65, .threads = 2};
+  options.progress = [&](double share) {
+    const std::scoped_lock lock(telling);
+    shares.push_back(share);
+  };
+  (void)cosim.run(usual, options);
+  std::sort(shares.begin(), shares.end());
+  ASSERT_EQ(shares.size(), 6U);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    EXPECT_DOUBLE_EQ(shares[i], static_cast<double>(i + 1) / 6.0);
+}
+
+TEST(CosimResultVerdict, NeedsNoMismatchNoDifferenceAndNoFalseMissOfAConservativeDesign) {
+  CosimResult result;
+  EXPECT_TRUE(result.verified(true));
+  result.unit.false_hits = 1;  // allowed
+  result.rejected = 1;
+  EXPECT_TRUE(result.verified(true));
+  result.unit.false_misses = 1;
+  EXPECT_FALSE(result.verified(true));
+  EXPECT_TRUE(result.verified(false));
+  result.unit.rtl_mismatches = 1;
+  EXPECT_FALSE(result.verified(false));
+  result.unit.rtl_mismatches = 0;
+  result.different_triangles = 1;
+  EXPECT_FALSE(result.verified(false));
+}
+
+TEST(CosimResultShares, AreTheirDefinitions) {
+  CosimResult result;
+  EXPECT_EQ(result.occupancy_pct(), 0.0);
+  EXPECT_EQ(result.extra_box_tests_pct(), 0.0);
+  EXPECT_EQ(result.extra_triangle_tests_pct(), 0.0);
+  EXPECT_EQ(result.rtl_tests_per_s(), 0.0);
+  result.unit.box_tests = 150;
+  result.unit.triangle_tests = 30;
+  result.unit.cycles = 200;
+  result.reference = {.box_tests = 120, .triangle_tests = 40};
+  result.rtl_seconds = 0.5;
+  EXPECT_DOUBLE_EQ(result.occupancy_pct(), 75.0);
+  EXPECT_DOUBLE_EQ(result.extra_box_tests_pct(), 25.0);
+  EXPECT_DOUBLE_EQ(result.extra_triangle_tests_pct(), -25.0);
+  EXPECT_DOUBLE_EQ(result.rtl_tests_per_s(), 300.0);
+}
+
+}  // namespace
+}  // namespace hitpipe::sim

@@ -1,0 +1,138 @@
+// The comparisons have teeth: Verilog that was damaged in one place, behind the very same entry points, is
+// reported. The damage is done by a Verilator of the test's own, which edits the file that it was given and
+// calls the real one.
+#include <cstdlib>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rtl_gen/emit/testbench.hpp"
+#include "sim/ray_unit.hpp"
+#include "tests/sim/environment.hpp"
+#include "tests/sim/formats.hpp"
+#include "tests/sim/small_scene.hpp"
+#include "tests/sim/temporary_folder.hpp"
+#include "tests/sim/testbench.hpp"
+
+namespace hitpipe::sim {
+namespace {
+
+constexpr hls::IntBits bits{12, 12};
+constexpr Traffic traffic{"gaps and stalls", 0.7, 0.7};
+constexpr std::uint64_t seed = 74;
+
+/// The design after a sed command has edited its Verilog; fails when the command changes nothing. Its cache
+/// entry is the damage's own, because the version that such a Verilator states names the command.
+VerilatedDesign damaged(const std::string& sed) {
+  const TemporaryFolder folder;
+  const char* const real = std::getenv("VERILATOR");
+  folder.write_program("verilator", fmt::format(R"(#!/bin/sh
+if [ "$1" = --version ]; then printf '%s\n' 'damaged by {0}'; exit; fi
+if [ "$1" = --cc ]; then
+  for file; do :; done
+  cp "$file" whole.v && sed -i '{0}' "$file" || exit 8
+  if cmp -s whole.v "$file"; then exit 9; fi
+fi
+exec {1} "$@"
+)",
+                                                sed, real == nullptr ? "verilator" : real));
+  const EnvironmentValue verilator("VERILATOR", folder.path() / "verilator");
+  return {int_slabs(), bits, rtl::Library::thesis()};
+}
+
+TestbenchReport driven(const VerilatedDesign& design) {
+  const std::vector<rtl::Port> ports = rtl::input_ports(int_slabs().trace(bits));
+  Model model(design);
+  return drive(model, ports, int_slabs().evaluate(bits), rtl::operand_vectors(ports, 20'000, seed), traffic,
+               seed, seed);
+}
+
+/// The counts of one unit with 8 rays in flight that sees the hills from one point.
+UnitCounts traced(const VerilatedDesign& design) {
+  const ref::Scene scene = hills();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const auto feed = make_feed(int_slabs(), bits, bvh);
+  RayUnit unit({.verilated = &design,
+                .evaluate = int_slabs().evaluate(bits),
+                .feed = feed.get(),
+                .bvh = &bvh,
+                .mesh = &scene.mesh,
+                .rays_in_flight = 8,
+                .referee = false});
+  std::uint32_t given = 0;
+  unit.run(
+      [&]() -> std::optional<RayJob> {
+        if (given == 400) return std::nullopt;
+        const auto x = static_cast<float>(given % 20);
+        const auto y = static_cast<float>(given / 20);
+        const glm::vec3 direction(0.04F * x - 0.38F, 0.04F * y - 0.68F, -1.0F);
+        return RayJob{{scene.camera.eye, direction, ref::Ray::infinite}, ref::Query::closest, given++};
+      },
+      [](const RayJob&, const ref::Traversal&) {});
+  return unit.counts();
+}
+
+TEST(DamagedVerilog, WholeOneIsClean) {
+  const TestbenchReport report = driven(verilated(bits));
+  EXPECT_TRUE(report.clean()) << report.first_failure;
+  EXPECT_EQ(report.first_failure, "");
+  EXPECT_EQ(report.received, 20'000U);
+  const UnitCounts counts = traced(verilated(bits));
+  EXPECT_EQ(counts.rtl_mismatches, 0U);
+  EXPECT_GT(counts.box_tests, 4'000U);
+}
+
+TEST(DamagedVerilog, SumInPlaceOfOneDifferenceGivesWrongHits) {
+  const VerilatedDesign design = damaged("0,/ - /s// + /");
+  const TestbenchReport report = driven(design);
+  EXPECT_GT(report.wrong_hits, 100U);
+  EXPECT_EQ(report.wrong_tags + report.lost + report.surplus + report.not_held, 0U);
+  EXPECT_EQ(report.received, 20'000U);
+  // What is printed replays it: both answers, every operand in hexadecimal, the seeds.
+  EXPECT_THAT(
+      report.first_failure,
+      testing::MatchesRegex("wrong HIT: hit (true|false) tag 0x[0-9a-f]+; expected hit (true|false) tag "
+                            "0x[0-9a-f]+ for vector [0-9]+ of seed 74: irx=0x[0-9a-f]+ .*izmax=0x[0-9a-f]+ ; "
+                            "gaps and stalls traffic of seed 74"));
+  EXPECT_GT(traced(design).rtl_mismatches, 0U);
+}
+
+TEST(DamagedVerilog, SwappedMuxArmsGiveWrongHits) {
+  const VerilatedDesign design = damaged(R"(0,/ ? \([^ ]*\) : \([^ ]*\);/s// ? \2 : \1;/)");
+  const TestbenchReport report = driven(design);
+  EXPECT_GT(report.wrong_hits, 100U);
+  EXPECT_EQ(report.wrong_tags + report.lost + report.surplus + report.not_held, 0U);
+  EXPECT_GT(traced(design).rtl_mismatches, 0U);
+}
+
+/// Pairs of tags are exchanged: a ray in flight gets its neighbour's answer.
+TEST(DamagedVerilog, ExchangedTagsAreNotTheOldestTests) {
+  const VerilatedDesign design = damaged("s/tag_s0 <= in_tag;/tag_s0 <= in_tag ^ 1;/");
+  const TestbenchReport report = driven(design);
+  EXPECT_EQ(report.wrong_tags, 20'000U);
+  EXPECT_EQ(report.wrong_hits, 0U);
+  EXPECT_GT(traced(design).rtl_mismatches, 0U);
+}
+
+TEST(DamagedVerilog, PipelineThatNeverWaitsLosesAnswers) {
+  const TestbenchReport report = driven(damaged("s/wire advance = .*;/wire advance = 1;/"));
+  EXPECT_GT(report.not_held, 100U);
+  EXPECT_GT(report.lost, 100U);
+  EXPECT_GT(report.wrong_ready, 100U);
+}
+
+TEST(DamagedVerilog, PipelineThatTakesNothingIsRejected) {
+  const VerilatedDesign design = damaged("s/assign in_ready = .*;/assign in_ready = 0;/");
+  EXPECT_EQ(driven(design).lost, 20'000U);
+  try {
+    traced(design);
+    ADD_FAILURE() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "the Verilog did not answer a box test within its latency");
+  }
+}
+
+}  // namespace
+}  // namespace hitpipe::sim

@@ -1,0 +1,42 @@
+// The formats that the tests of sim/ and cli/ run: the thesis's two, narrow ones, and both ends of the range.
+#pragma once
+
+#include <array>
+#include <map>
+#include <ostream>
+#include <string>
+#include <utility>
+
+#include "sim/verilated_design.hpp"
+
+namespace hitpipe::hls {
+
+/// How GoogleTest prints a format.
+inline void PrintTo(const IntBits& bits, std::ostream* out) {
+  *out << bits.coord << '/' << bits.interval;
+}
+
+}  // namespace hitpipe::hls
+
+namespace hitpipe::sim {
+
+inline constexpr std::array<hls::IntBits, 6> formats{
+    {{24, 24}, {20, 24}, {16, 16}, {12, 12}, {6, 6}, {32, 63}}};
+
+/// "24_24", for a test's name.
+inline std::string test_name(hls::IntBits bits) {
+  return std::to_string(bits.coord) + "_" + std::to_string(bits.interval);
+}
+
+inline const rtl::Design& int_slabs() {
+  return rtl::find_design("int_slabs");
+}
+
+/// Built once, loaded once a program.
+inline const VerilatedDesign& verilated(hls::IntBits bits) {
+  static std::map<std::pair<int, int>, VerilatedDesign> known;
+  return known.try_emplace({bits.coord, bits.interval}, int_slabs(), bits, rtl::Library::thesis())
+      .first->second;
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,180 @@
+// A unit answers every ray as a software traversal does, in any number at once, and its counts are what its
+// answers say.
+#include "sim/ray_unit.hpp"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/traverse/slabs.hpp"
+#include "tests/sim/formats.hpp"
+#include "tests/sim/small_scene.hpp"
+
+namespace hitpipe::sim {
+namespace {
+
+constexpr std::uint32_t ray_count = 2000;
+constexpr unsigned seed = 41;
+
+struct Outcome {
+  UnitCounts counts;
+  std::vector<std::uint32_t> triangles;  // by ray; for shadow rays 0 or Hit::none
+  std::uint32_t ended = 0;
+};
+
+class RayUnitOnHills : public testing::TestWithParam<hls::IntBits> {
+ protected:
+  RayUnitOnHills() {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> coordinate(-0.9F, 0.9F);
+    const auto point = [&] { return glm::vec3(coordinate(random), coordinate(random), coordinate(random)); };
+    for (std::uint32_t id = 0; id < ray_count; ++id) {
+      const glm::vec3 from = point();
+      const glm::vec3 to = point();
+      RayJob job{{from, to - from, ref::Ray::infinite}, ref::Query::closest, id};
+      if (id % 3 == 0) job.query = ref::Query::any;
+      if (id % 2 == 0) job.ray.length = 1.0F;
+      if (id % 7 == 0) job.ray.direction[static_cast<int>(id % 3)] = 0.0F;
+      jobs_.push_back(job);
+    }
+  }
+
+  [[nodiscard]] Outcome run(int rays_in_flight, rtl::Evaluate evaluate, bool referee = true) const {
+    RayUnit unit({.verilated = &verilated(GetParam()),
+                  .evaluate = evaluate,
+                  .feed = feed_.get(),
+                  .bvh = &bvh_,
+                  .mesh = &scene_.mesh,
+                  .rays_in_flight = rays_in_flight,
+                  .referee = referee});
+    Outcome outcome;
+    outcome.triangles.resize(jobs_.size());
+    std::size_t given = 0;
+    unit.run([&] { return given < jobs_.size() ? std::optional(jobs_[given++]) : std::nullopt; },
+             [&](const RayJob& job, const ref::Traversal& traversal) {
+               ++outcome.ended;
+               const bool only_blocked = job.query == ref::Query::any && traversal.hit().found();
+               outcome.triangles[job.id] = only_blocked ? 0 : traversal.hit().triangle;
+             });
+    outcome.counts = unit.counts();
+    return outcome;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> software() const {
+    std::vector<std::uint32_t> triangles;
+    ref::TraversalCounts counts;
+    for (const RayJob& job : jobs_) {
+      const ref::Hit hit = ref::trace<ref::RobustSlabs>(bvh_, scene_.mesh, job.ray, job.query, counts);
+      triangles.push_back(job.query == ref::Query::any && hit.found() ? 0 : hit.triangle);
+    }
+    return triangles;
+  }
+
+  [[nodiscard]] rtl::Evaluate datapath() const { return int_slabs().evaluate(GetParam()); }
+
+  const ref::Scene scene_ = hills();
+  const ref::Bvh bvh_ = ref::build_bvh(scene_.mesh);
+  const std::unique_ptr<SceneFeed> feed_ = make_feed(int_slabs(), GetParam(), bvh_);
+  std::vector<RayJob> jobs_;
+};
+
+TEST_P(RayUnitOnHills, FindsWhatSoftwareFinds) {
+  const Outcome outcome = run(32, datapath());
+  EXPECT_EQ(outcome.triangles, software());
+  EXPECT_EQ(outcome.ended, ray_count);
+  EXPECT_EQ(outcome.counts.rtl_mismatches, 0U);
+  EXPECT_EQ(outcome.counts.false_misses, 0U);
+  EXPECT_GT(outcome.counts.box_tests, 5 * ray_count);
+  EXPECT_GT(outcome.counts.hits, ray_count / 2);
+  EXPECT_LT(outcome.counts.hits, outcome.counts.box_tests);
+  EXPECT_LE(outcome.counts.false_hits, outcome.counts.hits);
+  EXPECT_GT(outcome.counts.triangle_tests, 0U);
+}
+
+/// The same rays steered by the C++ datapath, without cycles, and judged here.
+TEST_P(RayUnitOnHills, CountsWhatTheDatapathSays) {
+  UnitCounts expected;
+  const auto rays = feed_->unit(1);
+  std::vector<std::int64_t> operands(verilated(GetParam()).operand_count());
+  for (const RayJob& job : jobs_) {
+    rays->start(0, job.ray);
+    ref::Traversal traversal(bvh_, scene_.mesh, job.ray, job.query);
+    while (!traversal.done()) {
+      rays->operands(0, traversal.node(), traversal.length(), operands.data());
+      const bool hit = datapath()(operands.data());
+      ref::Ray cut = job.ray;
+      cut.length = traversal.length();
+      const bool meets = ref::ray_meets_box_exact(cut, bvh_.nodes[traversal.node()].box);
+      ++expected.box_tests;
+      expected.hits += hit ? 1 : 0;
+      expected.false_hits += hit && !meets ? 1 : 0;
+      expected.false_misses += !hit && meets ? 1 : 0;
+      traversal.answer(hit);
+    }
+    expected.triangle_tests += traversal.counts().triangle_tests;
+  }
+  const Outcome outcome = run(32, datapath());
+  expected.cycles = outcome.counts.cycles;
+  EXPECT_EQ(outcome.counts, expected);
+  EXPECT_EQ(expected.false_misses, 0U);
+}
+
+TEST_P(RayUnitOnHills, OneRayInFlightWaitsForEachAnswer) {
+  const Outcome outcome = run(1, datapath());
+  // A box is sent in one cycle, its answer is latched `latency` edges after the one that took it and seen in
+  // the next cycle, and the next box goes out in the cycle after that.
+  const auto cycles_per_test = static_cast<std::uint64_t>(verilated(GetParam()).latency()) + 2;
+  EXPECT_EQ(outcome.counts.cycles, outcome.counts.box_tests * cycles_per_test);
+}
+
+TEST_P(RayUnitOnHills, OnlyCyclesDependOnRaysInFlight) {
+  const Outcome one = run(1, datapath());
+  std::uint64_t cycles = one.counts.cycles;
+  for (const int rays_in_flight : {2, 5, 32, 1500}) {
+    Outcome many = run(rays_in_flight, datapath());
+    EXPECT_LT(many.counts.cycles, cycles) << rays_in_flight;
+    EXPECT_GE(many.counts.cycles, many.counts.box_tests) << rays_in_flight;
+    cycles = many.counts.cycles;
+    EXPECT_EQ(many.triangles, one.triangles) << rays_in_flight;
+    many.counts.cycles = one.counts.cycles;
+    EXPECT_EQ(many.counts, one.counts) << rays_in_flight;
+  }
+}
+
+TEST_P(RayUnitOnHills, RefereeOnlyAddsItsCounts) {
+  UnitCounts judged = run(32, datapath(), true).counts;
+  const UnitCounts unjudged = run(32, datapath(), false).counts;
+  EXPECT_EQ(unjudged.false_hits, 0U);
+  judged.false_hits = 0;
+  EXPECT_EQ(judged, unjudged);
+}
+
+TEST_P(RayUnitOnHills, EveryAnswerIsComparedWithTheDatapath) {
+  const auto always = [](const std::int64_t*) { return true; };
+  const auto never = [](const std::int64_t*) { return false; };
+  const Outcome outcome = run(32, datapath());
+  EXPECT_EQ(run(32, always).counts.rtl_mismatches, outcome.counts.box_tests - outcome.counts.hits);
+  const Outcome against_never = run(32, never);
+  EXPECT_EQ(against_never.counts.rtl_mismatches, outcome.counts.hits);
+  // The Verilog steers, whatever it is compared with.
+  EXPECT_EQ(against_never.triangles, outcome.triangles);
+}
+
+TEST_P(RayUnitOnHills, NoRaysTakeNoCycle) {
+  jobs_.clear();
+  const Outcome outcome = run(32, datapath());
+  EXPECT_EQ(outcome.counts, UnitCounts{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, RayUnitOnHills, testing::ValuesIn(formats),
+                         [](const auto& parameter) { return test_name(parameter.param); });
+
+TEST(UnitCountsSum, AddsEveryField) {
+  UnitCounts sum{1, 2, 3, 4, 5, 6, 7};
+  sum += {10, 20, 30, 40, 50, 60, 70};
+  EXPECT_EQ(sum, (UnitCounts{11, 22, 33, 44, 55, 66, 77}));
+}
+
+}  // namespace
+}  // namespace hitpipe::sim

@@ -1,0 +1,113 @@
+#include "tests/sim/testbench.hpp"
+
+#include <deque>
+#include <random>
+
+#include <fmt/format.h>
+
+namespace hitpipe::sim {
+namespace {
+
+/// Longer than any pipeline here: what still is in one comes out.
+constexpr int drain_cycles = 64;
+
+struct Asked {
+  std::size_t vector;
+  std::uint16_t tag;
+  bool hit;
+};
+
+std::string hexadecimal(const std::vector<rtl::Port>& ports, const std::vector<std::int64_t>& operands) {
+  std::string text;
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    const auto bits = static_cast<std::uint64_t>(operands[i]) & (~std::uint64_t{0} >> (64 - ports[i].width));
+    text += fmt::format("{}={:#x} ", ports[i].name, bits);
+  }
+  return text;
+}
+
+}  // namespace
+
+TestbenchReport& TestbenchReport::operator+=(const TestbenchReport& other) {
+  sent += other.sent;
+  received += other.received;
+  hits += other.hits;
+  wrong_hits += other.wrong_hits;
+  wrong_tags += other.wrong_tags;
+  surplus += other.surplus;
+  lost += other.lost;
+  not_held += other.not_held;
+  wrong_ready += other.wrong_ready;
+  stalls += other.stalls;
+  if (first_failure.empty()) first_failure = other.first_failure;
+  return *this;
+}
+
+TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Evaluate evaluate,
+                      const std::vector<std::vector<std::int64_t>>& vectors, const Traffic& traffic,
+                      std::uint64_t seed, std::uint64_t vector_seed) {
+  std::mt19937_64 random(seed);
+  const auto chance = [&](double share) {
+    return static_cast<double>(random() >> 11U) < share * static_cast<double>(std::uint64_t{1} << 53U);
+  };
+  TestbenchReport report;
+  std::deque<Asked> asked;
+  Pins before;  // of the last cycle
+  const auto fail = [&](std::uint64_t& count, const char* what, const Pins& pins) {
+    ++count;
+    if (!report.first_failure.empty()) return;
+    report.first_failure = fmt::format("{}: hit {} tag {:#x}", what, pins.hit, pins.out_tag);
+    if (!asked.empty()) {
+      const Asked& a = asked.front();
+      report.first_failure +=
+          fmt::format("; expected hit {} tag {:#x} for vector {} of seed {}: {}", a.hit, a.tag, a.vector,
+                      vector_seed, hexadecimal(ports, vectors[a.vector]));
+    }
+    report.first_failure += fmt::format("; {} traffic of seed {}", traffic.name, seed);
+  };
+  auto tag = static_cast<std::uint16_t>(random());
+  // A design that loses tests would be waited for without end.
+  const auto most_cycles = static_cast<std::uint64_t>(16.0 * static_cast<double>(vectors.size()) /
+                                                      (traffic.offered * traffic.taken)) +
+                           1000;
+  std::uint64_t cycles = 0;
+  for (int draining = 0; draining < drain_cycles && cycles < most_cycles; ++cycles) {
+    const bool all_sent = report.sent == vectors.size();
+    if (all_sent && asked.empty()) ++draining;
+    Pins pins;
+    pins.in_valid = !all_sent && chance(traffic.offered);
+    pins.in_tag = tag;
+    pins.out_ready = chance(traffic.taken);
+    model.cycle(all_sent ? nullptr : vectors[report.sent].data(), pins);
+
+    if (pins.in_ready != (pins.out_ready || !pins.out_valid)) fail(report.wrong_ready, "in_ready", pins);
+    if (before.out_valid && !before.out_ready) {
+      const bool held = pins.out_valid && pins.hit == before.hit && pins.out_tag == before.out_tag;
+      if (!held) fail(report.not_held, "answer not held", pins);
+    }
+    if (pins.out_valid && !pins.out_ready) ++report.stalls;
+    if (pins.out_valid && pins.out_ready) {
+      if (asked.empty()) {
+        fail(report.surplus, "answer to no test", pins);
+      } else {
+        if (pins.hit != asked.front().hit) fail(report.wrong_hits, "wrong HIT", pins);
+        if (pins.out_tag != asked.front().tag) fail(report.wrong_tags, "wrong tag", pins);
+        report.hits += pins.hit ? 1 : 0;
+        ++report.received;
+        asked.pop_front();
+      }
+    }
+    if (pins.in_valid && pins.in_ready) {
+      asked.push_back({report.sent, tag, evaluate(vectors[report.sent].data())});
+      ++report.sent;
+      tag = static_cast<std::uint16_t>(random());
+    }
+    before = pins;
+  }
+  report.lost = vectors.size() - report.received;
+  std::uint64_t noted = 0;
+  if (report.lost > 0) fail(noted, "no answer", before);
+  return report;
+}
+
+}  // namespace hitpipe::sim
