@@ -1,0 +1,16 @@
+// One function per command: adds it, with its options, to the program. The exit code of the last command that
+// ran is left in `exit_code`; errors are thrown as std::exception with one line of text.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace hitpipe::cli {
+
+void add_designs_command(CLI::App& program);
+void add_rtl_command(CLI::App& program);
+void add_render_command(CLI::App& program);
+void add_cosim_command(CLI::App& program, int& exit_code);
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,125 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/design_options.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/table.hpp"
+#include "cli/values.hpp"
+#include "rtl_gen/emit/files.hpp"
+#include "sim/cosim.hpp"
+#include "sw_ref/render/image_file.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CosimCommand {
+  DesignChoice choice;
+  SceneChoice scene;
+  int rays_in_flight = 32;
+  bool referee = false;
+  std::string out;
+  Format format = Format::text;
+};
+
+Row record(const CosimCommand& command, const ref::Scene& scene, const ref::Bvh& bvh,
+           const sim::CosimResult& r) {
+  const auto judged = [&](std::uint64_t count) { return command.referee ? Row(count) : Row(nullptr); };
+  return {{"design", command.choice.name},
+          {"bits", rtl::to_string(command.choice.bits())},
+          {"scene", scene.name},
+          {"triangles", scene.mesh.triangles.size()},
+          {"degenerate_dropped", scene.mesh.degenerate_dropped},
+          {"bvh_nodes", bvh.nodes.size()},
+          {"rays_primary", r.rays_primary},
+          {"rays_secondary", 0},
+          {"rays_shadow", r.rays_shadow},
+          {"rays_rejected", r.rejected},
+          {"box_tests", r.unit.box_tests},
+          {"hits", r.unit.hits},
+          {"rtl_mismatches", r.unit.rtl_mismatches},
+          {"false_misses", judged(r.unit.false_misses)},
+          {"false_hits", judged(r.unit.false_hits)},
+          {"different_triangles", r.different_triangles},
+          {"extra_box_tests_pct", r.extra_box_tests_pct()},
+          {"extra_triangle_tests_pct", r.extra_triangle_tests_pct()},
+          {"cycles", r.unit.cycles},
+          {"latency", r.latency},
+          {"rays_in_flight", command.rays_in_flight},
+          {"occupancy_pct", r.occupancy_pct()},
+          {"rtl_tests_per_s", r.rtl_tests_per_s()}};
+}
+
+int cosimulate(const CosimCommand& command) {
+  const rtl::Design& design = command.choice.design();
+  const hls::IntBits bits = command.choice.bits();
+  const rtl::Library& library = rtl::Library::thesis();
+
+  std::optional<Progress> progress("reading the scene");
+  const ref::Scene scene = command.scene.load();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  progress.emplace("compiling the Verilog");
+  const sim::VerilatedDesign verilated(design, bits, library);
+  const fs::path folder = command.out;
+  if (!command.out.empty()) {
+    // Before the long run: a folder that cannot be written to is known at once.
+    std::vector<rtl::File> files =
+        rtl::emit(design, bits, library, rtl::make_pipeline(design.trace(bits), library));
+    files.push_back(rtl::draw(files));
+    rtl::write_files(folder, files);
+  }
+  progress.emplace("co-simulating");
+  const sim::CosimResult result = sim::cosimulate(design, bits, verilated, scene, bvh,
+                                                  {.width = command.scene.width,
+                                                   .height = command.scene.height,
+                                                   .rays_in_flight = command.rays_in_flight,
+                                                   .threads = command.scene.threads,
+                                                   .referee = command.referee,
+                                                   .progress = [&](double share) { progress->show(share); }});
+  progress.reset();
+
+  Row row = record(command, scene, bvh, result);
+  if (!command.out.empty()) {
+    const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
+    ref::write_image(image, command.scene.width, command.scene.height, result.image);
+    row["image"] = image.string();
+    row["verilog"] = (folder / (command.choice.name + ".v")).string();
+    row["schematic"] = (folder / (command.choice.name + ".svg")).string();
+  }
+  fmt::print("{}", record_text(row, command.format));
+  if (result.verified(true)) return 0;
+  fmt::print(
+      stderr,
+      "hitpipe: {} {} on {}: {} RTL mismatches, {} different triangles, {} false misses; all must be 0\n",
+      command.choice.name, command.choice.format, scene.name, result.unit.rtl_mismatches,
+      result.different_triangles, result.unit.false_misses);
+  return 1;
+}
+
+}  // namespace
+
+void add_cosim_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command = program.add_subcommand(
+      "cosim",
+      "Render a scene whose every box test is answered by a design's Verilog, and compare with software");
+  const auto options = std::make_shared<CosimCommand>();
+  add_design_options(*command, options->choice);
+  add_scene_options(*command, options->scene);
+  add_count_option(*command, "--rays-in-flight", options->rays_in_flight, {1, 65536},
+                   "Rays that share one pipeline")
+      ->capture_default_str();
+  command->add_flag("--referee", options->referee, "Judge every answer by exact arithmetic too");
+  add_folder_option(*command, options->out, "Folder for the image, the Verilog and the schematic");
+  add_format_option(*command, options->format);
+  command->callback([options, &exit_code] { exit_code = cosimulate(*options); });
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,28 @@
+// The options by which every command that renders chooses and places its scene.
+#pragma once
+
+#include <string>
+
+#include "sw_ref/scene/scene.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace hitpipe::cli {
+
+struct SceneChoice {
+  std::string name;           ///< of a built-in scene, or a mesh file
+  ref::SceneOptions placing;  ///< what the user wants otherwise
+  int width = 256;
+  int height = 256;
+  int threads = 1;
+
+  /// Throws as ref::load_scene does.
+  [[nodiscard]] ref::Scene load() const { return ref::load_scene(name, placing); }
+};
+
+/// --scene (required), --eye, --target, --up, --fov, --light, --width, --height, --threads.
+void add_scene_options(CLI::App& command, SceneChoice& choice);
+
+}  // namespace hitpipe::cli

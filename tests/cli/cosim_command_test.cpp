@@ -1,0 +1,193 @@
+// `hitpipe cosim`: every number of the verification, in three formats, and the files of the run.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::vector<std::string> cosim(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"cosim",   "int_slabs", "--scene",  "spheres",
+                                     "--width", "40",        "--height", "30"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(CosimCommand, PrintsEveryNumberAsJson) {
+  const Outcome outcome = run_hitpipe(cosim({"--referee", "--format", "json"}));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  const json object = json::parse(outcome.out);
+  for (const char* const key : {"design", "bits", "scene"}) EXPECT_TRUE(object.at(key).is_string()) << key;
+  for (const char* const key :
+       {"triangles", "bvh_nodes", "rays_primary", "rays_secondary", "rays_shadow", "box_tests", "hits",
+        "rtl_mismatches", "false_misses", "false_hits", "different_triangles", "cycles", "latency",
+        "degenerate_dropped", "rays_rejected", "rays_in_flight"}) {
+    EXPECT_TRUE(object.at(key).is_number_unsigned() || object.at(key) >= 0) << key;
+    EXPECT_TRUE(object.at(key).is_number_integer()) << key;
+  }
+  for (const char* const key :
+       {"extra_box_tests_pct", "extra_triangle_tests_pct", "occupancy_pct", "rtl_tests_per_s"}) {
+    EXPECT_TRUE(object.at(key).is_number_float()) << key;
+  }
+  EXPECT_EQ(object.at("design"), "int_slabs");
+  EXPECT_EQ(object.at("bits"), "20/24");  // the default
+  EXPECT_EQ(object.at("scene"), "spheres");
+  EXPECT_EQ(object.at("triangles"), 24578);
+  EXPECT_EQ(object.at("rays_primary"), 1200);
+  EXPECT_EQ(object.at("rays_secondary"), 0);
+  EXPECT_EQ(object.at("rays_rejected"), 0);
+  EXPECT_EQ(object.at("rtl_mismatches"), 0);
+  EXPECT_EQ(object.at("false_misses"), 0);
+  EXPECT_EQ(object.at("different_triangles"), 0);
+  EXPECT_GT(object.at("rays_shadow"), 100);
+  EXPECT_GT(object.at("box_tests"), object.at("hits"));
+  EXPECT_GT(object.at("hits"), object.at("false_hits"));
+  EXPECT_GE(object.at("cycles"), object.at("box_tests"));
+  EXPECT_EQ(object.at("latency"), 4);
+  EXPECT_EQ(object.at("rays_in_flight"), 32);
+  EXPECT_GE(object.at("extra_box_tests_pct"), 0.0);
+  EXPECT_GT(object.at("occupancy_pct"), 90.0);
+  EXPECT_GT(object.at("rtl_tests_per_s"), 0.0);
+  EXPECT_FALSE(object.contains("image"));
+}
+
+/// Counts agree with those of the software renderer: extra_box_tests_pct is 100 (RTL / reference - 1).
+TEST(CosimCommand, ExtraTestsAreOverTheSoftwareTraversal) {
+  const json rtl = json::parse(run_hitpipe(cosim({"--bits", "12/12", "--format", "json"})).out);
+  const Outcome outcome =
+      run_hitpipe({"render", "--scene", "spheres", "--width", "40", "--height", "30", "--format", "json"});
+  const json software = json::parse(outcome.out);
+  EXPECT_EQ(rtl.at("rays_shadow"), software.at("rays_shadow"));
+  EXPECT_EQ(rtl.at("bvh_nodes"), software.at("bvh_nodes"));
+  EXPECT_GT(rtl.at("extra_box_tests_pct"), 1.0);
+  EXPECT_NEAR(rtl.at("extra_box_tests_pct").get<double>(),
+              100.0 * (rtl.at("box_tests").get<double>() / software.at("box_tests").get<double>() - 1.0),
+              1e-9);
+}
+
+TEST(CosimCommand, SaysThatNothingWasJudgedWithoutReferee) {
+  const json object = json::parse(run_hitpipe(cosim({"--format", "json"})).out);
+  EXPECT_TRUE(object.at("false_misses").is_null());
+  EXPECT_TRUE(object.at("false_hits").is_null());
+  EXPECT_THAT(run_hitpipe(cosim({})).out, HasSubstr("\nfalse_misses              not judged\n"));
+}
+
+TEST(CosimCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
+  const Outcome text = run_hitpipe(cosim({"--referee"}));
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_LE(widest_line(text.out), 80U);
+  EXPECT_THAT(text.out, StartsWith("design                    int_slabs\n"
+                                   "bits                      20/24\n"
+                                   "scene                     spheres\n"
+                                   "triangles                 24,578\n"));
+  const Outcome csv = run_hitpipe(cosim({"--format", "csv"}));
+  const auto lines = lines_of(csv.out);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(
+      lines[0],
+      "design,bits,scene,triangles,degenerate_dropped,bvh_nodes,rays_primary,rays_secondary,rays_shadow,"
+      "rays_rejected,box_tests,hits,rtl_mismatches,false_misses,false_hits,different_triangles,"
+      "extra_box_tests_pct,extra_triangle_tests_pct,cycles,latency,rays_in_flight,occupancy_pct,rtl_tests_"
+      "per_s");
+  EXPECT_THAT(lines[1], StartsWith("int_slabs,20/24,spheres,24578,0,"));
+}
+
+TEST(CosimCommand, WritesImageVerilogAndSchematicWhereTold) {
+  const sim::TemporaryFolder folder;
+  const std::filesystem::path out = folder.path() / "a" / "b";
+  const Outcome outcome = run_hitpipe(cosim({"--out", out.string(), "--format", "json"}));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(files_below(out),
+            (std::vector<std::string>{"int_slabs.dot", "int_slabs.json", "int_slabs.svg", "int_slabs.v",
+                                      "spheres.png", "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex"}));
+  const json object = json::parse(outcome.out);
+  EXPECT_EQ(object.at("image"), (out / "spheres.png").string());
+  EXPECT_EQ(object.at("verilog"), (out / "int_slabs.v").string());
+  EXPECT_EQ(object.at("schematic"), (out / "int_slabs.svg").string());
+  // The image is the software renderer's, byte for byte.
+  const std::string image = (folder.path() / "software.png").string();
+  ASSERT_EQ(run_hitpipe({"render", "--scene", "spheres", "--width", "40", "--height", "30", "--out", image})
+                .exit_code,
+            0);
+  EXPECT_EQ(contents_of(out / "spheres.png"), contents_of(image));
+}
+
+TEST(CosimCommand, ReadsMeshFilesAndCountsWhatItDrops) {
+  const sim::TemporaryFolder folder;
+  const std::string mesh = folder
+                               .write("two.obj",
+                                      "v 0 0 0\nv 4 0 0\nv 0 3 0\nv 4 3 1\nv 8 0 0\n"
+                                      "f 1 2 3\nf 2 4 3\nf 1 2 5\nf 3 3 4\n")
+                               .string();
+  const Outcome outcome = run_hitpipe({"cosim", "int_slabs", "--scene", mesh, "--width", "16", "--height",
+                                       "16", "--referee", "--format", "json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json object = json::parse(outcome.out);
+  EXPECT_EQ(object.at("scene"), "two");
+  EXPECT_EQ(object.at("triangles"), 2);
+  EXPECT_EQ(object.at("degenerate_dropped"), 2);
+  EXPECT_EQ(object.at("different_triangles"), 0);
+  EXPECT_GT(object.at("rays_shadow"), 0);
+}
+
+/// Threads and rays in flight change how fast, not what; the number of threads is not even warned about.
+TEST(CosimCommand, CountsDoNotDependOnThreadsOrRaysInFlight) {
+  json usual = json::parse(run_hitpipe(cosim({"--format", "json"})).out);
+  for (const std::vector<std::string>& how : {std::vector<std::string>{"--threads", "1"},
+                                              {"--threads", "64"},
+                                              {"--rays-in-flight", "1"},
+                                              {"--rays-in-flight", "65536"}}) {
+    std::vector<std::string> arguments = how;
+    arguments.insert(arguments.end(), {"--format", "json"});
+    const Outcome outcome = run_hitpipe(cosim(arguments));
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    json object = json::parse(outcome.out);
+    for (const char* const key : {"cycles", "occupancy_pct", "rays_in_flight", "rtl_tests_per_s"}) {
+      object.erase(key);
+      usual.erase(key);
+    }
+    EXPECT_EQ(object, usual) << how[0] << " " << how[1];
+  }
+}
+
+/// Verilog that always misses: the counts are printed, then one line and a code that is not 0.
+TEST(CosimCommand, WrongVerilogFails) {
+  const sim::TemporaryFolder folder;
+  const std::string verilator = folder
+                                    .write_program("verilator", R"script(#!/bin/sh
+if [ "$1" = --version ]; then echo 'always misses'; exit; fi
+if [ "$1" = --cc ]; then
+  for file; do :; done
+  sed -i 's/assign hit = .*;/assign hit = 0;/' "$file"
+fi
+exec verilator "$@"
+)script")
+                                    .string();
+  const Outcome outcome = run_hitpipe({"cosim", "int_slabs", "--bits", "12/12", "--scene", "spheres",
+                                       "--width", "4", "--height", "4", "--referee", "--format", "json"},
+                                      {{"VERILATOR", verilator}});
+  EXPECT_EQ(outcome.exit_code, 1);
+  const json object = json::parse(outcome.out);
+  // Every primary ray ends at the root, which it meets where the software's finds a triangle, and maybe
+  // elsewhere.
+  EXPECT_EQ(object.at("hits"), 0);
+  EXPECT_EQ(object.at("box_tests"), 16);
+  EXPECT_GT(object.at("different_triangles"), 4);
+  EXPECT_GE(object.at("false_misses"), object.at("different_triangles"));
+  EXPECT_GE(object.at("rtl_mismatches"), object.at("false_misses"));
+  EXPECT_EQ(outcome.err, "hitpipe: int_slabs 12/12 on spheres: " + object.at("rtl_mismatches").dump() +
+                             " RTL mismatches, " + object.at("different_triangles").dump() +
+                             " different triangles, " + object.at("false_misses").dump() +
+                             " false misses; all must be 0\n");
+}
+
+}  // namespace
+}  // namespace hitpipe::cli

@@ -1,0 +1,114 @@
+// Help of every command, and what is said to a command line that cannot be understood.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+using testing::HasSubstr;
+
+/// One line on standard error, nothing else, and an exit code that is not 0.
+void expect_error(const std::vector<std::string>& arguments, const std::string& message) {
+  const Outcome outcome = run_hitpipe(arguments);
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.exit_code, -1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
+}
+
+class Help : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(Help, FitsEightyColumns) {
+  std::vector<std::string> arguments = GetParam();
+  for (const char* const option : {"--help", "-h"}) {
+    arguments.emplace_back(option);
+    const Outcome outcome = run_hitpipe(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_LE(widest_line(outcome.out), 80U) << outcome.out;
+    EXPECT_THAT(outcome.out, HasSubstr("Usage: hitpipe"));
+    for (const std::string& line : lines_of(outcome.out)) EXPECT_FALSE(line.ends_with(' ')) << line;
+    arguments.pop_back();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Commands, Help,
+                         testing::Values(std::vector<std::string>{}, std::vector<std::string>{"designs"},
+                                         std::vector<std::string>{"rtl"}, std::vector<std::string>{"render"},
+                                         std::vector<std::string>{"cosim"}),
+                         [](const auto& parameter) {
+                           return parameter.param.empty() ? "hitpipe" : parameter.param.front();
+                         });
+
+TEST(HelpOfTheProgram, ListsTheCommandsAndAFirstTry) {
+  const std::string help = run_hitpipe({"--help"}).out;
+  for (const char* const command : {"designs", "rtl", "render", "cosim"}) {
+    EXPECT_THAT(help, HasSubstr("\n  " + std::string(command) + " "));
+  }
+  EXPECT_THAT(help, HasSubstr("  hitpipe cosim int_slabs --scene spheres --out out\n"));
+}
+
+TEST(HelpOfCosim, IsWhatItTakes) {
+  const std::string help = run_hitpipe({"cosim", "--help"}).out;
+  for (const char* const option :
+       {"design NAME REQUIRED", "--bits n/t=20/24", "--scene NAME|FILE REQUIRED", "--eye X,Y,Z",
+        "--target X,Y,Z", "--up X,Y,Z", "--fov DEGREES", "--light X,Y,Z", "--width N=256", "--height N=256",
+        "--threads N=", "--rays-in-flight N=32", "--referee", "--out FOLDER",
+        "--format text|csv|json=text"}) {
+    EXPECT_THAT(help, HasSubstr("\n  " + std::string(option)));
+  }
+}
+
+TEST(Version, IsOneLine) {
+  const Outcome outcome = run_hitpipe({"--version"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, testing::MatchesRegex("hitpipe [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(CommandLine, WithoutCommandRejected) {
+  expect_error({}, "a command is needed; there are: designs, rtl, render, cosim; see hitpipe --help");
+}
+
+TEST(CommandLine, WithUnknownCommandRejected) {
+  expect_error({"trace"},
+               "trace: no such command; there are: designs, rtl, render, cosim; see hitpipe --help");
+}
+
+TEST(CommandLine, WithoutRequiredOptionsRejected) {
+  expect_error({"cosim"}, "design is required; see hitpipe cosim --help");
+  expect_error({"cosim", "int_slabs"}, "--scene is required; see hitpipe cosim --help");
+  expect_error({"rtl", "int_slabs"}, "--out is required; see hitpipe rtl --help");
+  expect_error({"render"}, "--scene is required; see hitpipe render --help");
+}
+
+TEST(CommandLine, WithUnknownOptionRejected) {
+  expect_error({"designs", "--colour"},
+               "The following argument was not expected: --colour; see hitpipe designs --help");
+}
+
+TEST(CommandLine, WithUnknownFormatRejected) {
+  for (const std::string command : {"designs", "rtl", "render", "cosim"}) {
+    expect_error({command, "--format", "xml"},
+                 "--format: xml is none of text, csv, json; see hitpipe " + command + " --help");
+  }
+  expect_error({"designs", "--format", "1"},
+               "--format: 1 is none of text, csv, json; see hitpipe designs --help");
+}
+
+/// A word of the user's that is quoted may hold anything.
+TEST(CommandLine, WithLineBreaksIsAnsweredInOneLine) {
+  expect_error({"rtl", "two\nlines\t", "--out", "x"}, "design two lines : unknown; there are: int_slabs");
+}
+
+TEST(StandardOutput, ThatIsFullRejected) {
+  const sim::TemporaryFolder folder;
+  const std::string err = (folder.path() / "err").string();
+  const std::string command = std::string(HITPIPE_PROGRAM) + " designs >/dev/full 2>" + err;
+  EXPECT_NE(std::system(command.c_str()), 0);
+  EXPECT_EQ(contents_of(err), "hitpipe: standard output: cannot be written\n");
+}
+
+}  // namespace
+}  // namespace hitpipe::cli

@@ -1,0 +1,134 @@
+// `hitpipe rtl`: writes a design's files where it is told, and says which.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "rtl_gen/emit/files.hpp"
+#include "tests/cli/program.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::vector<std::string> all_files{"int_slabs.dot", "int_slabs.json",    "int_slabs.svg",
+                                         "int_slabs.v",   "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex"};
+
+class RtlCommand : public testing::Test {
+ protected:
+  sim::TemporaryFolder folder_;
+  const std::filesystem::path out_ = folder_.path() / "a" / "fresh" / "folder";
+};
+
+TEST_F(RtlCommand, WritesAllFilesIntoAFreshFolder) {
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--bits", "24/24", "--out", out_.string()});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(files_below(out_), all_files);
+  const hls::IntBits bits{24, 24};
+  const rtl::Design& design = rtl::find_design("int_slabs");
+  const rtl::Library& library = rtl::Library::thesis();
+  for (const rtl::File& file :
+       rtl::emit(design, bits, library, rtl::make_pipeline(design.trace(bits), library))) {
+    EXPECT_EQ(contents_of(out_ / file.name), file.contents) << file.name;
+  }
+  EXPECT_THAT(contents_of(out_ / "int_slabs.svg"), HasSubstr("</svg>"));
+}
+
+TEST_F(RtlCommand, PrintsStagesClockAndFiles) {
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string()});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out,
+            "design    int_slabs\n"
+            "bits      20/24\n"
+            "stages    4\n"
+            "latency   4\n"
+            "clock_ps  3,176\n"
+            "files     " +
+                (out_ / "int_slabs.v").string() +
+                "\n"
+                "          " +
+                (out_ / "int_slabs.json").string() +
+                "\n"
+                "          " +
+                (out_ / "int_slabs.dot").string() +
+                "\n"
+                "          " +
+                (out_ / "tb/int_slabs_tb.v").string() +
+                "\n"
+                "          " +
+                (out_ / "tb/int_slabs_vectors.hex").string() +
+                "\n"
+                "          " +
+                (out_ / "int_slabs.svg").string() + "\n");
+}
+
+TEST_F(RtlCommand, PrintsCsv) {
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--format", "csv"});
+  const auto lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0], "design,bits,stages,latency,clock_ps,files");
+  EXPECT_THAT(lines[1], StartsWith("int_slabs,20/24,4,4,3176," + (out_ / "int_slabs.v").string() + " "));
+}
+
+TEST_F(RtlCommand, PrintsJson) {
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--format", "json"});
+  const auto object = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(object.at("design"), "int_slabs");
+  EXPECT_EQ(object.at("bits"), "20/24");
+  EXPECT_EQ(object.at("stages"), 4);
+  EXPECT_EQ(object.at("latency"), 4);
+  EXPECT_EQ(object.at("clock_ps"), 3176);
+  std::vector<std::string> named;
+  for (const auto& file : object.at("files"))
+    named.push_back(std::filesystem::relative(file.get<std::string>(), out_).string());
+  std::sort(named.begin(), named.end());
+  EXPECT_EQ(named, all_files);
+}
+
+TEST_F(RtlCommand, WritesTheSameBytesAgain) {
+  ASSERT_EQ(run_hitpipe({"rtl", "int_slabs", "--out", out_.string()}).exit_code, 0);
+  std::vector<std::string> before;
+  for (const std::string& name : files_below(out_)) before.push_back(contents_of(out_ / name));
+  ASSERT_EQ(run_hitpipe({"rtl", "int_slabs", "--out", out_.string()}).exit_code, 0);
+  EXPECT_EQ(files_below(out_), all_files);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_EQ(contents_of(out_ / all_files[i]), before[i]) << all_files[i];
+}
+
+TEST_F(RtlCommand, SlowerClockTakesFewerStages) {
+  const Outcome outcome =
+      run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--clock-ps", "5000", "--format", "json"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const auto object = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(object.at("clock_ps"), 5000);
+  EXPECT_LT(object.at("stages"), 4);
+  EXPECT_THAT(contents_of(out_ / "int_slabs.v"), HasSubstr("Clock of 5000 ps"));
+}
+
+TEST_F(RtlCommand, ClockTooFastRejected) {
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--clock-ps", "3175"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err,
+            "hitpipe: int_slabs: a clock of 3175 ps is too short for int_multiply:20; the smallest that can "
+            "be met is "
+            "3176 ps\n");
+  EXPECT_FALSE(std::filesystem::exists(out_.parent_path()));
+  EXPECT_EQ(run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--clock-ps", "3176"}).exit_code, 0);
+}
+
+TEST_F(RtlCommand, UsesALibraryOfTheUsersOwn) {
+  std::string library =
+      contents_of(std::filesystem::path(HITPIPE_SOURCE) / "area_model/libraries/thesis_250nm.json");
+  const std::string name = "thesis_250nm";
+  ASSERT_NE(library.find(name), std::string::npos);
+  library.replace(library.find(name), name.size(), "my_own");
+  const std::string file = folder_.write("library.json", library).string();
+  ASSERT_EQ(run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--library", file}).exit_code, 0);
+  EXPECT_THAT(contents_of(out_ / "int_slabs.v"), HasSubstr("the components of my_own"));
+}
+
+}  // namespace
+}  // namespace hitpipe::cli

@@ -1,0 +1,62 @@
+// Rows as text, CSV and JSON.
+#include "cli/table.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hitpipe::cli {
+namespace {
+
+TEST(Record, IsOneLineAValueAsText) {
+  const Row row{{"name", "spheres"}, {"count", 1234567},       {"small", 999},    {"thousand", 1000},
+                {"debt", -1234},     {"small_debt", -123},     {"share", 99.987}, {"rate", 8365096.4},
+                {"none", nullptr},   {"files", {"a.v", "b.v"}}};
+  EXPECT_EQ(record_text(row, Format::text),
+            "name        spheres\n"
+            "count       1,234,567\n"
+            "small       999\n"
+            "thousand    1,000\n"
+            "debt        -1,234\n"
+            "small_debt  -123\n"
+            "share       99.99\n"
+            "rate        8,365,096\n"
+            "none        not judged\n"
+            "files       a.v\n"
+            "            b.v\n");
+}
+
+TEST(Record, IsAHeaderAndALineAsCsv) {
+  const Row row{
+      {"name", "a, \"b\""}, {"count", 1234567}, {"share", 0.5}, {"none", nullptr}, {"files", {"a.v", "b c"}}};
+  EXPECT_EQ(record_text(row, Format::csv),
+            "name,count,share,none,files\n"
+            "\"a, \"\"b\"\"\",1234567,0.5,,a.v b c\n");
+}
+
+TEST(Record, IsAnObjectInTheSameOrderAsJson) {
+  const Row row{{"z", "x"}, {"a", 1}};
+  EXPECT_EQ(record_text(row, Format::json), "{\n  \"z\": \"x\",\n  \"a\": 1\n}\n");
+}
+
+TEST(Table, AlignsWordsLeftAndNumbersRight) {
+  const std::vector<Row> rows{{{"design", "a"}, {"stages", 5}, {"what", "first"}},
+                              {{"design", "longer"}, {"stages", 12345}, {"what", "second one"}}};
+  EXPECT_EQ(table_text(rows, Format::text),
+            "design  stages  what\n"
+            "a            5  first\n"
+            "longer  12,345  second one\n");
+}
+
+TEST(Table, IsALineARowAsCsvAndAnArrayAsJson) {
+  const std::vector<Row> rows{{{"design", "a"}, {"stages", 5}}, {{"design", "b"}, {"stages", 4}}};
+  EXPECT_EQ(table_text(rows, Format::csv), "design,stages\na,5\nb,4\n");
+  EXPECT_EQ(Row::parse(table_text(rows, Format::json)), Row(rows));
+}
+
+TEST(Table, WithoutRowsIsEmpty) {
+  EXPECT_EQ(table_text({}, Format::text), "");
+  EXPECT_EQ(table_text({}, Format::csv), "");
+  EXPECT_EQ(table_text({}, Format::json), "[]\n");
+}
+
+}  // namespace
+}  // namespace hitpipe::cli
