@@ -1,0 +1,55 @@
+# The whole project in a few words. `make demo` and `make test` are all that a newcomer types.
+JOBS ?= $(shell nproc)
+# In CI a warning is an error.
+CONFIGURE := $(if $(CI),-DHITPIPE_WERROR=ON)
+CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
+
+.PHONY: demo test build lint format bench sanitize packages clean help
+
+help:
+	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematic in out/demo'
+	@echo 'make test      all tests'
+	@echo 'make build     the program, build/hitpipe'
+	@echo 'make bench     benchmarks'
+	@echo 'make lint      formatting and clang-tidy; make format mends the first'
+	@echo 'make sanitize  all tests under ASan and UBSan'
+	@echo 'make clean     removes build folders and out/'
+
+packages:
+	@cmake/install-packages.sh
+
+build: packages
+	@cmake --preset release $(CONFIGURE) >build.log 2>&1 || { cat build.log; exit 1; }
+	@cmake --build --preset release -j $(JOBS) --target hitpipe
+
+demo: build
+	@build/hitpipe cosim int_slabs --bits 20/24 --scene spheres --width 512 --height 512 --referee --out out/demo
+	@echo
+	@echo 'Every box test of out/demo/spheres.png was answered by out/demo/int_slabs.v. Next:'
+	@echo '  build/hitpipe cosim int_slabs --bits 12/12 --scene spheres --referee   # fewer bits, more false hits'
+	@echo '  build/hitpipe rtl int_slabs --bits 24/24 --out out/rtl                 # another format as Verilog'
+
+test: build
+	@cmake --build --preset release -j $(JOBS)
+	@ctest --preset release -j $(JOBS)
+
+sanitize: packages
+	@cmake --preset sanitize
+	@cmake --build --preset sanitize -j $(JOBS)
+	@ctest --preset sanitize -j $(JOBS)
+
+bench: build
+	@cmake --build --preset release -j $(JOBS) --target benchmarks
+	@bench/run.sh
+
+lint: build
+	@clang-format --dry-run --Werror $(CXX_FILES)
+	@run-clang-tidy -quiet -j $(JOBS) -p build '^$(CURDIR)/(rtl_gen|sw_ref|sim|cli)/.*\.cpp$$' >build/tidy.log 2>/dev/null \
+	  || { grep -E 'warning|error' build/tidy.log; exit 1; }
+	@echo 'lint: clean'
+
+format:
+	@clang-format -i $(CXX_FILES)
+
+clean:
+	rm -rf build build-debug build-sanitize out build.log
