@@ -113,7 +113,10 @@ TEST(DamagedVerilog, ExchangedTagsAreNotTheOldestTests) {
   const TestbenchReport report = driven(design);
   EXPECT_EQ(report.wrong_tags, 20'000U);
   EXPECT_EQ(report.wrong_hits, 0U);
-  EXPECT_GT(traced(design).rtl_mismatches, 0U);
+  // Also where both rays get the same HIT, so that only the order tells.
+  const UnitCounts counts = traced(design);
+  EXPECT_GT(counts.box_tests, 500U);
+  EXPECT_GE(counts.rtl_mismatches, counts.box_tests);
 }
 
 TEST(DamagedVerilog, PipelineThatNeverWaitsLosesAnswers) {
