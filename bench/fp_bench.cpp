@@ -1,0 +1,122 @@
+// The float operators' bit-level logic in binary32 against the host's floating-point unit: first 10^8 pairs,
+// weighted to the corners, must agree bit for bit (any NaN of the host with our canonical one), then the time
+// of both on the same pairs. One item is one pair; times_host is our time in units of the host's.
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include "tests/hls/num/float_corners.hpp"
+#include "tests/hls/num/float_operators.hpp"
+
+namespace {
+
+namespace exact = hitpipe::hls::exact;
+
+static_assert(std::numeric_limits<float>::is_iec559 && sizeof(float) == 4);
+
+constexpr std::uint64_t seed = 2005;
+constexpr std::size_t checked_pairs = 100'000'000;
+constexpr std::size_t timed_pairs = 4096;
+
+std::uint64_t pattern(float x) {
+  return std::isnan(x) ? 0x7fc00000 : std::bit_cast<std::uint32_t>(x);
+}
+std::uint64_t pattern(unsigned order) {
+  return order;
+}
+
+struct Subtract {
+  static std::uint64_t ours(std::uint32_t a, std::uint32_t b) { return exact::subtract_bits<8, 23>(a, b); }
+  static float host(float a, float b) { return a - b; }
+};
+struct Multiply {
+  static std::uint64_t ours(std::uint32_t a, std::uint32_t b) { return exact::multiply_bits<8, 23>(a, b); }
+  static float host(float a, float b) { return a * b; }
+};
+struct Compare {
+  static std::uint64_t ours(std::uint32_t a, std::uint32_t b) { return exact::compare_bits<8, 23>(a, b); }
+  static unsigned host(float a, float b) { return (a < b ? 1U : 0U) | (a > b ? 2U : 0U); }
+};
+
+template <class Operator>
+std::uint64_t by_host(const exact::FloatPair& p) {
+  return pattern(Operator::host(std::bit_cast<float>(p.a), std::bit_cast<float>(p.b)));
+}
+
+template <class Operator>
+void BM_EqualsHost(benchmark::State& state) {
+  for (auto _ : state) {
+    exact::FloatPairs random(seed);
+    for (std::size_t i = 0; i < checked_pairs; ++i) {
+      const exact::FloatPair p = random.next();
+      const std::uint64_t got = Operator::ours(p.a, p.b);
+      const std::uint64_t expected = by_host<Operator>(p);
+      if (got == expected) continue;
+      const std::string message =
+          fmt::format("pair {} of seed {}: a {:#x}, b {:#x} gives {:#x}, on the host {:#x}", i, seed, p.a,
+                      p.b, got, expected);
+      state.SkipWithError(message.c_str());
+      return;
+    }
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(checked_pairs));
+}
+BENCHMARK_TEMPLATE(BM_EqualsHost, Subtract)->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK_TEMPLATE(BM_EqualsHost, Multiply)->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK_TEMPLATE(BM_EqualsHost, Compare)->Iterations(1)->Unit(benchmark::kSecond);
+
+/// Pairs of numbers such as a ray tracer has: of either sign, magnitudes 2^-8 to 2^8.
+std::vector<exact::FloatPair> usual_pairs() {
+  std::mt19937 random(seed);
+  const auto one = [&] {
+    const auto bits = static_cast<std::uint32_t>(random());
+    return (bits & 0x80000000) | (119 + (bits >> 27 & 15)) << 23 | (bits & 0x7fffff);
+  };
+  std::vector<exact::FloatPair> pairs(timed_pairs);
+  for (exact::FloatPair& p : pairs) p = {one(), one()};
+  return pairs;
+}
+
+template <class Work>
+double seconds(Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+template <class Operator>
+void BM_Speed(benchmark::State& state) {
+  const std::vector<exact::FloatPair> pairs = usual_pairs();
+  double ours = 0;
+  double host = 0;
+  for (auto _ : state) {
+    const double once = seconds([&] {
+      for (const exact::FloatPair& p : pairs) benchmark::DoNotOptimize(Operator::ours(p.a, p.b));
+    });
+    host += seconds([&] {
+      for (const exact::FloatPair& p : pairs) {
+        benchmark::DoNotOptimize(Operator::host(std::bit_cast<float>(p.a), std::bit_cast<float>(p.b)));
+      }
+    });
+    ours += once;
+    state.SetIterationTime(once);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(timed_pairs));
+  state.counters["times_host"] = ours / host;
+}
+BENCHMARK_TEMPLATE(BM_Speed, Subtract)->UseManualTime();
+BENCHMARK_TEMPLATE(BM_Speed, Multiply)->UseManualTime();
+BENCHMARK_TEMPLATE(BM_Speed, Compare)->UseManualTime();
+
+}  // namespace
+
+BENCHMARK_MAIN();
