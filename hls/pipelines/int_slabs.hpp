@@ -4,6 +4,7 @@
 // Widths: differences n bits (the operands' ranges leave room for the sign), products 2n, intervals t.
 #pragma once
 
+#include "hls/box/arithmetic.hpp"
 #include "hls/box/int_format.hpp"
 #include "hls/box/int_slabs_operands.hpp"
 #include "hls/num/domain.hpp"
@@ -62,6 +63,7 @@ constexpr Bit slabs_overlap(const Interval& near_x, const Interval& far_x, const
 struct IntSlabs {
   static constexpr const char* name = "int_slabs";
   static constexpr const char* summary = "integer slabs test, figures 7.4-7.6";
+  static constexpr Arithmetic arithmetic = Arithmetic::integer;
 
   template <class D, class F>
   using Operands = IntSlabsOperands<D, F>;

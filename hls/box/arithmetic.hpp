@@ -1,0 +1,11 @@
+// What kind of numbers a pipeline computes with; it decides which formats the pipeline has.
+#pragma once
+
+namespace hitpipe::hls {
+
+enum class Arithmetic {
+  integer,   ///< two's complement; a format is an IntFormat<n, t>
+  floating,  ///< binary floating point; a format is an FpFormat<E, M>
+};
+
+}  // namespace hitpipe::hls
