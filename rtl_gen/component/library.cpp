@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "rtl_gen/component/thesis_250nm.hpp"
@@ -15,19 +17,105 @@ namespace hitpipe::rtl {
 
 namespace {
 
-constexpr std::array<std::string_view, component_count> names{"latch", "mux2", "int_subtract", "int_multiply",
-                                                              "int_compare"};
+constexpr std::array<std::string_view, component_count> names{"latch",        "mux2",        "int_subtract",
+                                                              "int_multiply", "int_compare", "fp_subtract",
+                                                              "fp_multiply",  "fp_compare"};
 
 int tree_depth(int bits) {
   return static_cast<int>(std::bit_width(static_cast<unsigned>(bits - 1)));
 }
 
-Above above_from(const std::string& law, std::string_view origin, std::string_view component) {
-  if (law == "same") return Above::same;
-  if (law == "tree") return Above::tree;
-  if (law == "stages") return Above::stages;
-  throw std::runtime_error(
-      fmt::format("{}: {}: \"above\" is \"{}\", allowed are same, tree, stages", origin, component, law));
+using Json = nlohmann::json;
+
+Json parsed(std::string_view text, std::string_view origin) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::exception& error) {
+    throw std::runtime_error(fmt::format("{}: not JSON: {}", origin, error.what()));
+  }
+}
+
+const Json& required(const Json& object, const std::string& key, std::string_view where) {
+  if (!object.is_object()) throw std::runtime_error(fmt::format("{}: must be a JSON object", where));
+  const auto found = object.find(key);
+  if (found == object.end()) throw std::runtime_error(fmt::format("{}: \"{}\" is missing", where, key));
+  return *found;
+}
+
+std::string text_of(const Json& object, const std::string& key, std::string_view where) {
+  const Json& value = required(object, key, where);
+  if (!value.is_string()) throw std::runtime_error(fmt::format("{}: \"{}\" must be a text", where, key));
+  return value.get<std::string>();
+}
+
+struct Limits {
+  std::int64_t least, most;
+};
+// Wide enough for any process; sums and products of such numbers stay within 64 bits.
+constexpr Limits bits_limits{1, 1024};
+constexpr Limits area_limits{0, 100'000'000};
+constexpr Limits delay_limits{1, 1'000'000};
+constexpr Limits stages_limits{0, 64};
+
+int count_of(const Json& object, const std::string& key, std::string_view where, Limits allowed) {
+  const Json& value = required(object, key, where);
+  if (!value.is_number_integer() || value.get<std::int64_t>() < allowed.least ||
+      value.get<std::int64_t>() > allowed.most) {
+    // An array may be nested too deep to be printed.
+    const std::string given = value.is_structured() ? value.type_name() : value.dump();
+    throw std::runtime_error(fmt::format("{}: \"{}\" is {}, allowed are whole numbers from {} to {}", where,
+                                         key, given, allowed.least, allowed.most));
+  }
+  return value.get<int>();
+}
+
+template <class Law, std::size_t N>
+Law law_of(const Json& object, const std::string& key, std::string_view where,
+           const std::array<std::string_view, N>& laws) {
+  const std::string law = text_of(object, key, where);
+  const auto found = std::find(laws.begin(), laws.end(), law);
+  if (found == laws.end()) {
+    throw std::runtime_error(
+        fmt::format("{}: \"{}\" is \"{}\", allowed are {}", where, key, law, fmt::join(laws, ", ")));
+  }
+  return static_cast<Law>(found - laws.begin());
+}
+
+// In the order of their enumerations.
+constexpr std::array<std::string_view, 3> above_laws{"same", "tree", "stages"};
+constexpr std::array<std::string_view, 2> area_laws{"linear", "quadratic"};
+
+std::vector<Cell> cells_of(const Json& entry, std::string_view where) {
+  const Json& rows = required(entry, "cells", where);
+  if (!rows.is_array() || rows.empty()) throw std::runtime_error(fmt::format("{}: no cells", where));
+  std::vector<Cell> cells;
+  for (const Json& row : rows) {
+    const int bits = count_of(row, "bits", where, bits_limits);
+    const std::string cell = fmt::format("{}_{}", where, bits);
+    if (!cells.empty() && cells.back().bits >= bits) {
+      throw std::runtime_error(fmt::format("{}: cells must be in ascending order of bits", where));
+    }
+    const Json estimated = row.value("estimated", Json(false));
+    if (!estimated.is_boolean()) {
+      throw std::runtime_error(fmt::format("{}: \"estimated\" must be true or false", cell));
+    }
+    cells.push_back({.bits = bits,
+                     .area_um2 = count_of(row, "area_um2", cell, area_limits),
+                     .delay_ps = count_of(row, "delay_ps", cell, delay_limits),
+                     .stages = count_of(row, "stages", cell, stages_limits),
+                     .estimated = estimated.get<bool>()});
+  }
+  return cells;
+}
+
+/// What the area is proportional to.
+std::int64_t area_measure(AreaLaw law, std::int64_t bits) {
+  return law == AreaLaw::linear ? bits : bits * bits;
+}
+
+/// Neither is negative.
+std::int64_t rounded_quotient(std::int64_t dividend, std::int64_t divisor) {
+  return (dividend + divisor / 2) / divisor;
 }
 
 }  // namespace
@@ -36,45 +124,35 @@ std::string_view component_name(Component component) {
   return names[static_cast<std::size_t>(component)];
 }
 
+Component component_called(std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw std::invalid_argument(fmt::format("component {}: no library has it", name));
+  return static_cast<Component>(found - names.begin());
+}
+
 Library Library::from_json(std::string_view text, std::string_view origin) {
+  const Json json = parsed(text, origin);
   Library library;
-  try {
-    const auto json = nlohmann::json::parse(text);
-    library.name_ = json.at("name").get<std::string>();
-    library.gate_delay_ps_ = json.at("gate_delay_ps").get<int>();
-    if (library.gate_delay_ps_ < 1) {
-      throw std::runtime_error(fmt::format("{}: gate_delay_ps must be at least 1", origin));
+  library.name_ = text_of(json, "name", origin);
+  // It stands in a comment of the Verilog.
+  if (std::any_of(library.name_.begin(), library.name_.end(), [](unsigned char c) { return c < ' '; })) {
+    throw std::runtime_error(fmt::format("{}: \"name\" must be one line", origin));
+  }
+  library.gate_delay_ps_ = count_of(json, "gate_delay_ps", origin, delay_limits);
+  const Json& components = required(json, "components", origin);
+  for (std::size_t i = 0; i < component_count; ++i) {
+    const std::string name(names[i]);
+    const bool is_float = static_cast<Component>(i) >= Component::fp_subtract;
+    if (is_float && !components.contains(name)) continue;
+    const Json& entry = required(components, name, origin);
+    const std::string where = fmt::format("{}: {}", origin, name);
+    Family& family = library.families_[i];
+    family.above = law_of<Above>(entry, "above", where, above_laws);
+    family.area = law_of<AreaLaw>(entry, "area", where, area_laws);
+    family.cells = cells_of(entry, where);
+    if (family.above == Above::tree && family.cells.back().bits < 2) {
+      throw std::runtime_error(fmt::format("{}: \"tree\" needs a cell of at least 2 bits", where));
     }
-    for (std::size_t i = 0; i < component_count; ++i) {
-      const auto& entry = json.at("components").at(std::string(names[i]));
-      Family& family = library.families_[i];
-      family.above = above_from(entry.at("above").get<std::string>(), origin, names[i]);
-      for (const auto& row : entry.at("cells")) {
-        family.cells.push_back({.bits = row.at("bits").get<int>(),
-                                .area_um2 = row.at("area_um2").get<int>(),
-                                .delay_ps = row.at("delay_ps").get<int>(),
-                                .stages = row.at("stages").get<int>(),
-                                .estimated = row.value("estimated", false)});
-        const Cell& cell = family.cells.back();
-        if (cell.bits < 1 || cell.area_um2 < 0 || cell.delay_ps < 1 || cell.stages < 0) {
-          throw std::runtime_error(
-              fmt::format("{}: {}:{}: bits and delay_ps must be at least 1, area_um2 and stages at least 0",
-                          origin, names[i], cell.bits));
-        }
-      }
-      if (family.cells.empty()) throw std::runtime_error(fmt::format("{}: {}: no cells", origin, names[i]));
-      const auto wider = [](const Cell& a, const Cell& b) { return a.bits >= b.bits; };
-      if (std::adjacent_find(family.cells.begin(), family.cells.end(), wider) != family.cells.end()) {
-        throw std::runtime_error(
-            fmt::format("{}: {}: cells must be in ascending order of bits", origin, names[i]));
-      }
-      if (family.above == Above::tree && family.cells.back().bits < 2) {
-        throw std::runtime_error(
-            fmt::format("{}: {}: \"tree\" needs a cell of at least 2 bits", origin, names[i]));
-      }
-    }
-  } catch (const nlohmann::json::exception& e) {
-    throw std::runtime_error(fmt::format("{}: not a component library: {}", origin, e.what()));
   }
   return library;
 }
@@ -91,13 +169,20 @@ const Library& Library::thesis() {
   return library;
 }
 
+const Library::Family& Library::found(Component component) const {
+  if (!has(component)) {
+    throw std::runtime_error(fmt::format("library {}: it has no {}", name_, component_name(component)));
+  }
+  return family(component);
+}
+
 Cell Library::timing(Component component, int bits) const {
-  const Family& family = families_[static_cast<std::size_t>(component)];
-  for (const Cell& cell : family.cells) {
+  const Family& rows = found(component);
+  for (const Cell& cell : rows.cells) {
     if (cell.bits >= bits) return cell;
   }
-  Cell cell = family.cells.back();
-  switch (family.above) {
+  Cell cell = rows.cells.back();
+  switch (rows.above) {
     case Above::same:
       break;
     case Above::tree:
@@ -112,9 +197,36 @@ Cell Library::timing(Component component, int bits) const {
   return cell;
 }
 
+Cell Library::cell(Component component, int bits) const {
+  const Family& rows = found(component);
+  Cell cell = timing(component, bits);
+  if (cell.bits == bits) return cell;
+  const auto above =
+      std::find_if(rows.cells.begin(), rows.cells.end(), [bits](const Cell& row) { return row.bits > bits; });
+  const auto measure = [&](int width) { return area_measure(rows.area, width); };
+  std::int64_t area_um2 = 0;
+  if (above == rows.cells.begin() || above == rows.cells.end()) {
+    const Cell& end = above == rows.cells.begin() ? rows.cells.front() : rows.cells.back();
+    area_um2 = rounded_quotient(end.area_um2 * measure(bits), measure(end.bits));
+  } else {
+    const Cell& below = *std::prev(above);
+    const std::int64_t past = measure(bits) - measure(below.bits);
+    const std::int64_t short_of = measure(above->bits) - measure(bits);
+    area_um2 = rounded_quotient(below.area_um2 * short_of + above->area_um2 * past, past + short_of);
+  }
+  if (area_um2 > area_limits.most) {
+    throw std::runtime_error(fmt::format("library {}: {}_{} would have {} um2, allowed are {}", name_,
+                                         component_name(component), bits, area_um2, area_limits.most));
+  }
+  cell.bits = bits;
+  cell.area_um2 = static_cast<int>(area_um2);
+  cell.estimated = true;
+  return cell;
+}
+
 bool is_component(Op op) {
   return op == Op::add || op == Op::sub || op == Op::mul || op == Op::less || op == Op::equal ||
-         op == Op::mux;
+         op == Op::mux || op == Op::call;
 }
 
 ComponentUse component_of(const Graph& graph, NodeId node) {
@@ -131,6 +243,10 @@ ComponentUse component_of(const Graph& graph, NodeId node) {
       return {Component::int_compare, operand(0)};
     case Op::mux:
       return {Component::mux2, n.width};
+    case Op::call: {
+      const Unit& unit = *graph.unit_of(node);
+      return {component_called(unit.component), unit.bits};
+    }
     default:
       throw std::logic_error(fmt::format("{} is not a component", op_name(n.op)));
   }

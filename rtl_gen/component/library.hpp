@@ -13,9 +13,20 @@
 
 namespace hitpipe::rtl {
 
-enum class Component { latch, mux2, int_subtract, int_multiply, int_compare };
-inline constexpr std::size_t component_count = 5;
+enum class Component {
+  latch,
+  mux2,
+  int_subtract,
+  int_multiply,
+  int_compare,
+  fp_subtract,
+  fp_multiply,
+  fp_compare
+};
+inline constexpr std::size_t component_count = 8;
 [[nodiscard]] std::string_view component_name(Component component);
+/// Throws std::invalid_argument for any other name.
+[[nodiscard]] Component component_called(std::string_view name);
 
 /// One row of the library. `stages` 0: combinational; else `delay_ps` is the slowest stage.
 struct Cell {
@@ -33,10 +44,16 @@ enum class Above {
   stages,  ///< array: one stage for every started share of bits/stages of the widest row, its delay kept
 };
 
+/// How area goes on between the rows listed and, in proportion to the end row, beyond them.
+enum class AreaLaw {
+  linear,     ///< with the bits: latch, mux, carry tree
+  quadratic,  ///< with their square: multiplier array
+};
+
 class Library {
  public:
-  /// Throws std::runtime_error naming `origin` and the offending entry; components, widths and delays must be
-  /// there, widths ascending, delays > 0.
+  /// Throws std::runtime_error naming `origin`, the component and the offending entry. Widths must ascend.
+  /// The float components may be left out.
   [[nodiscard]] static Library from_json(std::string_view text, std::string_view origin);
   [[nodiscard]] static Library load(const std::filesystem::path& file);
   /// Table 7.1 of the thesis.
@@ -45,6 +62,10 @@ class Library {
   /// Delay and stages at a width: a width that is not listed takes the next larger row, above the widest the
   /// law.
   [[nodiscard]] Cell timing(Component component, int bits) const;
+  /// The timing, and the area at just this width: the row's where it is listed, else by the area law and
+  /// rounded to the nearest square micrometre. Both throw std::runtime_error for a component left out.
+  [[nodiscard]] Cell cell(Component component, int bits) const;
+  [[nodiscard]] bool has(Component component) const { return !family(component).cells.empty(); }
   [[nodiscard]] int latch_delay_ps() const { return timing(Component::latch, 1).delay_ps; }
   [[nodiscard]] int gate_delay_ps() const { return gate_delay_ps_; }
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -52,8 +73,15 @@ class Library {
  private:
   struct Family {
     Above above = Above::same;
+    AreaLaw area = AreaLaw::linear;
     std::vector<Cell> cells;
   };
+  [[nodiscard]] const Family& family(Component component) const {
+    return families_[static_cast<std::size_t>(component)];
+  }
+  /// Throws when it was left out.
+  [[nodiscard]] const Family& found(Component component) const;
+
   std::string name_;
   int gate_delay_ps_ = 0;
   std::array<Family, component_count> families_;
