@@ -1,6 +1,5 @@
 #include "rtl_gen/catalogue/design.hpp"
 
-#include <charconv>
 #include <stdexcept>
 #include <vector>
 
@@ -11,27 +10,41 @@ namespace hitpipe::rtl {
 
 namespace {
 
-std::string allowed_bits() {
-  return fmt::format("n/t with n in {}..{} and t in {}..2n-1", hls::IntBits::min_coord,
-                     hls::IntBits::max_coord, hls::IntBits::min_interval);
-}
-
-[[noreturn]] void no_such_format(std::string_view design, hls::IntBits bits) {
-  throw std::runtime_error(
-      fmt::format("bits {}: no such format of {}; allowed is {}", to_string(bits), design, allowed_bits()));
+[[noreturn]] void no_such_format(const Design& design, Format format) {
+  if (design.is_float()) {
+    throw std::runtime_error(fmt::format("bits {}: {} computes in floats; its only format is {}",
+                                         to_string(format), design.name, to_string(Format::fp32())));
+  }
+  throw std::runtime_error(fmt::format(
+      "bits {}: no such format of {}; allowed is n/t with n in {}..{} and t in {}..2n-1", to_string(format),
+      design.name, hls::IntBits::min_coord, hls::IntBits::max_coord, hls::IntBits::min_interval));
 }
 
 }  // namespace
 
-Graph Design::trace(hls::IntBits bits) const {
-  Graph (*const found)() = traced(bits);
-  if (found == nullptr) no_such_format(name, bits);
+Format Design::default_format() const {
+  return is_float() ? Format::fp32() : Format(hls::IntBits{});
+}
+
+Format Design::parse_format(std::string_view text) const {
+  if (text == to_string(Format::fp32())) {
+    if (!is_float()) no_such_format(*this, Format::fp32());
+    return Format::fp32();
+  }
+  const Format format = parse_bits(text);
+  if (is_float()) no_such_format(*this, format);
+  return format;
+}
+
+Graph Design::trace(Format format) const {
+  Graph (*const found)() = traced(format);
+  if (found == nullptr) no_such_format(*this, format);
   return found();
 }
 
-Evaluate Design::evaluate(hls::IntBits bits) const {
-  const Evaluate found = native(bits);
-  if (found == nullptr) no_such_format(name, bits);
+Evaluate Design::evaluate(Format format) const {
+  const Evaluate found = native(format);
+  if (found == nullptr) no_such_format(*this, format);
   return found;
 }
 
@@ -49,25 +62,6 @@ const Design& find_design(std::string_view name) {
     names.push_back(d.name);
   }
   throw std::runtime_error(fmt::format("design {}: unknown; there are: {}", name, fmt::join(names, ", ")));
-}
-
-hls::IntBits parse_bits(std::string_view text) {
-  hls::IntBits bits{.coord = 0, .interval = 0};
-  const char* const end = text.data() + text.size();
-  const auto [slash, bad_coord] = std::from_chars(text.data(), end, bits.coord);
-  bool good = bad_coord == std::errc{} && slash != end && *slash == '/';
-  if (good) {
-    const auto [rest, bad_interval] = std::from_chars(slash + 1, end, bits.interval);
-    good = bad_interval == std::errc{} && rest == end;
-  }
-  if (!good || !bits.valid()) {
-    throw std::runtime_error(fmt::format("bits {}: allowed is {}, for example 20/24", text, allowed_bits()));
-  }
-  return bits;
-}
-
-std::string to_string(hls::IntBits bits) {
-  return fmt::format("{}/{}", bits.coord, bits.interval);
 }
 
 }  // namespace hitpipe::rtl

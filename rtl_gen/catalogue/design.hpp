@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "hls/box/int_format.hpp"
+#include "hls/box/arithmetic.hpp"
+#include "rtl_gen/catalogue/format.hpp"
 #include "rtl_gen/graph/graph.hpp"
 
 namespace hitpipe::rtl {
@@ -18,14 +19,21 @@ namespace hitpipe::rtl {
 using Evaluate = bool (*)(const std::int64_t* operands);
 
 struct Design {
-  std::string_view name;               ///< also the Verilog module's
-  std::string_view summary;            ///< one line, with its figures in the thesis
-  Graph (*(*traced)(hls::IntBits))();  ///< null for a format it does not have
-  Evaluate (*native)(hls::IntBits);    ///< likewise
+  std::string_view name;         ///< also the Verilog module's
+  std::string_view summary;      ///< one line, with its figures in the thesis
+  hls::Arithmetic arithmetic;    ///< decides the formats it has
+  Graph (*(*traced)(Format))();  ///< null for a format it does not have
+  Evaluate (*native)(Format);    ///< likewise
 
+  [[nodiscard]] bool is_float() const { return arithmetic == hls::Arithmetic::floating; }
+  /// 20/24, or binary32.
+  [[nodiscard]] Format default_format() const;
+  /// A format of this design as a user writes it. Throws std::runtime_error, one line, that says what is
+  /// allowed.
+  [[nodiscard]] Format parse_format(std::string_view text) const;
   /// Both throw std::runtime_error, one line, when there is no such format.
-  [[nodiscard]] Graph trace(hls::IntBits bits) const;
-  [[nodiscard]] Evaluate evaluate(hls::IntBits bits) const;
+  [[nodiscard]] Graph trace(Format format) const;
+  [[nodiscard]] Evaluate evaluate(Format format) const;
 };
 
 [[nodiscard]] std::span<const Design> designs();
@@ -39,9 +47,5 @@ struct Port {
 };
 /// A graph's inputs, in order.
 [[nodiscard]] std::vector<Port> input_ports(const Graph& graph);
-
-/// "20/24". Throws std::runtime_error naming the text and what is allowed.
-[[nodiscard]] hls::IntBits parse_bits(std::string_view text);
-[[nodiscard]] std::string to_string(hls::IntBits bits);
 
 }  // namespace hitpipe::rtl

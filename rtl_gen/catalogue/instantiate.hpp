@@ -1,12 +1,15 @@
-// Makes the n/t instances of an integer pipeline, so that --bits can be chosen at run time: tables of
-// functions, one for tracing and one for the host, in translation units of their own because there are 864
-// formats.
+// Makes the instances of a pipeline, so that a format can be chosen at run time: of an integer pipeline
+// tables of functions, one for tracing and one for the host, in translation units of their own because there
+// are 864 n/t formats; of a float pipeline the one of binary32.
 #pragma once
 
 #include <array>
 #include <utility>
 
+#include "hls/box/arithmetic.hpp"
+#include "hls/box/fp_format.hpp"
 #include "hls/box/int_format.hpp"
+#include "rtl_gen/catalogue/format.hpp"
 
 namespace hitpipe::rtl {
 
@@ -59,10 +62,15 @@ typename Make::Entry of_bits(hls::IntBits bits, std::integer_sequence<int, I...>
 
 /// The function that Make gives for a format; null when the format is out of range or not built.
 template <class Make>
-typename Make::Entry for_format(hls::IntBits bits) {
-  if (!bits.valid()) return nullptr;
-  return detail::of_bits<Make>(
-      bits, std::make_integer_sequence<int, hls::IntBits::max_coord - hls::IntBits::min_coord + 1>{});
+typename Make::Entry for_format(Format format) {
+  if constexpr (Make::arithmetic == hls::Arithmetic::floating) {
+    return format.is_float() ? Make::template entry<hls::Fp32>() : nullptr;
+  } else {
+    if (format.is_float() || !format.bits().valid()) return nullptr;
+    return detail::of_bits<Make>(
+        format.bits(),
+        std::make_integer_sequence<int, hls::IntBits::max_coord - hls::IntBits::min_coord + 1>{});
+  }
 }
 
 }  // namespace hitpipe::rtl

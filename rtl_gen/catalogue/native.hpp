@@ -20,6 +20,7 @@ bool native(const std::int64_t* operands) {
 
 template <class Pipeline>
 struct MakeNative {
+  static constexpr hls::Arithmetic arithmetic = Pipeline::arithmetic;
   using Entry = bool (*)(const std::int64_t*);
   template <class F>
   static constexpr Entry entry() {

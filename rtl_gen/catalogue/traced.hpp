@@ -3,6 +3,7 @@
 
 #include "rtl_gen/catalogue/instantiate.hpp"
 #include "rtl_gen/graph/trace.hpp"
+#include "rtl_gen/graph/trace_fp.hpp"
 
 namespace hitpipe::rtl {
 
@@ -21,6 +22,7 @@ Graph traced() {
 
 template <class Pipeline>
 struct MakeTraced {
+  static constexpr hls::Arithmetic arithmetic = Pipeline::arithmetic;
   using Entry = Graph (*)();
   template <class F>
   static constexpr Entry entry() {

@@ -42,6 +42,7 @@ std::vector<int> needed_low_bits(const Graph& graph) {
       case Op::mul:
       case Op::less:
       case Op::equal:
+      case Op::call:
         for (const NodeId arg : n.operands()) ask(arg, graph[arg].width);
         break;
       case Op::mux:
@@ -74,12 +75,13 @@ class Rebuild {
   NodeId visit(NodeId old) {
     if (done_[old] != no_node) return done_[old];
     const Node& n = from_[old];
-    const NodeId made = make(n, need_[old]);
+    const NodeId made = make(old, need_[old]);
     to_.annotate(made, n.name, n.source);
     return done_[old] = made;
   }
 
-  NodeId make(const Node& n, int bits) {
+  NodeId make(NodeId old, int bits) {
+    const Node& n = from_[old];
     const auto width = [&](int i) { return from_[n.args[static_cast<std::size_t>(i)]].width; };
     switch (n.op) {
       case Op::input:
@@ -104,6 +106,12 @@ class Rebuild {
         const NodeId if_zero = low_bits(n.args[2], bits);
         to_.begin_stage(n.min_stage);
         return to_.mux(select, if_one, if_zero);
+      }
+      case Op::call: {
+        std::vector<NodeId> operands;
+        for (const NodeId arg : n.operands()) operands.push_back(low_bits(arg, from_[arg].width));
+        to_.begin_stage(n.min_stage);
+        return to_.call(from_.unit_of(old), operands);
       }
       default: {
         const bool whole = n.op == Op::mul || n.op == Op::less || n.op == Op::equal;

@@ -54,6 +54,8 @@ std::string_view op_name(Op op) {
       return "eq";
     case Op::mux:
       return "mux";
+    case Op::call:
+      return "call";
   }
   return "?";
 }
@@ -64,7 +66,8 @@ NodeId Graph::record(Node node) {
         fmt::format("graph {}: a value of {} bits, allowed are 1 to {}", name_, node.width, max_width));
   }
   node.min_stage = is_root(node.op) && node.op != Op::input ? min_stage_ : 0;
-  const Key key{node.op, node.width, node.is_signed, node.low, node.value, node.args, node.min_stage};
+  const Key key{node.op,   node.width, node.is_signed, node.low,
+                node.unit, node.value, node.args,      node.min_stage};
   if (node.op != Op::input) {
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
   }
@@ -173,6 +176,31 @@ NodeId Graph::mux(NodeId select, NodeId if_one, NodeId if_zero) {
   return record({.op = Op::mux, .width = nodes_[if_one].width, .args = {select, if_one, if_zero}});
 }
 
+NodeId Graph::call(const std::shared_ptr<const Unit>& unit, std::span<const NodeId> operands) {
+  const Graph& body = unit->body;
+  if (body.outputs().size() != 1 || operands.size() != body.inputs().size() || operands.empty() ||
+      operands.size() > 3) {
+    throw std::invalid_argument(fmt::format(
+        "graph {}: {} takes {} operands and gives {} results, a call has 1 to 3 and 1; here are {}", name_,
+        body.name(), body.inputs().size(), body.outputs().size(), operands.size()));
+  }
+  const NodeId result = body.outputs().front().node;
+  Node n{.op = Op::call, .width = body[result].width};
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    const int wanted = body[body.inputs()[i]].width;
+    if (nodes_[operands[i]].width != wanted) {
+      throw std::invalid_argument(fmt::format("graph {}: operand {} of {} has {} bits, not {}", name_, i,
+                                              body.name(), nodes_[operands[i]].width, wanted));
+    }
+    n.args[i] = operands[i];
+  }
+  const auto same = [&](const auto& known) { return known->body.name() == body.name(); };
+  const auto found = std::find_if(units_.begin(), units_.end(), same);
+  n.unit = static_cast<int>(found - units_.begin());
+  if (found == units_.end()) units_.push_back(unit);
+  return record(std::move(n));
+}
+
 void Graph::output(std::string_view name, NodeId node) {
   outputs_.push_back({std::string(name), node});
 }
@@ -193,12 +221,14 @@ std::string to_text(const Graph& graph) {
     for (const NodeId arg : n.operands()) text += fmt::format(" %{}", arg);
     if (n.op == Op::slice) text += fmt::format(" [{}:{}]", n.low + n.width - 1, n.low);
     if (n.op == Op::constant) text += fmt::format(" {:#x}", n.value);
+    if (n.op == Op::call) text += fmt::format(" {}", graph.unit_of(id)->body.name());
     if (n.min_stage > 0) text += fmt::format(" stage>={}", n.min_stage);
     if (!n.name.empty()) text += fmt::format("  {}", n.name);
     if (n.source.line != 0) text += fmt::format(" @ {}:{}", n.source.file, n.source.line);
     text += '\n';
   }
   for (const Output& out : graph.outputs()) text += fmt::format("output {} %{}\n", out.name, out.node);
+  for (const auto& unit : graph.units()) text += to_text(unit->body);
   return text;
 }
 
@@ -264,6 +294,12 @@ std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uin
       case Op::mux:
         v = a != 0 ? b : value[n.args[2]];
         break;
+      case Op::call: {
+        std::vector<std::uint64_t> operands;
+        for (const NodeId arg : n.operands()) operands.push_back(value[arg]);
+        v = evaluate(graph.unit_of(id)->body, operands).front();
+        break;
+      }
     }
     value[id] = v & low_mask(n.width);
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,7 +36,8 @@ enum class Op : std::uint8_t {
   mul,   ///< width(a) + width(b), both signed or both unsigned
   less,  ///< 1 bit, a < b, operands of one width
   equal,
-  mux,  ///< a ? b : c
+  mux,   ///< a ? b : c
+  call,  ///< a unit, a component with logic of its own, of up to three operands
 };
 
 [[nodiscard]] std::string_view op_name(Op op);
@@ -58,6 +60,7 @@ struct Node {
   int width = 1;
   bool is_signed = false;   ///< extend, mul, less: operands are two's complement; input: the port is
   int low = 0;              ///< slice: lowest bit taken
+  int unit = -1;            ///< call: which of the graph's units
   std::uint64_t value = 0;  ///< constant, at most 64 bits
   std::array<NodeId, 3> args{no_node, no_node, no_node};
   std::string name{};  ///< from the C++, may be empty
@@ -77,6 +80,8 @@ struct Output {
   NodeId node;
 };
 
+struct Unit;
+
 class Graph {
  public:
   explicit Graph(std::string name) : name_(std::move(name)) {}
@@ -91,6 +96,8 @@ class Graph {
   NodeId invert(NodeId a);
   NodeId binary(Op op, NodeId a, NodeId b, bool is_signed = false);
   NodeId mux(NodeId select, NodeId if_one, NodeId if_zero);
+  /// The unit's only output. Units of one body name are one unit.
+  NodeId call(const std::shared_ptr<const Unit>& unit, std::span<const NodeId> operands);
   void output(std::string_view name, NodeId node);
 
   /// Names a value unless it has a name already (inputs keep their port's).
@@ -103,17 +110,30 @@ class Graph {
   [[nodiscard]] NodeId size() const { return static_cast<NodeId>(nodes_.size()); }
   [[nodiscard]] const std::vector<NodeId>& inputs() const { return inputs_; }
   [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }
+  [[nodiscard]] const std::vector<std::shared_ptr<const Unit>>& units() const { return units_; }
+  /// Of a node that is a call.
+  [[nodiscard]] const std::shared_ptr<const Unit>& unit_of(NodeId id) const {
+    return units_[static_cast<std::size_t>(nodes_[id].unit)];
+  }
 
  private:
-  using Key = std::tuple<Op, int, bool, int, std::uint64_t, std::array<NodeId, 3>, int>;
+  using Key = std::tuple<Op, int, bool, int, int, std::uint64_t, std::array<NodeId, 3>, int>;
   NodeId record(Node node);
 
   std::string name_;
   std::vector<Node> nodes_;
   std::vector<NodeId> inputs_;
   std::vector<Output> outputs_;
+  std::vector<std::shared_ptr<const Unit>> units_;
   std::map<Key, NodeId> known_;
   int min_stage_ = 0;
+};
+
+/// A component whose inside is a graph too, such as a float operator: emitted as a module of its own.
+struct Unit {
+  std::string component;  ///< the library's name for it, e.g. "fp_subtract"
+  int bits;               ///< the width it is looked up at
+  Graph body;             ///< canonical; its name, e.g. "fp_subtract_8_23", tells units apart; one output
 };
 
 /// One line a node: "%7 = sub:24 %1 %4  dx0 @ hls/pipelines/int_slabs.hpp:33".

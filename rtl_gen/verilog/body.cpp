@@ -66,12 +66,13 @@ Body::Body(const Graph& graph, const Schedule& schedule, const Placement& placem
   write_unused();
 }
 
-bool Body::is_instance(NodeId id) const {
+bool Body::is_pipelined_multiplier(NodeId id) const {
   return graph_[id].op == Op::mul && schedule_.slots[id].latched;
 }
 
 BitSpan Body::declared(NodeId root) const {
-  return is_instance(root) ? used_span(graph_, placement_, root) : BitSpan{graph_[root].width - 1, 0};
+  return is_pipelined_multiplier(root) ? used_span(graph_, placement_, root)
+                                       : BitSpan{graph_[root].width - 1, 0};
 }
 
 std::string Body::source_comment(NodeId id) const {
@@ -182,6 +183,26 @@ void Body::write_multiplier(NodeId id) {
                        expression(n.args[0], slot.stage), expression(n.args[1], slot.stage), names_[id]);
 }
 
+void Body::write_unit(NodeId id) {
+  const Slot& slot = schedule_.slots[id];
+  const std::shared_ptr<const Unit>& unit = graph_.unit_of(id);
+  const Graph& body = unit->body;
+  const std::string module = fmt::format("{}_{}", options_.prefix, body.name());
+  const UnitUse use{unit, slot.finish - slot.stage + 1};
+  units_.try_emplace(module, use);
+  std::string operands;
+  for (std::size_t i = 0; i < body.inputs().size(); ++i) {
+    operands +=
+        fmt::format(".{}({}), ", body[body.inputs()[i]].name, expression(graph_[id].args[i], slot.stage));
+  }
+  const std::string clocked = use.stages > 1 ? fmt::format(".clk(clk), .en({}), ", options_.enable) : "";
+  text_ += fmt::format("  wire {}{};  // there in stage {}\n", vector_range(graph_[id].width), names_[id],
+                       slot.finish);
+  text_ += fmt::format("  {} {} ({}{}.{}({}));\n", module,
+                       claim(fmt::format("{}_{}", unit->component, names_[id])), clocked, operands,
+                       body.outputs().front().name, names_[id]);
+}
+
 void Body::write_registers(int boundary) {
   std::string load;
   for (const Register& r : placement_.registers) {
@@ -200,8 +221,10 @@ void Body::write_stage(int stage) {
   text_ += fmt::format("\n  // Stage {}.\n", stage);
   for (NodeId id = 0; id < graph_.size(); ++id) {
     if (!is_root(graph_[id].op) || graph_[id].op == Op::input || schedule_.slots[id].stage != stage) continue;
-    if (is_instance(id)) {
+    if (is_pipelined_multiplier(id)) {
       write_multiplier(id);
+    } else if (graph_[id].op == Op::call) {
+      write_unit(id);
     } else {
       write_value(id);
     }

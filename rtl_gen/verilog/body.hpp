@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,6 +22,12 @@ struct BodyOptions {
   std::set<std::string> taken{};  ///< names that are not free
 };
 
+/// A unit that a body has instances of.
+struct UnitUse {
+  std::shared_ptr<const Unit> unit;
+  int stages;  ///< 1 and combinational, or pipelined
+};
+
 class Body {
  public:
   /// The graph, schedule and placement must outlive the body.
@@ -31,12 +38,15 @@ class Body {
   [[nodiscard]] std::string expression(NodeId value, int stage) const;
   /// The pipelined multipliers it has instances of, and the names of their modules.
   [[nodiscard]] const std::map<MultiplierShape, std::string>& multipliers() const { return multipliers_; }
+  /// The same for units, by the names of their modules.
+  [[nodiscard]] const std::map<std::string, UnitUse>& units() const { return units_; }
 
  private:
   void write_stage(int stage);
   void write_registers(int boundary);
   void write_value(NodeId id);
   void write_multiplier(NodeId id);
+  void write_unit(NodeId id);
   void write_unused();
   [[nodiscard]] std::string expression(NodeId value, int high, int low, int stage) const;
   [[nodiscard]] std::string bits_of(NodeId root, int high, int low, int stage) const;
@@ -45,10 +55,10 @@ class Body {
   [[nodiscard]] const std::string& register_name(const Register& r) const;  ///< of one in the placement
   [[nodiscard]] std::string wished_name(const Register& r) const;
   [[nodiscard]] std::string source_comment(NodeId id) const;
-  /// The bits an unlatched value is declared with: a pipelined component leaves out low bits that nobody
+  /// The bits an unlatched value is declared with: a pipelined multiplier leaves out low bits that nobody
   /// reads.
   [[nodiscard]] BitSpan declared(NodeId root) const;
-  [[nodiscard]] bool is_instance(NodeId id) const;
+  [[nodiscard]] bool is_pipelined_multiplier(NodeId id) const;
 
   const Graph& graph_;
   const Schedule& schedule_;
@@ -58,6 +68,7 @@ class Body {
   std::vector<std::string> names_;      ///< by node
   std::vector<std::string> registers_;  ///< by their place in the placement
   std::map<MultiplierShape, std::string> multipliers_;
+  std::map<std::string, UnitUse> units_;
   std::string text_;
 };
 

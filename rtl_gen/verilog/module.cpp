@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "rtl_gen/component/multiplier.hpp"
+#include "rtl_gen/schedule/balance.hpp"
 #include "rtl_gen/verilog/body.hpp"
 
 namespace hitpipe::rtl {
@@ -24,24 +25,33 @@ std::string port_list(const Graph& graph, const std::vector<std::string>& fixed)
   return fmt::format("{}", fmt::join(ports, ",\n  "));
 }
 
-std::string multiplier_module(const MultiplierShape& shape, const std::string& name) {
-  const Graph graph = multiplier(shape, name);
-  const Schedule schedule = schedule_as_stated(graph, shape.stages);
+/// A component inside a pipeline: its operands come out of latches, its result is latched outside.
+std::string component_module(const Graph& graph, const Schedule& schedule, const std::string& name) {
   const Placement placement = place_registers(graph, schedule, Ports::direct);
-  const bool clocked = !placement.registers.empty();
-  Body body(graph, schedule, placement, {.prefix = name, .enable = "en"});
-
-  std::string text = fmt::format(
-      "// {} x {} bits{}, {} stages; p is bits {}:{} of the product, not latched.\n", shape.width_a,
-      shape.width_b, shape.is_signed ? " signed" : "", shape.stages, shape.high, shape.low);
+  const Body body(graph, schedule, placement, {.prefix = name, .enable = "en"});
   std::vector<std::string> fixed;
-  if (clocked) fixed = {"input  wire clk", "input  wire en"};
-  text += fmt::format("module {} (\n  {}\n);\n", name, port_list(graph, fixed));
+  if (!placement.registers.empty()) fixed = {"input  wire clk", "input  wire en"};
+  std::string text = fmt::format("module {} (\n  {}\n);\n", name, port_list(graph, fixed));
   text += body.text();
   for (const Output& out : graph.outputs()) {
     text += fmt::format("  assign {} = {};\n", out.name, body.expression(out.node, schedule.stages));
   }
   return text + "endmodule\n";
+}
+
+std::string multiplier_module(const MultiplierShape& shape, const std::string& name) {
+  const std::string what = fmt::format(
+      "// {} x {} bits{}, {} stages; p is bits {}:{} of the product, not latched.\n", shape.width_a,
+      shape.width_b, shape.is_signed ? " signed" : "", shape.stages, shape.high, shape.low);
+  const Graph graph = multiplier(shape, name);
+  return what + component_module(graph, schedule_as_stated(graph, shape.stages), name);
+}
+
+std::string unit_module(const UnitUse& use, const std::string& name) {
+  const std::string what = use.stages > 1 ? fmt::format("\n// {}: {} stages; the result is not latched.\n",
+                                                        use.unit->body.name(), use.stages)
+                                          : fmt::format("\n// {}: combinational.\n", use.unit->body.name());
+  return what + component_module(use.unit->body, balance(use.unit->body, use.stages), name);
 }
 
 }  // namespace
@@ -90,10 +100,11 @@ std::string to_verilog(const Pipeline& pipeline, const Library& library, const V
     text += fmt::format("  assign {} = {};\n", out.name, body.expression(out.node, last + 1));
   }
   text += "endmodule\n";
-  if (!body.multipliers().empty()) {
+  if (!body.multipliers().empty() || !body.units().empty()) {
     // A design is one file to copy; its components are in it, below it.
     text += "\n/* verilator lint_off DECLFILENAME */\n";
     for (const auto& [shape, module] : body.multipliers()) text += multiplier_module(shape, module);
+    for (const auto& [module, use] : body.units()) text += unit_module(use, module);
     text += "\n/* verilator lint_on DECLFILENAME */\n";
   }
   return text;

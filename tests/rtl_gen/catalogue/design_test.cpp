@@ -59,8 +59,35 @@ TEST(Design, FormatThatIsNotThereRejected) {
   if (!is_built({21, 22})) expect_rejected({21, 22}, "21/22");
 }
 
-TEST(Design, HasEveryFormatThatIsBuilt) {
-  const Design& design = find_design("int_slabs");
+TEST(Design, FloatDesignsHaveBinary32Only) {
+  const Design& design = find_design("fp_slabs");
+  EXPECT_EQ(to_string(design.default_format()), "fp32");
+  EXPECT_EQ(design.parse_format("fp32"), Format::fp32());
+  const std::string message = "bits 20/24: fp_slabs computes in floats; its only format is fp32";
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("20/24")); }),
+            message);
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace({20, 24})); }), message);
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.evaluate({20, 24})); }), message);
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("fp64")); }),
+            "bits fp64: allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
+}
+
+TEST(Design, IntegerDesignsHaveNoBinary32) {
+  const Design& design = find_design("int_plucker");
+  EXPECT_EQ(to_string(design.default_format()), "20/24");
+  EXPECT_EQ(design.parse_format("12/14"), Format(12, 14));
+  const std::string message =
+      "bits fp32: no such format of int_plucker; allowed is n/t with n in 6..32 and t in 6..2n-1";
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("fp32")); }), message);
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(Format::fp32())); }),
+            message);
+}
+
+class EveryIntegerDesign : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Designs, EveryIntegerDesign, testing::Values("int_slabs", "int_plucker"));
+
+TEST_P(EveryIntegerDesign, HasEveryFormatThatIsBuilt) {
+  const Design& design = find_design(GetParam());
   int built = 0;
   for (int n = 0; n <= 40; ++n) {
     for (int t = 0; t <= 80; ++t) {

@@ -1,6 +1,5 @@
 // The integer slabs pipeline against figures 7.4-7.6 and Table 7.2 of the thesis: stages, clock, components,
 // latches.
-#include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -8,52 +7,13 @@
 
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/message_of.hpp"
+#include "tests/rtl_gen/schedule/figures.hpp"
 
 namespace hitpipe::rtl {
 namespace {
 
 Pipeline int_slabs(int n, int t) {
   return int_slabs_pipeline({n, t});
-}
-
-/// "3 x 24, 1 x 1" for each boundary.
-std::vector<std::string> latches_by_boundary(const Pipeline& p) {
-  std::vector<std::map<int, int, std::greater<>>> counts(static_cast<std::size_t>(p.schedule.stages) + 1);
-  for (const Register& r : p.placement.registers) ++counts[static_cast<std::size_t>(r.boundary)][r.width()];
-  std::vector<std::string> text;
-  for (const auto& widths : counts) {
-    text.emplace_back();
-    for (const auto& [width, count] : widths) {
-      text.back() += fmt::format("{}{} x {}", text.back().empty() ? "" : ", ", count, width);
-    }
-  }
-  return text;
-}
-
-/// Latches of a width, and components of a name, over the whole pipeline: the rows of Table 7.2.
-std::map<std::string, int> table_7_2(const Pipeline& p) {
-  std::map<std::string, int> counts;
-  for (const Register& r : p.placement.registers) ++counts[fmt::format("latch_{}", r.width())];
-  for (NodeId id = 0; id < p.graph.size(); ++id) {
-    if (!is_component(p.graph[id].op)) continue;
-    const ComponentUse use = component_of(p.graph, id);
-    ++counts[fmt::format("{}_{}", component_name(use.component), use.bits)];
-  }
-  return counts;
-}
-
-NodeId node_named(const Graph& graph, std::string_view name) {
-  for (NodeId id = 0; id < graph.size(); ++id) {
-    if (graph[id].name == name) return id;
-  }
-  ADD_FAILURE() << "no node is called " << name;
-  return 0;
-}
-
-int times_latched(const Pipeline& p, std::string_view name) {
-  int times = 0;
-  for (const Register& r : p.placement.registers) times += p.graph[r.value].name == name ? 1 : 0;
-  return times;
 }
 
 TEST(IntSlabs2424, HasTheThesissStagesAndClock) {

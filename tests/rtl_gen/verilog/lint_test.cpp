@@ -1,4 +1,4 @@
-// Verilator, Yosys and Icarus take every format's Verilog without a word.
+// Verilator, Yosys and Icarus take every design's Verilog without a word.
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/files.hpp"
@@ -8,38 +8,38 @@
 namespace hitpipe::rtl {
 namespace {
 
-class Lint : public testing::TestWithParam<const char*> {
+class Lint : public testing::TestWithParam<DesignFormat> {
  protected:
   void SetUp() override {
-    const hls::IntBits bits = parse_bits(GetParam());
     write_files(folder.path(),
-                emit(find_design("int_slabs"), bits, Library::thesis(), int_slabs_pipeline(bits)));
+                emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline()));
   }
-  void expect_silence(const ToolResult& result) {
+  void expect_silence(const std::string& package, const std::string& program, const std::string& arguments) {
+    const ToolResult result = run_tool(folder.path(), package, program, arguments);
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.output, "");
   }
 
+  const std::string name = GetParam().design;
   ScratchFolder folder;
 };
 
 TEST_P(Lint, VerilatorIsSilent) {
-  expect_silence(run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall int_slabs.v"));
+  expect_silence("verilator", "verilator", "--lint-only -Wall " + name + ".v");
 }
 
 TEST_P(Lint, YosysIsSilent) {
   expect_silence(
-      run_tool(folder.path(), "yosys", "yosys",
-               "-q -p 'read_verilog int_slabs.v; hierarchy -check -top int_slabs; proc; check -assert'"));
+      "yosys", "yosys",
+      "-q -p 'read_verilog " + name + ".v; hierarchy -check -top " + name + "; proc; check -assert'");
 }
 
 TEST_P(Lint, IcarusIsSilent) {
-  expect_silence(run_tool(folder.path(), "iverilog", "iverilog", "-g2001 -Wall -o design int_slabs.v"));
-  expect_silence(run_tool(folder.path(), "iverilog", "iverilog",
-                          "-g2001 -Wall -o testbench tb/int_slabs_tb.v int_slabs.v"));
+  expect_silence("iverilog", "iverilog", "-g2001 -Wall -o design " + name + ".v");
+  expect_silence("iverilog", "iverilog", "-g2001 -Wall -o testbench tb/" + name + "_tb.v " + name + ".v");
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Lint, tested_formats(), format_suffix);
+INSTANTIATE_TEST_SUITE_P(Designs, Lint, testing::ValuesIn(every_design()), design_suffix);
 
 /// A design with one line replaced.
 class LintOfADamagedDesign : public testing::Test {

@@ -1,0 +1,30 @@
+// Yosys synthesises every design: nothing is left that has no gates, no latch, no wire without a driver.
+#include <gtest/gtest.h>
+
+#include "rtl_gen/emit/files.hpp"
+#include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+class Synth : public testing::TestWithParam<DesignFormat> {};
+
+// Without ABC, which only makes it smaller: bench/synth.sh has the whole.
+TEST_P(Synth, YosysMapsItToGates) {
+  const auto& [design, format] = GetParam();
+  const ScratchFolder folder;
+  write_files(folder.path(),
+              emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline()));
+  const ToolResult result = run_tool(folder.path(), "yosys", "yosys",
+                                     "-q -p 'read_verilog " + design + ".v; synth -noabc -top " + design +
+                                         "; check -assert; select -assert-none t:$* t:$_* %d; "
+                                         "select -assert-none t:$_DLATCH*; select -assert-any t:$_DFF*'");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, Synth, testing::ValuesIn(every_design({"20/24"})), design_suffix);
+
+}  // namespace
+}  // namespace hitpipe::rtl
