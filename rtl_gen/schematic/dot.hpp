@@ -3,11 +3,24 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "rtl_gen/pipeline.hpp"
 
 namespace hitpipe::rtl {
 
 [[nodiscard]] std::string to_dot(const Pipeline& pipeline, const std::string& title);
+
+/// Stages first..last.
+struct StageRange {
+  int first;
+  int last;
+};
+
+/// The pipeline cut where components begin their work, as the thesis cuts its figures: 1-7, 8-12, 13.
+[[nodiscard]] std::vector<StageRange> stage_groups(const Pipeline& pipeline);
+
+/// One group, to be laid beside a figure: what comes into it stands by its name wherever it is read.
+[[nodiscard]] std::string to_dot(const Pipeline& pipeline, const std::string& title, StageRange range);
 
 }  // namespace hitpipe::rtl
