@@ -20,24 +20,26 @@ struct RtlOptions {
   std::string out;
   std::string library;
   std::optional<int> clock_ps;
+  bool axi_stream = false;
   Format format = Format::text;
 };
 
 void emit_rtl(const RtlOptions& options) {
   const rtl::Design& design = options.choice.design();
-  const hls::IntBits bits = options.choice.bits();
+  const rtl::Format format = options.choice.format();
   const rtl::Library library =
       options.library.empty() ? rtl::Library::thesis() : rtl::Library::load(options.library);
-  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(bits), library, options.clock_ps);
-  std::vector<rtl::File> files = rtl::emit(design, bits, library, pipeline);
-  files.push_back(rtl::draw(files));
+  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
+  std::vector<rtl::File> files =
+      rtl::emit(design, format, library, pipeline, {.axi_stream = options.axi_stream});
+  for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
   rtl::write_files(options.out, files);
 
   std::vector<std::string> names;
   for (const rtl::File& file : files)
     names.push_back((std::filesystem::path(options.out) / file.name).string());
   const Row row{{"design", design.name},
-                {"bits", rtl::to_string(bits)},
+                {"bits", rtl::to_string(format)},
                 {"stages", pipeline.schedule.stages},
                 {"latency", pipeline.latency()},
                 {"clock_ps", pipeline.schedule.clock_ps},
@@ -48,8 +50,8 @@ void emit_rtl(const RtlOptions& options) {
 }  // namespace
 
 void add_rtl_command(CLI::App& program) {
-  CLI::App* const command =
-      program.add_subcommand("rtl", "Write a design's Verilog, manifest, schematic, testbench and vectors");
+  CLI::App* const command = program.add_subcommand(
+      "rtl", "Write a design's Verilog, manifest, FuseSoC core, schematic, testbench and vectors");
   const auto options = std::make_shared<RtlOptions>();
   add_design_options(*command, options->choice);
   add_folder_option(*command, options->out, "Folder to write to; made if it is not there")->required();
@@ -59,6 +61,8 @@ void add_rtl_command(CLI::App& program) {
       ->type_name("FILE");
   add_count_option(*command, "--clock-ps", options->clock_ps, {1, 1'000'000'000},
                    "Clock period in picoseconds; by default what the slowest component needs");
+  command->add_flag("--axi-stream", options->axi_stream,
+                    "Also write an AXI4-Stream wrapper of the design, <design>_axis.v");
   add_format_option(*command, options->format);
   command->callback([options] { emit_rtl(*options); });
 }

@@ -11,6 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "rtl_gen/emit/axi_stream.hpp"
+#include "rtl_gen/emit/core_file.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/schematic/dot.hpp"
@@ -45,27 +47,7 @@ class ScratchFile {
   std::filesystem::path path_;
 };
 
-}  // namespace
-
-std::vector<File> emit(const Design& design, hls::IntBits bits, const Library& library,
-                       const Pipeline& pipeline) {
-  const std::vector<Port> ports = input_ports(pipeline.graph);
-  const std::string name(design.name);
-  const std::string title = fmt::format("{} {}: {} stages, {} ps", name, to_string(bits),
-                                        pipeline.schedule.stages, pipeline.schedule.clock_ps);
-  return {
-      {name + ".v", to_verilog(pipeline, library, {.module_name = name, .bits = to_string(bits)})},
-      {name + ".json", manifest(design, bits, pipeline, library)},
-      {name + ".dot", to_dot(pipeline, title)},
-      {"tb/" + name + "_tb.v", testbench(design, ports, vector_count)},
-      {"tb/" + name + "_vectors.hex", vector_file(ports, design.evaluate(bits), vector_count, vector_seed)}};
-}
-
-File draw(const std::vector<File>& files) {
-  const auto is_dot = [](const File& file) { return file.name.ends_with(".dot"); };
-  const auto found = std::find_if(files.begin(), files.end(), is_dot);
-  if (found == files.end()) throw std::invalid_argument("there is no schematic among the files");
-  const File& dot = *found;
+File drawing_of(const File& dot) {
   const ScratchFile source;
   {
     std::ofstream out(source.path());
@@ -84,6 +66,47 @@ File draw(const std::vector<File>& files) {
                                          WEXITSTATUS(status) == 127 ? "was not found" : "failed"));
   }
   return {std::filesystem::path(dot.name).replace_extension(".svg").string(), std::move(svg)};
+}
+
+}  // namespace
+
+std::vector<File> emit(const Design& design, Format format, const Library& library, const Pipeline& pipeline,
+                       const EmitOptions& options) {
+  const std::vector<Port> ports = input_ports(pipeline.graph);
+  const std::string name(design.name);
+  const std::string title = fmt::format("{} {}: {} stages, {} ps", name, to_string(format),
+                                        pipeline.schedule.stages, pipeline.schedule.clock_ps);
+  const int last = pipeline.schedule.stages;
+  std::vector<File> files{
+      {name + ".v", to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format)})},
+      {name + ".json", manifest(design, format, pipeline, library, options.axi_stream)},
+      {name + ".core", core_file(design, format, options.axi_stream)},
+      {name + ".dot", to_dot(pipeline, title)},
+      {"tb/" + name + "_tb.v", testbench(design, ports, vector_count)},
+      {"tb/" + name + "_vectors.hex",
+       vector_file(ports, design.evaluate(format), vector_count, vector_seed)}};
+  if (options.axi_stream) files.push_back({stream_module(design) + ".v", axi_stream(design, ports)});
+  const std::vector<StageRange> groups = stage_groups(pipeline);
+  for (const StageRange& group : groups) {
+    if (groups.size() == 1) break;
+    const std::string stages = group.first == group.last
+                                   ? fmt::format("stage_{}", group.first)
+                                   : fmt::format("stages_{}-{}", group.first, group.last);
+    std::string words = stages;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    files.push_back(
+        {fmt::format("{}_{}.dot", name, stages),
+         to_dot(pipeline, fmt::format("{} {}: {} of {}", name, to_string(format), words, last), group)});
+  }
+  return files;
+}
+
+std::vector<File> draw(const std::vector<File>& files) {
+  std::vector<File> drawings;
+  for (const File& file : files) {
+    if (file.name.ends_with(".dot")) drawings.push_back(drawing_of(file));
+  }
+  return drawings;
 }
 
 void write_files(const std::filesystem::path& folder, const std::vector<File>& files) {

@@ -1,4 +1,4 @@
-// A design as files: Verilog, manifest, schematic, testbench and its vectors.
+// A design as files: Verilog, manifest, FuseSoC core, schematic, testbench and its vectors.
 #pragma once
 
 #include <filesystem>
@@ -16,14 +16,19 @@ struct File {
   std::string contents;
 };
 
-/// <design>.v, .json, .dot, and in tb/ <design>_tb.v and _vectors.hex; the same bytes for the same design,
-/// format and library. `pipeline` is the design's at that format.
-[[nodiscard]] std::vector<File> emit(const Design& design, hls::IntBits bits, const Library& library,
-                                     const Pipeline& pipeline);
+struct EmitOptions {
+  bool axi_stream = false;  ///< also <design>_axis.v; core and manifest speak of it
+};
 
-/// <design>.svg: the schematic among the files, drawn by Graphviz's dot. Throws std::runtime_error when dot
-/// is missing or fails.
-[[nodiscard]] File draw(const std::vector<File>& files);
+/// <design>.v, .json, .core, .dot, a .dot for each group of stages, and in tb/ <design>_tb.v and
+/// _vectors.hex; the same bytes for the same design, format and library. `pipeline` is the design's at that
+/// format.
+[[nodiscard]] std::vector<File> emit(const Design& design, Format format, const Library& library,
+                                     const Pipeline& pipeline, const EmitOptions& options = {});
+
+/// An .svg for each .dot among the files, drawn by Graphviz's dot. Throws std::runtime_error when dot is
+/// missing or fails.
+[[nodiscard]] std::vector<File> draw(const std::vector<File>& files);
 
 /// Writes all files or none: each to a temporary name first, then renamed. Creates the folders.
 /// Throws std::runtime_error naming the file and the reason.

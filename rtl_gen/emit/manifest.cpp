@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "rtl_gen/emit/axi_stream.hpp"
+
 namespace hitpipe::rtl {
 
 namespace {
@@ -47,25 +49,40 @@ Json stages(const Pipeline& pipeline) {
   return list;
 }
 
+Json stream_json(const Design& design, const std::vector<Port>& ports) {
+  Json fields = Json::array();
+  for (const StreamField& field : stream_fields(ports))
+    fields.push_back({{"name", field.name}, {"offset", field.offset}, {"width", field.width}});
+  const auto hit = Json::array({{{"name", "hit"}, {"offset", 0}, {"width", 1}}});
+  return {{"module", stream_module(design)},
+          {"file", stream_module(design) + ".v"},
+          {"clock", "aclk, rising edge"},
+          {"reset", "aresetn, synchronous, active low"},
+          {"tid", "the tag, TAG_BITS"},
+          {"s_axis", {{"tdata_bits", stream_bits(ports)}, {"fields", fields}}},
+          {"m_axis", {{"tdata_bits", 8}, {"fields", hit}}}};
+}
+
 }  // namespace
 
-std::string manifest(const Design& design, hls::IntBits bits, const Pipeline& pipeline,
-                     const Library& library) {
+std::string manifest(const Design& design, Format format, const Pipeline& pipeline, const Library& library,
+                     bool stream) {
   const std::string name(design.name);
-  const Json json{{"design", name},
-                  {"bits", to_string(bits)},
-                  {"module", name},
-                  {"files", {name + ".v"}},
-                  {"clock", "clk, rising edge"},
-                  {"reset", "rst, synchronous, active high, valid bits only"},
-                  {"handshake", "valid/ready; results in order; the whole pipeline waits for out_ready"},
-                  {"parameters", {{"TAG_BITS", 16}}},
-                  {"ports", ports(pipeline.graph)},
-                  {"stages", pipeline.schedule.stages},
-                  {"latency", pipeline.latency()},
-                  {"clock_ps", pipeline.schedule.clock_ps},
-                  {"library", library.name()},
-                  {"by_stage", stages(pipeline)}};
+  Json json{{"design", name},
+            {"bits", to_string(format)},
+            {"module", name},
+            {"files", {name + ".v"}},
+            {"clock", "clk, rising edge"},
+            {"reset", "rst, synchronous, active high, valid bits only"},
+            {"handshake", "valid/ready; results in order; the whole pipeline waits for out_ready"},
+            {"parameters", {{"TAG_BITS", 16}}},
+            {"ports", ports(pipeline.graph)},
+            {"stages", pipeline.schedule.stages},
+            {"latency", pipeline.latency()},
+            {"clock_ps", pipeline.schedule.clock_ps},
+            {"library", library.name()},
+            {"by_stage", stages(pipeline)}};
+  if (stream) json["axi_stream"] = stream_json(design, input_ports(pipeline.graph));
   return json.dump(2) + "\n";
 }
 

@@ -11,7 +11,8 @@ namespace hitpipe::rtl {
 
 /// Keys: design, bits, module, files, clock, reset, handshake, ports (name, direction, width, signed),
 /// stages, latency, clock_ps, library, and per stage: components with their counts, latch bits at its end.
-[[nodiscard]] std::string manifest(const Design& design, hls::IntBits bits, const Pipeline& pipeline,
-                                   const Library& library);
+/// With `stream`, axi_stream: the wrapper's module, file, clock, reset, and the fields of its tdata and tid.
+[[nodiscard]] std::string manifest(const Design& design, Format format, const Pipeline& pipeline,
+                                   const Library& library, bool stream = false);
 
 }  // namespace hitpipe::rtl

@@ -109,6 +109,11 @@ module {0}_tb;
     $readmemh("{1}", vectors);
     clk = 1'b0; rst = 1'b1; in_valid = 1'b0; out_ready = 1'b0;
     sent = 16'd0; received = 16'd0; seed = 1; errors = 0; cycles = 0;
+    // Unread vectors would agree with themselves.
+    if (^{{vectors[0], vectors[COUNT-1]}} === 1'bx) begin
+      $display("FAIL {1}: not there, or not of %0d vectors", COUNT);
+      errors = 1;
+    end
     repeat (4) @(negedge clk);
     rst = 1'b0;
     while (received != COUNT && errors == 0 && cycles < 16 * COUNT + 1000) begin

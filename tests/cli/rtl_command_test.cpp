@@ -12,8 +12,19 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::vector<std::string> all_files{"int_slabs.dot", "int_slabs.json",    "int_slabs.svg",
-                                         "int_slabs.v",   "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex"};
+const std::vector<std::string> all_files{"int_slabs.core",
+                                         "int_slabs.dot",
+                                         "int_slabs.json",
+                                         "int_slabs.svg",
+                                         "int_slabs.v",
+                                         "int_slabs_stage_1.dot",
+                                         "int_slabs_stage_1.svg",
+                                         "int_slabs_stage_4.dot",
+                                         "int_slabs_stage_4.svg",
+                                         "int_slabs_stages_2-3.dot",
+                                         "int_slabs_stages_2-3.svg",
+                                         "tb/int_slabs_tb.v",
+                                         "tb/int_slabs_vectors.hex"};
 
 class RtlCommand : public testing::Test {
  protected:
@@ -22,11 +33,11 @@ class RtlCommand : public testing::Test {
 };
 
 TEST_F(RtlCommand, WritesAllFilesIntoAFreshFolder) {
-  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--bits", "24/24", "--out", out_.string()});
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--bits", "20/24", "--out", out_.string()});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(files_below(out_), all_files);
-  const hls::IntBits bits{24, 24};
+  const hls::IntBits bits{20, 24};
   const rtl::Design& design = rtl::find_design("int_slabs");
   const rtl::Library& library = rtl::Library::thesis();
   for (const rtl::File& file :
@@ -39,29 +50,41 @@ TEST_F(RtlCommand, WritesAllFilesIntoAFreshFolder) {
 TEST_F(RtlCommand, PrintsStagesClockAndFiles) {
   const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string()});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.out,
-            "design    int_slabs\n"
-            "bits      20/24\n"
-            "stages    4\n"
-            "latency   4\n"
-            "clock_ps  3,176\n"
-            "files     " +
-                (out_ / "int_slabs.v").string() +
-                "\n"
-                "          " +
-                (out_ / "int_slabs.json").string() +
-                "\n"
-                "          " +
-                (out_ / "int_slabs.dot").string() +
-                "\n"
-                "          " +
-                (out_ / "tb/int_slabs_tb.v").string() +
-                "\n"
-                "          " +
-                (out_ / "tb/int_slabs_vectors.hex").string() +
-                "\n"
-                "          " +
-                (out_ / "int_slabs.svg").string() + "\n");
+  std::string expected =
+      "design    int_slabs\n"
+      "bits      20/24\n"
+      "stages    4\n"
+      "latency   4\n"
+      "clock_ps  3,176\n";
+  const char* label = "files     ";
+  for (const char* file : {"int_slabs.v", "int_slabs.json", "int_slabs.core", "int_slabs.dot",
+                           "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex", "int_slabs_stage_1.dot",
+                           "int_slabs_stages_2-3.dot", "int_slabs_stage_4.dot", "int_slabs.svg",
+                           "int_slabs_stage_1.svg", "int_slabs_stages_2-3.svg", "int_slabs_stage_4.svg"}) {
+    expected += label + (out_ / file).string() + "\n";
+    label = "          ";
+  }
+  EXPECT_EQ(outcome.out, expected);
+}
+
+TEST_F(RtlCommand, WritesAFloatDesign) {
+  const Outcome outcome = run_hitpipe({"rtl", "fp_slabs", "--out", out_.string(), "--format", "json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto object = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(object.at("bits"), "fp32");
+  EXPECT_EQ(object.at("stages"), 13);
+  EXPECT_EQ(nlohmann::json::parse(contents_of(out_ / "fp_slabs.json")).at("bits"), "fp32");
+}
+
+TEST_F(RtlCommand, WritesTheAxiStreamWrapperOnlyWhenAsked) {
+  ASSERT_EQ(run_hitpipe({"rtl", "int_slabs", "--out", out_.string()}).exit_code, 0);
+  const std::string bare = contents_of(out_ / "int_slabs.v");
+  EXPECT_FALSE(std::filesystem::exists(out_ / "int_slabs_axis.v"));
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--axi-stream", "--out", out_.string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr((out_ / "int_slabs_axis.v").string() + "\n"));
+  EXPECT_THAT(contents_of(out_ / "int_slabs_axis.v"), HasSubstr("module int_slabs_axis #("));
+  EXPECT_EQ(contents_of(out_ / "int_slabs.v"), bare);
 }
 
 TEST_F(RtlCommand, PrintsCsv) {

@@ -30,7 +30,10 @@ TEST(Compilers, EmitTheSameBytes) {
   emit_with(HITPIPE_EMIT_ALL, folder / "one");
   emit_with(HITPIPE_EMIT_ALL_OTHER, folder / "other");
   const auto files = emitted_files(folder / "one");
-  EXPECT_EQ(files.size(), 25U) << "five files in five formats";
+  const auto wrappers = std::count_if(files.begin(), files.end(),
+                                      [](const std::string& file) { return file.ends_with("_axis.v"); });
+  EXPECT_EQ(wrappers, 12) << "two integer designs in five formats, two float designs in one";
+  EXPECT_GE(files.size(), 12U * 7U);
   EXPECT_EQ(emitted_files(folder / "other"), files);
   for (const std::string& file : files) {
     EXPECT_TRUE(read_text(folder / "one" / file) == read_text(folder / "other" / file)) << file << " differs";

@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "rtl_gen/emit/files.hpp"
 
@@ -12,15 +13,17 @@ int main(int argc, char** argv) {
   try {
     if (argc != 2) throw std::runtime_error("usage: emit_all FOLDER");
     for (const Design& design : designs()) {
-      for (const char* text : {"24/24", "20/24", "16/16", "6/11", "32/63"}) {
-        const auto bits = parse_bits(text);
-        std::string format = text;
-        std::replace(format.begin(), format.end(), '/', '_');
-        const Pipeline pipeline = make_pipeline(design.trace(bits), Library::thesis());
-        std::vector<File> files = emit(design, bits, Library::thesis(), pipeline);
+      const std::vector<std::string> formats =
+          design.is_float() ? std::vector<std::string>{to_string(design.default_format())}
+                            : std::vector<std::string>{"24/24", "20/24", "16/16", "6/11", "32/63"};
+      for (std::string folder : formats) {
+        const Format format = design.parse_format(folder);
+        std::replace(folder.begin(), folder.end(), '/', '_');
+        const Pipeline pipeline = make_pipeline(design.trace(format), Library::thesis());
+        std::vector<File> files = emit(design, format, Library::thesis(), pipeline, {.axi_stream = true});
         // As recorded, before canonical() has put it in order: the compilers may differ here.
-        files.push_back({"recorded.txt", to_text(design.trace(bits))});
-        write_files(std::filesystem::path(argv[1]) / std::string(design.name) / format, files);
+        files.push_back({"recorded.txt", to_text(design.trace(format))});
+        write_files(std::filesystem::path(argv[1]) / std::string(design.name) / folder, files);
       }
     }
   } catch (const std::exception& error) {

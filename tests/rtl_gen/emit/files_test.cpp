@@ -1,11 +1,13 @@
 // Files appear whole or not at all; the schematic is drawn by Graphviz.
 #include "rtl_gen/emit/files.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include "rtl_gen/schematic/dot.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/message_of.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -27,13 +29,48 @@ std::string told(const std::filesystem::path& folder, const std::vector<File>& f
   return message_of<std::runtime_error>([&] { write_files(folder, files); });
 }
 
-TEST(Emit, GivesTheFilesOfADesign) {
-  const auto files =
-      emit(find_design("int_slabs"), {20, 24}, Library::thesis(), int_slabs_pipeline({20, 24}));
+std::vector<std::string> emitted_names(const DesignFormat& d, const EmitOptions& options = {}) {
   std::vector<std::string> names;
-  for (const File& file : files) names.push_back(file.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"int_slabs.v", "int_slabs.json", "int_slabs.dot",
-                                             "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex"}));
+  for (const File& file : emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), options))
+    names.push_back(file.name);
+  return names;
+}
+
+TEST(Emit, GivesTheFilesOfADesign) {
+  EXPECT_EQ(
+      emitted_names({"int_slabs", "20/24"}),
+      (std::vector<std::string>{"int_slabs.v", "int_slabs.json", "int_slabs.core", "int_slabs.dot",
+                                "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex", "int_slabs_stage_1.dot",
+                                "int_slabs_stages_2-3.dot", "int_slabs_stage_4.dot"}));
+}
+
+TEST(Emit, GivesTheFilesOfAFloatDesign) {
+  EXPECT_EQ(
+      emitted_names({"fp_slabs", "fp32"}),
+      (std::vector<std::string>{"fp_slabs.v", "fp_slabs.json", "fp_slabs.core", "fp_slabs.dot",
+                                "tb/fp_slabs_tb.v", "tb/fp_slabs_vectors.hex", "fp_slabs_stages_1-7.dot",
+                                "fp_slabs_stages_8-12.dot", "fp_slabs_stage_13.dot"}));
+}
+
+TEST(Emit, AddsTheWrapperOnlyWhenAsked) {
+  for (const DesignFormat& d : every_design({"20/24"})) {
+    std::vector<std::string> names = emitted_names(d, {.axi_stream = true});
+    const auto wrapper = std::find(names.begin(), names.end(), d.design + "_axis.v");
+    ASSERT_NE(wrapper, names.end()) << d;
+    names.erase(wrapper);
+    EXPECT_EQ(names, emitted_names(d)) << d;
+  }
+}
+
+TEST(Emit, DrawsEveryGroupOfStagesOnce) {
+  for (const DesignFormat& d : every_design({"20/24", "24/24"})) {
+    const Pipeline pipeline = d.pipeline();
+    const auto files = emit(d.found(), d.parsed(), Library::thesis(), pipeline);
+    const auto drawings = std::count_if(files.begin(), files.end(),
+                                        [](const File& file) { return file.name.ends_with(".dot"); });
+    const std::size_t groups = stage_groups(pipeline).size();
+    EXPECT_EQ(static_cast<std::size_t>(drawings), 1 + (groups > 1 ? groups : 0)) << d;
+  }
 }
 
 TEST(WriteFiles, CreatesFoldersAndReplacesFiles) {
@@ -87,18 +124,20 @@ TEST(WriteFiles, AFailureKeepsWhatWasThere) {
   EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"a.v", "file"}));
 }
 
-TEST(Draw, MakesAnSvgOfTheSchematic) {
-  const File svg = draw({{"toy.v", ""}, {"toy.dot", "digraph toy { one -> two }"}});
-  EXPECT_EQ(svg.name, "toy.svg");
-  EXPECT_NE(svg.contents.find("<svg"), std::string::npos);
-  EXPECT_NE(svg.contents.find(">two</text>"), std::string::npos);
+TEST(Draw, MakesAnSvgOfEverySchematic) {
+  const auto drawings = draw({{"toy.v", ""},
+                              {"toy.dot", "digraph toy { one -> two }"},
+                              {"toy_stage_1.dot", "digraph toy { three -> four }"}});
+  ASSERT_EQ(drawings.size(), 2U);
+  EXPECT_EQ(drawings[0].name, "toy.svg");
+  EXPECT_NE(drawings[0].contents.find("<svg"), std::string::npos);
+  EXPECT_NE(drawings[0].contents.find(">two</text>"), std::string::npos);
+  EXPECT_EQ(drawings[1].name, "toy_stage_1.svg");
+  EXPECT_NE(drawings[1].contents.find(">four</text>"), std::string::npos);
 }
 
-TEST(Draw, NoSchematicRejected) {
-  EXPECT_EQ(message_of<std::invalid_argument>([] {
-              static_cast<void>(draw({{"toy.v", ""}}));
-            }),
-            "there is no schematic among the files");
+TEST(Draw, NothingToDrawGivesNothing) {
+  EXPECT_TRUE(draw({{"toy.v", ""}}).empty());
 }
 
 TEST(Draw, TextThatIsNoGraphRejected) {

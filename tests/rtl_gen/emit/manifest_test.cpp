@@ -1,6 +1,8 @@
 // The manifest is JSON and says what the graph, the schedule and the registers say.
 #include "rtl_gen/emit/manifest.hpp"
 
+#include <map>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -12,9 +14,10 @@ namespace {
 using Json = nlohmann::json;
 
 struct Emitted {
-  explicit Emitted(hls::IntBits bits)
-      : pipeline(int_slabs_pipeline(bits)),
-        json(Json::parse(manifest(find_design("int_slabs"), bits, pipeline, Library::thesis()))) {}
+  explicit Emitted(const DesignFormat& d)
+      : pipeline(d.pipeline()),
+        json(Json::parse(manifest(d.found(), d.parsed(), pipeline, Library::thesis()))) {}
+  explicit Emitted(hls::IntBits bits) : Emitted(DesignFormat{"int_slabs", to_string(Format(bits))}) {}
   Pipeline pipeline;
   Json json;
 };
@@ -78,10 +81,45 @@ TEST(Manifest, CountsComponentsAndLatchesByStage) {
   ])"));
 }
 
-class ManifestOfAFormat : public testing::TestWithParam<const char*> {};
+TEST(Manifest, OfAFloatDesignSaysBinary32) {
+  const struct {
+    const char* design;
+    int stages, subtract, multiply, compare;
+  } designs[] = {{"fp_slabs", 13, 6, 6, 6}, {"fp_plucker", 20, 12, 12, 12}};
+  for (const auto& d : designs) {
+    const Json json = Emitted(DesignFormat{d.design, "fp32"}).json;
+    EXPECT_EQ(json.at("bits"), "fp32");
+    EXPECT_EQ(json.at("latency"), d.stages);
+    EXPECT_EQ(json.at("clock_ps"), 2876);
+    std::map<std::string, int> total;
+    for (const Json& stage : json.at("by_stage")) {
+      for (const auto& [component, count] : stage.at("components").items())
+        total[component] += count.get<int>();
+    }
+    EXPECT_EQ(total["fp_subtract_32"], d.subtract);
+    EXPECT_EQ(total["fp_multiply_32"], d.multiply);
+    EXPECT_EQ(total["fp_compare_32"], d.compare);
+    for (const Json& port : json.at("ports")) {
+      if (port.at("name") == "xmin") {
+        EXPECT_EQ(port.at("width"), 32);
+      }
+    }
+  }
+}
 
-TEST_P(ManifestOfAFormat, LatchBitsAreThePlacedRegisters) {
-  const Emitted emitted(parse_bits(GetParam()));
+TEST(Manifest, SpeaksOfAxiStreamOnlyWhenAsked) {
+  const Emitted emitted({20, 24});
+  EXPECT_FALSE(emitted.json.contains("axi_stream"));
+  const Json with =
+      Json::parse(manifest(find_design("int_slabs"), {20, 24}, emitted.pipeline, Library::thesis(), true));
+  EXPECT_EQ(with.at("axi_stream").at("module"), "int_slabs_axis");
+  EXPECT_EQ(with.at("axi_stream").at("s_axis").at("tdata_bits"), 392);
+}
+
+class ManifestOfADesign : public testing::TestWithParam<DesignFormat> {};
+
+TEST_P(ManifestOfADesign, LatchBitsAreThePlacedRegisters) {
+  const Emitted emitted(GetParam());
   int manifest_bits = 0;
   for (const Json& stage : emitted.json.at("by_stage")) manifest_bits += stage.at("latch_bits").get<int>();
   int placed_bits = 0;
@@ -90,7 +128,7 @@ TEST_P(ManifestOfAFormat, LatchBitsAreThePlacedRegisters) {
   EXPECT_GT(placed_bits, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, ManifestOfAFormat, tested_formats(), format_suffix);
+INSTANTIATE_TEST_SUITE_P(Designs, ManifestOfADesign, testing::ValuesIn(every_design()), design_suffix);
 
 }  // namespace
 }  // namespace hitpipe::rtl

@@ -35,9 +35,12 @@ std::string replayed(const ScratchFolder& folder, const std::string& design) {
   return verdicts;
 }
 
+void write_design(const ScratchFolder& folder, const DesignFormat& d) {
+  write_files(folder.path(), emit(d.found(), d.parsed(), Library::thesis(), d.pipeline()));
+}
+
 void write_int_slabs(const ScratchFolder& folder, hls::IntBits bits) {
-  write_files(folder.path(),
-              emit(find_design("int_slabs"), bits, Library::thesis(), int_slabs_pipeline(bits)));
+  write_design(folder, {"int_slabs", to_string(Format(bits))});
 }
 
 /// Inverts the expected HIT of one vector; the line of the file that it is in.
@@ -59,15 +62,15 @@ std::string flip_hit(const std::filesystem::path& file, int vector) {
   return flipped;
 }
 
-class Replay : public testing::TestWithParam<const char*> {};
+class Replay : public testing::TestWithParam<DesignFormat> {};
 
 TEST_P(Replay, TheEmittedDesignPasses) {
   const ScratchFolder folder;
-  write_int_slabs(folder, parse_bits(GetParam()));
-  EXPECT_EQ(replayed(folder, "int_slabs"), "PASS 1000 vectors");
+  write_design(folder, GetParam());
+  EXPECT_EQ(replayed(folder, GetParam().design), "PASS 1000 vectors");
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Replay, tested_formats(), format_suffix);
+INSTANTIATE_TEST_SUITE_P(Designs, Replay, testing::ValuesIn(every_design()), design_suffix);
 
 TEST(Testbench, OneWrongBitFails) {
   for (const int vector : {0, 517, 999}) {
@@ -91,6 +94,18 @@ TEST(Testbench, NothingComingBackFails) {
   ASSERT_NE(at, std::string::npos);
   write_text(folder / "int_slabs.v", text.replace(at, good.size(), "assign out_valid = 1'b0;"));
   EXPECT_EQ(replayed(folder, "int_slabs"), "FAIL 0 of 1000 vectors came back");
+}
+
+TEST(Testbench, MissingAndShortVectorFilesFail) {
+  const ScratchFolder folder;
+  write_int_slabs(folder, {6, 6});
+  const std::filesystem::path vectors = folder / "tb" / "int_slabs_vectors.hex";
+  const std::string text = read_text(vectors);
+  const std::string verdict = "FAIL int_slabs_vectors.hex: not there, or not of 1000 vectors";
+  write_text(vectors, text.substr(0, text.rfind('\n', text.size() - 2) + 1));
+  EXPECT_EQ(replayed(folder, "int_slabs"), verdict);
+  std::filesystem::remove(vectors);
+  EXPECT_EQ(replayed(folder, "int_slabs"), verdict);
 }
 
 TEST(Testbench, LostAndDoubledTestsFail) {
@@ -166,7 +181,11 @@ bool evaluate_graph(const std::int64_t* operands) {
 
 /// What Icarus says of a graph with one output, "hit", against evaluate().
 std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library& library, int vectors) {
-  const Design design{.name = "toy", .summary = "", .traced = nullptr, .native = nullptr};
+  const Design design{.name = "toy",
+                      .summary = "",
+                      .arithmetic = hls::Arithmetic::integer,
+                      .traced = nullptr,
+                      .native = nullptr};
   const std::vector<Port> ports = input_ports(pipeline.graph);
   const ScratchFolder folder;
   evaluated_graph = &graph;

@@ -1,0 +1,131 @@
+// A Verilog testbench of the AXI4-Stream wrapper and the beats it sends. It packs the beats by itself, fills
+// their padding at random, and watches the protocol: tvalid waits for nothing, what is offered stays as it is
+// until it is taken, no input reaches an output in the same cycle, a reset empties all.
+//   +mode  0 no stalls  1 random gaps and stalls  2 mostly stalled  3 tready only after tvalid
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "rtl_gen/emit/testbench.hpp"
+
+namespace hitpipe::rtl {
+
+/// A beat a line: the expected HIT as a byte, then s_axis_tdata, hexadecimal, highest byte first.
+inline std::string stream_beats(const std::vector<Port>& ports, Evaluate evaluate, int count,
+                                std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::string text;
+  for (const auto& operands : operand_vectors(ports, count, seed)) {
+    std::string bytes;
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+      const int width = ports[i].width;
+      const std::uint64_t mask = ~std::uint64_t{0} >> (64 - width);
+      std::uint64_t field = (static_cast<std::uint64_t>(operands[i]) & mask) | (random() & ~mask);
+      std::string part;
+      for (int byte = 0; 8 * byte < width; ++byte, field >>= 8)
+        part.insert(0, fmt::format("{:02x}", field & 0xff));
+      bytes.insert(0, part);
+    }
+    text += fmt::format("{:02x}{}\n", evaluate(operands.data()) ? 1 : 0, bytes);
+  }
+  return text;
+}
+
+/// Of the module <design>_axis; `bits` is s_axis_tdata's width.
+inline std::string stream_bench(const std::string& design, int bits, int count) {
+  return fmt::format(R"(module axis_bench;
+  localparam COUNT = {2};
+  localparam BITS = {1};
+  reg [BITS+7:0] beats [0:COUNT-1];
+  reg aclk, aresetn, s_valid, m_ready, taken, given, held;
+  reg [15:0] sent, received;
+  reg [23:0] before;
+  integer seed, errors, cycles, mode;
+  wire s_ready, m_valid;
+  wire [7:0] m_data;
+  wire [15:0] m_tid;
+  wire [BITS+7:0] beat = beats[sent];
+  wire [BITS+7:0] expected = beats[received];
+
+  {0}_axis #(.TAG_BITS(16)) dut (
+    .aclk(aclk), .aresetn(aresetn),
+    .s_axis_tvalid(s_valid), .s_axis_tready(s_ready), .s_axis_tdata(beat[BITS-1:0]), .s_axis_tid(sent ^ 16'ha5c3),
+    .m_axis_tvalid(m_valid), .m_axis_tready(m_ready), .m_axis_tdata(m_data), .m_axis_tid(m_tid));
+
+  always #5 aclk = ~aclk;
+
+  task fail(input [8*24-1:0] what);
+    begin
+      if (errors == 0) $display("FAIL %0s at beat %0d: tdata %h, tid %h, expected %h", what, received, m_data,
+                                m_tid, expected);
+      errors = errors + 1;
+    end
+  endtask
+
+  // Outputs while tvalid and tready of the other side change within a cycle.
+  task probe;
+    reg sv, mr, r, v;
+    begin
+      sv = s_valid; mr = m_ready; r = s_ready; v = m_valid;
+      s_valid = ~sv; m_ready = ~mr; #1;
+      if (s_ready !== r || m_valid !== v) fail("combinational path");
+      s_valid = sv; m_ready = mr; #1;
+    end
+  endtask
+
+  initial begin
+    $readmemh("beats.hex", beats);
+    if (!$value$plusargs("mode=%d", mode)) mode = 1;
+    aclk = 1'b0; aresetn = 1'b0; s_valid = 1'b0; m_ready = 1'b0; taken = 1'b0; held = 1'b0;
+    sent = 16'd0; received = 16'd0; seed = 7; errors = 0; cycles = 0;
+    repeat (4) @(negedge aclk);
+    if (m_valid !== 1'b0) fail("tvalid in reset");
+    aresetn = 1'b1;
+    while (received != COUNT && errors == 0 && cycles < 40 * COUNT + 1000) begin
+      if (!s_valid || taken) s_valid = sent != COUNT && (mode == 0 || mode == 2 || ($random(seed) & 3) != 0);
+      case (mode)
+        0: m_ready = 1'b1;
+        1: m_ready = ($random(seed) & 3) != 0;
+        2: m_ready = ($random(seed) & 15) == 0;
+        default: m_ready = m_valid && ($random(seed) & 1) != 0;
+      endcase
+      #1 probe;
+      if (held && (!m_valid || {{m_data, m_tid}} !== before)) fail("not held");
+      taken = s_valid && s_ready;
+      given = m_valid && m_ready;
+      held = m_valid && !m_ready;
+      before = {{m_data, m_tid}};
+      if (given && (m_data !== expected[BITS+7:BITS] || m_tid !== (received ^ 16'ha5c3))) fail("wrong result");
+      @(posedge aclk);
+      #1;
+      if (taken) sent = sent + 16'd1;
+      if (given) received = received + 16'd1;
+      @(negedge aclk);
+      cycles = cycles + 1;
+    end
+    if (errors == 0 && received != COUNT) fail("beats missing");
+    // A full pipeline, stalled; then a reset.
+    s_valid = 1'b1; m_ready = 1'b0; sent = 16'd0;
+    repeat (60) @(negedge aclk);
+    if (m_valid !== 1'b1 || s_ready !== 1'b0) fail("not full");
+    s_valid = 1'b0; aresetn = 1'b0;
+    @(negedge aclk);
+    aresetn = 1'b1;
+    repeat (60) begin
+      if (m_valid !== 1'b0) fail("not emptied by reset");
+      @(negedge aclk);
+    end
+    if (errors == 0) $display("PASS %0d beats in %0d cycles", received, cycles);
+    $finish;
+  end
+endmodule
+)",
+                     design, bits, count);
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,167 @@
+// The AXI4-Stream wrapper gives the design's own answers under every pattern of stalls, keeps the protocol,
+// and leaves the design as it is.
+#include "rtl_gen/emit/axi_stream.hpp"
+
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "rtl_gen/emit/files.hpp"
+#include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/emit/axi_stream_bench.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+constexpr int beat_count = 1000;
+constexpr std::uint64_t beat_seed = 53;
+
+std::vector<File> emitted(const DesignFormat& d, bool axi_stream) {
+  return emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), {.axi_stream = axi_stream});
+}
+
+const std::vector<Port>& mixed_ports() {
+  static const std::vector<Port> ports{
+      {"a", 20, true}, {"b", 8, false}, {"c", 1, false}, {"d", 63, true}, {"e", 9, true}};
+  return ports;
+}
+
+TEST(StreamFields, BeginOnByteBoundariesInPortOrder) {
+  std::vector<std::string> layout;
+  for (const StreamField& field : stream_fields(mixed_ports()))
+    layout.push_back(fmt::format("{} {}+{}", field.name, field.offset, field.width));
+  EXPECT_EQ(layout, (std::vector<std::string>{"a 0+20", "b 24+8", "c 32+1", "d 40+63", "e 104+9"}));
+  EXPECT_EQ(stream_bits(mixed_ports()), 120);
+}
+
+class AxiStream : public testing::TestWithParam<DesignFormat> {
+ protected:
+  void SetUp() override { write_files(folder.path(), emitted(GetParam(), true)); }
+  void expect_silence(const ToolResult& result) {
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.output, "");
+  }
+  [[nodiscard]] std::string both() const { return fmt::format("{0}_axis.v {0}.v", GetParam().design); }
+
+  ScratchFolder folder;
+};
+
+TEST_P(AxiStream, LintIsSilent) {
+  const std::string top = GetParam().design + "_axis";
+  expect_silence(run_tool(folder.path(), "verilator", "verilator",
+                          fmt::format("--lint-only -Wall --top-module {} {}", top, both())));
+  expect_silence(run_tool(
+      folder.path(), "yosys", "yosys",
+      fmt::format("-q -p 'read_verilog {}; hierarchy -check -top {}; proc; check -assert'", both(), top)));
+  expect_silence(run_tool(folder.path(), "iverilog", "iverilog", "-g2001 -Wall -o design " + both()));
+}
+
+/// What the bench says of the wrapper in a folder.
+std::string streamed(const ScratchFolder& folder, const DesignFormat& d, int mode) {
+  const std::vector<Port> ports = input_ports(d.found().trace(d.parsed()));
+  write_text(folder / "beats.hex",
+             stream_beats(ports, d.found().evaluate(d.parsed()), beat_count, beat_seed));
+  int bits = 0;
+  for (const Port& port : ports) bits += (port.width + 7) / 8 * 8;
+  write_text(folder / "bench.v", stream_bench(d.design, bits, beat_count));
+  const ToolResult compiled =
+      run_tool(folder.path(), "iverilog", "iverilog",
+               fmt::format("-g2001 -Wall -Wno-timescale -o bench bench.v {0}_axis.v {0}.v", d.design));
+  if (compiled.status != 0) return "iverilog: " + compiled.output;
+  std::istringstream printed(
+      run_tool(folder.path(), "iverilog", "vvp", fmt::format("bench +mode={}", mode)).output);
+  std::string line;
+  while (std::getline(printed, line)) {
+    if (line.starts_with("PASS") || line.starts_with("FAIL")) return line;
+  }
+  return "no verdict";
+}
+
+TEST_P(AxiStream, AnswersAsTheDesignUnderStalls) {
+  std::cout << "seed " << beat_seed << ", " << beat_count << " beats a mode\n";
+  for (const int mode : {1, 2, 3}) {
+    EXPECT_THAT(streamed(folder, GetParam(), mode), testing::StartsWith("PASS 1000 beats"))
+        << "mode " << mode;
+  }
+}
+
+TEST_P(AxiStream, TakesABeatEveryCycleAtTheDesignsLatency) {
+  const int stages = GetParam().pipeline().schedule.stages;
+  EXPECT_EQ(streamed(folder, GetParam(), 0),
+            fmt::format("PASS 1000 beats in {} cycles", beat_count + stages + 1));
+}
+
+TEST_P(AxiStream, LeavesTheOtherFilesAsTheyAre) {
+  std::map<std::string, std::string> with;
+  for (const File& file : emitted(GetParam(), true)) with[file.name] = file.contents;
+  const std::string& design = GetParam().design;
+  EXPECT_EQ(with.erase(design + "_axis.v"), 1U);
+  for (const File& file : emitted(GetParam(), false)) {
+    const bool speaks_of_it = file.name == design + ".core" || file.name == design + ".json";
+    EXPECT_EQ(with.at(file.name) == file.contents, !speaks_of_it) << file.name;
+    with.erase(file.name);
+  }
+  EXPECT_TRUE(with.empty());
+}
+
+TEST_P(AxiStream, ManifestGivesTheFieldsOnlyWhenAsked) {
+  const std::string& design = GetParam().design;
+  nlohmann::json with = nlohmann::json::parse(read_text(folder / (design + ".json")));
+  nlohmann::json stream = with.at("axi_stream");
+  with.erase("axi_stream");
+  for (const File& file : emitted(GetParam(), false)) {
+    if (file.name == design + ".json") {
+      EXPECT_EQ(with, nlohmann::json::parse(file.contents));
+    }
+  }
+  int offset = 0;
+  nlohmann::json fields = nlohmann::json::array();
+  for (const auto& port : with.at("ports")) {
+    static const std::vector<std::string> handshake{
+        "clk", "rst", "in_valid", "in_ready", "in_tag", "out_valid", "out_ready", "out_tag", "hit"};
+    if (std::count(handshake.begin(), handshake.end(), port.at("name")) != 0) continue;
+    const int width = port.at("width");
+    fields.push_back({{"name", port.at("name")}, {"offset", offset}, {"width", width}});
+    offset += (width + 7) / 8 * 8;
+  }
+  EXPECT_EQ(stream.at("module"), design + "_axis");
+  EXPECT_EQ(stream.at("file"), design + "_axis.v");
+  EXPECT_EQ(stream.at("s_axis").at("fields"), fields);
+  EXPECT_EQ(stream.at("s_axis").at("tdata_bits"), offset);
+  EXPECT_EQ(stream.at("m_axis").at("tdata_bits"), 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, AxiStream, testing::ValuesIn(every_design({"24/24", "20/24", "6/11"})),
+                         design_suffix);
+
+TEST(AxiStreamBench, DamagedWrappersFail) {
+  const DesignFormat d{"int_slabs", "6/6"};
+  const struct {
+    const char *good, *bad;
+  } damages[] = {{"spare_valid <= m_axis_tvalid & ~m_axis_tready", "spare_valid <= 1'b0"},
+                 {".out_ready(~spare_valid)", ".out_ready(m_axis_tready)"},
+                 {".out_ready(~spare_valid)", ".out_ready(1'b1)"},
+                 {"if (~spare_valid) begin", "begin"},
+                 {"m_axis_tvalid = spare_valid | out_valid",
+                  "m_axis_tvalid = m_axis_tready & (spare_valid | out_valid)"},
+                 {"if (~aresetn) spare_valid", "if (1'b0) spare_valid"},
+                 {".irx(s_axis_tdata[5:0])", ".irx(s_axis_tdata[6:1])"},
+                 {"m_axis_tid = spare_valid ? spare_tag", "m_axis_tid = spare_valid ? out_tag"}};
+  for (const auto& [good, bad] : damages) {
+    const ScratchFolder folder;
+    write_files(folder.path(), emitted(d, true));
+    std::string text = read_text(folder / "int_slabs_axis.v");
+    const std::size_t at = text.find(good);
+    ASSERT_NE(at, std::string::npos) << good;
+    write_text(folder / "int_slabs_axis.v", text.replace(at, std::string(good).size(), bad));
+    EXPECT_THAT(streamed(folder, d, 1), testing::StartsWith("FAIL")) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl

@@ -1,0 +1,132 @@
+// The FuseSoC core file: YAML that names files that are there, whose targets do what they say when a script
+// does with them what FuseSoC does.
+#include "rtl_gen/emit/core_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "rtl_gen/emit/files.hpp"
+#include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Placed {
+  std::string name, type;
+};
+
+class CoreFile : public testing::TestWithParam<DesignFormat> {
+ protected:
+  /// Writes the design and reads its core file by a YAML parser.
+  void read_core(bool axi_stream) {
+    write_files(folder.path(), emit(GetParam().found(), GetParam().parsed(), Library::thesis(),
+                                    GetParam().pipeline(), {.axi_stream = axi_stream}));
+    const std::string file = GetParam().design + ".core";
+    const ToolResult result = run_tool(
+        folder.path(), "python3-yaml", "python3",
+        python_text(
+            "import json, yaml; text = open(\"" + file +
+            "\").read(); assert text.startswith(\"CAPI=2:\\n\"); print(json.dumps(yaml.safe_load(text)))"));
+    ASSERT_EQ(result.status, 0) << result.output;
+    core = Json::parse(result.output);
+  }
+  static std::string python_text(const std::string& program) { return "-c '" + program + "'"; }
+
+  /// Copies a target's files to a work root of its own, where FuseSoC would put them.
+  std::vector<Placed> place(const std::string& target) {
+    const std::filesystem::path root = folder / "work" / target;
+    std::vector<Placed> placed;
+    for (const Json& set : core.at("targets").at(target).at("filesets")) {
+      const Json& fileset = core.at("filesets").at(set.get<std::string>());
+      for (const Json& entry : fileset.at("files")) {
+        const bool plain = entry.is_string();
+        const std::string name = plain ? entry.get<std::string>() : entry.begin().key();
+        const Json attributes = plain ? Json::object() : entry.begin().value();
+        const std::string to = attributes.value("copyto", name);
+        std::filesystem::create_directories((root / to).parent_path());
+        std::filesystem::copy_file(folder / name, root / to);
+        placed.push_back({to, attributes.value("file_type", fileset.value("file_type", ""))});
+      }
+    }
+    return placed;
+  }
+
+  /// A target's Verilog files and top, as a tool's arguments.
+  std::string sources(const std::string& target) {
+    std::string list;
+    for (const Placed& file : place(target)) {
+      if (file.type == "verilogSource") list += " " + file.name;
+    }
+    return list;
+  }
+  [[nodiscard]] std::string top(const std::string& target) const {
+    return core.at("targets").at(target).at("toplevel");
+  }
+  [[nodiscard]] std::string options(const std::string& target, const std::string& tool) const {
+    std::string list;
+    for (const Json& option : core.at("targets").at(target).at("tools").at(tool).at(
+             tool == "icarus" ? "iverilog_options" : "verilator_options"))
+      list += option.get<std::string>() + " ";
+    return list;
+  }
+
+  ScratchFolder folder;
+  Json core;
+};
+
+TEST_P(CoreFile, HasItsFilesetsAndTargets) {
+  read_core(false);
+  EXPECT_EQ(core.at("name"), "hitpipe:ray_box:" + GetParam().design + ":0");
+  EXPECT_THAT(core.at("description").get<std::string>(), testing::EndsWith(" at " + GetParam().format));
+  EXPECT_EQ(core.at("targets").size(), 4U);
+  EXPECT_FALSE(core.at("filesets").contains("axis"));
+  EXPECT_EQ(top("default"), GetParam().design);
+  EXPECT_EQ(core.at("targets").at("lint").at("default_tool"), "verilator");
+  EXPECT_EQ(core.at("targets").at("sim").at("default_tool"), "icarus");
+  EXPECT_EQ(core.at("targets").at("synth").at("default_tool"), "yosys");
+}
+
+TEST_P(CoreFile, LintTargetIsSilentWithAndWithoutTheWrapper) {
+  for (const bool axi_stream : {false, true}) {
+    std::filesystem::remove_all(folder / "work");
+    read_core(axi_stream);
+    EXPECT_EQ(top("lint"), GetParam().design + (axi_stream ? "_axis" : ""));
+    const std::string files = sources("lint");
+    const ToolResult result =
+        run_tool(folder / "work" / "lint", "verilator", "verilator",
+                 "--lint-only " + options("lint", "verilator") + "--top-module " + top("lint") + files);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.output, "");
+  }
+}
+
+TEST_P(CoreFile, SimTargetPasses) {
+  read_core(false);
+  const std::string files = sources("sim");
+  const std::filesystem::path root = folder / "work" / "sim";
+  const ToolResult compiled =
+      run_tool(root, "iverilog", "iverilog", options("sim", "icarus") + "-o sim -s " + top("sim") + files);
+  ASSERT_EQ(compiled.status, 0) << compiled.output;
+  EXPECT_EQ(compiled.output, "");
+  EXPECT_THAT(run_tool(root, "iverilog", "vvp", "sim").output, testing::HasSubstr("PASS 1000 vectors"));
+}
+
+TEST_P(CoreFile, SynthTargetHasItsTop) {
+  read_core(true);
+  const std::string files = sources("synth");
+  EXPECT_EQ(core.at("targets").at("synth").at("tools").at("yosys").at("arch"), "xilinx");
+  const ToolResult result =
+      run_tool(folder / "work" / "synth", "yosys", "yosys",
+               "-q -p 'read_verilog" + files + "; hierarchy -check -top " + top("synth") + "'");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, CoreFile, testing::ValuesIn(every_design({"20/24"})), design_suffix);
+
+}  // namespace
+}  // namespace hitpipe::rtl
