@@ -1,0 +1,32 @@
+// How many of which part a scheduled design has in each stage, in one of two accounts.
+//   built    what is emitted: every register, valid and tag bit, every component at its real width
+//   printed  as Table 7.2 counts, with its habits (area_model/habits.hpp)
+// In both, `<` and `>` of one pair of operands in one stage are one magnitude comparator, which gives both.
+#pragma once
+
+#include <vector>
+
+#include "area_model/habits.hpp"
+#include "area_model/part.hpp"
+#include "rtl_gen/catalogue/format.hpp"
+#include "rtl_gen/pipeline.hpp"
+
+namespace hitpipe::area {
+
+/// Width of the tag that travels along, unless a user of the Verilog sets TAG_BITS.
+inline constexpr int tag_bits = 16;
+
+struct Count {
+  Part part;
+  int stage;  ///< 0: the input latches; a latch belongs to the stage that ends with it
+  int n;
+
+  friend bool operator==(const Count&, const Count&) = default;
+};
+
+/// By stage, then by part.
+[[nodiscard]] std::vector<Count> count_built(const rtl::Pipeline& pipeline);
+[[nodiscard]] std::vector<Count> count_printed(const rtl::Pipeline& pipeline, rtl::Format format,
+                                               const Habits& habits);
+
+}  // namespace hitpipe::area

@@ -1,0 +1,42 @@
+#include "area_model/part.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace hitpipe::area {
+
+namespace {
+
+using rtl::Component;
+
+constexpr std::array<Component, rtl::component_count> table_7_1{
+    Component::int_subtract, Component::int_multiply, Component::int_compare, Component::fp_subtract,
+    Component::fp_multiply,  Component::fp_compare,   Component::latch,       Component::mux2};
+
+auto rank(const Part& part) {
+  const auto row = std::find(table_7_1.begin(), table_7_1.end(), part.component) - table_7_1.begin();
+  return std::tuple(part.purpose, row, part.bits);
+}
+
+}  // namespace
+
+std::strong_ordering operator<=>(const Part& a, const Part& b) {
+  return rank(a) <=> rank(b);
+}
+
+std::string part_name(const Part& part) {
+  switch (part.purpose) {
+    case Purpose::valid:
+      return fmt::format("valid_{}", part.bits);
+    case Purpose::tag:
+      return fmt::format("tag_{}", part.bits);
+    case Purpose::datapath:
+      break;
+  }
+  return fmt::format("{}_{}", component_name(part.component), part.bits);
+}
+
+}  // namespace hitpipe::area

@@ -1,0 +1,64 @@
+#include "area_model/price.hpp"
+
+#include <map>
+
+namespace hitpipe::area {
+
+namespace {
+
+constexpr std::int64_t printed_unit_um2 = 100;  // 0.0001 mm2, the last digit of Table 7.2
+
+std::int64_t as_printed(std::int64_t area_um2) {
+  return (area_um2 + printed_unit_um2 / 2) / printed_unit_um2 * printed_unit_um2;
+}
+
+Line line_of(const Part& part, int n, const rtl::Library& library) {
+  const rtl::Cell cell = library.cell(part.component, part.bits);
+  return {.part = part, .n = n, .area_um2 = std::int64_t{n} * cell.area_um2, .estimated = cell.estimated};
+}
+
+}  // namespace
+
+Price price(const rtl::Design& design, rtl::Format format, const rtl::Library& library, Account account) {
+  const Habits* const habits = account == Account::printed ? &printed_habits(design.name) : nullptr;
+  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
+  const std::vector<Count> counts =
+      habits != nullptr ? count_printed(pipeline, format, *habits) : count_built(pipeline);
+
+  Price price{.design = design.name,
+              .format = format,
+              .lines = {},
+              .by_stage = std::vector<StagePrice>(static_cast<std::size_t>(pipeline.schedule.stages) + 1),
+              .stages = pipeline.schedule.stages,
+              .stage_delay_ps = pipeline.schedule.clock_ps};
+  for (std::size_t stage = 0; stage < price.by_stage.size(); ++stage)
+    price.by_stage[stage].stage = static_cast<int>(stage);
+
+  std::map<Part, int> totals;
+  for (const Count& count : counts) {
+    StagePrice& stage = price.by_stage[static_cast<std::size_t>(count.stage)];
+    stage.lines.push_back(line_of(count.part, count.n, library));
+    stage.area_um2 += stage.lines.back().area_um2;
+    totals[count.part] += count.n;
+  }
+  for (const auto& [part, n] : totals) {
+    price.lines.push_back(line_of(part, n, library));
+    const std::int64_t area_um2 = price.lines.back().area_um2;
+    price.area_um2 += account == Account::printed ? as_printed(area_um2) : area_um2;
+  }
+  return price;
+}
+
+const std::vector<Entry>& table_7_2() {
+  static const std::vector<Entry> rows{{"fp_slabs", rtl::Format::fp32()}, {"fp_plucker", rtl::Format::fp32()},
+                                       {"int_slabs", {24, 24}},           {"int_slabs", {20, 24}},
+                                       {"int_plucker", {24, 24}},         {"int_plucker", {20, 24}}};
+  return rows;
+}
+
+bool can_price_yardstick(const rtl::Library& library) {
+  return library.has(rtl::Component::fp_subtract) && library.has(rtl::Component::fp_multiply) &&
+         library.has(rtl::Component::fp_compare);
+}
+
+}  // namespace hitpipe::area

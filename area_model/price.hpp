@@ -1,0 +1,62 @@
+// The price of a scheduled design: Table 7.2 for any design, format and component library. Areas in square
+// micrometres, times in picoseconds, all integers; only area_model/figure.hpp rounds, for printing.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "area_model/count.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+
+namespace hitpipe::area {
+
+enum class Account { printed, built };
+
+/// All parts of one kind, as a row of Table 7.2.
+struct Line {
+  Part part;
+  int n = 0;
+  std::int64_t area_um2 = 0;  ///< of all n
+  bool estimated = false;     ///< the library marks the width so, or made it by a law
+};
+
+struct StagePrice {
+  int stage = 0;  ///< 0: the input latches
+  std::vector<Line> lines;
+  std::int64_t area_um2 = 0;
+};
+
+struct Price {
+  std::string_view design;
+  rtl::Format format;
+  std::vector<Line> lines;           ///< in the order of Table 7.1
+  std::vector<StagePrice> by_stage;  ///< every stage from 0 on
+  std::int64_t area_um2 = 0;  ///< built: exact. printed: of rows rounded to 0.0001 mm2, as in Table 7.2
+  int stages = 0;
+  int stage_delay_ps = 0;
+
+  [[nodiscard]] std::int64_t latency_ps() const { return std::int64_t{stages} * stage_delay_ps; }
+  /// Area times stage delay, "ADP", in um2 ps.
+  [[nodiscard]] std::int64_t area_delay() const { return area_um2 * stage_delay_ps; }
+};
+
+/// Throws as rtl::Design::trace, printed_habits and rtl::Library::cell do.
+[[nodiscard]] Price price(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
+                          Account account);
+
+/// A row of Table 7.2.
+struct Entry {
+  std::string_view design;
+  rtl::Format format;
+};
+/// The six, in its order.
+[[nodiscard]] const std::vector<Entry>& table_7_2();
+
+/// The design to which its percentages refer.
+inline constexpr std::string_view yardstick = "fp_slabs";
+/// Whether a library has what it takes.
+[[nodiscard]] bool can_price_yardstick(const rtl::Library& library);
+
+}  // namespace hitpipe::area

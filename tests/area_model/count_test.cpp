@@ -1,0 +1,145 @@
+// What is counted, on graphs small enough to count by hand, and each habit of Table 7.2 on its own.
+#include "area_model/count.hpp"
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "tests/rtl_gen/component/unit_library.hpp"
+#include "tests/rtl_gen/message_of.hpp"
+
+namespace hitpipe::area {
+namespace {
+
+using rtl::Graph;
+using rtl::NodeId;
+using rtl::Op;
+using rtl::unit_library;
+
+/// "stage 0: latch_8 x 2", a line each.
+std::vector<std::string> lines_of(const std::vector<Count>& counts) {
+  std::vector<std::string> lines;
+  for (const Count& c : counts) lines.push_back(fmt::format("{}: {} x {}", c.stage, part_name(c.part), c.n));
+  return lines;
+}
+
+int total(const std::vector<Count>& counts, const std::string& name) {
+  int n = 0;
+  for (const Count& c : counts) n += part_name(c.part) == name ? c.n : 0;
+  return n;
+}
+
+// a - b, then the smaller of it and c: two stages of the unit library.
+Graph smaller_of_difference() {
+  Graph g("toy");
+  const NodeId a = g.input("a", 8, true);
+  const NodeId b = g.input("b", 8, true);
+  const NodeId c = g.input("c", 8, true);
+  const NodeId difference = g.binary(Op::sub, a, b);
+  g.output("smaller", g.mux(g.binary(Op::less, difference, c, true), difference, c));
+  return g;
+}
+
+TEST(CountBuilt, CountsEveryRegisterAndComponentWithValidAndTag) {
+  EXPECT_EQ(lines_of(count_built(make_pipeline(smaller_of_difference(), unit_library()))),
+            (std::vector<std::string>{"0: latch_8 x 3", "0: valid_1 x 1", "0: tag_16 x 1",  //
+                                      "1: int_subtract_8 x 1", "1: latch_8 x 2", "1: valid_1 x 1",
+                                      "1: tag_16 x 1",  //
+                                      "2: int_compare_8 x 1", "2: latch_8 x 1", "2: mux2_8 x 1",
+                                      "2: valid_1 x 1", "2: tag_16 x 1"}));
+}
+
+TEST(CountPrinted, LeavesOutValidAndTagAndTheInputLatchesIfToldSo) {
+  const rtl::Pipeline pipeline = make_pipeline(smaller_of_difference(), unit_library());
+  Habits habits{"toy", true, false, false};
+  EXPECT_EQ(lines_of(count_printed(pipeline, {8, 8}, habits)),
+            (std::vector<std::string>{"0: latch_8 x 3",                           //
+                                      "1: int_subtract_8 x 1", "1: latch_8 x 2",  //
+                                      "2: int_compare_8 x 1", "2: latch_8 x 1", "2: mux2_8 x 1"}));
+  habits.input_latches = false;
+  EXPECT_EQ(total(count_printed(pipeline, {8, 8}, habits), "latch_8"), 3);
+}
+
+int comparators(const Graph& graph) {
+  return total(count_built(make_pipeline(graph, unit_library())), "int_compare_8");
+}
+
+TEST(Comparator, GivesBothOrdersOfOnePair) {
+  Graph g("toy");
+  const NodeId a = g.input("a", 8, true);
+  const NodeId b = g.input("b", 8, true);
+  g.output("less", g.binary(Op::less, a, b, true));
+  g.output("greater", g.binary(Op::less, b, a, true));
+  EXPECT_EQ(comparators(g), 1);
+  g.output("unsigned_less", g.binary(Op::less, a, b, false));
+  EXPECT_EQ(comparators(g), 2);
+  g.output("less_than_zero", g.binary(Op::less, a, g.constant(8, 0), true));
+  EXPECT_EQ(comparators(g), 3);
+}
+
+TEST(Comparator, IsNotSharedByStages) {
+  Graph g("toy");
+  const NodeId a = g.input("a", 8, true);
+  const NodeId b = g.input("b", 8, true);
+  g.output("less", g.binary(Op::less, a, b, true));
+  g.begin_stage(2);
+  g.output("greater", g.binary(Op::less, b, a, true));
+  rtl::Pipeline p{g, schedule_as_stated(g, 2), {}};
+  EXPECT_EQ(lines_of(count_printed(p, {8, 8}, {"toy", true, false, false})),
+            (std::vector<std::string>{"1: int_compare_8 x 1", "2: int_compare_8 x 1"}));
+}
+
+// n = t + 1: side relations and differences of coordinates are equally wide, and only the former are priced
+// at t.
+TEST(PrintedWidths, SideRelationsAreKnownByTheirMultipliers) {
+  Graph g("toy");
+  const NodeId a = g.input("a", 9, true);
+  const NodeId b = g.input("b", 9, true);
+  const NodeId plane = g.binary(Op::sub, a, b);
+  const auto term = [&](NodeId x, NodeId y) {
+    return g.extend(g.slice(g.binary(Op::mul, x, y, true), 16, 9), 9, true);
+  };
+  const NodeId side = g.binary(Op::sub, term(plane, a), term(plane, b));
+  const NodeId outside = g.binary(Op::less, side, g.constant(9, 511), true);
+  const NodeId ahead = g.binary(Op::less, a, b, true);
+  const Habits sides{"toy", false, false, true};
+  const Habits none{"toy", false, false, false};
+  EXPECT_EQ(printed_component_bits(g, side, {9, 8}, sides), 8);
+  EXPECT_EQ(printed_component_bits(g, outside, {9, 8}, sides), 8);
+  EXPECT_EQ(printed_component_bits(g, plane, {9, 8}, sides), 9);
+  EXPECT_EQ(printed_component_bits(g, ahead, {9, 8}, sides), 9);
+  EXPECT_EQ(printed_component_bits(g, side, {9, 8}, none), 9);
+  EXPECT_EQ(printed_component_bits(g, outside, {9, 8}, none), 9);
+}
+
+TEST(PrintedWidths, ProductLatchesHaveNoMoreThanNBits) {
+  Graph g("toy");
+  const NodeId a = g.input("a", 8, true);
+  const NodeId product = g.binary(Op::mul, a, a, true);
+  const Habits narrow{"toy", true, true, false};
+  const rtl::Register of_product{product, 3, 14, 3};
+  EXPECT_EQ(printed_latch_bits(g, of_product, {8, 12}, narrow), 8);
+  EXPECT_EQ(printed_latch_bits(g, of_product, {8, 12}, {"toy", true, false, false}), 12);
+  EXPECT_EQ(printed_latch_bits(g, {product, 3, 14, 9}, {8, 6}, narrow), 6);
+  EXPECT_EQ(printed_latch_bits(g, {a, 0, 7, 0}, {6, 12}, narrow), 8);
+}
+
+TEST(PrintedHabits, AreThoseOfTheFourDesigns) {
+  for (const rtl::Design& design : rtl::designs()) EXPECT_EQ(printed_habits(design.name).design, design.name);
+  EXPECT_EQ(rtl::message_of<std::runtime_error>([] { static_cast<void>(printed_habits("fixed_slabs")); }),
+            "design fixed_slabs: not in Table 7.2, so there is no printed account of it, only the built one");
+}
+
+TEST(PartName, IsTableSevenOnesWithTheWidth) {
+  EXPECT_EQ(part_name({rtl::Component::latch, 24}), "latch_24");
+  EXPECT_EQ(part_name({rtl::Component::fp_multiply, 32}), "fp_multiply_32");
+  EXPECT_EQ(part_name({rtl::Component::latch, 1, Purpose::valid}), "valid_1");
+  EXPECT_EQ(part_name({rtl::Component::latch, 16, Purpose::tag}), "tag_16");
+}
+
+}  // namespace
+}  // namespace hitpipe::area

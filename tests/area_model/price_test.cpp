@@ -1,0 +1,143 @@
+// Sums, stages and the library behind a price.
+#include "area_model/price.hpp"
+
+#include <map>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "area_model/figure.hpp"
+#include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/component/unit_library.hpp"
+#include "tests/rtl_gen/message_of.hpp"
+
+namespace hitpipe::area {
+namespace {
+
+using rtl::DesignFormat;
+using rtl::Library;
+
+Price price_of(const DesignFormat& d, Account account, const Library& library = Library::thesis()) {
+  return price(d.found(), d.parsed(), library, account);
+}
+
+class EveryDesign : public testing::TestWithParam<DesignFormat> {};
+
+TEST_P(EveryDesign, StagesAddUpToTheTotal) {
+  for (const Account account : {Account::built, Account::printed}) {
+    const Price p = price_of(GetParam(), account);
+    ASSERT_EQ(p.by_stage.size(), static_cast<std::size_t>(p.stages) + 1);
+    std::map<Part, Line> sums;
+    std::int64_t area_um2 = 0;
+    for (const StagePrice& stage : p.by_stage) {
+      std::int64_t of_lines = 0;
+      for (const Line& line : stage.lines) {
+        of_lines += line.area_um2;
+        sums[line.part].n += line.n;
+        sums[line.part].area_um2 += line.area_um2;
+      }
+      EXPECT_EQ(stage.area_um2, of_lines) << "stage " << stage.stage;
+      area_um2 += stage.area_um2;
+    }
+    ASSERT_EQ(sums.size(), p.lines.size());
+    std::int64_t of_lines = 0;
+    for (const Line& line : p.lines) {
+      EXPECT_EQ(line.n, sums[line.part].n) << part_name(line.part);
+      EXPECT_EQ(line.area_um2, sums[line.part].area_um2) << part_name(line.part);
+      of_lines += line.area_um2;
+    }
+    EXPECT_EQ(area_um2, of_lines);
+    if (account == Account::built) {
+      EXPECT_EQ(p.area_um2, area_um2);
+    }
+  }
+}
+
+TEST_P(EveryDesign, BuiltLatchesAreTheRegistersPlaced) {
+  const rtl::Pipeline pipeline = GetParam().pipeline();
+  int registers = 0;
+  for (const Line& line : price_of(GetParam(), Account::built).lines) {
+    if (line.part.component != rtl::Component::latch) continue;
+    if (line.part.purpose == Purpose::datapath) {
+      registers += line.n;
+    } else {
+      EXPECT_EQ(line.n, pipeline.schedule.stages + 1) << part_name(line.part);
+    }
+  }
+  EXPECT_EQ(registers, static_cast<int>(pipeline.placement.registers.size()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, EveryDesign, testing::ValuesIn(rtl::every_design()), rtl::design_suffix);
+
+// Inputs: 15 words of 20 bits, irlen of 24, rinf, valid bit and tag.
+TEST(Built, IntSlabs2024InputLatches) {
+  const Price p = price_of({"int_slabs", "20/24"}, Account::built);
+  EXPECT_EQ(p.by_stage[0].area_um2, 15 * 1670 + 2004 + 84 + 84 + 1336);
+  EXPECT_EQ(p.stages, 4);
+  EXPECT_EQ(p.stage_delay_ps, 3176);
+  EXPECT_EQ(p.latency_ps(), 12704);
+  EXPECT_EQ(p.area_delay(), p.area_um2 * 3176);
+}
+
+TEST(Built, AreasOfTheSixDesigns) {
+  const char* const areas[] = {"1.9484", "3.7323", "1.0175", "0.7167", "1.9526", "1.3758"};
+  for (std::size_t i = 0; i < table_7_2().size(); ++i) {
+    const Entry& entry = table_7_2()[i];
+    const Price p = price(rtl::find_design(entry.design), entry.format, Library::thesis(), Account::built);
+    EXPECT_EQ(area_mm2(p.area_um2), areas[i]) << entry.design << ' ' << rtl::to_string(entry.format);
+  }
+}
+
+TEST(Estimated, IsWhatTheLibraryDoesNotList) {
+  std::vector<std::string> estimated;
+  for (const Line& line : price_of({"int_plucker", "20/24"}, Account::built).lines) {
+    if (line.estimated) estimated.push_back(part_name(line.part));
+  }
+  EXPECT_EQ(estimated,
+            (std::vector<std::string>{"int_subtract_25", "int_compare_20", "int_compare_25", "tag_16"}));
+}
+
+// In um2 at 12/12 bits: a latch, mux and subtractor 12, a comparator 6, a multiplier 12 x 12.
+TEST(UnitLibrary, IsAddedInTheHead) {
+  const Price p = price_of({"int_slabs", "12/12"}, Account::built, rtl::unit_library());
+  EXPECT_EQ(p.stage_delay_ps, 11);
+  std::map<std::string, int> counts;
+  std::map<std::string, std::int64_t> areas;
+  for (const Line& line : p.lines) {
+    counts[part_name(line.part)] = line.n;
+    areas[part_name(line.part)] = line.area_um2;
+  }
+  EXPECT_EQ(counts.at("int_multiply_12"), 6);
+  EXPECT_EQ(areas.at("int_multiply_12"), 6 * 144);
+  EXPECT_EQ(areas.at("int_subtract_12"), 6 * 12);
+  EXPECT_EQ(areas.at("int_compare_12"), 6 * 6);
+  EXPECT_EQ(areas.at("mux2_12"), 16 * 12);
+  EXPECT_EQ(areas.at("latch_12"), counts.at("latch_12") * 12);
+  EXPECT_EQ(areas.at("tag_16"), (p.stages + 1) * 16);
+  std::int64_t sum = 0;
+  for (const auto& [name, area_um2] : areas) sum += area_um2;
+  EXPECT_EQ(p.area_um2, sum);
+}
+
+TEST(UnitLibrary, HasNoFloatsToCompareWith) {
+  EXPECT_TRUE(can_price_yardstick(Library::thesis()));
+  EXPECT_FALSE(can_price_yardstick(rtl::unit_library()));
+  EXPECT_EQ(rtl::message_of<std::runtime_error>([] {
+              static_cast<void>(price_of({"fp_slabs", "fp32"}, Account::built, rtl::unit_library()));
+            }),
+            "library unit: it has no fp_subtract");
+}
+
+TEST(Decimal, RoundsHalvesUp) {
+  EXPECT_EQ(decimal(0, 7, 0), "0");
+  EXPECT_EQ(decimal(1, 2, 0), "1");
+  EXPECT_EQ(decimal(49, 100, 0), "0");
+  EXPECT_EQ(decimal(2, 3, 4), "0.6667");
+  EXPECT_EQ(decimal(1'008'976, 1'000'000, 4), "1.0090");
+  EXPECT_EQ(decimal(999'950, 1'000'000, 4), "1.0000");
+  EXPECT_EQ(decimal(999'949, 1'000'000, 4), "0.9999");
+  EXPECT_EQ(decimal(6'000'000'000'000'000'001, 1'000'000'000, 3), "6000000000.000");
+}
+
+}  // namespace
+}  // namespace hitpipe::area

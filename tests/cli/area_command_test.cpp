@@ -1,0 +1,236 @@
+// `hitpipe area`: Table 7.2 by default, the two accounts, a library of one's own, and what is refused.
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+Outcome area(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "area");
+  return run_hitpipe(arguments);
+}
+
+std::string printed(const std::vector<std::string>& arguments) {
+  const Outcome outcome = area(arguments);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  return outcome.out;
+}
+
+void rejected(const std::vector<std::string>& arguments, const std::string& message) {
+  const Outcome outcome = area(arguments);
+  EXPECT_GT(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream text(line);
+  for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+  if (line.ends_with(',')) cells.emplace_back();
+  return cells;
+}
+
+TEST(AreaCommand, PrintsTable72AsCsvToTheLastDigit) {
+  EXPECT_THAT(
+      lines_of(printed({"--account", "printed", "--format", "csv"})),
+      ElementsAre(
+          "design,bits,stages,stage_delay_ns,clock_mhz,latency_ns,area_mm2,area_pct,adp_mm2_ns,"
+          "adp_pct,int_subtract_20,int_subtract_24,int_multiply_20,int_multiply_24,int_compare_20,"
+          "int_compare_24,fp_subtract_32,fp_multiply_32,fp_compare_32,latch_1,latch_20,latch_24,"
+          "latch_32,mux2_1,mux2_20,mux2_24,mux2_32,estimated",
+          "fp_slabs,fp32,13,2.876,348,37.388,1.9284,100,5.546,100,0,0,0,0,0,0,6,6,6,29,0,0,58,0,0,0,"
+          "10,",
+          "fp_plucker,fp32,20,2.876,348,57.520,3.6624,190,10.533,190,0,0,0,0,0,0,12,12,12,20,0,0,45,"
+          "6,0,0,18,",
+          "int_slabs,24/24,5,3.176,315,15.880,1.0090,52,3.205,58,0,6,0,6,0,6,0,0,0,6,0,38,0,0,0,16,0,",
+          "int_slabs,20/24,4,3.176,315,12.704,0.7075,37,2.247,41,6,0,6,0,0,6,0,0,0,5,33,4,0,0,12,4,0,",
+          "int_plucker,24/24,5,3.176,315,15.880,1.9091,99,6.063,109,0,12,0,12,0,12,0,0,0,5,0,27,0,6,"
+          "0,18,0,",
+          "int_plucker,20/24,4,3.176,315,12.704,1.3387,69,4.252,77,6,6,12,0,6,6,0,0,0,4,15,12,0,6,18,"
+          "0,0,int_compare_20"));
+}
+
+TEST(AreaCommand, BuiltIsTheDefaultAndHasValidAndTagBits) {
+  const auto lines = lines_of(printed({"--format", "csv"}));
+  EXPECT_EQ(printed({"--format", "csv", "--account", "built"}), printed({"--format", "csv"}));
+  ASSERT_EQ(lines.size(), 7U);
+  const std::vector<std::string> header = cells_of(lines[0]);
+  ASSERT_GE(header.size(), 3U);
+  EXPECT_THAT(std::vector<std::string>(header.end() - 3, header.end()),
+              ElementsAre("valid_1", "tag_16", "estimated"));
+  for (const std::string& line : lines) EXPECT_EQ(cells_of(line).size(), header.size()) << line;
+  EXPECT_THAT(lines[6], testing::EndsWith(",5,5,int_subtract_25 int_compare_20 int_compare_25 tag_16"));
+}
+
+/// The figures of the CSV, as numbers.
+TEST(AreaCommand, PrintsTheSameFiguresAsJson) {
+  const auto lines = lines_of(printed({"--format", "csv"}));
+  const Json list = Json::parse(printed({"--format", "json"}));
+  const std::vector<std::string> header = cells_of(lines.at(0));
+  ASSERT_EQ(list.size() + 1, lines.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::vector<std::string> cells = cells_of(lines[i + 1]);
+    ASSERT_EQ(list[i].size(), header.size());
+    std::size_t column = 0;
+    for (const auto& [key, value] : list[i].items()) {
+      EXPECT_EQ(key, header[column]);
+      if (value.is_string()) {
+        EXPECT_EQ(value, cells[column]);
+      } else if (key != "estimated") {
+        EXPECT_EQ(value, Json::parse(cells[column])) << key;
+      }
+      ++column;
+    }
+  }
+  EXPECT_EQ(list.at(5).at("estimated"),
+            Json({"int_subtract_25", "int_compare_20", "int_compare_25", "tag_16"}));
+}
+
+TEST(AreaCommand, PrintsALineADesignThenAColumnADesign) {
+  const std::string text = printed({"--account", "printed"});
+  EXPECT_LE(widest_line(text), 80U) << text;
+  const auto lines = lines_of(text);
+  EXPECT_EQ(lines.at(0), "design       bits   stages  delay  clock  latency    area           ADP");
+  EXPECT_EQ(lines.at(1), "                               ns    MHz       ns     mm2        mm2 ns");
+  EXPECT_EQ(lines.at(3), "fp_plucker   fp32       20  2.876    348   57.520  3.6624  190%  10.533  190%");
+  EXPECT_THAT(text, HasSubstr("\ncount                 fp32     fp32  24/24  20/24    24/24    20/24\n"));
+  EXPECT_THAT(text, HasSubstr("\nint_compare_20 est.      -        -      -      -        -        6\n"));
+  EXPECT_THAT(text, HasSubstr("\nlatch_24                 -        -     38      4       27       12\n"));
+  EXPECT_THAT(text, HasSubstr("\ntotal                1.9284   3.6624  1.0090  0.7075   1.9091   1.3387\n"));
+  for (const std::string& line : lines) EXPECT_FALSE(line.ends_with(' ')) << line;
+}
+
+TEST(AreaCommand, TextFitsEightyColumnsHoweverManyDesigns) {
+  const std::vector<std::string> many(11, "int_plucker");
+  std::vector<std::string> by_stage = many;
+  by_stage.emplace_back("--by-stage");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{}, {"--by-stage"}, {"fp_slabs"}, many, by_stage}) {
+    const std::string text = printed(arguments);
+    EXPECT_LE(widest_line(text), 80U) << text;
+  }
+  const std::string text = printed(many);
+  std::size_t columns = 0;
+  for (std::size_t at = text.find("plucker "); at != std::string::npos; at = text.find("plucker", at + 1)) {
+    ++columns;
+  }
+  EXPECT_EQ(columns, 11U + 11U + 11U) << "summary, counts and areas have every design";
+}
+
+TEST(AreaCommand, PrintsStages) {
+  EXPECT_EQ(printed({"int_slabs", "--bits", "24/24", "--by-stage", "--account", "printed"}),
+            "int_slabs 24/24, 5 stages of 3.176 ns\n"
+            "stage  area mm2  components\n"
+            "    0    0.0321  1 latch_1, 16 latch_24\n"
+            "    1    0.1170  6 int_subtract_24, 1 latch_1, 13 latch_24, 12 mux2_24\n"
+            "    2    0.8080  6 int_multiply_24, 1 latch_1, 1 latch_24\n"
+            "    3    0.0021  1 latch_1, 1 latch_24\n"
+            "    4    0.0141  1 latch_1, 7 latch_24\n"
+            "    5    0.0356  6 int_compare_24, 1 latch_1, 4 mux2_24\n"
+            "total    1.0090\n");
+}
+
+TEST(AreaCommand, PrintsStagesAsCsvAndJson) {
+  const auto lines = lines_of(printed({"int_slabs", "--bits", "24/24", "--by-stage", "--format", "csv"}));
+  EXPECT_EQ(lines.at(0),
+            "design,bits,stage,area_mm2,int_subtract_24,int_multiply_24,int_compare_24,latch_1,latch_24,"
+            "mux2_24,valid_1,tag_16,estimated");
+  EXPECT_EQ(lines.size(), 7U);
+  EXPECT_EQ(lines.at(4), "int_slabs,24/24,3,0.0035,0,0,0,1,1,0,1,1,tag_16");
+  const Json list = Json::parse(printed({"int_slabs", "int_plucker", "--by-stage", "--format", "json"}));
+  EXPECT_EQ(list.size(), 5U + 5U);
+  EXPECT_EQ(list.at(9).at("stage"), 4);
+  EXPECT_EQ(list.at(9).at("int_subtract_25"), 6);
+}
+
+TEST(AreaCommand, PricesTheDesignsNamedInTheirOrder) {
+  const Json list = Json::parse(printed({"int_plucker", "int_slabs", "--bits", "12/12", "--format", "json"}));
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0].at("design"), "int_plucker");
+  EXPECT_EQ(list[1].at("design"), "int_slabs");
+  EXPECT_EQ(list[1].at("bits"), "12/12");
+  EXPECT_EQ(list[1].at("int_multiply_12"), 6);
+  const Json by_default = Json::parse(printed({"fp_slabs", "int_slabs", "--format", "json"}));
+  EXPECT_EQ(by_default.at(0).at("bits"), "fp32");
+  EXPECT_EQ(by_default.at(0).at("area_pct"), 100);
+  EXPECT_EQ(by_default.at(1).at("bits"), "20/24");
+}
+
+class AreaLibrary : public testing::Test {
+ protected:
+  static std::string thesis() {
+    return contents_of(std::filesystem::path(HITPIPE_SOURCE) / "area_model/libraries/thesis_250nm.json");
+  }
+  std::string write(const Json& library) const { return folder_.write("own.json", library.dump()).string(); }
+
+  const sim::TemporaryFolder folder_;
+};
+
+TEST_F(AreaLibrary, OfOnesOwnChangesThePrices) {
+  const std::vector<std::string> arguments{"int_slabs", "--account", "printed", "--format", "json"};
+  std::vector<std::string> with_library = arguments;
+  Json library = Json::parse(thesis());
+  with_library.insert(with_library.end(), {"--library", write(library)});
+  EXPECT_EQ(printed(with_library), printed(arguments));
+  // Six multipliers of 20 bits, 0.01 mm2 dearer each.
+  Json& cell = library["components"]["int_multiply"]["cells"][1];
+  ASSERT_EQ(cell["bits"], 20);
+  cell["area_um2"] = cell["area_um2"].get<int>() + 10000;
+  write(library);
+  EXPECT_EQ(Json::parse(printed(with_library)).at(0).at("area_mm2"), 0.7675);
+}
+
+TEST_F(AreaLibrary, WithoutFloatsLeavesPercentagesOut) {
+  Json library = Json::parse(thesis());
+  for (const char* const name : {"fp_subtract", "fp_multiply", "fp_compare"})
+    library["components"].erase(name);
+  const std::string file = write(library);
+  const Json list = Json::parse(printed({"int_slabs", "--library", file, "--format", "json"}));
+  EXPECT_TRUE(list.at(0).at("area_pct").is_null());
+  EXPECT_TRUE(list.at(0).at("adp_pct").is_null());
+  EXPECT_THAT(printed({"int_slabs", "--library", file, "--format", "csv"}), HasSubstr(",0.7167,,2.276,,"));
+  EXPECT_THAT(printed({"int_slabs", "--library", file}), testing::Not(HasSubstr("%")));
+  rejected({"--library", file}, "library thesis_250nm: it has no fp_subtract");
+}
+
+TEST_F(AreaLibrary, ThatIsBrokenRejected) {
+  Json library = Json::parse(thesis());
+  library["components"]["mux2"].erase("area");
+  const std::string file = write(library);
+  rejected({"--library", file}, file + ": mux2: \"area\" is missing");
+  const std::string none = (folder_.path() / "none.json").string();
+  rejected({"--library", none}, none + ": cannot read the component library");
+}
+
+TEST(AreaCommand, UnknownDesignRejected) {
+  rejected({"pluecker"}, "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker");
+}
+
+TEST(AreaCommand, BitsRejected) {
+  const std::string allowed = ": allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
+  for (const std::string bits : {"5/6", "20/40", "abc", ""})
+    rejected({"int_slabs", "--bits", bits}, "bits " + bits + allowed);
+  rejected({"fp_slabs", "--bits", "20/24"},
+           "bits 20/24: fp_slabs computes in floats; its only format is fp32");
+  rejected({"--bits", "20/24"}, "--bits requires design; see hitpipe area --help");
+}
+
+TEST(AreaCommand, UnknownAccountRejected) {
+  rejected({"--account", "thesis"}, "--account: thesis is none of printed, built; see hitpipe area --help");
+}
+
+}  // namespace
+}  // namespace hitpipe::cli
