@@ -10,6 +10,8 @@ struct IntBits {
   static constexpr int min_coord = 6;
   static constexpr int max_coord = 32;
   static constexpr int min_interval = 6;
+  /// Below the program's formats, for exhaustive tests: the proofs of sw_ref/quantise hold for these too.
+  static constexpr int min_proved = 4;
 
   int coord = 20;     ///< n
   int interval = 24;  ///< t
@@ -18,8 +20,13 @@ struct IntBits {
   [[nodiscard]] constexpr int product() const { return 2 * coord - 1; }
   /// Low product bits that are dropped before distances are compared.
   [[nodiscard]] constexpr int trimmed() const { return product() - interval; }
+  /// A format of the program.
   [[nodiscard]] constexpr bool valid() const {
-    return coord >= min_coord && coord <= max_coord && interval >= min_interval && interval <= product();
+    return proved() && coord >= min_coord && interval >= min_interval;
+  }
+  /// A format of the pipelines and the ray set-up.
+  [[nodiscard]] constexpr bool proved() const {
+    return coord >= min_proved && coord <= max_coord && interval >= min_proved && interval <= product();
   }
   friend constexpr bool operator==(const IntBits&, const IntBits&) = default;
 };
@@ -28,7 +35,7 @@ struct IntBits {
 template <int N, int T>
 struct IntFormat {
   static constexpr IntBits bits{N, T};
-  static_assert(bits.valid(), "n/t must have n in 6..32 and t in 6..2n-1");
+  static_assert(bits.proved(), "n/t must have n in 4..32 and t in 4..2n-1");
   static constexpr int coord = N;
   static constexpr int interval = T;
   static constexpr int product = bits.product();

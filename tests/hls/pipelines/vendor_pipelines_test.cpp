@@ -9,7 +9,11 @@
 
 #include "hls/num/domain.hpp"
 #include "hls/num/vendor.hpp"
+#include "hls/pipelines/fp_plucker.hpp"
+#include "hls/pipelines/fp_slabs.hpp"
+#include "hls/pipelines/int_plucker.hpp"
 #include "hls/pipelines/int_slabs.hpp"
+#include "hls/top/csim.hpp"
 
 namespace hitpipe::hls {
 namespace {
@@ -17,29 +21,24 @@ namespace {
 constexpr unsigned seed = 72;
 constexpr int vector_count = 50000;
 
-template <class D, class F>
-bool hit_of(const std::vector<std::uint64_t>& bits) {
-  using Operands = IntSlabs::Operands<D, F>;
+template <class Pipeline, class D, class F>
+bool hit_of(const std::vector<std::uint64_t>& words) {
+  using Operands = typename Pipeline::template Operands<D, F>;
   Operands in;
   std::size_t next = 0;
-  Operands::for_each(in, [&](const char*, auto& field) { field = bits[next++]; });
-  return IntSlabs::hit<D, F>(in).to_bool();
+  Operands::for_each(in, [&](const char*, auto& field) { field = words[next++]; });
+  return Pipeline::template hit<D, F>(in).to_bool();
 }
 
-/// Half of the vectors are near zero, where the unit says HIT more often.
-template <class F>
+template <class Pipeline, class F>
 void expect_equal_hits() {
-  std::cout << "seed " << seed << '\n';
+  std::cout << "seed " << seed << ", " << vector_count << " vectors\n";
   std::mt19937_64 random(seed);
   int hits = 0;
   for (int i = 0; i < vector_count; ++i) {
-    std::vector<std::uint64_t> bits(17);
-    for (std::uint64_t& b : bits) {
-      b = random();
-      if (i % 2 == 0) b = static_cast<std::uint64_t>(static_cast<std::int64_t>(b) >> 58);
-    }
-    const bool native = hit_of<Native, F>(bits);
-    ASSERT_EQ(native, (hit_of<Vendor, F>(bits))) << "vector " << i;
+    const auto words = top::random_operands<Pipeline, F>(random);
+    const bool native = hit_of<Pipeline, Native, F>(words);
+    ASSERT_EQ(native, (hit_of<Pipeline, Vendor, F>(words))) << "vector " << i;
     hits += native ? 1 : 0;
   }
   EXPECT_GT(hits, vector_count / 100);
@@ -47,16 +46,27 @@ void expect_equal_hits() {
 }
 
 TEST(VendorPipelines, IntSlabsAgreesAt24_24) {
-  expect_equal_hits<IntFormat<24, 24>>();
+  expect_equal_hits<IntSlabs, IntFormat<24, 24>>();
 }
 TEST(VendorPipelines, IntSlabsAgreesAt20_24) {
-  expect_equal_hits<IntFormat<20, 24>>();
+  expect_equal_hits<IntSlabs, IntFormat<20, 24>>();
 }
 TEST(VendorPipelines, IntSlabsAgreesAtTheNarrowestFormat) {
-  expect_equal_hits<IntFormat<6, 6>>();
+  expect_equal_hits<IntSlabs, IntFormat<6, 6>>();
 }
 TEST(VendorPipelines, IntSlabsAgreesAtTheWidestFormat) {
-  expect_equal_hits<IntFormat<32, 63>>();
+  expect_equal_hits<IntSlabs, IntFormat<32, 63>>();
+}
+TEST(VendorPipelines, IntPluckerAgrees) {
+  expect_equal_hits<IntPlucker, IntFormat<24, 24>>();
+  expect_equal_hits<IntPlucker, IntFormat<20, 24>>();
+  expect_equal_hits<IntPlucker, IntFormat<32, 63>>();
+}
+TEST(VendorPipelines, FpSlabsAgrees) {
+  expect_equal_hits<FpSlabs, Fp32>();
+}
+TEST(VendorPipelines, FpPluckerAgrees) {
+  expect_equal_hits<FpPlucker, Fp32>();
 }
 
 }  // namespace
