@@ -26,6 +26,30 @@ namespace {
 /// and so with the names exchanged.
 constexpr double order_margin = 1.0 - 0x1p-49;
 
+/// A slab as exact doubles: distances near / speed and far / speed, speed > 0.
+struct ExactSlab {
+  double near, far, speed;
+};
+
+/// a - b when that is a double, which it is exactly when the rounding error that Knuth's two-sum finds is
+/// zero.
+std::optional<double> exact_difference(double a, double b) {
+  const double difference = a - b;
+  const double back = difference - a;
+  const double error = (a - (difference - back)) - (b + back);
+  return error == 0 ? std::optional(difference) : std::nullopt;
+}
+
+/// a * b > c * d, exactly: rounding is monotone, so unequal rounded products have the exact order, and equal
+/// ones that of their errors, which fma gives exactly. All factors are 0 or between 2^-149 and 2^129 in
+/// magnitude, with bits no lower than 2^-149: nothing overflows, and an error, a multiple of 2^-298, does not
+/// underflow.
+bool greater_product(double a, double b, double c, double d) {
+  const double left = a * b;
+  const double right = c * d;
+  return left != right ? left > right : std::fma(a, b, -left) > std::fma(c, d, -right);
+}
+
 }  // namespace
 
 bool acceptable(const Ray& ray) {
@@ -48,23 +72,25 @@ bool acceptable(const Aabb& box) {
   return true;
 }
 
-std::optional<bool> ray_meets_box_filtered(const Ray& ray, const Aabb& box) {
+BoxReferee::BoxReferee(const Ray& ray) : ray_(ray) {
+  for (int axis = 0; axis < 3; ++axis) inverse_[axis] = 1.0 / static_cast<double>(ray.direction[axis]);
+}
+
+std::optional<bool> BoxReferee::filtered(const Aabb& box) const {
   double near = 0;
-  double far = ray.length;
+  double far = ray_.length;
   for (int axis = 0; axis < 3; ++axis) {
-    const double origin = ray.origin[axis];
-    const double direction = ray.direction[axis];
+    const double origin = ray_.origin[axis];
     const double to_min = box.min[axis] - origin;
     const double to_max = box.max[axis] - origin;
-    if (direction == 0) {
+    if (ray_.direction[axis] == 0) {
       if (to_min > 0 || to_max < 0) {
         return false;
       }
       continue;
     }
-    const double inverse = 1.0 / direction;
-    const double at_min = to_min * inverse;
-    const double at_max = to_max * inverse;
+    const double at_min = to_min * inverse_[axis];
+    const double at_max = to_max * inverse_[axis];
     near = std::max(near, std::min(at_min, at_max));
     far = std::min(far, std::max(at_min, at_max));
   }
@@ -78,6 +104,39 @@ std::optional<bool> ray_meets_box_filtered(const Ray& ray, const Aabb& box) {
     return false;
   }
   return std::nullopt;
+}
+
+std::optional<bool> ray_meets_box_filtered(const Ray& ray, const Aabb& box) {
+  return BoxReferee(ray).filtered(box);
+}
+
+std::optional<bool> ray_meets_box_by_products(const Ray& ray, const Aabb& box) {
+  std::array<ExactSlab, 3> slabs{};
+  std::size_t axes = 0;
+  bool apart = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto to_min = exact_difference(box.min[axis], ray.origin[axis]);
+    const auto to_max = exact_difference(box.max[axis], ray.origin[axis]);
+    if (!to_min || !to_max) {
+      return std::nullopt;
+    }
+    const double speed = ray.direction[axis];
+    if (speed == 0) {
+      apart = apart || *to_min > 0 || *to_max < 0;
+    } else {
+      slabs[axes++] = speed < 0 ? ExactSlab{-*to_max, -*to_min, -speed} : ExactSlab{*to_min, *to_max, speed};
+    }
+  }
+  const double length = ray.length;
+  for (std::size_t i = 0; i < axes; ++i) {
+    apart = apart || slabs[i].far < 0;
+    apart = apart || (!ray.is_infinite() && slabs[i].near > length * slabs[i].speed);  // 48 bits: exact
+    for (std::size_t j = 0; j < axes; ++j) {
+      apart =
+          apart || (i != j && greater_product(slabs[i].near, slabs[j].speed, slabs[j].far, slabs[i].speed));
+    }
+  }
+  return !apart;
 }
 
 bool ray_meets_box_exact(const Ray& ray, const Aabb& box) {
@@ -119,9 +178,17 @@ bool ray_meets_box_exact(const Ray& ray, const Aabb& box) {
   return true;
 }
 
+bool BoxReferee::meets(const Aabb& box) const {
+  const std::optional<bool> certain = filtered(box);
+  if (certain) {
+    return *certain;
+  }
+  const std::optional<bool> by_products = ray_meets_box_by_products(ray_, box);
+  return by_products ? *by_products : ray_meets_box_exact(ray_, box);
+}
+
 bool ray_meets_box(const Ray& ray, const Aabb& box) {
-  const std::optional<bool> certain = ray_meets_box_filtered(ray, box);
-  return certain ? *certain : ray_meets_box_exact(ray, box);
+  return BoxReferee(ray).meets(box);
 }
 
 }  // namespace hitpipe::ref

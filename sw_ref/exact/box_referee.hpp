@@ -6,6 +6,8 @@
 
 #include <optional>
 
+#include <glm/vec3.hpp>
+
 #include "sw_ref/geometry/aabb.hpp"
 #include "sw_ref/geometry/ray.hpp"
 
@@ -18,12 +20,30 @@ namespace hitpipe::ref {
 /// Finite, min <= max on each axis, within [-1, 1]^3.
 [[nodiscard]] bool acceptable(const Aabb& box);
 
-/// The exact answer for an acceptable ray and box: a double filter, then integers where the filter is in
-/// doubt.
+/// A ray made ready to be judged against many boxes.
+class BoxReferee {
+ public:
+  explicit BoxReferee(const Ray& ray);
+  /// As ray_meets_box().
+  [[nodiscard]] bool meets(const Aabb& box) const;
+  /// As ray_meets_box_filtered().
+  [[nodiscard]] std::optional<bool> filtered(const Aabb& box) const;
+
+ private:
+  Ray ray_;
+  glm::dvec3 inverse_{0};
+};
+
+/// The exact answer for an acceptable ray and box: a double filter, exact products of doubles where the
+/// filter is in doubt, and integers where those do not fit either.
 [[nodiscard]] bool ray_meets_box(const Ray& ray, const Aabb& box);
 
 /// The same answer from integers alone: the filter's judge, about a hundred times slower.
 [[nodiscard]] bool ray_meets_box_exact(const Ray& ray, const Aabb& box);
+
+/// By products of doubles and their rounding errors: the exact answer, or nothing where a coordinate
+/// difference is no double.
+[[nodiscard]] std::optional<bool> ray_meets_box_by_products(const Ray& ray, const Aabb& box);
 
 /// The filter alone: the exact answer, or nothing where double precision cannot tell.
 [[nodiscard]] std::optional<bool> ray_meets_box_filtered(const Ray& ray, const Aabb& box);

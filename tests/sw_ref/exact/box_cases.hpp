@@ -6,15 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <random>
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "sw_ref/geometry/aabb.hpp"
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/adversary/case.hpp"
+#include "sw_ref/adversary/parts.hpp"
+#include "sw_ref/adversary/random.hpp"
 
 namespace hitpipe::ref::cases {
 
@@ -22,35 +19,18 @@ namespace hitpipe::ref::cases {
 inline constexpr float scene_limit = 1.0F - 0x1p-10F;
 inline constexpr float padding = 5e-7F;
 
-/// Random numbers that do not depend on the standard library's distributions.
-class Random {
+using adversary::Case;
+using adversary::nudged;
+using adversary::vector_of;
+
+class Random : public adversary::Random {
  public:
-  explicit Random(std::uint64_t seed) : bits_(seed) {}
+  using adversary::Random::Random;
 
-  std::uint64_t below(std::uint64_t count) { return bits_() % count; }
-  int between(int low, int high) {
-    return low + static_cast<int>(below(static_cast<std::uint64_t>(high - low + 1)));
-  }
-  bool coin() { return below(2) == 0; }
   std::size_t axis() { return below(3); }
-  float sign() { return coin() ? 1.0F : -1.0F; }
-  float signed_unit() { return static_cast<float>(static_cast<double>(bits_() >> 11) * 0x1p-52 - 1.0); }
   float coordinate() { return signed_unit() * scene_limit; }
-  /// A multiple of 2^-6 in [-63/64, 63/64].
-  float coarse() { return static_cast<float>(between(-63, 63)) * 0x1p-6F; }
-  /// Any finite binary32 pattern.
-  float any_finite() {
-    const float mantissa = 1.0F + static_cast<float>(below(1U << 23)) * 0x1p-23F;
-    return sign() * std::ldexp(mantissa, between(-150, 127));
-  }
-
- private:
-  std::mt19937_64 bits_;
-};
-
-struct Case {
-  Ray ray;
-  Aabb box;
+  /// Of nearly any exponent.
+  float any_finite() { return of_exponent(-150, 127); }
 };
 
 inline float& at(glm::vec3& v, std::size_t axis) {
@@ -58,21 +38,6 @@ inline float& at(glm::vec3& v, std::size_t axis) {
 }
 inline float at(const glm::vec3& v, std::size_t axis) {
   return v[static_cast<int>(axis)];
-}
-
-/// The binary32 `ulps` steps above x.
-inline float nudged(float x, int ulps) {
-  const float towards =
-      ulps < 0 ? -std::numeric_limits<float>::infinity() : std::numeric_limits<float>::infinity();
-  for (int i = 0; i < std::abs(ulps); ++i) x = std::nextafter(x, towards);
-  return x;
-}
-
-template <class Coordinate>
-glm::vec3 vector_of(Coordinate coordinate) {
-  glm::vec3 v;
-  for (std::size_t axis = 0; axis < 3; ++axis) at(v, axis) = coordinate();
-  return v;
 }
 
 inline Aabb coarse_box(Random& random) {
@@ -306,12 +271,10 @@ inline constexpr std::array categories{
 
 /// The inputs in hex, to be pasted into a test.
 inline std::string describe(const Ray& ray) {
-  return fmt::format("origin {:a} {:a} {:a} direction {:a} {:a} {:a} length {:a}", ray.origin.x, ray.origin.y,
-                     ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z, ray.length);
+  return adversary::to_text(ray);
 }
 inline std::string describe(const Case& c) {
-  return describe(c.ray) + fmt::format(" box {:a} {:a} {:a} to {:a} {:a} {:a}", c.box.min.x, c.box.min.y,
-                                       c.box.min.z, c.box.max.x, c.box.max.y, c.box.max.z);
+  return adversary::to_text(c);
 }
 
 }  // namespace hitpipe::ref::cases
