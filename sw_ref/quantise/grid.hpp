@@ -7,6 +7,10 @@
 
 #include "sw_ref/exact/binary32.hpp"
 
+#ifdef __FAST_MATH__
+#error "rounding to a grid needs IEEE arithmetic: build without -ffast-math"
+#endif
+
 namespace hitpipe::ref {
 
 /// G = 2^(n-2) - 1: the integer coordinate of 1. n in 6..32.
@@ -21,8 +25,26 @@ namespace hitpipe::ref {
 
 enum class Half : int { down = -1, up = 1 };
 
+/// Up to this n, G x has 29 + 24 bits at most: an exact double.
+inline constexpr int exact_in_double = 31;
+
+/// floor(s * x + 1/2) with s = G or -G, exact for |x| <= 2 and n <= exact_in_double. Without a branch, so
+/// that loops over it vectorise. Let s x = k + f, k an integer nearest to it: the result is k, or k + 1 if f
+/// = 1/2. Beside 1.5 * 2^52 a double has no bits below 1: the sum rounds s x to k, and both differences are
+/// exact.
+[[nodiscard]] inline double grid_nearest(float x, double scale) {
+  constexpr double without_fraction = 0x1.8p52;
+  const double scaled = scale * static_cast<double>(x);
+  const double nearest = (scaled + without_fraction) - without_fraction;
+  return nearest + (scaled - nearest == 0.5 ? 1.0 : 0.0);
+}
+
 /// floor(G * x - 1/2) or floor(G * x + 1/2), exact for |x| <= 2 and n in 6..32.
 [[nodiscard]] inline std::int64_t grid_floor(float x, int coord_bits, Half half) {
+  if (coord_bits <= exact_in_double) {
+    const double up = grid_nearest(x, static_cast<double>(grid_scale(coord_bits)));
+    return static_cast<std::int64_t>(up) - (half == Half::down ? 1 : 0);
+  }
   // G x +- 1/2 = (2 G m +- 2^s) / 2^(s+1) with |x| = m 2^-s, m < 2^24, 22 <= s <= 149; 2 G m < 2^55.
   const Binary32 parts = decode(x);
   const int s = -parts.exponent;

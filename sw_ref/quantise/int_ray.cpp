@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-
-#include <fmt/format.h>
+#include <string_view>
 
 #include "sw_ref/exact/binary32.hpp"
 #include "sw_ref/quantise/grid.hpp"
+#include "sw_ref/quantise/ray_check.hpp"
 
 namespace hitpipe::ref {
 
@@ -35,33 +34,13 @@ constexpr std::int64_t irdvc_limit(int coord_bits) {
   return (std::int64_t{1} << (coord_bits - 1)) - 1;
 }
 
-void check(const Ray& ray, hls::IntBits bits) {
-  if (!bits.valid()) {
-    throw std::invalid_argument(fmt::format("IntRaySetup: format {}/{}; n must be 6 to 32 and t 6 to 2n-1",
-                                            bits.coord, bits.interval));
-  }
-  bool any_nonzero = false;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(std::abs(ray.origin[axis]) <= 1.0F)) {
-      throw std::out_of_range(
-          fmt::format("IntRaySetup: origin.{} = {} is outside the cube; allowed is [-1, 1]", "xyz"[axis],
-                      ray.origin[axis]));
-    }
-    if (!std::isfinite(ray.direction[axis])) {
-      throw std::invalid_argument(fmt::format("IntRaySetup: direction.{} = {}; components must be finite",
-                                              "xyz"[axis], ray.direction[axis]));
-    }
-    any_nonzero = any_nonzero || ray.direction[axis] != 0.0F;
-  }
-  if (!any_nonzero) {
-    throw std::invalid_argument("IntRaySetup: direction is (0, 0, 0); one component must differ from 0");
-  }
-}
+constexpr std::string_view who = "IntRaySetup";
 
 }  // namespace
 
 IntRaySetup::IntRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bits) {
-  check(ray, bits);
+  check_format(bits, who);
+  check_ray(ray, who);
   for (int axis = 0; axis < 3; ++axis) {
     // To nearest, ties upwards: the error is at most 1/2 exactly, which the box's half unit covers.
     ray_.origin[static_cast<std::size_t>(axis)] =
@@ -106,9 +85,7 @@ void IntRaySetup::set_irdvcs(const Ray& ray) {
 }
 
 std::int64_t IntRaySetup::length(float length) const {
-  if (!(length >= 0.0F)) {
-    throw std::invalid_argument(fmt::format("IntRaySetup: length = {}; it must be >= 0 or infinite", length));
-  }
+  check_length(length, who);
   const Uint128 largest = (Uint128{1} << (2 * bits_.coord - 2)) - 1;
   Uint128 full = largest;
   if (!std::isinf(length)) {

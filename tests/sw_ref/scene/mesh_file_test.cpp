@@ -162,9 +162,12 @@ TEST_F(MeshFile, GlbIsRead) {
                             bytes(44U) + std::string("BIN\0", 4) + buffer;
   EXPECT_EQ(load("m.glb", whole).triangles.size(), 1U);
   EXPECT_EQ(reason("a.glb", whole.substr(0, whole.size() / 2)),
-            "cannot be read, it must be a complete glb file (its beginning is not that of one)");
+            fmt::format("is cut short; the chunk at byte 12 announces {} bytes, {} are left", length,
+                        whole.size() / 2 - 20));
   EXPECT_EQ(reason("b.glb", whole.substr(0, whole.size() - 1)),
-            "cannot be read, it must be a complete glb file (GLTF: Unable to read gltf file)");
+            fmt::format("is cut short; the chunk at byte {} announces 44 bytes, 43 are left", 20 + length));
+  EXPECT_EQ(reason("c.glb", "glTF" + bytes(1U) + bytes(24U) + bytes(0xFFFFFFFFU) + bytes(0U) + "{}  "),
+            "is cut short; the chunk at byte 12 announces 4294967295 bytes, 4 are left");
 }
 
 TEST_F(MeshFile, PolygonsAreTriangulatedAndLinesDropped) {

@@ -1,0 +1,21 @@
+// Rays and boxes where ray-box tests break, by named category (sections 6.2 and 6.3): for tests and for
+// judging a design. Every case is one that the referee accepts (sw_ref/exact/box_referee.hpp).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "sw_ref/adversary/case.hpp"
+#include "sw_ref/adversary/random.hpp"
+
+namespace hitpipe::ref::adversary {
+
+struct Category {
+  std::string_view name;  ///< one word, for tables and options
+  std::string_view what;  ///< what is special about it
+  Case (*make)(Random& random);
+};
+
+[[nodiscard]] std::span<const Category> categories();
+
+}  // namespace hitpipe::ref::adversary

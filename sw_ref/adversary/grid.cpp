@@ -1,0 +1,98 @@
+// Coordinates at the ends of the integer grid, at its steps and ties, and far below its unit.
+#include "sw_ref/quantise/grid.hpp"
+
+#include <array>
+
+#include "sw_ref/adversary/generators.hpp"
+#include "sw_ref/adversary/parts.hpp"
+
+namespace hitpipe::ref::adversary {
+namespace {
+
+/// Scenes lie within +-(1 - 2^-10), their boxes 5e-7 beyond that (section 4.3).
+constexpr float scene_margin = 1.0F - 0x1p-10F + 5e-7F;
+
+float end_of_grid(Random& random) {
+  const float magnitude =
+      std::array{1.0F, nudged(1.0F, -1), nudged(1.0F, -2), scene_margin, 0.5F, 0.0F}[random.below(6)];
+  return random.sign() * magnitude;
+}
+
+float subnormal(Random& random) {
+  return random.coin() ? random.of_exponent(-149, -127) : random.sign() * 0x1p-149F;
+}
+
+}  // namespace
+
+Case grid_ends(Random& random) {
+  Case c{.ray = {}, .box = box_of([&] { return end_of_grid(random); })};
+  c.ray.origin = vector_of([&] { return end_of_grid(random); });
+  const float t = aim(random, c.ray, point_of(random, c.box, random.between(0, 3)));
+  c.ray.length = length_about(random, t);
+  if (random.coin()) disturb(random, c.ray);
+  return c;
+}
+
+Case one_grid_unit(Random& random) {
+  // The worst that rounding can do to a side relation: components halfway between two integers on a scale
+  // where the largest is M, and planes that the ray just touches.
+  const int n = std::array{6, 7, 8, 12, 16, 20, 24}[random.below(7)];
+  const auto unit = static_cast<float>(grid_scale(n));
+  const int limit = (1 << (n - 1)) - 1;
+  const int largest = random.axis();
+  Case c;
+  for (int axis = 0; axis < 3; ++axis) {
+    // Twice the component, an odd number as often as not; near the largest as often as not.
+    const int twice = random.coin() ? 2 * limit - random.between(1, 9) : random.between(0, 2 * limit);
+    const auto component = static_cast<float>(axis == largest ? 2 * limit : twice);
+    c.ray.direction[axis] = random.sign() * nudged(component, -random.between(0, 1));
+    // In units of the grid, at an integer or a tie; in the half of the cube that the ray comes from.
+    const float start =
+        std::round(unit * (1.0F - std::ldexp(std::abs(random.signed_unit()), -random.between(0, 4)))) -
+        (random.coin() ? 0.5F : 0.0F);
+    c.ray.origin[axis] = within_cube(nudged(-std::copysign(start / unit, c.ray.direction[axis]),  //
+                                            random.between(-1, 1)));
+  }
+  const double along = 2.0 * std::abs(random.signed_unit());
+  for (int axis = 0; axis < 3; ++axis) {
+    const double step = along * c.ray.direction[axis] / (2.0 * limit);
+    const float touch = within_cube(static_cast<float>(c.ray.origin[axis] + step));
+    // Put the plane where the ray is when it reaches a whole unit, as often as not.
+    const float plane = random.coin() ? touch : within_cube(std::round(touch * unit) / unit);
+    const float extent = static_cast<float>(random.between(0, 2)) / unit;
+    const bool above = random.coin();
+    c.box.min[axis] = within_cube(above ? plane : plane - extent);
+    c.box.max[axis] = within_cube(above ? plane + extent : plane);
+  }
+  c.ray.length = length_about(random, static_cast<float>(along / (2.0 * limit)));
+  return c;
+}
+
+Case subnormal_coordinates(Random& random) {
+  Case c{.ray = {}, .box = coarse_box(random)};
+  c.ray.origin = vector_of([&] { return random.coarse(); });
+  for (int i = random.between(1, 3); i > 0; --i) {
+    const int axis = random.axis();
+    const float edge = subnormal(random);
+    (edge < 0 ? c.box.max : c.box.min)[axis] = edge;
+    if (c.box.min[axis] > c.box.max[axis]) std::swap(c.box.min[axis], c.box.max[axis]);
+    if (random.coin()) c.ray.origin[axis] = subnormal(random);
+  }
+  const float t = aim(random, c.ray, point_of(random, c.box, random.between(0, 3)));
+  c.ray.length = length_about(random, t);
+  switch (random.below(3)) {
+    case 0:
+      c.ray.direction[random.axis()] = subnormal(random);
+      break;
+    case 1:
+      c.ray.direction = vector_of([&] { return subnormal(random); });
+      c.ray.length = random.coin() ? Ray::infinite : std::abs(random.of_exponent(100, 127));
+      break;
+    default:
+      break;
+  }
+  give_direction(random, c.ray);
+  return c;
+}
+
+}  // namespace hitpipe::ref::adversary

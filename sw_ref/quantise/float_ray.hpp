@@ -1,0 +1,27 @@
+// Ray set-up for the float units in binary32 (sections 2.3.1 and 3.3): inverse direction for slabs, endpoint
+// for Pluecker. As a program would compute it: no proof follows from rounded numbers.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "sw_ref/geometry/ray.hpp"
+
+namespace hitpipe::ref {
+
+/// 1 / d, each component rounded to nearest: the IRDVCs. 1 / +-0 is an infinity of that sign.
+[[nodiscard]] glm::vec3 float_irdvc(const glm::vec3& direction);
+
+/// Where a ray ends.
+struct FloatEndpoint {
+  glm::vec3 at{0};        ///< the origin with `infinite`
+  bool infinite = false;  ///< the ray has no end that binary32 can hold: the unit then ignores `at`
+
+  friend bool operator==(const FloatEndpoint&, const FloatEndpoint&) = default;
+};
+
+/// origin + length * direction from the exact sum, each component rounded outward along the ray: up where
+/// the direction is positive, down where it is negative. For acceptable rays (box_referee.hpp); throws
+/// std::invalid_argument unless length >= 0 or infinite.
+[[nodiscard]] FloatEndpoint float_endpoint(const Ray& ray, float length);
+
+}  // namespace hitpipe::ref

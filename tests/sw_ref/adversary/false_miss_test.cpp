@@ -1,0 +1,184 @@
+// The integer units, as their C++ computes them, never miss what the exact referee hits: every category,
+// format and both kinds of ray.
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hls/num/domain.hpp"
+#include "hls/pipelines/int_plucker.hpp"
+#include "hls/pipelines/int_slabs.hpp"
+#include "sw_ref/adversary/categories.hpp"
+#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/quantise/int_box.hpp"
+#include "sw_ref/quantise/int_plucker_ray.hpp"
+#include "sw_ref/quantise/int_ray.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+using adversary::Case;
+using adversary::Category;
+using adversary::to_text;
+using hls::IntFormat;
+
+constexpr std::uint64_t seed = 20072;
+constexpr int cases_per_category = 20'000;
+
+/// |difference of a box coordinate and the origin| <= 2^(n-1) - 1, or it wraps in n bits.
+bool fits(const IntBox& box, const std::array<std::int32_t, 3>& origin, int coord_bits) {
+  const std::int64_t largest = (std::int64_t{1} << (coord_bits - 1)) - 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (const std::int64_t plane : {box.min[i], box.max[i]}) {
+      if (std::abs(plane - origin[i]) > largest) return false;
+    }
+  }
+  return true;
+}
+
+template <class Operands>
+void set_box(Operands& in, const IntBox& box) {
+  in.ixmin = box.min[0];
+  in.ixmax = box.max[0];
+  in.iymin = box.min[1];
+  in.iymax = box.max[1];
+  in.izmin = box.min[2];
+  in.izmax = box.max[2];
+}
+
+template <class F>
+struct Slabs {
+  static bool hit(const Ray& exact, const IntBox& box) {
+    const IntRay ray = IntRaySetup(exact, F::bits).ray();
+    EXPECT_TRUE(fits(box, ray.origin, F::coord)) << to_text(exact);
+    hls::IntSlabsOperands<hls::Native, F> in;
+    in.irx = ray.origin[0];
+    in.iry = ray.origin[1];
+    in.irz = ray.origin[2];
+    in.irlen = ray.length;
+    in.iri_floor = ray.irdvc_floor[0];
+    in.iri_ceil = ray.irdvc_ceil[0];
+    in.irj_floor = ray.irdvc_floor[1];
+    in.irj_ceil = ray.irdvc_ceil[1];
+    in.irk_floor = ray.irdvc_floor[2];
+    in.irk_ceil = ray.irdvc_ceil[2];
+    in.rinf = ray.infinite;
+    set_box(in, box);
+    return hls::IntSlabs::hit<hls::Native, F>(in).to_bool();
+  }
+};
+
+template <class F>
+struct Plucker {
+  static bool hit(const Ray& exact, const IntBox& box) {
+    const IntPluckerRay ray = IntPluckerSetup(exact, F::bits).ray();
+    EXPECT_TRUE(fits(box, ray.origin, F::coord)) << to_text(exact);
+    hls::IntPluckerOperands<hls::Native, F> in;
+    in.irx = ray.origin[0];
+    in.iry = ray.origin[1];
+    in.irz = ray.origin[2];
+    in.irex = ray.end.at[0];
+    in.irey = ray.end.at[1];
+    in.irez = ray.end.at[2];
+    in.iri = ray.direction[0];
+    in.irj = ray.direction[1];
+    in.irk = ray.direction[2];
+    in.rinf = ray.end.infinite;
+    set_box(in, box);
+    return hls::IntPlucker::hit<hls::Native, F>(in).to_bool();
+  }
+};
+
+struct Unit {
+  hls::IntBits bits;
+  bool (*hit)(const Ray&, const IntBox&);
+  int most_false_hits_pct;  ///< of random cases: a unit that always hits would never miss
+};
+
+template <template <class> class Design>
+constexpr std::array<Unit, 10> units_of{{{{24, 24}, Design<IntFormat<24, 24>>::hit, 1},
+                                         {{20, 24}, Design<IntFormat<20, 24>>::hit, 1},
+                                         {{16, 16}, Design<IntFormat<16, 16>>::hit, 1},
+                                         {{12, 12}, Design<IntFormat<12, 12>>::hit, 1},
+                                         {{8, 8}, Design<IntFormat<8, 8>>::hit, 15},
+                                         {{6, 6}, Design<IntFormat<6, 6>>::hit, 50},
+                                         {{6, 11}, Design<IntFormat<6, 11>>::hit, 50},
+                                         {{20, 20}, Design<IntFormat<20, 20>>::hit, 1},
+                                         {{24, 32}, Design<IntFormat<24, 32>>::hit, 1},
+                                         {{32, 63}, Design<IntFormat<32, 63>>::hit, 1}}};
+
+struct Judged {
+  int cases = 0;
+  int hits = 0;
+  int false_hits = 0;
+  int false_misses = 0;
+};
+
+Judged judge(const Unit& unit, const std::vector<Case>& cases, const std::vector<bool>& expected) {
+  Judged judged;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Case& c = cases[i];
+    const bool hit = unit.hit(c.ray, quantise_box(c.box, unit.bits.coord));
+    ++judged.cases;
+    judged.hits += expected[i] ? 1 : 0;
+    judged.false_hits += hit && !expected[i] ? 1 : 0;
+    if (hit || !expected[i]) continue;
+    if (judged.false_misses++ == 0) {
+      ADD_FAILURE() << "false miss at " << unit.bits.coord << "/" << unit.bits.interval << ": " << to_text(c);
+    }
+  }
+  return judged;
+}
+
+/// Every ray as it comes and without an end, one after the other.
+std::vector<Case> cases_of(const Category& category) {
+  adversary::Random random(seed);
+  std::vector<Case> cases;
+  for (int i = 0; i < cases_per_category; ++i) {
+    cases.push_back(category.make(random));
+    cases.push_back(cases.back());
+    cases.back().ray.length = Ray::infinite;
+  }
+  return cases;
+}
+
+void expect_no_false_miss(std::span<const Unit> units) {
+  std::printf("seed %llu\n%9s %9s %9s %9s  format, category\n", static_cast<unsigned long long>(seed),
+              "cases", "hits", "false", "missed");
+  long long run = 0;
+  for (const Category& category : adversary::categories()) {
+    const std::vector<Case> cases = cases_of(category);
+    std::vector<bool> expected;
+    for (const Case& c : cases) expected.push_back(ray_meets_box(c.ray, c.box));
+    for (const Unit& unit : units) {
+      const Judged judged = judge(unit, cases, expected);
+      std::printf("%9d %9d %9d %9d  %d/%d %s\n", judged.cases, judged.hits, judged.false_hits,
+                  judged.false_misses, unit.bits.coord, unit.bits.interval,
+                  std::string(category.name).c_str());
+      EXPECT_EQ(judged.cases, 2 * cases_per_category);
+      EXPECT_EQ(judged.false_misses, 0) << category.name;
+      EXPECT_GT(judged.hits, judged.cases / 25) << category.name;
+      run += judged.cases;
+      if (category.name == "random") {
+        EXPECT_LE(judged.false_hits, judged.cases * unit.most_false_hits_pct / 100)
+            << unit.bits.coord << "/" << unit.bits.interval;
+      }
+    }
+  }
+  EXPECT_EQ(run, 27LL * 10 * 2 * cases_per_category);
+}
+
+TEST(NoFalseMiss, IntSlabsInEveryCategoryAndFormat) {
+  expect_no_false_miss(units_of<Slabs>);
+}
+
+TEST(NoFalseMiss, IntPluckerInEveryCategoryAndFormat) {
+  expect_no_false_miss(units_of<Plucker>);
+}
+
+}  // namespace
+}  // namespace hitpipe::ref
