@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/schematic/dot.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/verilog/toy.hpp"
 
@@ -192,18 +193,18 @@ TEST(Verilog, ComponentsOfOneShapeAreOneModule) {
   EXPECT_EQ(std::distance(std::sregex_iterator(text.begin(), text.end(), instance), {}), 6);
 }
 
-class EmittedFiles : public testing::TestWithParam<const char*> {
+class EmittedFiles : public testing::TestWithParam<DesignFormat> {
  protected:
   [[nodiscard]] static std::vector<File> emitted() {
-    const hls::IntBits bits = parse_bits(GetParam());
-    return emit(find_design("int_slabs"), bits, Library::thesis(), int_slabs_pipeline(bits));
+    return emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline());
   }
 };
 
 TEST_P(EmittedFiles, AreTheSameEachTime) {
   const auto first = emitted();
   const auto second = emitted();
-  ASSERT_EQ(first.size(), 5U);
+  const std::size_t groups = stage_groups(GetParam().pipeline()).size();
+  ASSERT_EQ(first.size(), 6 + groups) << "six files, and a schematic for each group of stages";
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].name, second[i].name);
@@ -223,10 +224,10 @@ TEST_P(EmittedFiles, NameNoAbsolutePath) {
 
 TEST_P(EmittedFiles, NameTheLinesOfTheCpp) {
   const auto files = emitted();
-  EXPECT_NE(files.front().contents.find(", hls/pipelines/int_slabs.hpp:"), std::string::npos);
+  EXPECT_NE(files.front().contents.find(", hls/pipelines/" + GetParam().design + ".hpp:"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, EmittedFiles, tested_formats(), format_suffix);
+INSTANTIATE_TEST_SUITE_P(Designs, EmittedFiles, testing::ValuesIn(every_design()), design_suffix);
 
 }  // namespace
 }  // namespace hitpipe::rtl
