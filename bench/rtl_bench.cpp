@@ -1,5 +1,7 @@
 // How long a design takes to generate, and how many box tests the Verilated one answers inside a
 // co-simulation.
+#include <string>
+
 #include <benchmark/benchmark.h>
 
 #include "rtl_gen/emit/files.hpp"
@@ -11,37 +13,50 @@ namespace {
 using namespace hitpipe;
 
 /// Everything `hitpipe rtl` computes but for the writing: trace, schedule, Verilog, manifest, testbench,
-/// schematic.
-void generate_int_slabs(benchmark::State& state) {
-  const rtl::Design& design = rtl::find_design("int_slabs");
+/// schematics.
+void generate(benchmark::State& state, const std::string& name) {
+  const rtl::Design& design = rtl::find_design(name);
   const rtl::Library& library = rtl::Library::thesis();
-  constexpr hls::IntBits bits{24, 24};
+  const rtl::Format format = design.default_format();
   for (auto _ : state) {
-    auto files = rtl::emit(design, bits, library, rtl::make_pipeline(design.trace(bits), library));
-    files.push_back(rtl::draw(files));
+    auto files = rtl::emit(design, format, library, rtl::make_pipeline(design.trace(format), library));
+    auto drawings = rtl::draw(files);
     benchmark::DoNotOptimize(files);
+    benchmark::DoNotOptimize(drawings);
   }
 }
-BENCHMARK(generate_int_slabs)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 /// Box tests per second of one core: Verilog, C++ check, traversal and triangle tests together.
-void cosimulate_spheres(benchmark::State& state) {
-  const rtl::Design& design = rtl::find_design("int_slabs");
-  constexpr hls::IntBits bits{20, 24};
+void cosimulate_spheres(benchmark::State& state, const std::string& name) {
+  const rtl::Design& design = rtl::find_design(name);
+  const rtl::Format format = design.default_format();
   const ref::Scene scene = ref::load_scene("spheres");
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const sim::VerilatedDesign verilated(design, bits, rtl::Library::thesis());
+  const sim::VerilatedDesign verilated(design, format, rtl::Library::thesis());
   double tests = 0;
   double seconds = 0;
   for (auto _ : state) {
     const sim::CosimResult result =
-        sim::cosimulate(design, bits, verilated, scene, bvh, {.width = 256, .height = 256});
+        sim::cosimulate(design, format, verilated, scene, bvh, {.width = 256, .height = 256});
     tests += static_cast<double>(result.unit.box_tests);
     seconds += result.rtl_seconds;
     state.SetIterationTime(result.rtl_seconds);
   }
   state.counters["rtl_tests_per_s"] = tests / seconds;
 }
-BENCHMARK(cosimulate_spheres)->Unit(benchmark::kMillisecond)->UseManualTime();
+
+const bool registered = [] {
+  for (const rtl::Design& design : rtl::designs()) {
+    const std::string name(design.name);
+    benchmark::RegisterBenchmark(("generate/" + name).c_str(), generate, name)
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
+    benchmark::RegisterBenchmark(("cosimulate_spheres/" + name).c_str(), cosimulate_spheres, name)
+        ->Unit(benchmark::kMillisecond)
+        ->UseManualTime();
+  }
+  return true;
+}();
 
 }  // namespace

@@ -9,10 +9,10 @@ void add_design_options(CLI::App& command, DesignChoice& choice) {
       ->required()
       ->type_name("NAME");
   command
-      .add_option("--bits", choice.format,
-                  "Number format: n bits of a coordinate (6..32), t bits kept of a distance (6..2n-1)")
-      ->type_name("n/t")
-      ->capture_default_str();
+      .add_option("--bits", choice.bits,
+                  "Number format of an integer design: n bits of a coordinate (6..32), t bits kept of a "
+                  "product (6..2n-1); 20/24 unless given. Float designs have fp32 only")
+      ->type_name("n/t");
 }
 
 }  // namespace hitpipe::cli

@@ -1,6 +1,7 @@
 // The options by which every command that needs a design chooses it and its number format.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "rtl_gen/catalogue/design.hpp"
@@ -13,12 +14,14 @@ namespace hitpipe::cli {
 
 struct DesignChoice {
   std::string name;
-  std::string format = "20/24";
+  std::optional<std::string> bits;  ///< as the user wrote it; without: the design's own
 
   /// Throws as rtl::find_design does.
   [[nodiscard]] const rtl::Design& design() const { return rtl::find_design(name); }
-  /// Throws as rtl::parse_bits does.
-  [[nodiscard]] hls::IntBits bits() const { return rtl::parse_bits(format); }
+  /// Throws as rtl::find_design and rtl::Design::parse_format do.
+  [[nodiscard]] rtl::Format format() const {
+    return bits ? design().parse_format(*bits) : design().default_format();
+  }
 };
 
 /// The design's name (required), --bits.

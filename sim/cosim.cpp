@@ -33,7 +33,7 @@ double percent_above(std::uint64_t value, std::uint64_t reference) {
 
 struct Frame {
   const rtl::Design& design;
-  hls::IntBits bits;
+  rtl::Format format;
   const VerilatedDesign& verilated;
   const ref::Scene& scene;
   const ref::Bvh& bvh;
@@ -65,7 +65,7 @@ class Tile {
   CosimResult run(CosimResult& frame_result) {
     CosimResult counts;
     RayUnit unit({.verilated = &frame_.verilated,
-                  .evaluate = frame_.design.evaluate(frame_.bits),
+                  .evaluate = frame_.design.evaluate(frame_.format),
                   .feed = &frame_.feed,
                   .bvh = &frame_.bvh,
                   .mesh = &frame_.scene.mesh,
@@ -198,10 +198,10 @@ bool CosimResult::verified(bool conservative) const {
   return unit.rtl_mismatches == 0 && different_triangles == 0 && (!conservative || unit.false_misses == 0);
 }
 
-CosimResult cosimulate(const rtl::Design& design, hls::IntBits bits, const VerilatedDesign& verilated,
+CosimResult cosimulate(const rtl::Design& design, rtl::Format format, const VerilatedDesign& verilated,
                        const ref::Scene& scene, const ref::Bvh& bvh, const CosimOptions& options) {
-  const std::unique_ptr<SceneFeed> feed = make_feed(design, bits, bvh);
-  const Frame frame{design, bits, verilated, scene, bvh, options, *feed};
+  const std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh);
+  const Frame frame{design, format, verilated, scene, bvh, options, *feed};
   CosimResult result;
   const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   result.image.resize(pixels);

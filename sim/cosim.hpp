@@ -46,7 +46,7 @@ struct CosimResult {
 };
 
 /// Throws as make_feed() does.
-[[nodiscard]] CosimResult cosimulate(const rtl::Design& design, hls::IntBits bits,
+[[nodiscard]] CosimResult cosimulate(const rtl::Design& design, rtl::Format format,
                                      const VerilatedDesign& verilated, const ref::Scene& scene,
                                      const ref::Bvh& bvh, const CosimOptions& options);
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "hls/box/int_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/catalogue/format.hpp"
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/geometry/ray.hpp"
 
@@ -29,9 +29,9 @@ class SceneFeed {
   [[nodiscard]] virtual std::unique_ptr<RayFeed> unit(std::size_t slots) const = 0;
 };
 
-/// Throws std::runtime_error when the design reads operands that no set-up makes, std::out_of_range for a box
-/// outside the cube. The hierarchy need not outlive the feed.
-[[nodiscard]] std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, hls::IntBits bits,
+/// The format must be one of the design's. Throws std::runtime_error when the design reads operands that no
+/// set-up makes, std::out_of_range for a box outside the cube. The hierarchy need not outlive the feed.
+[[nodiscard]] std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, rtl::Format format,
                                                    const ref::Bvh& bvh);
 
 }  // namespace hitpipe::sim

@@ -231,9 +231,9 @@ fs::path default_cache() {
   return environment("HITPIPE_CACHE", user + "/hitpipe");
 }
 
-VerilatedDesign::VerilatedDesign(const rtl::Design& design, hls::IntBits bits, const rtl::Library& library,
+VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
                                  const fs::path& cache) {
-  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(bits), library);
+  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
   latency_ = pipeline.latency();
   stages_ = pipeline.schedule.stages;
   clock_ps_ = pipeline.schedule.clock_ps;
@@ -242,7 +242,7 @@ VerilatedDesign::VerilatedDesign(const rtl::Design& design, hls::IntBits bits, c
   Sources sources;
   sources.module = design.name;
   sources.verilog =
-      rtl::to_verilog(pipeline, library, {.module_name = sources.module, .bits = rtl::to_string(bits)});
+      rtl::to_verilog(pipeline, library, {.module_name = sources.module, .bits = rtl::to_string(format)});
   sources.wrapper = model_source(sources.module, rtl::input_ports(pipeline.graph));
   sources.verilator = find_tool("VERILATOR", "verilator", "verilator");
   sources.compiler = find_tool("CXX", "c++", "g++");

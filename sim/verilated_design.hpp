@@ -23,7 +23,7 @@ class VerilatedDesign {
   /// $VERILATOR and $CXX name other programs than `verilator` and `c++`.
   /// Throws std::runtime_error, one line: Verilator or the compiler missing or failing (with the log's
   /// place), the cache not writable, an entry that cannot be loaded.
-  VerilatedDesign(const rtl::Design& design, hls::IntBits bits, const rtl::Library& library,
+  VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
                   const std::filesystem::path& cache = default_cache());
 
   [[nodiscard]] int latency() const { return latency_; }

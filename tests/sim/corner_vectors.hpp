@@ -1,13 +1,14 @@
-// Operands at the corners of the integer slabs unit, by name: bit patterns where arithmetic breaks, and the
-// ends of what ray set-up and quantisation hand over (section 6.2.1). Each comes with rinf 0 and 1, irlen 0
-// and the largest.
+// Operands at the corners of a unit, by name. Integer units: bit patterns where arithmetic breaks, and the
+// ends of what ray set-up and quantisation hand over (section 6.2.1). Float units: every corner value beside
+// every other. Each comes with rinf 0 and 1, and where there is a length, with irlen 0 and the largest.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "rtl_gen/catalogue/design.hpp"
+#include "tests/sim/corner_values.hpp"
 
 namespace hitpipe::sim {
 
@@ -16,12 +17,26 @@ struct CornerVector {
   std::vector<std::int64_t> operands;
 };
 
-/// 2^(w-1): one more than the greatest value of a signed port.
-inline std::int64_t top(const rtl::Port& port) {
-  return std::int64_t{1} << (port.width - 1);
+/// Every pair of float corner values on even and odd ports.
+inline std::vector<CornerVector> float_corner_vectors(const std::vector<rtl::Port>& ports) {
+  std::vector<CornerVector> vectors;
+  for (const CornerValue& even : float_corners()) {
+    for (const CornerValue& odd : float_corners()) {
+      for (const bool infinite : {false, true}) {
+        CornerVector corner{even.name + std::string(" and ") + odd.name, {}};
+        corner.name += infinite ? ", rinf 1" : ", rinf 0";
+        for (int i = 0; const rtl::Port& port : ports) {
+          const std::int64_t rinf = infinite ? 1 : 0;
+          corner.operands.push_back(port.width == 1 ? rinf : (i++ % 2 == 0 ? even : odd).value);
+        }
+        vectors.push_back(std::move(corner));
+      }
+    }
+  }
+  return vectors;
 }
 
-inline std::vector<CornerVector> corner_vectors(const std::vector<rtl::Port>& ports) {
+inline std::vector<CornerVector> integer_corner_vectors(const std::vector<rtl::Port>& ports) {
   struct Pattern {
     const char* name;
     std::int64_t (*value)(const rtl::Port& port, int index);  // of a signed port of w bits
@@ -69,13 +84,16 @@ inline std::vector<CornerVector> corner_vectors(const std::vector<rtl::Port>& po
                                            : top(p) / 4;
        }},
   };
+  const bool has_length =
+      std::any_of(ports.begin(), ports.end(), [](const auto& p) { return p.name == "irlen"; });
   std::vector<CornerVector> vectors;
   for (const Pattern& pattern : patterns) {
     for (const bool infinite : {false, true}) {
       for (const bool longest : {false, true}) {
+        if (longest && !has_length) continue;
         CornerVector corner{pattern.name, {}};
         corner.name += infinite ? ", rinf 1" : ", rinf 0";
-        corner.name += longest ? ", irlen greatest" : ", irlen 0";
+        if (has_length) corner.name += longest ? ", irlen greatest" : ", irlen 0";
         for (int i = 0; const rtl::Port& port : ports) {
           std::int64_t value = 0;
           if (port.name == "rinf") {
@@ -93,6 +111,10 @@ inline std::vector<CornerVector> corner_vectors(const std::vector<rtl::Port>& po
     }
   }
   return vectors;
+}
+
+inline std::vector<CornerVector> corner_vectors(const std::vector<rtl::Port>& ports) {
+  return ports.front().is_signed ? integer_corner_vectors(ports) : float_corner_vectors(ports);
 }
 
 }  // namespace hitpipe::sim

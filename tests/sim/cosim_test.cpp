@@ -133,6 +133,30 @@ TEST(CosimCounts, OnlyCyclesDependOnRaysInFlight) {
   EXPECT_LE(many.occupancy_pct(), 100.0);
 }
 
+class CosimOfUnit : public testing::TestWithParam<Unit> {};
+
+/// A conservative unit finds the image of software; a float one may miss a box that a ray grazes.
+TEST_P(CosimOfUnit, IsVerifiedOnHills) {
+  const Unit& unit = GetParam();
+  const ref::Scene scene = hills();
+  const CosimResult result =
+      cosimulate(unit.design(), unit.format, verilated(unit), scene, ref::build_bvh(scene.mesh),
+                 {.width = 64, .height = 64, .threads = 2, .referee = true});
+  std::printf("%llu box tests, %llu false hits, %llu false misses, %llu different triangles\n",
+              static_cast<unsigned long long>(result.unit.box_tests),
+              static_cast<unsigned long long>(result.unit.false_hits),
+              static_cast<unsigned long long>(result.unit.false_misses),
+              static_cast<unsigned long long>(result.different_triangles));
+  EXPECT_EQ(result.rays_primary, 64U * 64U);
+  EXPECT_GT(result.unit.box_tests, 4 * result.rays_primary);
+  EXPECT_EQ(result.unit.rtl_mismatches, 0U);
+  EXPECT_EQ(result.different_triangles, 0U);
+  EXPECT_TRUE(result.verified(!unit.design().is_float()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, CosimOfUnit, testing::ValuesIn(units),
+                         [](const auto& parameter) { return test_name(parameter.param); });
+
 /// The C++ datapath with its answer turned round.
 template <int N, int T>
 bool negated(const std::int64_t* operands) {
@@ -143,7 +167,7 @@ TEST(CosimCounts, WrongDatapathMismatchesOnEveryTest) {
   const CosimOfScene cosim("hills");
   const CosimOptions options{.width = 32, .height = 32};
   rtl::Design wrong = int_slabs();
-  wrong.native = [](hls::IntBits) -> rtl::Evaluate { return negated<20, 24>; };
+  wrong.native = [](rtl::Format) -> rtl::Evaluate { return negated<20, 24>; };
   const CosimResult result = cosim.run(usual, options, wrong);
   EXPECT_GT(result.unit.box_tests, 0U);
   EXPECT_EQ(result.unit.rtl_mismatches, result.unit.box_tests);

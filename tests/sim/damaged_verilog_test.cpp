@@ -21,6 +21,7 @@ namespace {
 
 constexpr hls::IntBits bits{12, 12};
 constexpr Traffic traffic{"gaps and stalls", 0.7, 0.7};
+constexpr Traffic resets{"gaps, stalls and resets", 0.7, 0.7, 0.01};
 constexpr std::uint64_t seed = 74;
 
 /// The design after a sed command has edited its Verilog; fails when the command changes nothing. Its cache
@@ -42,10 +43,10 @@ exec {1} "$@"
   return {int_slabs(), bits, rtl::Library::thesis()};
 }
 
-TestbenchReport driven(const VerilatedDesign& design) {
+TestbenchReport driven(const VerilatedDesign& design, const Traffic& with = traffic) {
   const std::vector<rtl::Port> ports = rtl::input_ports(int_slabs().trace(bits));
   Model model(design);
-  return drive(model, ports, int_slabs().evaluate(bits), rtl::operand_vectors(ports, 20'000, seed), traffic,
+  return drive(model, ports, int_slabs().evaluate(bits), rtl::operand_vectors(ports, 20'000, seed), with,
                seed, seed);
 }
 
@@ -124,6 +125,18 @@ TEST(DamagedVerilog, PipelineThatNeverWaitsLosesAnswers) {
   EXPECT_GT(report.not_held, 100U);
   EXPECT_GT(report.lost, 100U);
   EXPECT_GT(report.wrong_ready, 100U);
+}
+
+TEST(DamagedVerilog, TestsThatOutliveAResetAreNotTheOldest) {
+  const VerilatedDesign design = damaged("s/if (rst) valid <= [^;]*;/if (rst) valid <= valid;/");
+  EXPECT_TRUE(driven(design).clean());
+  const TestbenchReport report = driven(design, resets);
+  EXPECT_GT(report.resets, 100U);
+  EXPECT_GT(report.surplus + report.wrong_tags, report.resets);
+  const TestbenchReport whole = driven(verilated(bits), resets);
+  EXPECT_TRUE(whole.clean()) << whole.first_failure;
+  EXPECT_EQ(whole.received, 20'000U);
+  EXPECT_GT(whole.dropped, whole.resets);
 }
 
 TEST(DamagedVerilog, PipelineThatTakesNothingIsRejected) {

@@ -1,13 +1,19 @@
-// Operands are what ray set-up and quantisation say (section 6.2.1), each at its own port.
+// Operands are what ray set-up and quantisation say (sections 2.3.1, 3.3, 6.2.1, 6.3.1), each at its own
+// port.
 #include "sim/feed.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <map>
-#include <random>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "sw_ref/adversary/categories.hpp"
+#include "sw_ref/quantise/float_ray.hpp"
 #include "sw_ref/quantise/int_box.hpp"
+#include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/quantise/int_ray.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/small_scene.hpp"
@@ -15,20 +21,36 @@
 namespace hitpipe::sim {
 namespace {
 
+using ref::adversary::to_text;
+
+using Operands = std::map<std::string, std::int64_t>;
+
 /// Operands by the names of the Verilog's ports.
-std::map<std::string, std::int64_t> by_port(hls::IntBits bits, const std::vector<std::int64_t>& operands) {
-  std::map<std::string, std::int64_t> named;
-  const auto ports = rtl::input_ports(int_slabs().trace(bits));
+Operands by_port(const std::vector<rtl::Port>& ports, const std::vector<std::int64_t>& operands) {
+  Operands named;
   EXPECT_EQ(ports.size(), operands.size());
   for (std::size_t i = 0; i < ports.size(); ++i) named[ports[i].name] = operands[i];
   return named;
 }
 
-std::map<std::string, std::int64_t> expected(hls::IntBits bits, const ref::Ray& ray, float length,
-                                             const ref::Aabb& box) {
+std::int64_t bits_of(float x) {
+  return std::bit_cast<std::uint32_t>(x);
+}
+
+Operands int_box(const ref::Aabb& box, int coord_bits) {
+  const ref::IntBox b = ref::quantise_box(box, coord_bits);
+  return {{"ixmin", b.min[0]}, {"iymin", b.min[1]}, {"izmin", b.min[2]},
+          {"ixmax", b.max[0]}, {"iymax", b.max[1]}, {"izmax", b.max[2]}};
+}
+
+Operands float_box(const ref::Aabb& box) {
+  return {{"xmin", bits_of(box.min.x)}, {"ymin", bits_of(box.min.y)}, {"zmin", bits_of(box.min.z)},
+          {"xmax", bits_of(box.max.x)}, {"ymax", bits_of(box.max.y)}, {"zmax", bits_of(box.max.z)}};
+}
+
+Operands int_slabs_ray(const ref::Ray& ray, hls::IntBits bits, float length) {
   const ref::IntRaySetup setup(ray, bits);
   const ref::IntRay& r = setup.ray();
-  const ref::IntBox b = ref::quantise_box(box, bits.coord);
   return {{"irx", r.origin[0]},
           {"iry", r.origin[1]},
           {"irz", r.origin[2]},
@@ -39,53 +61,87 @@ std::map<std::string, std::int64_t> expected(hls::IntBits bits, const ref::Ray& 
           {"irk_floor", r.irdvc_floor[2]},
           {"iri_ceil", r.irdvc_ceil[0]},
           {"irj_ceil", r.irdvc_ceil[1]},
-          {"irk_ceil", r.irdvc_ceil[2]},
-          {"ixmin", b.min[0]},
-          {"iymin", b.min[1]},
-          {"izmin", b.min[2]},
-          {"ixmax", b.max[0]},
-          {"iymax", b.max[1]},
-          {"izmax", b.max[2]}};
+          {"irk_ceil", r.irdvc_ceil[2]}};
 }
 
-class Feed : public testing::TestWithParam<hls::IntBits> {};
+Operands int_plucker_ray(const ref::Ray& ray, hls::IntBits bits, float length) {
+  const ref::IntPluckerSetup setup(ray, bits);
+  const ref::IntPluckerRay& r = setup.ray();
+  const ref::IntEndpoint end = setup.endpoint(length);
+  return {{"irx", r.origin[0]},          {"iry", r.origin[1]},    {"irz", r.origin[2]},
+          {"irex", end.at[0]},           {"irey", end.at[1]},     {"irez", end.at[2]},
+          {"iri", r.direction[0]},       {"irj", r.direction[1]}, {"irk", r.direction[2]},
+          {"rinf", end.infinite ? 1 : 0}};
+}
+
+Operands fp_slabs_ray(const ref::Ray& ray, float length) {
+  return {{"rx", bits_of(ray.origin.x)},
+          {"ry", bits_of(ray.origin.y)},
+          {"rz", bits_of(ray.origin.z)},
+          {"rlen", bits_of(std::abs(length))},
+          {"ri_inv", bits_of(1.0F / ray.direction.x)},
+          {"rj_inv", bits_of(1.0F / ray.direction.y)},
+          {"rk_inv", bits_of(1.0F / ray.direction.z)},
+          {"rinf", std::isinf(length) ? 1 : 0}};
+}
+
+Operands fp_plucker_ray(const ref::Ray& ray, float length) {
+  const ref::FloatEndpoint end = ref::float_endpoint(ray, length);
+  return {{"rx", bits_of(ray.origin.x)},    {"ry", bits_of(ray.origin.y)},
+          {"rz", bits_of(ray.origin.z)},    {"rex", bits_of(end.at.x)},
+          {"rey", bits_of(end.at.y)},       {"rez", bits_of(end.at.z)},
+          {"ri", bits_of(ray.direction.x)}, {"rj", bits_of(ray.direction.y)},
+          {"rk", bits_of(ray.direction.z)}, {"rinf", end.infinite ? 1 : 0}};
+}
+
+Operands expected(const Unit& unit, const ref::Ray& ray, float length, const ref::Aabb& box) {
+  const std::string_view name = unit.name;
+  Operands operands = name == "fp_slabs"     ? fp_slabs_ray(ray, length)
+                      : name == "fp_plucker" ? fp_plucker_ray(ray, length)
+                      : name == "int_slabs"  ? int_slabs_ray(ray, unit.format.bits(), length)
+                                             : int_plucker_ray(ray, unit.format.bits(), length);
+  operands.merge(unit.format.is_float() ? float_box(box) : int_box(box, unit.format.bits().coord));
+  return operands;
+}
+
+class Feed : public testing::TestWithParam<Unit> {};
 
 TEST_P(Feed, GivesEachPortItsOperand) {
+  const Unit& unit = GetParam();
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   constexpr std::size_t slots = 3;
-  const auto feed = make_feed(int_slabs(), GetParam(), bvh);
+  const auto feed = make_feed(unit.design(), unit.format, bvh);
   const auto rays = feed->unit(slots);
-  std::mt19937 random(6);
-  std::uniform_real_distribution<float> coordinate(-1.0F, 1.0F);
+  ref::adversary::Random random(6);
+  const auto categories = ref::adversary::categories();
   std::vector<ref::Ray> set_up(slots);
-  std::vector<std::int64_t> operands(17);
+  const std::vector<rtl::Port> ports = unit.ports();
+  std::vector<std::int64_t> operands(ports.size());
   int checked = 0;
-  for (int i = 0; i < 300; ++i) {
-    const std::size_t slot = random() % slots;
-    if (i < 3 || random() % 4 == 0) {
+  for (int i = 0; i < 3'000; ++i) {
+    const std::size_t slot = random.below(slots);
+    if (i < 3 || random.below(4) == 0) {
       const std::size_t fresh = i < 3 ? static_cast<std::size_t>(i) : slot;
-      set_up[fresh] = {{coordinate(random), coordinate(random), coordinate(random)},
-                       {coordinate(random), coordinate(random), coordinate(random)},
-                       random() % 2 == 0 ? ref::Ray::infinite : 2.0F * std::abs(coordinate(random))};
+      set_up[fresh] = categories[random.below(categories.size())].make(random).ray;
       rays->start(fresh, set_up[fresh]);
     }
     if (i < 3) continue;
-    // First the ray's own length, then shorter ones, as closer hits are found; the same one twice in a row.
-    const float share = static_cast<float>(random() % 3) / 2.0F;
-    const float length = share == 1.0F ? set_up[slot].length : share;
-    const auto node = static_cast<std::uint32_t>(random() % bvh.nodes.size());
+    // The ray's own length, or a shorter one, as closer hits are found; the same one twice in a row.
+    float length = set_up[slot].length;
+    if (random.coin()) length = random.coin() ? 0.0F : std::min(length, std::abs(random.signed_unit()));
+    const auto node = static_cast<std::uint32_t>(random.below(bvh.nodes.size()));
     for (int again = 0; again < 2; ++again) {
       rays->operands(slot, node, length, operands.data());
-      EXPECT_EQ(by_port(GetParam(), operands),
-                expected(GetParam(), set_up[slot], length, bvh.nodes[node].box));
+      ASSERT_EQ(by_port(ports, operands), expected(unit, set_up[slot], length, bvh.nodes[node].box))
+          << to_text(set_up[slot]);
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 594);
+  EXPECT_EQ(checked, 2 * 2'997);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Feed, testing::ValuesIn(formats),
+INSTANTIATE_TEST_SUITE_P(Units, Feed, testing::ValuesIn(units),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 TEST(FeedOfAnotherDesign, Rejected) {

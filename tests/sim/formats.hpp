@@ -1,13 +1,12 @@
-// The formats that the tests of sim/ and cli/ run: the thesis's two, narrow ones, and both ends of the range.
+// Integer slabs in the formats that the tests of units in use run: the thesis's two, narrow ones, and both
+// ends of the range.
 #pragma once
 
 #include <array>
-#include <map>
 #include <ostream>
 #include <string>
-#include <utility>
 
-#include "sim/verilated_design.hpp"
+#include "tests/sim/units.hpp"
 
 namespace hitpipe::hls {
 
@@ -32,11 +31,8 @@ inline const rtl::Design& int_slabs() {
   return rtl::find_design("int_slabs");
 }
 
-/// Built once, loaded once a program.
 inline const VerilatedDesign& verilated(hls::IntBits bits) {
-  static std::map<std::pair<int, int>, VerilatedDesign> known;
-  return known.try_emplace({bits.coord, bits.interval}, int_slabs(), bits, rtl::Library::thesis())
-      .first->second;
+  return verilated(Unit{"int_slabs", bits});
 }
 
 }  // namespace hitpipe::sim

@@ -1,15 +1,17 @@
-// Every format builds, and its Verilog answers exactly as many clock edges after a test is taken as the
+// Every unit builds, and its Verilog answers exactly as many clock edges after a test is taken as the
 // schedule has stages. These tests fill the cache of Verilated models for all others.
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/pipeline.hpp"
-#include "tests/sim/formats.hpp"
+#include "tests/sim/units.hpp"
 
 namespace hitpipe::sim {
 namespace {
 
-class ModelLatency : public testing::TestWithParam<hls::IntBits> {};
+class ModelLatency : public testing::TestWithParam<Unit> {};
 
 /// Edges between the one that takes a lone test and the one that latches its answer.
 int measured_latency(Model& model, const std::vector<std::int64_t>& operands, std::uint16_t tag) {
@@ -29,16 +31,21 @@ int measured_latency(Model& model, const std::vector<std::int64_t>& operands, st
 
 TEST_P(ModelLatency, IsTheScheduledNumberOfStages) {
   const VerilatedDesign& design = verilated(GetParam());
-  const rtl::Pipeline pipeline = rtl::make_pipeline(int_slabs().trace(GetParam()), rtl::Library::thesis());
+  const rtl::Pipeline pipeline =
+      rtl::make_pipeline(GetParam().design().trace(GetParam().format), rtl::Library::thesis());
   EXPECT_EQ(design.latency(), pipeline.schedule.stages);
   EXPECT_EQ(design.stages(), pipeline.schedule.stages);
   EXPECT_EQ(design.clock_ps(), pipeline.schedule.clock_ps);
-  EXPECT_EQ(design.operand_count(), 17U);
-  if (GetParam() == hls::IntBits{24, 24}) {
-    EXPECT_EQ(design.latency(), 5);  // section 7.4
-  }
-  if (GetParam() == hls::IntBits{20, 24}) {
-    EXPECT_EQ(design.latency(), 4);
+  const std::map<std::string, std::size_t> operand_counts{
+      {"fp_slabs", 14}, {"int_slabs", 17}, {"fp_plucker", 16}, {"int_plucker", 16}};
+  EXPECT_EQ(design.operand_count(), operand_counts.at(GetParam().name));
+  // Section 7.4 and Table 7.2.
+  const std::map<std::string, int> stages{{"fp_slabs_fp32", 13},    {"fp_plucker_fp32", 20},
+                                          {"int_slabs_24_24", 5},   {"int_slabs_20_24", 4},
+                                          {"int_plucker_24_24", 5}, {"int_plucker_20_24", 4}};
+  EXPECT_EQ(stages.contains(test_name(GetParam())), GetParam().of_the_thesis());
+  if (GetParam().of_the_thesis()) {
+    EXPECT_EQ(design.latency(), stages.at(test_name(GetParam())));
   }
   Model model(design);
   const auto vectors = rtl::operand_vectors(rtl::input_ports(pipeline.graph), 20, 1);
@@ -46,7 +53,7 @@ TEST_P(ModelLatency, IsTheScheduledNumberOfStages) {
   for (const auto& operands : vectors) EXPECT_EQ(measured_latency(model, operands, tag++), design.latency());
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, ModelLatency, testing::ValuesIn(formats),
+INSTANTIATE_TEST_SUITE_P(Units, ModelLatency, testing::ValuesIn(units),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 }  // namespace

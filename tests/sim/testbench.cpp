@@ -38,6 +38,8 @@ TestbenchReport& TestbenchReport::operator+=(const TestbenchReport& other) {
   lost += other.lost;
   not_held += other.not_held;
   wrong_ready += other.wrong_ready;
+  resets += other.resets;
+  dropped += other.dropped;
   stalls += other.stalls;
   if (first_failure.empty()) first_failure = other.first_failure;
   return *this;
@@ -78,6 +80,7 @@ TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Ev
     pins.in_valid = !all_sent && chance(traffic.offered);
     pins.in_tag = tag;
     pins.out_ready = chance(traffic.taken);
+    pins.rst = traffic.reset > 0 && chance(traffic.reset);
     model.cycle(all_sent ? nullptr : vectors[report.sent].data(), pins);
 
     if (pins.in_ready != (pins.out_ready || !pins.out_valid)) fail(report.wrong_ready, "in_ready", pins);
@@ -96,6 +99,15 @@ TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Ev
         ++report.received;
         asked.pop_front();
       }
+    }
+    if (pins.rst) {
+      // What is in flight is gone; the test that is offered is not taken.
+      ++report.resets;
+      report.dropped += asked.size();
+      report.sent -= asked.size();
+      asked.clear();
+      before = Pins{};
+      continue;
     }
     if (pins.in_valid && pins.in_ready) {
       asked.push_back({report.sent, tag, evaluate(vectors[report.sent].data())});

@@ -1,11 +1,12 @@
-// The emitted Verilog is the C++ datapath, bit by bit: named corners, then random operands, at full speed and
-// with gaps and stalls. Answers keep their order and tags, wait while they are not taken, and do not outlive
-// a reset.
+// The emitted Verilog of every design is the C++ datapath, bit by bit: named corners, the adversary's rays
+// and boxes, raw and random operands, at full speed and with gaps, stalls and resets. Answers keep their
+// order and tags, wait while they are not taken, and do not outlive a reset.
 #include <array>
 
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/testbench.hpp"
+#include "tests/sim/adversary_vectors.hpp"
 #include "tests/sim/corner_vectors.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/testbench.hpp"
@@ -13,24 +14,66 @@
 namespace hitpipe::sim {
 namespace {
 
-constexpr std::array<Traffic, 5> traffics{{{"full", 1.0, 1.0},
+constexpr std::array<Traffic, 6> traffics{{{"full", 1.0, 1.0},
                                            {"gaps", 0.6, 1.0},
-                                           {"stalls", 1.0, 0.5},
+                                           {"stalls", 1.0, 0.6},
                                            {"gaps and stalls", 0.7, 0.7},
-                                           {"long stalls", 0.9, 0.15}}};
+                                           {"resets", 1.0, 0.9, 0.002},
+                                           {"long stalls", 0.9, 0.25}}};
 constexpr std::uint64_t first_seed = 20050;
 
-class VerilatedDesignFormat : public testing::TestWithParam<hls::IntBits> {
+// DESIGN 7: a million vectors for the units of the thesis's tables.
+constexpr int categories = 27;
+constexpr int vectors_per_category = 34'000;
+constexpr int raw_vectors = 50'000;
+constexpr int random_vectors = 50'000;
+static_assert(categories * vectors_per_category + raw_vectors + random_vectors >= 1'000'000);
+constexpr int share_of_other_units = 20;
+
+using Vectors = std::vector<std::vector<std::int64_t>>;
+
+class VerilatedUnit : public testing::TestWithParam<Unit> {
  protected:
+  /// Runs the vectors in batches of different traffic, and says what came of them.
+  TestbenchReport run(const std::string& name, const Vectors& vectors, std::uint64_t seed) {
+    TestbenchReport all;
+    const std::size_t batch = (vectors.size() + traffics.size() - 1) / traffics.size();
+    for (std::size_t i = 0; i < traffics.size(); ++i) {
+      const auto from = vectors.begin() + static_cast<std::ptrdiff_t>(std::min(i * batch, vectors.size()));
+      const auto to =
+          vectors.begin() + static_cast<std::ptrdiff_t>(std::min((i + 1) * batch, vectors.size()));
+      all += drive(model_, ports_, evaluate_, Vectors(from, to), traffics[i], seed + i, seed);
+    }
+    std::printf("%9llu %9llu %9llu %7llu  %s\n", static_cast<unsigned long long>(all.received),
+                static_cast<unsigned long long>(all.hits), static_cast<unsigned long long>(all.stalls),
+                static_cast<unsigned long long>(all.resets), name.c_str());
+    EXPECT_TRUE(all.clean()) << name << ": " << all.first_failure;
+    EXPECT_EQ(all.wrong_hits + all.wrong_tags + all.not_held + all.lost + all.surplus, 0U) << name;
+    EXPECT_EQ(all.sent, vectors.size()) << name;
+    EXPECT_EQ(all.received, vectors.size()) << name;
+    EXPECT_GT(all.stalls, vectors.size() / 4) << name;
+    return all;
+  }
+  [[nodiscard]] int count(int of_the_thesis) const {
+    return GetParam().of_the_thesis() ? of_the_thesis : of_the_thesis / share_of_other_units;
+  }
+  static void print_head() {
+    std::printf("seed %llu\n%9s %9s %9s %7s  vectors\n", static_cast<unsigned long long>(first_seed),
+                "received", "hits", "stalls", "resets");
+  }
+
   const VerilatedDesign& design_ = verilated(GetParam());
-  const std::vector<rtl::Port> ports_ = rtl::input_ports(int_slabs().trace(GetParam()));
-  const rtl::Evaluate evaluate_ = int_slabs().evaluate(GetParam());
+  const std::vector<rtl::Port> ports_ = GetParam().ports();
+  const rtl::Evaluate evaluate_ = GetParam().evaluate();
   Model model_{design_};
 };
 
-TEST_P(VerilatedDesignFormat, AgreesOnNamedCorners) {
+TEST_P(VerilatedUnit, AgreesOnNamedCorners) {
   const std::vector<CornerVector> corners = corner_vectors(ports_);
-  EXPECT_EQ(corners.size(), 52U);
+  const std::size_t intended = GetParam().design().is_float() ? 17 * 17 * 2
+                               : ports_.size() == 17          ? 13 * 4
+                                                              : 13 * 2;
+  EXPECT_EQ(corners.size(), intended);
   for (const CornerVector& corner : corners) {
     const TestbenchReport report =
         drive(model_, ports_, evaluate_, {corner.operands}, traffics[0], first_seed, 0);
@@ -39,38 +82,40 @@ TEST_P(VerilatedDesignFormat, AgreesOnNamedCorners) {
   }
 }
 
-TEST_P(VerilatedDesignFormat, AgreesOnRandomVectorsWithGapsAndStalls) {
-  // DESIGN 7: a million vectors for the formats of the thesis's tables.
-  const bool of_the_thesis = GetParam() == hls::IntBits{24, 24} || GetParam() == hls::IntBits{20, 24};
-  constexpr int batch = 10'000;
-  const int batches = of_the_thesis ? 100 : 20;
+TEST_P(VerilatedUnit, AgreesOnTheAdversary) {
+  print_head();
   TestbenchReport all;
-  for (int i = 0; i < batches; ++i) {
-    const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
-    const auto vectors = rtl::operand_vectors(ports_, batch, seed);
-    all += drive(model_, ports_, evaluate_, vectors, traffics[static_cast<std::size_t>(i) % traffics.size()],
-                 seed, seed);
+  std::uint64_t seed = first_seed;
+  const auto size = static_cast<std::uint64_t>(count(vectors_per_category));
+  for (const auto& category : ref::adversary::categories()) {
+    const Vectors vectors = adversary_vectors(GetParam(), category, static_cast<int>(size), seed += 100);
+    const TestbenchReport report = run(std::string(category.name), vectors, seed);
+    EXPECT_GT(report.hits, size / 50) << category.name;
+    all += report;
   }
-  std::printf("%llu vectors from seed %llu on, %llu hits, %llu stalled cycles\n",
-              static_cast<unsigned long long>(all.received), static_cast<unsigned long long>(first_seed),
-              static_cast<unsigned long long>(all.hits), static_cast<unsigned long long>(all.stalls));
-  const auto intended = static_cast<std::uint64_t>(batch) * static_cast<std::uint64_t>(batches);
-  EXPECT_TRUE(all.clean()) << all.first_failure;
-  EXPECT_EQ(all.wrong_hits, 0U);
-  EXPECT_EQ(all.wrong_tags, 0U);
-  EXPECT_EQ(all.not_held, 0U);
-  EXPECT_EQ(all.lost, 0U);
-  EXPECT_EQ(all.surplus, 0U);
-  EXPECT_EQ(all.sent, intended);
-  EXPECT_EQ(all.received, intended);
-  // Neither answer is rare, and stalls were there.
-  EXPECT_GT(all.hits, intended / 50);
-  EXPECT_LT(all.hits, intended - intended / 50);
-  EXPECT_GT(all.stalls, intended);
+  EXPECT_EQ(all.received, categories * size);
+  EXPECT_LT(all.hits, all.received - all.received / 8);
+  EXPECT_GT(all.resets, categories * size / 10'000);
+  EXPECT_GT(all.dropped, all.resets);
 }
 
-TEST_P(VerilatedDesignFormat, ResetEmptiesThePipeline) {
-  const auto vectors = rtl::operand_vectors(ports_, 200, first_seed);
+TEST_P(VerilatedUnit, AgreesOnRawCornersAndRandomOperands) {
+  print_head();
+  const int raw = count(raw_vectors);
+  const int any = count(random_vectors);
+  const TestbenchReport corners = run("raw corners", raw_corner_vectors(ports_, raw, first_seed), first_seed);
+  EXPECT_EQ(corners.received, static_cast<std::uint64_t>(raw));
+  const TestbenchReport random =
+      run("random", rtl::operand_vectors(ports_, any, first_seed), first_seed + 100);
+  EXPECT_EQ(random.received, static_cast<std::uint64_t>(any));
+  for (const TestbenchReport& report : {corners, random}) {
+    EXPECT_GT(report.hits, report.received / 200);
+    EXPECT_LT(report.hits, report.received - report.received / 200);
+  }
+}
+
+TEST_P(VerilatedUnit, ResetEmptiesThePipeline) {
+  const auto vectors = rtl::operand_vectors(ports_, 100, first_seed);
   const int depth = design_.latency() + 1;  // tests that fit
   std::uint16_t tag = 0;
   for (int taken = 1; taken <= depth; ++taken) {
@@ -101,7 +146,7 @@ TEST_P(VerilatedDesignFormat, ResetEmptiesThePipeline) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, VerilatedDesignFormat, testing::ValuesIn(formats),
+INSTANTIATE_TEST_SUITE_P(Units, VerilatedUnit, testing::ValuesIn(units),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 TEST(VerilatedDesignModel, StandsStillWhileItsAnswerIsNotTaken) {

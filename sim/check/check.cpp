@@ -1,0 +1,155 @@
+#include "sim/check/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include "sw_ref/adversary/neighbours.hpp"
+#include "sw_ref/exact/box_referee.hpp"
+
+namespace hitpipe::sim {
+
+using ref::adversary::Case;
+using ref::adversary::Category;
+using ref::adversary::Random;
+
+namespace {
+
+// A ray is set up once and asked about several boxes: set-up is the slow part.
+constexpr std::size_t boxes_per_ray = 16;
+constexpr std::size_t rays_per_batch = 128;  // a batch fits into a core's own cache
+constexpr std::size_t tests_per_batch = boxes_per_ray * rays_per_batch;
+
+/// SplitMix64 of the seed, the category and the batch: unrelated streams.
+std::uint64_t stream(std::uint64_t seed, std::uint64_t category, std::uint64_t batch) {
+  std::uint64_t x = seed + 0x9E3779B97F4A7C15U * (category * 0x100000001U + batch + 1);
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
+  return x ^ (x >> 31);
+}
+
+/// What the Verilog was given and what it must answer.
+struct RtlBatch {
+  std::vector<std::int64_t> operands;
+  std::vector<bool> expected;
+};
+
+/// Back to back, the tag being the test's number: each answer the C++'s, none lost, in order.
+std::uint64_t rtl_mismatches(Model& model, const RtlBatch& batch, int latency) {
+  const std::size_t count = batch.expected.size();
+  const std::size_t width = count == 0 ? 0 : batch.operands.size() / count;
+  std::uint64_t mismatches = 0;
+  std::size_t sent = 0;
+  std::size_t received = 0;
+  for (std::size_t cycle = 0; cycle < count + static_cast<std::size_t>(latency) + 2; ++cycle) {
+    Pins pins{.in_valid = sent < count, .in_tag = static_cast<std::uint16_t>(sent)};
+    model.cycle(batch.operands.data() + width * std::min(sent, count - 1), pins);
+    sent += pins.in_valid && pins.in_ready ? 1 : 0;
+    if (!pins.out_valid) continue;
+    const bool right = received < count && pins.out_tag == static_cast<std::uint16_t>(received) &&
+                       pins.hit == batch.expected[received];
+    mismatches += right ? 0 : 1;
+    ++received;
+  }
+  return mismatches + (received < count ? count - received : 0);
+}
+
+CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_t seed, Model* model,
+                           int latency) {
+  Random random(seed);
+  std::vector<ref::Ray> rays;
+  std::vector<ref::Aabb> boxes(tests_per_batch);
+  for (std::size_t i = 0; i < rays_per_batch; ++i) {
+    const Case c = category.make(random);
+    rays.push_back(c.ray);
+    ref::adversary::neighbours(random, c.box, {boxes.data() + i * boxes_per_ray, boxes_per_ray});
+  }
+  CategoryResult result;
+  result.category = category.name;
+  RtlBatch rtl;
+  std::optional<ref::BoxReferee> referee;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const ref::Ray& ray = rays[i / boxes_per_ray];
+    if (i % boxes_per_ray == 0) {
+      test.start(ray);
+      referee.emplace(ray);
+    }
+    const bool hit = test.hit(boxes[i]);
+    const bool meets = referee->meets(boxes[i]);
+    ++result.tests;
+    result.hits += meets ? 1 : 0;
+    result.false_hits += hit && !meets ? 1 : 0;
+    if (meets && !hit) {
+      ++result.false_misses;
+      if (!result.false_miss) result.false_miss = Case{ray, boxes[i]};
+    }
+    if (model != nullptr) {
+      rtl.operands.insert(rtl.operands.end(), test.operands().begin(), test.operands().end());
+      rtl.expected.push_back(hit);
+    }
+  }
+  if (model != nullptr) result.rtl_mismatches = rtl_mismatches(*model, rtl, latency);
+  return result;
+}
+
+}  // namespace
+
+CategoryResult& CategoryResult::operator+=(const CategoryResult& later) {
+  tests += later.tests;
+  hits += later.hits;
+  false_misses += later.false_misses;
+  false_hits += later.false_hits;
+  rtl_mismatches += later.rtl_mismatches;
+  if (!false_miss) false_miss = later.false_miss;
+  return *this;
+}
+
+std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& options) {
+  const std::size_t categories = options.categories.size();
+  if (categories == 0) return {};
+  const std::uint64_t share = (options.tests + categories - 1) / categories;
+  const std::size_t batches = std::max<std::size_t>(1, (share + tests_per_batch - 1) / tests_per_batch);
+  std::vector<CategoryResult> by_batch(categories * batches);
+  std::atomic<std::size_t> finished = 0;
+
+  struct Worker {
+    std::unique_ptr<BoxTest> test;
+    std::optional<Model> model;
+  };
+  oneapi::tbb::enumerable_thread_specific<Worker> workers([&] {
+    Worker worker{make(), std::nullopt};
+    if (options.rtl != nullptr) worker.model.emplace(*options.rtl);
+    return worker;
+  });
+  // TBB warns on standard error of more threads than it has.
+  oneapi::tbb::task_arena arena(std::min(options.threads, oneapi::tbb::info::default_concurrency()));
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, by_batch.size(), [&](std::size_t i) {
+      Worker& worker = workers.local();
+      by_batch[i] = judge_batch(
+          *worker.test, options.categories[i / batches], stream(options.seed, i / batches, i % batches),
+          worker.model ? &*worker.model : nullptr, options.rtl != nullptr ? options.rtl->latency() : 0);
+      options.progress(static_cast<double>(++finished) / static_cast<double>(by_batch.size()));
+    });
+  });
+
+  std::vector<CategoryResult> results;
+  for (std::size_t c = 0; c < categories; ++c) {
+    CategoryResult& sum = results.emplace_back();
+    sum.category = options.categories[c].name;
+    for (std::size_t b = 0; b < batches; ++b) sum += by_batch[c * batches + b];
+  }
+  return results;
+}
+
+bool is_false_miss(BoxTest& test, const Case& c) {
+  test.start(c.ray);
+  return !test.hit(c.box) && ref::ray_meets_box(c.ray, c.box);
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,46 @@
+// Judges a box test against the exact referee over the adversary's categories. The cases depend on the seed
+// and the number of tests alone, not on the threads.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "sim/check/box_test.hpp"
+#include "sim/verilated_design.hpp"
+#include "sw_ref/adversary/case.hpp"
+#include "sw_ref/adversary/categories.hpp"
+
+namespace hitpipe::sim {
+
+struct CheckOptions {
+  std::vector<ref::adversary::Category> categories;  ///< which to draw from, in equal shares
+  std::uint64_t tests = 1'000'000;                   ///< at least so many in all
+  std::uint64_t seed = 1;
+  int threads = 1;
+  const VerilatedDesign* rtl = nullptr;  ///< answers each test too, when given; the box test has its operands
+  /// Told the finished share of the tests, 0..1, from any thread.
+  std::function<void(double)> progress = [](double) {};
+};
+
+struct CategoryResult {
+  std::string_view category;
+  std::uint64_t tests = 0;
+  std::uint64_t hits = 0;  ///< by the exact referee
+  std::uint64_t false_misses = 0;
+  std::uint64_t false_hits = 0;
+  std::uint64_t rtl_mismatches = 0;
+  std::optional<ref::adversary::Case> false_miss;  ///< the first, as it was drawn
+
+  CategoryResult& operator+=(const CategoryResult& later);
+};
+
+/// One result for each category, in order.
+[[nodiscard]] std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& options);
+
+/// The box test's answer to one case is a false miss.
+[[nodiscard]] bool is_false_miss(BoxTest& test, const ref::adversary::Case& c);
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,95 @@
+#include "sim/check/rescale.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "sim/cosim.hpp"
+#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/render/render.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+/// Placing drops triangles and keeps the order of the others. A dropped triangle that is like a kept one
+/// would have been dropped for the same corners, so the first that is alike is the one.
+std::vector<std::uint32_t> numbers_before_placing(const ref::Mesh& before, const ref::Mesh& placed) {
+  std::vector<std::uint32_t> numbers;
+  std::uint32_t at = 0;
+  for (const glm::uvec3& triangle : placed.triangles) {
+    while (before.triangles[at] != triangle) ++at;
+    numbers.push_back(at++);
+  }
+  return numbers;
+}
+
+Picture rendered(const ref::Scene& scene, const PictureOptions& options) {
+  Picture picture;
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const PictureUnit& unit = options.unit;
+  if (unit.verilated == nullptr) {
+    ref::RenderResult result =
+        ref::render(scene, bvh, options.width, options.height, options.threads, ref::BoxTestKind::robust);
+    picture.image = std::move(result.image);
+    picture.triangles = std::move(result.triangles);
+    return picture;
+  }
+  CosimResult result =
+      cosimulate(*unit.design, unit.format, *unit.verilated, scene, bvh,
+                 {.width = options.width, .height = options.height, .threads = options.threads});
+  picture.image = std::move(result.image);
+  picture.triangles = std::move(result.triangles);
+  picture.different_triangles = result.different_triangles;
+  picture.rtl_mismatches = result.unit.rtl_mismatches;
+  return picture;
+}
+
+}  // namespace
+
+MovedScene moved(const ref::SceneDescription& scene, const Transform& transform) {
+  const auto move = [&](const glm::dvec3& point) { return point * transform.scale + transform.offset; };
+  MovedScene result{scene, 0};
+  ref::SceneDescription& to = result.description;
+  for (std::size_t i = 0; i < to.mesh.vertices.size(); ++i) {
+    const glm::dvec3 own(scene.mesh.vertices[i]);
+    const glm::vec3 vertex(move(own));
+    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z)) {
+      throw std::runtime_error(
+          fmt::format("vertex {}: ({}, {}, {}) leaves the range of binary32", i, own.x, own.y, own.z));
+    }
+    to.mesh.vertices[i] = vertex;
+    const glm::dvec3 back = (glm::dvec3(vertex) - transform.offset) / transform.scale;
+    result.vertices_moved += back == own ? 0U : 1U;
+  }
+  to.eye = move(scene.eye);
+  to.target = move(scene.target);
+  for (ref::LightSource& light : to.lights) light.position = move(light.position);
+  return result;
+}
+
+Picture picture(const ref::SceneDescription& scene, const PictureOptions& options) {
+  const ref::Scene placed = ref::place(scene);
+  Picture result = rendered(placed, options);
+  result.degenerate_dropped = placed.mesh.degenerate_dropped - scene.mesh.degenerate_dropped;
+  const std::vector<std::uint32_t> numbers = numbers_before_placing(scene.mesh, placed.mesh);
+  for (std::uint32_t& triangle : result.triangles) {
+    if (triangle != ref::Hit::none) triangle = numbers[triangle];
+  }
+  return result;
+}
+
+PixelChanges pixel_changes(const Picture& one, const Picture& other) {
+  constexpr float visible = 1.0F / 255.0F;
+  PixelChanges changes;
+  for (std::size_t i = 0; i < one.triangles.size(); ++i) {
+    changes.other_triangle += one.triangles[i] != other.triangles[i] ? 1 : 0;
+    const glm::vec3 difference = glm::abs(one.image[i] - other.image[i]);
+    const bool same = difference.x <= visible && difference.y <= visible && difference.z <= visible;
+    changes.other_colour += same ? 0 : 1;
+  }
+  return changes;
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,183 @@
+#include "sim/check/stiffness.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include "sim/feed.hpp"
+#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/traverse/slabs.hpp"
+#include "sw_ref/traverse/traversal.hpp"
+
+namespace hitpipe::sim {
+
+using ref::adversary::Random;
+
+namespace {
+
+constexpr std::array half_sides{1, 4, 7};
+constexpr std::size_t kinds = 2 * half_sides.size();
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+Random stream(std::uint64_t seed, std::size_t number) {
+  return Random(seed + 0x9E3779B97F4A7C15U * (number + 1));
+}
+
+glm::vec3 anywhere(Random& random) {
+  glm::vec3 point;
+  for (int axis = 0; axis < 3; ++axis) point[axis] = random.signed_unit();
+  return point;
+}
+
+float within_cube(float x) {
+  return std::clamp(x, -1.0F, 1.0F);
+}
+
+bool in_cube(const glm::vec3& point) {
+  return std::abs(point.x) <= 1.0F && std::abs(point.y) <= 1.0F && std::abs(point.z) <= 1.0F;
+}
+
+/// Draws a ray and a box of the kind that `sum` names. A ray that would start outside the cube is drawn anew:
+/// one moved onto the cube could start in the plane of a box cut off by it.
+void draw(Random& random, const StiffBoxes& sum, ref::Ray& ray, ref::Aabb& box) {
+  do {
+    ray.direction = stiff_direction(random, sum.stiffness);
+    ray.origin = anywhere(random);
+    const glm::vec3 middle = anywhere(random);
+    const float away = 0.25F + 0.25F * random.signed_unit();
+    for (int axis = 0; axis < 3; ++axis) {
+      const float half = std::ldexp(0.75F + 0.25F * random.signed_unit(), -sum.half_side);
+      box.min[axis] = within_cube(middle[axis] - half);
+      box.max[axis] = within_cube(middle[axis] + half);
+      const float target = middle[axis] + 2 * half * random.signed_unit();
+      if (sum.aimed) ray.origin[axis] = target - away * ray.direction[axis];
+    }
+  } while (!in_cube(ray.origin));
+}
+
+void judge(BoxTest& test, Random random, std::uint64_t tests, StiffBoxes& sum) {
+  for (; sum.tests < tests; ++sum.tests) {
+    ref::Ray ray;
+    ref::Aabb box;
+    draw(random, sum, ray, box);
+    test.start(ray);
+    const bool hit = test.hit(box);
+    const bool meets = ref::ray_meets_box(ray, box);
+    sum.hits += meets ? 1 : 0;
+    sum.false_hits += hit && !meets ? 1 : 0;
+    sum.false_misses += meets && !hit ? 1 : 0;
+  }
+}
+
+/// Calls work(i) for i below count and tells the progress.
+template <class Work>
+void in_parallel(std::size_t count, const StiffnessOptions& options, const Work& work) {
+  std::atomic<std::size_t> finished = 0;
+  oneapi::tbb::task_arena arena(std::min(options.threads, oneapi::tbb::info::default_concurrency()));
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      work(i);
+      options.progress(static_cast<double>(++finished) / static_cast<double>(count));
+    });
+  });
+}
+
+}  // namespace
+
+std::span<const Stiffness> stiffnesses() {
+  static constexpr auto table = [] {
+    std::array<Stiffness, 22> made{};
+    for (std::size_t i = 0; i + 1 < made.size(); ++i) made[i] = 2 * static_cast<int>(i);
+    return made;
+  }();
+  return table;
+}
+
+glm::vec3 stiff_direction(Random& random, Stiffness stiffness) {
+  glm::vec3 direction;
+  for (int axis = 0; axis < 3; ++axis) direction[axis] = random.of_exponent(0, 0);
+  float& small = direction[random.axis()];
+  small = stiffness ? std::ldexp(small, -*stiffness) : std::copysign(0.0F, small);
+  return direction;
+}
+
+double StiffBoxes::false_hit_pct() const {
+  return percent(false_hits, tests - hits);
+}
+
+double StiffTraversals::extra_box_tests_pct() const {
+  return percent(box_tests, reference_box_tests) - 100.0;
+}
+
+std::vector<StiffBoxes> stiff_boxes(const MakeBoxTest& make, const StiffnessOptions& options) {
+  std::vector<StiffBoxes> sums;
+  for (const Stiffness stiffness : stiffnesses()) {
+    for (const int half_side : half_sides) {
+      for (const bool aimed : {true, false}) {
+        sums.push_back({.stiffness = stiffness, .half_side = half_side, .aimed = aimed});
+      }
+    }
+  }
+  const std::uint64_t share = (options.tests + kinds - 1) / kinds;
+  oneapi::tbb::enumerable_thread_specific<std::unique_ptr<BoxTest>> workers(make);
+  in_parallel(sums.size(), options,
+              [&](std::size_t i) { judge(*workers.local(), stream(options.seed, i), share, sums[i]); });
+  return sums;
+}
+
+std::vector<StiffBoxes> over_all_kinds(const std::vector<StiffBoxes>& boxes) {
+  std::vector<StiffBoxes> sums;
+  for (const StiffBoxes& kind : boxes) {
+    if (sums.empty() || sums.back().stiffness != kind.stiffness) {
+      sums.push_back({.stiffness = kind.stiffness});
+    }
+    sums.back().tests += kind.tests;
+    sums.back().hits += kind.hits;
+    sums.back().false_hits += kind.false_hits;
+    sums.back().false_misses += kind.false_misses;
+  }
+  return sums;
+}
+
+std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Format format,
+                                              const ref::Mesh& mesh, const ref::Bvh& bvh,
+                                              const StiffnessOptions& options) {
+  const std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh);
+  const rtl::Evaluate evaluate = design.evaluate(format);
+  const std::size_t ports = rtl::input_ports(design.trace(format)).size();
+  std::vector<StiffTraversals> sums;
+  for (const Stiffness stiffness : stiffnesses()) sums.push_back({.stiffness = stiffness});
+  in_parallel(sums.size(), options, [&](std::size_t i) {
+    StiffTraversals& sum = sums[i];
+    Random random = stream(options.seed, i);
+    const std::unique_ptr<RayFeed> unit = feed->unit(1);
+    ref::TraversalCounts reference;
+    std::vector<std::int64_t> operands(ports);
+    for (; sum.rays < options.rays; ++sum.rays) {
+      const glm::vec3 direction = stiff_direction(random, sum.stiffness);
+      const ref::Ray ray{anywhere(random), direction, ref::Ray::infinite};
+      unit->start(0, ray);
+      ref::Traversal traversal(bvh, mesh, ray, ref::Query::closest);
+      while (!traversal.done()) {
+        unit->operands(0, traversal.node(), traversal.length(), operands.data());
+        traversal.answer(evaluate(operands.data()));
+      }
+      sum.box_tests += traversal.counts().box_tests;
+      const ref::Hit hit = ref::trace<ref::RobustSlabs>(bvh, mesh, ray, ref::Query::closest, reference);
+      sum.different_triangles += hit.triangle == traversal.hit().triangle ? 0 : 1;
+    }
+    sum.reference_box_tests = reference.box_tests;
+  });
+  return sums;
+}
+
+}  // namespace hitpipe::sim

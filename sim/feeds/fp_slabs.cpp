@@ -1,0 +1,47 @@
+// Operands of hls::FpSlabsOperands, in its order (section 2.3.1).
+#include <cmath>
+
+#include "sim/feeds/feeds.hpp"
+#include "sim/feeds/float_patterns.hpp"
+#include "sim/feeds/set_up_feed.hpp"
+#include "sw_ref/quantise/float_ray.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+class FpSlabsSetUp {
+ public:
+  using Box = PatternBox;
+  using End = std::uint32_t;
+
+  FpSlabsSetUp(const ref::Ray& ray, rtl::Format /*binary32*/)
+      : origin_(patterns(ray.origin)), irdvc_(patterns(ref::float_irdvc(ray.direction))) {}
+
+  static Box box(const ref::Aabb& box, rtl::Format /*binary32*/) { return Box(box); }
+  [[nodiscard]] End end(float length) const { return pattern(std::abs(length)); }  // -0 is a length too
+
+  void write(End rlen, bool rinf, const Box& box, std::int64_t* out) const {
+    out = put(origin_, out);
+    *out++ = rlen;
+    out = put(irdvc_, out);
+    *out++ = rinf ? 1 : 0;
+    put_box(box, out);
+  }
+
+ private:
+  Patterns origin_;
+  Patterns irdvc_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneFeed> fp_slabs_feed(rtl::Format format, const ref::Bvh& bvh) {
+  return std::make_unique<SetUpScene<FpSlabsSetUp>>(format, bvh);
+}
+
+std::unique_ptr<BoxTest> fp_slabs_test(const rtl::Design& design, rtl::Format format) {
+  return std::make_unique<SetUpTest<FpSlabsSetUp>>(design, format);
+}
+
+}  // namespace hitpipe::sim

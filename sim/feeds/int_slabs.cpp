@@ -1,0 +1,49 @@
+// Operands of hls::IntSlabsOperands, in its order (section 6.2.1).
+#include "sim/feeds/feeds.hpp"
+#include "sim/feeds/set_up_feed.hpp"
+#include "sw_ref/quantise/int_box.hpp"
+#include "sw_ref/quantise/int_ray.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+class IntSlabsSetUp {
+ public:
+  using Box = ref::IntBox;
+  using End = std::int64_t;
+
+  IntSlabsSetUp(const ref::Ray& ray, rtl::Format format) : set_up_(ray, format.bits()) {}
+
+  static Box box(const ref::Aabb& box, rtl::Format format) {
+    return ref::quantise_box(box, format.bits().coord);
+  }
+  [[nodiscard]] End end(float length) const { return set_up_.length(length); }
+
+  void write(End irlen, bool rinf, const Box& box, std::int64_t* out) const {
+    const ref::IntRay& ray = set_up_.ray();
+    out = put(ray.origin, out);
+    *out++ = irlen;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      *out++ = ray.irdvc_floor[axis];
+      *out++ = ray.irdvc_ceil[axis];
+    }
+    *out++ = rinf ? 1 : 0;
+    put_box(box, out);
+  }
+
+ private:
+  ref::IntRaySetup set_up_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneFeed> int_slabs_feed(rtl::Format format, const ref::Bvh& bvh) {
+  return std::make_unique<SetUpScene<IntSlabsSetUp>>(format, bvh);
+}
+
+std::unique_ptr<BoxTest> int_slabs_test(const rtl::Design& design, rtl::Format format) {
+  return std::make_unique<SetUpTest<IntSlabsSetUp>>(design, format);
+}
+
+}  // namespace hitpipe::sim

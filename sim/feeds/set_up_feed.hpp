@@ -1,0 +1,113 @@
+// The part that all feeds share: rays in slots, boxes by node, and the end of each ray kept until it changes.
+// A set-up S is a ray made ready once, S(ray, format), with
+//   S::Box, S::box(aabb, format)           a box as the design reads it
+//   S::End, end(length)                    what depends on the ray's length
+//   write(end, rinf, box, out)             the operands in port order
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "rtl_gen/catalogue/format.hpp"
+#include "sim/check/box_test.hpp"
+#include "sim/feed.hpp"
+
+namespace hitpipe::sim {
+
+/// Copies three components to consecutive ports.
+template <class Vector>
+std::int64_t* put(const Vector& v, std::int64_t* out) {
+  for (const auto component : v) *out++ = component;
+  return out;
+}
+
+/// min and max of each axis in turn, as every design reads its box.
+template <class Box>
+void put_box(const Box& box, std::int64_t* out) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    *out++ = box.min[axis];
+    *out++ = box.max[axis];
+  }
+}
+
+template <class S>
+class SetUpRays final : public RayFeed {
+ public:
+  SetUpRays(const std::vector<typename S::Box>& boxes, rtl::Format format, std::size_t slots)
+      : boxes_(boxes), format_(format), slots_(slots, Slot(any_ray(), format)) {}
+
+  void start(std::size_t slot, const ref::Ray& ray) override { slots_[slot] = Slot(ray, format_); }
+
+  void operands(std::size_t slot, std::uint32_t node, float length, std::int64_t* out) const override {
+    Slot& ray = slots_[slot];
+    if (ray.length != length) {
+      ray.length = length;
+      ray.end = ray.set_up.end(length);
+    }
+    ray.set_up.write(ray.end, std::isinf(length), boxes_[node], out);
+  }
+
+ private:
+  struct Slot {
+    Slot(const ref::Ray& ray, rtl::Format format)
+        : set_up(ray, format), length(ray.length), end(set_up.end(ray.length)) {}
+
+    S set_up;
+    float length;
+    typename S::End end;
+  };
+  static ref::Ray any_ray() { return {glm::vec3(0), glm::vec3(1), ref::Ray::infinite}; }
+
+  const std::vector<typename S::Box>& boxes_;
+  rtl::Format format_;
+  mutable std::vector<Slot> slots_;  // a ray's length changes only when a closer hit is found
+};
+
+template <class S>
+class SetUpScene final : public SceneFeed {
+ public:
+  SetUpScene(rtl::Format format, const ref::Bvh& bvh) : format_(format) {
+    boxes_.reserve(bvh.nodes.size());
+    for (const ref::BvhNode& node : bvh.nodes) boxes_.push_back(S::box(node.box, format));
+  }
+  [[nodiscard]] std::unique_ptr<RayFeed> unit(std::size_t slots) const override {
+    return std::make_unique<SetUpRays<S>>(boxes_, format_, slots);
+  }
+
+ private:
+  rtl::Format format_;
+  std::vector<typename S::Box> boxes_;
+};
+
+/// One ray at a time against boxes at hand: only the box's ports, the last six, change between hits.
+template <class S>
+class SetUpTest final : public BoxTest {
+ public:
+  SetUpTest(const rtl::Design& design, rtl::Format format)
+      : evaluate_(design.evaluate(format)),
+        format_(format),
+        operands_(rtl::input_ports(design.trace(format)).size()) {}
+
+  void start(const ref::Ray& ray) override {
+    const S set_up(ray, format_);
+    const ref::Aabb none_yet{glm::vec3(0), glm::vec3(0)};
+    set_up.write(set_up.end(ray.length), std::isinf(ray.length), S::box(none_yet, format_), operands_.data());
+  }
+  bool hit(const ref::Aabb& box) override {
+    put_box(S::box(box, format_), operands_.data() + operands_.size() - 6);
+    return evaluate_(operands_.data());
+  }
+  [[nodiscard]] std::span<const std::int64_t> operands() const override { return operands_; }
+
+ private:
+  rtl::Evaluate evaluate_;
+  rtl::Format format_;
+  std::vector<std::int64_t> operands_;
+};
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,19 @@
+// Rays and boxes of an adversary's category as a unit's operands, through the design's own set-up.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sw_ref/adversary/categories.hpp"
+#include "tests/sim/units.hpp"
+
+namespace hitpipe::sim {
+
+[[nodiscard]] std::vector<std::vector<std::int64_t>> adversary_vectors(
+    const Unit& unit, const ref::adversary::Category& category, int count, std::uint64_t seed);
+
+/// Raw operands, most at a corner of their port (corner_values.hpp), drawn for each port by itself.
+[[nodiscard]] std::vector<std::vector<std::int64_t>> raw_corner_vectors(const std::vector<rtl::Port>& ports,
+                                                                        int count, std::uint64_t seed);
+
+}  // namespace hitpipe::sim
