@@ -1,0 +1,39 @@
+// `hitpipe check` on one thread: drawing a case, set-up, datapath in C++ and exact referee, over every
+// category. One item is one judged test; run it on an idle core.
+#include <cstdint>
+
+#include <benchmark/benchmark.h>
+
+#include "sim/check/check.hpp"
+
+namespace {
+
+namespace rtl = hitpipe::rtl;
+namespace sim = hitpipe::sim;
+
+constexpr std::uint64_t tests_per_run = 500'000;
+
+void judge(benchmark::State& state, const char* name, rtl::Format format) {
+  const rtl::Design& design = rtl::find_design(name);
+  const auto all = hitpipe::ref::adversary::categories();
+  sim::CheckOptions options{.categories = {all.begin(), all.end()}, .tests = tests_per_run};
+  std::uint64_t tests = 0;
+  for (auto _ : state) {
+    for (const sim::CategoryResult& r :
+         sim::check([&] { return sim::make_box_test(design, format); }, options)) {
+      tests += r.tests;
+    }
+    ++options.seed;
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(tests));
+}
+BENCHMARK_CAPTURE(judge, int_slabs_24_24, "int_slabs", rtl::Format(24, 24))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, int_slabs_20_24, "int_slabs", rtl::Format(20, 24))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, int_plucker_24_24, "int_plucker", rtl::Format(24, 24))
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, int_plucker_20_24, "int_plucker", rtl::Format(20, 24))
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, fp_slabs, "fp_slabs", rtl::Format::fp32())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, fp_plucker, "fp_plucker", rtl::Format::fp32())->Unit(benchmark::kMillisecond);
+
+}  // namespace
