@@ -1,0 +1,73 @@
+// Writes what the proofs of one design in one format read: emit_formal DESIGN FORMAT FOLDER. FORMAT is n/t or
+// fp32.
+#include <exception>
+#include <iostream>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/verilog/combinational.hpp"
+#include "rtl_gen/verilog/module.hpp"
+#include "tests/formal/properties.hpp"
+
+namespace {
+
+using namespace hitpipe;
+
+std::vector<rtl::File> files_of(const std::string& name, const std::string& format) {
+  const rtl::Design& design = rtl::find_design(name);
+  const rtl::Graph traced = design.trace(design.parse_format(format));
+  const rtl::Pipeline pipeline = rtl::make_pipeline(traced, rtl::Library::thesis());
+  const std::vector<formal::Component> parts = formal::components(pipeline, name);
+
+  std::string models;
+  std::string names;
+  std::set<formal::Symbol> symbols{formal::product_symbol()};
+  std::vector<rtl::File> files{
+      {"design.v", rtl::to_verilog(pipeline, rtl::Library::thesis(), {.module_name = name, .bits = format})},
+      {"reference.v", rtl::to_combinational_verilog(traced, fmt::format("{}_reference", name))},
+      {"flow.v", formal::design_flow(pipeline, name)},
+      {"stalled.v", formal::stalled_design(pipeline, name)},
+      {"control.v", formal::control_properties(pipeline)},
+      {"latency", fmt::format("{}\n", pipeline.latency())}};
+  for (const formal::Component& part : parts) {
+    symbols.insert(part.symbol);
+    models += part.model_text;
+    names += fmt::format("{} {}\n", part.module, part.edges);
+    files.push_back({part.module + ".v", part.reference_text + formal::component_flow(part)});
+  }
+  // In the reference a float operator is a module too, with no stage at all.
+  for (const auto& unit : pipeline.graph.units()) {
+    const rtl::Output& result = unit->body.outputs().front();
+    models += fmt::format(
+        "module {0}_reference_{1} (\n  input wire {2}a, b,\n  output wire {3}{4}\n);\n"
+        "  uf_{1} symbol (.a(a), .b(b), .y({4}));\nendmodule\n",
+        name, unit->body.name(), rtl::vector_range(unit->bits),
+        rtl::vector_range(unit->body[result.node].width), result.name);
+  }
+  std::string modules;
+  std::string declarations;
+  for (const formal::Symbol& symbol : symbols) {
+    modules += formal::symbol_module(symbol);
+    declarations += formal::symbol_declaration(symbol);
+  }
+  files.push_back({"models.v", models});
+  files.push_back({"symbols.v", modules});
+  files.push_back({"symbols.smt2", declarations});
+  files.push_back({"components", names});
+  return files;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 4) throw std::runtime_error("usage: emit_formal DESIGN FORMAT FOLDER");
+    rtl::write_files(argv[3], files_of(argv[1], argv[2]));
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,120 @@
+#include "tests/formal/properties.hpp"
+
+#include <fmt/format.h>
+
+namespace hitpipe::formal {
+
+namespace {
+
+using rtl::vector_range;
+
+std::string inputs_of(const std::vector<rtl::Port>& ports) {
+  std::string text;
+  for (const rtl::Port& port : ports)
+    text += fmt::format(",\n  input wire {}{}", vector_range(port.width), port.name);
+  return text;
+}
+
+std::string connections(const std::vector<rtl::Port>& ports) {
+  std::string text;
+  for (const rtl::Port& port : ports) text += fmt::format(".{0}({0}), ", port.name);
+  return text;
+}
+
+/// A design and its reference on the same operands; `expected` is the HIT of those at the ports.
+std::string instances(const std::vector<rtl::Port>& ports, const std::string& design) {
+  return fmt::format(
+      "  wire in_ready, out_valid, hit, expected;\n  wire [3:0] out_tag;\n"
+      "  {0} #(.TAG_BITS(4)) dut (\n    .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), "
+      ".in_tag(in_tag),\n    .out_valid(out_valid), .out_ready(out_ready), .out_tag(out_tag),\n    "
+      "{1}.hit(hit));\n"
+      "  {0}_reference same (\n    {1}.hit(expected));\n",
+      design, connections(ports));
+}
+
+std::string head(const char* name, const std::vector<rtl::Port>& ports) {
+  return fmt::format(
+      "module {} (\n  input wire clk, rst, in_valid, out_ready,\n  input wire [3:0] in_tag{}\n);\n", name,
+      inputs_of(ports));
+}
+
+}  // namespace
+
+std::string component_flow(const Component& c) {
+  std::string text = fmt::format("module flow (\n  input wire clk{}\n);\n", inputs_of(c.inputs));
+  const std::string range = vector_range(c.output.width);
+  text += fmt::format(
+      "  wire {0}found, expected;\n  {1} dut ({2}{3}.{4}(found));\n  {5} same ({3}.{4}(expected));\n", range,
+      c.module, c.edges > 0 ? ".clk(clk), .en(1'b1), " : "", connections(c.inputs), c.output.name,
+      c.reference);
+  if (!c.axioms.empty()) text += "`ifdef PRODUCTS_ARE_SYMBOLS\n" + c.axioms + "`endif\n";
+  if (c.edges == 0)
+    return text +
+           "  always @* begin\n    assert (found == expected);\n    cover (|found);\n  end\nendmodule\n";
+  text += fmt::format(
+      "  reg [7:0] edges = 0;\n  reg {}first;\n  always @(posedge clk) begin\n"
+      "    edges <= edges + 8'd1;\n    if (edges == 0) first <= expected;\n  end\n"
+      "  always @* if (edges == {}) begin\n    assert (found == first);\n    cover (|found);\n  "
+      "end\nendmodule\n",
+      range, c.edges);
+  return text;
+}
+
+std::string design_flow(const rtl::Pipeline& pipeline, const std::string& design) {
+  const std::vector<rtl::Port> ports = rtl::input_ports(pipeline.graph);
+  return head("flow", ports) + instances(ports, design) +
+         fmt::format(
+             "  reg [7:0] edges = 0;\n  reg first;\n  reg [3:0] first_tag;\n"
+             "  always @(posedge clk) begin\n    edges <= edges + 8'd1;\n"
+             "    if (edges == 0) begin\n      first <= expected;\n      first_tag <= in_tag;\n    end\n  "
+             "end\n"
+             "  always @* begin\n    assume (in_ready && !rst);\n    if (edges == {}) begin\n"
+             "      assert (hit == first);\n      assert (out_tag == first_tag);\n"
+             "      cover (hit);\n      cover (!hit);\n    end\n  end\nendmodule\n",
+             pipeline.latency() + 1);
+}
+
+std::string control_properties(const rtl::Pipeline& pipeline) {
+  const int last = pipeline.schedule.stages;
+  std::string shift;
+  std::string equal;
+  std::string declare;
+  for (int b = 0; b <= last; ++b) {
+    declare += fmt::format("  reg [TAG_BITS-1:0] was_tag_{};\n", b);
+    shift += b == 0 ? std::string("      was_tag_0 <= in_tag;\n")
+                    : fmt::format("      was_tag_{} <= was_tag_{};\n", b, b - 1);
+    equal += fmt::format("      if (taken[{0}]) assert (tag_s{0} == was_tag_{0});\n", b);
+  }
+  return fmt::format(
+      "  reg was_reset = 0;\n  reg [{0}:0] taken;\n{1}  wire move = out_ready | ~taken[{0}];\n"
+      "  always @(posedge clk) begin\n    was_reset <= was_reset | rst;\n    if (rst) taken <= 0;\n"
+      "    else if (move) taken <= {{taken[{2}:0], in_valid}};\n    if (move) begin\n{3}    end\n  end\n"
+      "  always @* begin\n    if (was_reset) begin\n      assert (valid == taken);\n"
+      "      assert (in_ready == move);\n      assert (out_valid == taken[{0}]);\n"
+      "      assert (!out_valid || out_tag == was_tag_{0});\n{4}"
+      "      cover (out_valid && !out_ready && taken[0]);\n    end\n  end\n",
+      last, declare, last - 1, shift, equal);
+}
+
+std::string stalled_design(const rtl::Pipeline& pipeline, const std::string& design) {
+  const std::vector<rtl::Port> ports = rtl::input_ports(pipeline.graph);
+  return head("stalled", ports) + instances(ports, design) +
+         fmt::format(
+             "  reg first_step = 1, given = 0, expected_hit;\n  reg [3:0] expected_tag;\n"
+             "  reg [7:0] moves = 0, stalls = 0;\n  wire due = !first_step && moves == {0} && !given;\n"
+             "  always @(posedge clk) begin\n    first_step <= 0;\n    if (first_step) begin\n"
+             "      expected_hit <= expected;\n      expected_tag <= in_tag;\n    end else begin\n"
+             "      moves <= moves + {{7'd0, in_ready && !given}};\n      stalls <= stalls + {{7'd0, "
+             "!in_ready}};\n"
+             "      given <= given || (due && out_ready);\n    end\n  end\n"
+             "  always @* begin\n    assume (!rst && stalls <= 2);\n    if (first_step) assume (in_valid && "
+             "in_ready);\n"
+             "    assert (in_ready == (out_ready || !out_valid));\n"
+             "    if (due) begin\n      assert (out_valid);\n      assert (hit == expected_hit);\n"
+             "      assert (out_tag == expected_tag);\n    end\n"
+             "    cover (due && hit && stalls >= 2);\n    cover (due && !hit && stalls >= 2);\n  "
+             "end\nendmodule\n",
+             pipeline.latency());
+}
+
+}  // namespace hitpipe::formal
