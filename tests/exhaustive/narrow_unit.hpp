@@ -1,0 +1,101 @@
+// The integer units in formats below the program's range: their datapath in C++, their graph, and the
+// operands of a ray and a box. Boxes are rounded as quantise_box() does, which takes the program's n alone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+#include "hls/pipelines/int_plucker.hpp"
+#include "hls/pipelines/int_slabs.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/catalogue/native.hpp"
+#include "rtl_gen/catalogue/traced.hpp"
+#include "sw_ref/quantise/grid.hpp"
+#include "sw_ref/quantise/int_box.hpp"
+#include "sw_ref/quantise/int_plucker_ray.hpp"
+#include "sw_ref/quantise/int_ray.hpp"
+
+namespace hitpipe::ref::exhaustive {
+
+/// In port order, the box's six last; the Pluecker unit has one port fewer.
+using Operands = std::array<std::int64_t, 17>;
+
+struct NarrowUnit {
+  rtl::Design design;
+  hls::IntBits bits;
+  rtl::Evaluate evaluate;
+  void (*set_up)(const Ray&, hls::IntBits, std::int64_t* out);  ///< the ray's operands
+  std::size_t ray_operands;
+
+  /// For the names of tests: int_slabs_4_4.
+  friend void PrintTo(const NarrowUnit& unit, std::ostream* out) {
+    *out << unit.design.name << '_' << unit.bits.coord << '_' << unit.bits.interval;
+  }
+};
+
+inline void slabs_ray(const Ray& exact, hls::IntBits bits, std::int64_t* out) {
+  const IntRay ray = IntRaySetup(exact, bits).ray();
+  for (const auto coordinate : ray.origin) *out++ = coordinate;
+  *out++ = ray.length;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    *out++ = ray.irdvc_floor[axis];
+    *out++ = ray.irdvc_ceil[axis];
+  }
+  *out = ray.infinite ? 1 : 0;
+}
+
+inline void plucker_ray(const Ray& exact, hls::IntBits bits, std::int64_t* out) {
+  const IntPluckerRay ray = IntPluckerSetup(exact, bits).ray();
+  for (const auto& vector : {ray.origin, ray.end.at, ray.direction}) {
+    for (const auto component : vector) *out++ = component;
+  }
+  *out = ray.end.infinite ? 1 : 0;
+}
+
+inline IntBox narrow_box(const Aabb& box, int coord_bits) {
+  IntBox rounded;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    rounded.min[i] = static_cast<std::int32_t>(grid_floor(box.min[axis], coord_bits, Half::down));
+    rounded.max[i] = static_cast<std::int32_t>(-grid_floor(-box.max[axis], coord_bits, Half::down));
+  }
+  return rounded;
+}
+
+inline void put_box(const IntBox& box, std::int64_t* out) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    *out++ = box.min[axis];
+    *out++ = box.max[axis];
+  }
+}
+
+/// In place of for_format(), which makes the program's formats.
+template <class Make, class F>
+typename Make::Entry entry(rtl::Format format) {
+  return format == rtl::Format(F::bits) ? Make::template entry<F>() : nullptr;
+}
+
+template <class Pipeline, class F>
+constexpr rtl::Design design_of{Pipeline::name, Pipeline::summary, Pipeline::arithmetic,
+                                entry<rtl::MakeTraced<Pipeline>, F>, entry<rtl::MakeNative<Pipeline>, F>};
+
+/// Both units at n and t = 4 .. 2n-1.
+template <int N>
+std::vector<NarrowUnit> units() {
+  std::vector<NarrowUnit> all;
+  const auto add = [&]<int T>(std::integral_constant<int, T>) {
+    using F = hls::IntFormat<N, T>;
+    all.push_back({design_of<hls::IntSlabs, F>, F::bits, rtl::native<hls::IntSlabs, F>, slabs_ray, 11});
+    all.push_back({design_of<hls::IntPlucker, F>, F::bits, rtl::native<hls::IntPlucker, F>, plucker_ray, 10});
+  };
+  [&]<int... I>(std::integer_sequence<int, I...>) {
+    (add(std::integral_constant<int, hls::IntBits::min_proved + I>{}), ...);
+  }
+  (std::make_integer_sequence<int, 2 * N - hls::IntBits::min_proved>{});
+  return all;
+}
+
+}  // namespace hitpipe::ref::exhaustive
