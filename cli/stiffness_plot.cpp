@@ -1,0 +1,141 @@
+#include "cli/stiffness_plot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace hitpipe::cli {
+
+namespace {
+
+constexpr int panel_width = 400;
+constexpr int picture_height = 400;
+
+struct Style {
+  const char* colour;
+  int mark;
+};
+constexpr std::array<Style, 8> styles{{{"#0072B2", 7},
+                                       {"#D55E00", 5},
+                                       {"#009E73", 9},
+                                       {"#CC79A7", 13},
+                                       {"#E69F00", 4},
+                                       {"#56B4E9", 6},
+                                       {"#000000", 8},
+                                       {"#999999", 12}}};
+
+class ScratchFile {
+ public:
+  ScratchFile() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "hitpipe-plot-XXXXXX").string();
+    const int file = mkstemp(pattern.data());
+    if (file < 0) throw std::runtime_error(pattern + ": cannot create the file");
+    close(file);
+    path_ = pattern;
+  }
+  ~ScratchFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A gnuplot string that is taken as it is.
+std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("''") : std::string(1, c);
+  return word + "'";
+}
+
+/// One data block: x and a column for each line.
+std::string data_block(const Plot& plot, const PlotPanel& panel, std::size_t number, int zero_at) {
+  std::string text = fmt::format("$panel{} << END\n", number);
+  for (std::size_t i = 0; i <= plot.exponents.size(); ++i) {
+    text += fmt::format("{}", i < plot.exponents.size() ? plot.exponents[i] : zero_at);
+    for (const PlotLine& line : panel.lines)
+      text += fmt::format(" {}", std::max(line.percent[i], plot.least));
+    text += '\n';
+  }
+  return text + "END\n";
+}
+
+double most_percent(const Plot& plot) {
+  double most = 10 * plot.least;
+  for (const PlotPanel& panel : plot.panels) {
+    for (const PlotLine& line : panel.lines) {
+      most = std::max(most, *std::max_element(line.percent.begin(), line.percent.end()));
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+std::string plot_script(const Plot& plot) {
+  const int last = plot.exponents.back();
+  const int zero_at = last + 8;  // a gap: a zero is no power of two
+  std::string tics;
+  for (int x = 0; x <= last; x += 10) tics += fmt::format("'2^{{{}}}' {}, ", x, x);
+  std::string text = fmt::format(
+      "set terminal svg size {},{} font 'sans-serif,13' background 'white'\n"
+      "set encoding utf8\nset multiplot layout 1,{} title {} noenhanced\n"
+      "set grid ytics lc rgb '#dddddd'\nset logscale y\nset yrange [{}:{}]\n"
+      "set xrange [-1:{}]\nset xtics ({}'zero' {})\nset key below samplen 2 height 0.5\n"
+      "set format y '%g'\nset ytics add ('≤{}' {})\nset xlabel 'ratio of direction components'\nset ylabel "
+      "{}\n",
+      panel_width * plot.panels.size(), picture_height, plot.panels.size(), quoted(plot.title), plot.least,
+      2 * most_percent(plot), zero_at + 2, tics, zero_at, plot.least, plot.least,
+      quoted(plot.counted + ", %"));
+  for (std::size_t p = 0; p < plot.panels.size(); ++p) {
+    const PlotPanel& panel = plot.panels[p];
+    text += data_block(plot, panel, p, zero_at);
+    text += fmt::format("set title {} noenhanced\nplot", quoted(panel.title));
+    for (std::size_t l = 0; l < panel.lines.size(); ++l) {
+      const Style& style = styles[l % styles.size()];
+      // The last point, a zero, stands alone.
+      text += fmt::format(
+          "{0} $panel{1} using 1:{2} every ::0::{3} with linespoints lc rgb '{4}' pt {5} ps 0.6 "
+          "lw 1.5 title {6}, $panel{1} using 1:{2} every ::{7} with points lc rgb '{4}' pt "
+          "{5} ps 0.9 notitle",
+          l == 0 ? "" : ",", p, l + 2, plot.exponents.size() - 1, style.colour, style.mark,
+          quoted(panel.lines[l].title), plot.exponents.size());
+    }
+    text += '\n';
+  }
+  return text + "unset multiplot\n";
+}
+
+std::string draw_plot(const Plot& plot) {
+  const ScratchFile script;
+  std::ofstream(script.path()) << plot_script(plot);
+  const std::string command = fmt::format("gnuplot '{}' 2>/dev/null", script.path().string());
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("stiffness: cannot start gnuplot");
+  std::string svg;
+  std::array<char, 1 << 16> buffer{};
+  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    svg.append(buffer.data(), got);
+  }
+  const int status = pclose(pipe);
+  if (status != 0 || svg.empty()) {
+    throw std::runtime_error(fmt::format("stiffness: gnuplot {}; install the package gnuplot-nox",
+                                         WEXITSTATUS(status) == 127 ? "was not found" : "failed"));
+  }
+  return svg;
+}
+
+}  // namespace hitpipe::cli
