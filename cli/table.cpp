@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/values.hpp"
 
@@ -18,6 +19,11 @@ std::string grouped(std::string digits) {
   return digits;
 }
 
+/// The name of a file may be no UTF-8, which JSON must be. Without an indent: one line.
+std::string dump(const Row& value, int indent = -1) {
+  return value.dump(indent, ' ', false, Row::error_handler_t::replace);
+}
+
 std::string readable(const Row& value) {
   if (value.is_null()) return "not judged";
   if (value.is_string()) return value.get<std::string>();
@@ -25,7 +31,7 @@ std::string readable(const Row& value) {
     const double number = value.get<double>();
     return std::abs(number) >= 1e5 ? grouped(fmt::format("{:.0f}", number)) : fmt::format("{:.2f}", number);
   }
-  return value.is_number() ? grouped(value.dump()) : value.dump();
+  return value.is_number() ? grouped(dump(value)) : dump(value);
 }
 
 std::string csv_cell(const Row& value) {
@@ -35,9 +41,9 @@ std::string csv_cell(const Row& value) {
     for (const Row& entry : value) words += (words.empty() ? "" : " ") + entry.get<std::string>();
     return csv_cell(words);
   }
-  if (!value.is_string()) return value.dump();
+  if (!value.is_string()) return dump(value);
   const auto text = value.get<std::string>();
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string cell = "\"";
   for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
   return cell + "\"";
@@ -46,18 +52,15 @@ std::string csv_cell(const Row& value) {
 std::string csv(const std::vector<Row>& rows) {
   std::string text;
   if (rows.empty()) return text;
-  const auto append = [](std::string& line, const std::string& cell) {
-    if (!line.empty()) line += ',';
-    line += cell;
-  };
-  for (const auto& [key, value] : rows.front().items()) append(text, key);
+  std::vector<std::string> cells;
+  for (const auto& [key, value] : rows.front().items()) cells.push_back(key);
+  text += fmt::format("{}\n", fmt::join(cells, ","));
   for (const Row& row : rows) {
-    std::string line;
-    for (const auto& [key, value] : row.items()) append(line, csv_cell(value));
-    text += '\n';
-    text += line;
+    cells.clear();
+    for (const auto& [key, value] : row.items()) cells.push_back(csv_cell(value));
+    text += fmt::format("{}\n", fmt::join(cells, ","));
   }
-  return text + "\n";
+  return text;
 }
 
 }  // namespace
@@ -69,7 +72,7 @@ void add_format_option(CLI::App& command, Format& format) {
 }
 
 std::string table_text(const std::vector<Row>& rows, Format format) {
-  if (format == Format::json) return Row(rows).dump(2) + "\n";
+  if (format == Format::json) return dump(rows, 2) + "\n";
   if (format == Format::csv) return csv(rows);
   std::string text;
   if (rows.empty()) return text;
@@ -101,7 +104,7 @@ std::string table_text(const std::vector<Row>& rows, Format format) {
 }
 
 std::string record_text(const Row& row, Format format) {
-  if (format == Format::json) return row.dump(2) + "\n";
+  if (format == Format::json) return dump(row, 2) + "\n";
   if (format == Format::csv) return csv({row});
   std::size_t width = 0;
   for (const auto& [key, value] : row.items()) width = std::max(width, key.size());

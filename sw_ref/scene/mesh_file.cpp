@@ -60,6 +60,34 @@ void check_stl(const std::filesystem::path& file, std::uintmax_t size) {
     reject("is cut short; a text STL must end with \"endsolid\"");
 }
 
+/// Assimp makes room for the bytes that a chunk of a GLB announces before it looks whether the file has them.
+void check_glb(const std::filesystem::path& file, std::uintmax_t size) {
+  std::ifstream in(file, std::ios::binary);
+  const auto word = [&] {
+    std::array<char, 4> bytes{};  // little-endian
+    in.read(bytes.data(), bytes.size());
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      value |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << 8U * i;
+    return value;
+  };
+  constexpr std::uint32_t magic = 0x46546C67;  // "glTF"
+  if (word() != magic) return;
+  const bool only_one = word() < 2;  // a version 1 file has bare bytes behind its first chunk
+  constexpr std::uintmax_t header = 12;
+  constexpr std::uintmax_t chunk_header = 8;
+  for (std::uintmax_t at = header; at + chunk_header <= size;) {
+    in.seekg(static_cast<std::streamoff>(at));
+    const std::uint32_t length = word();
+    at += chunk_header;
+    if (length > size - at)
+      reject(fmt::format("is cut short; the chunk at byte {} announces {} bytes, {} are left",
+                         at - chunk_header, length, size - at));
+    if (only_one) break;
+    at += length;
+  }
+}
+
 void check_file(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
@@ -74,6 +102,7 @@ void check_file(const std::filesystem::path& file) {
   if (size == 0 || error) reject("is empty; at least one triangle is needed");
   if (extension == ".ply") check_ply(file);
   if (extension == ".stl") check_stl(file, size);
+  if (extension == ".glb") check_glb(file, size);
 }
 
 /// Every index that a face holds names a vertex. Assimp promises this for none of its formats.

@@ -32,6 +32,21 @@ TEST(Record, IsAHeaderAndALineAsCsv) {
             "\"a, \"\"b\"\"\",1234567,0.5,,a.v b c\n");
 }
 
+TEST(Record, EmptyFirstCellKeepsItsColumnAsCsv) {
+  EXPECT_EQ(record_text({{"name", ""}, {"count", 1}}, Format::csv), "name,count\n,1\n");
+  EXPECT_EQ(record_text({{"none", nullptr}, {"count", 1}}, Format::csv), "none,count\n,1\n");
+}
+
+TEST(Record, LineBreaksAreQuotedAsCsv) {
+  EXPECT_EQ(record_text({{"a", "x\ry"}, {"b", "x\ny"}}, Format::csv), "a,b\n\"x\ry\",\"x\ny\"\n");
+}
+
+TEST(Record, NameThatIsNoUtf8IsPrinted) {
+  const Row row{{"name", "\xff.obj"}, {"count", 1}};
+  EXPECT_EQ(record_text(row, Format::json), "{\n  \"name\": \"\xEF\xBF\xBD.obj\",\n  \"count\": 1\n}\n");
+  EXPECT_EQ(record_text(row, Format::csv), "name,count\n\xff.obj,1\n");
+}
+
 TEST(Record, IsAnObjectInTheSameOrderAsJson) {
   const Row row{{"z", "x"}, {"a", 1}};
   EXPECT_EQ(record_text(row, Format::json), "{\n  \"z\": \"x\",\n  \"a\": 1\n}\n");

@@ -1,0 +1,51 @@
+// The text of one ray and box, as `check --replay` takes it: read, printed and read again it stays the same;
+// the exact referees agree; no integer unit misses what the ray meets (sections 6.2, 6.3).
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "sim/check/box_test.hpp"
+#include "sw_ref/adversary/replay.hpp"
+#include "sw_ref/exact/box_referee.hpp"
+#include "tests/fuzz/expect.hpp"
+
+namespace {
+
+using namespace hitpipe;
+using fuzz::expect;
+
+const std::array<std::unique_ptr<sim::BoxTest>, 4>& integer_units() {
+  static const std::array units{sim::make_box_test(rtl::find_design("int_slabs"), {20, 24}),
+                                sim::make_box_test(rtl::find_design("int_slabs"), {12, 12}),
+                                sim::make_box_test(rtl::find_design("int_plucker"), {24, 24}),
+                                sim::make_box_test(rtl::find_design("int_plucker"), {20, 24})};
+  return units;
+}
+
+void judge(const ref::adversary::Case& c) {
+  const bool meets = ref::ray_meets_box_exact(c.ray, c.box);
+  expect(ref::ray_meets_box(c.ray, c.box) == meets, "the referee is exact");
+  expect(ref::ray_meets_box_by_products(c.ray, c.box).value_or(meets) == meets, "products are exact");
+  expect(ref::ray_meets_box_filtered(c.ray, c.box).value_or(meets) == meets, "the filter is exact");
+  for (const auto& unit : integer_units()) {
+    unit->start(c.ray);
+    expect(unit->hit(c.box) || !meets, "an integer unit never misses");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const auto c = ref::adversary::parse_case({reinterpret_cast<const char*>(data), size});
+    const std::string text = to_text(c);
+    expect(to_text(ref::adversary::parse_case(text)) == text, "a case is read as it was printed");
+    judge(c);
+  } catch (const std::runtime_error& error) {
+    expect(!std::string(error.what()).empty(), "a message says what is wrong");
+  }
+  return 0;
+}

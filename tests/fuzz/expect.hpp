@@ -1,0 +1,22 @@
+// What a fuzz target demands beyond not crashing: a failed demand says so and aborts, which libFuzzer reports
+// with the input that did it.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace hitpipe::fuzz {
+
+inline void expect(bool holds, std::string_view demand) {
+  if (holds) return;
+  std::fprintf(stderr, "broken: %.*s\n", static_cast<int>(demand.size()), demand.data());
+  std::abort();
+}
+
+/// A message that a user sees.
+inline void expect_one_line(std::string_view message) {
+  expect(!message.empty() && message.find('\n') == std::string_view::npos, "a message is one line");
+}
+
+}  // namespace hitpipe::fuzz

@@ -1,0 +1,28 @@
+#!/bin/sh
+# run.sh FOLDER SECONDS: runs every *_fuzz of FOLDER, SECONDS in all, from the seeds beside this script and from what earlier runs
+# found. One line a target. Fails on a crash, a leak, a time-out, or a target that did not run; the input that did it is kept.
+set -eu
+seeds=$(cd "$(dirname "$0")" && pwd)/corpus
+cd "$1"
+targets=$(echo *_fuzz)
+count=$(echo "$targets" | wc -w)
+each=$(($2 / count))
+[ "$each" -gt 0 ] || each=1
+failed=0
+printf '%-14s %9s %8s  %s\n' target runs seconds result
+for target in $targets; do
+  name=${target%_fuzz}
+  mkdir -p "corpus/$name"
+  begin=$(date +%s)
+  result=ok
+  "./$target" -max_total_time="$each" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$name-" \
+    "corpus/$name" "$seeds/$name" >"$name.log" 2>&1 || result="FAILED, see $1/$name.log"
+  runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$name.log")
+  # Assimp makes the slowest target, mesh_obj, take some 20 ms a run.
+  if [ "$result" = ok ] && [ "${runs:-0}" -lt 20 ]; then
+    result="FAILED, too few runs"
+  fi
+  [ "$result" = ok ] || failed=1
+  printf '%-14s %9s %8s  %s\n' "$name" "${runs:-0}" $(($(date +%s) - begin)) "$result"
+done
+exit $failed
