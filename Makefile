@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 CONFIGURE := $(if $(CI),-DHITPIPE_WERROR=ON)
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
-.PHONY: demo test build lint format bench sanitize packages clean help
+.PHONY: demo test build lint format bench sanitize fuzz prove packages clean help
 
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematic in out/demo'
@@ -13,6 +13,8 @@ help:
 	@echo 'make bench     benchmarks'
 	@echo 'make lint      formatting and clang-tidy; make format mends the first'
 	@echo 'make sanitize  all tests under ASan and UBSan'
+	@echo 'make fuzz      libFuzzer, SECONDS=60 in all: loaders, command line, what is printed'
+	@echo 'make prove     the Verilog equals its combinational form: yosys and z3'
 	@echo 'make clean     removes build folders and out/'
 
 packages:
@@ -38,9 +40,18 @@ sanitize: packages
 	@cmake --build --preset sanitize -j $(JOBS)
 	@ctest --preset sanitize -j $(JOBS)
 
+fuzz: SECONDS ?= 60
+fuzz: packages
+	@cmake --preset fuzz $(CONFIGURE) >build.log 2>&1 || { cat build.log; exit 1; }
+	@cmake --build --preset fuzz -j $(JOBS)
+	@tests/fuzz/run.sh build-fuzz/fuzz $(SECONDS)
+
 bench: build
 	@cmake --build --preset release -j $(JOBS) --target benchmarks
 	@bench/run.sh
+
+prove: build
+	@cmake --build --preset release -j $(JOBS) --target prove
 
 lint: build
 	@clang-format --dry-run --Werror $(CXX_FILES)
@@ -52,4 +63,4 @@ format:
 	@clang-format -i $(CXX_FILES)
 
 clean:
-	rm -rf build build-debug build-sanitize out build.log
+	rm -rf build build-debug build-sanitize build-fuzz out build.log

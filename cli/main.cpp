@@ -46,8 +46,12 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   hitpipe::cli::add_designs_command(program);
   hitpipe::cli::add_rtl_command(program);
+  hitpipe::cli::add_area_command(program);
   hitpipe::cli::add_render_command(program);
   hitpipe::cli::add_cosim_command(program, exit_code);
+  hitpipe::cli::add_check_command(program, exit_code);
+  hitpipe::cli::add_stiffness_command(program, exit_code);
+  hitpipe::cli::add_rescale_command(program, exit_code);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
   program.footer(
       "hitpipe COMMAND --help tells more of each. A first try:\n"

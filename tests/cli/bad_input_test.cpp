@@ -50,7 +50,8 @@ class BadInput : public testing::Test {
 };
 
 TEST_F(BadInput, UnknownDesignRejected) {
-  const std::string message = "design pluecker: unknown; there are: int_slabs";
+  const std::string message =
+      "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker";
   rejected({"cosim", "pluecker", "--scene", "spheres", "--out", out()}, message);
   rejected({"rtl", "pluecker", "--out", out()}, message);
 }
@@ -63,6 +64,10 @@ TEST_F(BadInput, BitsRejected) {
   }
   for (const std::string bits : {"5/6", "20/40"})
     rejected(cosim({"--scene", "spheres", "--bits", bits}), "bits " + bits + allowed);
+  rejected({"rtl", "fp_slabs", "--bits", "20/24", "--out", out()},
+           "bits 20/24: fp_slabs computes in floats; its only format is fp32");
+  rejected({"rtl", "int_slabs", "--bits", "fp32", "--out", out()},
+           "bits fp32: no such format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1");
 }
 
 TEST_F(BadInput, UnknownSceneRejected) {

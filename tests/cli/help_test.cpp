@@ -9,6 +9,23 @@ namespace {
 
 using testing::HasSubstr;
 
+/// All there are, in the order of the help.
+const std::vector<std::string> commands{"designs", "rtl",   "area",      "render",
+                                        "cosim",   "check", "stiffness", "rescale"};
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// The arguments of the program alone, and of each command.
+std::vector<std::vector<std::string>> program_and_commands() {
+  std::vector<std::vector<std::string>> all{{}};
+  for (const std::string& command : commands) all.push_back({command});
+  return all;
+}
+
 /// One line on standard error, nothing else, and an exit code that is not 0.
 void expect_error(const std::vector<std::string>& arguments, const std::string& message) {
   const Outcome outcome = run_hitpipe(arguments);
@@ -34,29 +51,23 @@ TEST_P(Help, FitsEightyColumns) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values(std::vector<std::string>{}, std::vector<std::string>{"designs"},
-                                         std::vector<std::string>{"rtl"}, std::vector<std::string>{"render"},
-                                         std::vector<std::string>{"cosim"}),
+INSTANTIATE_TEST_SUITE_P(Commands, Help, testing::ValuesIn(program_and_commands()),
                          [](const auto& parameter) {
                            return parameter.param.empty() ? "hitpipe" : parameter.param.front();
                          });
 
 TEST(HelpOfTheProgram, ListsTheCommandsAndAFirstTry) {
   const std::string help = run_hitpipe({"--help"}).out;
-  for (const char* const command : {"designs", "rtl", "render", "cosim"}) {
-    EXPECT_THAT(help, HasSubstr("\n  " + std::string(command) + " "));
-  }
+  for (const std::string& command : commands) EXPECT_THAT(help, HasSubstr("\n  " + command + " "));
   EXPECT_THAT(help, HasSubstr("  hitpipe cosim int_slabs --scene spheres --out out\n"));
 }
 
 TEST(HelpOfCosim, IsWhatItTakes) {
   const std::string help = run_hitpipe({"cosim", "--help"}).out;
   for (const char* const option :
-       {"design NAME REQUIRED", "--bits n/t=20/24", "--scene NAME|FILE REQUIRED", "--eye X,Y,Z",
-        "--target X,Y,Z", "--up X,Y,Z", "--fov DEGREES", "--light X,Y,Z", "--width N=256", "--height N=256",
-        "--threads N=", "--rays-in-flight N=32", "--referee", "--out FOLDER",
-        "--format text|csv|json=text"}) {
+       {"design NAME REQUIRED", "--bits n/t ", "--scene NAME|FILE REQUIRED", "--eye X,Y,Z", "--target X,Y,Z",
+        "--up X,Y,Z", "--fov DEGREES", "--light X,Y,Z", "--width N=256", "--height N=256", "--threads N=",
+        "--rays-in-flight N=32", "--referee", "--out FOLDER", "--format text|csv|json=text"}) {
     EXPECT_THAT(help, HasSubstr("\n  " + std::string(option)));
   }
 }
@@ -68,12 +79,11 @@ TEST(Version, IsOneLine) {
 }
 
 TEST(CommandLine, WithoutCommandRejected) {
-  expect_error({}, "a command is needed; there are: designs, rtl, render, cosim; see hitpipe --help");
+  expect_error({}, "a command is needed; there are: " + listed(commands) + "; see hitpipe --help");
 }
 
 TEST(CommandLine, WithUnknownCommandRejected) {
-  expect_error({"trace"},
-               "trace: no such command; there are: designs, rtl, render, cosim; see hitpipe --help");
+  expect_error({"trace"}, "trace: no such command; there are: " + listed(commands) + "; see hitpipe --help");
 }
 
 TEST(CommandLine, WithoutRequiredOptionsRejected) {
@@ -89,7 +99,7 @@ TEST(CommandLine, WithUnknownOptionRejected) {
 }
 
 TEST(CommandLine, WithUnknownFormatRejected) {
-  for (const std::string command : {"designs", "rtl", "render", "cosim"}) {
+  for (const std::string& command : commands) {
     expect_error({command, "--format", "xml"},
                  "--format: xml is none of text, csv, json; see hitpipe " + command + " --help");
   }
@@ -99,7 +109,8 @@ TEST(CommandLine, WithUnknownFormatRejected) {
 
 /// A word of the user's that is quoted may hold anything.
 TEST(CommandLine, WithLineBreaksIsAnsweredInOneLine) {
-  expect_error({"rtl", "two\nlines\t", "--out", "x"}, "design two lines : unknown; there are: int_slabs");
+  expect_error({"rtl", "two\nlines\t", "--out", "x"},
+               "design two lines : unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker");
 }
 
 TEST(StandardOutput, ThatIsFullRejected) {
