@@ -15,7 +15,8 @@ class Random {
   std::uint64_t bits() { return bits_(); }
   std::uint64_t below(std::uint64_t count) { return bits_() % count; }
   int between(int low, int high) {
-    return low + static_cast<int>(below(static_cast<std::uint64_t>(high - low + 1)));
+    return low +
+           static_cast<int>(below(static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1));
   }
   bool coin() { return below(2) == 0; }
   int axis() { return between(0, 2); }
