@@ -70,6 +70,7 @@ std::vector<Row> design_rows(const std::vector<Price>& prices, const std::option
   const auto share = [&](std::int64_t part, std::int64_t whole) {
     return figure(area::percent(part, whole), format);
   };
+  const std::set<area::Part> parts = parts_of(prices);
   std::vector<Row> rows;
   for (const Price& p : prices) {
     Row row{{"design", p.design},
@@ -82,13 +83,14 @@ std::vector<Row> design_rows(const std::vector<Price>& prices, const std::option
             {"area_pct", yardstick ? share(p.area_um2, yardstick->area_um2) : Row(nullptr)},
             {"adp_mm2_ns", figure(area::adp_mm2_ns(p), format)},
             {"adp_pct", yardstick ? share(p.area_delay(), yardstick->area_delay()) : Row(nullptr)}};
-    append_parts(row, p.lines, parts_of(prices));
+    append_parts(row, p.lines, parts);
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
 std::vector<Row> stage_rows(const std::vector<Price>& prices, Format format) {
+  const std::set<area::Part> parts = parts_of(prices);
   std::vector<Row> rows;
   for (const Price& p : prices) {
     for (const area::StagePrice& stage : p.by_stage) {
@@ -96,7 +98,7 @@ std::vector<Row> stage_rows(const std::vector<Price>& prices, Format format) {
               {"bits", rtl::to_string(p.format)},
               {"stage", stage.stage},
               {"area_mm2", figure(area::area_mm2(stage.area_um2), format)}};
-      append_parts(row, stage.lines, parts_of(prices));
+      append_parts(row, stage.lines, parts);
       rows.push_back(std::move(row));
     }
   }

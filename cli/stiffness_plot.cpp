@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <sys/wait.h>
-#include <unistd.h>
+
+#include "rtl_gen/emit/scratch_file.hpp"
 
 namespace hitpipe::cli {
 
@@ -31,28 +31,6 @@ constexpr std::array<Style, 8> styles{{{"#0072B2", 7},
                                        {"#56B4E9", 6},
                                        {"#000000", 8},
                                        {"#999999", 12}}};
-
-class ScratchFile {
- public:
-  ScratchFile() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "hitpipe-plot-XXXXXX").string();
-    const int file = mkstemp(pattern.data());
-    if (file < 0) throw std::runtime_error(pattern + ": cannot create the file");
-    close(file);
-    path_ = pattern;
-  }
-  ~ScratchFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A gnuplot string that is taken as it is.
 std::string quoted(const std::string& text) {
@@ -120,7 +98,7 @@ std::string plot_script(const Plot& plot) {
 }
 
 std::string draw_plot(const Plot& plot) {
-  const ScratchFile script;
+  const rtl::ScratchFile script;
   std::ofstream(script.path()) << plot_script(plot);
   const std::string command = fmt::format("gnuplot '{}' 2>/dev/null", script.path().string());
   std::FILE* const pipe = popen(command.c_str(), "r");

@@ -7,13 +7,13 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "rtl_gen/emit/axi_stream.hpp"
 #include "rtl_gen/emit/core_file.hpp"
 #include "rtl_gen/emit/manifest.hpp"
+#include "rtl_gen/emit/scratch_file.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/schematic/dot.hpp"
 #include "rtl_gen/verilog/module.hpp"
@@ -24,28 +24,6 @@ namespace {
 
 constexpr int vector_count = 1000;
 constexpr std::uint64_t vector_seed = 1;
-
-/// Removed when it goes out of scope.
-class ScratchFile {
- public:
-  ScratchFile() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "hitpipe-XXXXXX").string();
-    const int descriptor = mkstemp(pattern.data());
-    if (descriptor < 0) throw std::runtime_error(fmt::format("{}: cannot create a temporary file", pattern));
-    close(descriptor);
-    path_ = pattern;
-  }
-  ~ScratchFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 File drawing_of(const File& dot) {
   const ScratchFile source;
