@@ -72,7 +72,7 @@ std::string plot_script(const Plot& plot) {
       "set terminal svg size {},{} font 'sans-serif,13' background 'white'\n"
       "set encoding utf8\nset multiplot layout 1,{} title {} noenhanced\n"
       "set grid ytics lc rgb '#dddddd'\nset logscale y\nset yrange [{}:{}]\n"
-      "set xrange [-1:{}]\nset xtics ({}'zero' {})\nset key below samplen 2 height 0.5\n"
+      "set xrange [-1:{}]\nset xtics ({}'zero' {})\nset key below samplen 1 width -0.5 height 0.5\n"
       "set format y '%g'\nset ytics add ('≤{}' {})\nset xlabel 'ratio of direction components'\nset ylabel "
       "{}\n",
       panel_width * plot.panels.size(), picture_height, plot.panels.size(), quoted(plot.title), plot.least,
