@@ -10,27 +10,30 @@
 
 namespace hitpipe::ref {
 
-struct Aabb {
-  glm::vec3 min{std::numeric_limits<float>::infinity()};
-  glm::vec3 max{-std::numeric_limits<float>::infinity()};
+/// Empty until it is grown. T: float, as nodes store it, or double (section 5.7).
+template <class T>
+struct BasicAabb {
+  glm::vec<3, T> min{std::numeric_limits<T>::infinity()};
+  glm::vec<3, T> max{-std::numeric_limits<T>::infinity()};
 
-  void grow(const glm::vec3& p) {
+  void grow(const glm::vec<3, T>& p) {
     min = glm::min(min, p);
     max = glm::max(max, p);
   }
-  void grow(const Aabb& box) {
+  void grow(const BasicAabb& box) {
     min = glm::min(min, box.min);
     max = glm::max(max, box.max);
   }
 
   /// Coordinate of face 0..5: min x, y, z, max x, y, z. A ray set-up picks near and far faces once by number,
   /// so that the test itself has no branch on the signs of the direction.
-  [[nodiscard]] float plane(unsigned face) const {
-    float value;
-    std::memcpy(&value, reinterpret_cast<const std::byte*>(this) + sizeof(float) * face, sizeof value);
+  [[nodiscard]] T plane(unsigned face) const {
+    static_assert(sizeof(BasicAabb) == 6 * sizeof(T), "six coordinates in a row");
+    T value;
+    std::memcpy(&value, reinterpret_cast<const std::byte*>(this) + sizeof(T) * face, sizeof value);
     return value;
   }
 };
-static_assert(sizeof(Aabb) == 6 * sizeof(float), "plane() reads six floats in a row");
+using Aabb = BasicAabb<float>;
 
 }  // namespace hitpipe::ref

@@ -13,8 +13,13 @@
 
 namespace hitpipe::ref {
 
+/// What a surface sends back, after Whitted (1980): linear parts, each component in [0, 1], their sum at
+/// most 1.
 struct Material {
-  glm::vec3 albedo{0.7F};  ///< diffuse reflectance, linear, each in [0, 1]
+  glm::vec3 albedo{0.7F};         ///< diffuse, lit by the lights
+  glm::vec3 reflect{0.0F};        ///< mirrored
+  glm::vec3 transmit{0.0F};       ///< passed on, refracted; what cannot leave is mirrored (total reflection)
+  float refractive_index = 1.0F;  ///< of the inside, > 0; the normals of a closed mesh point out of it
 };
 
 /// A pinhole camera in the cube.

@@ -14,13 +14,9 @@
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/geometry/ray.hpp"
 #include "sw_ref/scene/mesh.hpp"
+#include "sw_ref/traverse/query.hpp"
 
 namespace hitpipe::ref {
-
-enum class Query : std::uint8_t {
-  closest,  ///< the nearest triangle, ties to the lower index
-  any,      ///< stop at the first triangle found: only blocked or not blocked counts
-};
 
 struct TraversalCounts {
   std::uint64_t box_tests = 0;
