@@ -33,9 +33,9 @@ std::string delayed(std::string& text, const std::string& value, int width, int 
 
 std::string model(const Component& c, const std::string& operands, int high, int low) {
   std::string text =
-      fmt::format("module {} (\n{}  input wire {}a, b,\n  output wire {}{}\n);\n", c.module,
+      fmt::format("module {} (\n{}  input wire {}a,\n  input wire {}b,\n  output wire {}{}\n);\n", c.module,
                   c.edges > 0 ? "  input wire clk, en,\n" : "", vector_range(c.inputs.front().width),
-                  vector_range(c.output.width), c.output.name);
+                  vector_range(c.inputs.back().width), vector_range(c.output.width), c.output.name);
   text += fmt::format("  wire {}y;\n  {} symbol ({}, .y(y));\n", vector_range(c.symbol.result_bits),
                       c.symbol.name, operands);
   const std::string last = delayed(text, fmt::format("y[{}:{}]", high, low), c.output.width, c.edges);

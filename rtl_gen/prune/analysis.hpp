@@ -1,0 +1,16 @@
+// Interval and known-bits analysis of a graph: what is known of every value while the operands are as
+// demanded. Sound for every operation; a component with logic of its own (a float operator) is analysed by
+// its body.
+#pragma once
+
+#include <vector>
+
+#include "rtl_gen/graph/graph.hpp"
+#include "rtl_gen/prune/facts.hpp"
+
+namespace hitpipe::rtl {
+
+/// By node. The demands must have passed check_demands() for the graph's ports.
+[[nodiscard]] std::vector<Facts> analyse(const Graph& graph, const Demands& demands);
+
+}  // namespace hitpipe::rtl

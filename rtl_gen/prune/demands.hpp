@@ -1,0 +1,68 @@
+// What is promised of the operands that a unit will ever be given: which numbers a port can have, which port
+// never exceeds which. Numbers are those of the port: two's complement when it is signed, else its bits as
+// they are; a float port's are its bit patterns, so that +0.0 .. largest finite is 0 .. 0x7f7fffff.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rtl_gen/catalogue/design.hpp"
+
+namespace hitpipe::rtl {
+
+/// From low to high, both included.
+struct Interval {
+  std::int64_t low;
+  std::int64_t high;
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+/// The port's number lies in one of the intervals; one of a single number is a constant.
+struct PortDemand {
+  std::string port;
+  std::vector<Interval> within;
+  friend bool operator==(const PortDemand&, const PortDemand&) = default;
+};
+
+/// lesser <= greater, as a box has min <= max.
+struct OrderDemand {
+  std::string lesser;
+  std::string greater;
+  friend bool operator==(const OrderDemand&, const OrderDemand&) = default;
+};
+
+struct Demands {
+  std::vector<PortDemand> ports{};
+  std::vector<OrderDemand> orders{};
+
+  [[nodiscard]] bool empty() const { return ports.empty() && orders.empty(); }
+  [[nodiscard]] std::size_t count() const { return ports.size() + orders.size(); }
+  /// All but one; ports first, then orders.
+  [[nodiscard]] Demands without(std::size_t index) const;
+  friend bool operator==(const Demands&, const Demands&) = default;
+};
+
+/// What any value of the port's width is, as a number.
+[[nodiscard]] Interval all_numbers(const Port& port);
+/// From the least to the greatest number demanded.
+[[nodiscard]] Interval hull(const PortDemand& demand);
+
+/// Throws std::invalid_argument, one line, when a demand names no port of these or one twice, has no number
+/// or numbers that the port cannot have, has intervals that do not ascend, or orders ports of different
+/// kinds or so that no operands are left.
+void check_demands(const Demands& demands, const std::vector<Port>& ports);
+
+/// Every operand that `weaker` excludes, `demands` exclude too: judged port by port and order by order.
+[[nodiscard]] bool implies(const Demands& demands, const Demands& weaker, const std::vector<Port>& ports);
+
+/// The operands, in port order and sign-extended when signed, are as demanded.
+[[nodiscard]] bool meets(const Demands& demands, const std::vector<Port>& ports,
+                         const std::int64_t* operands);
+
+/// "rinf = 1", "irx in [-5, 5]", "iri_floor in [-9, -1] or [1, 9]", "ixmin <= ixmax"; by index as in
+/// `without`.
+[[nodiscard]] std::string demand_text(const Demands& demands, std::size_t index);
+[[nodiscard]] std::string demand_text(const PortDemand& demand);
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,48 @@
+// A graph made again node by node, each as it was or as a pass puts something in its place.
+#pragma once
+
+#include <array>
+
+#include "rtl_gen/graph/graph.hpp"
+
+namespace hitpipe::rtl {
+
+/// What a node's operands are in the graph being made; of an input, the input itself comes first.
+using NewOperands = std::array<NodeId, 3>;
+
+/// Records `id` of `from`, which is no input, on other operands.
+NodeId record_again(Graph& to, const Graph& from, NodeId id, const NewOperands& operands);
+
+/// `replace(to, id, operands)` gives the node that stands for `id` of `from`, or no_node: as it was.
+/// `port(to, id)` likewise for an input; replace is then asked of the node that it gave. Names go along.
+template <class Port, class Replace>
+[[nodiscard]] Graph rewrite(const Graph& from, Port&& port, Replace&& replace) {
+  Graph to(from.name());
+  std::vector<NodeId> made(from.size(), no_node);
+  for (const NodeId id : from.inputs()) made[id] = port(to, id);
+  for (NodeId id = 0; id < from.size(); ++id) {
+    const Node& n = from[id];
+    NewOperands operands{made[id], no_node, no_node};
+    for (std::size_t i = 0; i < n.operands().size(); ++i) operands[i] = made[n.args[i]];
+    to.begin_stage(n.min_stage);
+    const NodeId instead = replace(to, id, operands);
+    if (instead != no_node) {
+      made[id] = instead;
+    } else if (n.op != Op::input) {
+      made[id] = record_again(to, from, id, operands);
+    }
+    if (n.op != Op::input) to.annotate(made[id], n.name, n.source);
+  }
+  for (const Output& out : from.outputs()) to.output(out.name, made[out.node]);
+  return to;
+}
+
+/// With the ports as they are.
+template <class Replace>
+[[nodiscard]] Graph rewrite(const Graph& from, Replace&& replace) {
+  return rewrite(
+      from, [&](Graph& to, NodeId id) { return to.input(from[id].name, from[id].width, from[id].is_signed); },
+      replace);
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# Proves fitted designs with yosys and z3: prove_fitted.sh EMIT_FITTED EMIT_FORMAL FOLDER [short]
+# For all operands that meet the demands the fitted design's HIT is the unfitted one's; the fitted pipeline is
+# proved as an unfitted one is. Prints a table of proof, result, seconds; false when anything was not proved.
+set -uo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/proofs.sh"
+emit_fitted=$(realpath "$1")
+emit_formal=$(realpath "$2")
+mkdir -p "$3"
+work=$(realpath "$3")
+short=${4:-}
+failed=0
+
+# row PROOF EXPECTED COMMAND...: EXPECTED is what the table says when all is well.
+row() {
+  local proof=$1 expected=$2 began=$EPOCHREALTIME result=proved
+  shift 2
+  "$@" || result='NOT PROVED'
+  [[ $expected == damaged ]] && { [[ $result == proved ]] && result='NOT FOUND' || result=found; }
+  [[ $result == NOT* ]] && failed=1
+  printf '%-62s %-10s %6s\n' "$proof" "$result" \
+    "$(awk -v a="$began" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }')"
+}
+
+# Modules that models.v has in a simpler form are deleted; an empty `delete` would delete all.
+prove_fits() {
+  to_smt2 fits <<END && smtbmc fits 1 "${symbolic[@]}"
+read_verilog -formal plain.v kept.v fitted.v demands.v
+$([[ -s models.v ]] && echo "delete $(modelled)")
+read_verilog -formal models.v symbols.v fits.v
+hierarchy -smtcheck -top fits
+proc
+techmap -map $formal/multiply.v
+hierarchy -smtcheck -top fits
+flatten
+opt_clean
+check -assert
+write_smt2 -wires fits.raw.smt2
+END
+}
+
+# What fits.v assumes of float operators, of their own logic.
+prove_operators() {
+  to_smt2 lemmas <<END && smtbmc lemmas 1 "${symbolic[@]}"
+read_verilog -formal plain.v lemmas.v
+hierarchy -check -top lemmas
+proc
+flatten
+opt_clean
+check -assert
+write_smt2 -wires lemmas.raw.smt2
+END
+}
+
+# folder DESIGN FORMAT SET: with all that prove_fits reads; prints its name.
+folder() {
+  local made=$work/$1-${2/\//_}-$3
+  rm -rf "$made"
+  "$emit_fitted" "$1" "$2" "$3" "$made" && echo "$made"
+}
+
+fits() {
+  cd "$(folder "$1" "$2" "$3")" || exit 1
+  local set
+  set=$(<set)
+  row "$1 $2, $set: the unfitted HIT" proved prove_fits
+  [[ ! -s lemmas.v ]] || row "  float operators' results" proved prove_operators
+}
+
+# pipeline DESIGN FORMAT SET: the fitted pipeline equals its own combinational form.
+pipeline() {
+  local made=$work/$1-${2/\//_}-$3-pipeline module
+  rm -rf "$made"
+  "$emit_formal" "$1" "$2" "$made" "$3" || exit 1
+  cd "$made" || exit 1
+  row "  pipeline: stands still when it must" proved prove_hold "$1"
+  row "  pipeline: valid, ready, tags" proved prove_control "$1"
+  row "  pipeline: HIT and tag of its operands" proved prove_flow "$1"
+  while read -r module _; do
+    [[ $module == *_fp_* ]] && continue  # the unfitted design's own, proved there
+    row "  ${module#"$1"_}" proved prove_component "$1" "$module"
+  done <components
+}
+
+# damage DESIGN FORMAT SET FILE WHAT SED: the proof must end with a counterexample when sed has changed a file.
+damage() {
+  cd "$(folder "$1" "$2" "$3")" || exit 1
+  sed "$6" "$4" >damaged
+  cmp -s "$4" damaged && { echo "no damage done: $5" >&2; failed=1; return; }
+  mv damaged "$4"
+  row "damage: $5" damaged refuted_not
+}
+
+# True unless the proof ends with a counterexample.
+refuted_not() {
+  prove_fits && return
+  ! grep -q 'Status: FAILED' fits.log
+}
+
+all_sets='0 1 2 3 4 5 6 7'
+if [[ -n $short ]]; then
+  fits int_slabs 20/24 7
+  fits fp_slabs fp32 7
+else
+  for set in $all_sets; do
+    for name in int_slabs int_plucker; do fits "$name" 24/24 "$set"; done
+    for name in fp_slabs fp_plucker; do fits "$name" fp32 "$set"; done
+  done
+  for name in int_slabs int_plucker; do fits "$name" 20/24 7; pipeline "$name" 20/24 7; done
+  for name in fp_slabs fp_plucker; do fits "$name" fp32 7; pipeline "$name" fp32 7; done
+fi
+damage int_slabs 20/24 7 demands.v 'demands not assumed' "s/assign error = /assign error = 1'b0 \&\& /;s/^    ||/    \&\&/"
+damage int_slabs 20/24 7 fitted.v 'a difference the other way round' 's/= ixmax - /= ~ixmax - /'
+printf '%s in %s s\n' "$([[ $failed == 0 ]] && echo 'all proved' || echo 'NOT all proved')" "$SECONDS"
+exit $failed

@@ -1,0 +1,214 @@
+// Demand sets as scenes give them, for every design: what the tests, the proofs and the table of
+// docs/prune.md prune by. Integer sets hold the ranges that the ports promise anyway; float sets have no such
+// ranges.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rtl_gen/prune/demands.hpp"
+#include "rtl_gen/prune/promises.hpp"
+#include "tests/rtl_gen/seeded.hpp"
+
+namespace hitpipe::rtl {
+
+struct DemandSet {
+  std::string name;
+  Demands demands;
+};
+
+/// Puts a demand in the place of the one on its port, or beside the others.
+inline void demand(Demands& demands, const std::string& port, std::vector<Interval> within) {
+  for (PortDemand& each : demands.ports) {
+    if (each.port == port) {
+      each.within = std::move(within);
+      return;
+    }
+  }
+  demands.ports.push_back({port, std::move(within)});
+}
+
+/// Float patterns.
+inline constexpr std::int64_t largest_finite = 0x7f7fffff;
+inline constexpr std::int64_t infinity = 0x7f800000;
+inline constexpr std::int64_t minus = 0x80000000;
+
+/// The parts of demand sets, in the words of each design.
+class Scene {
+ public:
+  Scene(const Design& design, Format format)
+      : slabs_(design.name.ends_with("slabs")),
+        floats_(design.is_float()),
+        bits_(floats_ ? hls::IntBits{} : format.bits()),
+        grid_(std::int64_t{1} << (bits_.coord - 2)),
+        demands_(promises(design, format)) {}
+
+  [[nodiscard]] Demands demands() const { return demands_; }
+
+  Scene& infinite_rays() {
+    demand(demands_, "rinf", {{1, 1}});
+    return *this;
+  }
+  Scene& finite_rays() {
+    demand(demands_, "rinf", {{0, 0}});
+    return *this;
+  }
+  /// All rays run towards +x, -y, +z.
+  Scene& one_direction() {
+    const char* const axes = "ijk";
+    for (int a = 0; a < 3; ++a) {
+      const bool backward = a == 1;
+      for (const std::string& port : direction(axes[a])) demand(demands_, port, {one_sign(backward)});
+    }
+    return *this;
+  }
+  Scene& fixed_origin() {
+    const std::int64_t float_origin[3] = {0x3e99999a, 0x3f000000, minus | 0x3dcccccd};  // 0.3, 0.5, -0.1
+    const std::int64_t grid_origin[3] = {grid_ * 3 / 10, grid_ / 2, -grid_ / 10};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::int64_t at = floats_ ? float_origin[a] : grid_origin[a];
+      demand(demands_, prefix() + "r" + axis_[a], {{at, at}});
+    }
+    return *this;
+  }
+  /// The scene and its rays lie between two planes of constant y close to each other: floats in 0.25 .. 0.5,
+  /// integers in a 64th of the grid.
+  Scene& narrow_axis() {
+    const Interval within = floats_ ? Interval{0x3e800000, 0x3f000000} : Interval{-(grid_ / 64), grid_ / 64};
+    for (const char* const port : {"ry", "ymin", "ymax"}) demand(demands_, prefix() + port, {within});
+    if (!slabs_) demand(demands_, prefix() + "rey", {within});
+    return *this;
+  }
+  Scene& no_zero_components() {
+    for (const char a : std::string("ijk")) {
+      for (const std::string& port : direction(a)) demand(demands_, port, no_zero());
+    }
+    return *this;
+  }
+  Scene& ordered_boxes() {
+    for (const std::string a : {"x", "y", "z"})
+      demands_.orders.push_back({prefix() + a + "min", prefix() + a + "max"});
+    return *this;
+  }
+
+ private:
+  [[nodiscard]] std::string prefix() const { return floats_ ? "" : "i"; }
+  [[nodiscard]] std::vector<std::string> direction(char axis) const {
+    const std::string name = prefix() + "r" + axis;
+    if (!slabs_) return {name};
+    if (floats_) return {name + "_inv"};
+    return {name + "_floor", name + "_ceil"};
+  }
+  [[nodiscard]] Interval one_sign(bool backward) const {
+    if (floats_) return backward ? Interval{minus, minus | infinity} : Interval{0, infinity};
+    return backward ? Interval{-(2 * grid_ - 1), -1} : Interval{0, 2 * grid_ - 1};
+  }
+  /// Of a float IRDVC: no infinity.
+  [[nodiscard]] std::vector<Interval> no_zero() const {
+    if (floats_ && slabs_) return {{0, largest_finite}, {minus, minus | largest_finite}};
+    if (floats_) return {{1, infinity}, {minus | 1, minus | infinity}};
+    return {{-(2 * grid_ - 1), -1}, {1, 2 * grid_ - 1}};
+  }
+
+  bool slabs_;
+  bool floats_;
+  hls::IntBits bits_;
+  std::int64_t grid_;
+  Demands demands_;
+  const std::string axis_ = "xyz";
+};
+
+inline std::vector<DemandSet> demand_sets(const Design& design, Format format) {
+  const auto scene = [&] { return Scene(design, format); };
+  return {{"infinite rays", scene().infinite_rays().demands()},
+          {"finite rays", scene().finite_rays().demands()},
+          {"one direction class", scene().one_direction().demands()},
+          {"fixed origin", scene().fixed_origin().demands()},
+          {"narrow y", scene().narrow_axis().demands()},
+          {"no zero component", scene().no_zero_components().demands()},
+          {"min <= max", scene().ordered_boxes().demands()},
+          {"all of these",
+           // The camera stands outside the slab.
+           scene().infinite_rays().one_direction().narrow_axis().fixed_origin().ordered_boxes().demands()}};
+}
+
+/// Operands in port order that meet the demands: ends of intervals, numbers near them, near 0, and any.
+class Draw {
+ public:
+  Draw(const std::vector<Port>& ports, const Demands& demands) : ports_(ports), demands_(demands) {
+    for (const Port& port : ports) {
+      within_.push_back({all_numbers(port)});
+      for (const PortDemand& each : demands.ports) {
+        if (each.port == port.name) within_.back() = each.within;
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<std::int64_t> operator()(Seeded& random) const {
+    for (;;) {
+      std::vector<std::int64_t> operands;
+      for (std::size_t i = 0; i < ports_.size(); ++i) operands.push_back(number(random, within_[i]));
+      // Boxes turned inside out are seldom hit.
+      const bool turn = random.below(4) != 0;
+      for (std::size_t i = 0; turn && i + 1 < ports_.size(); ++i) {
+        if (ports_[i].name.ends_with("min")) put_in_order(operands[i], operands[i + 1]);
+      }
+      for (const OrderDemand& order : demands_.orders)
+        put_in_order(operands[index(order.lesser)], operands[index(order.greater)]);
+      if (meets(demands_, ports_, operands.data())) return operands;
+    }
+  }
+
+ private:
+  static void put_in_order(std::int64_t& lesser, std::int64_t& greater) {
+    if (lesser > greater) std::swap(lesser, greater);
+  }
+  static std::int64_t number(Seeded& random, const std::vector<Interval>& within) {
+    const Interval& i = within[static_cast<std::size_t>(random.below(static_cast<int>(within.size())))];
+    const auto size = static_cast<std::uint64_t>(i.high - i.low);
+    const auto some = [&](std::uint64_t most) {
+      return static_cast<std::int64_t>(most == ~std::uint64_t{0} ? random.bits()
+                                                                 : random.bits() % (most + 1));
+    };
+    switch (random.below(8)) {
+      case 0:
+        return i.low + some(std::min<std::uint64_t>(size, 2));
+      case 1:
+        return i.high - some(std::min<std::uint64_t>(size, 2));
+      case 2:
+        return std::clamp<std::int64_t>(some(4) - 2, i.low, i.high);
+      case 3: {
+        // Of any magnitude.
+        const std::int64_t small = some(size >> random.below(64));
+        return std::clamp(random.flip() ? small : -small, i.low, i.high);
+      }
+      default:
+        return i.low + some(size);
+    }
+  }
+  [[nodiscard]] std::size_t index(const std::string& name) const {
+    std::size_t i = 0;
+    while (ports_[i].name != name) ++i;
+    return i;
+  }
+
+  std::vector<Port> ports_;
+  Demands demands_;
+  std::vector<std::vector<Interval>> within_;
+};
+
+/// The operands of the ports that a pruned graph still has, in its order.
+inline std::vector<std::uint64_t> operands_left(const Graph& pruned, const std::vector<Port>& ports,
+                                                const std::vector<std::int64_t>& operands) {
+  std::vector<std::uint64_t> left;
+  for (const NodeId id : pruned.inputs()) {
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+      if (ports[i].name == pruned[id].name) left.push_back(static_cast<std::uint64_t>(operands[i]));
+    }
+  }
+  return left;
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,106 @@
+// Demands: which are legal, which say more than others, which operands meet them, and how they read.
+#include "rtl_gen/prune/demands.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rtl_gen/prune/promises.hpp"
+#include "tests/rtl_gen/message_of.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+const std::vector<Port> ports{{"a", 8, true}, {"b", 8, true}, {"c", 8, false}, {"d", 1, false}};
+
+std::string complaint(const Demands& demands) {
+  return message_of<std::invalid_argument>([&] { check_demands(demands, ports); });
+}
+
+TEST(Demands, LegalOnesAreTaken) {
+  check_demands({{{"a", {{-128, -5}, {3, 127}}}, {"c", {{0, 255}}}, {"d", {{1, 1}}}}, {{"a", "b"}}}, ports);
+}
+
+TEST(Demands, AnUnknownPortIsRejected) {
+  EXPECT_EQ(complaint({{{"e", {{0, 1}}}}, {}}), "demand on e: no such port; there are: a, b, c, d");
+}
+
+TEST(Demands, APortDemandedTwiceIsRejected) {
+  EXPECT_EQ(complaint({{{"a", {{0, 1}}}, {"a", {{0, 1}}}}, {}}), "demand on a: it is there twice");
+}
+
+TEST(Demands, NoNumberIsRejected) {
+  EXPECT_EQ(complaint({{{"a", {}}}, {}}), "demand on a: it allows no number");
+}
+
+TEST(Demands, IntervalsThatDoNotAscendAreRejected) {
+  EXPECT_EQ(complaint({{{"a", {{2, 1}}}}, {}}), "demand on a: [2, 1] does not ascend");
+  EXPECT_EQ(complaint({{{"a", {{0, 3}, {3, 4}}}}, {}}), "demand on a: [3, 4] does not ascend");
+}
+
+TEST(Demands, NumbersThatThePortCannotHaveAreRejected) {
+  EXPECT_EQ(complaint({{{"a", {{0, 128}}}}, {}}), "demand on a: [0, 128] is outside its 8 bits, [-128, 127]");
+  EXPECT_EQ(complaint({{{"c", {{-1, 0}}}}, {}}), "demand on c: [-1, 0] is outside its 8 bits, [0, 255]");
+}
+
+TEST(Demands, AnOrderOfDifferentPortsIsRejected) {
+  EXPECT_EQ(complaint({{}, {{"a", "c"}}}), "demand a <= c: ports of different kinds");
+}
+
+TEST(Demands, AnOrderThatLeavesNothingIsRejected) {
+  EXPECT_EQ(complaint({{{"a", {{5, 9}}}, {"b", {{0, 4}}}}, {{"a", "b"}}}),
+            "demand a <= b: no number of one is");
+}
+
+TEST(Demands, WeakerOnesAreImplied) {
+  const Demands strong{{{"a", {{0, 4}, {7, 9}}}, {"b", {{10, 12}}}}, {}};
+  EXPECT_TRUE(implies(strong, {{{"a", {{0, 9}}}}, {}}, ports));
+  EXPECT_TRUE(implies(strong, {{}, {{"a", "b"}}}, ports));
+  EXPECT_TRUE(implies(strong, {}, ports));
+  EXPECT_TRUE(implies({}, {{{"c", {{0, 255}}}}, {}}, ports)) << "all that the port can have";
+  EXPECT_FALSE(implies(strong, {{{"a", {{0, 8}}}}, {}}, ports));
+  EXPECT_FALSE(implies(strong, {{{"a", {{0, 5}, {6, 8}}}}, {}}, ports));
+  EXPECT_FALSE(implies(strong, {{{"c", {{1, 255}}}}, {}}, ports));
+  EXPECT_FALSE(implies(strong, {{}, {{"b", "a"}}}, ports));
+}
+
+TEST(Demands, OperandsMeetThemOrNot) {
+  const Demands demands{{{"a", {{-3, -1}, {1, 3}}}}, {{"a", "b"}}};
+  const auto met = [&](std::int64_t a, std::int64_t b) {
+    const std::int64_t operands[] = {a, b, 0, 0};
+    return meets(demands, ports, operands);
+  };
+  EXPECT_TRUE(met(-3, -3));
+  EXPECT_TRUE(met(3, 5));
+  EXPECT_FALSE(met(0, 5));
+  EXPECT_FALSE(met(4, 5));
+  EXPECT_FALSE(met(3, 2));
+}
+
+TEST(Demands, ReadAsText) {
+  const Demands demands{{{"d", {{1, 1}}}, {"a", {{-5, 5}}}, {"b", {{-9, -1}, {2, 2}}}}, {{"a", "b"}}};
+  EXPECT_EQ(demand_text(demands, 0), "d = 1");
+  EXPECT_EQ(demand_text(demands, 1), "a in [-5, 5]");
+  EXPECT_EQ(demand_text(demands, 2), "b in [-9, -1] or 2");
+  EXPECT_EQ(demand_text(demands, 3), "a <= b");
+}
+
+TEST(Demands, OneLeftOut) {
+  const Demands demands{{{"a", {{0, 1}}}, {"d", {{1, 1}}}}, {{"a", "b"}}};
+  EXPECT_EQ(demands.without(0), (Demands{{{"d", {{1, 1}}}}, {{"a", "b"}}}));
+  EXPECT_EQ(demands.without(2), (Demands{{{"a", {{0, 1}}}, {"d", {{1, 1}}}}, {}}));
+}
+
+TEST(Promises, AreLegalAndAsHlsBoxSays) {
+  for (const Design& design : designs()) {
+    const Format format = design.default_format();
+    check_demands(promises(design, format), input_ports(design.trace(format)));
+  }
+  const Demands of_slabs = promises(find_design("int_slabs"), {24, 24});
+  EXPECT_EQ(of_slabs.ports.size(), 16U) << "all but rinf";
+  EXPECT_EQ(demand_text(of_slabs.ports[0]), "irx in [-4194303, 4194303]");
+  EXPECT_EQ(demand_text(of_slabs.ports[3]), "irlen in [0, 8388607]");
+  EXPECT_EQ(demand_text(of_slabs.ports[4]), "iri_floor in [-8388607, 8388607]");
+  EXPECT_EQ(demand_text(of_slabs.ports.back()), "izmax in [-4194304, 4194304]");
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl

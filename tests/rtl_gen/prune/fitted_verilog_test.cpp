@@ -1,0 +1,195 @@
+// A fitted unit's Verilog: taken by all tools without a word, with its check block and without, replayed with
+// operands as demanded, and stopped by any that is not.
+#include <gtest/gtest.h>
+
+#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/prune/check_block.hpp"
+#include "rtl_gen/verilog/module.hpp"
+#include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/prune/compare.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+constexpr int vector_count = 500;
+
+/// As the design's own vector file: operands first port first, then HIT in bit 0, without leading zeros'
+/// rule.
+std::string vector_line(const std::vector<Port>& ports, const std::vector<std::uint64_t>& operands,
+                        bool hit) {
+  std::string bits;
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    for (int b = ports[i].width - 1; b >= 0; --b) bits += (operands[i] >> b & 1) != 0 ? '1' : '0';
+  }
+  bits += hit ? '1' : '0';
+  while (bits.size() % 4 != 0) bits.insert(bits.begin(), '0');
+  std::string text;
+  for (std::size_t i = 0; i < bits.size(); i += 4)
+    text += fmt::format("{:x}", std::stoi(bits.substr(i, 4), nullptr, 2));
+  return text + "\n";
+}
+
+/// Of a design fitted to the last demand set, "all of these", with its check block.
+class Fitted {
+ public:
+  Fitted(const DesignFormat& d, bool keep_ports)
+      : design(d.found()),
+        format(d.parsed()),
+        ports(input_ports(design.trace(format))),
+        demands(demand_sets(design, format).back().demands),
+        graph(prune(design.trace(format), demands, {.keep_ports = keep_ports, .shares = false}).graph),
+        left(input_ports(graph)) {}
+
+  /// name.v, and in tb/ a testbench for so many vectors.
+  void write(const ScratchFolder& folder, int vectors) const {
+    const std::string name(design.name);
+    const Pipeline pipeline = make_pipeline(graph, Library::thesis());
+    const std::string verilog =
+        to_verilog(pipeline, Library::thesis(), {.module_name = name, .bits = to_string(format)});
+    write_text(folder / (name + ".v"), with_check_block(verilog, check_block(name, demands, ports, left)));
+    std::filesystem::create_directories(folder / "tb");
+    write_text(folder / "tb" / (name + "_tb.v"), testbench(design, left, vectors));
+  }
+  void write_vectors(const ScratchFolder& folder,
+                     const std::vector<std::vector<std::int64_t>>& vectors) const {
+    std::string lines;
+    for (const auto& operands : vectors) {
+      const bool hit = design.evaluate(format)(operands.data());
+      lines += vector_line(left, operands_left(graph, ports, operands), hit);
+    }
+    write_text(folder / "tb" / fmt::format("{}_vectors.hex", design.name), lines);
+  }
+  [[nodiscard]] std::vector<std::vector<std::int64_t>> drawn(Seeded& random, int count) const {
+    const Draw draw(ports, demands);
+    std::vector<std::vector<std::int64_t>> vectors;
+    for (int i = 0; i < count; ++i) vectors.push_back(draw(random));
+    return vectors;
+  }
+
+  const Design& design;
+  const Format format;
+  const std::vector<Port> ports;
+  const Demands demands;
+  const Graph graph;
+  const std::vector<Port> left;
+};
+
+void compile(const ScratchFolder& folder, const std::string& name) {
+  const ToolResult compiled = run_tool(folder / "tb", "iverilog", "iverilog",
+                                       "-g2001 -DHITPIPE_CHECK -o tb " + name + "_tb.v ../" + name + ".v");
+  ASSERT_EQ(compiled.status, 0) << compiled.output;
+}
+
+std::string replayed(const ScratchFolder& folder) {
+  return run_tool(folder / "tb", "iverilog", "vvp", "-n tb").output;
+}
+
+class FittedVerilog : public testing::TestWithParam<DesignFormat> {
+ protected:
+  const std::string name = GetParam().design;
+  ScratchFolder folder;
+};
+
+TEST_P(FittedVerilog, EveryToolIsSilent) {
+  for (const bool keep_ports : {false, true}) {
+    const Fitted fitted(GetParam(), keep_ports);
+    fitted.write(folder, 1);
+    write_text(folder / "outside.v", check_module("outside", fitted.demands, fitted.ports));
+    const auto expect_silence = [&](const std::string& program, const std::string& arguments) {
+      const ToolResult result = run_tool(folder.path(), program, program, arguments);
+      EXPECT_EQ(result.status, 0);
+      EXPECT_EQ(result.output, "") << program << ' ' << arguments;
+    };
+    const std::string define = keep_ports ? "" : "-DHITPIPE_CHECK ";
+    expect_silence("verilator", "--lint-only -Wall -DHITPIPE_CHECK " + name + ".v");
+    expect_silence("iverilog", "-g2001 -Wall " + define + "-o design " + name + ".v");
+    expect_silence("yosys", "-q -p 'read_verilog " + define + name + ".v; hierarchy -check -top " + name +
+                                "; proc; check -assert'");
+    expect_silence("verilator", "--lint-only -Wall outside.v");
+    expect_silence("yosys",
+                   "-q -p 'read_verilog outside.v; hierarchy -check -top outside; proc; check -assert'");
+  }
+}
+
+TEST_P(FittedVerilog, AnswersInIcarusAsTheUnfittedCpp) {
+  for (const bool keep_ports : {false, true}) {
+    Seeded random(23);
+    const Fitted fitted(GetParam(), keep_ports);
+    fitted.write(folder, vector_count);
+    fitted.write_vectors(folder, fitted.drawn(random, vector_count));
+    compile(folder, name);
+    EXPECT_NE(replayed(folder).find(fmt::format("PASS {} vectors", vector_count)), std::string::npos);
+  }
+}
+
+/// Operands as demanded but for one, which is just outside: by every demand that can be broken alone.
+TEST_P(FittedVerilog, TheCheckBlockStopsEveryBrokenDemand) {
+  Seeded random(29);
+  const Fitted fitted(GetParam(), true);
+  fitted.write(folder, 20);
+  compile(folder, name);
+  std::size_t broken = 0;
+  for (std::size_t i = 0; i < fitted.demands.count(); ++i) {
+    std::vector<std::vector<std::int64_t>> vectors = fitted.drawn(random, 20);
+    const Draw draw(fitted.ports, fitted.demands.without(i));
+    std::vector<std::int64_t> outside;
+    for (int tries = 0; tries < 10'000 && outside.empty(); ++tries) {
+      const std::vector<std::int64_t> operands = draw(random);
+      if (!meets(fitted.demands, fitted.ports, operands.data())) outside = operands;
+    }
+    ASSERT_FALSE(outside.empty()) << demand_text(fitted.demands, i);
+    vectors[10] = outside;
+    fitted.write_vectors(folder, vectors);
+    const std::string printed = replayed(folder);
+    EXPECT_NE(printed.find(fmt::format("{}: {} is broken by", name, demand_text(fitted.demands, i))),
+              std::string::npos)
+        << printed;
+    EXPECT_EQ(printed.find("PASS"), std::string::npos);
+    ++broken;
+  }
+  std::cout << broken << " demands broken\n";
+  EXPECT_EQ(broken, fitted.demands.count());
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, FittedVerilog, testing::ValuesIn(every_design({"20/24"})), design_suffix);
+
+TEST(CheckBlock, WithoutDemandsIsNothing) {
+  EXPECT_EQ(check_block("unit", {}, {{"a", 8, true}}, {{"a", 8, true}}), "");
+}
+
+TEST(CheckBlock, TestsOnlyWhatAPortCanBreak) {
+  const std::vector<Port> ports{{"a", 8, true}, {"b", 8, true}, {"c", 1, false}};
+  const Demands demands{{{"a", {{-128, 5}}}, {"b", {{-9, -1}, {1, 9}}}, {"c", {{0, 1}}}}, {{"a", "b"}}};
+  EXPECT_EQ(
+      check_block("unit", demands, ports, ports),
+      "\n  // Demands that the unit was fitted to.\n"
+      "`ifdef HITPIPE_CHECK\n`ifndef SYNTHESIS\n  always @(posedge clk) begin\n    if (in_valid && in_ready "
+      "&& !rst) begin\n"
+      "      if (!($signed(a) <= 8'sh5)) begin\n"
+      "        $display(\"unit: a in [-128, 5] is broken by a = %h\", a);\n        $finish;\n      end\n"
+      "      if (!(($signed(b) >= 8'shf7 && $signed(b) <= 8'shff) || ($signed(b) >= 8'sh1 && $signed(b) <= "
+      "8'sh9))) begin\n"
+      "        $display(\"unit: b in [-9, -1] or [1, 9] is broken by b = %h\", b);\n        $finish;\n"
+      "      end\n"
+      "      if ($signed(a) > $signed(b)) begin\n"
+      "        $display(\"unit: a <= b is broken by a = %h b = %h\", a, b);\n        $finish;\n      end\n"
+      "    end\n  end\n`endif\n`endif\n");
+}
+
+TEST(CheckBlock, NamesWhatNarrowPortsCannotTell) {
+  const std::vector<Port> ports{{"a", 8, true}, {"b", 8, true}};
+  const Demands demands{{{"a", {{3, 3}}}, {"b", {{-7, -3}}}}, {}};
+  // b is -8 and what its three bits say.
+  EXPECT_EQ(check_block("unit", demands, ports, {{"b", 3, false}}),
+            "\n  // Demands that the unit was fitted to.\n"
+            "  //   a = 3: not seen at these ports\n"
+            "`ifdef HITPIPE_CHECK\n`ifndef SYNTHESIS\n  always @(posedge clk) begin\n    if (in_valid && "
+            "in_ready && !rst) begin\n"
+            "      if (!(b >= 3'h1 && b <= 3'h5)) begin\n"
+            "        $display(\"unit: b in [-7, -3] is broken by b = %h\", b);\n        $finish;\n      end\n"
+            "    end\n  end\n`endif\n`endif\n");
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl

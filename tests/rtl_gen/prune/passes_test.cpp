@@ -1,0 +1,252 @@
+// Each pass alone: what it makes of small graphs, and that on random graphs no output changes for operands as
+// demanded.
+#include "rtl_gen/prune/passes.hpp"
+
+#include <functional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rtl_gen/graph/canonical.hpp"
+#include "tests/rtl_gen/graph/recipe.hpp"
+#include "tests/rtl_gen/prune/random_demands.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+struct PassCase {
+  const char* name;
+  std::function<Graph(const Graph&, const Demands&)> run;
+};
+void PrintTo(const PassCase& pass, std::ostream* out) {
+  *out << pass.name;
+}
+
+std::vector<PassCase> every_pass() {
+  const auto alone = [](Graph (*run)(const Graph&)) {
+    return [run](const Graph& graph, const Demands&) { return run(graph); };
+  };
+  return {{"fold_constants", fold_constants},
+          {"decide_comparisons", decide_comparisons},
+          {"simplify_muxes", simplify_muxes},
+          {"simplify_gates", alone(simplify_gates)},
+          {"simplify_arithmetic", alone(simplify_arithmetic)},
+          {"narrow", narrow},
+          {"share", alone(share)},
+          {"narrow_ports", [](const Graph& graph, const Demands& demands) {
+             return narrow_ports(canonical(graph), demands);
+           }}};
+}
+
+class EveryPass : public testing::TestWithParam<PassCase> {};
+
+TEST_P(EveryPass, KeepsTheOutputsOfRandomGraphs) {
+  Seeded random(733);
+  std::size_t vectors = 0;
+  std::size_t changed = 0;
+  for (int round = 0; round < 250; ++round) {
+    const Graph graph = Recipe(random, 4, 40, 3).graph();
+    const std::vector<Port> ports = input_ports(graph);
+    const Demands demands = random_demands(random, ports);
+    const Graph made = GetParam().run(graph, demands);
+    changed += to_text(canonical(made)) != to_text(canonical(graph)) ? 1 : 0;
+    const Draw draw(ports, demands);
+    for (int i = 0; i < 40; ++i, ++vectors) {
+      const std::vector<std::int64_t> operands = draw(random);
+      const std::vector<std::uint64_t> all(operands.begin(), operands.end());
+      ASSERT_EQ(evaluate(made, operands_left(made, ports, operands)), evaluate(graph, all))
+          << to_text(graph) << to_text(made) << testing::PrintToString(operands);
+    }
+  }
+  std::cout << vectors << " vectors, " << changed << " graphs changed\n";
+  EXPECT_EQ(vectors, 10'000U);
+  EXPECT_GT(changed, 25U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Passes, EveryPass, testing::ValuesIn(every_pass()),
+                         [](const auto& pass) { return std::string(pass.param.name); });
+
+/// Two signed 8-bit ports, two bits, and what a test makes of them.
+struct Small : testing::Test {
+  Graph graph{"small"};
+  NodeId a = graph.input("a", 8, true);
+  NodeId b = graph.input("b", 8, true);
+  NodeId p = graph.input("p", 1, false);
+  NodeId q = graph.input("q", 1, false);
+
+  /// The one output's cone, its lines without the numbers of nodes.
+  [[nodiscard]] static std::vector<std::string> ops(const Graph& made) {
+    const Graph clean = canonical(made);
+    std::vector<std::string> found;
+    for (NodeId id = 0; id < clean.size(); ++id) {
+      if (clean[id].op != Op::input)
+        found.push_back(fmt::format("{}:{}", op_name(clean[id].op), clean[id].width));
+    }
+    return found;
+  }
+  using Ops = std::vector<std::string>;
+};
+
+TEST_F(Small, FoldConstantsTakesWhatHasOneValue) {
+  graph.output("o", graph.binary(Op::add, a, b));
+  EXPECT_EQ(ops(fold_constants(graph, {{{"a", {{2, 2}}}, {"b", {{3, 3}}}}, {}})), Ops{"const:8"});
+  EXPECT_EQ(ops(fold_constants(graph, {{{"a", {{2, 2}}}}, {}})), (Ops{"const:8", "add:8"}));
+}
+
+TEST_F(Small, FoldConstantsLeavesComparisons) {
+  graph.output("o", graph.binary(Op::less, a, b, true));
+  EXPECT_EQ(ops(fold_constants(graph, {{{"a", {{2, 2}}}, {"b", {{3, 9}}}}, {}})), (Ops{"const:8", "cmp:1"}));
+}
+
+TEST_F(Small, DecideComparisonsByRange) {
+  graph.output("o", graph.binary(Op::less, a, b, true));
+  EXPECT_EQ(ops(decide_comparisons(graph, {{{"a", {{-9, 2}}}, {"b", {{3, 9}}}}, {}})), Ops{"const:1"});
+  EXPECT_EQ(ops(decide_comparisons(graph, {{{"a", {{-9, 3}}}, {"b", {{3, 9}}}}, {}})), Ops{"cmp:1"});
+  EXPECT_EQ(ops(decide_comparisons(graph, {{{"a", {{3, 9}}}, {"b", {{-9, 3}}}}, {}})), Ops{"const:1"});
+  EXPECT_EQ(ops(decide_comparisons(graph, {{}, {{"b", "a"}}})), Ops{"const:1"});
+  EXPECT_EQ(ops(decide_comparisons(graph, {{}, {{"a", "b"}}})), Ops{"cmp:1"});
+}
+
+TEST_F(Small, DecideComparisonsReadsTheSign) {
+  graph.output("o", graph.binary(Op::less, a, graph.constant(8, 0), true));
+  EXPECT_EQ(ops(decide_comparisons(graph, {})), Ops{"slice:1"});
+}
+
+TEST_F(Small, SimplifyMuxesTakesTheKnownArm) {
+  graph.output("o", graph.mux(p, a, b));
+  const Graph made = simplify_muxes(graph, {{{"p", {{0, 0}}}}, {}});
+  EXPECT_EQ(made.outputs().front().node, made.inputs()[1]);
+  EXPECT_EQ(ops(simplify_muxes(graph, {})), Ops{"mux:8"});
+}
+
+TEST_F(Small, SimplifyMuxesMakesGates) {
+  graph.output("or", graph.mux(p, graph.constant(1, 1), q));
+  EXPECT_EQ(ops(simplify_muxes(graph, {})), Ops{"or:1"});
+  Graph other("other");
+  const NodeId r = other.input("r", 1, false);
+  const NodeId s = other.input("s", 1, false);
+  other.output("o", other.mux(r, other.constant(1, 0), s));
+  EXPECT_EQ(ops(simplify_muxes(other, {})), (Ops{"not:1", "and:1"}));
+}
+
+TEST_F(Small, SimplifyMuxesLooksThroughTheSameSelect) {
+  graph.output("o", graph.mux(p, graph.mux(p, a, b), graph.mux(p, a, b)));
+  graph.output("o2", graph.mux(p, a, graph.mux(p, b, a)));
+  const Graph made = canonical(simplify_muxes(graph, {}));
+  EXPECT_EQ(ops(made), Ops{"mux:8"});
+  EXPECT_EQ(made.outputs()[1].node, made.inputs()[0]);
+}
+
+TEST_F(Small, SimplifyGatesKnowsConstants) {
+  const NodeId one = graph.constant(1, 1);
+  const NodeId zero = graph.constant(1, 0);
+  const std::vector<std::pair<NodeId, Ops>> cases{
+      {graph.binary(Op::bit_and, p, one), {}},         {graph.binary(Op::bit_and, zero, p), {"const:1"}},
+      {graph.binary(Op::bit_or, one, p), {"const:1"}}, {graph.binary(Op::bit_or, p, zero), {}},
+      {graph.binary(Op::bit_xor, p, one), {"not:1"}},  {graph.binary(Op::bit_xor, p, zero), {}}};
+  for (const auto& [node, expected] : cases) {
+    Graph each = graph;
+    each.output("o", node);
+    EXPECT_EQ(ops(simplify_gates(each)), expected) << to_text(each);
+  }
+}
+
+TEST_F(Small, SimplifyGatesKnowsEqualAndOppositeOperands) {
+  const std::vector<std::pair<NodeId, Ops>> cases{
+      {graph.binary(Op::bit_and, p, p), {}},
+      {graph.binary(Op::bit_or, p, p), {}},
+      {graph.binary(Op::bit_xor, p, p), {"const:1"}},
+      {graph.binary(Op::bit_and, p, graph.invert(p)), {"const:1"}},
+      {graph.binary(Op::bit_or, graph.invert(p), p), {"const:1"}},
+      {graph.binary(Op::bit_and, p, graph.invert(q)), {"not:1", "and:1"}}};
+  for (const auto& [node, expected] : cases) {
+    Graph each = graph;
+    each.output("o", node);
+    EXPECT_EQ(ops(simplify_gates(each)), expected) << to_text(each);
+  }
+}
+
+TEST_F(Small, SimplifyArithmeticMakesWires) {
+  const NodeId zero = graph.constant(8, 0);
+  const std::vector<std::pair<NodeId, Ops>> cases{
+      {graph.binary(Op::sub, a, zero), {}},
+      {graph.binary(Op::add, zero, a), {}},
+      {graph.binary(Op::sub, a, a), {"const:8"}},
+      {graph.binary(Op::sub, zero, a), {"const:8", "sub:8"}},
+      {graph.binary(Op::mul, a, zero, true), {"const:16"}},
+      {graph.binary(Op::mul, a, graph.constant(8, 1), true), {"extend:16"}},
+      {graph.binary(Op::mul, graph.constant(8, 4), a, true), {"extend:14", "const:2", "concat:16"}},
+      {graph.binary(Op::mul, a, graph.constant(8, 0x80), true), {"const:8", "mul:16"}}};
+  for (const auto& [node, expected] : cases) {
+    Graph each = graph;
+    each.output("o", node);
+    EXPECT_EQ(ops(simplify_arithmetic(each)), expected) << to_text(each);
+  }
+}
+
+TEST_F(Small, NarrowMakesValuesInTheBitsTheyNeed) {
+  const Demands demands{{{"a", {{-5, 5}}}, {"b", {{-3, 3}}}}, {}};
+  const std::vector<std::pair<NodeId, std::string>> cases{{graph.binary(Op::sub, a, b), "sub:5"},
+                                                          {graph.binary(Op::mul, a, b, true), "mul:7"},
+                                                          {graph.binary(Op::less, a, b, true), "cmp:1"},
+                                                          {graph.mux(p, a, b), "mux:4"}};
+  for (const auto& [node, expected] : cases) {
+    Graph each = graph;
+    each.output("o", node);
+    EXPECT_THAT(ops(narrow(each, demands)), testing::Contains(expected)) << to_text(narrow(each, demands));
+  }
+}
+
+TEST_F(Small, NarrowComparesWithoutASignWhereItIsKnown) {
+  graph.output("o", graph.binary(Op::less, a, b, true));
+  const Graph made = narrow(graph, {{{"a", {{64, 71}}}, {"b", {{66, 70}}}}, {}});
+  const Node& compare = made[made.outputs().front().node];
+  EXPECT_FALSE(compare.is_signed);
+  EXPECT_EQ(made[compare.args[0]].width, 3);
+  EXPECT_TRUE(narrow(graph, {})[graph.outputs().front().node].is_signed);
+}
+
+TEST_F(Small, NarrowKeepsTheNameAtTheComponent) {
+  graph.output("o", graph.binary(Op::sub, a, b));
+  graph.annotate(graph.outputs().front().node, "gap", {"hls/here.hpp", 7});
+  const Graph made = canonical(narrow(graph, {{{"a", {{0, 1}}}, {"b", {{0, 1}}}}, {}}));
+  for (NodeId id = 0; id < made.size(); ++id) {
+    if (made[id].op == Op::sub) {
+      EXPECT_EQ(made[id].name, "gap");
+    }
+  }
+}
+
+TEST_F(Small, ShareJoinsTurnedOperands) {
+  graph.output("o", graph.binary(Op::bit_xor, graph.binary(Op::add, a, b), graph.binary(Op::add, b, a)));
+  EXPECT_EQ(ops(share(graph)), (Ops{"add:8", "xor:8"}));
+  Graph differences = graph;
+  differences.output("d", graph.binary(Op::sub, a, b));
+  Graph both("both");
+  const NodeId x = both.input("x", 8, true);
+  const NodeId y = both.input("y", 8, true);
+  both.output("o", both.concat(both.binary(Op::sub, x, y), both.binary(Op::sub, y, x)));
+  EXPECT_EQ(ops(share(both)), (Ops{"sub:8", "sub:8", "concat:16"}));
+}
+
+TEST_F(Small, NarrowPortsDropsAndCuts) {
+  graph.output("o", graph.extend(graph.slice(a, 3, 0), 8, true));
+  graph.output("sign", graph.slice(b, 7, 7));
+  const std::vector<Port> ports =
+      input_ports(canonical(narrow_ports(canonical(graph), {{{"a", {{-8, 7}}}}, {}})));
+  ASSERT_EQ(ports.size(), 2U);
+  EXPECT_EQ(ports[0].name, "a");
+  EXPECT_EQ(ports[0].width, 4);
+  EXPECT_TRUE(ports[0].is_signed) << "its numbers fit";
+  EXPECT_EQ(ports[1].width, 8) << "bits below those read stay";
+}
+
+TEST_F(Small, NarrowPortsHaveNoSignWhereNumbersDoNotFit) {
+  graph.output("o", graph.slice(a, 3, 0));
+  const std::vector<Port> ports = input_ports(narrow_ports(canonical(graph), {}));
+  ASSERT_EQ(ports.size(), 1U);
+  EXPECT_FALSE(ports[0].is_signed);
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl

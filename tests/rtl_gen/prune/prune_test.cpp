@@ -1,0 +1,203 @@
+// Whole designs pruned by demands: the unfitted C++'s answers, nothing more and nothing less left, and
+// without demands the design as it was.
+#include "rtl_gen/prune/prune.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rtl_gen/emit/manifest.hpp"
+#include "rtl_gen/graph/canonical.hpp"
+#include "rtl_gen/prune/demand_fields.hpp"
+#include "rtl_gen/verilog/module.hpp"
+#include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/graph/recipe.hpp"
+#include "tests/rtl_gen/message_of.hpp"
+#include "tests/rtl_gen/prune/compare.hpp"
+#include "tests/rtl_gen/prune/random_demands.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+std::string verilog_of(const Graph& graph) {
+  return to_verilog(make_pipeline(graph, Library::thesis()), Library::thesis());
+}
+
+class PrunedDesign : public testing::TestWithParam<DesignFormat> {
+ protected:
+  const Design& design = GetParam().found();
+  const Format format = GetParam().parsed();
+  const Graph traced = design.trace(format);
+};
+
+TEST_P(PrunedDesign, AnswersAsTheUnfittedOne) {
+  Seeded random(311);
+  const std::size_t vectors = design.is_float() ? 100 : 500;
+  std::size_t compared = 0;
+  std::size_t hits = 0;
+  const std::vector<DemandSet> sets = demand_sets(design, format);
+  for (const DemandSet& set : sets) {
+    for (const bool keep_ports : {false, true}) {
+      const Pruned pruned = prune(traced, set.demands, {.keep_ports = keep_ports, .shares = false});
+      const Comparison found = compare(design, format, set.demands, pruned.graph, vectors, random);
+      ASSERT_EQ(found.mismatch, "") << set.name;
+      compared += found.vectors;
+      hits += found.hits;
+    }
+  }
+  std::cout << compared << " vectors, " << hits << " hits\n";
+  EXPECT_EQ(compared, 2 * vectors * sets.size());
+  EXPECT_GT(hits, compared / 200);
+}
+
+TEST_P(PrunedDesign, WithoutDemandsIsAsItWas) {
+  const Pruned pruned = prune(traced, {});
+  EXPECT_EQ(to_text(pruned.graph), to_text(traced));
+  EXPECT_EQ(verilog_of(pruned.graph), verilog_of(traced));
+  EXPECT_TRUE(pruned.report.cuts.empty());
+  EXPECT_EQ(pruned.report.before, pruned.report.after);
+}
+
+TEST_P(PrunedDesign, ByWhatItsPortsPromiseAnywayIsAsItWas) {
+  const Demands promised = promises(design, format);
+  EXPECT_EQ(verilog_of(prune(traced, promised, {.promised = promised}).graph), verilog_of(traced));
+  Demands whole;
+  for (const Port& port : input_ports(traced)) whole.ports.push_back({port.name, {all_numbers(port)}});
+  EXPECT_EQ(verilog_of(prune(traced, whole).graph), verilog_of(traced)) << "all that the widths can hold";
+}
+
+TEST_P(PrunedDesign, IsAFixedPoint) {
+  for (const DemandSet& set : demand_sets(design, format)) {
+    const Graph once = prune(traced, set.demands, {.keep_ports = true, .shares = false}).graph;
+    const Graph twice = prune(once, set.demands, {.keep_ports = true, .shares = false}).graph;
+    EXPECT_EQ(to_text(once), to_text(twice)) << set.name;
+  }
+}
+
+TEST_P(PrunedDesign, InfiniteRaysHaveNoLength) {
+  const Pruned pruned = prune(traced, {{{"rinf", {{1, 1}}}}, {}});
+  for (const std::string& port : pruned.report.dropped_ports()) {
+    EXPECT_TRUE(port == "rinf" || port.ends_with("rlen") || port.find("re") != std::string::npos) << port;
+  }
+  const bool slabs = design.name.ends_with("slabs");
+  EXPECT_EQ(pruned.report.dropped_ports().size(), slabs ? 2U : 4U);
+  EXPECT_LT(pruned.report.after.bits, pruned.report.before.bits);
+}
+
+TEST_P(PrunedDesign, OneDirectionClassHasNoMultiplexersOfTheClass) {
+  const Pruned pruned = prune(traced, Scene(design, format).one_direction().demands(), {.shares = false});
+  int before = 0;
+  int after = 0;
+  for (const auto& [name, count] : pruned.report.before.components)
+    before += name.starts_with("mux2") ? count : 0;
+  for (const auto& [name, count] : pruned.report.after.components)
+    after += name.starts_with("mux2") ? count : 0;
+  if (design.name.ends_with("plucker")) {
+    EXPECT_EQ(after, 0);
+  } else {
+    EXPECT_EQ(before - after, 6) << "two on each axis choose by the IRDVC's sign";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, PrunedDesign, testing::ValuesIn(every_design({"24/24", "20/24", "6/11"})),
+                         design_suffix);
+
+TEST(Prune, KeepsTheOutputsOfRandomGraphs) {
+  Seeded random(877);
+  std::size_t vectors = 0;
+  for (int round = 0; round < 120; ++round) {
+    const Graph graph = Recipe(random, 4, 40, 2).graph();
+    const std::vector<Port> ports = input_ports(graph);
+    const Demands demands = random_demands(random, ports);
+    const Graph made = prune(graph, demands, {.shares = false}).graph;
+    const Draw draw(ports, demands);
+    for (int i = 0; i < 40; ++i, ++vectors) {
+      const std::vector<std::int64_t> operands = draw(random);
+      const std::vector<std::uint64_t> all(operands.begin(), operands.end());
+      ASSERT_EQ(evaluate(made, operands_left(made, ports, operands)), evaluate(graph, all))
+          << to_text(graph) << to_text(made) << testing::PrintToString(operands);
+    }
+  }
+  std::cout << vectors << " vectors\n";
+  EXPECT_EQ(vectors, 4800U);
+}
+
+TEST(Prune, IllegalDemandsAreRejected) {
+  const Graph traced = find_design("int_slabs").trace({6, 6});
+  EXPECT_EQ(message_of<std::invalid_argument>([&] {
+              (void)prune(traced, {{{"rinf", {{2, 2}}}}, {}});
+            }),
+            "demand on rinf: 2 is outside its 1 bits, [0, 1]");
+}
+
+TEST(Prune, ANarrowAxisHasNarrowDifferences) {
+  const Design& design = find_design("int_slabs");
+  const Pruned pruned =
+      prune(design.trace({24, 24}),
+            {{{"iry", {{-100, 100}}}, {"iymin", {{-100, 100}}}, {"iymax", {{-100, 100}}}}, {}});
+  EXPECT_EQ(pruned.report.after.components.at("int_subtract_9"), 2);
+  EXPECT_EQ(pruned.report.after.components.at("mux2_9"), 2);
+  std::vector<std::string> narrowed;
+  for (const PortChange& change : pruned.report.ports)
+    narrowed.push_back(fmt::format("{} {} -> {}", change.port, change.bits_before, change.bits_after));
+  EXPECT_THAT(narrowed, testing::ElementsAre("iry 24 -> 8", "iymin 24 -> 8", "iymax 24 -> 8"));
+}
+
+TEST(PruneReport, SaysWhatWentAndForWhichDemand) {
+  const Design& design = find_design("int_slabs");
+  const Demands demands{{{"rinf", {{1, 1}}}, {"iri_floor", {{0, 100}}}}, {}};
+  const PruneReport report = prune(design.trace({24, 24}), demands).report;
+  std::vector<std::string> cuts;
+  for (const Cut& cut : report.cuts) cuts.push_back(cut_text(cut));
+  EXPECT_THAT(cuts, testing::IsSupersetOf({"rinf: port gone (fold_constants; rinf = 1)",
+                                           "irlen: port gone (fold_constants; rinf = 1)",
+                                           "beyond: int_compare gone (fold_constants; rinf = 1)",
+                                           "d_near_x: mux2 gone (simplify_muxes; iri_floor in [0, 100])",
+                                           "iri_floor: port 24 -> 7 bits (narrow; iri_floor in [0, 100])"}))
+      << testing::PrintToString(cuts);
+  ASSERT_EQ(report.shares.size(), 2U);
+  EXPECT_EQ(report.shares[0].demand, "rinf = 1");
+  EXPECT_EQ(report.shares[0].nodes, 3) << "one comparator, OR, AND";
+  EXPECT_GT(report.shares[1].bits, 24);
+}
+
+TEST(PruneReport, DemandsThatDoOneThingTogetherShareNothing) {
+  Graph graph("either");
+  const NodeId p = graph.input("p", 1, false);
+  const NodeId q = graph.input("q", 1, false);
+  const NodeId r = graph.input("r", 1, false);
+  graph.output("o", graph.binary(Op::bit_and, graph.binary(Op::bit_or, p, q), r));
+  graph.annotate(graph.outputs().front().node, "both", {});
+  const PruneReport report = prune(graph, {{{"p", {{1, 1}}}, {"q", {{1, 1}}}}, {}}).report;
+  EXPECT_EQ(report.after.nodes, 0);
+  ASSERT_FALSE(report.cuts.empty());
+  for (const Cut& cut : report.cuts) {
+    if (cut.name == "both") {
+      EXPECT_TRUE(cut.demands.empty()) << cut_text(cut);
+    }
+  }
+}
+
+TEST(DemandFields, AreInTheManifestAndComeBack) {
+  const Design& design = find_design("int_slabs");
+  const Demands demands{{{"rinf", {{1, 1}}}, {"iry", {{-9, -1}, {1, 9}}}}, {{"ixmin", "ixmax"}}};
+  const Pruned pruned = prune(design.trace({20, 24}), demands);
+  const Pipeline pipeline = make_pipeline(pruned.graph, Library::thesis());
+  const std::string plain = manifest(design, {20, 24}, pipeline, Library::thesis());
+  EXPECT_EQ(with_demand_fields(plain, {}, {}), plain);
+  EXPECT_EQ(demands_of_manifest(plain), Demands{});
+  const std::string fitted = with_demand_fields(plain, demands, pruned.report);
+  EXPECT_EQ(demands_of_manifest(fitted), demands);
+  EXPECT_NE(fitted.find("\"dropped_ports\": [\n    \"irlen\",\n    \"rinf\"\n  ]"), std::string::npos)
+      << fitted;
+  EXPECT_NE(fitted.find("\"name\": \"iry\",\n      \"from\": 20,\n      \"to\": 5"), std::string::npos)
+      << fitted;
+}
+
+TEST(DemandFields, ABrokenOneIsRejected) {
+  EXPECT_EQ(
+      message_of<std::runtime_error>([] { (void)demands_of_manifest(R"({"demands": [{"port": 3}]})"); }),
+      "manifest: \"demands\" is not a list of demands");
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl
