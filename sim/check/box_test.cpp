@@ -1,9 +1,7 @@
 #include "sim/check/box_test.hpp"
 
+#include <cmath>
 #include <limits>
-#include <optional>
-
-#include "sw_ref/traverse/slabs.hpp"
 
 namespace hitpipe::sim {
 
@@ -14,19 +12,29 @@ class RobustFloatSlabsTest final : public BoxTest {
   void start(const ref::Ray& ray) override {
     ray_ = ray;
     irdvc_ = 1.0F / ray.direction;
-    faces_.emplace(ray.direction);
   }
   bool hit(const ref::Aabb& box) override {
     constexpr float widened = 1.0F + 2 * std::numeric_limits<float>::epsilon();
-    const ref::SlabInterval t(box, *faces_, ray_.origin, irdvc_, std::numeric_limits<float>::infinity());
-    const float far = t.far * widened;
-    return t.near <= (far < ray_.length ? far : ray_.length);
+    float near = 0;
+    float far = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      const float at_min = (box.min[axis] - ray_.origin[axis]) * irdvc_[axis];
+      const float at_max = (box.max[axis] - ray_.origin[axis]) * irdvc_[axis];
+      const bool backward = std::signbit(ray_.direction[axis]);
+      // Of a zero component a distance may be NaN: it compares false and is no constraint.
+      raise(near, backward ? at_max : at_min);
+      lower(far, backward ? at_min : at_max);
+    }
+    lower(far *= widened, ray_.length);
+    return near <= far;
   }
 
  private:
+  static void raise(float& kept, float t) { kept = t > kept ? t : kept; }
+  static void lower(float& kept, float t) { kept = t < kept ? t : kept; }
+
   ref::Ray ray_;
   glm::vec3 irdvc_{0};
-  std::optional<ref::SlabFaces> faces_;
 };
 
 }  // namespace

@@ -20,6 +20,10 @@ class BoxTest {
   virtual void start(const ref::Ray& ray) = 0;
   /// The started ray against a box.
   virtual bool hit(const ref::Aabb& box) = 0;
+  /// The same for each of the boxes, in turn.
+  virtual void hits(std::span<const ref::Aabb> boxes, std::span<bool> out) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = hit(boxes[i]);
+  }
   /// What a Verilated design would be given for the last hit(), in port order; empty if it has none.
   [[nodiscard]] virtual std::span<const std::int64_t> operands() const { return {}; }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <span>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/info.h>
@@ -21,8 +22,8 @@ using ref::adversary::Random;
 namespace {
 
 // A ray is set up once and asked about several boxes: set-up is the slow part.
-constexpr std::size_t boxes_per_ray = 16;
-constexpr std::size_t rays_per_batch = 128;  // a batch fits into a core's own cache
+constexpr std::size_t boxes_per_ray = 32;
+constexpr std::size_t rays_per_batch = 64;  // a batch fits into a core's own cache
 constexpr std::size_t tests_per_batch = boxes_per_ray * rays_per_batch;
 
 /// SplitMix64 of the seed, the category and the batch: unrelated streams.
@@ -59,6 +60,21 @@ std::uint64_t rtl_mismatches(Model& model, const RtlBatch& batch, int latency) {
   return mismatches + (received < count ? count - received : 0);
 }
 
+void count(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<const bool> hits,
+           std::span<const bool> meets, CategoryResult& result) {
+  std::uint64_t false_misses = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    result.hits += meets[i] ? 1 : 0;
+    result.false_hits += hits[i] && !meets[i] ? 1 : 0;
+    false_misses += meets[i] && !hits[i] ? 1 : 0;
+  }
+  result.tests += boxes.size();
+  result.false_misses += false_misses;
+  for (std::size_t i = 0; false_misses > 0 && !result.false_miss; ++i) {
+    if (meets[i] && !hits[i]) result.false_miss = Case{ray, boxes[i]};
+  }
+}
+
 CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_t seed, Model* model,
                            int latency) {
   Random random(seed);
@@ -72,26 +88,22 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
   CategoryResult result;
   result.category = category.name;
   RtlBatch rtl;
-  std::optional<ref::BoxReferee> referee;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const ref::Ray& ray = rays[i / boxes_per_ray];
-    if (i % boxes_per_ray == 0) {
-      test.start(ray);
-      referee.emplace(ray);
+  for (std::size_t i = 0; i < rays_per_batch; ++i) {
+    const std::span<const ref::Aabb> asked(boxes.data() + i * boxes_per_ray, boxes_per_ray);
+    std::array<bool, boxes_per_ray> hits{};
+    std::array<bool, boxes_per_ray> meets{};
+    test.start(rays[i]);
+    if (model == nullptr) {
+      test.hits(asked, hits);
+    } else {
+      for (std::size_t box = 0; box < boxes_per_ray; ++box) {
+        hits[box] = test.hit(asked[box]);
+        rtl.operands.insert(rtl.operands.end(), test.operands().begin(), test.operands().end());
+        rtl.expected.push_back(hits[box]);
+      }
     }
-    const bool hit = test.hit(boxes[i]);
-    const bool meets = referee->meets(boxes[i]);
-    ++result.tests;
-    result.hits += meets ? 1 : 0;
-    result.false_hits += hit && !meets ? 1 : 0;
-    if (meets && !hit) {
-      ++result.false_misses;
-      if (!result.false_miss) result.false_miss = Case{ray, boxes[i]};
-    }
-    if (model != nullptr) {
-      rtl.operands.insert(rtl.operands.end(), test.operands().begin(), test.operands().end());
-      rtl.expected.push_back(hit);
-    }
+    ref::BoxReferee(rays[i]).meet(asked, meets);
+    count(rays[i], asked, hits, meets, result);
   }
   if (model != nullptr) result.rtl_mismatches = rtl_mismatches(*model, rtl, latency);
   return result;

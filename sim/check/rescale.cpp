@@ -8,6 +8,7 @@
 #include "sim/cosim.hpp"
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
+#include "sw_ref/traverse/tracer.hpp"
 
 namespace hitpipe::sim {
 
@@ -30,8 +31,11 @@ Picture rendered(const ref::Scene& scene, const PictureOptions& options) {
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const PictureUnit& unit = options.unit;
   if (unit.verilated == nullptr) {
-    ref::RenderResult result =
-        ref::render(scene, bvh, options.width, options.height, options.threads, ref::BoxTestKind::robust);
+    ref::RenderOptions rendering;
+    rendering.width = options.width;
+    rendering.height = options.height;
+    rendering.threads = options.threads;
+    ref::RenderResult result = ref::render(scene, *ref::make_tracer(scene.mesh, bvh, {}), rendering);
     picture.image = std::move(result.image);
     picture.triangles = std::move(result.triangles);
     return picture;

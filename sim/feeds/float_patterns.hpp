@@ -21,9 +21,10 @@ using Patterns = std::array<std::uint32_t, 3>;
 }
 
 struct PatternBox {
-  Patterns min;
-  Patterns max;
+  Patterns min{};
+  Patterns max{};
 
+  PatternBox() = default;
   explicit PatternBox(const ref::Aabb& box) : min(patterns(box.min)), max(patterns(box.max)) {}
 };
 

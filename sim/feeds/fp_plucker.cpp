@@ -1,4 +1,6 @@
 // Operands of hls::FpPluckerOperands, in its order (section 3.3).
+#include <algorithm>
+
 #include "sim/feeds/feeds.hpp"
 #include "sim/feeds/float_patterns.hpp"
 #include "sim/feeds/set_up_feed.hpp"
@@ -15,7 +17,9 @@ class FpPluckerSetUp {
 
   FpPluckerSetUp(const ref::Ray& ray, rtl::Format /*binary32*/) : ray_(ray) {}
 
-  static Box box(const ref::Aabb& box, rtl::Format /*binary32*/) { return Box(box); }
+  static void boxes(std::span<const ref::Aabb> boxes, rtl::Format /*binary32*/, std::span<Box> out) {
+    std::transform(boxes.begin(), boxes.end(), out.begin(), [](const ref::Aabb& box) { return Box(box); });
+  }
   [[nodiscard]] End end(float length) const { return ref::float_endpoint(ray_, length); }
 
   void write(const End& end, bool /*rinf*/, const Box& box, std::int64_t* out) const {

@@ -1,4 +1,5 @@
 // Operands of hls::FpSlabsOperands, in its order (section 2.3.1).
+#include <algorithm>
 #include <cmath>
 
 #include "sim/feeds/feeds.hpp"
@@ -18,7 +19,9 @@ class FpSlabsSetUp {
   FpSlabsSetUp(const ref::Ray& ray, rtl::Format /*binary32*/)
       : origin_(patterns(ray.origin)), irdvc_(patterns(ref::float_irdvc(ray.direction))) {}
 
-  static Box box(const ref::Aabb& box, rtl::Format /*binary32*/) { return Box(box); }
+  static void boxes(std::span<const ref::Aabb> boxes, rtl::Format /*binary32*/, std::span<Box> out) {
+    std::transform(boxes.begin(), boxes.end(), out.begin(), [](const ref::Aabb& box) { return Box(box); });
+  }
   [[nodiscard]] End end(float length) const { return pattern(std::abs(length)); }  // -0 is a length too
 
   void write(End rlen, bool rinf, const Box& box, std::int64_t* out) const {

@@ -15,8 +15,8 @@ class IntPluckerSetUp {
 
   IntPluckerSetUp(const ref::Ray& ray, rtl::Format format) : set_up_(ray, format.bits()) {}
 
-  static Box box(const ref::Aabb& box, rtl::Format format) {
-    return ref::quantise_box(box, format.bits().coord);
+  static void boxes(std::span<const ref::Aabb> boxes, rtl::Format format, std::span<Box> out) {
+    ref::quantise_boxes(boxes, format.bits().coord, out);
   }
   [[nodiscard]] End end(float length) const { return set_up_.endpoint(length); }
 

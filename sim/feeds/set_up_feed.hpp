@@ -1,6 +1,6 @@
 // The part that all feeds share: rays in slots, boxes by node, and the end of each ray kept until it changes.
 // A set-up S is a ray made ready once, S(ray, format), with
-//   S::Box, S::box(aabb, format)           a box as the design reads it
+//   S::Box, S::boxes(aabbs, format, out)   boxes as the design reads them
 //   S::End, end(length)                    what depends on the ray's length
 //   write(end, rinf, box, out)             the operands in port order
 #pragma once
@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -72,8 +73,11 @@ template <class S>
 class SetUpScene final : public SceneFeed {
  public:
   SetUpScene(rtl::Format format, const ref::Bvh& bvh) : format_(format) {
-    boxes_.reserve(bvh.nodes.size());
-    for (const ref::BvhNode& node : bvh.nodes) boxes_.push_back(S::box(node.box, format));
+    std::vector<ref::Aabb> boxes;
+    boxes.reserve(bvh.nodes.size());
+    for (const ref::BvhNode& node : bvh.nodes) boxes.push_back(node.box);
+    boxes_.resize(boxes.size());
+    S::boxes(boxes, format, boxes_);
   }
   [[nodiscard]] std::unique_ptr<RayFeed> unit(std::size_t slots) const override {
     return std::make_unique<SetUpRays<S>>(boxes_, format_, slots);
@@ -95,12 +99,21 @@ class SetUpTest final : public BoxTest {
 
   void start(const ref::Ray& ray) override {
     const S set_up(ray, format_);
-    const ref::Aabb none_yet{glm::vec3(0), glm::vec3(0)};
-    set_up.write(set_up.end(ray.length), std::isinf(ray.length), S::box(none_yet, format_), operands_.data());
+    const typename S::Box none_yet{};
+    set_up.write(set_up.end(ray.length), std::isinf(ray.length), none_yet, operands_.data());
   }
   bool hit(const ref::Aabb& box) override {
-    put_box(S::box(box, format_), operands_.data() + operands_.size() - 6);
-    return evaluate_(operands_.data());
+    bool answer = false;
+    hits({&box, 1}, {&answer, 1});
+    return answer;
+  }
+  void hits(std::span<const ref::Aabb> boxes, std::span<bool> out) override {
+    boxes_.resize(boxes.size());
+    S::boxes(boxes, format_, boxes_);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      put_box(boxes_[i], operands_.data() + operands_.size() - 6);
+      out[i] = evaluate_(operands_.data());
+    }
   }
   [[nodiscard]] std::span<const std::int64_t> operands() const override { return operands_; }
 
@@ -108,6 +121,7 @@ class SetUpTest final : public BoxTest {
   rtl::Evaluate evaluate_;
   rtl::Format format_;
   std::vector<std::int64_t> operands_;
+  std::vector<typename S::Box> boxes_;
 };
 
 }  // namespace hitpipe::sim

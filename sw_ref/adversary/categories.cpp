@@ -32,7 +32,8 @@ std::span<const Category> categories() {
       {"length_subnormal", "length below 2^-126, direction from small to huge", length_subnormal},
       {"length_huge", "length up to the largest binary32, direction from tiny to one", length_huge},
       {"grid_ends", "coordinates at +-1, next to it and at its padded margin", grid_ends},
-      {"one_grid_unit", "origin, box and direction at ties and steps of an n-bit grid", one_grid_unit},
+      {"one_grid_unit", "ties and steps of an n-bit grid; across the cube, every rounding at its worst",
+       one_grid_unit},
       {"subnormal_coordinates", "subnormal coordinates of origin or box, or subnormal directions",
        subnormal_coordinates},
   };

@@ -22,20 +22,9 @@ float subnormal(Random& random) {
   return random.coin() ? random.of_exponent(-149, -127) : random.sign() * 0x1p-149F;
 }
 
-}  // namespace
-
-Case grid_ends(Random& random) {
-  Case c{.ray = {}, .box = box_of([&] { return end_of_grid(random); })};
-  c.ray.origin = vector_of([&] { return end_of_grid(random); });
-  const float t = aim(random, c.ray, point_of(random, c.box, random.between(0, 3)));
-  c.ray.length = length_about(random, t);
-  if (random.coin()) disturb(random, c.ray);
-  return c;
-}
-
-Case one_grid_unit(Random& random) {
-  // The worst that rounding can do to a side relation: components halfway between two integers on a scale
-  // where the largest is M, and planes that the ray just touches.
+/// Components halfway between two integers on a scale where the largest is M, and planes that the ray just
+/// touches.
+Case at_ties(Random& random) {
   const int n = std::array{6, 7, 8, 12, 16, 20, 24}[random.below(7)];
   const auto unit = static_cast<float>(grid_scale(n));
   const int limit = (1 << (n - 1)) - 1;
@@ -66,6 +55,85 @@ Case one_grid_unit(Random& random) {
   }
   c.ray.length = length_about(random, static_cast<float>(along / (2.0 * limit)));
   return c;
+}
+
+/// The ray and box seen in a mirror across the plane where that coordinate is 0.
+void mirror(Case& c, int axis) {
+  c.ray.origin[axis] = -c.ray.origin[axis];
+  c.ray.direction[axis] = -c.ray.direction[axis];
+  const float low = c.box.min[axis];
+  c.box.min[axis] = -c.box.max[axis];
+  c.box.max[axis] = -low;
+}
+
+/// The worst that rounding can do to a side relation, an error of the direction times a distance: from one
+/// corner of the cube past an edge near the opposite one, with two components half a unit off, one up and one
+/// down, and the origin half a unit off on their axes, away from that edge.
+Case across_the_cube(Random& random) {
+  const int n = std::array{12, 16, 20, 24}[random.below(4)];
+  const auto unit = static_cast<double>(grid_scale(n));
+  const int limit = (1 << (n - 1)) - 1;
+  const int up = random.axis();
+  const int down = (up + random.between(1, 2)) % 3;
+  const int largest = 3 - up - down;
+
+  // In units of the grid, where M is the largest component. At the edge the ray has done 1 - lag / M of its
+  // direction: on the slower axis it gains slower * lag / M, at most 1/16, on whole units. That is to
+  // outweigh what the last bits of the coordinates take from it. The edge lies at ties, as the origin, or at
+  // whole units.
+  const auto few = [&] { return random.between(0, limit / 128); };
+  const int slower = 1 + few();
+  const int lag = 2 + random.between(0, limit / 16) / slower;
+  const int less = few();
+  const double distance = limit - less - lag + (random.coin() ? 0.5 : 0.0);
+  const double from = random.between(0, std::min(less + lag - 2, limit / 128)) + 0.5 - unit;
+
+  Case c;
+  double least = 1.0;
+  for (int tries = 0; tries < 8; ++tries) {
+    const float scale = 1.5F + random.signed_unit() / 2.0F;
+    const double half_up = (limit - less - 0.5) / limit * scale;
+    const double half_down = (limit - less - slower - 0.5) / limit * scale;
+    const float above = nudged(static_cast<float>(half_up), static_cast<float>(half_up) < half_up ? 1 : 0);
+    const float below =
+        nudged(static_cast<float>(half_down), static_cast<float>(half_down) < half_down ? 0 : -1);
+    const double beside = (above - half_up + half_down - below) / scale;
+    if (beside > least) continue;
+    least = beside;
+    c.ray.direction[largest] = scale;
+    c.ray.direction[up] = above;
+    c.ray.direction[down] = below;
+  }
+  c.ray.origin[largest] = -1.0F;
+  c.ray.origin[up] = nudged(static_cast<float>(from / unit), random.between(0, 1));
+  c.ray.origin[down] = nudged(static_cast<float>(from / unit), -random.between(0, 1));
+  const auto extent = static_cast<float>(random.between(0, 2) / unit);
+  c.box.max[up] = nudged(static_cast<float>((from + distance) / unit), -random.between(0, 1));
+  c.box.min[up] = c.box.max[up] - extent;
+  c.box.min[down] = nudged(static_cast<float>((from + distance - slower) / unit), random.between(0, 1));
+  c.box.max[down] = within_cube(c.box.min[down] + extent);
+  c.box.min[largest] = random.coin() ? c.box.min[up] : -1.0F;
+  c.box.max[largest] = 1.0F;
+  c.ray.length = length_about(random, (c.box.max[up] - c.ray.origin[up]) / c.ray.direction[up]);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (random.coin()) mirror(c, axis);
+  }
+  return c;
+}
+
+}  // namespace
+
+Case grid_ends(Random& random) {
+  Case c{.ray = {}, .box = box_of([&] { return end_of_grid(random); })};
+  c.ray.origin = vector_of([&] { return end_of_grid(random); });
+  const float t = aim(random, c.ray, point_of(random, c.box, random.between(0, 3)));
+  c.ray.length = length_about(random, t);
+  if (random.coin()) disturb(random, c.ray);
+  return c;
+}
+
+Case one_grid_unit(Random& random) {
+  return random.coin() ? at_ties(random) : across_the_cube(random);
 }
 
 Case subnormal_coordinates(Random& random) {

@@ -1,4 +1,6 @@
 // Where the ray ends: at the box, at once, or out of every range.
+#include <limits>
+
 #include "sw_ref/adversary/generators.hpp"
 #include "sw_ref/adversary/parts.hpp"
 

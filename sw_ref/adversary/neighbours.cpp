@@ -1,6 +1,7 @@
 #include "sw_ref/adversary/neighbours.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -10,58 +11,90 @@ namespace hitpipe::ref::adversary {
 
 namespace {
 
-// Runs once a test of a billion: half a draw for all choices, no library call, no branch on a random bit.
+// Runs once a test of a billion: half a draw for all choices, no library call, no branch on a random bit, and
+// as many boxes at a time as the compiler sees fit.
+
+constexpr std::size_t at_a_time = 16;
+template <class T>
+using Each = std::array<T, at_a_time>;
+
+/// All ones where the condition holds.
+std::uint32_t mask(bool condition) {
+  return condition ? ~std::uint32_t{0} : 0;
+}
+std::uint32_t chosen(std::uint32_t first, std::uint32_t a, std::uint32_t b) {
+  return (a & first) | (b & ~first);
+}
+float chosen(std::uint32_t first, float a, float b) {
+  return std::bit_cast<float>(
+      chosen(first, std::bit_cast<std::uint32_t>(a), std::bit_cast<std::uint32_t>(b)));
+}
 
 /// `steps` binary32 values up or down; from a zero into the subnormals of that side.
-float stepped(float x, int steps) {
+float stepped(float x, std::uint32_t steps) {
+  constexpr std::uint32_t sign = 0x80000000U;
   const auto bits = std::bit_cast<std::uint32_t>(x);
-  const auto magnitude = static_cast<std::int32_t>(bits & 0x7FFFFFFFU);
-  const std::int32_t order = ((bits >> 31) != 0 ? -magnitude : magnitude) + steps;
-  return std::bit_cast<float>(order < 0 ? static_cast<std::uint32_t>(-order) | 0x80000000U
-                                        : static_cast<std::uint32_t>(order));
+  const std::uint32_t magnitude = bits & ~sign;
+  const std::uint32_t order = chosen(mask(bits >= sign), 0U - magnitude, magnitude) + steps;
+  return std::bit_cast<float>(chosen(mask(order >= sign), (0U - order) | sign, order));
 }
 
-/// +-2^exponent, a normal number.
-float power_of_two(int exponent, bool positive) {
-  return std::bit_cast<float>(static_cast<std::uint32_t>(127 + exponent) << 23 |
-                              (positive ? 0 : 0x80000000U));
-}
+/// What 32 random bits choose: a face, and where it goes.
+struct Moves {
+  Each<std::uint32_t> face{};
+  Each<std::uint32_t> opposite{};
+  Each<float> moved{};
+  Each<float> opposite_moved{};
+};
 
-float chosen(bool first, float a, float b) {
-  const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
-  return std::bit_cast<float>(first ? bits(a) : bits(b));
+void choose(const Each<std::uint32_t>& choices, const Aabb& box, Moves& moves) {
+  for (std::size_t i = 0; i < at_a_time; ++i) {
+    const std::uint32_t choice = choices[i];
+    const std::uint32_t axis = (choice & 0xFFFFU) * 3 >> 16;
+    const std::uint32_t lower = 0U - (choice >> 16 & 1U);
+    const std::uint32_t up = 0U - (choice >> 17 & 1U);
+    const std::uint32_t size = choice >> 18 & 31U;
+    const std::uint32_t is_x = mask(axis == 0);
+    const std::uint32_t is_y = mask(axis == 1);
+    const float low = chosen(is_x, box.min.x, chosen(is_y, box.min.y, box.min.z));
+    const float high = chosen(is_x, box.max.x, chosen(is_y, box.max.y, box.max.z));
+    const float from = chosen(lower, low, high);
+    const float other = chosen(lower, high, low);
+    const float by_ulps = stepped(from, chosen(up, size + 1, 0U - size - 1));
+    const auto distance = std::bit_cast<float>((128 - size) << 23 | (~up & 0x80000000U));  // +-2^(1 - size)
+    float moved = chosen(mask(size < 4), by_ulps, from + distance);
+    moved = moved < -1.0F ? -1.0F : moved;
+    moved = moved > 1.0F ? 1.0F : moved;
+    const std::uint32_t passed = mask(chosen(lower, moved, other) > chosen(lower, other, moved));
+    moves.face[i] = axis + (~lower & 3U);
+    moves.opposite[i] = axis + (lower & 3U);
+    moves.moved[i] = moved;
+    moves.opposite_moved[i] = chosen(passed, moved, other);
+  }
 }
 
 void set_plane(Aabb& box, std::size_t face, float value) {
   std::memcpy(reinterpret_cast<std::byte*>(&box) + sizeof(float) * face, &value, sizeof value);
 }
 
-/// 32 random bits choose the face, the way and the size. `made` is the box as yet; it is written only, as
-/// reading what was just copied into it would wait.
-void move_a_face(const Aabb& box, std::uint32_t choice, Aabb& made) {
-  const std::uint32_t axis = (choice & 0xFFFFU) * 3 >> 16;
-  const bool lower = (choice >> 16 & 1U) != 0;
-  const bool up = (choice >> 17 & 1U) != 0;
-  const auto size = static_cast<int>(choice >> 18 & 31U);
-  const std::uint32_t face = axis + (lower ? 0 : 3);
-  const std::uint32_t opposite = axis + (lower ? 3 : 0);
-  const float by_ulps = stepped(box.plane(face), up ? size + 1 : -size - 1);
-  const float by_distance = box.plane(face) + power_of_two(1 - size, up);
-  const float moved = std::clamp(chosen(size < 4, by_ulps, by_distance), -1.0F, 1.0F);
-  const float other = box.plane(opposite);
-  const bool passed = chosen(lower, moved, other) > chosen(lower, other, moved);
-  set_plane(made, face, moved);
-  set_plane(made, opposite, chosen(passed, moved, other));
-}
-
 }  // namespace
 
 void neighbours(Random& random, const Aabb& box, std::span<Aabb> out) {
   std::fill(out.begin(), out.end(), box);
-  for (std::size_t i = 1; i < out.size(); i += 2) {
-    const std::uint64_t draw = random.bits();
-    move_a_face(box, static_cast<std::uint32_t>(draw), out[i]);
-    if (i + 1 < out.size()) move_a_face(box, static_cast<std::uint32_t>(draw >> 32), out[i + 1]);
+  for (std::size_t first = 1; first < out.size(); first += at_a_time) {
+    Each<std::uint32_t> choices;
+    for (std::size_t i = 0; i < at_a_time; i += 2) {
+      const std::uint64_t draw = random.bits();
+      choices[i] = static_cast<std::uint32_t>(draw);
+      choices[i + 1] = static_cast<std::uint32_t>(draw >> 32);
+    }
+    Moves moves;
+    choose(choices, box, moves);
+    const std::size_t made = std::min(at_a_time, out.size() - first);
+    for (std::size_t i = 0; i < made; ++i) {
+      set_plane(out[first + i], moves.face[i], moves.moved[i]);
+      set_plane(out[first + i], moves.opposite[i], moves.opposite_moved[i]);
+    }
   }
 }
 

@@ -3,20 +3,23 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
 #include "sw_ref/adversary/case.hpp"
 #include "sw_ref/adversary/random.hpp"
 
 namespace hitpipe::ref::adversary {
 
-/// The binary32 `ulps` steps above x.
+/// The binary32 `ulps` steps above a finite x; the zeros are one.
 inline float nudged(float x, int ulps) {
-  const float towards =
-      ulps < 0 ? -std::numeric_limits<float>::infinity() : std::numeric_limits<float>::infinity();
-  for (int i = 0; i < std::abs(ulps); ++i) x = std::nextafter(x, towards);
-  return x;
+  if (ulps == 0) return x;
+  const auto magnitude = static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(x) & 0x7FFFFFFFU);
+  const std::int32_t order = (std::signbit(x) ? -magnitude : magnitude) + ulps;
+  constexpr std::int32_t infinity = 0x7F800000;
+  const auto size = static_cast<std::uint32_t>(std::min(std::abs(order), infinity));
+  return std::bit_cast<float>(order < 0 ? size | 0x80000000U : size);
 }
 
 inline float within_cube(float x) {

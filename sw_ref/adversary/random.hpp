@@ -2,18 +2,41 @@
 // seed wherever it runs.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <random>
 
 namespace hitpipe::ref::adversary {
 
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : bits_(seed) {}
+  /// The state is four draws of SplitMix64, as the authors of the engine advise: never all zero.
+  explicit Random(std::uint64_t seed) {
+    for (std::uint64_t& word : state_) {
+      seed += 0x9E3779B97F4A7C15U;
+      std::uint64_t x = (seed ^ (seed >> 30)) * 0xBF58476D1CE4E5B9U;
+      x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
+      word = x ^ (x >> 31);
+    }
+  }
 
-  std::uint64_t bits() { return bits_(); }
-  std::uint64_t below(std::uint64_t count) { return bits_() % count; }
+  /// xoshiro256** (Blackman and Vigna, 2018).
+  std::uint64_t bits() {
+    const std::uint64_t drawn = std::rotl(state_[1] * 5, 7) * 9;
+    const std::uint64_t shifted = state_[1] << 17;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= shifted;
+    state_[3] = std::rotl(state_[3], 45);
+    return drawn;
+  }
+  /// Less than count, from the upper half of a product: no division. The bias, count / 2^64, is nothing here.
+  std::uint64_t below(std::uint64_t count) {
+    return static_cast<std::uint64_t>(static_cast<Uint128>(bits()) * count >> 64);
+  }
   int between(int low, int high) {
     return low +
            static_cast<int>(below(static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1));
@@ -23,7 +46,7 @@ class Random {
   float sign() { return coin() ? 1.0F : -1.0F; }
   float signed_zero() { return coin() ? 0.0F : -0.0F; }
   /// In [-1, 1], of full precision.
-  float signed_unit() { return static_cast<float>(static_cast<double>(bits_() >> 11) * 0x1p-52 - 1.0); }
+  float signed_unit() { return static_cast<float>(static_cast<double>(bits() >> 11) * 0x1p-52 - 1.0); }
   /// A multiple of 2^-6 in [-63/64, 63/64].
   float coarse() { return static_cast<float>(between(-63, 63)) * 0x1p-6F; }
   /// +-m 2^e, 1 <= m < 2; exponents below -126 give subnormals.
@@ -33,7 +56,9 @@ class Random {
   }
 
  private:
-  std::mt19937_64 bits_;
+  __extension__ using Uint128 = unsigned __int128;
+
+  std::array<std::uint64_t, 4> state_{};
 };
 
 }  // namespace hitpipe::ref::adversary

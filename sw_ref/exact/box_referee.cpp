@@ -26,28 +26,70 @@ namespace {
 /// and so with the names exchanged.
 constexpr double order_margin = 1.0 - 0x1p-49;
 
-/// A slab as exact doubles: distances near / speed and far / speed, speed > 0.
-struct ExactSlab {
-  double near, far, speed;
+/// hi + lo exactly, hi their sum rounded to nearest.
+struct Sum {
+  double hi, lo;
 };
 
-/// a - b when that is a double, which it is exactly when the rounding error that Knuth's two-sum finds is
-/// zero.
-std::optional<double> exact_difference(double a, double b) {
-  const double difference = a - b;
-  const double back = difference - a;
-  const double error = (a - (difference - back)) - (b + back);
-  return error == 0 ? std::optional(difference) : std::nullopt;
+/// Knuth's two-sum. For the sums below nothing overflows, and a sum does not underflow.
+Sum exact_sum(double a, double b) {
+  const double hi = a + b;
+  const double rest = hi - a;
+  return {hi, (a - (hi - rest)) + (b - rest)};
 }
 
-/// a * b > c * d, exactly: rounding is monotone, so unequal rounded products have the exact order, and equal
-/// ones that of their errors, which fma gives exactly. All factors are 0 or between 2^-149 and 2^129 in
-/// magnitude, with bits no lower than 2^-149: nothing overflows, and an error, a multiple of 2^-298, does not
-/// underflow.
-bool greater_product(double a, double b, double c, double d) {
-  const double left = a * b;
-  const double right = c * d;
-  return left != right ? left > right : std::fma(a, b, -left) > std::fma(c, d, -right);
+/// a * b exactly: factors are 0 or between 2^-149 and 2^129 in magnitude, with bits no lower than 2^-149. So
+/// nothing overflows, and the error, a multiple of 2^-298, does not underflow.
+Sum exact_product(double a, double b) {
+  const double hi = a * b;
+  return {hi, std::fma(a, b, -hi)};
+}
+
+/// The sum of doubles, exactly, as an expansion: doubles of growing magnitude that do not overlap, of which
+/// the largest that is not zero has the sign of the sum (Shewchuk 1997, theorem 10).
+template <std::size_t N>
+bool sum_is_positive(const std::array<double, N>& terms) {
+  std::array<double, N> expansion{};
+  for (std::size_t i = 0; i < N; ++i) {
+    double carried = terms[i];
+    for (std::size_t j = 0; j < i; ++j) {
+      const Sum sum = exact_sum(carried, expansion[j]);
+      expansion[j] = sum.lo;
+      carried = sum.hi;
+    }
+    expansion[i] = carried;
+  }
+  for (std::size_t i = N; i > 0; --i) {
+    if (expansion[i - 1] != 0) return expansion[i - 1] > 0;
+  }
+  return false;
+}
+
+/// (a.hi + a.lo) * b > (c.hi + c.lo) * d, exactly. A rounded sum times a factor, rounded, errs by less than
+/// 2.1 * 2^-53 of itself, two of them by less than 2^-51 of the larger. And rounding is monotone: when
+/// nothing is below the high parts, unequal rounded products have the exact order.
+bool greater_product(const Sum& a, double b, const Sum& c, double d) {
+  const double about_left = a.hi * b;
+  const double about_right = c.hi * d;
+  const double largest = std::max(std::abs(about_left), std::abs(about_right));
+  if (std::abs(about_left - about_right) > 0x1p-50 * largest) return about_left > about_right;
+  const Sum left = exact_product(a.hi, b);
+  const Sum right = exact_product(c.hi, d);
+  if (a.lo == 0 && c.lo == 0) return left.hi != right.hi ? left.hi > right.hi : left.lo > right.lo;
+  const Sum low_left = exact_product(a.lo, b);
+  const Sum low_right = exact_product(c.lo, d);
+  return sum_is_positive<8>(
+      {low_left.lo, -low_right.lo, low_left.hi, -low_right.hi, left.lo, -right.lo, left.hi, -right.hi});
+}
+
+/// Distances near / speed and far / speed, speed > 0, all exact.
+struct ExactSlab {
+  Sum near, far;
+  double speed;
+};
+
+Sum negated(const Sum& a) {
+  return {-a.hi, -a.lo};
 }
 
 }  // namespace
@@ -72,65 +114,64 @@ bool acceptable(const Aabb& box) {
   return true;
 }
 
-BoxReferee::BoxReferee(const Ray& ray) : ray_(ray) {
-  for (int axis = 0; axis < 3; ++axis) inverse_[axis] = 1.0 / static_cast<double>(ray.direction[axis]);
+BoxReferee::BoxReferee(const Ray& ray) : ray_(ray), origin_(ray.origin), length_(ray.length) {
+  for (int axis = 0; axis < 3; ++axis) {
+    // Of a zero an infinity: a plane is then infinitely far on one side, or no number where it holds the ray.
+    inverse_[axis] = 1.0 / static_cast<double>(ray.direction[axis]);
+    const bool backward = std::signbit(ray.direction[axis]);
+    near_face_[static_cast<std::size_t>(axis)] = static_cast<unsigned>(axis + (backward ? 3 : 0));
+  }
+}
+
+BoxReferee::Verdict BoxReferee::judged(const Aabb& box) const {
+  double near = 0;
+  double far = length_;
+  for (int axis = 0; axis < 3; ++axis) {
+    const unsigned face = near_face_[static_cast<std::size_t>(axis)];
+    const auto opposite = static_cast<unsigned>(2 * axis + 3) - face;
+    const double at_near = (box.plane(face) - origin_[axis]) * inverse_[axis];
+    const double at_far = (box.plane(opposite) - origin_[axis]) * inverse_[axis];
+    near = at_near > near ? at_near : near;  // what is no number says nothing
+    far = at_far < far ? at_far : far;
+  }
+  // near >= 0, and signs are exact: far < 0 is a box behind the origin, near = 0 <= far one that is met. far
+  // is not +infinity: one component is not zero.
+  return {near <= far * order_margin, near * order_margin > far};
 }
 
 std::optional<bool> BoxReferee::filtered(const Aabb& box) const {
-  double near = 0;
-  double far = ray_.length;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double origin = ray_.origin[axis];
-    const double to_min = box.min[axis] - origin;
-    const double to_max = box.max[axis] - origin;
-    if (ray_.direction[axis] == 0) {
-      if (to_min > 0 || to_max < 0) {
-        return false;
-      }
-      continue;
-    }
-    const double at_min = to_min * inverse_[axis];
-    const double at_max = to_max * inverse_[axis];
-    near = std::max(near, std::min(at_min, at_max));
-    far = std::min(far, std::max(at_min, at_max));
-  }
-  if (far < 0) {
-    return false;  // signs are exact: the box lies behind the origin
-  }
-  if (near == 0 || near <= far * order_margin) {
-    return true;
-  }
-  if (near * order_margin > far) {
-    return false;
-  }
-  return std::nullopt;
+  const Verdict verdict = judged(box);
+  return verdict.met || verdict.missed ? std::optional(verdict.met) : std::nullopt;
 }
 
 std::optional<bool> ray_meets_box_filtered(const Ray& ray, const Aabb& box) {
   return BoxReferee(ray).filtered(box);
 }
 
-std::optional<bool> ray_meets_box_by_products(const Ray& ray, const Aabb& box) {
+bool ray_meets_box_by_products(const Ray& ray, const Aabb& box) {
   std::array<ExactSlab, 3> slabs{};
   std::size_t axes = 0;
   bool apart = false;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto to_min = exact_difference(box.min[axis], ray.origin[axis]);
-    const auto to_max = exact_difference(box.max[axis], ray.origin[axis]);
-    if (!to_min || !to_max) {
-      return std::nullopt;
-    }
+    const double origin = ray.origin[axis];
+    const Sum to_min = exact_sum(box.min[axis], -origin);
+    const Sum to_max = exact_sum(box.max[axis], -origin);
     const double speed = ray.direction[axis];
     if (speed == 0) {
-      apart = apart || *to_min > 0 || *to_max < 0;
+      apart = apart || to_min.hi > 0 || to_max.hi < 0;
     } else {
-      slabs[axes++] = speed < 0 ? ExactSlab{-*to_max, -*to_min, -speed} : ExactSlab{*to_min, *to_max, speed};
+      slabs[axes++] =
+          speed < 0 ? ExactSlab{negated(to_max), negated(to_min), -speed} : ExactSlab{to_min, to_max, speed};
     }
   }
   const double length = ray.length;
   for (std::size_t i = 0; i < axes; ++i) {
-    apart = apart || slabs[i].far < 0;
-    apart = apart || (!ray.is_infinite() && slabs[i].near > length * slabs[i].speed);  // 48 bits: exact
+    apart = apart || slabs[i].far.hi < 0;
+    if (!ray.is_infinite()) {
+      // 48 bits, exact: above it lies the rounded sum, or the sum is rounded to it and its error decides.
+      const double end = length * slabs[i].speed;
+      apart = apart || slabs[i].near.hi > end || (slabs[i].near.hi == end && slabs[i].near.lo > 0);
+    }
     for (std::size_t j = 0; j < axes; ++j) {
       apart =
           apart || (i != j && greater_product(slabs[i].near, slabs[j].speed, slabs[j].far, slabs[i].speed));
@@ -179,12 +220,12 @@ bool ray_meets_box_exact(const Ray& ray, const Aabb& box) {
 }
 
 bool BoxReferee::meets(const Aabb& box) const {
-  const std::optional<bool> certain = filtered(box);
-  if (certain) {
-    return *certain;
-  }
-  const std::optional<bool> by_products = ray_meets_box_by_products(ray_, box);
-  return by_products ? *by_products : ray_meets_box_exact(ray_, box);
+  const Verdict verdict = judged(box);
+  return verdict.met || (!verdict.missed && ray_meets_box_by_products(ray_, box));
+}
+
+[[gnu::flatten]] void BoxReferee::meet(std::span<const Aabb> boxes, std::span<bool> out) const {
+  for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = meets(boxes[i]);
 }
 
 bool ray_meets_box(const Ray& ray, const Aabb& box) {

@@ -4,7 +4,9 @@
 // (sections 6.2, 6.3).
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 
 #include <glm/vec3.hpp>
 
@@ -26,24 +28,34 @@ class BoxReferee {
   explicit BoxReferee(const Ray& ray);
   /// As ray_meets_box().
   [[nodiscard]] bool meets(const Aabb& box) const;
+  /// The same for each of the boxes.
+  void meet(std::span<const Aabb> boxes, std::span<bool> out) const;
   /// As ray_meets_box_filtered().
   [[nodiscard]] std::optional<bool> filtered(const Aabb& box) const;
 
  private:
+  /// Neither: in doubt.
+  struct Verdict {
+    bool met, missed;
+  };
+  [[nodiscard]] Verdict judged(const Aabb& box) const;
+
   Ray ray_;
+  glm::dvec3 origin_;
   glm::dvec3 inverse_{0};
+  double length_;
+  std::array<unsigned, 3> near_face_{};  ///< as Aabb::plane counts
 };
 
-/// The exact answer for an acceptable ray and box: a double filter, exact products of doubles where the
-/// filter is in doubt, and integers where those do not fit either.
+/// The exact answer for an acceptable ray and box: a double filter, and sums and products of doubles with
+/// their rounding errors where the filter is in doubt.
 [[nodiscard]] bool ray_meets_box(const Ray& ray, const Aabb& box);
 
-/// The same answer from integers alone: the filter's judge, about a hundred times slower.
+/// The same answer from integers alone: the others' judge, about a hundred times slower.
 [[nodiscard]] bool ray_meets_box_exact(const Ray& ray, const Aabb& box);
 
-/// By products of doubles and their rounding errors: the exact answer, or nothing where a coordinate
-/// difference is no double.
-[[nodiscard]] std::optional<bool> ray_meets_box_by_products(const Ray& ray, const Aabb& box);
+/// By sums and products of doubles and their rounding errors alone: the exact answer.
+[[nodiscard]] bool ray_meets_box_by_products(const Ray& ray, const Aabb& box);
 
 /// The filter alone: the exact answer, or nothing where double precision cannot tell.
 [[nodiscard]] std::optional<bool> ray_meets_box_filtered(const Ray& ray, const Aabb& box);

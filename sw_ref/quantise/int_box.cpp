@@ -1,5 +1,6 @@
 #include "sw_ref/quantise/int_box.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -20,33 +21,37 @@ std::int64_t lower(float x, int coord_bits) {
   return grid_floor(x, coord_bits, Half::down);
 }
 std::int64_t upper(float x, int coord_bits) {
-  return -grid_floor(-x, coord_bits, Half::down);  // ceil(y) = -floor(-y): one rounding for both corners
+  return -grid_floor(-x, coord_bits, Half::down);
 }
 
-/// Four of a box's planes, numbered as Aabb::plane does: what is done to all of a vector vectorises.
-using Planes = std::array<float, 4>;
+static_assert(sizeof(Aabb) == 6 * sizeof(float) && sizeof(IntBox) == 6 * sizeof(std::int32_t),
+              "boxes in a row are planes in a row");
 
-Planes planes_from(const Aabb& box, std::size_t first) {
-  Planes planes;
-  std::memcpy(planes.data(), reinterpret_cast<const std::byte*>(&box) + sizeof(float) * first, sizeof planes);
-  return planes;
-}
+constexpr std::size_t boxes_at_a_time = 16;
+/// The planes of that many boxes, as they lie in memory: what is done to all alike vectorises.
+template <class T>
+using Planes = std::array<T, 6 * boxes_at_a_time>;
 
-bool within_cube(const Planes& a, const Planes& b) {
+/// 1 for a lower plane, -1 for an upper one.
+constexpr Planes<double> signs = [] {
+  Planes<double> each{};
+  for (std::size_t i = 0; i < each.size(); ++i) each[i] = i % 6 < 3 ? 1.0 : -1.0;
+  return each;
+}();
+
+bool within_cube(const Planes<float>& planes, std::size_t count) {
   int beyond = 0;  // a NaN is
-  for (std::size_t i = 0; i < 4; ++i) {
-    beyond |= (std::abs(a[i]) <= 1.0F ? 0 : 1) | (std::abs(b[i]) <= 1.0F ? 0 : 1);
-  }
+  for (std::size_t i = 0; i < count; ++i) beyond |= std::abs(planes[i]) <= 1.0F ? 0 : 1;
   return beyond == 0;
 }
 
-/// floor(scale * plane - 1/2).
-std::array<std::int32_t, 4> rounded_down(const Planes& planes, double scale) {
-  std::array<std::int32_t, 4> rounded{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    rounded[i] = static_cast<std::int32_t>(grid_nearest(planes[i], scale) - 1.0);
+/// For planes in the cube and n <= exact_in_double. ceil(y) = -floor(-y): one rounding for both corners.
+void round_outward(const Planes<float>& planes, std::size_t count, int coord_bits,
+                   Planes<std::int32_t>& rounded) {
+  const auto unit = static_cast<double>(grid_scale(coord_bits));
+  for (std::size_t i = 0; i < count; ++i) {
+    rounded[i] = static_cast<std::int32_t>(signs[i] * (grid_nearest(planes[i], signs[i] * unit) - 1.0));
   }
-  return rounded;
 }
 
 /// Beyond |x| = 1 a coordinate may leave the grid.
@@ -60,28 +65,45 @@ std::int32_t checked(std::int64_t (*corner)(float, int), float x, int coord_bits
                   corner == upper ? "max" : "min", "xyz"[axis], x, coord_bits));
 }
 
-}  // namespace
+IntBox rounded_one_by_one(const Aabb& box, int coord_bits) {
+  IntBox rounded;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    rounded.min[i] = checked(lower, box.min[axis], coord_bits, axis);
+    rounded.max[i] = checked(upper, box.max[axis], coord_bits, axis);
+  }
+  return rounded;
+}
 
-IntBox quantise_box(const Aabb& box, int coord_bits) {
+void check_bits(int coord_bits) {
   if (coord_bits < hls::IntBits::min_coord || coord_bits > hls::IntBits::max_coord) {
     throw std::invalid_argument(fmt::format("quantise_box: {} coordinate bits; allowed are {} to {}",
                                             coord_bits, hls::IntBits::min_coord, hls::IntBits::max_coord));
   }
-  const Planes with_min = planes_from(box, 0);
-  const Planes with_max = planes_from(box, 2);
-  if (coord_bits <= exact_in_double && within_cube(with_min, with_max)) {
-    const auto scale = static_cast<double>(grid_scale(coord_bits));
-    const auto min = rounded_down(with_min, scale);
-    const auto max = rounded_down(with_max, -scale);
-    return {{min[0], min[1], min[2]}, {-max[1], -max[2], -max[3]}};
+}
+
+}  // namespace
+
+IntBox quantise_box(const Aabb& box, int coord_bits) {
+  check_bits(coord_bits);
+  return rounded_one_by_one(box, coord_bits);
+}
+
+void quantise_boxes(std::span<const Aabb> boxes, int coord_bits, std::span<IntBox> out) {
+  check_bits(coord_bits);
+  Planes<float> planes;
+  Planes<std::int32_t> rounded;
+  for (std::size_t first = 0; first < boxes.size(); first += boxes_at_a_time) {
+    const auto some = boxes.subspan(first, std::min(boxes_at_a_time, boxes.size() - first));
+    std::memcpy(planes.data(), some.data(), some.size_bytes());
+    const std::size_t count = 6 * some.size();
+    if (coord_bits <= exact_in_double && within_cube(planes, count)) {
+      round_outward(planes, count, coord_bits, rounded);
+      std::memcpy(static_cast<void*>(out.data() + first), rounded.data(), some.size() * sizeof(IntBox));
+    } else {
+      for (std::size_t i = 0; i < some.size(); ++i) out[first + i] = rounded_one_by_one(some[i], coord_bits);
+    }
   }
-  IntBox result;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    result.min[i] = checked(lower, box.min[axis], coord_bits, axis);
-    result.max[i] = checked(upper, box.max[axis], coord_bits, axis);
-  }
-  return result;
 }
 
 }  // namespace hitpipe::ref

@@ -18,8 +18,8 @@ for target in $targets; do
   "./$target" -max_total_time="$each" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$name-" \
     "corpus/$name" "$seeds/$name" >"$name.log" 2>&1 || result="FAILED, see $1/$name.log"
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$name.log")
-  # Assimp makes the slowest target, mesh_obj, take some 20 ms a run.
-  if [ "$result" = ok ] && [ "${runs:-0}" -lt 20 ]; then
+  # Assimp makes the slowest target, mesh_obj, take some 20 ms a run, and 20 times that on a machine busy with other work.
+  if [ "$result" = ok ] && [ "${runs:-0}" -lt 5 ]; then
     result="FAILED, too few runs"
   fi
   [ "$result" = ok ] || failed=1

@@ -94,6 +94,15 @@ void box_rounded_to_nearest(const Ray& /*ray*/, const Aabb& box, hls::IntBits bi
   }
 }
 
+void box_in_binary32(const Ray& /*ray*/, const Aabb& box, hls::IntBits bits, Operands in) {
+  const auto unit = static_cast<float>(ref::grid_scale(bits.coord));
+  const Operands faces = in.last(6);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    faces[2 * axis] = whole(std::floor(unit * box.min[at(axis)] - 0.5F));
+    faces[2 * axis + 1] = whole(std::ceil(unit * box.max[at(axis)] + 0.5F));
+  }
+}
+
 void origin_truncated(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits, Operands in) {
   for (std::size_t axis = 0; axis < 3; ++axis) in[axis] = whole(on_grid(ray.origin[at(axis)], bits));
 }

@@ -20,6 +20,8 @@ using SetUpFault = void (*)(const ref::Ray& ray, const ref::Aabb& box, hls::IntB
 // Of both designs.
 void half_unit_left_out(const ref::Ray& ray, const ref::Aabb& box, hls::IntBits bits, Operands in);
 void box_rounded_to_nearest(const ref::Ray& ray, const ref::Aabb& box, hls::IntBits bits, Operands in);
+/// G * x +- 1/2 in binary32.
+void box_in_binary32(const ref::Ray& ray, const ref::Aabb& box, hls::IntBits bits, Operands in);
 /// Towards zero, not to nearest.
 void origin_truncated(const ref::Ray& ray, const ref::Aabb& box, hls::IntBits bits, Operands in);
 

@@ -39,7 +39,6 @@ TEST(BoxReferee, FilterProductsAndIntegersAgreeWithRationals) {
   int total = 0;
   int doubts_of_random = 0;
   int doubts = 0;
-  int decided = 0;  // of the doubts, by products
   int misses = 0;
   for (const cases::Category& category : cases::categories) {
     int run = 0;
@@ -57,9 +56,8 @@ TEST(BoxReferee, FilterProductsAndIntegersAgreeWithRationals) {
       ASSERT_EQ(ray_meets_box_exact(c.ray, c.box), expected) << category.name << ": " << cases::describe(c);
       ASSERT_EQ(ray_meets_box(c.ray, c.box), expected) << category.name << ": " << cases::describe(c);
       ASSERT_EQ(filtered.value_or(expected), expected) << category.name << ": " << cases::describe(c);
-      const std::optional<bool> by_products = ray_meets_box_by_products(c.ray, c.box);
-      ASSERT_EQ(by_products.value_or(expected), expected) << category.name << ": " << cases::describe(c);
-      decided += !filtered && by_products ? 1 : 0;
+      ASSERT_EQ(ray_meets_box_by_products(c.ray, c.box), expected)
+          << category.name << ": " << cases::describe(c);
       ++run;
       hits += expected ? 1 : 0;
       in_doubt += filtered ? 0 : 1;
@@ -78,8 +76,6 @@ TEST(BoxReferee, FilterProductsAndIntegersAgreeWithRationals) {
   EXPECT_EQ(total, cases_per_category * static_cast<int>(cases::categories.size()));
   EXPECT_GT(misses, total / 4);
   EXPECT_LT(doubts_of_random, 3);  // the filter must do its work
-  EXPECT_GT(decided, doubts / 2);
-  EXPECT_LT(decided, doubts);
   EXPECT_GT(doubts, total / 100);  // and the categories must reach what it cannot tell
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -150,6 +151,40 @@ TEST(QuantiseBox, CoordinateOutsideTheCubeIsRejected) {
             "quantise_box: max.x = 1.0000005 leaves the 24-bit grid; boxes must lie within [-1, 1]");
   box.max.x = cases::scene_limit + cases::padding;
   EXPECT_EQ(message_of<std::out_of_range>(box, 32), "no error");
+}
+
+/// Many at once take another path, up to 16 boxes at a time.
+TEST(QuantiseBoxes, AreEachBoxRoundedForAnyNumberOfThem) {
+  std::printf("seed %llu\n", static_cast<unsigned long long>(seed + 2));
+  Random random(seed + 2);
+  int run = 0;
+  for (int n = 6; n <= 32; ++n) {
+    for (std::size_t count = 0; count <= 40; ++count) {
+      std::vector<Aabb> boxes(count);
+      for (Aabb& box : boxes) {
+        box.min = cases::vector_of([&] { return coordinate(random); });
+        box.max = cases::vector_of([&] { return coordinate(random); });
+      }
+      std::vector<IntBox> rounded(count);
+      quantise_boxes(boxes, n, rounded);
+      for (std::size_t i = 0; i < count; ++i, ++run) {
+        ASSERT_EQ(rounded[i], quantise_box(boxes[i], n)) << "n " << n << ", box " << i << " of " << count;
+      }
+    }
+  }
+  EXPECT_EQ(run, 27 * 820);
+}
+
+TEST(QuantiseBoxes, OneOutsideTheCubeIsRejected) {
+  for (const float outside : {1.5F, -3e38F, std::numeric_limits<float>::quiet_NaN()}) {
+    for (std::size_t at = 0; at < 20; ++at) {
+      std::vector<Aabb> boxes(20, {glm::vec3(-1), glm::vec3(1)});
+      std::vector<IntBox> rounded(boxes.size());
+      EXPECT_NO_THROW(quantise_boxes(boxes, 24, rounded));
+      boxes[at].min.y = outside;
+      EXPECT_THROW(quantise_boxes(boxes, 24, rounded), std::out_of_range) << at;
+    }
+  }
 }
 
 TEST(QuantiseBox, WidthOutsideTheFormatIsRejected) {
