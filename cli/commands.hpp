@@ -11,6 +11,7 @@ namespace hitpipe::cli {
 void add_designs_command(CLI::App& program);
 void add_rtl_command(CLI::App& program);
 void add_area_command(CLI::App& program);
+void add_bvh_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_cosim_command(CLI::App& program, int& exit_code);
 void add_check_command(CLI::App& program, int& exit_code);

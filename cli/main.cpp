@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   hitpipe::cli::add_designs_command(program);
   hitpipe::cli::add_rtl_command(program);
   hitpipe::cli::add_area_command(program);
+  hitpipe::cli::add_bvh_command(program);
   hitpipe::cli::add_render_command(program);
   hitpipe::cli::add_cosim_command(program, exit_code);
   hitpipe::cli::add_check_command(program, exit_code);

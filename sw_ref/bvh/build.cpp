@@ -1,57 +1,60 @@
-// Top-down construction of the hierarchy of section 4.3, with a list of pending nodes in place of recursion.
-// Every pending node is the second child of a branch on the path to the node at work, so the list stays as
-// short as the tree is deep. The triangles' boxes are moved along with their indices: each pass over a node
-// reads memory in order.
+// Top-down construction. Large nodes are parted by all threads together; their subtrees of at most `alone`
+// triangles are grown by one thread each, with a list of pending nodes in place of recursion, and put
+// together in the order of the walk. Every pending node is the second child of a branch on the path to the
+// node at work, so the list stays as short as the tree is deep.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_invoke.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/bvh/items.hpp"
+#include "sw_ref/bvh/split.hpp"
+#include "sw_ref/quantise/grid.hpp"
 
 namespace hitpipe::ref {
 namespace {
 
-struct Item {
-  Aabb box;  ///< of one triangle
-  std::uint32_t triangle;
-};
-
-struct Pending {
-  std::uint32_t node;
-  std::uint32_t first, last;  ///< its items: first <= i < last
-  int depth;                  ///< level of the node, the root is 1
-  int axis;                   ///< tried first
-};
+constexpr std::uint32_t alone = 1U << 14U;
 
 void check(const Mesh& mesh, const BuildOptions& options) {
-  if (mesh.triangles.empty())
-    throw std::invalid_argument("BVH: the mesh has no triangle; at least 1 is needed");
-  if (mesh.triangles.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
-    throw std::invalid_argument("BVH: the mesh has " + std::to_string(mesh.triangles.size()) +
-                                " triangles; at most 2147483647 are allowed");
-  if (options.max_triangles < 1)
-    throw std::invalid_argument("BVH: " + std::to_string(options.max_triangles) +
-                                " triangles per leaf; at least 1 is needed");
-  if (options.max_depth < 1 || options.max_depth > BuildOptions::deepest)
-    throw std::invalid_argument("BVH: a depth of " + std::to_string(options.max_depth) +
-                                " levels; allowed are 1 to 60");
-  if (!(options.padding >= 0.0F) || !std::isfinite(options.padding) || !(options.min_split >= 0.0F))
-    throw std::invalid_argument(
-        "BVH: padding and smallest split width must be numbers that are not negative");
+  const auto require = [](bool good, const std::string& reason) {
+    if (!good) throw std::invalid_argument("BVH: " + reason);
+  };
+  require(!mesh.triangles.empty(), "the mesh has no triangle; at least 1 is needed");
+  require(mesh.triangles.size() <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()),
+          fmt::format("the mesh has {} triangles; at most 2147483647 are allowed", mesh.triangles.size()));
+  require(options.max_triangles >= 1,
+          fmt::format("{} triangles per leaf; at least 1 is needed", options.max_triangles));
+  require(options.max_depth >= 1 && options.max_depth <= BuildOptions::deepest,
+          fmt::format("a depth of {} levels; allowed are 1 to 60", options.max_depth));
+  require(options.padding >= 0.0F && std::isfinite(options.padding) && options.min_split >= 0.0F,
+          "padding and smallest split width must be numbers that are not negative");
+  require(options.grid_bits == 0 || (options.grid_bits >= 6 && options.grid_bits <= 32),
+          fmt::format("a grid of {} bits; allowed are 6 to 32, or 0 for none", options.grid_bits));
+  require(options.threads >= 0,
+          fmt::format("{} threads; at least 1 is needed, or 0 for one a core", options.threads));
 }
 
-std::vector<Item> triangle_boxes(const Mesh& mesh) {
-  std::vector<Item> items(mesh.triangles.size());
-  for (std::uint32_t i = 0; i < items.size(); ++i) {
-    const Mesh::Corners corners = mesh.corners(i);
-    items[i].triangle = i;
-    items[i].box.grow(corners.a);
-    items[i].box.grow(corners.b);
-    items[i].box.grow(corners.c);
-  }
-  return items;
+/// The smallest float that is no less than a grid unit, and no less than min_split.
+float least_width(const BuildOptions& options) {
+  if (options.grid_bits == 0) return options.min_split;
+  const double unit = 1.0 / static_cast<double>(grid_scale(options.grid_bits));
+  auto width = static_cast<float>(unit);
+  if (static_cast<double>(width) < unit) width = std::nextafter(width, 1.0F);
+  return std::max(width, options.min_split);
 }
 
 /// Rounding is monotone and p - padding <= p <= p + padding, so each rounded sum is still on the outer side
@@ -60,74 +63,146 @@ Aabb padded(const Aabb& box, float padding) {
   return {box.min - padding, box.max + padding};
 }
 
-/// Moves the items whose centre along `axis` lies below `pivot` to the front; returns the first of the
-/// others.
-std::uint32_t partition(std::vector<Item>& items, std::uint32_t first, std::uint32_t last, int axis,
-                        float pivot) {
-  std::uint32_t middle = first;
-  for (std::uint32_t i = first; i < last; ++i) {
-    const float centre = (items[i].box.min[axis] + items[i].box.max[axis]) * 0.5F;
-    if (centre < pivot) std::swap(items[i], items[middle++]);
-  }
-  return middle;
-}
-
-struct Split {
-  std::uint32_t middle;
-  int axis;
+struct Pending {
+  std::uint32_t first, last;  ///< its items: first <= i < last
+  int depth;                  ///< level of the node, the root is 1
+  int axis;                   ///< whose turn it is
+  std::uint32_t node = 0;     ///< where it will be
 };
 
-Split split(std::vector<Item>& items, const Pending& at, const Aabb& bounds, float min_split) {
-  const glm::vec3 extent = bounds.max - bounds.min;
-  for (int tried = 0; tried < 3; ++tried) {
-    const int axis = (at.axis + tried) % 3;
-    if (extent[axis] < min_split) continue;
-    const std::uint32_t middle =
-        partition(items, at.first, at.last, axis, bounds.min[axis] + extent[axis] * 0.5F);
-    if (middle != at.first && middle != at.last) return {middle, axis};
+/// A node and all below it: either grown by one thread, or two subtrees.
+struct Subtree {
+  BvhNode root;
+  std::vector<BvhNode> below;  ///< pairs of children in the order of the walk; indices count from the first
+  std::array<std::unique_ptr<Subtree>, 2> children;
+  int depth = 0;
+
+  [[nodiscard]] std::size_t size() const {
+    return children[0] ? 2 + children[0]->size() + children[1]->size() : below.size();
   }
-  return {at.first + (at.last - at.first) / 2, at.axis};
+};
+
+class Growth {
+ public:
+  Growth(std::span<Item> items, const BuildOptions& options)
+      : items_(items), options_(options), least_width_(least_width(options)) {}
+
+  [[nodiscard]] Subtree grow(const Pending& at) const {
+    if (at.last - at.first <= alone) return grow_alone(at);
+    Subtree tree;
+    const auto children = split(at, tree.root);
+    tree.depth = at.depth;
+    if (!children) return tree;
+    const auto grow_child = [&](std::size_t i) {
+      tree.children[i] = std::make_unique<Subtree>(grow((*children)[i]));
+    };
+    tbb::parallel_invoke([&] { grow_child(0); }, [&] { grow_child(1); });
+    tree.depth = std::max(tree.children[0]->depth, tree.children[1]->depth);
+    return tree;
+  }
+
+ private:
+  using Children = std::array<Pending, 2>;
+
+  [[nodiscard]] Subtree grow_alone(const Pending& root) const {
+    Subtree tree;
+    std::vector<Pending> pending;
+    const auto visit = [&](const Pending& at, BvhNode& node) {
+      const auto children = split(at, node);
+      tree.depth = std::max(tree.depth, at.depth);
+      if (!children) return;
+      node.first = static_cast<std::uint32_t>(tree.below.size());
+      tree.below.resize(tree.below.size() + 2);
+      for (const std::uint32_t i : {1U, 0U}) {
+        pending.push_back((*children)[i]);
+        pending.back().node = node.first + i;
+      }
+    };
+    visit(root, tree.root);
+    while (!pending.empty()) {
+      const Pending at = pending.back();
+      pending.pop_back();
+      BvhNode node;
+      visit(at, node);
+      tree.below[at.node] = node;
+    }
+    tree.below.shrink_to_fit();
+    return tree;
+  }
+
+  /// Sets the node's box, and for a leaf all of it; for a branch all but the place of its children, which are
+  /// returned.
+  [[nodiscard]] std::optional<Children> split(const Pending& at, BvhNode& node) const {
+    const std::uint32_t count = at.last - at.first;
+    const Splittable parts{items_.subspan(at.first, count), bounds_of(items_.subspan(at.first, count)),
+                           at.axis, least_width_};
+    node.box = padded(parts.bounds, options_.padding);
+    const std::optional<Split> chosen = choose(parts, at.depth);
+    if (!chosen) {
+      node.count = static_cast<std::int32_t>(count);
+      node.first = at.first;
+      return std::nullopt;
+    }
+    node.count = -1 - chosen->axis;
+    node.first = 0;
+    const std::uint32_t middle = at.first + static_cast<std::uint32_t>(chosen->middle);
+    const int next_axis = (chosen->axis + 1) % 3;
+    return Children{
+        {{at.first, middle, at.depth + 1, next_axis}, {middle, at.last, at.depth + 1, next_axis}}};
+  }
+
+  /// Nothing for a leaf.
+  [[nodiscard]] std::optional<Split> choose(const Splittable& parts, int depth) const {
+    const bool narrow = parts.is_narrow(0) && parts.is_narrow(1) && parts.is_narrow(2);
+    if (narrow || parts.items.size() == 1 || depth == options_.max_depth) return std::nullopt;
+    if (options_.builder == Builder::sah) return split_by_cost(parts, options_.max_triangles);
+    if (parts.items.size() <= static_cast<std::size_t>(options_.max_triangles)) return std::nullopt;
+    return split_at_middle(parts);
+  }
+
+  std::span<Item> items_;
+  const BuildOptions& options_;
+  float least_width_;
+};
+
+/// Puts the subtree's root at nodes[place] and all below it at the end, and frees it piece by piece.
+void append(Subtree& tree, std::size_t place, std::vector<BvhNode>& nodes) {
+  const auto base = static_cast<std::uint32_t>(nodes.size());
+  const auto moved = [base](BvhNode node) {
+    if (!node.is_leaf()) node.first += base;
+    return node;
+  };
+  nodes[place] = moved(tree.root);
+  if (!tree.children[0]) {
+    for (const BvhNode& node : tree.below) nodes.push_back(moved(node));
+    return;
+  }
+  nodes.resize(nodes.size() + 2);
+  for (const std::size_t i : {0U, 1U}) {
+    append(*tree.children[i], base + i, nodes);
+    tree.children[i].reset();
+  }
 }
 
 }  // namespace
 
 Bvh build_bvh(const Mesh& mesh, const BuildOptions& options) {
   check(mesh, options);
-  std::vector<Item> items = triangle_boxes(mesh);
   Bvh bvh;
+  Subtree tree;
+  // More workers than cores would only make TBB complain.
+  const int cores = tbb::info::default_concurrency();
+  tbb::task_arena arena(options.threads == 0 ? cores : std::min(options.threads, cores));
+  arena.execute([&] {
+    std::vector<Item> items = make_items(mesh);
+    tree = Growth(items, options).grow({0, static_cast<std::uint32_t>(items.size()), 1, 0});
+    bvh.order.reserve(items.size());
+    for (const Item& item : items) bvh.order.push_back(item.triangle);
+  });
+  bvh.depth = tree.depth;
+  bvh.nodes.reserve(1 + tree.size());
   bvh.nodes.emplace_back();
-  std::vector<Pending> pending{{0, 0, static_cast<std::uint32_t>(items.size()), 1, 0}};
-  while (!pending.empty()) {
-    const Pending at = pending.back();
-    pending.pop_back();
-    Aabb bounds;
-    for (std::uint32_t i = at.first; i < at.last; ++i) bounds.grow(items[i].box);
-    const glm::vec3 extent = bounds.max - bounds.min;
-    const std::uint32_t count = at.last - at.first;
-    const bool narrow =
-        extent.x < options.min_split && extent.y < options.min_split && extent.z < options.min_split;
-    BvhNode& node = bvh.nodes[at.node];
-    node.box = padded(bounds, options.padding);
-    if (narrow || count <= static_cast<std::uint32_t>(options.max_triangles) ||
-        at.depth == options.max_depth) {
-      node.count = static_cast<std::int32_t>(count);
-      node.first = at.first;
-      bvh.depth = std::max(bvh.depth, at.depth);
-      continue;
-    }
-    const Split chosen = split(items, at, bounds, options.min_split);
-    const auto child = static_cast<std::uint32_t>(bvh.nodes.size());
-    node.count = -1 - chosen.axis;
-    node.first = child;
-    bvh.nodes.resize(bvh.nodes.size() + 2);
-    const int next_axis = (chosen.axis + 1) % 3;
-    pending.push_back({child + 1, chosen.middle, at.last, at.depth + 1, next_axis});
-    pending.push_back({child, at.first, chosen.middle, at.depth + 1, next_axis});
-  }
-  bvh.order.reserve(items.size());
-  for (const Item& item : items) bvh.order.push_back(item.triangle);
-  std::vector<Item>().swap(items);
-  bvh.nodes.shrink_to_fit();
+  append(tree, 0, bvh.nodes);
   return bvh;
 }
 

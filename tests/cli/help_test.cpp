@@ -10,7 +10,7 @@ namespace {
 using testing::HasSubstr;
 
 /// All there are, in the order of the help.
-const std::vector<std::string> commands{"designs", "rtl",   "area",      "render",
+const std::vector<std::string> commands{"designs", "rtl",   "area",      "bvh",    "render",
                                         "cosim",   "check", "stiffness", "rescale"};
 
 std::string listed(const std::vector<std::string>& words) {

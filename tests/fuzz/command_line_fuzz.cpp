@@ -39,6 +39,7 @@ int parse(std::vector<std::string> words) {
   cli::add_designs_command(program);
   cli::add_rtl_command(program);
   cli::add_area_command(program);
+  cli::add_bvh_command(program);
   cli::add_render_command(program);
   cli::add_cosim_command(program, exit_code);
   cli::add_check_command(program, exit_code);

@@ -1,0 +1,38 @@
+// How a builder parts the triangles of one node.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "sw_ref/bvh/items.hpp"
+#include "sw_ref/geometry/aabb.hpp"
+
+namespace hitpipe::ref {
+
+/// A node with at least two triangles, and at least one axis along which it may be split.
+struct Splittable {
+  std::span<Item> items;
+  Aabb bounds;        ///< of the items
+  int axis;           ///< whose turn it is
+  float least_width;  ///< an axis along which the bounds are narrower is not split
+
+  [[nodiscard]] bool is_narrow(int along) const {
+    return bounds.max[along] - bounds.min[along] < least_width;
+  }
+};
+
+struct Split {
+  std::size_t middle;  ///< items of child 0, which are the first ones now; both children have some
+  int axis;
+};
+
+/// Section 4.3: at the middle of the box, starting with the axis whose turn it is; by halving the list where
+/// every axis leaves a child empty.
+[[nodiscard]] Split split_at_middle(const Splittable& node);
+
+/// Wald (2007): at the cheapest boundary of up to 32 bins along each axis. Nothing when a leaf is as cheap
+/// and `max_triangles` allows it.
+[[nodiscard]] std::optional<Split> split_by_cost(const Splittable& node, int max_triangles);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,27 @@
+// Appendix B: one mesh, hierarchies of ever larger leaves. What is measured on each is the caller's.
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/scene/mesh.hpp"
+
+namespace hitpipe::ref {
+
+/// Most triangles per leaf, as the rows of Tables B.1 to B.8.
+constexpr std::array<int, 23> appendix_b_sizes{1,  2,  3,  4,  5,  6,  7,  8,  9,   10,  11, 12,
+                                               13, 14, 15, 16, 20, 24, 32, 64, 128, 256, 512};
+
+struct SweepStep {
+  int max_triangles;
+  double build_seconds;
+  const Bvh& bvh;  ///< until the visit ends
+};
+
+/// Builds once for each size, in order, with `options` otherwise, and lets `visit` look at the result. Only
+/// one hierarchy is kept at a time. Throws as build_bvh does.
+void sweep_max_triangles(const Mesh& mesh, BuildOptions options,
+                         const std::function<void(const SweepStep&)>& visit);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,114 @@
+// `hitpipe bvh`: what a scene's hierarchy is like, and the sweep of Appendix B.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string printed(std::vector<std::string> more) {
+  std::vector<std::string> arguments{"bvh", "--scene", "spheres"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = run_hitpipe(arguments);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  return outcome.out;
+}
+
+Json figures(std::vector<std::string> more) {
+  more.insert(more.end(), {"--format", "json"});
+  return Json::parse(printed(std::move(more)));
+}
+
+void rejected(std::vector<std::string> more, const std::string& message) {
+  more.insert(more.begin(), "bvh");
+  const Outcome outcome = run_hitpipe(more);
+  EXPECT_GT(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
+}
+
+TEST(BvhCommand, PrintsFiguresThatAgreeWithEachOther) {
+  const Json made = figures({"--threads", "1"});
+  EXPECT_EQ(made.at("triangles"), 24'578);
+  EXPECT_EQ(made.at("builder"), "median");
+  EXPECT_EQ(made.at("max_triangles"), 6);
+  const auto nodes = made.at("bvh_nodes").get<int>();
+  const auto leaves = made.at("leaves").get<int>();
+  EXPECT_EQ(nodes, 2 * leaves - 1);
+  EXPECT_EQ(made.at("node_bytes"), 32 * nodes);
+  EXPECT_EQ(made.at("order_bytes"), 4 * 24'578);
+  EXPECT_NEAR(made.at("triangles_per_leaf"), 24'578.0 / leaves, 1e-9);
+  EXPECT_EQ(made.at("triangles_in_largest_leaf"), 6);
+  int in_list = 0;
+  int triangles = 0;
+  for (const Json& entry : made.at("leaves_by_triangles")) {
+    const auto text = entry.get<std::string>();
+    const int count = std::stoi(text.substr(text.find(':') + 1));
+    in_list += count;
+    triangles += count * std::stoi(text);
+  }
+  EXPECT_EQ(in_list, leaves);
+  EXPECT_EQ(triangles, 24'578);
+}
+
+TEST(BvhCommand, TakesTheOptionsOfABuild) {
+  const Json made = figures({"--max-triangles", "100", "--max-depth", "9"});
+  EXPECT_EQ(made.at("depth"), 9);
+  EXPECT_THAT(made.at("leaves_by_triangles").dump(), HasSubstr("\"65-128:"));
+  EXPECT_LT(figures({"--builder", "sah"}).at("sah_cost"), made.at("sah_cost"));
+  EXPECT_GT(figures({"--padding", "0.0009"}).at("sah_cost"), figures({}).at("sah_cost"));
+  EXPECT_LT(figures({"--grid-bits", "8"}).at("bvh_nodes"), figures({}).at("bvh_nodes"));
+}
+
+TEST(BvhCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
+  const std::string text = printed({"--builder", "sah"});
+  EXPECT_LE(widest_line(text), 80U);
+  EXPECT_THAT(text, HasSubstr("\nbuilder                    sah\n"));
+  const auto lines = lines_of(printed({"--format", "csv"}));
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0],
+            "scene,triangles,degenerate_dropped,builder,max_triangles,bvh_nodes,leaves,depth,"
+            "triangles_per_leaf,triangles_in_largest_leaf,leaves_by_triangles,sah_cost,child_overlap_pct,"
+            "node_bytes,order_bytes,build_seconds");
+}
+
+TEST(BvhCommand, SweepsTheLeafSizesOfAppendixB) {
+  const std::string text = printed({"--sweep"});
+  EXPECT_LE(widest_line(text), 80U);
+  EXPECT_THAT(text, StartsWith("spheres: 24578 triangles, median\nmax_triangles  bvh_nodes"));
+  const Json rows = figures({"--sweep"});
+  ASSERT_EQ(rows.size(), 23U);
+  EXPECT_EQ(rows[0].at("max_triangles"), 1);
+  EXPECT_EQ(rows[0].at("bvh_nodes"), 2 * 24'578 - 1);
+  EXPECT_EQ(rows[22].at("max_triangles"), 512);
+  EXPECT_EQ(rows[5].at("bvh_nodes"), figures({}).at("bvh_nodes"));
+}
+
+TEST(BvhCommand, OptionsOutOfRangeAreRejected) {
+  const std::string help = "; see hitpipe bvh --help";
+  rejected({}, "--scene is required" + help);
+  const auto with = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"--scene", "spheres"});
+    return more;
+  };
+  rejected(with({"--builder", "best"}), "--builder: best is none of median, sah" + help);
+  rejected(with({"--max-triangles", "0"}), "--max-triangles: Value 0 not in range 1 to 2147483647" + help);
+  rejected(with({"--max-depth", "61"}), "--max-depth: Value 61 not in range 1 to 60" + help);
+  for (const std::string padding : {"-1e-7", "0.001", "nan", "5e-7x"}) {
+    rejected(with({"--padding", padding}),
+             "--padding: " + padding + " is no padding; allowed is 0 to 2^-10 = 0.000977" + help);
+  }
+  rejected(with({"--grid-bits", "5"}), "--grid-bits: Value 5 not in range 6 to 32" + help);
+  rejected(with({"--sweep", "--max-triangles", "4"}), "--max-triangles excludes --sweep" + help);
+  rejected(with({"--width", "4"}), "The following arguments were not expected: 4 --width" + help);
+}
+
+}  // namespace
+}  // namespace hitpipe::cli
