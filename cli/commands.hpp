@@ -9,6 +9,7 @@ class App;
 namespace hitpipe::cli {
 
 void add_designs_command(CLI::App& program);
+void add_scenes_command(CLI::App& program);
 void add_rtl_command(CLI::App& program);
 void add_area_command(CLI::App& program);
 void add_bvh_command(CLI::App& program);

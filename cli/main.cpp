@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   program.formatter(std::make_shared<hitpipe::cli::HelpFormatter>());
   int exit_code = 0;
   hitpipe::cli::add_designs_command(program);
+  hitpipe::cli::add_scenes_command(program);
   hitpipe::cli::add_rtl_command(program);
   hitpipe::cli::add_area_command(program);
   hitpipe::cli::add_bvh_command(program);

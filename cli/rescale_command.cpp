@@ -1,7 +1,6 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <sstream>
 
@@ -14,7 +13,6 @@
 #include "cli/scene_options.hpp"
 #include "cli/table.hpp"
 #include "sim/check/rescale.hpp"
-#include "sw_ref/scene/mesh_file.hpp"
 
 namespace hitpipe::cli {
 
@@ -72,24 +70,6 @@ NamedTransform parse_offset(const std::string& text) {
   return {"+" + text, transform};
 }
 
-/// The scene before it was moved into the cube: its mesh as loaded, its camera and lights moved back.
-ref::SceneDescription describe(const SceneChoice& choice) {
-  const ref::Scene scene = choice.load();
-  ref::SceneDescription own{
-      .name = scene.name,
-      .mesh = choice.name == "spheres" ? ref::spheres().mesh : ref::load_mesh(choice.name),
-      .materials = scene.materials,
-      .eye = scene.to_cube.to_own(scene.camera.eye),
-      .up = scene.camera.up,
-      .fov_degrees = 360.0 / std::numbers::pi * std::atan(scene.camera.tan_half_height),
-      .lights = {}};
-  own.target = own.eye + scene.camera.forward / scene.to_cube.scale;
-  for (const ref::Light& light : scene.lights) {
-    own.lights.push_back({scene.to_cube.to_own(light.position), light.intensity});
-  }
-  return own;
-}
-
 /// What the user asked for, or a choice of both kinds; far is measured in the mesh's longest side.
 std::vector<NamedTransform> transforms(const RescaleCommand& command, const ref::SceneDescription& scene) {
   std::vector<NamedTransform> all = command.scales;
@@ -141,7 +121,7 @@ int rescale(const RescaleCommand& command) {
   if (judged) options.unit = {.design = &command.design.design(), .format = command.design.format()};
 
   std::optional<Progress> progress("reading the scene");
-  const ref::SceneDescription scene = describe(command.scene);
+  const ref::SceneDescription scene = ref::describe_scene(command.scene.name, command.scene.placing);
   const std::vector<NamedTransform> all = transforms(command, scene);
   std::optional<sim::VerilatedDesign> verilated;
   if (judged) {

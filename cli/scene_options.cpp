@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/values.hpp"
+#include "sw_ref/scene/built_in.hpp"
 
 namespace hitpipe::cli {
 
@@ -44,9 +45,13 @@ void add_scene_options(CLI::App& command, SceneChoice& choice) {
   };
   command
       .add_option("--scene", choice.name,
-                  "A built-in scene (spheres) or a mesh file (.obj, .ply, .stl, .gltf, .glb)")
+                  fmt::format("A built-in scene ({}), a scene file (.json) or a mesh file (.obj, .ply, .stl, "
+                              ".gltf, .glb)",
+                              ref::built_in_names()))
       ->required()
       ->type_name("NAME|FILE");
+  add_count_option(command, "--triangles", choice.placing.triangles, {1, 100'000'000},
+                   "About so many, of a built-in scene that scales; see hitpipe scenes");
   point("--eye", choice.placing.eye, "Where the camera is, in the scene's own units");
   point("--target", choice.placing.target, "The point in the middle of the image");
   point("--up", choice.placing.up, "Which way is up");

@@ -12,7 +12,7 @@ class App;
 namespace hitpipe::cli {
 
 struct SceneChoice {
-  std::string name;           ///< of a built-in scene, or a mesh file
+  std::string name;           ///< of a built-in scene, a scene file or a mesh file
   ref::SceneOptions placing;  ///< what the user wants otherwise
   int width = 256;
   int height = 256;
@@ -22,7 +22,7 @@ struct SceneChoice {
   [[nodiscard]] ref::Scene load() const { return ref::load_scene(name, placing); }
 };
 
-/// --scene (required), --eye, --target, --up, --fov, --light, --width, --height, --threads.
+/// --scene (required), --triangles, --eye, --target, --up, --fov, --light, --width, --height, --threads.
 void add_scene_options(CLI::App& command, SceneChoice& choice);
 
 }  // namespace hitpipe::cli

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include <assimp/Importer.hpp>
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -163,8 +164,13 @@ void append(Mesh& out, const aiMesh& mesh, const glm::dmat4& transform) {
   }
 }
 
+std::string material_name(const aiScene& scene, const aiMesh& mesh) {
+  return mesh.mMaterialIndex < scene.mNumMaterials ? scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str()
+                                                   : "";
+}
+
 /// All meshes of the node tree, each under the product of the transforms above it.
-Mesh flatten(const aiScene& scene) {
+Mesh flatten(const aiScene& scene, std::vector<MeshGroup>& groups) {
   Mesh out;
   std::size_t faces = 0;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) faces += scene.mMeshes[m]->mNumFaces;
@@ -174,13 +180,19 @@ Mesh flatten(const aiScene& scene) {
     const auto [node, above] = pending.back();
     pending.pop_back();
     const glm::dmat4 transform = above * to_glm(node->mTransformation);
-    for (unsigned m = 0; m < node->mNumMeshes; ++m) append(out, *scene.mMeshes[node->mMeshes[m]], transform);
+    for (unsigned m = 0; m < node->mNumMeshes; ++m) {
+      const aiMesh& mesh = *scene.mMeshes[node->mMeshes[m]];
+      const auto first = static_cast<std::uint32_t>(out.triangles.size());
+      append(out, mesh, transform);
+      groups.push_back({mesh.mName.C_Str(), material_name(scene, mesh), first,
+                        static_cast<std::uint32_t>(out.triangles.size()) - first});
+    }
     for (unsigned c = node->mNumChildren; c-- > 0;) pending.emplace_back(node->mChildren[c], transform);
   }
   return out;
 }
 
-Mesh import(const std::filesystem::path& file) {
+Mesh import(const std::filesystem::path& file, std::vector<MeshGroup>& groups) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (!scene || !scene->mRootNode) {
@@ -194,13 +206,18 @@ Mesh import(const std::filesystem::path& file) {
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
     if (!scene) reject("has polygons that cannot be cut into triangles; give triangles");
   }
-  return flatten(*scene);
+  return flatten(*scene, groups);
 }
 
-void drop_degenerate(Mesh& mesh) {
-  std::size_t kept = 0;
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (has_area(mesh.corners(i))) mesh.triangles[kept++] = mesh.triangles[i];
+void drop_degenerate(Mesh& mesh, std::vector<MeshGroup>& groups) {
+  std::uint32_t kept = 0;
+  for (MeshGroup& group : groups) {
+    const std::uint32_t first = kept;
+    for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
+      if (has_area(mesh.corners(i))) mesh.triangles[kept++] = mesh.triangles[i];
+    }
+    group.first = first;
+    group.count = kept - first;
   }
   mesh.degenerate_dropped += mesh.triangles.size() - kept;
   mesh.triangles.resize(kept);
@@ -250,11 +267,17 @@ std::string one_line(std::string text) {
 }  // namespace
 
 Mesh load_mesh(const std::filesystem::path& file) {
+  std::vector<MeshGroup> groups;
+  return load_mesh(file, groups);
+}
+
+Mesh load_mesh(const std::filesystem::path& file, std::vector<MeshGroup>& groups) {
+  groups.clear();
   try {
     check_file(file);
-    Mesh mesh = import(file);
+    Mesh mesh = import(file, groups);
     if (mesh.triangles.empty()) reject("has no triangle; at least one is needed");
-    drop_degenerate(mesh);
+    drop_degenerate(mesh, groups);
     if (mesh.triangles.empty())
       reject(fmt::format("has only triangles without area ({}); at least one with area is needed",
                          mesh.degenerate_dropped));

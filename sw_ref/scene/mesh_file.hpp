@@ -1,7 +1,10 @@
 // Reader of mesh files: OBJ, PLY, STL, glTF and GLB, through Assimp.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "sw_ref/scene/mesh.hpp"
 
@@ -13,5 +16,16 @@ namespace hitpipe::ref {
 /// missing, is no regular file, is empty, cut short or malformed, has an unknown extension, a coordinate that
 /// is not finite, an index out of range, or no triangle with area.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
+
+/// Triangles that stand together in a file and have one name and one material there; names may be empty.
+struct MeshGroup {
+  std::string name;
+  std::string material;
+  std::uint32_t first = 0;  ///< triangle of the mesh
+  std::uint32_t count = 0;
+};
+
+/// The same, and which triangle is of which group: the groups follow one another and cover the mesh.
+[[nodiscard]] Mesh load_mesh(const std::filesystem::path& file, std::vector<MeshGroup>& groups);
 
 }  // namespace hitpipe::ref

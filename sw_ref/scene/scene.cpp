@@ -11,8 +11,10 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "sw_ref/scene/built_in.hpp"
 #include "sw_ref/scene/mesh_file.hpp"
-#include "sw_ref/scene/room.hpp"
+#include "sw_ref/scene/mesh_scene.hpp"
+#include "sw_ref/scene/scene_file.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -48,6 +50,28 @@ void check_camera(const SceneDescription& scene) {
   if (!(scene.fov_degrees > 0.0 && scene.fov_degrees < 180.0))
     reject(fmt::format("camera: field of view of {} degrees; allowed is more than 0 and less than 180",
                        scene.fov_degrees));
+}
+
+/// A sum of parts may exceed 1 by the roundings of its binary32 terms.
+constexpr float whole = 1.0F + 0x1p-20F;
+
+void check_material(const Material& material, std::size_t number) {
+  const auto check_part = [&](const char* name, const glm::vec3& part) {
+    for (int k = 0; k < 3; ++k) {
+      if (!(part[k] >= 0.0F && part[k] <= 1.0F))
+        reject(fmt::format("material {}: {} {} must lie within 0 and 1", number, name, text(part)));
+    }
+  };
+  check_part("albedo", material.albedo);
+  check_part("reflect", material.reflect);
+  check_part("transmit", material.transmit);
+  const glm::vec3 sum = material.albedo + material.reflect + material.transmit;
+  if (std::max({sum.x, sum.y, sum.z}) > whole)
+    reject(fmt::format("material {}: albedo, reflect and transmit add up to {}; at most 1 is allowed", number,
+                       text(sum)));
+  if (!(material.refractive_index > 0.0F && std::isfinite(material.refractive_index)))
+    reject(fmt::format("material {}: refractive index {} must be finite and more than 0", number,
+                       material.refractive_index));
 }
 
 void check_light(const LightSource& light, std::size_t number) {
@@ -91,52 +115,25 @@ Camera camera(const SceneDescription& scene, const Normalisation& fit) {
   return out;
 }
 
-/// From inside a room towards what stands in it, and lit from below its ceiling.
-void move_inside(SceneDescription& scene, const Bounds& walls, const Bounds& contents) {
-  constexpr double margin = 0.05;  // of the room, kept between the walls and camera or lights
-  const glm::dvec3 low = walls.min + margin * (walls.max - walls.min);
-  const glm::dvec3 high = walls.max - margin * (walls.max - walls.min);
-  scene.target = contents.centre();
-  const double radius = glm::length(contents.max - contents.min) * 0.5;
-  const glm::dvec3 back = unit({0.35, 0.25, 1.0});
-  constexpr double widest = 75.0;  // degrees; a wider view looks distorted
-  const double away = radius / std::sin(glm::radians(50.0 / 2.0));
-  scene.eye = glm::clamp(scene.target + back * away, low, high);
-  // Where the room leaves less than that distance, the view is as wide as the contents ask.
-  const double sine = std::min(1.0, radius / glm::length(scene.eye - scene.target));
-  scene.fov_degrees = std::min(widest, glm::degrees(2.0 * std::asin(sine)));
-  scene.lights[0].position = glm::mix(low, high, glm::dvec3(0.2, 1.0, 0.8));
-  scene.lights[1].position = glm::mix(low, high, glm::dvec3(0.9, 0.8, 0.6));
-}
-
-/// Camera in front, a little above and to the right; a warm light at its upper left, a weaker one at its
-/// right.
-SceneDescription around(Mesh mesh, std::string name) {
-  const Bounds box = mesh_bounds(mesh);
-  const double radius = glm::length((box.max - box.min) / box.longest()) * 0.5 * box.longest();
-  SceneDescription scene{std::move(name), std::move(mesh), {}, {}, box.centre(), {0.0, 1.0, 0.0}, 40.0, {}};
-  scene.materials.push_back({{0.72F, 0.66F, 0.58F}});
-  scene.eye =
-      scene.target + unit({0.45, 0.35, 1.0}) * (radius / std::sin(glm::radians(scene.fov_degrees / 2.0)));
-  scene.lights.push_back({scene.target + glm::dvec3(-1.2, 1.8, 1.6) * radius, {0.85, 0.80, 0.72}});
-  scene.lights.push_back({scene.target + glm::dvec3(2.0, 0.7, 1.2) * radius, {0.22, 0.25, 0.30}});
-  if (const auto contents = room_contents(scene.mesh, box)) move_inside(scene, box, *contents);
-  return scene;
-}
-
-SceneDescription describe(const std::string& name_or_path) {
-  if (name_or_path == "spheres") return spheres();
+SceneDescription describe(const std::string& name_or_path, std::optional<std::size_t> triangles) {
+  if (find_built_in(name_or_path)) return make_built_in(name_or_path, triangles);
   const std::filesystem::path path(name_or_path);
-  // A bare word was meant as a name; whatever looks like a path gets the mesh reader's message.
+  // A bare word was meant as a name; whatever looks like a path gets the file readers' message.
   if (!path.has_extension() && !path.has_parent_path() && !std::filesystem::exists(path))
-    reject(fmt::format("scene \"{}\": no built-in scene and no file of that name; built-in are: spheres",
-                       name_or_path));
-  return around(load_mesh(path), path.stem().string());
+    reject(fmt::format("scene \"{}\": no built-in scene and no file of that name; built-in are: {}",
+                       name_or_path, built_in_names()));
+  if (is_scene_file(path)) return read_scene_file(path, triangles);
+  if (triangles)
+    reject(
+        fmt::format("scene \"{}\": a mesh file has the triangles it has; their number can be chosen for: {}",
+                    name_or_path, scaling_names()));
+  return mesh_scene(load_mesh(path), path.stem().string());
 }
 
 }  // namespace
 
 Scene place(SceneDescription description) {
+  for (std::size_t i = 0; i < description.materials.size(); ++i) check_material(description.materials[i], i);
   check_camera(description);
   std::vector<glm::dvec3> points{description.eye};
   for (std::size_t i = 0; i < description.lights.size(); ++i) {
@@ -151,20 +148,25 @@ Scene place(SceneDescription description) {
   for (const LightSource& light : description.lights)
     scene.lights.push_back({normalised(light.position, scene.to_cube), glm::vec3(light.intensity)});
   scene.name = std::move(description.name);
+  scene.stand_in_for = std::move(description.stand_in_for);
   scene.materials = std::move(description.materials);
   scene.mesh = std::move(description.mesh);
   normalise(scene.mesh, scene.to_cube);
   return scene;
 }
 
-Scene load_scene(const std::string& name_or_path, const SceneOptions& options) {
-  SceneDescription description = describe(name_or_path);
+SceneDescription describe_scene(const std::string& name_or_path, const SceneOptions& options) {
+  SceneDescription description = describe(name_or_path, options.triangles);
   description.eye = options.eye.value_or(description.eye);
   description.target = options.target.value_or(description.target);
   description.up = options.up.value_or(description.up);
   description.fov_degrees = options.fov_degrees.value_or(description.fov_degrees);
   if (!options.lights.empty()) description.lights = options.lights;
-  return place(std::move(description));
+  return description;
+}
+
+Scene load_scene(const std::string& name_or_path, const SceneOptions& options) {
+  return place(describe_scene(name_or_path, options));
 }
 
 }  // namespace hitpipe::ref

@@ -43,7 +43,8 @@ struct Scene {
   std::vector<Material> materials;
   Camera camera;
   std::vector<Light> lights;
-  Normalisation to_cube;  ///< from the scene's own units, for reports
+  Normalisation to_cube;     ///< from the scene's own units, for reports
+  std::string stand_in_for;  ///< the thesis's scene that it stands in for, for reports; empty: none
 };
 
 /// In the scene's own units.
@@ -55,10 +56,11 @@ struct LightSource {
 /// What to place differently from the scene's own choice; own units.
 struct SceneOptions {
   std::optional<glm::dvec3> eye;
-  std::optional<glm::dvec3> target;   ///< point in the middle of the image
-  std::optional<glm::dvec3> up;       ///< direction, not parallel to the view
-  std::optional<double> fov_degrees;  ///< vertical field of view, 0 < fov < 180
-  std::vector<LightSource> lights;    ///< in place of the scene's own, if any
+  std::optional<glm::dvec3> target;      ///< point in the middle of the image
+  std::optional<glm::dvec3> up;          ///< direction, not parallel to the view
+  std::optional<double> fov_degrees;     ///< vertical field of view, 0 < fov < 180
+  std::vector<LightSource> lights;       ///< in place of the scene's own, if any
+  std::optional<std::size_t> triangles;  ///< about so many, of a built-in scene that scales
 };
 
 /// A mesh with its placing, before it is moved into the cube.
@@ -71,19 +73,28 @@ struct SceneDescription {
   glm::dvec3 up{0.0, 1.0, 0.0};
   double fov_degrees = 40.0;
   std::vector<LightSource> lights;
+  std::string stand_in_for = {};  ///< as of Scene
 };
 
-/// The built-in scene "spheres": 12 spheres of 2,048 triangles on a floor of 2, 24,578 in all; two lights.
+/// The built-in scene "spheres": 12 spheres of 2,048 triangles on a floor of 2, 24,578 in all; some mirror,
+/// some are of glass; two lights.
 [[nodiscard]] SceneDescription spheres();
 
-/// Checks the placing and moves everything into the cube.
-/// Throws std::runtime_error, one line, for a camera or light that cannot be placed: a coordinate that is not
-/// finite, eye equal to target, up parallel to the view, a field of view or intensity out of range, a point
-/// so far away that less than smallest_mesh_part of the cube would be left for the mesh.
+/// Checks materials and placing and moves everything into the cube.
+/// Throws std::runtime_error, one line, for a material with a part out of range, for a camera or light that
+/// cannot be placed: a coordinate that is not finite, eye equal to target, up parallel to the view, a field
+/// of view or intensity out of range, a point so far away that less than smallest_mesh_part of the cube would
+/// be left for the mesh.
 [[nodiscard]] Scene place(SceneDescription description);
 
-/// A built-in scene by name, or a mesh file by path with a camera and two lights chosen from its bounds.
-/// Throws std::runtime_error, one line: for a name that is neither, and as load_mesh() and place() do.
+/// What place() is given for a scene: a built-in one by name, a scene file (.json) or a mesh file by path,
+/// the latter with a camera and two lights chosen from its bounds. Throws std::runtime_error, one line: for a
+/// name that is none of these, a number of triangles that it cannot have, and as load_mesh() and
+/// read_scene_file() do.
+[[nodiscard]] SceneDescription describe_scene(const std::string& name_or_path,
+                                              const SceneOptions& options = {});
+
+/// The same, placed. Throws also as place() does.
 [[nodiscard]] Scene load_scene(const std::string& name_or_path, const SceneOptions& options = {});
 
 }  // namespace hitpipe::ref

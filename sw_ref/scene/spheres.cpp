@@ -30,7 +30,8 @@ UnitSphere refined(const UnitSphere& coarse) {
     return entry->second;
   };
   for (const glm::uvec3& t : coarse.triangles) {
-    const glm::uvec3 m(middle(t.x, t.y), middle(t.y, t.z), middle(t.z, t.x));
+    // In braces the vertices are made from left to right.
+    const glm::uvec3 m{middle(t.x, t.y), middle(t.y, t.z), middle(t.z, t.x)};
     fine.triangles.insert(fine.triangles.end(), {{t.x, m.x, m.z}, {m.x, t.y, m.y}, {m.z, m.y, t.z}, m});
   }
   return fine;
@@ -64,19 +65,33 @@ constexpr std::array<Ball, 12> balls{{{{-0.15, 1.30, -0.60}, 1.30},
                                       {{2.15, 2.32, -0.35}, 0.42},
                                       {{-2.35, 1.95, 0.10}, 0.35}}};
 
-const std::vector<Material> palette{{{{0.66F, 0.63F, 0.60F}},    // floor: warm grey
-                                     {{0.86F, 0.80F, 0.68F}},    // cream
-                                     {{0.36F, 0.55F, 0.58F}},    // teal
-                                     {{0.82F, 0.47F, 0.38F}},    // coral
-                                     {{0.88F, 0.68F, 0.35F}},    // ochre
-                                     {{0.47F, 0.60F, 0.47F}},    // sage
-                                     {{0.62F, 0.46F, 0.60F}},    // mauve
-                                     {{0.38F, 0.47F, 0.66F}},    // slate blue
-                                     {{0.83F, 0.58F, 0.58F}},    // rose
-                                     {{0.60F, 0.66F, 0.72F}},    // mist
-                                     {{0.80F, 0.55F, 0.36F}},    // clay
-                                     {{0.90F, 0.76F, 0.52F}},    // sand
-                                     {{0.45F, 0.62F, 0.66F}}}};  // pale teal
+Material solid(const glm::vec3& albedo) {
+  return {.albedo = albedo};
+}
+
+/// Some of what it mirrors takes its colour; the rest of the light is lost.
+Material mirror(const glm::vec3& colour) {
+  return {.albedo = 0.06F * colour, .reflect = 0.84F * colour};
+}
+
+/// Mirrors nothing from outside, so that no ray becomes two.
+Material glass(const glm::vec3& colour) {
+  return {.albedo = glm::vec3(0.0F), .transmit = 0.92F * colour, .refractive_index = 1.5F};
+}
+
+const std::vector<Material> palette{solid({0.66F, 0.63F, 0.60F}),   // floor: warm grey
+                                    mirror({1.00F, 0.97F, 0.92F}),  // silver
+                                    glass({0.96F, 1.00F, 0.98F}),   // clear
+                                    solid({0.82F, 0.47F, 0.38F}),   // coral
+                                    glass({1.00F, 0.90F, 0.72F}),   // amber
+                                    solid({0.47F, 0.60F, 0.47F}),   // sage
+                                    mirror({1.00F, 0.80F, 0.50F}),  // gold
+                                    solid({0.38F, 0.47F, 0.66F}),   // slate blue
+                                    glass({0.80F, 0.92F, 1.00F}),   // ice
+                                    solid({0.60F, 0.66F, 0.72F}),   // mist
+                                    solid({0.88F, 0.68F, 0.35F}),   // ochre
+                                    mirror({1.00F, 0.80F, 0.72F}),  // copper
+                                    solid({0.36F, 0.55F, 0.58F})};  // teal
 
 void append(Mesh& mesh, const UnitSphere& sphere, const Ball& ball, std::uint8_t material) {
   const auto base = static_cast<std::uint32_t>(mesh.vertices.size());

@@ -37,6 +37,7 @@ int parse(std::vector<std::string> words) {
   program.formatter(std::make_shared<cli::HelpFormatter>());
   int exit_code = 0;
   cli::add_designs_command(program);
+  cli::add_scenes_command(program);
   cli::add_rtl_command(program);
   cli::add_area_command(program);
   cli::add_bvh_command(program);

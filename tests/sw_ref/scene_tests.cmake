@@ -4,4 +4,6 @@ foreach(name scene/mesh_file scene/scene scene/spheres bvh/build traverse/slabs 
   get_filename_component(program ${name} NAME)
   hitpipe_test(${program}_test SOURCES ${name}_test.cpp LIBS hitpipe_sw_ref fmt::fmt)
 endforeach()
+target_sources(build_test PRIVATE bvh/builders_test.cpp bvh/statistics_test.cpp)
 target_link_libraries(image_file_test PRIVATE OpenImageIO::OpenImageIO)
+target_sources(scene_test PRIVATE scene/built_in_test.cpp scene/scene_file_test.cpp)

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "sw_ref/scene/built_in.hpp"
 #include "tests/sw_ref/scene/error_message.hpp"
 
 namespace hitpipe::ref {
@@ -169,6 +170,26 @@ TEST(Placing, LightsThatCannotBePlacedAreRejected) {
   EXPECT_EQ(placing_error(scene), "light 0: intensity (1, nan, 0.8) must be finite and not negative");
 }
 
+TEST(Placing, MaterialsOutOfRangeAreRejected) {
+  SceneDescription scene = tetrahedron();
+  scene.materials = {{},
+                     {.albedo = {0.5F, 0.5F, 0.5F}, .reflect = {0.5F, 0.25F, 0.5F}, .transmit = {0, 0, 0}}};
+  EXPECT_EQ(placing_error(scene), "no error");
+  scene.materials[1].transmit.y = 0.5F;
+  EXPECT_EQ(placing_error(scene),
+            "material 1: albedo, reflect and transmit add up to (1, 1.25, 1); at most 1 is allowed");
+  scene.materials[1].reflect.z = -0.25F;
+  EXPECT_EQ(placing_error(scene), "material 1: reflect (0.5, 0.25, -0.25) must lie within 0 and 1");
+  scene.materials[1] = {.albedo = {0.0F, static_cast<float>(not_a_number), 0.0F}};
+  EXPECT_EQ(placing_error(scene), "material 1: albedo (0, nan, 0) must lie within 0 and 1");
+  for (const auto& [index, text] :
+       {std::pair(0.0, "0"), {-1.5, "-1.5"}, {infinite, "inf"}, {not_a_number, "nan"}}) {
+    scene.materials[1] = {.refractive_index = static_cast<float>(index)};
+    EXPECT_EQ(placing_error(scene),
+              std::string("material 1: refractive index ") + text + " must be finite and more than 0");
+  }
+}
+
 TEST(Placing, PointsThatMakeTheMeshVanishAreRejected) {
   SceneDescription scene = tetrahedron();
   scene.eye = {0.0, 0.0, 1e5};
@@ -241,8 +262,15 @@ TEST(LoadScene, RoomIsSeenFromInside) {
 }
 
 TEST(LoadScene, UnknownNameIsRejectedWithTheBuiltInOnes) {
-  EXPECT_EQ(error_message([] { return load_scene("teapot"); }),
-            "scene \"teapot\": no built-in scene and no file of that name; built-in are: spheres");
+  EXPECT_EQ(
+      error_message([] { return load_scene("teapot"); }),
+      "scene \"teapot\": no built-in scene and no file of that name; built-in are: " + built_in_names());
+  SceneOptions options;
+  options.triangles = 1000;
+  EXPECT_EQ(
+      error_message([&] { return load_scene("none/teapot.obj", options); }),
+      "scene \"none/teapot.obj\": a mesh file has the triangles it has; their number can be chosen for: " +
+          scaling_names());
   EXPECT_EQ(error_message([] { return load_scene("none/teapot.obj"); }),
             "mesh file \"none/teapot.obj\": no such file; give a .obj, .ply, .stl, .gltf or .glb file");
 }

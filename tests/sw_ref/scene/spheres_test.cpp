@@ -22,6 +22,16 @@ TEST(Spheres, HasTheTrianglesAndLightsOfTheThesis) {
   EXPECT_EQ(scene.materials.size(), 13U);
 }
 
+TEST(Spheres, SomeMirrorSomeAreOfGlassMostAreSolid) {
+  const std::vector<Material> materials = spheres().materials;
+  const auto count = [&](auto&& is) { return std::count_if(materials.begin() + 1, materials.end(), is); };
+  EXPECT_EQ(count([](const Material& m) { return m.reflect != glm::vec3(0.0F); }), 3);
+  EXPECT_EQ(
+      count([](const Material& m) { return m.transmit != glm::vec3(0.0F) && m.refractive_index == 1.5F; }),
+      3);
+  EXPECT_EQ(materials[0].reflect + materials[0].transmit, glm::vec3(0.0F));
+}
+
 TEST(Spheres, BallsRestOnTheFloorAndDoNotCross) {
   const SceneDescription scene = spheres();
   struct Ball {

@@ -1,0 +1,121 @@
+#include "sw_ref/scene/json_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace hitpipe::ref {
+namespace {
+
+using nlohmann::json;
+
+[[noreturn]] void reject(const std::string& reason) {
+  throw std::runtime_error(reason);
+}
+
+}  // namespace
+
+nlohmann::json parse_json(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) reject("no such file");
+  if (!std::filesystem::is_regular_file(file, error)) reject("is not a regular file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) reject("cannot be opened");
+  // The library keeps the last of several equal keys and says nothing.
+  std::vector<std::set<std::string>> keys;
+  const json::parser_callback_t check = [&](int /*depth*/, json::parse_event_t event, json& value) {
+    if (event == json::parse_event_t::object_start) keys.emplace_back();
+    if (event == json::parse_event_t::object_end) keys.pop_back();
+    if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+      reject(fmt::format("the key \"{}\" stands twice in one object", value.get<std::string>()));
+    return true;
+  };
+  try {
+    return json::parse(in, check);
+  } catch (const json::exception& problem) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+    const std::string text = problem.what();
+    const std::size_t after = text.find("] ");
+    reject("is no JSON: " + (after == std::string::npos ? text : text.substr(after + 2)));
+  }
+}
+
+void Place::fail(const std::string& reason) const {
+  reject(way_.empty() ? reason : way_ + ": " + reason);
+}
+
+void Place::expect_object(std::initializer_list<const char*> keys) const {
+  if (!value_->is_object()) fail(fmt::format("must be an object with keys of: {}", fmt::join(keys, ", ")));
+  for (const auto& [key, value] : value_->items()) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      fail(fmt::format("unknown key \"{}\"; allowed are: {}", key, fmt::join(keys, ", ")));
+  }
+}
+
+Place Place::at(const std::string& key) const {
+  if (!value_->contains(key)) fail(fmt::format("needs the key \"{}\"", key));
+  return Place(value_->at(key), way_.empty() ? key : way_ + "." + key);
+}
+
+std::vector<std::pair<std::string, Place>> Place::members() const {
+  if (!value_->is_object()) fail("must be an object");
+  std::vector<std::pair<std::string, Place>> all;
+  for (const auto& [key, value] : value_->items()) all.emplace_back(key, at(key));
+  return all;
+}
+
+std::vector<Place> Place::elements() const {
+  if (!value_->is_array()) fail("must be an array");
+  std::vector<Place> all;
+  for (std::size_t i = 0; i < value_->size(); ++i)
+    all.emplace_back((*value_)[i], fmt::format("{}[{}]", way_, i));
+  return all;
+}
+
+std::string Place::word() const {
+  if (!value_->is_string()) fail("must be a string");
+  return value_->get<std::string>();
+}
+
+std::uint64_t Place::count(std::uint64_t most) const {
+  if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() > most)
+    fail(fmt::format("must be a whole number of 0 to {}", most));
+  return value_->get<std::uint64_t>();
+}
+
+bool Place::is_number() const {
+  return value_->is_number() && std::isfinite(value_->get<double>());
+}
+
+double Place::number() const {
+  if (!is_number()) fail("must be a number that is finite");
+  return value_->get<double>();
+}
+
+glm::dvec3 Place::vector() const {
+  if (!value_->is_array() || value_->size() != 3) fail("must be an array of three numbers");
+  const std::vector<Place> parts = elements();
+  return {parts[0].number(), parts[1].number(), parts[2].number()};
+}
+
+glm::dvec3 Place::colour(double most) const {
+  const std::string allowed = most < std::numeric_limits<double>::infinity()
+                                  ? fmt::format("each in 0 to {}", most)
+                                  : std::string("none below 0");
+  if (!is_number() && !(value_->is_array() && value_->size() == 3))
+    fail(fmt::format("must be one number or an array of three, {}", allowed));
+  const glm::dvec3 parts = is_number() ? glm::dvec3(number()) : vector();
+  for (int k = 0; k < 3; ++k) {
+    if (!(parts[k] >= 0.0 && parts[k] <= most))
+      fail(fmt::format("{} is out of range; numbers must be {}", parts[k], allowed));
+  }
+  return parts;
+}
+
+}  // namespace hitpipe::ref

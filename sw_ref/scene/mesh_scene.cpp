@@ -1,0 +1,49 @@
+#include "sw_ref/scene/mesh_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "sw_ref/scene/room.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+/// From inside a room towards what stands in it, and lit from below its ceiling.
+void move_inside(SceneDescription& scene, const Bounds& walls, const Bounds& contents) {
+  constexpr double margin = 0.05;  // of the room, kept between the walls and camera or lights
+  const glm::dvec3 low = walls.min + margin * (walls.max - walls.min);
+  const glm::dvec3 high = walls.max - margin * (walls.max - walls.min);
+  scene.target = contents.centre();
+  const double radius = glm::length(contents.max - contents.min) * 0.5;
+  const glm::dvec3 back = glm::normalize(glm::dvec3(0.35, 0.25, 1.0));
+  constexpr double widest = 75.0;  // degrees; a wider view looks distorted
+  const double away = radius / std::sin(glm::radians(50.0 / 2.0));
+  scene.eye = glm::clamp(scene.target + back * away, low, high);
+  // Where the room leaves less than that distance, the view is as wide as the contents ask.
+  const double sine = std::min(1.0, radius / glm::length(scene.eye - scene.target));
+  scene.fov_degrees = std::min(widest, glm::degrees(2.0 * std::asin(sine)));
+  scene.lights[0].position = glm::mix(low, high, glm::dvec3(0.2, 1.0, 0.8));
+  scene.lights[1].position = glm::mix(low, high, glm::dvec3(0.9, 0.8, 0.6));
+}
+
+}  // namespace
+
+SceneDescription mesh_scene(Mesh mesh, std::string name) {
+  const Bounds box = mesh_bounds(mesh);
+  const double radius = glm::length((box.max - box.min) / box.longest()) * 0.5 * box.longest();
+  SceneDescription scene{std::move(name), std::move(mesh), {}, {}, box.centre(), {0.0, 1.0, 0.0}, 40.0, {}};
+  scene.materials.push_back({{0.72F, 0.66F, 0.58F}});
+  scene.eye = scene.target + glm::normalize(glm::dvec3(0.45, 0.35, 1.0)) *
+                                 (radius / std::sin(glm::radians(scene.fov_degrees / 2.0)));
+  scene.lights.push_back({scene.target + glm::dvec3(-1.2, 1.8, 1.6) * radius, {0.85, 0.80, 0.72}});
+  scene.lights.push_back({scene.target + glm::dvec3(2.0, 0.7, 1.2) * radius, {0.22, 0.25, 0.30}});
+  if (const auto contents = room_contents(scene.mesh, box)) move_inside(scene, box, *contents);
+  return scene;
+}
+
+}  // namespace hitpipe::ref

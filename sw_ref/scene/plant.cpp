@@ -1,0 +1,73 @@
+#include "sw_ref/scene/plant.hpp"
+
+#include <utility>
+
+#include "sw_ref/scene/plant_parts.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+void build(Shapes& shapes, double detail) {
+  shapes.material(plant::yard);
+  shapes.quad({-40, 0, 80}, {100, 0, 80}, {100, 0, -40}, {-40, 0, -40});
+  plant::add_steelwork(shapes, detail);
+  plant::add_pipework(shapes, detail);
+  plant::add_vessels(shapes, detail);
+  plant::add_boiler(shapes, detail);
+}
+
+SceneDescription whole_plant(std::size_t triangles) {
+  SceneDescription scene;
+  scene.mesh.triangles.reserve(triangles);
+  scene.mesh.materials.reserve(triangles);
+  scene.mesh.vertices.reserve(triangles * 2 / 3);  // of a box 8 for 12, of a rod 1 for 1
+  Shapes shapes(scene.mesh, Shapes::Normals::flat);
+  build(shapes, detail_for(triangles, build));
+  scene.materials = {{.albedo = {0.30F, 0.30F, 0.30F}, .reflect = glm::vec3(0.18F)},
+                     {.albedo = {0.62F, 0.60F, 0.57F}},
+                     {.albedo = {0.44F, 0.32F, 0.27F}},
+                     {.albedo = {0.52F, 0.54F, 0.56F}},
+                     {.albedo = {0.90F, 0.72F, 0.18F}},
+                     {.albedo = {0.60F, 0.63F, 0.66F}},
+                     {.albedo = {0.30F, 0.52F, 0.40F}},
+                     {.albedo = {0.27F, 0.42F, 0.62F}},
+                     {.albedo = {0.72F, 0.27F, 0.20F}},
+                     {.albedo = {0.74F, 0.73F, 0.70F}},
+                     {.albedo = {0.84F, 0.83F, 0.80F}},
+                     {.albedo = {0.20F, 0.21F, 0.23F}},
+                     {.albedo = {0.62F, 0.46F, 0.36F}}};
+  return scene;
+}
+
+}  // namespace
+
+SceneDescription plant_front(std::size_t triangles) {
+  SceneDescription scene = whole_plant(triangles);
+  scene.eye = {6.0, 24.0, 96.0};
+  scene.target = {33.0, 19.5, 16.0};
+  scene.fov_degrees = 50.0;
+  scene.lights = {{{-25.0, 62.0, 85.0}, {0.95, 0.89, 0.78}}};
+  return scene;
+}
+
+SceneDescription plant_north(std::size_t triangles) {
+  SceneDescription scene = whole_plant(triangles);
+  scene.eye = {66.0, 2.2, -14.0};
+  scene.target = {34.0, 19.0, 20.0};
+  scene.fov_degrees = 60.0;
+  scene.lights = {{{85.0, 30.0, -35.0}, {0.62, 0.58, 0.50}},
+                  {{20.0, 3.5, -20.0}, {0.42, 0.38, 0.32}},
+                  {{56.0, 15.0, 18.0}, {0.34, 0.38, 0.42}}};
+  return scene;
+}
+
+SceneDescription plant_boiler(std::size_t triangles) {
+  SceneDescription scene = whole_plant(triangles);
+  scene.eye = {25.0, 9.5, 20.4};
+  scene.target = {31.0, 18.5, 13.5};
+  scene.fov_degrees = 75.0;
+  scene.lights = {{{27.5, 12.0, 17.5}, {1.0, 0.90, 0.74}}};
+  return scene;
+}
+
+}  // namespace hitpipe::ref
