@@ -1,0 +1,39 @@
+#include "sw_ref/encode/int_nodes.hpp"
+
+#include "sw_ref/traverse/node_store.hpp"
+
+namespace hitpipe::ref {
+
+static_assert(NodeStore<IntNodes>);
+
+IntNodes::IntNodes(const Bvh& bvh, int coord_bits)
+    : bytes_per_node((6 * static_cast<std::size_t>(coord_bits) + 7) / 8 + tail_bytes),
+      coord_bits_(coord_bits) {
+  // Also the check of coord_bits, before anything is allocated by it.
+  (void)quantise_box({glm::vec3(0), glm::vec3(0)}, coord_bits);
+  for (int i = 0; i < 6; ++i) {
+    const int bit = coord_bits * i;
+    places_[static_cast<std::size_t>(i)] = {static_cast<std::uint32_t>(bit / 8), 64 - coord_bits - bit % 8};
+  }
+  bytes_.resize(bytes_per_node * bvh.nodes.size());
+  std::byte* at = bytes_.data();
+  for (const BvhNode& node : bvh.nodes) {
+    write(at, quantise_box(node.box, coord_bits));
+    at += bytes_per_node;
+    std::memcpy(at - tail_bytes, &node.count, sizeof node.count);
+    std::memcpy(at - sizeof node.first, &node.first, sizeof node.first);
+  }
+}
+
+/// Into zeroed bytes.
+void IntNodes::write(std::byte* node, const IntBox& box) const {
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto value = static_cast<std::uint64_t>(i < 3 ? box.min[i] : box.max[i - 3]);
+    std::byte* const at = node + places_[i].byte;
+    const std::uint64_t field = value << (64 - coord_bits_) >> places_[i].above;
+    const std::uint64_t word = read<std::uint64_t>(at) | field;
+    std::memcpy(at, &word, sizeof word);
+  }
+}
+
+}  // namespace hitpipe::ref

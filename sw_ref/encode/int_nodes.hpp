@@ -1,0 +1,77 @@
+// Nodes of the integer hierarchy (chapter 6): boxes on the n-bit grid (sw_ref/quantise/int_box.hpp), packed
+// without a gap as Table 6.1 counts them: six n-bit coordinates, then count and pointer of 4 bytes each.
+// 20, 23, 26 bytes with n = 16, 20, 24; ceil(6n / 8) + 8 with any n of 6..32. A NodeStore
+// (sw_ref/traverse/node_store.hpp). Coordinate i starts at bit n i, least significant bit first: x, y, z of
+// min, then of max, two's complement.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/quantise/int_box.hpp"
+
+namespace hitpipe::ref {
+
+class IntNodes {
+  static_assert(std::endian::native == std::endian::little, "coordinates are read as words of memory");
+
+ public:
+  using Box = IntBox;
+  using Node = std::uint32_t;  ///< index as in Bvh::nodes
+  const std::size_t bytes_per_node;
+
+  /// Needs at least one node; copies what it needs of `bvh`. Throws as quantise_box() does: for n outside
+  /// 6..32 and for boxes that leave the grid.
+  IntNodes(const Bvh& bvh, int coord_bits);
+
+  [[nodiscard]] Node root() const { return 0; }
+  [[nodiscard]] Node child(Node node, unsigned which) const { return first(node) + which; }
+  [[nodiscard]] Box box(Node node) const {
+    const std::byte* const at = address(node);
+    return {{coordinate(at, 0), coordinate(at, 1), coordinate(at, 2)},
+            {coordinate(at, 3), coordinate(at, 4), coordinate(at, 5)}};
+  }
+  [[nodiscard]] std::int32_t count(Node node) const { return read<std::int32_t>(tail(node)); }
+  [[nodiscard]] std::uint32_t first(Node node) const {
+    return read<std::uint32_t>(tail(node) + sizeof(std::int32_t));
+  }
+  [[nodiscard]] std::uint32_t index(Node node) const { return node; }
+  [[nodiscard]] std::size_t size() const { return bytes_.size() / bytes_per_node; }
+  [[nodiscard]] int coord_bits() const { return coord_bits_; }
+
+ private:
+  /// Where a coordinate lies: within 8 bytes from `byte`, `above` bits of which lie above it. They are all of
+  /// the node, as 5n / 8 + 8 <= ceil(6n / 8) + 8.
+  struct Place {
+    std::uint32_t byte;
+    int above;
+  };
+
+  static constexpr std::size_t tail_bytes = sizeof(BvhNode::count) + sizeof(BvhNode::first);
+
+  template <class Word>
+  static Word read(const std::byte* at) {
+    Word word;
+    std::memcpy(&word, at, sizeof word);
+    return word;
+  }
+  [[nodiscard]] const std::byte* address(Node node) const { return bytes_.data() + bytes_per_node * node; }
+  /// Count and pointer.
+  [[nodiscard]] const std::byte* tail(Node node) const { return address(node) + bytes_per_node - tail_bytes; }
+  [[nodiscard]] std::int32_t coordinate(const std::byte* node, std::size_t number) const {
+    const auto word = read<std::uint64_t>(node + places_[number].byte) << places_[number].above;
+    return static_cast<std::int32_t>(static_cast<std::int64_t>(word) >> (64 - coord_bits_));
+  }
+  void write(std::byte* node, const IntBox& box) const;
+
+  int coord_bits_;
+  std::array<Place, 6> places_{};
+  std::vector<std::byte> bytes_;
+};
+
+}  // namespace hitpipe::ref
