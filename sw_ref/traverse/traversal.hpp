@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,6 +13,7 @@
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/geometry/ray.hpp"
 #include "sw_ref/scene/mesh.hpp"
+#include "sw_ref/traverse/child_order.hpp"
 #include "sw_ref/traverse/query.hpp"
 
 namespace hitpipe::ref {
@@ -29,18 +29,6 @@ struct TraversalCounts {
   }
   friend bool operator==(const TraversalCounts&, const TraversalCounts&) = default;
 };
-
-/// Bits 0..2: the signs of the direction's x, y, z (1: negative, -0 included), the thesis's M and P.
-[[nodiscard]] inline unsigned direction_class(const glm::vec3& direction) {
-  return static_cast<unsigned>(std::signbit(direction.x)) |
-         static_cast<unsigned>(std::signbit(direction.y)) << 1U |
-         static_cast<unsigned>(std::signbit(direction.z)) << 2U;
-}
-
-/// Table 4.2: 0 or 1, the child of a branch split along `axis` (0..2) that a ray of this class visits first.
-[[nodiscard]] inline unsigned near_child(unsigned direction_class, int axis) {
-  return direction_class >> static_cast<unsigned>(axis) & 1U;
-}
 
 /// Hierarchy and mesh must outlive the traversal and stay unchanged. The hierarchy has at least one node.
 class Traversal {
@@ -119,12 +107,18 @@ class Traversal {
   std::array<std::uint32_t, stack_size> stack_;  // only [0, top_] is ever read, and so only that is set
 };
 
-/// One ray from root to answer with a box test set up for it: BoxTest(ray), bool test(box, length).
+/// One ray from root to answer with a box test set up for it: BoxTest(ray), see node_store.hpp.
 template <class BoxTest>
 Hit trace(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query, TraversalCounts& counts) {
-  const BoxTest test(ray);
+  BoxTest test(ray);
   Traversal traversal(bvh, mesh, ray, query);
-  while (!traversal.done()) traversal.answer(test(bvh.nodes[traversal.node()].box, traversal.length()));
+  float length = traversal.length();
+  while (!traversal.done()) {
+    traversal.answer(test(bvh.nodes[traversal.node()].box));
+    if (traversal.length() == length) continue;
+    length = traversal.length();
+    test.cut(length);
+  }
   counts += traversal.counts();
   return traversal.hit();
 }

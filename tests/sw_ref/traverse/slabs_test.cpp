@@ -1,5 +1,6 @@
-// The box tests against exact rational arithmetic: RobustSlabs never misses a box that the ray meets, on rays
-// chosen to graze it; FloatSlabs does, which shows that the rays are hard enough.
+// The box tests against exact rational arithmetic, on rays chosen to graze a box: RobustSlabs never misses
+// one that the ray meets; Slabs and Pluecker miss some, which shows that the rays are hard enough, but none
+// that is padded.
 #include "sw_ref/traverse/slabs.hpp"
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include "sw_ref/traverse/plucker.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -203,7 +206,7 @@ Case crawling(Random& random) {
 struct Category {
   const char* name;
   Case (*make)(Random&);
-  bool floats_miss;  // whether FloatSlabs is known to miss some
+  bool floats_miss;  // whether Slabs<float> is known to miss some
 };
 
 const std::vector<Category> categories{{"edge", edge, true},
@@ -216,7 +219,7 @@ const std::vector<Category> categories{{"edge", edge, true},
                                        {"on coarse grid", on_coarse_grid, false},
                                        {"flat box", flat_box, true},
                                        {"subnormal distance", subnormal_distance, true},
-                                       {"crawling", crawling, true}};
+                                       {"crawling", crawling, false}};
 
 std::string in_hex(const Case& c) {
   const auto bits = [](const glm::vec3& v) {
@@ -228,7 +231,18 @@ std::string in_hex(const Case& c) {
                      bits(c.box.max));
 }
 
-TEST(Slabs, RobustNeverMissesWhereFloatDoes) {
+/// The first form that misses the box, which the ray meets, when it is padded as section 4.3 has it; or none.
+const char* misses_padded(const Case& c) {
+  constexpr float padding = 5e-7F;
+  const Aabb padded{c.box.min - padding, c.box.max + padding};
+  if (!Slabs<float>(c.ray)(padded)) return "Slabs<float>";
+  if (!Slabs<double>(c.ray)(padded)) return "Slabs<double>";
+  if (!Plucker<float>(c.ray)(padded)) return "Plucker<float>";
+  if (!Plucker<double>(c.ray)(padded)) return "Plucker<double>";
+  return nullptr;
+}
+
+TEST(BoxTests, RobustNeverMissesAndTheOthersMissNoPaddedBox) {
   Random random(seed);
   std::size_t tested = 0;
   fmt::print("seed {}\n{:<20}{:>7}{:>7}{:>15}{:>18}{:>14}\n", seed, "category", "rays", "meet",
@@ -238,10 +252,13 @@ TEST(Slabs, RobustNeverMissesWhereFloatDoes) {
     for (int i = 0; i < cases_per_category; ++i, ++tested) {
       const Case c = category.make(random);
       const bool exact = meets_exactly(c.ray, c.box);
-      const bool robust = RobustSlabs(c.ray)(c.box, c.ray.length);
+      const bool robust = RobustSlabs(c.ray)(c.box);
       meet += exact ? 1 : 0;
       robust_false += !exact && robust ? 1 : 0;
-      float_misses += exact && !FloatSlabs(c.ray)(c.box, c.ray.length) ? 1 : 0;
+      if (const char* const misses = exact ? misses_padded(c) : nullptr) {
+        FAIL() << category.name << ": " << misses << " misses\n" << in_hex(c);
+      }
+      float_misses += exact && !Slabs<float>(c.ray)(c.box) ? 1 : 0;
       if (!exact || robust) continue;
       if (robust_misses++ == 0) ADD_FAILURE() << category.name << ": RobustSlabs misses\n" << in_hex(c);
     }
@@ -254,7 +271,7 @@ TEST(Slabs, RobustNeverMissesWhereFloatDoes) {
   EXPECT_EQ(tested, categories.size() * cases_per_category);
 }
 
-TEST(Slabs, BoxesAwayFromTheRayAreMissed) {
+TEST(BoxTests, BoxesAwayFromTheRayAreMissed) {
   Random random(seed);
   int away = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -265,8 +282,11 @@ TEST(Slabs, BoxesAwayFromTheRayAreMissed) {
     longer.length *= 1.001F;
     if (meets_exactly(longer, larger)) continue;
     ++away;
-    ASSERT_FALSE(RobustSlabs(c.ray)(c.box, c.ray.length)) << in_hex(c);
-    ASSERT_FALSE(FloatSlabs(c.ray)(c.box, c.ray.length)) << in_hex(c);
+    ASSERT_FALSE(RobustSlabs(c.ray)(c.box)) << in_hex(c);
+    ASSERT_FALSE(Slabs<float>(c.ray)(c.box)) << in_hex(c);
+    ASSERT_FALSE(Slabs<double>(c.ray)(c.box)) << in_hex(c);
+    ASSERT_FALSE(Plucker<float>(c.ray)(c.box)) << in_hex(c);
+    ASSERT_FALSE(Plucker<double>(c.ray)(c.box)) << in_hex(c);
   }
   EXPECT_GT(away, 1000);
 }
@@ -275,50 +295,58 @@ TEST(Slabs, RobustMissesABoxBesideAParallelRayThatNothingElseBounds) {
   // x is parallel and outside, y is parallel and inside, z is too slow to be a constraint.
   for (const float side : {-0.6F, 0.6F}) {
     const Ray ray{{side, 0.0F, 0.0F}, {0.0F, 0.0F, 1e-40F}};
-    EXPECT_FALSE(RobustSlabs(ray)({{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}}, Ray::infinite)) << side;
+    EXPECT_FALSE(RobustSlabs(ray)(Aabb{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}})) << side;
   }
 }
 
 template <class T>
-class EverySlabs : public testing::Test {};
-using Both = testing::Types<FloatSlabs, RobustSlabs>;
-TYPED_TEST_SUITE(EverySlabs, Both);
+class EveryBoxTest : public testing::Test {};
+using All = testing::Types<Slabs<float>, Slabs<double>, RobustSlabs, Plucker<float>, Plucker<double>>;
+TYPED_TEST_SUITE(EveryBoxTest, All);
 
 constexpr Aabb cube{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}};
 
-TYPED_TEST(EverySlabs, BoxBehindOrBeyondTheEndIsMissed) {
-  const Ray towards{{0, 0, -0.9F}, {0, 0, 1}};
-  const Ray away{{0, 0, -0.9F}, {0, 0, -1}};
-  EXPECT_TRUE(TypeParam(towards)(cube, Ray::infinite));
-  EXPECT_FALSE(TypeParam(away)(cube, Ray::infinite));
-  EXPECT_TRUE(TypeParam(towards)(cube, 0.41F));
-  EXPECT_FALSE(TypeParam(towards)(cube, 0.39F));
+/// The ray, cut at `length`, by a test that was set up for the whole ray.
+template <class Test>
+bool meets(const Ray& ray, float length) {
+  Test test(ray);
+  test.cut(length);
+  return test(cube);
 }
 
-TYPED_TEST(EverySlabs, OriginInsideIsAHitInEveryDirection) {
+TYPED_TEST(EveryBoxTest, BoxBehindOrBeyondTheEndIsMissed) {
+  const Ray towards{{0, 0, -0.9F}, {0, 0, 1}};
+  const Ray away{{0, 0, -0.9F}, {0, 0, -1}};
+  EXPECT_TRUE(TypeParam(towards)(cube));
+  EXPECT_FALSE(TypeParam(away)(cube));
+  EXPECT_TRUE(meets<TypeParam>(towards, 0.41F));
+  EXPECT_FALSE(meets<TypeParam>(towards, 0.39F));
+}
+
+TYPED_TEST(EveryBoxTest, OriginInsideIsAHitInEveryDirection) {
   for (const float x : {-1.0F, -0.0F, 0.0F, 1.0F})
     for (const float y : {-1.0F, -0.0F, 0.0F, 1.0F})
       for (const float z : {-1.0F, 1.0F}) {
         const Ray ray{{0.1F, -0.2F, 0.3F}, {x, y, z}};
-        EXPECT_TRUE(TypeParam(ray)(cube, Ray::infinite));
-        EXPECT_TRUE(TypeParam(ray)(cube, 0.0F));
+        EXPECT_TRUE(TypeParam(ray)(cube));
+        EXPECT_TRUE(meets<TypeParam>(ray, 0.0F));
       }
 }
 
-TYPED_TEST(EverySlabs, ParallelRayBesideTheBoxIsMissedWhateverTheSignOfZero) {
+TYPED_TEST(EveryBoxTest, ParallelRayBesideTheBoxIsMissedWhateverTheSignOfZero) {
   for (const float zero : {0.0F, -0.0F})
     for (const float side : {-0.6F, 0.6F}) {
       const Ray ray{{side, 0.0F, -0.9F}, {zero, zero, 1.0F}};
-      EXPECT_FALSE(TypeParam(ray)(cube, Ray::infinite));
-      EXPECT_FALSE(TypeParam(ray)(cube, 5.0F));
+      EXPECT_FALSE(TypeParam(ray)(cube));
+      EXPECT_FALSE(meets<TypeParam>(ray, 5.0F));
     }
 }
 
-TYPED_TEST(EverySlabs, ParallelRayInAFaceIsAHit) {
+TYPED_TEST(EveryBoxTest, ParallelRayInAFaceIsAHit) {
   for (const float zero : {0.0F, -0.0F})
     for (const float side : {-0.5F, 0.5F}) {
       const Ray ray{{side, side, -0.9F}, {zero, zero, 1.0F}};
-      EXPECT_TRUE(TypeParam(ray)(cube, Ray::infinite));
+      EXPECT_TRUE(TypeParam(ray)(cube));
     }
 }
 

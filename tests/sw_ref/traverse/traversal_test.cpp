@@ -148,7 +148,8 @@ TEST(Traversal, FindsWhatTestingEveryTriangleFinds) {
 /// A box test that culls nothing: the answer must not depend on the boxes.
 struct AlwaysHit {
   explicit AlwaysHit(const Ray&) {}
-  bool operator()(const Aabb&, float) const { return true; }
+  void cut(float) {}
+  bool operator()(const Aabb&) const { return true; }
 };
 
 TEST(Traversal, AnswerDoesNotDependOnFalseHits) {
@@ -179,7 +180,8 @@ TEST(Traversal, SuspendedAndMovedTraversalsGoOnUnchanged) {
     for (std::size_t i = 0; i < waiting.size(); ++i) {
       Traversal& traversal = waiting[i];
       if (traversal.done()) continue;
-      traversal.answer(tests[i](it.bvh.nodes[traversal.node()].box, traversal.length()));
+      tests[i].cut(traversal.length());
+      traversal.answer(tests[i](it.bvh.nodes[traversal.node()].box));
       busy = true;
     }
   }

@@ -1,0 +1,75 @@
+// Embree 3 with its default settings, one ray at a time: a well-known figure to compare with. Bench only.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include <embree3/rtcore.h>
+
+#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/mesh.hpp"
+
+namespace hitpipe::bench {
+
+class EmbreeTracer {
+ public:
+  explicit EmbreeTracer(const ref::Mesh& mesh) : device_(rtcNewDevice(nullptr)) {
+    if (!device_) throw std::runtime_error("Embree: no device");
+    scene_ = rtcNewScene(device_);
+    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* const vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.vertices.size()));
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        vertices[3 * i + static_cast<std::size_t>(axis)] = mesh.vertices[i][axis];
+      }
+    }
+    auto* const indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh.triangles.size()));
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      for (int corner = 0; corner < 3; ++corner) {
+        indices[3 * i + static_cast<std::size_t>(corner)] = mesh.triangles[i][corner];
+      }
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene_);
+  }
+  EmbreeTracer(const EmbreeTracer&) = delete;
+  EmbreeTracer& operator=(const EmbreeTracer&) = delete;
+  ~EmbreeTracer() {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+
+  /// Embree's "no triangle" is Hit::none.
+  void trace(std::span<const ref::Ray> rays, std::span<std::uint32_t> triangles) const {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const ref::Ray& ray = rays[i];
+      RTCIntersectContext context;
+      rtcInitIntersectContext(&context);
+      RTCRayHit query{};
+      query.ray.org_x = ray.origin.x;
+      query.ray.org_y = ray.origin.y;
+      query.ray.org_z = ray.origin.z;
+      query.ray.dir_x = ray.direction.x;
+      query.ray.dir_y = ray.direction.y;
+      query.ray.dir_z = ray.direction.z;
+      query.ray.tfar = ray.length;
+      query.ray.mask = ~0U;
+      query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      query.hit.primID = RTC_INVALID_GEOMETRY_ID;
+      rtcIntersect1(scene_, &context, &query);
+      triangles[i] = query.hit.primID;
+    }
+  }
+
+ private:
+  RTCDevice device_;
+  RTCScene scene_;
+};
+
+}  // namespace hitpipe::bench

@@ -1,0 +1,35 @@
+#include "sw_ref/traverse/int_plucker.hpp"
+
+#include "hls/pipelines/int_plucker.hpp"
+#include "sw_ref/quantise/ray_check.hpp"
+#include "sw_ref/traverse/node_store.hpp"
+
+namespace hitpipe::ref {
+
+static_assert(BoxTest<IntPluckerTest, IntBox>);
+
+IntPluckerTest::IntPluckerTest(const Ray& ray, hls::IntBits bits)
+    : set_up_(ray, bits), trimmed_(bits.trimmed()), edge_bound_(hls::edge_bound(bits)) {
+  const IntPluckerRay& prepared = set_up_.ray();
+  for (std::size_t i = 0; i < 3; ++i) {
+    axes_[i] = {prepared.origin[i], prepared.direction[i], 0, prepared.direction[i] < 0};
+  }
+  set_end(prepared.end);
+}
+
+void IntPluckerTest::cut(float length) {
+  set_end(set_up_.endpoint(length));
+}
+
+void IntPluckerTest::set_end(const IntEndpoint& end) {
+  constexpr std::int64_t beyond_all = std::int64_t{1} << 32;
+  for (std::size_t i = 0; i < 3; ++i) {
+    axes_[i].end = !end.infinite ? end.at[i] : axes_[i].minus ? -beyond_all : beyond_all;
+  }
+}
+
+IntPluckerSetUp::IntPluckerSetUp(hls::IntBits bits) : bits_(bits) {
+  check_format(bits, "IntPluckerSetUp");
+}
+
+}  // namespace hitpipe::ref

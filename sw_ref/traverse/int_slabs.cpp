@@ -1,0 +1,34 @@
+#include "sw_ref/traverse/int_slabs.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "sw_ref/quantise/ray_check.hpp"
+#include "sw_ref/traverse/node_store.hpp"
+
+namespace hitpipe::ref {
+
+static_assert(BoxTest<IntSlabsTest, IntBox>);
+
+// The datapath compares near with far, far with 0 and, unless the ray is infinite, near with the length. Far
+// >= 0, near <= far and near <= length together say max(near, 0) <= min(far, length), as length >= 0; an
+// infinite ray has the longest length there is.
+
+IntSlabsTest::IntSlabsTest(const Ray& ray, hls::IntBits bits) : set_up_(ray, bits), trimmed_(bits.trimmed()) {
+  const IntRay& prepared = set_up_.ray();
+  for (std::size_t i = 0; i < 3; ++i) {
+    axes_[i] = {prepared.origin[i], prepared.irdvc_floor[i], prepared.irdvc_ceil[i],
+                prepared.irdvc_floor[i] < 0};
+  }
+  cut(ray.length);
+}
+
+void IntSlabsTest::cut(float length) {
+  length_ = std::isinf(length) ? std::numeric_limits<std::int64_t>::max() : set_up_.length(length);
+}
+
+IntSlabsSetUp::IntSlabsSetUp(hls::IntBits bits) : bits_(bits) {
+  check_format(bits, "IntSlabsSetUp");
+}
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,22 @@
+#include "sw_ref/encode/int_nodes.hpp"
+#include "sw_ref/traverse/int_plucker.hpp"
+#include "sw_ref/traverse/int_slabs.hpp"
+#include "sw_ref/traverse/store_tracer.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+template <class SetUp>
+std::unique_ptr<Tracer> tracer(const TracerParts& parts) {
+  const hls::IntBits bits = parts.options.bits;
+  SetUp set_up(bits);  // first: it checks the format
+  return std::make_unique<StoreTracer<IntNodes, SetUp>>(IntNodes(parts.bvh, bits.coord), set_up, parts);
+}
+
+}  // namespace
+
+std::unique_ptr<Tracer> make_integer_tracer(const TracerParts& parts) {
+  return is_plucker(parts.options.algorithm) ? tracer<IntPluckerSetUp>(parts) : tracer<IntSlabsSetUp>(parts);
+}
+
+}  // namespace hitpipe::ref

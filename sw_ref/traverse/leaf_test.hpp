@@ -1,0 +1,47 @@
+// The triangles of a leaf against one ray or the rays of a bundle, by any of the triangle tests. A table of
+// two functions, so that the traversal loops are compiled once for all triangle tests.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/mesh.hpp"
+#include "sw_ref/traverse/query.hpp"
+#include "sw_ref/traverse/tracer.hpp"
+
+namespace hitpipe::ref {
+
+/// A ray of a bundle, and what was found for it so far.
+struct BundledRay {
+  Ray ray;
+  Hit hit;
+  RayWork work;
+  std::uint32_t cut_at = Hit::none;  ///< the hit whose distance its box test was cut to
+
+  explicit BundledRay(const Ray& its_ray) : ray(its_ray) {}
+};
+
+/// Numbers of rays of a bundle.
+using RayNumbers = std::span<std::uint16_t>;
+
+struct LeafTests {
+  std::uint64_t tests = 0;
+  std::uint32_t loaded = 0;  ///< of the leaf's triangles, the first so many
+};
+
+struct LeafTest {
+  /// Tests the triangles in order; with Query::any, up to the first that is hit. Returns how many.
+  std::uint32_t (*ray)(const Mesh& mesh, std::span<const std::uint32_t> triangles, const Ray& ray,
+                       Query query, Hit& best);
+  /// Each triangle is loaded once and tested with all rays named in `numbers`; with Query::any a ray drops
+  /// out of them when it is hit.
+  LeafTests (*bundle)(const Mesh& mesh, std::span<const std::uint32_t> triangles, BundledRay* rays,
+                      RayNumbers numbers, Query query);
+};
+
+[[nodiscard]] const LeafTest& leaf_test(TriangleTest test);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,66 @@
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "sw_ref/quantise/ray_check.hpp"
+#include "sw_ref/traverse/tracer_kinds.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+void allow(bool possible, const char* message) {
+  if (!possible) throw std::invalid_argument(message);
+}
+
+void check(const Bvh& bvh, const TracerOptions& options) {
+  const bool plucker = options.algorithm == Algorithm::plu || options.algorithm == Algorithm::plu_dsa;
+  const bool by_distance = options.algorithm == Algorithm::slabs_dist;
+  const bool integer = options.arithmetic == Arithmetic::integer;
+  const bool coarse =
+      options.encoding == Encoding::hierarchical_4 || options.encoding == Encoding::hierarchical_8;
+  allow(!bvh.nodes.empty(), "tracer: the hierarchy has no node; build it first");
+  allow(!plucker || options.arithmetic != Arithmetic::robust,
+        "tracer: robust arithmetic is for slabs; with Pluecker take binary32 or binary64");
+  allow(!integer || !by_distance,
+        "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa");
+  allow(!integer || options.encoding == Encoding::plain,
+        "tracer: integer arithmetic has nodes of its own; take the plain encoding");
+  allow(!options.look_up_table || coarse, "tracer: a look-up table is for hierarchical nodes of 4 or 8 bits");
+  if (options.bundle != 1 && options.bundle != 64 && options.bundle != 256) {
+    throw std::invalid_argument(
+        fmt::format("tracer: bundles of {} rays; allowed are 1, 64 and 256", options.bundle));
+  }
+  allow(options.bundle == 1 || !by_distance,
+        "tracer: the order by distance is of single rays; take bundle 1");
+  allow(options.bundle == 1 || !integer, "tracer: integer units take single rays; take bundle 1");
+  if (integer) check_format(options.bits, "tracer");
+}
+
+}  // namespace
+
+std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh, const TracerOptions& options) {
+  check(bvh, options);
+  const TracerParts parts{mesh, bvh, options};
+  switch (options.encoding) {
+    case Encoding::hierarchical_4:
+    case Encoding::hierarchical_8:
+      return make_hierarchical_tracer(parts);
+    case Encoding::hierarchical_12:
+    case Encoding::hierarchical_16:
+      return make_fine_hierarchical_tracer(parts);
+    case Encoding::plain:
+      break;
+  }
+  switch (options.arithmetic) {
+    case Arithmetic::integer:
+      return make_integer_tracer(parts);
+    case Arithmetic::binary64:
+      return make_double_tracer(parts);
+    case Arithmetic::binary32:
+    case Arithmetic::robust:
+      break;
+  }
+  return make_plain_tracer(parts);
+}
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,98 @@
+// A tracer over one store of nodes with one box test.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+#include "sw_ref/traverse/plucker.hpp"
+#include "sw_ref/traverse/slabs.hpp"
+#include "sw_ref/traverse/trace_batch.hpp"
+#include "sw_ref/traverse/tracer_kinds.hpp"
+
+namespace hitpipe::ref {
+
+[[nodiscard]] constexpr ChildOrder child_order(Algorithm algorithm) {
+  switch (algorithm) {
+    case Algorithm::slabs:
+    case Algorithm::plu:
+      return ChildOrder::fixed;
+    case Algorithm::slabs_dist:
+      return ChildOrder::by_distance;
+    case Algorithm::slabs_dsa:
+    case Algorithm::plu_dsa:
+      break;
+  }
+  return ChildOrder::by_direction;
+}
+
+[[nodiscard]] constexpr bool is_plucker(Algorithm algorithm) {
+  return algorithm == Algorithm::plu || algorithm == Algorithm::plu_dsa;
+}
+
+/// Makes a box test that needs nothing but the ray.
+template <class Test>
+struct SetUpTest {
+  [[nodiscard]] Test operator()(const Ray& ray) const { return Test(ray); }
+};
+
+template <class Store, class SetUp>
+class StoreTracer final : public Tracer {
+ public:
+  StoreTracer(Store store, SetUp set_up, const TracerParts& parts)
+      : store_(std::move(store)),
+        set_up_(std::move(set_up)),
+        leaves_{parts.mesh, parts.bvh.order, leaf_test(parts.options.triangle_test)},
+        order_(child_order(parts.options.algorithm)),
+        bundle_(parts.options.bundle) {}
+
+  void trace(const TraceJob& job, TraceCounts& counts) const override {
+    if (job.triangles.size() != job.rays.size() ||
+        (!job.work.empty() && job.work.size() != job.rays.size())) {
+      throw std::invalid_argument("tracer: places for answers and work must be as many as the rays");
+    }
+    NoObserver observer;
+    trace_batch(TraceWith<Store, SetUp>{store_, set_up_, leaves_, order_, bundle_}, job, counts, observer);
+  }
+
+  [[nodiscard]] std::size_t bytes_per_node() const override { return store_.bytes_per_node; }
+  [[nodiscard]] std::size_t node_count() const override { return store_.size(); }
+
+ private:
+  Store store_;
+  SetUp set_up_;
+  Leaves leaves_;
+  ChildOrder order_;
+  int bundle_;
+};
+
+/// With a box test that needs nothing but the ray.
+template <class Test, class Store>
+[[nodiscard]] std::unique_ptr<Tracer> store_tracer(Store store, const TracerParts& parts) {
+  return std::make_unique<StoreTracer<Store, SetUpTest<Test>>>(std::move(store), SetUpTest<Test>{}, parts);
+}
+
+/// With slabs or Pluecker in T.
+template <class T, class Store>
+[[nodiscard]] std::unique_ptr<Tracer> float_tracer(Store store, const TracerParts& parts) {
+  if (is_plucker(parts.options.algorithm)) return store_tracer<Plucker<T>>(std::move(store), parts);
+  return store_tracer<Slabs<T>>(std::move(store), parts);
+}
+
+/// Over binary32 boxes with whichever arithmetic is asked for.
+template <class Store>
+[[nodiscard]] std::unique_ptr<Tracer> any_float_tracer(Store store, const TracerParts& parts) {
+  switch (parts.options.arithmetic) {
+    case Arithmetic::robust:
+      return store_tracer<RobustSlabs>(std::move(store), parts);
+    case Arithmetic::binary64:
+      return float_tracer<double>(std::move(store), parts);
+    case Arithmetic::binary32:
+    case Arithmetic::integer:
+      break;
+  }
+  return float_tracer<float>(std::move(store), parts);
+}
+
+}  // namespace hitpipe::ref

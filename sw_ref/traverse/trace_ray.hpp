@@ -1,0 +1,47 @@
+// One ray from root to answer, children in a fixed order or by direction and split axis (chapter 4).
+#pragma once
+
+#include <array>
+
+#include "sw_ref/traverse/child_order.hpp"
+#include "sw_ref/traverse/trace_parts.hpp"
+#include "sw_ref/traverse/waiting.hpp"
+
+namespace hitpipe::ref {
+
+/// `order_class` chooses the near child; `test` was set up for `ray` and is cut with it. Returns the work:
+/// loads equal tests.
+template <class Store, class Test, class Observer>
+RayWork trace_ray(const Store& store, const Leaves& leaves, Test&& test, const Ray& ray, Query query,
+                  unsigned order_class, Hit& hit, Observer& observer) {
+  std::array<Waiting<Store>, deepest_stack> stack;
+  std::size_t top = 0;
+  RayWork work;
+  typename Store::Node node = store.root();
+  for (;;) {
+    observer.node_loaded(store.index(node));
+    ++work.box_tests;
+    if (test(store.box(node))) {
+      const std::int32_t count = store.count(node);
+      if (count < 0) {
+        const unsigned near = near_child(order_class, -1 - count);
+        stack[top++] = Waiting<Store>(store, node, near ^ 1U);
+        node = store.child(node, near);
+        continue;
+      }
+      const auto triangles = leaves.triangles(store.first(node), count);
+      const std::uint32_t before = hit.triangle;
+      const std::uint32_t tests = leaves.test.ray(leaves.mesh, triangles, ray, query, hit);
+      tell_loads(observer, triangles.first(tests));
+      work.triangle_tests += tests;
+      if (hit.triangle != before) {
+        if (query == Query::any) return work;
+        test.cut(cull_length(hit));
+      }
+    }
+    if (top == 0) return work;
+    node = stack[--top].load(store);
+  }
+}
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,24 @@
+// The tracers of each node encoding: a file of template instances per encoding keeps compile times apart.
+#pragma once
+
+#include <memory>
+
+#include "sw_ref/traverse/tracer.hpp"
+
+namespace hitpipe::ref {
+
+struct TracerParts {
+  const Mesh& mesh;
+  const Bvh& bvh;
+  TracerOptions options;  ///< a combination that exists
+};
+
+[[nodiscard]] std::unique_ptr<Tracer> make_plain_tracer(const TracerParts& parts);
+[[nodiscard]] std::unique_ptr<Tracer> make_double_tracer(const TracerParts& parts);
+[[nodiscard]] std::unique_ptr<Tracer> make_integer_tracer(const TracerParts& parts);
+/// 4 or 8 bits, with or without look-up table.
+[[nodiscard]] std::unique_ptr<Tracer> make_hierarchical_tracer(const TracerParts& parts);
+/// 12 or 16 bits.
+[[nodiscard]] std::unique_ptr<Tracer> make_fine_hierarchical_tracer(const TracerParts& parts);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,37 @@
+// A child that waits on a traversal's stack.
+#pragma once
+
+#include <cstdint>
+
+#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/traverse/node_store.hpp"
+
+namespace hitpipe::ref {
+
+/// At most one sibling waits per level below the root.
+constexpr int deepest_stack = BuildOptions::deepest;
+
+/// Stores decode a child when it is loaded, which is when its turn comes: until then its parent stands for
+/// it.
+template <NodeStore Store>
+struct Waiting {
+  typename Store::Node parent;
+  std::uint32_t which;
+
+  Waiting() = default;
+  Waiting(const Store&, const typename Store::Node& node, unsigned child) : parent(node), which(child) {}
+  [[nodiscard]] typename Store::Node load(const Store& store) const { return store.child(parent, which); }
+};
+
+/// A node that is no more than a name costs nothing to find: it waits itself.
+template <NodeStore Store>
+requires(sizeof(typename Store::Node) <= sizeof(void*)) struct Waiting<Store> {
+  typename Store::Node node;
+
+  Waiting() = default;
+  Waiting(const Store& store, const typename Store::Node& parent, unsigned child)
+      : node(store.child(parent, child)) {}
+  [[nodiscard]] typename Store::Node load(const Store&) const { return node; }
+};
+
+}  // namespace hitpipe::ref
