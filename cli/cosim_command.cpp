@@ -10,6 +10,7 @@
 #include "cli/progress.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/table.hpp"
+#include "cli/trace_options.hpp"
 #include "cli/values.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "sim/cosim.hpp"
@@ -26,6 +27,7 @@ struct CosimCommand {
   SceneChoice scene;
   int rays_in_flight = 32;
   bool referee = false;
+  ref::WhittedOptions light;
   std::string out;
   Format format = Format::text;
 };
@@ -40,7 +42,7 @@ Row record(const CosimCommand& command, const ref::Scene& scene, const ref::Bvh&
           {"degenerate_dropped", scene.mesh.degenerate_dropped},
           {"bvh_nodes", bvh.nodes.size()},
           {"rays_primary", r.rays_primary},
-          {"rays_secondary", 0},
+          {"rays_secondary", r.rays_secondary},
           {"rays_shadow", r.rays_shadow},
           {"rays_rejected", r.rejected},
           {"box_tests", r.unit.box_tests},
@@ -83,6 +85,7 @@ int cosimulate(const CosimCommand& command) {
                                                    .rays_in_flight = command.rays_in_flight,
                                                    .threads = command.scene.threads,
                                                    .referee = command.referee,
+                                                   .light = command.light,
                                                    .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
@@ -116,6 +119,7 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight, {1, 65536},
                    "Rays that share one pipeline")
       ->capture_default_str();
+  add_bounces_option(*command, options->light);
   command->add_flag("--referee", options->referee, "Judge every answer by exact arithmetic too");
   add_folder_option(*command, options->out, "Folder for the image, the Verilog and the schematic");
   add_format_option(*command, options->format);

@@ -11,8 +11,7 @@
 #include <time.h>
 
 #include "sw_ref/exact/box_referee.hpp"
-#include "sw_ref/render/camera.hpp"
-#include "sw_ref/render/shade.hpp"
+#include "sw_ref/render/whitted.hpp"
 #include "sw_ref/traverse/slabs.hpp"
 
 namespace hitpipe::sim {
@@ -39,16 +38,11 @@ struct Frame {
   const ref::Bvh& bvh;
   const CosimOptions& options;
   const SceneFeed& feed;
+  const ref::Whitted& whitted;
 };
 
-/// A ray that went through the unit and what came of it, to be traced again in software.
-struct Traced {
-  ref::Ray ray;
-  ref::Query query;
-  std::uint32_t triangle;
-};
-
-/// One tile of the image: its primary rays in rows, each followed by its shadow rays as soon as it ends.
+/// One tile of the image: its primary rays in rows, each followed by the rays that it causes as soon as it
+/// ends.
 class Tile {
  public:
   Tile(const Frame& frame, int left, int top)
@@ -57,8 +51,7 @@ class Tile {
         top_(top),
         width_(std::min(tile_side, frame.options.width - left)),
         height_(std::min(tile_side, frame.options.height - top)),
-        points_(pixels()),
-        blocked_(pixels() * frame.scene.lights.size(), true),
+        light_(pixels()),
         triangles_(pixels(), ref::Hit::none) {}
 
   /// Fills the tile's part of the result's image and returns its counts.
@@ -73,62 +66,85 @@ class Tile {
                   .referee = frame_.options.referee});
     const double start = thread_seconds();
     unit.run([&] { return next(counts); },
-             [&](const RayJob& job, const ref::Traversal& traversal) { ended(job, traversal); });
+             [&](const RayJob& job, const ref::Traversal& traversal) {
+               traced_.push_back({job.ray, job.query, traversal.hit().triangle});
+               ended(job.id, traversal.hit().triangle);
+             });
     counts.rtl_seconds = thread_seconds() - start;
     counts.unit = unit.counts();
     compare(counts);
-    shade(frame_result);
+    for (std::size_t pixel = 0; pixel < pixels(); ++pixel) {
+      const std::size_t at = static_cast<std::size_t>(top_ + static_cast<int>(pixel) / width_) *
+                                 static_cast<std::size_t>(frame_.options.width) +
+                             static_cast<std::size_t>(left_ + static_cast<int>(pixel) % width_);
+      frame_result.triangles[at] = triangles_[pixel];
+      frame_result.image[at] = light_[pixel].value();
+    }
     return counts;
   }
 
  private:
+  /// A ray that went through the unit and what came of it, to be traced again in software.
+  struct Traced {
+    ref::Ray ray;
+    ref::Query query;
+    std::uint32_t triangle;
+  };
+
   [[nodiscard]] std::size_t pixels() const {
     return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   }
 
-  [[nodiscard]] ref::Ray primary(std::size_t pixel) const {
-    const int x = left_ + static_cast<int>(pixel) % width_;
-    const int y = top_ + static_cast<int>(pixel) / width_;
-    return ref::primary_ray(frame_.scene.camera, x, y, frame_.options.width, frame_.options.height);
+  /// The next task to be traced: what ended rays caused comes before new primary rays. Nothing at the end.
+  std::optional<ref::RayTask> next_task() {
+    if (!waiting_.empty()) {
+      const ref::RayTask task = waiting_.front();
+      waiting_.pop_front();
+      return task;
+    }
+    if (next_pixel_ == pixels()) return std::nullopt;
+    const int x = left_ + static_cast<int>(next_pixel_) % width_;
+    const int y = top_ + static_cast<int>(next_pixel_) / width_;
+    return frame_.whitted.primary(x, y, frame_.options.width, frame_.options.height,
+                                  static_cast<std::uint32_t>(next_pixel_++));
   }
 
   std::optional<RayJob> next(CosimResult& counts) {
-    while (!shadows_.empty() || next_pixel_ < pixels()) {
-      RayJob job;
-      if (!shadows_.empty()) {
-        job = shadows_.front();
-        shadows_.pop_front();
-        ++counts.rays_shadow;
-      } else {
-        job = {.ray = primary(next_pixel_),
-               .query = ref::Query::closest,
-               .id = static_cast<std::uint32_t>(next_pixel_)};
-        ++next_pixel_;
-        ++counts.rays_primary;
-      }
-      if (ref::acceptable(job.ray)) return job;
+    while (const std::optional<ref::RayTask> task = next_task()) {
+      count_of(task->kind, counts) += 1;
+      const std::uint32_t id = keep(*task);
+      if (ref::acceptable(task->ray)) return RayJob{task->ray, task->query(), id};
       ++counts.rejected;
-      if (job.query == ref::Query::any) blocked_[job.id] = false;
+      ended(id, ref::Hit::none);
     }
     return std::nullopt;
   }
 
-  void ended(const RayJob& job, const ref::Traversal& traversal) {
-    const ref::Hit& hit = traversal.hit();
-    traced_.push_back({job.ray, job.query, hit.triangle});
-    if (job.query == ref::Query::any) {
-      blocked_[job.id] = hit.found();
-      return;
+  static std::uint64_t& count_of(ref::RayKind kind, CosimResult& counts) {
+    return kind == ref::RayKind::primary     ? counts.rays_primary
+           : kind == ref::RayKind::secondary ? counts.rays_secondary
+                                             : counts.rays_shadow;
+  }
+
+  /// Numbers a task that is on its way; the numbers of ended tasks are given again.
+  std::uint32_t keep(const ref::RayTask& task) {
+    if (free_ids_.empty()) {
+      tasks_.push_back(task);
+      return static_cast<std::uint32_t>(tasks_.size() - 1);
     }
-    triangles_[job.id] = hit.triangle;
-    if (!hit.found()) return;
-    points_[job.id] = ref::surface_point(frame_.scene.mesh, hit.triangle, job.ray);
-    for (std::size_t light = 0; light < frame_.scene.lights.size(); ++light) {
-      const auto ray = ref::shadow_ray(points_[job.id], frame_.scene.lights[light]);
-      if (!ray) continue;
-      const auto id = static_cast<std::uint32_t>(job.id * frame_.scene.lights.size() + light);
-      shadows_.push_back({.ray = *ray, .query = ref::Query::any, .id = id});
-    }
+    const std::uint32_t id = free_ids_.back();
+    free_ids_.pop_back();
+    tasks_[id] = task;
+    return id;
+  }
+
+  void ended(std::uint32_t id, std::uint32_t triangle) {
+    const ref::RayTask& task = tasks_[id];
+    if (task.kind == ref::RayKind::primary) triangles_[task.pixel] = triangle;
+    caused_.clear();
+    frame_.whitted.end(task, triangle, light_[task.pixel], caused_);
+    waiting_.insert(waiting_.end(), caused_.begin(), caused_.end());
+    free_ids_.push_back(id);
   }
 
   void compare(CosimResult& counts) const {
@@ -141,38 +157,19 @@ class Tile {
     }
   }
 
-  void shade(CosimResult& result) const {
-    const ref::Scene& scene = frame_.scene;
-    for (std::size_t pixel = 0; pixel < pixels(); ++pixel) {
-      const std::size_t at = static_cast<std::size_t>(top_ + static_cast<int>(pixel) / width_) *
-                                 static_cast<std::size_t>(frame_.options.width) +
-                             static_cast<std::size_t>(left_ + static_cast<int>(pixel) % width_);
-      const std::uint32_t triangle = triangles_[pixel];
-      result.triangles[at] = triangle;
-      if (triangle == ref::Hit::none) {
-        result.image[at] = ref::sky(primary(pixel).direction);
-        continue;
-      }
-      glm::vec3 light = ref::ambient(points_[pixel]);
-      for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        if (!blocked_[pixel * scene.lights.size() + i]) light += ref::direct(points_[pixel], scene.lights[i]);
-      }
-      const std::size_t material = scene.mesh.materials.empty() ? 0 : scene.mesh.materials[triangle];
-      result.image[at] = scene.materials[material].albedo * light;
-    }
-  }
-
   const Frame& frame_;
   int left_;
   int top_;
   int width_;
   int height_;
   std::size_t next_pixel_ = 0;
-  std::deque<RayJob> shadows_;
+  std::vector<ref::RayTask> tasks_;      // by id, on their way
+  std::vector<std::uint32_t> free_ids_;  // of ended tasks
+  std::deque<ref::RayTask> waiting_;
+  std::vector<ref::RayTask> caused_;
   std::vector<Traced> traced_;
-  std::vector<ref::SurfacePoint> points_;
-  std::vector<bool> blocked_;  // by pixel and light; a light that needs no test is behind the surface
-  std::vector<std::uint32_t> triangles_;
+  std::vector<ref::LightSum> light_;      // by pixel of the tile
+  std::vector<std::uint32_t> triangles_;  // by pixel of the tile
 };
 
 }  // namespace
@@ -201,7 +198,8 @@ bool CosimResult::verified(bool conservative) const {
 CosimResult cosimulate(const rtl::Design& design, rtl::Format format, const VerilatedDesign& verilated,
                        const ref::Scene& scene, const ref::Bvh& bvh, const CosimOptions& options) {
   const std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh);
-  const Frame frame{design, format, verilated, scene, bvh, options, *feed};
+  const ref::Whitted whitted(scene, options.light);
+  const Frame frame{design, format, verilated, scene, bvh, options, *feed, whitted};
   CosimResult result;
   const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   result.image.resize(pixels);
@@ -223,6 +221,7 @@ CosimResult cosimulate(const rtl::Design& design, rtl::Format format, const Veri
   });
   for (const CosimResult& part : parts) {
     result.rays_primary += part.rays_primary;
+    result.rays_secondary += part.rays_secondary;
     result.rays_shadow += part.rays_shadow;
     result.rejected += part.rejected;
     result.different_triangles += part.different_triangles;

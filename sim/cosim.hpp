@@ -1,4 +1,4 @@
-// Co-simulation: a scene rendered by primary and shadow rays whose every box test is answered by the emitted
+// Co-simulation: a scene rendered by rays of all kinds whose every box test is answered by the emitted
 // Verilog, and the same rays traced in software by a traversal that cannot miss a box.
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "sim/ray_unit.hpp"
+#include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::sim {
@@ -19,6 +20,7 @@ struct CosimOptions {
   int rays_in_flight = 32;
   int threads = 1;
   bool referee = false;
+  ref::WhittedOptions light{};  ///< how far secondary rays are followed
   /// Told the finished share of the image, 0..1, from any thread.
   std::function<void(double)> progress = [](double) {};
 };
@@ -27,9 +29,10 @@ struct CosimOptions {
 /// own.
 struct CosimResult {
   std::uint64_t rays_primary = 0;
+  std::uint64_t rays_secondary = 0;
   std::uint64_t rays_shadow = 0;
   std::uint64_t rejected = 0;             ///< rays no unit accepts (outside the cube); they hit nothing
-  std::uint64_t different_triangles = 0;  ///< primary: another triangle; shadow: blocked or not
+  std::uint64_t different_triangles = 0;  ///< closest hits: another triangle; shadow: blocked or not
   UnitCounts unit;
   ref::TraversalCounts reference;  ///< of the software traversal of the same rays on the same hierarchy
   int latency = 0;
@@ -45,7 +48,7 @@ struct CosimResult {
   [[nodiscard]] bool verified(bool conservative) const;
 };
 
-/// Throws as make_feed() does.
+/// Throws as make_feed() and ref::Whitted do.
 [[nodiscard]] CosimResult cosimulate(const rtl::Design& design, rtl::Format format,
                                      const VerilatedDesign& verilated, const ref::Scene& scene,
                                      const ref::Bvh& bvh, const CosimOptions& options);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -13,6 +14,9 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include "sw_ref/render/colour_map.hpp"
+#include "sw_ref/render/png_check.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -28,53 +32,61 @@ std::uint8_t srgb(float linear) {
   return static_cast<std::uint8_t>(std::lround(255.0F * encoded));
 }
 
+/// Pixels as a file holds them.
+struct Encoded {
+  std::vector<std::uint8_t> codes;  // .png: sRGB
+  std::vector<float> values;        // .exr
+  int channels = 3;
+  OIIO::TypeDesc exr_type = OIIO::TypeDesc::HALF;
+};
+
 /// The bytes of the file. They are made in memory because OpenImageIO's PNG writer reports success on a full
 /// disk.
-std::vector<unsigned char> encode(const std::string& format, int width, int height,
-                                  const std::vector<glm::vec3>& linear) {
+std::vector<unsigned char> encode(const std::string& format, int width, int height, const Encoded& image) {
   const bool is_png = format == "png";
   const auto output = OIIO::ImageOutput::create(format);
   OIIO::Filesystem::IOVecOutput bytes;
   if (!output || !output->supports("ioproxy") || !output->set_ioproxy(&bytes))
     reject(fmt::format("this OpenImageIO cannot write .{}; use one that can", format));
-  OIIO::ImageSpec spec(width, height, 3, is_png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::HALF);
+  OIIO::ImageSpec spec(width, height, image.channels, is_png ? OIIO::TypeDesc::UINT8 : image.exr_type);
   spec.attribute("oiio:ColorSpace", is_png ? "sRGB" : "Linear");
-  std::vector<std::uint8_t> codes;
-  if (is_png) {
-    codes.reserve(3 * linear.size());
-    for (const glm::vec3& colour : linear)
-      codes.insert(codes.end(), {srgb(colour.x), srgb(colour.y), srgb(colour.z)});
-  } else {
+  if (!is_png) {
     spec.attribute("compression", "zip");
     spec.attribute("DateTime", "");  // else the time of writing: equal images must be equal files
   }
   const std::string name = "image." + format;
   if (!output->open(name, spec) ||
-      !(is_png ? output->write_image(OIIO::TypeDesc::UINT8, codes.data())
-               : output->write_image(OIIO::TypeDesc::FLOAT, linear.data())) ||
+      !(is_png ? output->write_image(OIIO::TypeDesc::UINT8, image.codes.data())
+               : output->write_image(OIIO::TypeDesc::FLOAT, image.values.data())) ||
       !output->close())
     reject(fmt::format("OpenImageIO cannot encode it; allowed are images that fit .{} ({})", format,
                        output->geterror()));
   return bytes.buffer();
 }
 
-void write_beside(const std::filesystem::path& file, int width, int height,
-                  const std::vector<glm::vec3>& linear) {
+/// "png" or "exr".
+std::string format_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension != ".png" && extension != ".exr")
     reject(fmt::format("unknown extension \"{}\"; allowed are .png and .exr", extension));
-  if (width < 1 || height < 1 ||
-      linear.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+  return extension.substr(1);
+}
+
+void check_size(int width, int height, std::size_t pixels) {
+  if (width < 1 || height < 1 || pixels != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
     reject(fmt::format("{} pixels do not fill {} x {}; every pixel of an image of at least 1 x 1 is needed",
-                       linear.size(), width, height));
+                       pixels, width, height));
+}
+
+void write_beside(const std::filesystem::path& file, int width, int height, const Encoded& image) {
   const std::filesystem::path folder =
       file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   if (!std::filesystem::is_directory(folder))
     reject(fmt::format("no folder \"{}\"; create it first", folder.string()));
   if (std::filesystem::is_directory(file)) reject("is a folder; give the name of a file");
-  const std::vector<unsigned char> bytes = encode(extension.substr(1), width, height, linear);
+  const std::vector<unsigned char> bytes = encode(format_of(file), width, height, image);
   std::filesystem::path partial = file;
   partial += fmt::format(".{}.partial", ::getpid());
   try {
@@ -94,15 +106,95 @@ void write_beside(const std::filesystem::path& file, int width, int height,
   }
 }
 
+/// Runs `what` and names the file in its errors, in one line.
+template <class What>
+auto naming(const std::filesystem::path& file, const What& what) {
+  try {
+    return what();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("image file \"{}\": {}", file.string(), error.what()));
+  }
+}
+
+StoredImage read(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) reject("no such file; check the name");
+  if (std::filesystem::is_directory(file)) reject("is a folder; give the name of a file");
+  check_png(file);
+  const auto unreadable = [](std::string why) {
+    reject(fmt::format("OpenImageIO cannot read it; give a whole .png or .exr ({})",
+                       why.substr(0, why.find_first_of("\r\n"))));
+  };
+  const auto input = OIIO::ImageInput::open(file.string());
+  if (!input) unreadable(OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+  constexpr int most_channels = 64;
+  if (spec.depth > 1 || std::int64_t{spec.width} * spec.height > most_pixels ||
+      spec.nchannels > most_channels)
+    reject(fmt::format("{} x {} x {} pixels of {} channels; allowed are {} pixels in a plane and {} channels",
+                       spec.width, spec.height, spec.depth, spec.nchannels, most_pixels, most_channels));
+  StoredImage image{spec.width, spec.height, spec.nchannels, {}};
+  image.values.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+                      static_cast<std::size_t>(spec.nchannels));
+  if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, image.values.data()))
+    unreadable(input->geterror());
+  return image;
+}
+
 }  // namespace
 
 void write_image(const std::filesystem::path& file, int width, int height,
                  const std::vector<glm::vec3>& linear) {
-  try {
-    write_beside(file, width, height, linear);
-  } catch (const std::exception& error) {
-    throw std::runtime_error(fmt::format("image file \"{}\": {}", file.string(), error.what()));
+  naming(file, [&] {
+    const bool is_png = format_of(file) == "png";
+    check_size(width, height, linear.size());
+    Encoded image;
+    is_png ? image.codes.reserve(3 * linear.size()) : image.values.reserve(3 * linear.size());
+    for (const glm::vec3& colour : linear) {
+      for (int k = 0; k < 3; ++k) {
+        if (is_png)
+          image.codes.push_back(srgb(colour[k]));
+        else
+          image.values.push_back(colour[k]);
+      }
+    }
+    write_beside(file, width, height, image);
+  });
+}
+
+MapScale scale_of(std::span<const float> values) {
+  MapScale scale{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
+  for (const float value : values) {
+    if (!std::isfinite(value)) continue;
+    scale = {std::min(scale.low, value), std::max(scale.high, value)};
   }
+  return scale.low <= scale.high ? scale : MapScale{0.0F, 0.0F};
+}
+
+void write_map(const std::filesystem::path& file, int width, int height, std::span<const float> values,
+               const MapScale& scale) {
+  naming(file, [&] {
+    const bool is_png = format_of(file) == "png";
+    check_size(width, height, values.size());
+    Encoded image;
+    if (is_png) {
+      const float size = scale.high > scale.low ? scale.high - scale.low : 1.0F;
+      for (const float value : values) {
+        const Srgb colour = viridis(std::isfinite(value) ? (value - scale.low) / size
+                                                         : std::numeric_limits<float>::quiet_NaN());
+        image.codes.insert(image.codes.end(), colour.begin(), colour.end());
+      }
+    } else {
+      image.values.assign(values.begin(), values.end());
+      image.channels = 1;
+      image.exr_type = OIIO::TypeDesc::FLOAT;
+    }
+    write_beside(file, width, height, image);
+  });
+}
+
+StoredImage read_image(const std::filesystem::path& file) {
+  return naming(file, [&] { return read(file); });
 }
 
 }  // namespace hitpipe::ref

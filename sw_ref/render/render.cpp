@@ -1,103 +1,212 @@
 #include "sw_ref/render/render.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <atomic>
+#include <limits>
+#include <mutex>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "sw_ref/render/camera.hpp"
+#include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/render/shade.hpp"
-#include "sw_ref/traverse/slabs.hpp"
-#include "sw_ref/traverse/traversal.hpp"
 
 namespace hitpipe::ref {
 namespace {
 
-constexpr int tile_side = 32;
-
-void add(RenderCounts& sum, const TraversalCounts& counts) {
-  sum.box_tests += counts.box_tests;
-  sum.triangle_tests += counts.triangle_tests;
-}
-
-struct Pixel {
-  glm::vec3 colour;
-  std::uint32_t triangle;
+struct Frame {
+  const Scene& scene;
+  const Tracer& tracer;
+  const RenderOptions& options;
+  Whitted whitted;
+  int columns;  // of tiles
+  int rows;
 };
 
-template <class BoxTest>
-Pixel render_pixel(const Scene& scene, const Bvh& bvh, const Ray& ray, RenderCounts& counts) {
-  TraversalCounts work;
-  const Hit hit = trace<BoxTest>(bvh, scene.mesh, ray, Query::closest, work);
-  ++counts.rays_primary;
-  if (!hit.found()) {
-    add(counts, work);
-    return {sky(ray.direction), Hit::none};
-  }
-  const SurfacePoint point = surface_point(scene.mesh, hit.triangle, ray);
-  glm::vec3 light = ambient(point);
-  for (const Light& source : scene.lights) {
-    const std::optional<Ray> to_light = shadow_ray(point, source);
-    if (!to_light) continue;
-    ++counts.rays_shadow;
-    if (!trace<BoxTest>(bvh, scene.mesh, *to_light, Query::any, work).found()) light += direct(point, source);
-  }
-  add(counts, work);
-  const std::size_t material = scene.mesh.materials.empty() ? 0 : scene.mesh.materials[hit.triangle];
-  return {scene.materials[material].albedo * light, hit.triangle};
-}
+/// Renders one tile after the other; its buffers are kept from tile to tile.
+class TileRenderer {
+ public:
+  TileRenderer(const Frame& frame, RenderResult& result)
+      : frame_(frame), result_(result), shadows_(frame.scene.lights.size()) {}
 
-template <class BoxTest>
-RenderCounts render_tile(const Scene& scene, const Bvh& bvh, int left, int top, RenderResult& result) {
-  RenderCounts counts;
-  for (int y = top; y < std::min(top + tile_side, result.height); ++y) {
-    for (int x = left; x < std::min(left + tile_side, result.width); ++x) {
-      const Ray ray = primary_ray(scene.camera, x, y, result.width, result.height);
-      const Pixel pixel = render_pixel<BoxTest>(scene, bvh, ray, counts);
-      const auto at =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(result.width) + static_cast<std::size_t>(x);
-      result.image[at] = pixel.colour;
-      result.triangles[at] = pixel.triangle;
+  RenderCounts run(std::size_t tile) {
+    const int side = frame_.options.tile_side;
+    left_ = static_cast<int>(tile) % frame_.columns * side;
+    top_ = static_cast<int>(tile) / frame_.columns * side;
+    width_ = std::min(side, result_.width - left_);
+    const int height = std::min(side, result_.height - top_);
+    counts_ = {};
+    light_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height), {});
+    batch_.clear();
+    for (std::size_t i = 0; i < light_.size(); ++i) {
+      const int x = left_ + static_cast<int>(i) % width_;
+      const int y = top_ + static_cast<int>(i) / width_;
+      batch_.push_back(
+          frame_.whitted.primary(x, y, result_.width, result_.height, static_cast<std::uint32_t>(i)));
+    }
+    trace(batch_);
+    keep_primary_hits();
+    trace_shadows();
+    while (std::any_of(secondary_.begin(), secondary_.end(), [](const auto& b) { return !b.empty(); })) {
+      std::swap(secondary_, generation_);
+      for (std::vector<RayTask>& batch : generation_) {
+        trace(batch);
+        batch.clear();
+      }
+      trace_shadows();
+    }
+    for (std::size_t i = 0; i < light_.size(); ++i) result_.image[place(i)] = light_[i].value();
+    return counts_;
+  }
+
+ private:
+  /// Where the result keeps the tile's pixel.
+  [[nodiscard]] std::size_t place(std::size_t pixel) const {
+    const int x = left_ + static_cast<int>(pixel) % width_;
+    const int y = top_ + static_cast<int>(pixel) / width_;
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(result_.width) +
+           static_cast<std::size_t>(x);
+  }
+
+  /// Traces tasks of one kind and sorts what follows into shadows_ and secondary_.
+  void trace(const std::vector<RayTask>& batch) {
+    if (batch.empty()) return;
+    rays_.clear();
+    for (const RayTask& task : batch) rays_.push_back(task.ray);
+    triangles_.resize(batch.size());
+    if (frame_.options.maps) work_.assign(batch.size(), {});
+    const RayTask& first = batch.front();
+    const TraceJob job{rays_, first.query(), triangles_, work_};
+    frame_.tracer.trace(job, counts_.of(first.kind));
+    if (frame_.options.traced) frame_.options.traced(first.kind, job);
+    next_.clear();
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      frame_.whitted.end(batch[i], triangles_[i], light_[batch[i].pixel], next_);
+    for (const RayTask& task : next_)
+      (task.kind == RayKind::shadow ? shadows_[task.source] : secondary_[task.source]).push_back(task);
+    for (std::size_t i = 0; i < work_.size(); ++i) {
+      const std::size_t at = place(batch[i].pixel);
+      result_.box_tests[at] += static_cast<float>(work_[i].box_tests);
+      result_.triangle_tests[at] += static_cast<float>(work_[i].triangle_tests);
     }
   }
-  return counts;
+
+  void trace_shadows() {
+    for (std::vector<RayTask>& batch : shadows_) {
+      trace(batch);
+      batch.clear();
+    }
+  }
+
+  /// Right after trace(batch_).
+  void keep_primary_hits() {
+    for (std::size_t i = 0; i < batch_.size(); ++i) {
+      const std::uint32_t triangle = triangles_[i];
+      result_.triangles[place(i)] = triangle;
+      if (!frame_.options.maps || triangle == Hit::none) continue;
+      const Ray& ray = batch_[i].ray;
+      const glm::dvec3 position = surface_point(frame_.scene.mesh, triangle, ray).position;
+      result_.depth[place(i)] = static_cast<float>(glm::distance(position, glm::dvec3(ray.origin)));
+    }
+  }
+
+  const Frame& frame_;
+  RenderResult& result_;
+  int left_ = 0;
+  int top_ = 0;
+  int width_ = 0;
+  RenderCounts counts_;
+  std::vector<LightSum> light_;  // by pixel of the tile
+  std::vector<RayTask> batch_;
+  std::vector<std::vector<RayTask>> shadows_;       // by light
+  std::array<std::vector<RayTask>, 2> secondary_;   // mirrored and refracted
+  std::array<std::vector<RayTask>, 2> generation_;  // the secondary rays that are being traced
+  std::vector<RayTask> next_;
+  std::vector<Ray> rays_;
+  std::vector<std::uint32_t> triangles_;
+  std::vector<RayWork> work_;
+};
+
+int tiles(int pixels, int side) {
+  return (pixels - 1) / side + 1;
 }
 
 }  // namespace
 
-RenderResult render(const Scene& scene, const Bvh& bvh, int width, int height, int threads,
-                    BoxTestKind box_test) {
-  if (width < 1 || height < 1)
+int tile_side_for(int bundle) {
+  return bundle == 64 ? 8 : bundle == 256 ? 16 : 32;
+}
+
+TraceCounts& RenderCounts::of(RayKind kind) {
+  return kind == RayKind::primary ? primary : kind == RayKind::secondary ? secondary : shadow;
+}
+
+TraceCounts RenderCounts::total() const {
+  TraceCounts sum = primary;
+  sum += secondary;
+  sum += shadow;
+  return sum;
+}
+
+RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
+  primary += other.primary;
+  secondary += other.secondary;
+  shadow += other.shadow;
+  return *this;
+}
+
+RenderResult render(const Scene& scene, const Tracer& tracer, const RenderOptions& options) {
+  if (options.width < 1 || options.height < 1)
     throw std::invalid_argument(
-        fmt::format("image of {} x {} pixels; at least 1 x 1 is needed", width, height));
-  if (threads < 1) throw std::invalid_argument(fmt::format("{} threads; at least 1 is needed", threads));
-  RenderResult result{width, height, {}, {}, {}};
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        fmt::format("image of {} x {} pixels; at least 1 x 1 is needed", options.width, options.height));
+  if (options.threads < 1)
+    throw std::invalid_argument(fmt::format("{} threads; at least 1 is needed", options.threads));
+  if (options.tile_side < 1)
+    throw std::invalid_argument(fmt::format("tile side {}; at least 1 is needed", options.tile_side));
+  const Frame frame{scene,
+                    tracer,
+                    options,
+                    Whitted(scene, options.light),
+                    tiles(options.width, options.tile_side),
+                    tiles(options.height, options.tile_side)};
+  RenderResult result;
+  result.width = options.width;
+  result.height = options.height;
+  const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   result.image.resize(pixels);
   result.triangles.resize(pixels);
-  const int columns = (width + tile_side - 1) / tile_side;
-  const int rows = (height + tile_side - 1) / tile_side;
-  std::vector<RenderCounts> counts(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  const auto tile = box_test == BoxTestKind::robust ? &render_tile<RobustSlabs> : &render_tile<FloatSlabs>;
+  if (options.maps) {
+    result.depth.assign(pixels, std::numeric_limits<float>::infinity());
+    result.box_tests.resize(pixels);
+    result.triangle_tests.resize(pixels);
+  }
+  const auto count = static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows);
+  std::mutex counting;
+  std::atomic<std::size_t> finished = 0;
+  // Tiles are small: a thousand steps are enough to watch.
+  const auto steps = [&](std::size_t done) { return 1000 * done / count; };
   // More workers than cores would only make TBB complain.
-  tbb::task_arena arena(std::min(threads, tbb::info::default_concurrency()));
+  tbb::task_arena arena(std::min(options.threads, tbb::info::default_concurrency()));
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t i) {
-      const int column = static_cast<int>(i) % columns;
-      const int row = static_cast<int>(i) / columns;
-      counts[i] = tile(scene, bvh, column * tile_side, row * tile_side, result);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
+      TileRenderer renderer(frame, result);
+      RenderCounts counts;
+      for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {
+        counts += renderer.run(tile);
+        const std::size_t done = ++finished;
+        if (steps(done) != steps(done - 1))
+          options.progress(static_cast<double>(done) / static_cast<double>(count));
+      }
+      const std::scoped_lock lock(counting);
+      result.counts += counts;
     });
   });
-  for (const RenderCounts& part : counts) {
-    result.counts.rays_primary += part.rays_primary;
-    result.counts.rays_shadow += part.rays_shadow;
-    result.counts.box_tests += part.box_tests;
-    result.counts.triangle_tests += part.triangle_tests;
-  }
   return result;
 }
 

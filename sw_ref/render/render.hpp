@@ -1,41 +1,64 @@
-// The image of a scene by primary and shadow rays (section 4.2), with counts of the work.
+// The image of a scene by primary, shadow, mirrored and refracted rays (section 4.2), with counts of the
+// work. Each tile of the image is traced in batches of like rays, as section 5.5 forms them: the primary
+// rays; the shadow rays of what they hit, light by light; the mirrored, then the refracted rays; their shadow
+// rays; and so on.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
+#include "sw_ref/traverse/tracer.hpp"
 
 namespace hitpipe::ref {
 
-enum class BoxTestKind : std::uint8_t {
-  float_slabs,  ///< as the thesis computes it; may miss a box that a ray only grazes
-  robust,       ///< never misses a box: every ray finds its exact closest triangle
+struct RenderOptions {
+  int width = 256;
+  int height = 256;
+  int threads = 1;
+  int tile_side = 32;      ///< in pixels; see tile_side_for()
+  WhittedOptions light{};  ///< how far secondary rays are followed
+  bool maps = false;       ///< fill RenderResult::depth, box_tests, triangle_tests
+  /// Told the finished share of the image, 0..1, from any thread.
+  std::function<void(double)> progress = [](double) {};
+  /// Shown each batch of rays with its answers, from any thread; empty: nobody looks.
+  std::function<void(RayKind, const TraceJob&)> traced = {};
 };
 
-struct RenderCounts {
-  std::uint64_t rays_primary = 0;
-  std::uint64_t rays_shadow = 0;
-  std::uint64_t box_tests = 0;
-  std::uint64_t triangle_tests = 0;
+/// The side of tiles whose primary rays fill bundles of up to `bundle` rays: 8 for 64, 16 for 256, else 32.
+[[nodiscard]] int tile_side_for(int bundle);
 
+/// By kind of ray.
+struct RenderCounts {
+  TraceCounts primary;
+  TraceCounts secondary;
+  TraceCounts shadow;
+
+  [[nodiscard]] TraceCounts& of(RayKind kind);
+  [[nodiscard]] TraceCounts total() const;
+  RenderCounts& operator+=(const RenderCounts& other);
   friend bool operator==(const RenderCounts&, const RenderCounts&) = default;
 };
 
+/// Pictures row by row from the top.
 struct RenderResult {
   int width = 0;
   int height = 0;
-  std::vector<glm::vec3> image;          ///< linear, row by row from the top
+  std::vector<glm::vec3> image;          ///< linear
   std::vector<std::uint32_t> triangles;  ///< seen by each pixel, Hit::none for the sky
+  std::vector<float> depth;              ///< distance from eye to triangle in the cube, infinite for the sky
+  std::vector<float> box_tests;          ///< for all rays of the pixel
+  std::vector<float> triangle_tests;
   RenderCounts counts;
 };
 
-/// `bvh` is built over `scene.mesh`. width, height >= 1 and threads >= 1, else std::invalid_argument. The
-/// result does not depend on the number of threads.
-[[nodiscard]] RenderResult render(const Scene& scene, const Bvh& bvh, int width, int height, int threads,
-                                  BoxTestKind box_test);
+/// `tracer` is made over `scene.mesh`, whose camera is in the cube. Throws std::invalid_argument for sizes or
+/// threads below 1, and as Whitted does. The result does not depend on the number of threads; with the exact
+/// triangle test neither image, triangles, depth nor numbers of rays depend on tracer and tile side.
+[[nodiscard]] RenderResult render(const Scene& scene, const Tracer& tracer, const RenderOptions& options);
 
 }  // namespace hitpipe::ref

@@ -35,6 +35,7 @@ SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& 
   const glm::dvec3 facing = determinant > 0.0 ? -normal : normal;
   point.normal = glm::normalize(facing == glm::dvec3(0.0) ? -direction : facing);
   point.shading_normal = point.normal;
+  point.front = determinant <= 0.0;
   if (!mesh.normals.empty()) {
     const glm::uvec3& t = mesh.triangles[triangle];
     const glm::dvec3 smooth =
@@ -45,10 +46,13 @@ SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& 
   return point;
 }
 
+glm::vec3 origin_beside(const SurfacePoint& point, double offset) {
+  return glm::clamp(glm::vec3(point.position + offset * point.normal), -1.0F, 1.0F);
+}
+
 std::optional<Ray> shadow_ray(const SurfacePoint& point, const Light& light) {
   if (glm::dot(point.normal, glm::dvec3(light.position) - point.position) <= 0.0) return std::nullopt;
-  const glm::vec3 offset(point.position + shadow_offset * point.normal);
-  const glm::vec3 origin = glm::clamp(offset, -1.0F, 1.0F);
+  const glm::vec3 origin = origin_beside(point, shadow_offset);
   const glm::vec3 direction = light.position - origin;
   if (direction == glm::vec3(0.0F)) return std::nullopt;
   return Ray{origin, direction, 1.0F};

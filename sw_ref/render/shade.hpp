@@ -13,9 +13,9 @@
 
 namespace hitpipe::ref {
 
-/// Distance from a surface to the origin of its shadow rays, along the normal, in the [-1, 1] cube: 128 units
-/// of the last place of binary32 near 1, so that rounding the origin cannot take it through the surface, and
-/// yet below the width of a pixel.
+/// Distance from a surface to the origin of the rays that leave it, along the normal, in the [-1, 1] cube:
+/// 128 units of the last place of binary32 near 1, so that rounding the origin cannot take it through the
+/// surface, and yet below the width of a pixel.
 constexpr double shadow_offset = 0x1p-17;
 
 /// Where a ray meets a triangle. Both normals are unit vectors on the ray's side of the surface.
@@ -23,14 +23,18 @@ struct SurfacePoint {
   glm::dvec3 position;
   glm::dvec3 normal;          ///< of the triangle's plane
   glm::dvec3 shading_normal;  ///< interpolated where the mesh has normals
+  bool front = true;          ///< the ray meets the side whose corners run counterclockwise
 };
 
 /// The point of `triangle` that the ray hits, computed in double and kept on the triangle.
 [[nodiscard]] SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray);
 
-/// The ray from a surface to a light: t = 1 is the light. Its origin is moved onto the [-1, 1] cube, as a
-/// float, where the offset leaves it. Nothing when the light is behind the surface, which is dark without a
-/// test.
+/// The point `offset` above the surface, on the ray's side of it for offset > 0. It is moved onto the [-1, 1]
+/// cube, as a float, where the offset leaves it.
+[[nodiscard]] glm::vec3 origin_beside(const SurfacePoint& point, double offset);
+
+/// The ray from a surface to a light: t = 1 is the light. Nothing when the light is behind the surface, which
+/// is dark without a test.
 [[nodiscard]] std::optional<Ray> shadow_ray(const SurfacePoint& point, const Light& light);
 
 /// Linear radiance of the background.

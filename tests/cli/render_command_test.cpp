@@ -29,13 +29,26 @@ TEST(RenderCommand, PrintsCountsAndWritesTheImage) {
     EXPECT_EQ(object.at("triangles"), 24578);
     EXPECT_EQ(object.at("degenerate_dropped"), 0);
     EXPECT_EQ(object.at("rays_primary"), 1200);
+    EXPECT_GE(object.at("rays_secondary"), 0);
     EXPECT_GT(object.at("rays_shadow"), 100);
-    EXPECT_GT(object.at("box_tests"), 1200);
-    EXPECT_GT(object.at("triangle_tests"), 0);
+    EXPECT_EQ(object.at("bytes_per_node"), 32);
+    EXPECT_EQ(object.at("node_bytes"), 32 * object.at("bvh_nodes").get<int>());
     EXPECT_EQ(object.at("image"), image);
-    const double rays = object.at("rays_primary").get<double>() + object.at("rays_shadow").get<double>();
-    EXPECT_DOUBLE_EQ(object.at("box_tests_per_ray"), object.at("box_tests").get<double>() / rays);
-    EXPECT_DOUBLE_EQ(object.at("triangle_tests_per_ray"), object.at("triangle_tests").get<double>() / rays);
+    EXPECT_FALSE(object.contains("depth_map"));
+    double rays = 0;
+    for (const char* const kind : {"primary", "secondary", "shadow"})
+      rays += object.at(std::string("rays_") + kind).get<double>();
+    for (const std::string work : {"box_tests", "triangle_tests", "nodes_loaded", "triangles_loaded"}) {
+      const auto total = object.at(work).get<double>();
+      EXPECT_GT(total, 0.0) << work;
+      EXPECT_DOUBLE_EQ(object.at(work + "_per_ray"), total / rays) << work;
+      double sum = 0;
+      for (const std::string kind : {"primary", "secondary", "shadow"})
+        sum += object.at(work + "_per_" + kind).get<double>() * object.at("rays_" + kind).get<double>();
+      EXPECT_NEAR(sum, total, 1e-6 * total) << work;
+    }
+    // Single rays load a node for each test.
+    EXPECT_EQ(object.at("nodes_loaded"), object.at("box_tests"));
   }
   EXPECT_THAT(contents_of(folder.path() / "image.png"), StartsWith("\x89PNG"));
   EXPECT_THAT(contents_of(folder.path() / "image.exr"), StartsWith("v/1\x01"));
@@ -46,26 +59,90 @@ TEST(RenderCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   const Outcome text = run_hitpipe(small);
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_LE(widest_line(text.out), 80U);
-  EXPECT_THAT(text.out, StartsWith("scene                   spheres\ntriangles               24,578\n"));
+  EXPECT_THAT(
+      text.out,
+      StartsWith("scene                           spheres\ntriangles                       24,578\n"));
   const auto lines = lines_of(run_hitpipe(with(small, {"--format", "csv"})).out);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(
-      lines[0],
-      "scene,triangles,degenerate_dropped,bvh_nodes,rays_primary,rays_shadow,box_tests,box_tests_per_ray,"
-      "triangle_tests,triangle_tests_per_ray,seconds");
+  EXPECT_EQ(lines[0],
+            "scene,triangles,degenerate_dropped,bvh_nodes,bytes_per_node,node_bytes,rays_primary,"
+            "rays_secondary,rays_shadow,"
+            "box_tests,box_tests_per_ray,box_tests_per_primary,box_tests_per_secondary,box_tests_per_shadow,"
+            "triangle_tests,triangle_tests_per_ray,triangle_tests_per_primary,triangle_tests_per_secondary,"
+            "triangle_tests_per_shadow,"
+            "nodes_loaded,nodes_loaded_per_ray,nodes_loaded_per_primary,nodes_loaded_per_secondary,"
+            "nodes_loaded_per_shadow,"
+            "triangles_loaded,triangles_loaded_per_ray,triangles_loaded_per_primary,"
+            "triangles_loaded_per_secondary,triangles_loaded_per_shadow,seconds");
   EXPECT_THAT(lines[1], StartsWith("spheres,24578,0,"));
 }
 
-TEST(RenderCommand, BoxTestsDifferInWork) {
-  const auto box_tests = [](const std::string& kind) {
-    const Outcome outcome = run_hitpipe(with(small, {"--box-test", kind, "--format", "json"}));
-    EXPECT_EQ(outcome.exit_code, 0);
-    return nlohmann::json::parse(outcome.out).at("box_tests").get<int>();
+/// Every way of tracing makes the same image, by other work.
+TEST(RenderCommand, TracesAsItIsTold) {
+  const sim::TemporaryFolder folder;
+  std::string first;
+  std::vector<nlohmann::json> shown;
+  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
+           {},
+           {"--traversal", "slabs-dist", "--arithmetic", "float"},
+           {"--traversal", "plu-dsa", "--arithmetic", "double", "--bundle", "64"},
+           {"--arithmetic", "integer", "--bits", "16/20"},
+           {"--arithmetic", "float", "--encoding", "h8", "--lut"}}) {
+    const std::string image = (folder.path() / "image.png").string();
+    const Outcome outcome = run_hitpipe(with(small, with(options, {"--out", image, "--format", "json"})));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    if (first.empty()) first = contents_of(image);
+    EXPECT_EQ(contents_of(image), first) << outcome.out;
+    shown.push_back(nlohmann::json::parse(outcome.out));
+  }
+  std::vector<int> bytes;
+  for (const auto& object : shown) bytes.push_back(object.at("bytes_per_node"));
+  EXPECT_THAT(bytes, testing::ElementsAre(32, 32, 56, 20, 12));
+  EXPECT_LT(shown[2].at("nodes_loaded"), shown[2].at("box_tests"));
+}
+
+TEST(RenderCommand, CombinationsThatDoNotExistRejected) {
+  const auto refused = [](const std::vector<std::string>& options, const std::string& message) {
+    const Outcome outcome = run_hitpipe(with(small, options));
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, testing::MatchesRegex("hitpipe: " + message + "\n"));
   };
-  EXPECT_LE(box_tests("float"), box_tests("robust"));
-  const Outcome unknown = run_hitpipe(with(small, {"--box-test", "exact"}));
-  EXPECT_NE(unknown.exit_code, 0);
-  EXPECT_EQ(unknown.err, "hitpipe: --box-test: exact is none of float, robust; see hitpipe render --help\n");
+  refused({"--bits", "20/24"}, "--bits 20/24: only --arithmetic integer has them; leave --bits out");
+  refused(
+      {"--traversal", "dsa"},
+      "--traversal: dsa is none of slabs, plu, slabs-dist, slabs-dsa, plu-dsa; see hitpipe render --help");
+  refused({"--arithmetic", "half"},
+          "--arithmetic: half is none of float, double, robust, integer; see hitpipe render --help");
+  refused({"--encoding", "h5"},
+          "--encoding: h5 is none of plain, h4, h8, h12, h16; see hitpipe render --help");
+  refused({"--bundle", "32"}, "--bundle: 32 is none of 1, 64, 256; see hitpipe render --help");
+  refused({"--triangle-test", "no"},
+          "--triangle-test: no is none of exact, float, double; see hitpipe render --help");
+  refused({"--bounces", "65"}, "--bounces: Value 65 not in range 0 to 64; see hitpipe render --help");
+  // What is refused by the tracer: one line, whatever it says.
+  for (const std::vector<std::string>& options :
+       std::vector<std::vector<std::string>>{{"--traversal", "plu"},
+                                             {"--lut"},
+                                             {"--arithmetic", "integer", "--bundle", "64"},
+                                             {"--arithmetic", "integer", "--bits", "99/99"}})
+    refused(options, "[^\n]+");
+}
+
+TEST(RenderCommand, DrawsMapsWhereTold) {
+  const sim::TemporaryFolder folder;
+  const auto file = [&](const char* name) { return (folder.path() / name).string(); };
+  const Outcome outcome = run_hitpipe(with(small, {"--depth-map", file("d.png"), "--box-map", file("b.exr"),
+                                                   "--triangle-map", file("t.png"), "--format", "json"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(files_below(folder.path()), (std::vector<std::string>{"b.exr", "d.png", "t.png"}));
+  const auto object = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(object.at("depth_map"), file("d.png"));
+  EXPECT_GT(object.at("depth_map_low"), 0.0);
+  EXPECT_GT(object.at("depth_map_high"), object.at("depth_map_low"));
+  EXPECT_EQ(object.at("box_map_low"), 0.0);
+  EXPECT_GT(object.at("box_map_high"), object.at("box_tests_per_primary"));
+  EXPECT_GT(object.at("triangle_map_high"), 1.0);
 }
 
 /// The options mean what their help says: one light more makes more shadow rays, another eye another picture.

@@ -24,6 +24,7 @@ bool same_bits(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b)
 /// All counts that must not depend on how the work was done.
 void expect_same_work(const CosimResult& a, const CosimResult& b) {
   EXPECT_EQ(a.rays_primary, b.rays_primary);
+  EXPECT_EQ(a.rays_secondary, b.rays_secondary);
   EXPECT_EQ(a.rays_shadow, b.rays_shadow);
   EXPECT_EQ(a.rejected, b.rejected);
   EXPECT_EQ(a.different_triangles, b.different_triangles);
@@ -43,10 +44,19 @@ void PrintTo(const Case& c, std::ostream* out) {
   *out << c.scene << ' ' << c.bits.coord << '/' << c.bits.interval;
 }
 
+/// Hills of glass that mirror a little and scatter a little: rays of all kinds, most of them secondary.
+ref::Scene glass_hills() {
+  ref::Scene scene = hills();
+  scene.materials = {{glm::vec3(0.2F), glm::vec3(0.3F, 0.2F, 0.1F), glm::vec3(0.5F), 1.4F}};
+  return scene;
+}
+
 class CosimOfScene {
  public:
   explicit CosimOfScene(const std::string& name)
-      : scene_(name == "hills" ? hills() : ref::load_scene(name)) {}
+      : CosimOfScene(name == "hills"   ? hills()
+                     : name == "glass" ? glass_hills()
+                                       : ref::load_scene(name)) {}
   explicit CosimOfScene(ref::Scene scene) : scene_(std::move(scene)) {}
 
   [[nodiscard]] CosimResult run(hls::IntBits bits, const CosimOptions& options,
@@ -54,7 +64,8 @@ class CosimOfScene {
     return cosimulate(design, bits, verilated(bits), scene_, bvh_, options);
   }
   [[nodiscard]] ref::RenderResult software(int width, int height) const {
-    return ref::render(scene_, bvh_, width, height, 2, ref::BoxTestKind::robust);
+    return ref::render(scene_, *ref::make_tracer(scene_.mesh, bvh_, {}),
+                       {.width = width, .height = height, .threads = 2});
   }
   [[nodiscard]] const ref::Scene& scene() const { return scene_; }
 
@@ -80,10 +91,11 @@ TEST_P(Cosim, FindsTheTrianglesAndTheImageOfSoftware) {
   const ref::RenderResult software = cosim.software(64, 64);
   EXPECT_EQ(result.triangles, software.triangles);
   EXPECT_TRUE(same_bits(result.image, software.image));
-  EXPECT_EQ(result.rays_primary, software.counts.rays_primary);
-  EXPECT_EQ(result.rays_shadow, software.counts.rays_shadow);
-  EXPECT_EQ(result.reference.box_tests, software.counts.box_tests);
-  EXPECT_EQ(result.reference.triangle_tests, software.counts.triangle_tests);
+  EXPECT_EQ(result.rays_primary, software.counts.primary.rays);
+  EXPECT_EQ(result.rays_secondary, software.counts.secondary.rays);
+  EXPECT_EQ(result.rays_shadow, software.counts.shadow.rays);
+  EXPECT_EQ(result.reference.box_tests, software.counts.total().box_tests);
+  EXPECT_EQ(result.reference.triangle_tests, software.counts.total().triangle_tests);
 
   // Boxes that are too large cost tests and never save any.
   EXPECT_GE(result.unit.box_tests, result.reference.box_tests);
@@ -99,7 +111,8 @@ INSTANTIATE_TEST_SUITE_P(ScenesAndFormats, Cosim,
                                          Case{"spheres", {16, 16}}, Case{"spheres", {12, 12}},
                                          Case{"hills", {24, 24}}, Case{"hills", {20, 24}},
                                          Case{"hills", {16, 16}}, Case{"hills", {12, 12}},
-                                         Case{"hills", {6, 6}}, Case{"hills", {32, 63}}),
+                                         Case{"hills", {6, 6}}, Case{"hills", {32, 63}},
+                                         Case{"glass", {20, 24}}, Case{"glass", {12, 12}}),
                          [](const auto& parameter) {
                            return std::string(parameter.param.scene) + "_" + test_name(parameter.param.bits);
                          });
@@ -120,7 +133,7 @@ TEST(CosimCounts, DoNotDependOnThreads) {
 }
 
 TEST(CosimCounts, OnlyCyclesDependOnRaysInFlight) {
-  const CosimOfScene cosim("hills");
+  const CosimOfScene cosim("glass");
   CosimOptions options{.width = 48, .height = 48, .rays_in_flight = 1, .referee = true};
   const CosimResult one = cosim.run(usual, options);
   options.rays_in_flight = 32;
@@ -181,6 +194,7 @@ TEST(CosimCounts, RaysFromOutsideTheCubeAreRejectedAndHitNothing) {
   const CosimResult result = cosim.run(usual, {.width = 20, .height = 10, .referee = true});
   EXPECT_EQ(result.rays_primary, 200U);
   EXPECT_EQ(result.rejected, 200U);
+  EXPECT_EQ(result.rays_secondary, 0U);
   EXPECT_EQ(result.rays_shadow, 0U);
   EXPECT_EQ(result.unit, UnitCounts{});
   EXPECT_EQ(result.reference, ref::TraversalCounts{});
@@ -188,16 +202,17 @@ TEST(CosimCounts, RaysFromOutsideTheCubeAreRejectedAndHitNothing) {
   EXPECT_EQ(result.occupancy_pct(), 0.0);
 }
 
-TEST(CosimCounts, ShadowRaysThatNoUnitTakesAreRejectedAndNotBlocked) {
-  ref::Scene scene = hills();
-  const CosimResult lit = CosimOfScene(scene).run(usual, {.width = 20, .height = 20});
-  EXPECT_EQ(lit.rejected, 0U);
-  // Straight up and so far away that the direction to it is not finite.
-  scene.lights = {{{0.0F, std::numeric_limits<float>::infinity(), 0.0F}, glm::vec3(1.0F)}};
-  const CosimResult result = CosimOfScene(scene).run(usual, {.width = 20, .height = 20});
-  EXPECT_GT(result.rays_shadow, 0U);
-  EXPECT_EQ(result.rejected, result.rays_shadow);
-  EXPECT_EQ(result.triangles, lit.triangles);
+TEST(CosimCounts, BouncesLimitSecondaryRays) {
+  const CosimOfScene cosim("glass");
+  CosimOptions options{.width = 20, .height = 20};
+  options.light.bounces = 0;
+  EXPECT_EQ(cosim.run(usual, options).rays_secondary, 0U);
+  options.light.bounces = 1;
+  const CosimResult one = cosim.run(usual, options);
+  EXPECT_GT(one.rays_secondary, 0U);
+  EXPECT_LE(one.rays_secondary, 2 * one.rays_primary);
+  options.light.bounces = 4;
+  EXPECT_GT(cosim.run(usual, options).rays_secondary, one.rays_secondary);
 }
 
 TEST(CosimProgress, TellsEveryTileAndEndsAtOne) {
