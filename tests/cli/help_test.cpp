@@ -10,8 +10,8 @@ namespace {
 using testing::HasSubstr;
 
 /// All there are, in the order of the help.
-const std::vector<std::string> commands{"designs", "scenes", "rtl",   "area",      "bvh",    "render",
-                                        "compare", "cosim",  "check", "stiffness", "rescale"};
+const std::vector<std::string> commands{"designs", "scenes", "rtl",   "area",  "bvh",       "render",
+                                        "compare", "cosim",  "table", "check", "stiffness", "rescale"};
 
 std::string listed(const std::vector<std::string>& words) {
   std::string text;

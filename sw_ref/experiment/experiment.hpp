@@ -1,0 +1,42 @@
+// The experiments of chapters 3 to 6 and appendix B, by the number of the table that prints them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "sw_ref/experiment/result.hpp"
+
+namespace hitpipe::ref {
+
+struct ExperimentOptions {
+  /// For the thesis's scene of that name ("Bunny"): a mesh or scene file, or a built-in scene, in place of
+  /// the stand-in. A scene without either has no figures of ours.
+  std::map<std::string, std::string> scenes;
+  /// Only these of the table's scenes; empty: all.
+  std::vector<std::string> only;
+  int width = 256;  ///< the thesis: 2048 x 2048
+  int height = 256;
+  std::optional<std::uint64_t> triangles;  ///< of stand-ins that scale; nothing: their default sizes
+  int repeats = 3;                         ///< timed runs, the fastest counts
+  int threads = 1;                         ///< of what is only counted; timed runs have one thread
+  /// Told the finished share, 0..1, from any thread.
+  std::function<void(double)> progress = [](double) {};
+};
+
+struct Experiment {
+  std::string_view number;  ///< "3.1"
+  ResultTable (*run)(std::string_view number, const ExperimentOptions& options);
+};
+
+/// In the thesis's order.
+[[nodiscard]] std::span<const Experiment> experiments();
+
+/// Throws std::runtime_error, one line with the numbers that exist, for another number.
+[[nodiscard]] const Experiment& find_experiment(std::string_view number);
+
+}  // namespace hitpipe::ref

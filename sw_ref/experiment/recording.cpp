@@ -1,0 +1,60 @@
+#include "sw_ref/experiment/recording.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <time.h>
+
+#include "sw_ref/exact/triangle_test.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+bool same(Query query, std::uint32_t a, std::uint32_t b) {
+  return query == Query::any ? (a == Hit::none) == (b == Hit::none) : a == b;
+}
+
+}  // namespace
+
+std::vector<RecordedBatch> record_rays(const Scene& scene, const Bvh& bvh, int width, int height,
+                                       int bundle) {
+  std::vector<RecordedBatch> batches;
+  const std::unique_ptr<Tracer> tracer = make_tracer(scene.mesh, bvh, {});
+  RenderOptions options;
+  options.width = width;
+  options.height = height;
+  options.tile_side = tile_side_for(bundle);
+  options.traced = [&](RayKind kind, const TraceJob& job) {
+    batches.push_back(
+        {kind, job.query, {job.rays.begin(), job.rays.end()}, {job.triangles.begin(), job.triangles.end()}});
+  };
+  (void)render(scene, *tracer, options);
+  return batches;
+}
+
+Measurement measure(const Tracer& tracer, const std::vector<RecordedBatch>& batches, int repeats) {
+  Measurement result;
+  result.seconds = std::numeric_limits<double>::infinity();
+  std::vector<std::vector<std::uint32_t>> triangles(batches.size());
+  for (std::size_t i = 0; i < batches.size(); ++i) triangles[i].resize(batches[i].rays.size());
+  for (int run = 0; run < repeats; ++run) {
+    RenderCounts counts;
+    const double start = thread_seconds();
+    for (std::size_t i = 0; i < batches.size(); ++i)
+      tracer.trace({batches[i].rays, batches[i].query, triangles[i]}, counts.of(batches[i].kind));
+    result.seconds = std::min(result.seconds, thread_seconds() - start);
+    result.counts = counts;
+  }
+  for (std::size_t i = 0; i < batches.size(); ++i)
+    for (std::size_t ray = 0; ray < batches[i].rays.size(); ++ray)
+      result.different += same(batches[i].query, triangles[i][ray], batches[i].triangles[ray]) ? 0 : 1;
+  return result;
+}
+
+}  // namespace hitpipe::ref

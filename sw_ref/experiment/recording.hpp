@@ -1,0 +1,34 @@
+// The rays of one image, kept, so that many tracers can be measured on the same work without the shading.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sw_ref/render/render.hpp"
+
+namespace hitpipe::ref {
+
+/// Rays that were traced together: of one tile, kind and light.
+struct RecordedBatch {
+  RayKind kind;
+  Query query;
+  std::vector<Ray> rays;
+  std::vector<std::uint32_t> triangles;  ///< the exact answers
+};
+
+/// Every batch of an image, tile by tile. The batches depend on the tile side alone (see tile_side_for()).
+[[nodiscard]] std::vector<RecordedBatch> record_rays(const Scene& scene, const Bvh& bvh, int width,
+                                                     int height, int bundle);
+
+/// What a tracer took for a recording.
+struct Measurement {
+  RenderCounts counts;
+  double seconds = 0;           ///< of the fastest run, processor time of one thread
+  std::uint64_t different = 0;  ///< rays whose answer is not the recorded one
+};
+
+/// Traces all batches `repeats` times, >= 1, on one thread.
+[[nodiscard]] Measurement measure(const Tracer& tracer, const std::vector<RecordedBatch>& batches,
+                                  int repeats);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,82 @@
+// `hitpipe table`: our figures and the thesis's in the same rows, in three formats.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+using testing::HasSubstr;
+
+/// A run of under a second: one scene, few rays.
+std::vector<std::string> quick(const std::string& number, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{"table", number,     "--only", "Spheres",   "--width",
+                                     "16",    "--height", "12",     "--repeats", "1"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(TableCommand, PrintsTheThesisFiguresBelowOurs) {
+  const Outcome outcome = run_hitpipe(quick("5.1"));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, testing::StartsWith("Table 5.1: "));
+  EXPECT_THAT(outcome.out, HasSubstr("\nSpheres\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("  bvh_memory                ours    387808  96952  145428\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("thesis  362848  90712  136068\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("8 bits cost up to 4 % more tests: "));
+}
+
+TEST(TableCommand, FitsEightyColumns) {
+  for (const char* const number : {"4.1", "5.3", "6.2"}) {
+    const auto lines = lines_of(run_hitpipe(quick(number)).out);
+    const auto end = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.starts_with("agrees") || line.starts_with("differs");
+    });
+    ASSERT_NE(end, lines.end()) << number;
+    for (auto line = lines.begin(); line != end; ++line)
+      EXPECT_LE(line->size(), 80U) << number << ": " << *line;
+  }
+}
+
+TEST(TableCommand, JsonHasBothSourcesFindingsAndNotes) {
+  const auto table = nlohmann::json::parse(run_hitpipe(quick("6.2", {"--format", "json"})).out);
+  EXPECT_EQ(table.at("number"), "6.2");
+  const auto& row = table.at("rows").at(0);
+  EXPECT_EQ(row.at("scene"), "Spheres");
+  EXPECT_EQ(row.at("thesis").at("fp32"), 5.29);
+  EXPECT_EQ(row.at("thesis").at("16/16"), 5.0);
+  EXPECT_GT(row.at("ours").at("fp32"), 1.0);
+  EXPECT_TRUE(table.at("findings").back().at("agrees")) << "answers differ";
+  EXPECT_FALSE(table.at("notes").empty());
+}
+
+TEST(TableCommand, CsvHasALineForEachSource) {
+  const auto lines = lines_of(run_hitpipe(quick("4.3", {"--format", "csv"})).out);
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_EQ(lines[0], "scene,metric,source,Plu,Plu-DSA");
+  EXPECT_TRUE(lines[1].starts_with("Spheres,time,ours,1.0,"));
+  EXPECT_TRUE(lines[2].starts_with("Spheres,time,thesis,1.0,0.869"));
+}
+
+TEST(TableCommand, BadInputRejected) {
+  const auto rejected = [](const std::vector<std::string>& arguments, const std::string& message) {
+    const Outcome outcome = run_hitpipe(arguments);
+    EXPECT_GT(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, testing::StartsWith("hitpipe: " + message));
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U);
+  };
+  rejected({"table", "4.2"}, "4.2: no experiment of that number; there are 3.1, 3.2, 4.1,");
+  rejected({"table"}, "number is required");
+  rejected({"table", "4.1", "--only", "Teapot"},
+           "table 4.1 has no scene \"Teapot\"; it has: Spheres, Bunny,");
+  rejected({"table", "4.1", "--scene", "Bunny"}, "--scene: Bunny is not NAME=SCENE; give for example");
+  rejected({"table", "5.3", "--only", "Bunny", "--scene", "Bunny=none.ply"},
+           "mesh file \"none.ply\": no such file");
+}
+
+}  // namespace
+}  // namespace hitpipe::cli
