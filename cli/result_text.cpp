@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -48,10 +49,32 @@ std::string csv(const ref::ResultTable& table) {
   return table_text(rows, Format::csv);
 }
 
+constexpr std::size_t line_width = 80;
+
+/// Words in lines of at most line_width, the first from `column` on, the later ones indented.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t column = 0) {
+  std::string lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word; column += word.size()) {
+    if (column > indent && column + 1 + word.size() > line_width) {
+      lines += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!lines.empty()) {
+      lines += ' ';
+      ++column;
+    }
+    lines += word;
+  }
+  return lines + "\n";
+}
+
 class TextTable {
  public:
   explicit TextTable(const ref::ResultTable& table)
-      : table_(table), grouped_(table.labels.size() > 1), label_widths_(table.labels.size()) {
+      : table_(table),
+        grouped_(table.labels.size() > 1),
+        gap_(table.columns.size() > 6 ? " " : "  "),
+        label_widths_(table.labels.size()) {
     for (std::size_t i = 0; i < table.labels.size(); ++i) {
       label_widths_[i] = table.labels[i].size();
       for (const ref::ResultRow& row : table.rows)
@@ -71,7 +94,7 @@ class TextTable {
     for (std::size_t i = 1; i < table_.labels.size(); ++i) header += column(table_.labels[i], i);
     header += fmt::format("  {:6}", "");
     for (std::size_t i = 0; i < widths_.size(); ++i)
-      header += fmt::format("  {:>{}}", table_.columns[i].name, widths_[i]);
+      header += fmt::format("{}{:>{}}", gap_, table_.columns[i].name, widths_[i]);
     text += header + "\n";
     const std::string* group = nullptr;
     for (const ref::ResultRow& row : table_.rows) {
@@ -100,8 +123,8 @@ class TextTable {
     std::string ours = fmt::format("{}  {:6}", labels, "ours");
     std::string printed = fmt::format("{:{}}  {:6}", "", labels.size(), "thesis");
     for (std::size_t i = 0; i < widths_.size(); ++i) {
-      ours += fmt::format("  {:>{}}", cell(row.ours, i), widths_[i]);
-      printed += fmt::format("  {:>{}}", cell(row.printed, i), widths_[i]);
+      ours += fmt::format("{}{:>{}}", gap_, cell(row.ours, i), widths_[i]);
+      printed += fmt::format("{}{:>{}}", gap_, cell(row.printed, i), widths_[i]);
     }
     return ours + "\n" + printed + "\n";
   }
@@ -110,15 +133,16 @@ class TextTable {
     std::string text;
     if (!table_.findings.empty()) text += "\n";
     for (const ref::Finding& finding : table_.findings)
-      text +=
-          fmt::format("{}  {}: {}\n", finding.agrees ? "agrees " : "differs", finding.claim, finding.figures);
+      text += (finding.agrees ? "agrees   " : "differs  ") +
+              wrapped(finding.claim + ": " + finding.figures, 9, 9);
     if (!table_.notes.empty()) text += "\n";
-    for (const std::string& note : table_.notes) text += note + "\n";
+    for (const std::string& note : table_.notes) text += wrapped(note, 2);
     return text;
   }
 
   const ref::ResultTable& table_;
   bool grouped_;
+  std::string_view gap_;  // between columns
   std::vector<std::size_t> label_widths_;
   std::vector<std::size_t> widths_;
 };

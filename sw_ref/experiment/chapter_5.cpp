@@ -140,8 +140,8 @@ ResultTable hierarchical_encoding(std::string_view number, const ExperimentOptio
   const std::vector<std::string> scenes = scenes_of_table(number, options);
   ResultTable table;
   table.number = number;
-  table.title = fmt::format("Hierarchical nodes, {}: per ray with binary32, then change in %",
-                            bundle == 1 ? "single rays" : fmt::format("bundles of {} rays", bundle));
+  table.title = fmt::format("Hierarchical nodes, {}: per ray, then change in %",
+                            bundle == 1 ? "single rays" : fmt::format("bundles of {}", bundle));
   table.labels = {"scene", "metric"};
   table.columns = {{"fp32", 3}, {"int4", 1}, {"int8", 1}};
   std::uint64_t rays = 0;

@@ -72,8 +72,8 @@ ResultTable out_of_core(std::string_view number, const ExperimentOptions& option
   const std::optional<Scene> scene = test_scene(name, options);
   ResultTable table;
   table.number = number;
-  table.title = fmt::format("Out of core, {}: per ray with binary32, then change in %",
-                            bundle == 1 ? "single rays" : fmt::format("bundles of {} rays", bundle));
+  table.title = fmt::format("Out of core, {}: per ray, then change in %",
+                            bundle == 1 ? "single rays" : fmt::format("bundles of {}", bundle));
   table.labels = {"scene", "metric"};
   table.columns = {{"fp32", 3}, {"int8", 1}};
   table.notes.push_back(scene_note(name, scene));

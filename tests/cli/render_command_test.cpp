@@ -61,11 +61,12 @@ TEST(RenderCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   EXPECT_LE(widest_line(text.out), 80U);
   EXPECT_THAT(
       text.out,
-      StartsWith("scene                           spheres\ntriangles                       24,578\n"));
+      StartsWith(
+          "scene                           spheres\nstands_for                      Spheres\ntriangles "));
   const auto lines = lines_of(run_hitpipe(with(small, {"--format", "csv"})).out);
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0],
-            "scene,triangles,degenerate_dropped,bvh_nodes,bytes_per_node,node_bytes,rays_primary,"
+            "scene,stands_for,triangles,degenerate_dropped,bvh_nodes,bytes_per_node,node_bytes,rays_primary,"
             "rays_secondary,rays_shadow,"
             "box_tests,box_tests_per_ray,box_tests_per_primary,box_tests_per_secondary,box_tests_per_shadow,"
             "triangle_tests,triangle_tests_per_ray,triangle_tests_per_primary,triangle_tests_per_secondary,"
@@ -74,7 +75,7 @@ TEST(RenderCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
             "nodes_loaded_per_shadow,"
             "triangles_loaded,triangles_loaded_per_ray,triangles_loaded_per_primary,"
             "triangles_loaded_per_secondary,triangles_loaded_per_shadow,seconds");
-  EXPECT_THAT(lines[1], StartsWith("spheres,24578,0,"));
+  EXPECT_THAT(lines[1], StartsWith("spheres,Spheres,24578,0,"));
 }
 
 /// Every way of tracing makes the same image, by other work.

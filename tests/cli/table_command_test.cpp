@@ -32,12 +32,7 @@ TEST(TableCommand, PrintsTheThesisFiguresBelowOurs) {
 TEST(TableCommand, FitsEightyColumns) {
   for (const char* const number : {"4.1", "5.3", "6.2"}) {
     const auto lines = lines_of(run_hitpipe(quick(number)).out);
-    const auto end = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
-      return line.starts_with("agrees") || line.starts_with("differs");
-    });
-    ASSERT_NE(end, lines.end()) << number;
-    for (auto line = lines.begin(); line != end; ++line)
-      EXPECT_LE(line->size(), 80U) << number << ": " << *line;
+    for (const std::string& line : lines) EXPECT_LE(line.size(), 80U) << number << ": " << line;
   }
 }
 

@@ -121,7 +121,7 @@ TEST(IntegerExperiment, FewerBitsNeverSaveWorkAndNoAnswerDiffers) {
     options.only = {"Spheres"};
     const ResultTable table = find_experiment(number).run(number, options);
     EXPECT_THAT(table.findings, Each(Field(&Finding::agrees, true))) << number;
-    const ResultRow& boxes = row_of(table, {"Spheres", "ray_node", "pri"});
+    const ResultRow& boxes = row_of(table, {"Spheres", "node", "pri"});
     EXPECT_GE(*boxes.ours.back(), *boxes.ours[1]) << number;
     options.threads = 2;
     const ResultTable threaded = find_experiment(number).run(number, options);
