@@ -16,6 +16,7 @@ void add_bvh_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_compare_command(CLI::App& program, int& exit_code);
 void add_cosim_command(CLI::App& program, int& exit_code);
+void add_sweep_command(CLI::App& program, int& exit_code);
 void add_table_command(CLI::App& program);
 void add_check_command(CLI::App& program, int& exit_code);
 void add_stiffness_command(CLI::App& program, int& exit_code);

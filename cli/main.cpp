@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   hitpipe::cli::add_render_command(program);
   hitpipe::cli::add_compare_command(program, exit_code);
   hitpipe::cli::add_cosim_command(program, exit_code);
+  hitpipe::cli::add_sweep_command(program, exit_code);
   hitpipe::cli::add_table_command(program);
   hitpipe::cli::add_check_command(program, exit_code);
   hitpipe::cli::add_stiffness_command(program, exit_code);

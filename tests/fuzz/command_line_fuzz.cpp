@@ -44,6 +44,7 @@ int parse(std::vector<std::string> words) {
   cli::add_render_command(program);
   cli::add_compare_command(program, exit_code);
   cli::add_cosim_command(program, exit_code);
+  cli::add_sweep_command(program, exit_code);
   cli::add_table_command(program);
   cli::add_check_command(program, exit_code);
   cli::add_stiffness_command(program, exit_code);

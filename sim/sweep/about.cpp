@@ -1,0 +1,64 @@
+#include <array>
+#include <cstring>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "sim/sweep/printable.hpp"
+#include "sim/sweep/sweep.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+/// FNV-1a, 64 bits.
+class Hash {
+ public:
+  /// Numbers, or structs of numbers of one kind without gaps.
+  template <class Value>
+  Hash& operator<<(const Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    std::array<unsigned char, sizeof(Value)> bytes{};
+    std::memcpy(bytes.data(), &value, sizeof(Value));
+    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 0x100000001b3U;
+    return *this;
+  }
+  template <class Value>
+  Hash& operator<<(const std::vector<Value>& values) {
+    *this << std::uint64_t{values.size()};
+    for (const Value& value : values) *this << value;
+    return *this;
+  }
+  [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325U;
+};
+
+std::uint64_t content(const ref::Scene& scene, const ref::Bvh& bvh) {
+  const ref::Mesh& mesh = scene.mesh;
+  const ref::Camera& camera = scene.camera;
+  Hash hash;
+  hash << mesh.vertices << mesh.normals << mesh.triangles << mesh.materials << scene.materials << scene.lights
+       << bvh.nodes << bvh.order;
+  hash << camera.eye << camera.forward << camera.right << camera.up << camera.tan_half_height;
+  return hash.value();
+}
+
+}  // namespace
+
+std::string printable(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  }
+  return text;
+}
+
+std::string about_sweep(const std::string& program, const ref::Scene& scene, const ref::Bvh& bvh,
+                        const SweepOptions& options) {
+  return fmt::format("{} sweep: {}, content {:016x}, {} x {} pixels, {} bounces", program,
+                     printable(scene.name), content(scene, bvh), options.width, options.height,
+                     options.light.bounces);
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,110 @@
+// One measured row of a sweep: what was counted, and the figures that follow from the counts
+// (docs/error_and_run_time.md defines each).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hitpipe::sim {
+
+struct SweepRow {
+  std::string scene;
+  std::uint64_t triangles = 0;
+  std::uint64_t bvh_nodes = 0;
+  int width = 0;
+  int height = 0;
+  int rays_in_flight = 0;
+  std::string design;
+  std::string bits;  ///< "20/24" or "fp32"
+  int stages = 0;
+  std::int64_t stage_delay_ps = 0;
+  std::int64_t area_um2 = 0;  ///< built account
+
+  std::uint64_t rays_primary = 0;
+  std::uint64_t rays_secondary = 0;
+  std::uint64_t rays_shadow = 0;
+  std::uint64_t rays_rejected = 0;  ///< of all kinds; no unit traced them
+  std::uint64_t box_tests = 0;
+  std::uint64_t hits = 0;
+  std::uint64_t triangle_tests = 0;
+  std::uint64_t reference_box_tests = 0;
+  std::uint64_t reference_triangle_tests = 0;
+  std::uint64_t false_hits = 0;
+  std::uint64_t false_misses = 0;
+  std::uint64_t rtl_mismatches = 0;
+  std::uint64_t different_triangles = 0;
+  std::uint64_t different_pixels = 0;
+  std::uint64_t cycles = 0;
+
+  double rtl_seconds = 0;     ///< measured: processor time of simulating the unit
+  double software_ratio = 0;  ///< measured: time of the design's software traversal, that of fp_slabs is 1
+
+  [[nodiscard]] std::uint64_t rays_traced() const;
+  [[nodiscard]] double occupancy_pct() const;
+  [[nodiscard]] double false_hits_per_million() const;  ///< box tests
+  [[nodiscard]] double extra_box_tests_per_ray() const;
+  [[nodiscard]] double extra_triangle_tests_per_ray() const;
+  [[nodiscard]] double run_time_ms() const;
+  [[nodiscard]] double area_delay_mm2_ns() const;
+  [[nodiscard]] double area_run_time_mm2_ms() const;
+
+  /// Nothing that must be zero is more than zero; false misses count when the design is conservative.
+  [[nodiscard]] bool verified(bool conservative) const;
+
+  friend bool operator==(const SweepRow&, const SweepRow&) = default;
+};
+
+/// The columns of a sweep's CSV file, in order. The last two are measured times: only they differ between
+/// runs.
+inline constexpr std::array<std::string_view, 35> sweep_columns{"scene",
+                                                                "triangles",
+                                                                "bvh_nodes",
+                                                                "width",
+                                                                "height",
+                                                                "rays_in_flight",
+                                                                "design",
+                                                                "bits",
+                                                                "stages",
+                                                                "stage_delay_ns",
+                                                                "area_mm2",
+                                                                "rays_primary",
+                                                                "rays_secondary",
+                                                                "rays_shadow",
+                                                                "rays_rejected",
+                                                                "box_tests",
+                                                                "hits",
+                                                                "triangle_tests",
+                                                                "reference_box_tests",
+                                                                "reference_triangle_tests",
+                                                                "false_hits",
+                                                                "false_misses",
+                                                                "rtl_mismatches",
+                                                                "different_triangles",
+                                                                "different_pixels",
+                                                                "cycles",
+                                                                "occupancy_pct",
+                                                                "false_hits_per_million",
+                                                                "extra_box_tests_per_ray",
+                                                                "extra_triangle_tests_per_ray",
+                                                                "run_time_ms",
+                                                                "area_delay_mm2_ns",
+                                                                "area_run_time_mm2_ms",
+                                                                "rtl_seconds",
+                                                                "software_ratio"};
+inline constexpr std::size_t sweep_time_columns = 2;
+
+[[nodiscard]] constexpr bool is_text_column(std::string_view column) {
+  return column == "scene" || column == "design" || column == "bits";
+}
+
+/// One cell a column, without CSV's quotes. Numbers have all their digits: from_cells() gives the same row.
+[[nodiscard]] std::vector<std::string> to_cells(const SweepRow& row);
+
+/// Throws std::runtime_error, one line, for another number of cells, a cell that is no number of its kind, or
+/// a figure that does not follow from the counts.
+[[nodiscard]] SweepRow from_cells(const std::vector<std::string>& cells);
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,193 @@
+#include "sim/sweep/sweep.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "area_model/price.hpp"
+#include "sim/cosim.hpp"
+#include "sim/sweep/printable.hpp"
+#include "sim/sweep/software_time.hpp"
+#include "sw_ref/render/render.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+/// A design in one format: built once for all numbers of rays in flight.
+struct Unit {
+  std::mutex making;
+  std::optional<VerilatedDesign> verilated;
+  std::optional<area::Price> price;
+  double software_ratio = 0;
+};
+
+/// What stands in front of the measuring of each row.
+struct Reference {
+  ref::RenderResult picture;
+  SoftwareTime software;
+};
+
+ref::RenderResult render_reference(const ref::Scene& scene, const ref::Bvh& bvh,
+                                   const SweepOptions& options) {
+  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, bvh, {});
+  return ref::render(
+      scene, *tracer,
+      {.width = options.width, .height = options.height, .threads = options.threads, .light = options.light});
+}
+
+class Run {
+ public:
+  Run(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const SweepPoint> points,
+      const SweepOptions& options, const std::function<void(const SweepRow&)>& finished)
+      : scene_(scene),
+        bvh_(bvh),
+        options_(options),
+        finished_(finished),
+        points_(longest_first(points)),
+        reference_{render_reference(scene, bvh, options),
+                   SoftwareTime(scene, bvh, options.width, options.height)} {
+    for (const SweepPoint& point : points_) units_.try_emplace(unit_key(point));
+  }
+
+  void all() {
+    const auto rows = static_cast<int>(points_.size());
+    const int workers = std::min(options_.threads, rows);
+    threads_of_a_row_ = options_.threads / workers;
+    std::vector<std::thread> threads;
+    for (int i = 0; i < workers; ++i) threads.emplace_back([this] { work(); });
+    for (std::thread& thread : threads) thread.join();
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  /// Float units take longest to build and to simulate, then wide ones. A unit's further rows come later, so
+  /// that no two wait for the same build.
+  static std::vector<SweepPoint> longest_first(std::span<const SweepPoint> points) {
+    std::map<RowKey, int> rows_before;
+    std::vector<std::pair<std::pair<int, int>, SweepPoint>> ranked;
+    for (const SweepPoint& point : points) {
+      const int width = point.format.is_float() ? hls::IntBits::max_coord + 1 : point.format.bits().coord;
+      ranked.push_back({{rows_before[unit_key(point)]++, -width}, point});
+    }
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<SweepPoint> sorted;
+    for (const auto& [rank, point] : ranked) sorted.push_back(point);
+    return sorted;
+  }
+
+  static RowKey unit_key(SweepPoint point) {
+    point.rays_in_flight = 0;
+    return key_of(point);
+  }
+
+  void work() {
+    while (const SweepPoint* const point = next()) {
+      try {
+        const SweepRow row = measure(*point);
+        const std::scoped_lock lock(state_);
+        finished_(row);
+        options_.progress(static_cast<double>(++rows_done_) / static_cast<double>(points_.size()));
+      } catch (...) {
+        const std::scoped_lock lock(state_);
+        if (!failure_) failure_ = std::current_exception();
+      }
+    }
+  }
+
+  /// Null at the end, and after a failure.
+  const SweepPoint* next() {
+    const std::scoped_lock lock(state_);
+    return failure_ || next_ == points_.size() ? nullptr : &points_[next_++];
+  }
+
+  const Unit& unit_of(const SweepPoint& point) {
+    Unit& unit = units_.at(unit_key(point));
+    const std::scoped_lock lock(unit.making);
+    if (!unit.verilated) {
+      const rtl::Library& library = rtl::Library::thesis();
+      unit.price = area::price(*point.design, point.format, library, area::Account::built);
+      unit.software_ratio = reference_.software.ratio(*point.design, point.format);
+      unit.verilated.emplace(*point.design, point.format, library);
+    }
+    return unit;
+  }
+
+  SweepRow measure(const SweepPoint& point) {
+    const Unit& unit = unit_of(point);
+    const CosimResult result = cosimulate(*point.design, point.format, *unit.verilated, scene_, bvh_,
+                                          {.width = options_.width,
+                                           .height = options_.height,
+                                           .rays_in_flight = point.rays_in_flight,
+                                           .threads = threads_of_a_row_,
+                                           .referee = true,
+                                           .light = options_.light});
+    return {.scene = printable(scene_.name),
+            .triangles = scene_.mesh.triangles.size(),
+            .bvh_nodes = bvh_.nodes.size(),
+            .width = options_.width,
+            .height = options_.height,
+            .rays_in_flight = point.rays_in_flight,
+            .design = std::string(point.design->name),
+            .bits = rtl::to_string(point.format),
+            .stages = unit.price->stages,
+            .stage_delay_ps = unit.price->stage_delay_ps,
+            .area_um2 = unit.price->area_um2,
+            .rays_primary = result.rays_primary,
+            .rays_secondary = result.rays_secondary,
+            .rays_shadow = result.rays_shadow,
+            .rays_rejected = result.rejected,
+            .box_tests = result.unit.box_tests,
+            .hits = result.unit.hits,
+            .triangle_tests = result.unit.triangle_tests,
+            .reference_box_tests = result.reference.box_tests,
+            .reference_triangle_tests = result.reference.triangle_tests,
+            .false_hits = result.unit.false_hits,
+            .false_misses = result.unit.false_misses,
+            .rtl_mismatches = result.unit.rtl_mismatches,
+            .different_triangles = result.different_triangles,
+            .different_pixels = different_pixels(result),
+            .cycles = result.unit.cycles,
+            .rtl_seconds = milli(result.rtl_seconds),
+            .software_ratio = unit.software_ratio};
+  }
+
+  [[nodiscard]] std::uint64_t different_pixels(const CosimResult& result) const {
+    std::uint64_t different = 0;
+    for (std::size_t pixel = 0; pixel < result.image.size(); ++pixel) {
+      const bool same = result.image[pixel] == reference_.picture.image[pixel] &&
+                        result.triangles[pixel] == reference_.picture.triangles[pixel];
+      different += same ? 0 : 1;
+    }
+    return different;
+  }
+
+  const ref::Scene& scene_;
+  const ref::Bvh& bvh_;
+  const SweepOptions& options_;
+  const std::function<void(const SweepRow&)>& finished_;
+  const std::vector<SweepPoint> points_;
+  const Reference reference_;
+  std::map<RowKey, Unit> units_;
+  int threads_of_a_row_ = 1;
+  std::mutex state_;  // of what follows
+  std::size_t next_ = 0;
+  std::size_t rows_done_ = 0;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+void run_sweep(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const SweepPoint> points,
+               const SweepOptions& options, const std::function<void(const SweepRow&)>& finished) {
+  if (!points.empty()) Run(scene, bvh, points, options, finished).all();
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,37 @@
+// Measures units on a whole scene: each row is a co-simulation with the referee, priced, and held against the
+// software traversal and its image.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "sim/sweep/plan.hpp"
+#include "sim/sweep/row.hpp"
+#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/render/whitted.hpp"
+#include "sw_ref/scene/scene.hpp"
+
+namespace hitpipe::sim {
+
+struct SweepOptions {
+  int width = 256;
+  int height = 256;
+  int threads = 1;  ///< rows at a time; no count depends on it
+  ref::WhittedOptions light{};
+  /// Told the finished share of the rows, 0..1, from any thread.
+  std::function<void(double)> progress = [](double) {};
+};
+
+/// One line of all that decides the counts of a row but the row's own unit: scene, hierarchy (by a hash of
+/// both), image, bounces, and the program, as the caller names it.
+[[nodiscard]] std::string about_sweep(const std::string& program, const ref::Scene& scene,
+                                      const ref::Bvh& bvh, const SweepOptions& options);
+
+/// Measures each point, all on the same hierarchy; the order is not the points'. `finished` is told each row
+/// as soon as it is known, from any thread, one at a time. Throws as cosimulate() and VerilatedDesign do;
+/// rows that were finished before have been told.
+void run_sweep(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const SweepPoint> points,
+               const SweepOptions& options, const std::function<void(const SweepRow&)>& finished);
+
+}  // namespace hitpipe::sim

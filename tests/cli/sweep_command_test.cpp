@@ -1,0 +1,289 @@
+// `hitpipe sweep`: the same file whoever did the work and however often it was killed.
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <random>
+#include <thread>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "sim/sweep/rows_file.hpp"
+#include "tests/cli/program.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// A mesh of 288 triangles: reading and building take no time.
+std::string comb() {
+  std::string text;
+  for (int i = 0; i < 144; ++i) {
+    text += fmt::format("v {0} 0 0\nv {1} 0 0\nv {0} 9 {2}\nv {1} 9 {2}\n", i * 0.1, i * 0.1 + 0.06, i % 7);
+    text += fmt::format("f {} {} {}\nf {} {} {}\n", 4 * i + 1, 4 * i + 2, 4 * i + 3, 4 * i + 2, 4 * i + 4,
+                        4 * i + 3);
+  }
+  return text;
+}
+
+class SweepCommand : public testing::Test {
+ protected:
+  /// Three units, each with two numbers of rays in flight.
+  [[nodiscard]] static std::vector<std::string> sweep(const fs::path& file,
+                                                      const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"sweep",   "--scene",   scene_.string(),
+                                       "--width", "40",        "--height",
+                                       "30",      "--designs", "int_plucker,fp_slabs,int_slabs",
+                                       "--bits",  "6/6",       "--rays-in-flight",
+                                       "8,1",     "--out",     file.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
+  /// The file of a run that nothing disturbed, on one thread.
+  [[nodiscard]] static const fs::path& whole() { return *whole_; }
+  /// A copy of it.
+  [[nodiscard]] fs::path copy() const {
+    fs::copy_file(whole(), file("copy.csv"));
+    return file("copy.csv");
+  }
+
+  static void SetUpTestSuite() {
+    suite_folder_ = std::make_unique<sim::TemporaryFolder>();
+    scene_ = suite_folder_->write("comb.obj", comb());
+    whole_ = suite_folder_->path() / "whole.csv";
+    const Outcome outcome = run_hitpipe(sweep(*whole_, {"--threads", "1"}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  static void TearDownTestSuite() { suite_folder_.reset(); }
+
+  void expect_error(const std::vector<std::string>& arguments, const std::string& message,
+                    const Variables& variables = {}) const {
+    const Outcome outcome = run_hitpipe(arguments, variables);
+    EXPECT_GT(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
+  }
+
+ private:
+  const sim::TemporaryFolder folder_;
+  static inline std::unique_ptr<sim::TemporaryFolder> suite_folder_;
+  static inline fs::path scene_;
+  static inline std::optional<fs::path> whole_;
+};
+
+constexpr std::size_t all_rows = 6;
+
+/// All but the two columns of measured times.
+std::string untimed(const fs::path& file) {
+  std::string text;
+  for (std::string line : lines_of(contents_of(file))) {
+    if (!line.starts_with('#')) {
+      for (std::size_t i = 0; i < sim::sweep_time_columns; ++i) line.erase(line.rfind(','));
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+TEST_F(SweepCommand, FileDoesNotDependOnThreadsShardsOrOrder) {
+  const std::string one = untimed(whole());
+  EXPECT_EQ(sim::read_rows(whole()).rows.size(), all_rows);
+
+  EXPECT_EQ(run_hitpipe(sweep(file("two.csv"), {"--threads", "2"})).exit_code, 0);
+  EXPECT_EQ(untimed(file("two.csv")), one);
+
+  EXPECT_EQ(run_hitpipe(sweep(file("cut.csv"), {"--shard", "2/2"})).exit_code, 0);
+  EXPECT_EQ(run_hitpipe(sweep(file("cut.csv"), {"--shard", "1/2"})).exit_code, 0);
+  EXPECT_FALSE(fs::exists(file("cut.csv")));
+  const Outcome merged = run_hitpipe({"sweep", "--merge", "--out", file("cut.csv").string()});
+  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(untimed(file("cut.csv")), one);
+}
+
+/// Two processes at once, with what MPICH tells its processes.
+TEST_F(SweepCommand, RanksOfALauncherAreShards) {
+  const auto rank = [&](const char* number) {
+    return run_hitpipe(sweep(file("ranks.csv"), {"--shard", "mpi", "--threads", "1"}),
+                       {{"PMI_RANK", number}, {"PMI_SIZE", "2"}})
+        .exit_code;
+  };
+  int second = -1;
+  std::thread other([&] { second = rank("1"); });
+  EXPECT_EQ(rank("0"), 0);
+  other.join();
+  EXPECT_EQ(second, 0);
+  EXPECT_EQ(run_hitpipe({"sweep", "--merge", "--out", file("ranks.csv").string()}).exit_code, 0);
+  EXPECT_EQ(untimed(file("ranks.csv")), untimed(whole()));
+}
+
+TEST_F(SweepCommand, RunsUnderMpirun) {
+  if (std::system("mpirun --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no mpirun";
+  std::string command =
+      "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+      "mpirun -n 2 " HITPIPE_PROGRAM;
+  for (const std::string& word : sweep(file("mpi.csv"), {"--shard", "mpi"})) command += " '" + word + "'";
+  ASSERT_EQ(std::system((command + " >/dev/null").c_str()), 0);
+  EXPECT_EQ(run_hitpipe({"sweep", "--merge", "--out", file("mpi.csv").string()}).exit_code, 0);
+  EXPECT_EQ(untimed(file("mpi.csv")), untimed(whole()));
+}
+
+/// The program in a group of its own with all that it starts.
+pid_t start(const std::vector<std::string>& arguments) {
+  std::vector<char*> words{const_cast<char*>(HITPIPE_PROGRAM)};
+  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+  words.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    setpgid(0, 0);
+    const int nowhere = open("/dev/null", O_RDWR);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
+    execv(words.front(), words.data());
+    _exit(127);
+  }
+  setpgid(child, child);
+  return child;
+}
+
+bool has_ended(pid_t child) {
+  siginfo_t info{};
+  waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT);
+  return info.si_pid == child;
+}
+
+/// False if it had ended before.
+bool kill_and_wait(pid_t child) {
+  kill(-child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status);
+}
+
+/// Each run is killed within 40 ms after it has finished a row; the first within 40 ms after its start.
+TEST_F(SweepCommand, KilledAtRandomMomentsComesToTheSameEnd) {
+  const fs::path out = file("killed.csv");
+  const auto finished = [&] {
+    return fs::exists(out) ? sim::read_rows(out).rows.size() : 0;  // throws for half a row
+  };
+  constexpr unsigned seed = 3;
+  std::mt19937 random(seed);
+  std::size_t rows = 0;
+  int killed = 0;
+  std::string history;
+  for (int run = 0; rows < all_rows && run < 10; ++run) {
+    const pid_t child = start(sweep(out));
+    while (run > 0 && finished() == rows && !has_ended(child))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 40'000));
+    killed += kill_and_wait(child) ? 1 : 0;
+    EXPECT_GE(finished(), rows) << "a finished row was lost";
+    rows = finished();
+    history += fmt::format(" {}", rows);
+  }
+  fmt::print("{} runs killed, seed {}; finished rows after each:{}\n", killed, seed, history);
+  EXPECT_GE(killed, 2);
+  EXPECT_EQ(run_hitpipe(sweep(out)).exit_code, 0);
+  EXPECT_EQ(untimed(out), untimed(whole()));
+}
+
+/// A finished row is not measured again, a missing one is; what was there stays byte for byte, times too.
+TEST_F(SweepCommand, ContinuesWithTheMissingRows) {
+  sim::RowsFile rows = sim::read_rows(whole());
+  rows.rows.erase(rows.rows.begin() + 3);
+  rows.rows.pop_back();
+  sim::write_rows(file("rows.csv"), rows);
+  ASSERT_EQ(run_hitpipe(sweep(file("rows.csv"))).exit_code, 0);
+  EXPECT_EQ(sim::read_rows(file("rows.csv")).rows.size(), all_rows);
+  const std::vector<std::string> before = lines_of(contents_of(whole()));
+  const std::vector<std::string> after = lines_of(contents_of(file("rows.csv")));
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t line = 0; line + 1 < before.size(); ++line) {
+    if (line == 2 + 3) continue;
+    EXPECT_EQ(after[line], before[line]);
+  }
+  // Nothing is missing any more: no Verilator is needed.
+  EXPECT_EQ(run_hitpipe(sweep(file("rows.csv")), {{"VERILATOR", "/nonexistent"}}).exit_code, 0);
+}
+
+TEST_F(SweepCommand, RowsOfSomethingElseRejected) {
+  const fs::path rows = copy();
+  const std::string before = contents_of(rows);
+  const Outcome outcome = run_hitpipe(sweep(rows, {"--bounces", "2"}));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, StartsWith("hitpipe: " + rows.string() + ": holds rows of \"hitpipe "));
+  EXPECT_THAT(outcome.err, HasSubstr(" 40 x 30 pixels, 5 bounces\", asked for are \""));
+  EXPECT_THAT(outcome.err,
+              testing::EndsWith(" 40 x 30 pixels, 2 bounces\"; give another --out or remove it\n"));
+  EXPECT_EQ(contents_of(rows), before);
+
+  std::ofstream(rows, std::ios::app) << "comb,1,2";
+  expect_error(sweep(rows),
+               rows.string() + ": the last line is cut short; give a file that hitpipe sweep wrote");
+}
+
+TEST_F(SweepCommand, PrintsTextThatFitsEightyColumnsAndJson) {
+  const fs::path rows_file = copy();
+  const Outcome text = run_hitpipe(sweep(rows_file));
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_EQ(text.err, "");
+  EXPECT_LE(widest_line(text.out), 80U) << text.out;
+  EXPECT_EQ(lines_of(text.out).size(), 2 + all_rows);
+  EXPECT_EQ(run_hitpipe(sweep(rows_file, {"--format", "csv"})).out, contents_of(rows_file));
+
+  const json rows = json::parse(run_hitpipe(sweep(rows_file, {"--format", "json"})).out);
+  ASSERT_EQ(rows.size(), all_rows);
+  for (const json& row : rows) {
+    EXPECT_EQ(row.at("scene"), "comb");
+    EXPECT_EQ(row.at("rays_primary"), 1200);
+    EXPECT_EQ(row.at("different_pixels"), 0);
+    EXPECT_NEAR(row.at("run_time_ms").get<double>(),
+                row.at("cycles").get<double>() * row.at("stage_delay_ns").get<double>() * 1e-6, 1e-9);
+  }
+}
+
+TEST_F(SweepCommand, BadInputRejected) {
+  const std::string out = file("rows.csv").string();
+  expect_error({"sweep", "--out", out}, "--scene is required; see hitpipe sweep --help");
+  expect_error({"sweep", "--scene", "spheres"}, "--out is required; see hitpipe sweep --help");
+  expect_error({"sweep", "--merge", "--out", out},
+               out + ": no shards beside it; run hitpipe sweep --shard I/N first");
+  expect_error({"sweep", "--scene", "spheres", "--designs", "int_slab", "--out", out},
+               "design int_slab: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker");
+  expect_error({"sweep", "--scene", "spheres", "--designs", "fp_slabs", "--bits", "24/24", "--out", out},
+               "--bits: no design named takes it; float designs have fp32 only");
+  expect_error({"sweep", "--scene", "spheres", "--bits", "24/24,5/5", "--out", out},
+               "bits 5/5: allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
+  expect_error({"sweep", "--scene", "spheres", "--rays-in-flight", "1,0", "--out", out},
+               "--rays-in-flight: Value 0 not in range 1 to 65536; see hitpipe sweep --help");
+  expect_error({"sweep", "--scene", "spheres", "--bits", "6/6", "--shard", "3/2", "--out", out},
+               "--shard 3/2: allowed is I/N with I in 1..N and N in 1..100000, or mpi");
+  EXPECT_FALSE(fs::exists(file("rows.csv")));
+}
+
+TEST_F(SweepCommand, RowThatIsNotVerifiedFails) {
+  sim::RowsFile rows = sim::read_rows(whole());
+  rows.rows[2].different_pixels = 7;
+  rows.rows[2].false_misses = 1;
+  sim::write_rows(file("rows.csv"), rows);
+  const Outcome outcome = run_hitpipe(sweep(file("rows.csv")));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(lines_of(outcome.out).size(), 2 + all_rows);
+  EXPECT_EQ(outcome.err,
+            "hitpipe: int_slabs 6/6 on comb: 0 RTL mismatches, 0 different triangles, 7 different pixels, 1 "
+            "false misses; all must be 0\n");
+}
+
+}  // namespace
+}  // namespace hitpipe::cli
