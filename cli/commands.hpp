@@ -21,5 +21,7 @@ void add_table_command(CLI::App& program);
 void add_check_command(CLI::App& program, int& exit_code);
 void add_stiffness_command(CLI::App& program, int& exit_code);
 void add_rescale_command(CLI::App& program, int& exit_code);
+void add_fit_command(CLI::App& program, int& exit_code);
+void add_report_command(CLI::App& program, int& exit_code);
 
 }  // namespace hitpipe::cli

@@ -57,6 +57,8 @@ int main(int argc, char** argv) {
   hitpipe::cli::add_check_command(program, exit_code);
   hitpipe::cli::add_stiffness_command(program, exit_code);
   hitpipe::cli::add_rescale_command(program, exit_code);
+  hitpipe::cli::add_fit_command(program, exit_code);
+  hitpipe::cli::add_report_command(program, exit_code);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
   program.footer(
       "hitpipe COMMAND --help tells more of each. A first try:\n"

@@ -10,9 +10,9 @@ namespace {
 using testing::HasSubstr;
 
 /// All there are, in the order of the help.
-const std::vector<std::string> commands{"designs", "scenes",    "rtl",    "area",  "bvh",
-                                        "render",  "compare",   "cosim",  "sweep", "table",
-                                        "check",   "stiffness", "rescale"};
+const std::vector<std::string> commands{"designs", "scenes",    "rtl",     "area",  "bvh",
+                                        "render",  "compare",   "cosim",   "sweep", "table",
+                                        "check",   "stiffness", "rescale", "fit",   "report"};
 
 std::string listed(const std::vector<std::string>& words) {
   std::string text;

@@ -49,6 +49,8 @@ int parse(std::vector<std::string> words) {
   cli::add_check_command(program, exit_code);
   cli::add_stiffness_command(program, exit_code);
   cli::add_rescale_command(program, exit_code);
+  cli::add_fit_command(program, exit_code);
+  cli::add_report_command(program, exit_code);
   program.parse_complete_callback([] { throw Understood(); });  // comes before the command's own
   try {
     program.parse(std::vector<std::string>(words.rbegin(), words.rend()));

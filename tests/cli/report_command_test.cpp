@@ -1,0 +1,129 @@
+// `hitpipe report`: one page, its rows beside it, every number to be found there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/report_page.hpp"
+#include "cli/sweep_rows.hpp"
+#include "sim/sweep/rows_file.hpp"
+#include "tests/cli/program.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::string> report(const fs::path& out, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"report", "--scene", "spheres", "--width", "8",         "--height",
+                                     "8",      "--tests", "600",     "--out",   out.string()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// One report with its own sweep, for all tests.
+class ReportCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new sim::TemporaryFolder;
+    outcome_ = run_hitpipe(report(out(), {"--bits", "6/6"}));
+    page_ = fs::exists(out() / "index.html") ? contents_of(out() / "index.html") : "";
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+  void SetUp() override { ASSERT_EQ(outcome_.exit_code, 0) << outcome_.err; }
+
+  static fs::path out() { return folder_->path() / "out"; }
+
+  static inline sim::TemporaryFolder* folder_ = nullptr;
+  static inline Outcome outcome_;
+  static inline std::string page_;
+};
+
+TEST_F(ReportCommand, WritesThePageAndWhatItsNumbersComeFrom) {
+  EXPECT_EQ(outcome_.err, "");
+  EXPECT_THAT(outcome_.out, HasSubstr("rows                 56\n"));
+  EXPECT_EQ(files_below(out()),
+            (std::vector<std::string>{
+                "box_tests.png", "error_area.svg", "error_area_run_time.svg", "error_run_time.svg",
+                "extra_box_tests_20_24.png", "extra_box_tests_6_6.png", "index.html", "occupancy.svg",
+                "pictures.csv", "pipelines.csv", "rows.csv", "rtl.png", "software.png", "stability.csv"}));
+}
+
+TEST_F(ReportCommand, PageNeedsNothingButItself) {
+  for (const char* const outside : {"src=\"http", "href=\"http", "url(http", "@import", "<script", ".csv\""})
+    EXPECT_THAT(page_, Not(HasSubstr(outside)));
+  std::size_t pictures = 0;
+  for (std::size_t at = page_.find("<img "); at != std::string::npos; at = page_.find("<img ", at + 1)) {
+    EXPECT_EQ(page_.substr(at, 32), "<img src=\"data:image/png;base64,");
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 5U);
+}
+
+TEST_F(ReportCommand, EveryRowOfTheTableIsTheLineOfTheFile) {
+  const sim::RowsFile rows = sim::read_rows(out() / "rows.csv");
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+    const sim::SweepRow& row = rows.rows[i];
+    if (row.rays_in_flight != 32) continue;
+    std::string line = "<tr><td class=\"n\">" + std::to_string(i + 3) + "</td><td>" + row.design +
+                       "</td><td>" + row.bits + "</td>";
+    for (const char* const column :
+         {"stages", "stage_delay_ns", "area_mm2", "box_tests", "false_hits_per_million",
+          "extra_box_tests_per_ray", "extra_triangle_tests_per_ray", "cycles", "occupancy_pct", "run_time_ms",
+          "area_run_time_mm2_ms", "false_misses", "rtl_mismatches", "different_triangles",
+          "different_pixels"})
+      line += "<td class=\"n\">" + readable_number(cell(row, column)) + "</td>";
+    EXPECT_THAT(page_, HasSubstr(line + "</tr>\n"));
+    ++shown;
+  }
+  EXPECT_EQ(shown, 8U);
+}
+
+TEST_F(ReportCommand, RowsThatAreGivenMakeTheSamePage) {
+  const fs::path again = folder_->path() / "again";
+  const Outcome outcome = run_hitpipe(report(again, {"--rows", (out() / "rows.csv").string()}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* const file : {"rows.csv", "pictures.csv", "pipelines.csv", "stability.csv",
+                                 "error_area.svg", "occupancy.svg", "rtl.png"})
+    EXPECT_EQ(contents_of(again / file), contents_of(out() / file)) << file;
+}
+
+TEST_F(ReportCommand, NamesCommandsThatMeasureTheSameRows) {
+  EXPECT_THAT(page_, HasSubstr("hitpipe sweep --scene spheres --width 8 --height 8 --designs "
+                               "int_slabs,int_plucker --bits 6/6 --rays-in-flight 32 --out rows.csv\n"));
+  EXPECT_THAT(page_,
+              HasSubstr("--bits 20/24,24/24 --rays-in-flight 1,2,4,8,16,32,64,128,256 --out rows.csv\n"));
+  EXPECT_THAT(page_, HasSubstr("hitpipe check int_plucker --bits 20/24 --tests 600 --seed 1\n"));
+}
+
+TEST_F(ReportCommand, BadInputRejected) {
+  const auto rejected = [&](const std::vector<std::string>& more, const std::string& message) {
+    const Outcome outcome = run_hitpipe(report(folder_->path() / "none", more));
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U);
+    EXPECT_FALSE(fs::exists(folder_->path() / "none"));
+  };
+  rejected({"--image-design", "fp_slabs"},
+           "hitpipe: design fp_slabs: computes in floats; give an integer design\n");
+  const std::string rows = (out() / "rows.csv").string();
+  rejected({"--rows", rows, "--fov", "30"}, "give rows of the same scene and size, or another folder\n");
+  const std::string none = (out() / "none.csv").string();
+  rejected({"--rows", none}, "hitpipe: " + none + ": cannot read the rows\n");
+}
+
+TEST_F(ReportCommand, MissingGnuplotRejected) {
+  const Outcome outcome =
+      run_hitpipe(report(folder_->path() / "none", {"--rows", (out() / "rows.csv").string()}),
+                  {{"PATH", folder_->path().string()}});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err, "hitpipe: report: gnuplot was not found; install the package gnuplot-nox\n");
+}
+
+}  // namespace
+}  // namespace hitpipe::cli

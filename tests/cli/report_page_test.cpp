@@ -1,0 +1,89 @@
+// The parts of a report's page: text, numbers, pictures and drawings as HTML; places of labels.
+#include "cli/report_page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/label_places.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Base64, IsThatOfRfc4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64(std::string("\xFF\xFE\x00", 3)), "//4A");
+}
+
+TEST(ReadableNumber, KeepsWhatIsShortAndWhatIsNone) {
+  EXPECT_EQ(readable_number("3.176"), "3.176");
+  EXPECT_EQ(readable_number("0.03084269085342762"), "0.03084");
+  EXPECT_EQ(readable_number("99.99987728707483"), "100");
+  EXPECT_EQ(readable_number("123456.7890123"), "123,457");
+  EXPECT_EQ(readable_number("1234567"), "1,234,567");
+  EXPECT_EQ(readable_number("-1234"), "-1,234");
+  EXPECT_EQ(readable_number("-123"), "-123");
+  EXPECT_EQ(readable_number("20/24"), "20/24");
+  EXPECT_EQ(readable_number(""), "");
+}
+
+TEST(Page, ShowsTextLiterally) {
+  Page page("<a> & \"b\"");
+  page.paragraph("x<y");
+  page.table({"c", {"rays_in_flight"}, {{"1,234"}, {"int_slabs"}}});
+  const std::string html = page.html();
+  EXPECT_THAT(html, HasSubstr("<title>&lt;a&gt; &amp; &quot;b&quot;</title>"));
+  EXPECT_THAT(html, HasSubstr("<p>x&lt;y</p>"));
+  EXPECT_THAT(html, HasSubstr("<th scope=\"col\">rays in flight</th>"));
+  EXPECT_THAT(html, HasSubstr("<td class=\"n\">1,234</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>int_slabs</td>"));
+}
+
+TEST(Page, GivesEachDrawingIdentifiersOfItsOwn) {
+  const std::string svg =
+      "<?xml version=\"1.0\"?>\n<!-- made by -->\n<svg width=\"9\"><title>G</title><path id=\"p\"/>"
+      "<use xlink:href='#p'/><g clip-path=\"url(#p)\"/></svg>\n";
+  Page page("t");
+  page.drawing(svg, "first \"one\"", "c");
+  page.drawing(svg, "second", "c");
+  const std::string html = page.html();
+  EXPECT_THAT(html, HasSubstr("<svg role=\"img\" aria-label=\"first &quot;one&quot;\" width=\"9\"><path "
+                              "id=\"d1-p\"/><use xlink:href='#d1-p'/><g clip-path=\"url(#d1-p)\"/></svg>"));
+  EXPECT_THAT(html, HasSubstr("<path id=\"d2-p\"/><use xlink:href='#d2-p'/>"));
+  EXPECT_THAT(html, Not(HasSubstr("<?xml")));
+}
+
+TEST(LabelPlaces, CoverNeitherEachOtherNorAMark) {
+  const std::vector<Mark> marks{{100, 20}, {104, 20}, {110, 20}, {112, 24}, {300, 100}};
+  const std::vector<std::string> texts{"int_slabs 24/24", "fp_slabs", "fp_plucker", "int_plucker 20/24"};
+  const std::vector<LabelPlace> places = place_labels(marks, texts, {600, 400});
+  ASSERT_EQ(places.size(), texts.size());
+  constexpr double letter = 8;
+  constexpr double half_height = 9;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double right = places[i].left + letter * static_cast<double>(texts[i].size());
+    EXPECT_GE(places[i].left, 0) << texts[i];
+    EXPECT_LE(right, 600) << texts[i];
+    for (const Mark& mark : marks) {
+      EXPECT_FALSE(mark.x > places[i].left && mark.x < right &&
+                   std::abs(mark.y - places[i].middle) < half_height)
+          << texts[i] << " lies on the mark at " << mark.x << ", " << mark.y;
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const double other_right = places[j].left + letter * static_cast<double>(texts[j].size());
+      EXPECT_FALSE(places[i].left < other_right && places[j].left < right &&
+                   std::abs(places[i].middle - places[j].middle) < 2 * half_height)
+          << texts[i] << " lies on " << texts[j];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hitpipe::cli

@@ -1,0 +1,100 @@
+// Work-precision diagrams: which units are on the front, where they stand, and axes that no scene moves.
+#include "cli/sweep_plot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/sweep_rows.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+bool operator==(const CostAndError& a, const CostAndError& b) {
+  return a.cost == b.cost && a.error == b.error;
+}
+
+sim::SweepRow row(const std::string& design, const std::string& bits, std::uint64_t box_tests) {
+  sim::SweepRow made;
+  made.scene = "spheres";
+  made.design = design;
+  made.bits = bits;
+  made.rays_in_flight = 32;
+  made.stage_delay_ps = 3000;
+  made.area_um2 = 2'000'000;
+  made.box_tests = box_tests;
+  made.reference_box_tests = 1000;
+  made.cycles = 2 * box_tests;
+  return made;
+}
+
+TEST(ParetoFront, HasWhatNoneBetters) {
+  const std::vector<CostAndError> front =
+      pareto_front({{3, 1}, {1, 5}, {2, 5}, {2, 3}, {4, 1}, {5, 0.5}, {1, 6}});
+  ASSERT_EQ(front.size(), 4U);
+  EXPECT_TRUE(front[0] == (CostAndError{1, 5}));
+  EXPECT_TRUE(front[1] == (CostAndError{2, 3}));
+  EXPECT_TRUE(front[2] == (CostAndError{3, 1}));
+  EXPECT_TRUE(front[3] == (CostAndError{5, 0.5}));
+  EXPECT_TRUE(pareto_front({}).empty());
+}
+
+TEST(SweepRows, FiguresFollowFromTheCounts) {
+  const sim::SweepRow unit = row("int_slabs", "20/24", 1500);
+  EXPECT_DOUBLE_EQ(extra_box_tests_pct(unit), 50);
+  EXPECT_DOUBLE_EQ(run_time_ns(unit), 9);  // 3000 cycles of 3 ns for 1000 box tests
+  EXPECT_DOUBLE_EQ(extra_box_tests_pct(row("fp_slabs", "fp32", 990)), -1);
+  EXPECT_EQ(cell(unit, "area_mm2"), "2.000000");
+}
+
+TEST(SweepRows, TheSixUnitsOfTheThesisAreKnown) {
+  EXPECT_TRUE(is_thesis_unit(row("fp_plucker", "fp32", 1)));
+  EXPECT_TRUE(is_thesis_unit(row("int_slabs", "24/24", 1)));
+  EXPECT_FALSE(is_thesis_unit(row("int_slabs", "24/28", 1)));
+}
+
+TEST(SweepRows, UsualRaysInFlightAreThoseOfMostRows) {
+  std::vector<sim::SweepRow> rows(5, row("int_slabs", "20/24", 1));
+  rows[0].rays_in_flight = 1;
+  rows[1].rays_in_flight = 2;
+  EXPECT_EQ(usual_rays_in_flight(rows), 32);
+  rows[2].rays_in_flight = 1;
+  EXPECT_EQ(usual_rays_in_flight(std::vector(rows.begin(), rows.begin() + 4)), 1);
+  EXPECT_EQ(usual_rays_in_flight(std::vector(rows.begin() + 1, rows.begin() + 3)), 2);
+}
+
+TEST(WorkPrecisionDiagram, HasTheSameAxesWhateverTheRows) {
+  const std::string axes = "set xrange [0.1:10]\nset yrange [5e-05:1000]\n";
+  EXPECT_THAT(work_precision_script("a", std::vector{row("int_slabs", "20/24", 1001)}, Cost::area),
+              HasSubstr(axes));
+  EXPECT_THAT(work_precision_script("b", std::vector{row("int_plucker", "8/8", 900'000)}, Cost::area),
+              HasSubstr(axes));
+}
+
+TEST(WorkPrecisionDiagram, DrawsOnTheAxisWhatIsBeyondIt) {
+  const std::vector rows{row("fp_slabs", "fp32", 1000), row("int_slabs", "8/8", 900'000)};
+  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("2 0.0001\n"));
+  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("2 1000\n"));
+}
+
+TEST(WorkPrecisionDiagram, LabelsTheUnitsOfTheThesisAlone) {
+  const std::vector rows{row("int_slabs", "20/24", 1001), row("int_slabs", "16/16", 1100)};
+  const std::string script = work_precision_script("a", rows, Cost::run_time);
+  EXPECT_THAT(script, HasSubstr("set label 'int_slabs 20/24' at graph "));
+  EXPECT_THAT(script, Not(HasSubstr("16/16")));
+}
+
+TEST(OccupancyDiagram, HasALineForEachUnitOfTheThesis) {
+  std::vector<sim::SweepRow> rows(3, row("int_slabs", "20/24", 1000));
+  rows[1].rays_in_flight = 64;
+  rows[2].bits = "16/16";
+  const std::string script = occupancy_script("a", rows);
+  EXPECT_THAT(script, HasSubstr("$unit0 << END\n32 50\n64 50\nEND\n"));
+  EXPECT_THAT(script, HasSubstr("title 'int_slabs 20/24'"));
+  EXPECT_THAT(script, Not(HasSubstr("16/16")));
+}
+
+}  // namespace
+}  // namespace hitpipe::cli
