@@ -43,6 +43,14 @@ std::vector<NodeId> components_of(const rtl::Pipeline& pipeline) {
   return nodes;
 }
 
+/// Part::by
+int narrower_operand(const rtl::Graph& graph, NodeId id) {
+  if (graph[id].op != rtl::Op::mul) return 0;
+  const auto [narrower, wider] =
+      std::minmax({graph[graph[id].args[0]].width, graph[graph[id].args[1]].width});
+  return narrower == wider ? 0 : narrower;
+}
+
 }  // namespace
 
 std::vector<Count> count_built(const rtl::Pipeline& pipeline) {
@@ -55,7 +63,8 @@ std::vector<Count> count_built(const rtl::Pipeline& pipeline) {
   }
   for (const NodeId id : components_of(pipeline)) {
     const rtl::ComponentUse use = component_of(pipeline.graph, id);
-    tally.add(pipeline.schedule.slots[id].stage, {use.component, use.bits});
+    tally.add(pipeline.schedule.slots[id].stage,
+              {use.component, use.bits, Purpose::datapath, narrower_operand(pipeline.graph, id)});
   }
   return tally.counts();
 }

@@ -18,7 +18,7 @@ constexpr std::array<Component, rtl::component_count> table_7_1{
 
 auto rank(const Part& part) {
   const auto row = std::find(table_7_1.begin(), table_7_1.end(), part.component) - table_7_1.begin();
-  return std::tuple(part.purpose, row, part.bits);
+  return std::tuple(part.purpose, row, part.bits, part.by);
 }
 
 }  // namespace
@@ -36,6 +36,7 @@ std::string part_name(const Part& part) {
     case Purpose::datapath:
       break;
   }
+  if (part.by != 0) return fmt::format("{}_{}x{}", component_name(part.component), part.bits, part.by);
   return fmt::format("{}_{}", component_name(part.component), part.bits);
 }
 

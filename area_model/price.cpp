@@ -13,20 +13,21 @@ std::int64_t as_printed(std::int64_t area_um2) {
 }
 
 Line line_of(const Part& part, int n, const rtl::Library& library) {
-  const rtl::Cell cell = library.cell(part.component, part.bits);
+  rtl::Cell cell = library.cell(part.component, part.bits);
+  if (part.by != 0) {
+    // An array has a row of partial products for each bit of the narrower operand: so much of the square.
+    cell.area_um2 =
+        static_cast<int>((2 * std::int64_t{cell.area_um2} * part.by + part.bits) / (2 * part.bits));
+    cell.estimated = true;
+  }
   return {.part = part, .n = n, .area_um2 = std::int64_t{n} * cell.area_um2, .estimated = cell.estimated};
 }
 
-}  // namespace
-
-Price price(const rtl::Design& design, rtl::Format format, const rtl::Library& library, Account account) {
-  const Habits* const habits = account == Account::printed ? &printed_habits(design.name) : nullptr;
-  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
-  const std::vector<Count> counts =
-      habits != nullptr ? count_printed(pipeline, format, *habits) : count_built(pipeline);
-
-  Price price{.design = design.name,
-              .format = format,
+/// What the counts of a pipeline cost; without the total.
+Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, const Entry& entry,
+             const rtl::Library& library) {
+  Price price{.design = entry.design,
+              .format = entry.format,
               .lines = {},
               .by_stage = std::vector<StagePrice>(static_cast<std::size_t>(pipeline.schedule.stages) + 1),
               .stages = pipeline.schedule.stages,
@@ -41,11 +42,25 @@ Price price(const rtl::Design& design, rtl::Format format, const rtl::Library& l
     stage.area_um2 += stage.lines.back().area_um2;
     totals[count.part] += count.n;
   }
-  for (const auto& [part, n] : totals) {
-    price.lines.push_back(line_of(part, n, library));
-    const std::int64_t area_um2 = price.lines.back().area_um2;
-    price.area_um2 += account == Account::printed ? as_printed(area_um2) : area_um2;
-  }
+  for (const auto& [part, n] : totals) price.lines.push_back(line_of(part, n, library));
+  return price;
+}
+
+}  // namespace
+
+Price price(const rtl::Pipeline& pipeline, const Entry& entry, const rtl::Library& library) {
+  Price price = priced(pipeline, count_built(pipeline), entry, library);
+  for (const Line& line : price.lines) price.area_um2 += line.area_um2;
+  return price;
+}
+
+Price price(const rtl::Design& design, rtl::Format format, const rtl::Library& library, Account account) {
+  const Habits* const habits = account == Account::printed ? &printed_habits(design.name) : nullptr;
+  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
+  const Entry entry{design.name, format};
+  if (habits == nullptr) return price(pipeline, entry, library);
+  Price price = priced(pipeline, count_printed(pipeline, format, *habits), entry, library);
+  for (const Line& line : price.lines) price.area_um2 += as_printed(line.area_um2);
   return price;
 }
 

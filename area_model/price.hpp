@@ -42,15 +42,20 @@ struct Price {
   [[nodiscard]] std::int64_t area_delay() const { return area_um2 * stage_delay_ps; }
 };
 
-/// Throws as rtl::Design::trace, printed_habits and rtl::Library::cell do.
-[[nodiscard]] Price price(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
-                          Account account);
-
-/// A row of Table 7.2.
+/// A design at a format, as a row of Table 7.2.
 struct Entry {
   std::string_view design;
   rtl::Format format;
 };
+
+/// Throws as rtl::Design::trace, printed_habits and rtl::Library::cell do.
+[[nodiscard]] Price price(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
+                          Account account);
+
+/// Of any pipeline, under the name of the design that it comes from; account built. A multiplier with a
+/// narrower operand has that part of the square one's area that it has of its partial products; estimated.
+[[nodiscard]] Price price(const rtl::Pipeline& pipeline, const Entry& entry, const rtl::Library& library);
+
 /// The six, in its order.
 [[nodiscard]] const std::vector<Entry>& table_7_2();
 

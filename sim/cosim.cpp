@@ -10,6 +10,7 @@
 #include <oneapi/tbb/task_arena.h>
 #include <time.h>
 
+#include "sw_ref/demands/guard.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/traverse/slabs.hpp"
@@ -111,6 +112,8 @@ class Tile {
 
   std::optional<RayJob> next(CosimResult& counts) {
     while (const std::optional<ref::RayTask> task = next_task()) {
+      if (frame_.options.scene_demands != nullptr)
+        ref::check_ray(*frame_.options.scene_demands, task->kind, task->ray);
       count_of(task->kind, counts) += 1;
       const std::uint32_t id = keep(*task);
       if (ref::acceptable(task->ray)) return RayJob{task->ray, task->query(), id};
@@ -197,7 +200,8 @@ bool CosimResult::verified(bool conservative) const {
 
 CosimResult cosimulate(const rtl::Design& design, rtl::Format format, const VerilatedDesign& verilated,
                        const ref::Scene& scene, const ref::Bvh& bvh, const CosimOptions& options) {
-  const std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh);
+  std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh);
+  if (options.guard != nullptr) feed = guarded(std::move(feed), *options.guard, verilated.operand_count());
   const ref::Whitted whitted(scene, options.light);
   const Frame frame{design, format, verilated, scene, bvh, options, *feed, whitted};
   CosimResult result;

@@ -8,7 +8,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "sim/fit/guarded_feed.hpp"
 #include "sim/ray_unit.hpp"
+#include "sw_ref/demands/scene_demands.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
 
@@ -21,6 +23,10 @@ struct CosimOptions {
   int threads = 1;
   bool referee = false;
   ref::WhittedOptions light{};  ///< how far secondary rays are followed
+  /// Of a fitted unit: what its rays and operands must be. A ray or operand that is not throws
+  /// std::out_of_range.
+  const ref::SceneDemands* scene_demands = nullptr;
+  const OperandGuard* guard = nullptr;
   /// Told the finished share of the image, 0..1, from any thread.
   std::function<void(double)> progress = [](double) {};
 };

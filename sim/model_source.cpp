@@ -1,16 +1,21 @@
 #include "sim/model_source.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace hitpipe::sim {
 
-std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands) {
+std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
+                         const std::vector<rtl::Port>& ports) {
   std::string drive;
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    const rtl::Port& port = operands[i];
+  for (const rtl::Port& port : ports) {
+    const auto operand = std::find_if(operands.begin(), operands.end(),
+                                      [&](const rtl::Port& each) { return each.name == port.name; });
     // A Verilated port must not be given bits above its width.
     const std::uint64_t mask = port.width >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << port.width) - 1;
-    drive += fmt::format("    top.{0} = operands[{1}] & {2:#x}LL;\n", port.name, i, mask);
+    drive +=
+        fmt::format("    top.{0} = operands[{1}] & {2:#x}LL;\n", port.name, operand - operands.begin(), mask);
   }
   return fmt::format(R"(#include "V{0}.h"
 #include "verilated.h"

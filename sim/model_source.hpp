@@ -8,6 +8,8 @@
 
 namespace hitpipe::sim {
 
-[[nodiscard]] std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands);
+/// `ports` are the module's, each named as one of the operands, of which it takes as many low bits as it has.
+[[nodiscard]] std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
+                                       const std::vector<rtl::Port>& ports);
 
 }  // namespace hitpipe::sim

@@ -234,16 +234,21 @@ fs::path default_cache() {
 VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
                                  const fs::path& cache) {
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
-  latency_ = pipeline.latency();
-  stages_ = pipeline.schedule.stages;
-  clock_ps_ = pipeline.schedule.clock_ps;
-  operand_count_ = pipeline.graph.inputs().size();
+  const std::string verilog = rtl::to_verilog(
+      pipeline, library, {.module_name = std::string(design.name), .bits = rtl::to_string(format)});
+  *this = VerilatedDesign(design, format, pipeline, verilog, cache);
+}
+
+VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
+                                 const std::string& verilog, const fs::path& cache)
+    : latency_(pipeline.latency()), stages_(pipeline.schedule.stages), clock_ps_(pipeline.schedule.clock_ps) {
+  const std::vector<rtl::Port> operands = rtl::input_ports(design.trace(format));
+  operand_count_ = operands.size();
 
   Sources sources;
   sources.module = design.name;
-  sources.verilog =
-      rtl::to_verilog(pipeline, library, {.module_name = sources.module, .bits = rtl::to_string(format)});
-  sources.wrapper = model_source(sources.module, rtl::input_ports(pipeline.graph));
+  sources.verilog = verilog;
+  sources.wrapper = model_source(sources.module, operands, rtl::input_ports(pipeline.graph));
   sources.verilator = find_tool("VERILATOR", "verilator", "verilator");
   sources.compiler = find_tool("CXX", "c++", "g++");
 

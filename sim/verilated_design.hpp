@@ -9,6 +9,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/pipeline.hpp"
 #include "sim/pins.hpp"
 
 namespace hitpipe::sim {
@@ -25,6 +26,11 @@ class VerilatedDesign {
   /// place), the cache not writable, an entry that cannot be loaded.
   VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
                   const std::filesystem::path& cache = default_cache());
+
+  /// The same of a unit that was made of the design at that format and has lost ports or bits of them:
+  /// `verilog` is the pipeline's, its operands stay those of the whole design.
+  VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
+                  const std::string& verilog, const std::filesystem::path& cache = default_cache());
 
   [[nodiscard]] int latency() const { return latency_; }
   [[nodiscard]] int stages() const { return stages_; }

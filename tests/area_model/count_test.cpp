@@ -139,6 +139,7 @@ TEST(PartName, IsTableSevenOnesWithTheWidth) {
   EXPECT_EQ(part_name({rtl::Component::fp_multiply, 32}), "fp_multiply_32");
   EXPECT_EQ(part_name({rtl::Component::latch, 1, Purpose::valid}), "valid_1");
   EXPECT_EQ(part_name({rtl::Component::latch, 16, Purpose::tag}), "tag_16");
+  EXPECT_EQ(part_name({rtl::Component::int_multiply, 24, Purpose::datapath, 18}), "int_multiply_24x18");
 }
 
 }  // namespace

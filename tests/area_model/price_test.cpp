@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "area_model/figure.hpp"
+#include "rtl_gen/prune/prune.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
 #include "tests/rtl_gen/message_of.hpp"
@@ -117,6 +118,32 @@ TEST(UnitLibrary, IsAddedInTheHead) {
   std::int64_t sum = 0;
   for (const auto& [name, area_um2] : areas) sum += area_um2;
   EXPECT_EQ(p.area_um2, sum);
+}
+
+// Planes and origin of y within +-15: differences of 6 bits times IRDVCs of 12, 6 x 12 partial products.
+TEST(UnitLibrary, MultipliesByNarrowerOperandsInTheirPartOfTheSquare) {
+  const rtl::Design& design = rtl::find_design("int_slabs");
+  const rtl::Demands narrow{{{"iry", {{-15, 15}}}, {"iymin", {{-15, 15}}}, {"iymax", {{-15, 15}}}}};
+  const rtl::Pipeline pipeline =
+      rtl::make_pipeline(rtl::prune(design.trace({12, 12}), narrow).graph, rtl::unit_library());
+  const Price p = price(pipeline, {design.name, {12, 12}}, rtl::unit_library());
+  std::map<std::string, Line> lines;
+  for (const Line& line : p.lines) lines.emplace(part_name(line.part), line);
+  EXPECT_EQ(lines.at("int_multiply_12").n, 4);
+  EXPECT_EQ(lines.at("int_multiply_12x6").n, 2);
+  EXPECT_EQ(lines.at("int_multiply_12x6").area_um2, 2 * 6 * 12);
+  EXPECT_TRUE(lines.at("int_multiply_12x6").estimated);
+}
+
+TEST(PriceOfAPipeline, IsThatOfTheDesignItComesFrom) {
+  for (const DesignFormat& d : rtl::every_design()) {
+    const Price whole = price_of(d, Account::built);
+    const Price same = price(d.pipeline(), {d.found().name, d.parsed()}, Library::thesis());
+    EXPECT_EQ(same.area_um2, whole.area_um2);
+    EXPECT_EQ(same.area_delay(), whole.area_delay());
+    EXPECT_EQ(same.by_stage.size(), whole.by_stage.size());
+    for (const Line& line : whole.lines) EXPECT_EQ(line.part.by, 0) << part_name(line.part);
+  }
 }
 
 TEST(UnitLibrary, HasNoFloatsToCompareWith) {

@@ -1,0 +1,81 @@
+#include "sim/fit/guarded_feed.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace hitpipe::sim {
+
+namespace {
+
+class GuardedRays final : public RayFeed {
+ public:
+  GuardedRays(std::unique_ptr<RayFeed> rays, const OperandGuard& guard, std::size_t operand_count)
+      : rays_(std::move(rays)), guard_(guard), operand_count_(operand_count) {}
+
+  void start(std::size_t slot, const ref::Ray& ray) override { rays_->start(slot, ray); }
+  void operands(std::size_t slot, std::uint32_t node, float length, std::int64_t* out) const override {
+    rays_->operands(slot, node, length, out);
+    guard_.check({out, operand_count_});
+  }
+
+ private:
+  std::unique_ptr<RayFeed> rays_;
+  const OperandGuard& guard_;
+  std::size_t operand_count_;
+};
+
+class GuardedScene final : public SceneFeed {
+ public:
+  GuardedScene(std::unique_ptr<SceneFeed> feed, const OperandGuard& guard, std::size_t operand_count)
+      : feed_(std::move(feed)), guard_(guard), operand_count_(operand_count) {}
+
+  [[nodiscard]] std::unique_ptr<RayFeed> unit(std::size_t slots) const override {
+    return std::make_unique<GuardedRays>(feed_->unit(slots), guard_, operand_count_);
+  }
+
+ private:
+  std::unique_ptr<SceneFeed> feed_;
+  const OperandGuard& guard_;
+  std::size_t operand_count_;
+};
+
+[[noreturn]] void fail(const std::string& found, const std::string& demanded) {
+  throw std::out_of_range(fmt::format(
+      "operands outside the demands that the unit was fitted to: {}, demanded is {}", found, demanded));
+}
+
+}  // namespace
+
+OperandGuard::OperandGuard(const rtl::Demands& demands, const std::vector<rtl::Port>& ports) {
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    for (const rtl::PortDemand& demand : demands.ports)
+      if (demand.port == ports[i].name) bounds_.push_back({i, demand});
+    for (std::size_t j = 0; j < ports.size(); ++j)
+      for (const rtl::OrderDemand& order : demands.orders)
+        if (order.lesser == ports[i].name && order.greater == ports[j].name) orders_.push_back({i, j, order});
+  }
+}
+
+void OperandGuard::check(std::span<const std::int64_t> operands) const {
+  for (const Bound& bound : bounds_) {
+    const std::int64_t number = operands[bound.port];
+    const auto holds = [&](const rtl::Interval& in) { return number >= in.low && number <= in.high; };
+    if (std::any_of(bound.demand.within.begin(), bound.demand.within.end(), holds)) continue;
+    fail(fmt::format("{} = {}", bound.demand.port, number), rtl::demand_text(bound.demand));
+  }
+  for (const Order& order : orders_) {
+    if (operands[order.lesser] <= operands[order.greater]) continue;
+    fail(fmt::format("{} = {} and {} = {}", order.demand.lesser, operands[order.lesser], order.demand.greater,
+                     operands[order.greater]),
+         fmt::format("{} <= {}", order.demand.lesser, order.demand.greater));
+  }
+}
+
+std::unique_ptr<SceneFeed> guarded(std::unique_ptr<SceneFeed> feed, const OperandGuard& guard,
+                                   std::size_t operand_count) {
+  return std::make_unique<GuardedScene>(std::move(feed), guard, operand_count);
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,27 @@
+// From what a scene demands to what a unit's ports are promised: the bounds of rays and boxes taken through
+// the set-up that makes operands of them (sw_ref/quantise).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rtl_gen/prune/demands.hpp"
+#include "sw_ref/demands/scene_demands.hpp"
+
+namespace hitpipe::sim {
+
+/// Demands that stand or fall with one property of the scene.
+struct DemandGroup {
+  std::string why;  ///< "the eye alone sends rays: origin.x = 0.25"
+  rtl::Demands demands;
+};
+
+/// Only of ports that lose a bit or their sign by it: what says no more than the cube does is left out.
+[[nodiscard]] std::vector<DemandGroup> port_demands(const rtl::Design& design, rtl::Format format,
+                                                    const ref::SceneDemands& scene);
+
+[[nodiscard]] rtl::Demands all_of(const std::vector<DemandGroup>& groups);
+/// All but one group.
+[[nodiscard]] rtl::Demands all_without(const std::vector<DemandGroup>& groups, std::size_t left_out);
+
+}  // namespace hitpipe::sim

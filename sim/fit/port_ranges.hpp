@@ -1,0 +1,32 @@
+// Integer ranges of one axis' ports, for all rays and boxes of a scene; empty where nothing is promised.
+#pragma once
+
+#include <optional>
+
+#include "hls/box/int_format.hpp"
+#include "rtl_gen/prune/demands.hpp"
+#include "sw_ref/demands/scene_demands.hpp"
+
+namespace hitpipe::sim {
+
+using Range = std::optional<rtl::Interval>;
+
+/// Grid coordinates of ray origins, and of both corners of boxes.
+[[nodiscard]] Range int_origin(const ref::SceneDemands& scene, int axis, int coord_bits);
+[[nodiscard]] Range int_box(const ref::SceneDemands& scene, int axis, int coord_bits);
+/// Bounds of the scaled inverse direction (int_ray.hpp), where no direction may be 0 along the axis.
+struct IrdvcRanges {
+  rtl::Interval floor;
+  rtl::Interval ceil;
+};
+[[nodiscard]] std::optional<IrdvcRanges> int_irdvc(const ref::SceneDemands& scene, int axis, int coord_bits);
+/// The rounded direction (int_plucker_ray.hpp).
+[[nodiscard]] Range int_direction(const ref::SceneDemands& scene, int axis, int coord_bits);
+
+/// Patterns of the binary32 numbers between two of one sign, none of them 0, or of a single number.
+[[nodiscard]] Range float_range(float low, float high);
+/// Likewise of the directions and their reciprocals along the axis.
+[[nodiscard]] Range float_direction(const ref::SceneDemands& scene, int axis);
+[[nodiscard]] Range float_irdvc(const ref::SceneDemands& scene, int axis);
+
+}  // namespace hitpipe::sim

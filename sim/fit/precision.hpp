@@ -1,0 +1,49 @@
+// Precision by need: the fewest bits whose extra box tests stay within a limit, found by tracing the scene's
+// own rays through the software's integer units, whose answers are the datapath's.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "sw_ref/experiment/recording.hpp"
+
+namespace hitpipe::sim {
+
+/// Every ray of an image, and the box tests that a traversal without extra ones takes for them.
+struct SceneRays {
+  std::vector<ref::RecordedBatch> batches;
+  ref::RenderCounts reference;
+
+  [[nodiscard]] std::uint64_t count() const { return reference.total().rays; }
+};
+[[nodiscard]] SceneRays scene_rays(const ref::Scene& scene, const ref::Bvh& bvh,
+                                   const ref::RenderOptions& options);
+
+struct Precision {
+  hls::IntBits bits;
+  double extra_box_tests_pct = 0;
+  int formats_measured = 0;
+};
+
+struct PrecisionSearch {
+  const rtl::Design* design;  ///< an integer one
+  const ref::Scene* scene;
+  const ref::Bvh* bvh;
+  const SceneRays* rays;
+  hls::IntBits most{24, 24};
+  double overhead_pct = 2.0;
+  int threads = 1;
+  std::function<void()> measured = [] {};  ///< told after each format
+};
+
+/// Box tests beyond the reference's, in percent of them.
+[[nodiscard]] double extra_box_tests_pct(const PrecisionSearch& search, hls::IntBits bits);
+
+/// The fewest coordinate bits n, then the fewest interval bits t, with n and t no more than `most`'s, that
+/// stay within the limit; bisection, as tests get fewer with n and with t. Nothing when not even `most` does.
+/// `most` must be a format of the design.
+[[nodiscard]] std::optional<Precision> fewest_bits(const PrecisionSearch& search);
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,72 @@
+#include "sw_ref/demands/guard.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace hitpipe::ref {
+namespace {
+
+constexpr const char* name_of(RayKind kind) {
+  return kind == RayKind::primary ? "primary" : kind == RayKind::secondary ? "secondary" : "shadow";
+}
+
+[[noreturn]] void fail(const std::string& reason) {
+  throw std::out_of_range("outside the demands that the unit was fitted to: " + reason);
+}
+
+/// What of `inner` lies outside `outer`; empty when nothing does. NaN lies outside.
+std::string outside(const Aabb& outer, const Aabb& inner, const char* what) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float x : {inner.min[axis], inner.max[axis]}) {
+      if (x >= outer.min[axis] && x <= outer.max[axis]) continue;
+      return fmt::format("{}.{} = {:.9g}, demanded is {:.9g} to {:.9g}", what, "xyz"[axis], x,
+                         outer.min[axis], outer.max[axis]);
+    }
+  }
+  return {};
+}
+
+/// Some demanded family of the kind holds all these rays; else why the last did not.
+void check_family(const SceneDemands& demands, RayKind kind, const Aabb& origin, const Aabb& direction) {
+  std::string reason = fmt::format("{} rays, of which there were to be none", name_of(kind));
+  for (const RayFamily& family : demands.rays) {
+    if (family.kind != kind) continue;
+    reason = outside(family.origin, origin, "origin");
+    if (reason.empty()) reason = outside(family.direction, direction, "direction");
+    if (reason.empty()) return;
+    reason = fmt::format("{} ray with {}", name_of(kind), reason);
+  }
+  fail(reason);
+}
+
+}  // namespace
+
+void check_ray(const SceneDemands& demands, RayKind kind, const Ray& ray) {
+  if (ray.is_infinite() ? !demands.infinite : !demands.finite)
+    fail(fmt::format("a ray {} an end", ray.is_infinite() ? "without" : "with"));
+  check_family(demands, kind, {ray.origin, ray.origin}, {ray.direction, ray.direction});
+}
+
+void check_scene(const SceneDemands& fitted, const SceneDemands& scene) {
+  for (const RayFamily& family : scene.rays)
+    check_family(fitted, family.kind, family.origin, family.direction);
+  if (scene.infinite && !fitted.infinite) fail("rays without an end");
+  if (scene.finite && !fitted.finite) fail("rays with an end");
+  const std::string box = outside(fitted.boxes, scene.boxes, "box");
+  if (!box.empty()) fail(box);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (scene.smallest_extent[axis] < fitted.smallest_extent[axis])
+      fail(fmt::format("a box {:.9g} wide along {}, demanded is at least {:.9g}", scene.smallest_extent[axis],
+                       "xyz"[axis], fitted.smallest_extent[axis]));
+  }
+  if (scene.deepest > fitted.deepest)
+    fail(fmt::format("{} levels, demanded are at most {}", scene.deepest, fitted.deepest));
+  if (scene.most_in_leaf > fitted.most_in_leaf)
+    fail(fmt::format("{} triangles in a leaf, demanded are at most {}", scene.most_in_leaf,
+                     fitted.most_in_leaf));
+}
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,105 @@
+#include "sw_ref/demands/ray_family.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include "sw_ref/render/shade.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+/// Covers what double arithmetic and one rounding to binary32 can add to numbers of at most 1 or so.
+constexpr double slack = 0x1p-22;
+
+bool any(const glm::vec3& light) {
+  return light.x > 0.0F || light.y > 0.0F || light.z > 0.0F;
+}
+
+float below(double x) {
+  return std::nextafter(static_cast<float>(x), -Ray::infinite);
+}
+float above(double x) {
+  return std::nextafter(static_cast<float>(x), Ray::infinite);
+}
+
+/// The frustum's directions before they are made unit vectors are forward + a right + u up, |a| <= across,
+/// |u| <= upward; their lengths lie in [1, longest]. A component that is not 0 keeps its sign.
+Aabb primary_directions(const Camera& camera, const ViewOptions& view) {
+  const double upward = camera.tan_half_height;
+  const double across = upward * view.width / view.height;
+  const double longest = std::sqrt(1.0 + across * across + upward * upward) + slack;
+  Aabb box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double middle = camera.forward[axis];
+    const double reach = across * std::abs(camera.right[axis]) + upward * std::abs(camera.up[axis]) + slack;
+    const double low = middle - reach;
+    const double high = middle + reach;
+    box.min[axis] = std::max(-1.0F, below(low < 0.0 ? low : low / longest));
+    box.max[axis] = std::min(1.0F, above(high > 0.0 ? high : high / longest));
+    // Components of a unit vector may be rounded to one unit of the last place beyond 1.
+    if (box.min[axis] == -1.0F) box.min[axis] = below(-1.0);
+    if (box.max[axis] == 1.0F) box.max[axis] = above(1.0);
+  }
+  return box;
+}
+
+/// Where rays leave surfaces: shadow_offset beside a triangle's point, moved onto the cube (origin_beside).
+Aabb surface_origins(const Mesh& mesh) {
+  const Bounds bounds = mesh_bounds(mesh);
+  Aabb box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double reach = shadow_offset + slack;
+    box.min[axis] = std::max(-1.0F, below(bounds.min[axis] - reach));
+    box.max[axis] = std::min(1.0F, above(bounds.max[axis] + reach));
+  }
+  return box;
+}
+
+Aabb all_directions() {
+  return {glm::vec3(below(-1.0)), glm::vec3(above(1.0))};
+}
+
+}  // namespace
+
+SurfaceParts surface_parts(const Scene& scene) {
+  std::vector<bool> used(scene.materials.size(), scene.mesh.materials.empty());
+  for (const std::uint8_t material : scene.mesh.materials) used[material] = true;
+  SurfaceParts parts;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) continue;
+    const Material& material = scene.materials[i];
+    parts.diffuse = parts.diffuse || any(material.albedo);
+    parts.bending = parts.bending || any(material.reflect) || any(material.transmit);
+  }
+  return parts;
+}
+
+std::vector<RayFamily> ray_families(const Scene& scene, const ViewOptions& view) {
+  const SurfaceParts parts = surface_parts(scene);
+  const glm::vec3& eye = scene.camera.eye;
+  std::vector<RayFamily> families{{RayKind::primary,
+                                   {eye, eye},
+                                   primary_directions(scene.camera, view),
+                                   "from the eye through the frustum of the image"}};
+  const Aabb surfaces = surface_origins(scene.mesh);
+  const bool bending = parts.bending && view.bounces > 0;
+  if (bending)
+    families.push_back({RayKind::secondary, surfaces, all_directions(),
+                        "from the surfaces: mirrors and glass send rays anywhere"});
+  if (!parts.diffuse) return families;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
+    if (!any(light.intensity)) continue;
+    // light - origin in binary32: rounding is monotone, so the ends are the differences of the ends.
+    families.push_back({RayKind::shadow,
+                        surfaces,
+                        {light.position - surfaces.max, light.position - surfaces.min},
+                        fmt::format("from the surfaces to light {}", i)});
+  }
+  return families;
+}
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,183 @@
+// Fitted units: smaller, yet with the answers of the whole ones; and what is outside their demands is
+// refused.
+#include "sim/fit/fit.hpp"
+
+#include <map>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rtl_gen/prune/demand_fields.hpp"
+#include "sim/cosim.hpp"
+#include "tests/rtl_gen/tool.hpp"
+#include "tests/sw_ref/demands/demand_scenes.hpp"
+
+namespace hitpipe::sim {
+namespace {
+
+using testing::HasSubstr;
+
+const rtl::Library& library() {
+  return rtl::Library::thesis();
+}
+
+/// What is traced in every test: small, so that Verilator's compilation is the most of it.
+struct World {
+  explicit World(ref::Scene made)
+      : scene(std::move(made)),
+        bvh(ref::build_bvh(scene.mesh)),
+        demands(ref::scene_demands(scene, bvh, {width, height})) {}
+
+  static constexpr int width = 40;
+  static constexpr int height = 30;
+  ref::Scene scene;
+  ref::Bvh bvh;
+  ref::SceneDemands demands;
+};
+
+std::map<std::string, std::string> by_name(const std::vector<rtl::File>& files) {
+  std::map<std::string, std::string> found;
+  for (const rtl::File& file : files) found[file.name] = file.contents;
+  return found;
+}
+
+CosimResult run(const FittedUnit& unit, const World& world, const World& fitted_to) {
+  const VerilatedDesign verilated(*unit.design, unit.format, unit.pipeline,
+                                  fitted_files(unit, library()).front().contents);
+  const OperandGuard guard(unit.demands, unit.ports);
+  return cosimulate(*unit.design, unit.format, verilated, world.scene, world.bvh,
+                    {.width = World::width,
+                     .height = World::height,
+                     .threads = 2,
+                     .referee = true,
+                     .scene_demands = &fitted_to.demands,
+                     .guard = &guard});
+}
+
+struct Case {
+  const char* design;
+  ref::Scene (*scene)();
+};
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.design;
+}
+
+class Fitted : public testing::TestWithParam<Case> {};
+
+TEST_P(Fitted, IsSmallerAndMissesNothing) {
+  const World world(GetParam().scene());
+  const rtl::Design& design = rtl::find_design(GetParam().design);
+  const rtl::Format format = design.is_float() ? rtl::Format::fp32() : rtl::Format(12, 12);
+  const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
+  EXPECT_GT(unit.saved_um2(), 0);
+  EXPECT_FALSE(unit.demands.empty());
+  EXPECT_FALSE(unit.left_out.empty());
+  for (const LeftOut& left : unit.left_out) EXPECT_GE(left.area_um2, 0) << left.what;
+
+  const CosimResult result = run(unit, world, world);
+  EXPECT_EQ(result.rays_primary, std::uint64_t{World::width} * World::height);
+  EXPECT_EQ(result.unit.rtl_mismatches, 0U);
+  EXPECT_EQ(result.different_triangles, 0U);
+  if (!design.is_float()) {
+    EXPECT_EQ(result.unit.false_misses, 0U);
+  }
+  EXPECT_GT(result.unit.hits, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, Fitted,
+                         testing::Values(Case{"int_slabs", ref::flat_hills},
+                                         Case{"int_plucker", ref::stairs_along_one_class}),
+                         [](const auto& parameter) { return std::string(parameter.param.design); });
+
+TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
+  const World world(ref::demanding_octahedron());
+  for (const rtl::Design& design : rtl::designs()) {
+    const rtl::Format format = design.is_float() ? rtl::Format::fp32() : rtl::Format(24, 24);
+    const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
+    const auto whole =
+        by_name(rtl::emit(design, format, library(), rtl::make_pipeline(design.trace(format), library())));
+    EXPECT_EQ(by_name(fitted_files(unit, library())), whole) << design.name;
+    EXPECT_EQ(unit.saved_um2(), 0) << design.name;
+    EXPECT_TRUE(unit.left_out.empty()) << design.name;
+  }
+}
+
+TEST(FittedFiles, ListTheDemandsAndCheckThem) {
+  const World world(ref::flat_hills());
+  const FittedUnit unit =
+      fit(rtl::find_design("int_slabs"), {12, 12}, std::nullopt, world.demands, library());
+  const auto files = by_name(fitted_files(unit, library()));
+  EXPECT_EQ(rtl::demands_of_manifest(files.at("int_slabs.json")), unit.demands);
+  EXPECT_THAT(files.at("int_slabs.v"), HasSubstr("`ifdef HITPIPE_CHECK"));
+  for (const rtl::PortDemand& demand : unit.demands.ports)
+    EXPECT_THAT(files.at("int_slabs_check.v"), HasSubstr(demand.port));
+}
+
+TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
+  const World world(ref::flat_hills());
+  const FittedUnit unit =
+      fit(rtl::find_design("int_slabs"), {12, 12}, std::nullopt, world.demands, library());
+  const rtl::ScratchFolder folder;
+  rtl::write_files(folder.path(), fitted_files(unit, library()));
+  const rtl::ToolResult compiled =
+      rtl::run_tool(folder / "tb", "iverilog", "iverilog",
+                    "-g2001 -Wall -DHITPIPE_CHECK -o tb int_slabs_tb.v ../int_slabs.v ../int_slabs_check.v");
+  ASSERT_EQ(compiled.status, 0) << compiled.output;
+  EXPECT_THAT(rtl::run_tool(folder / "tb", "iverilog", "vvp", "tb").output, HasSubstr("PASS 1000 vectors"));
+}
+
+TEST(FittedUnit, RefusesAnotherScene) {
+  const World flat(ref::flat_hills());
+  const World hills(sim::hills());
+  const FittedUnit unit = fit(rtl::find_design("int_slabs"), {12, 12}, std::nullopt, flat.demands, library());
+  EXPECT_THROW(run(unit, hills, flat), std::out_of_range);   // its rays
+  EXPECT_THROW(run(unit, hills, hills), std::out_of_range);  // its operands
+}
+
+TEST(BytesPerNode, AreThoseOfTable61) {
+  EXPECT_EQ(bytes_per_node(rtl::Format::fp32()), 32U);
+  EXPECT_EQ(bytes_per_node({24, 24}), 26U);
+  EXPECT_EQ(bytes_per_node({16, 24}), 20U);
+}
+
+class PrecisionOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
+  const World world(sim::hills());
+  const SceneRays rays = scene_rays(world.scene, world.bvh, {.width = World::width, .height = World::height});
+  EXPECT_GT(rays.count(), std::uint64_t{World::width} * World::height);
+  const rtl::Design& design = rtl::find_design(GetParam());
+  PrecisionSearch search{.design = &design,
+                         .scene = &world.scene,
+                         .bvh = &world.bvh,
+                         .rays = &rays,
+                         .most = {24, 24},
+                         .overhead_pct = 3.0};
+  const auto found = fewest_bits(search);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_LE(found->extra_box_tests_pct, search.overhead_pct);
+  EXPECT_EQ(found->extra_box_tests_pct, extra_box_tests_pct(search, found->bits));
+  // Every narrower format that the program has breaks the limit.
+  int narrower = 0;
+  for (int n = hls::IntBits::min_coord; n <= found->bits.coord; ++n) {
+    for (int t = hls::IntBits::min_interval; t <= std::min(24, 2 * n - 1); ++t) {
+      if (design.traced({n, t}) == nullptr || (n == found->bits.coord && t >= found->bits.interval)) continue;
+      EXPECT_GT(extra_box_tests_pct(search, {n, t}), search.overhead_pct) << n << '/' << t;
+      ++narrower;
+    }
+  }
+  EXPECT_GT(narrower, 0);
+
+  // No limit, no bits; an impossible one, nothing.
+  search.overhead_pct = 1e9;
+  EXPECT_EQ(fewest_bits(search)->bits, (hls::IntBits{6, 6}));
+  search.overhead_pct = -50.0;
+  EXPECT_FALSE(fewest_bits(search).has_value());
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, PrecisionOf, testing::Values("int_slabs", "int_plucker"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
+
+}  // namespace
+}  // namespace hitpipe::sim

@@ -1,0 +1,156 @@
+// Promises of ports hold for every ray and box that the scene's demands allow.
+#include "sim/fit/port_demands.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rtl_gen/prune/promises.hpp"
+#include "sim/fit/guarded_feed.hpp"
+#include "sim/fit/port_ranges.hpp"
+#include "sw_ref/quantise/float_ray.hpp"
+#include "sw_ref/quantise/int_plucker_ray.hpp"
+#include "sw_ref/quantise/int_ray.hpp"
+#include "tests/sw_ref/demands/demand_scenes.hpp"
+
+namespace hitpipe::sim {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::uint64_t seed = 20070707;
+
+ref::SceneDemands demands_of(const ref::Scene& scene) {
+  return ref::scene_demands(scene, ref::build_bvh(scene.mesh), {64, 48});
+}
+
+bool holds(const rtl::Interval& range, std::int64_t number) {
+  return number >= range.low && number <= range.high;
+}
+
+/// A family whose directions lie in a random box: some far from 0, some across it, some stiff.
+ref::RayFamily random_family(std::mt19937_64& random) {
+  std::uniform_real_distribution<float> part(-1.0F, 1.0F);
+  std::uniform_int_distribution<int> exponent(-24, 0);
+  ref::RayFamily family;
+  for (int axis = 0; axis < 3; ++axis) {
+    float a = std::ldexp(part(random), exponent(random));
+    float b = random() % 2 == 0 ? a * (1.0F + std::abs(part(random))) : part(random);
+    if (a > b) std::swap(a, b);
+    family.direction.min[axis] = a;
+    family.direction.max[axis] = b;
+    family.origin.min[axis] = family.origin.max[axis] = part(random);
+  }
+  return family;
+}
+
+glm::vec3 random_direction(const ref::RayFamily& family, std::mt19937_64& random) {
+  glm::vec3 direction(0.0F);
+  for (int axis = 0; axis < 3; ++axis) {
+    const float low = family.direction.min[axis];
+    const float high = family.direction.max[axis];
+    std::uniform_real_distribution<float> within(low, high);
+    const auto kind = random() % 4;
+    direction[axis] = kind == 0 ? low : kind == 1 ? high : std::clamp(within(random), low, high);
+  }
+  return direction;
+}
+
+TEST(PortRanges, HoldRandomDirectionsThroughTheSetUp) {
+  std::mt19937_64 random(seed);
+  int checked = 0;
+  for (int round = 0; round < 4000; ++round) {
+    ref::SceneDemands scene;
+    scene.rays = {random_family(random)};
+    if (round % 3 == 0) scene.rays.push_back(random_family(random));
+    const int n = 6 + static_cast<int>(random() % 27);
+    const hls::IntBits bits{n, 2 * n - 1};
+    for (const ref::RayFamily& family : scene.rays) {
+      for (int i = 0; i < 8; ++i) {
+        const ref::Ray ray{family.origin.min, random_direction(family, random), ref::Ray::infinite};
+        if (ray.direction == glm::vec3(0.0F)) continue;
+        const ref::IntRaySetup slabs(ray, bits);
+        const ref::IntPluckerSetup plucker(ray, bits);
+        for (int axis = 0; axis < 3; ++axis) {
+          const auto a = static_cast<std::size_t>(axis);
+          const std::string where =
+              fmt::format("seed {} round {} n {} axis {} direction {:a} {:a} {:a}", seed, round, n, axis,
+                          ray.direction.x, ray.direction.y, ray.direction.z);
+          EXPECT_TRUE(holds(*int_origin(scene, axis, n), slabs.ray().origin[a])) << where;
+          EXPECT_TRUE(holds(*int_direction(scene, axis, n), plucker.ray().direction[a])) << where;
+          if (const auto irdvc = int_irdvc(scene, axis, n)) {
+            EXPECT_TRUE(holds(irdvc->floor, slabs.ray().irdvc_floor[a])) << where;
+            EXPECT_TRUE(holds(irdvc->ceil, slabs.ray().irdvc_ceil[a])) << where;
+          }
+          const auto bits_of = [](float x) { return std::int64_t{std::bit_cast<std::uint32_t>(x)}; };
+          if (const Range range = float_direction(scene, axis)) {
+            EXPECT_TRUE(holds(*range, bits_of(ray.direction[axis]))) << where;
+          }
+          if (const Range range = float_irdvc(scene, axis)) {
+            EXPECT_TRUE(holds(*range, bits_of(ref::float_irdvc(ray.direction)[axis]))) << where;
+          }
+          ++checked;
+        }
+      }
+    }
+    if (testing::Test::HasFailure()) break;
+  }
+  EXPECT_GE(checked, 96'000);
+}
+
+TEST(PortDemands, AreNoneOfASceneThatNeedsEverything) {
+  const ref::SceneDemands scene = demands_of(ref::demanding_octahedron());
+  for (const rtl::Design& design : rtl::designs()) {
+    const rtl::Format format = design.is_float() ? rtl::Format::fp32() : rtl::Format(24, 24);
+    for (const DemandGroup& group : port_demands(design, format, scene)) ADD_FAILURE() << group.why;
+  }
+}
+
+TEST(PortDemands, OfOneDirectionClassGiveEverySign) {
+  const ref::SceneDemands scene = demands_of(ref::stairs_along_one_class());
+  const rtl::Demands slabs = all_of(port_demands(rtl::find_design("int_slabs"), {24, 24}, scene));
+  int signs = 0;
+  for (const rtl::PortDemand& demand : slabs.ports)
+    if (demand.port.ends_with("_floor"))
+      signs += rtl::hull(demand).low >= 0 || rtl::hull(demand).high < 0 ? 1 : 0;
+  EXPECT_EQ(signs, 3);
+}
+
+TEST(PortDemands, OfPrimaryRaysAloneFixTheOrigin) {
+  const ref::SceneDemands scene = demands_of(ref::unlit_hills());
+  for (const char* const name : {"int_slabs", "int_plucker", "fp_slabs", "fp_plucker"}) {
+    const rtl::Design& design = rtl::find_design(name);
+    int constants = 0;
+    for (const rtl::PortDemand& demand : all_of(port_demands(design, design.default_format(), scene)).ports)
+      constants += rtl::hull(demand).low == rtl::hull(demand).high ? 1 : 0;
+    EXPECT_EQ(constants, 3) << name;
+  }
+}
+
+TEST(Guard, NamesPortNumberAndDemand) {
+  const std::vector<rtl::Port> ports{{"a", 8, true}, {"b", 8, true}};
+  const OperandGuard guard({{{"b", {{-9, -1}, {1, 9}}}}, {{"a", "b"}}}, ports);
+  const auto said = [&](std::int64_t a, std::int64_t b) -> std::string {
+    const std::int64_t operands[] = {a, b};
+    try {
+      guard.check(operands);
+    } catch (const std::out_of_range& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(said(-20, -9), "");
+  EXPECT_EQ(said(9, 9), "");
+  EXPECT_THAT(said(-20, 0), HasSubstr("fitted to: b = 0, demanded is b in [-9, -1] or [1, 9]"));
+  EXPECT_THAT(said(-20, 10), HasSubstr("b = 10"));
+  EXPECT_THAT(said(8, 7), HasSubstr("a = 8 and b = 7, demanded is a <= b"));
+}
+
+}  // namespace
+}  // namespace hitpipe::sim

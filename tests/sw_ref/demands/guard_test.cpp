@@ -1,0 +1,114 @@
+// Every kind of violated demand is seen, and named in one line.
+#include "sw_ref/demands/guard.hpp"
+
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sw_ref/demands/demand_scenes.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// What is said; empty when nothing is thrown.
+std::string said(const std::function<void()>& check) {
+  try {
+    check();
+  } catch (const std::out_of_range& error) {
+    EXPECT_THAT(error.what(), HasSubstr("outside the demands that the unit was fitted to: "));
+    EXPECT_THAT(error.what(), Not(HasSubstr("\n")));
+    return error.what();
+  }
+  return {};
+}
+
+SceneDemands demands_of(const Scene& scene) {
+  return scene_demands(scene, build_bvh(scene.mesh), {64, 48});
+}
+
+class GuardOfStairs : public testing::Test {
+ protected:
+  [[nodiscard]] std::string ray(RayKind kind, const Ray& ray) const {
+    return said([&] { check_ray(demands_, kind, ray); });
+  }
+  [[nodiscard]] std::string scene(const SceneDemands& other) const {
+    return said([&] { check_scene(demands_, other); });
+  }
+
+  Scene scene_ = stairs_along_one_class();
+  SceneDemands demands_ = demands_of(scene_);
+  Ray good_{scene_.camera.eye, glm::vec3(scene_.camera.forward), Ray::infinite};
+};
+
+TEST_F(GuardOfStairs, TakesWhatIsDemanded) {
+  EXPECT_EQ(ray(RayKind::primary, good_), "");
+  EXPECT_EQ(scene(demands_), "");
+}
+
+TEST_F(GuardOfStairs, SeesAKindOfRayThatWasNotToCome) {
+  EXPECT_THAT(ray(RayKind::secondary, good_), HasSubstr("secondary rays, of which there were to be none"));
+  demands_.rays.pop_back();
+  EXPECT_THAT(ray(RayKind::shadow, good_), HasSubstr("shadow rays, of which there were to be none"));
+}
+
+TEST_F(GuardOfStairs, SeesAnOriginOutside) {
+  Ray moved = good_;
+  moved.origin.y = std::nextafter(moved.origin.y, 1.0F);
+  EXPECT_THAT(ray(RayKind::primary, moved), HasSubstr("primary ray with origin.y = "));
+  moved.origin.y = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THAT(ray(RayKind::primary, moved), HasSubstr("origin.y = nan"));
+}
+
+TEST_F(GuardOfStairs, SeesAnotherDirectionClassAndAZero) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Ray turned = good_;
+    turned.direction[axis] = -turned.direction[axis];
+    EXPECT_THAT(ray(RayKind::primary, turned), HasSubstr("primary ray with direction.")) << axis;
+    turned.direction[axis] = 0.0F;
+    EXPECT_THAT(ray(RayKind::primary, turned), HasSubstr(" = 0, demanded is ")) << axis;
+  }
+}
+
+TEST_F(GuardOfStairs, SeesAnEndThatIsMissingOrNotWanted) {
+  demands_.infinite = false;
+  EXPECT_THAT(ray(RayKind::primary, good_), HasSubstr("a ray without an end"));
+  demands_.infinite = true;
+  demands_.finite = false;
+  good_.length = 1.0F;
+  EXPECT_THAT(ray(RayKind::primary, good_), HasSubstr("a ray with an end"));
+}
+
+TEST_F(GuardOfStairs, SeesAnotherScene) {
+  EXPECT_THAT(scene(demands_of(demanding_octahedron())), HasSubstr("primary ray with "));
+  SceneDemands other = demands_;
+  other.rays.push_back(other.rays.front());
+  other.rays.back().kind = RayKind::secondary;
+  EXPECT_THAT(scene(other), HasSubstr("secondary rays"));
+  other = demands_;
+  other.boxes.max.z = 1.0F;
+  EXPECT_THAT(scene(other), HasSubstr("box.z = 1, demanded is "));
+  other = demands_;
+  other.smallest_extent.x *= 0.5F;
+  EXPECT_THAT(scene(other), HasSubstr("wide along x, demanded is at least "));
+  other = demands_;
+  ++other.deepest;
+  EXPECT_THAT(scene(other), HasSubstr("levels, demanded are at most "));
+  other = demands_;
+  ++other.most_in_leaf;
+  EXPECT_THAT(scene(other), HasSubstr("triangles in a leaf, demanded are at most "));
+  SceneDemands narrow = demands_;
+  narrow.infinite = false;
+  EXPECT_THAT(said([&] { check_scene(narrow, demands_); }), HasSubstr("rays without an end"));
+  narrow = demands_;
+  narrow.finite = false;
+  EXPECT_THAT(said([&] { check_scene(narrow, demands_); }), HasSubstr("rays with an end"));
+}
+
+}  // namespace
+}  // namespace hitpipe::ref

@@ -1,0 +1,129 @@
+// What a scene demands: nothing that its rays and boxes are not, and less where the scene has less.
+#include "sw_ref/demands/scene_demands.hpp"
+
+#include <bit>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sw_ref/demands/guard.hpp"
+#include "sw_ref/render/render.hpp"
+#include "sw_ref/traverse/child_order.hpp"
+#include "tests/sw_ref/demands/demand_scenes.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+Scene glass_hills() {
+  Scene scene = sim::hills();
+  scene.materials = {{glm::vec3(0.2F), glm::vec3(0.3F, 0.2F, 0.1F), glm::vec3(0.5F), 1.4F}};
+  return scene;
+}
+
+SceneDemands demands_of(const Scene& scene, const ViewOptions& view = {64, 48}) {
+  return scene_demands(scene, build_bvh(scene.mesh), view);
+}
+
+struct NamedScene {
+  const char* name;
+  Scene (*make)();
+};
+void PrintTo(const NamedScene& scene, std::ostream* out) {
+  *out << scene.name;
+}
+
+class Demanded : public testing::TestWithParam<NamedScene> {};
+
+TEST_P(Demanded, AreAllRaysOfTheImage) {
+  const Scene scene = GetParam().make();
+  const Bvh bvh = build_bvh(scene.mesh);
+  const SceneDemands demands = scene_demands(scene, bvh, {64, 48});
+  const auto tracer = make_tracer(scene.mesh, bvh, {});
+  RenderOptions options{.width = 64, .height = 48};
+  std::uint64_t checked = 0;
+  options.traced = [&](RayKind kind, const TraceJob& job) {
+    for (const Ray& ray : job.rays) {
+      EXPECT_NO_THROW(check_ray(demands, kind, ray))
+          << std::hexfloat << ray.direction.x << ' ' << ray.direction.y << ' ' << ray.direction.z;
+      EXPECT_NE(demands.classes() >> direction_class(ray.direction) & 1U, 0U);
+      ++checked;
+    }
+  };
+  const RenderCounts counts = render(scene, *tracer, options).counts;
+  EXPECT_EQ(checked, counts.total().rays);
+  EXPECT_GE(checked, 64U * 48U);
+  EXPECT_EQ(demands.has(RayKind::shadow), counts.shadow.rays > 0);
+  EXPECT_EQ(demands.has(RayKind::secondary), counts.secondary.rays > 0);
+}
+
+TEST_P(Demanded, AreAllBoxes) {
+  const Scene scene = GetParam().make();
+  const Bvh bvh = build_bvh(scene.mesh);
+  const SceneDemands demands = scene_demands(scene, bvh, {});
+  for (const BvhNode& node : bvh.nodes) {
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_GE(node.box.min[axis], demands.boxes.min[axis]);
+      EXPECT_LE(node.box.max[axis], demands.boxes.max[axis]);
+      EXPECT_GE(node.box.max[axis] - node.box.min[axis], demands.smallest_extent[axis]);
+    }
+    EXPECT_LE(node.count, demands.most_in_leaf);
+  }
+  EXPECT_EQ(demands.deepest, bvh.depth);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Demanded,
+                         testing::Values(NamedScene{"hills", sim::hills}, NamedScene{"glass", glass_hills},
+                                         NamedScene{"unlit", unlit_hills}, NamedScene{"table", table_top},
+                                         NamedScene{"flat", flat_hills},
+                                         NamedScene{"stairs", stairs_along_one_class},
+                                         NamedScene{"octahedron", demanding_octahedron}),
+                         [](const auto& parameter) { return parameter.param.name; });
+
+TEST(RayKinds, FollowFromLightsMaterialsAndBounces) {
+  EXPECT_FALSE(demands_of(unlit_hills()).has(RayKind::shadow));
+  EXPECT_TRUE(demands_of(sim::hills()).has(RayKind::shadow));
+  EXPECT_FALSE(demands_of(sim::hills()).has(RayKind::secondary));
+  EXPECT_TRUE(demands_of(glass_hills()).has(RayKind::secondary));
+  EXPECT_FALSE(demands_of(glass_hills(), {64, 48, 0}).has(RayKind::secondary));
+
+  Scene dark = sim::hills();
+  for (Light& light : dark.lights) light.intensity = glm::vec3(0.0F);
+  EXPECT_FALSE(demands_of(dark).has(RayKind::shadow));
+
+  Scene unused = sim::hills();
+  unused.materials.push_back({glm::vec3(0.0F), glm::vec3(1.0F), glm::vec3(0.0F), 1.0F});
+  unused.mesh.materials.assign(unused.mesh.triangles.size(), 0);
+  EXPECT_FALSE(demands_of(unused).has(RayKind::secondary));
+  unused.mesh.materials.back() = 1;
+  EXPECT_TRUE(demands_of(unused).has(RayKind::secondary));
+}
+
+TEST(DirectionClasses, OfStairsSeenAndLitAlongOne) {
+  const SceneDemands demands = demands_of(stairs_along_one_class());
+  ASSERT_TRUE(demands.has(RayKind::shadow));
+  EXPECT_EQ(demands.classes(), 1U << 4U);  // +x, +y, -z
+  for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(demands.can_be_zero(axis));
+  EXPECT_TRUE(std::isfinite(demands.spread()));
+}
+
+TEST(DirectionClasses, AreAllWithMirrors) {
+  EXPECT_EQ(demands_of(demanding_octahedron()).classes(), 0xFFU);
+}
+
+TEST(Origins, AreTheEyeOfPrimaryRaysAlone) {
+  const Scene scene = unlit_hills();
+  const Aabb origins = demands_of(scene).origins();
+  EXPECT_EQ(origins.min, scene.camera.eye);
+  EXPECT_EQ(origins.max, scene.camera.eye);
+}
+
+TEST(EvidenceOfDemands, SaysWhyOfEach) {
+  const std::vector<Evidence> evidence = demands_of(sim::hills()).evidence();
+  EXPECT_EQ(evidence.size(), 9U);
+  EXPECT_EQ(evidence.front().demand, "rays: primary, shadow");
+  for (const Evidence& each : evidence) EXPECT_FALSE(each.why.empty()) << each.demand;
+}
+
+}  // namespace
+}  // namespace hitpipe::ref
