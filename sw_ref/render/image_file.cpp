@@ -120,7 +120,7 @@ StoredImage read(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) reject("no such file; check the name");
   if (std::filesystem::is_directory(file)) reject("is a folder; give the name of a file");
   check_png(file);
-  const auto unreadable = [](std::string why) {
+  const auto unreadable = [](const std::string& why) {
     reject(fmt::format("OpenImageIO cannot read it; give a whole .png or .exr ({})",
                        why.substr(0, why.find_first_of("\r\n"))));
   };
