@@ -129,7 +129,7 @@ class BundleTrace {
   Observer& observer_;
   // The rays that hit each node on the path to the one at work, one list after the other. Not set: a list is
   // written before it is read.
-  std::array<std::uint16_t, (BuildOptions::deepest + 1) * largest_bundle> numbers_;
+  std::array<std::uint16_t, std::size_t{BuildOptions::deepest + 1} * largest_bundle> numbers_;
 };
 
 }  // namespace hitpipe::ref
