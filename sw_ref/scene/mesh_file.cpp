@@ -10,15 +10,20 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
+#include <assimp/importerdesc.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -192,8 +197,20 @@ Mesh flatten(const aiScene& scene, std::vector<MeshGroup>& groups) {
   return out;
 }
 
+/// What the reader of a file's extension does not recognise, Assimp would give to all its other readers.
+void keep_readers_of(Assimp::Importer& importer, const std::string& extension) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    std::istringstream extensions(importer.GetImporterInfo(i)->mFileExtensions);
+    const std::istream_iterator<std::string> first(extensions);
+    if (std::find(first, {}, extension) != std::istream_iterator<std::string>()) continue;
+    const std::unique_ptr<Assimp::BaseImporter> reader(importer.GetImporter(i));
+    importer.UnregisterLoader(reader.get());
+  }
+}
+
 Mesh import(const std::filesystem::path& file, std::vector<MeshGroup>& groups) {
   Assimp::Importer importer;
+  keep_readers_of(importer, lower_extension(file).substr(1));
   const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (!scene || !scene->mRootNode) {
     std::string why = importer.GetErrorString();

@@ -319,6 +319,15 @@ TEST_F(MeshFile, BrokenGltfIsRejected) {
       "out of range.)");
 }
 
+TEST_F(MeshFile, OtherFormatUnderAKnownNameIsNotGuessed) {
+  // Assimp has a reader for each of these texts, of no format that is offered.
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const char* const name : {"a.gltf", "b.glb"})
+    EXPECT_THAT(reason(name, off), testing::HasSubstr("(its beginning is not that of one)")) << name;
+  EXPECT_THAT(reason("c.gltf", "Metric (key = \"distance\") {float {1}}\n"),
+              testing::HasSubstr("(its beginning is not that of one)"));
+}
+
 TEST_F(MeshFile, FileWithoutTriangleIsRejected) {
   EXPECT_EQ(reason("a.obj", obj_corners + "l 1 2 3\n"), "has no triangle; at least one is needed");
   EXPECT_EQ(reason("b.ply", ply("3", "0", ply_corners)), "has no triangle; at least one is needed");
