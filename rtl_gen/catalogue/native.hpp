@@ -9,9 +9,9 @@
 namespace hitpipe::rtl {
 
 /// `operands` in port order, each sign-extended when its port is signed; bits above a port's width are
-/// ignored. Flat: judging a design runs this once a test, and operands then stay in registers.
+/// ignored.
 template <class Pipeline, class F>
-[[gnu::flatten]] bool native(const std::int64_t* operands) {
+bool native(const std::int64_t* operands) {
   using Operands = typename Pipeline::template Operands<hls::Native, F>;
   Operands in;
   Operands::for_each(in, [&](const char*, auto& field) { field = *operands++; });
