@@ -2,15 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
-#include "rtl_gen/emit/scratch_file.hpp"
+#include "cli/gnuplot.hpp"
 
 namespace hitpipe::cli {
 
@@ -31,13 +26,6 @@ constexpr std::array<Style, 8> styles{{{"#0072B2", 7},
                                        {"#56B4E9", 6},
                                        {"#000000", 8},
                                        {"#999999", 12}}};
-
-/// A gnuplot string that is taken as it is.
-std::string quoted(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("''") : std::string(1, c);
-  return word + "'";
-}
 
 /// One data block: x and a column for each line.
 std::string data_block(const Plot& plot, const PlotPanel& panel, std::size_t number, int zero_at) {
@@ -75,13 +63,13 @@ std::string plot_script(const Plot& plot) {
       "set xrange [-1:{}]\nset xtics ({}'zero' {})\nset key below samplen 1 width -0.5 height 0.5\n"
       "set format y '%g'\nset ytics add ('≤{}' {})\nset xlabel 'ratio of direction components'\nset ylabel "
       "{}\n",
-      panel_width * plot.panels.size(), picture_height, plot.panels.size(), quoted(plot.title), plot.least,
-      2 * most_percent(plot), zero_at + 2, tics, zero_at, plot.least, plot.least,
-      quoted(plot.counted + ", %"));
+      panel_width * plot.panels.size(), picture_height, plot.panels.size(), gnuplot_string(plot.title),
+      plot.least, 2 * most_percent(plot), zero_at + 2, tics, zero_at, plot.least, plot.least,
+      gnuplot_string(plot.counted + ", %"));
   for (std::size_t p = 0; p < plot.panels.size(); ++p) {
     const PlotPanel& panel = plot.panels[p];
     text += data_block(plot, panel, p, zero_at);
-    text += fmt::format("set title {} noenhanced\nplot", quoted(panel.title));
+    text += fmt::format("set title {} noenhanced\nplot", gnuplot_string(panel.title));
     for (std::size_t l = 0; l < panel.lines.size(); ++l) {
       const Style& style = styles[l % styles.size()];
       // The last point, a zero, stands alone.
@@ -90,7 +78,7 @@ std::string plot_script(const Plot& plot) {
           "lw 1.5 title {6}, $panel{1} using 1:{2} every ::{7} with points lc rgb '{4}' pt "
           "{5} ps 0.9 notitle",
           l == 0 ? "" : ",", p, l + 2, plot.exponents.size() - 1, style.colour, style.mark,
-          quoted(panel.lines[l].title), plot.exponents.size());
+          gnuplot_string(panel.lines[l].title), plot.exponents.size());
     }
     text += '\n';
   }
@@ -98,22 +86,7 @@ std::string plot_script(const Plot& plot) {
 }
 
 std::string draw_plot(const Plot& plot) {
-  const rtl::ScratchFile script;
-  std::ofstream(script.path()) << plot_script(plot);
-  const std::string command = fmt::format("gnuplot '{}' 2>/dev/null", script.path().string());
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("stiffness: cannot start gnuplot");
-  std::string svg;
-  std::array<char, 1 << 16> buffer{};
-  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    svg.append(buffer.data(), got);
-  }
-  const int status = pclose(pipe);
-  if (status != 0 || svg.empty()) {
-    throw std::runtime_error(fmt::format("stiffness: gnuplot {}; install the package gnuplot-nox",
-                                         WEXITSTATUS(status) == 127 ? "was not found" : "failed"));
-  }
-  return svg;
+  return run_gnuplot("stiffness", plot_script(plot));
 }
 
 }  // namespace hitpipe::cli
