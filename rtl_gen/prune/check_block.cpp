@@ -56,19 +56,29 @@ std::string inside(const Port& port, const Interval& i) {
   return fmt::format("{}", fmt::join(terms, " && "));
 }
 
+/// The Verilog condition that a port's number is in none of the intervals; empty when it cannot be.
+std::string outside(const Port& port, const std::vector<Interval>& within) {
+  std::vector<std::string> terms;
+  for (const Interval& each : within) {
+    const std::string term = inside(port, each);
+    if (term.empty()) return "";
+    terms.push_back(within.size() == 1 ? term : fmt::format("({})", term));
+  }
+  return fmt::format("!({})", fmt::join(terms, " || "));
+}
+
 /// The Verilog condition that a demand is broken by; empty when no operand of these ports can break it.
 std::optional<std::string> broken(const PortDemand& demand, const std::vector<Port>& ports) {
   const Port* const port = port_called(ports, demand.port);
   if (port == nullptr) return std::nullopt;
   const auto within = as_seen_at(*port, demand);
   if (!within) return std::nullopt;
-  std::vector<std::string> terms;
-  for (const Interval& each : *within) {
-    const std::string term = inside(*port, each);
-    if (term.empty()) return "";
-    terms.push_back(within->size() == 1 ? term : fmt::format("({})", term));
-  }
-  return fmt::format("!({})", fmt::join(terms, " || "));
+  const std::string beyond = outside(*port, *within);
+  if (demand.low_zeros == 0) return beyond;
+  const std::string low =
+      port->width > 1 ? fmt::format("{}[{}:0]", port->name, std::min(demand.low_zeros, port->width) - 1)
+                      : port->name;
+  return fmt::format("{}{}|{}", beyond, beyond.empty() ? "" : " || ", low);
 }
 
 std::string widened(const Port& port, int width) {

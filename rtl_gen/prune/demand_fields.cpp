@@ -17,6 +17,7 @@ Json demands_json(const Demands& demands) {
     Json within = Json::array();
     for (const Interval& each : demand.within) within.push_back({each.low, each.high});
     list.push_back({{"port", demand.port}, {"within", within}});
+    if (demand.low_zeros > 0) list.back()["low_zeros"] = demand.low_zeros;
   }
   for (const OrderDemand& order : demands.orders)
     list.push_back({{"lesser", order.lesser}, {"greater", order.greater}});
@@ -53,7 +54,7 @@ Demands demands_of_manifest(const std::string& manifest) {
             {each.at("lesser").get<std::string>(), each.at("greater").get<std::string>()});
         continue;
       }
-      PortDemand demand{each.at("port").get<std::string>(), {}};
+      PortDemand demand{each.at("port").get<std::string>(), {}, each.value("low_zeros", 0)};
       for (const Json& within : each.at("within"))
         demand.within.push_back({within.at(0).get<std::int64_t>(), within.at(1).get<std::int64_t>()});
       demands.ports.push_back(std::move(demand));

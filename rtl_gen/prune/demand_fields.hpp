@@ -8,9 +8,9 @@
 
 namespace hitpipe::rtl {
 
-/// The manifest with `demands` (port and within, or lesser and greater), `dropped_ports`, `narrowed_ports`
-/// (name, from, to bits) and `left_out` (a line for each cut) behind its other keys. Without demands it is
-/// the manifest as it was.
+/// The manifest with `demands` (port, within and any low_zeros, or lesser and greater), `dropped_ports`,
+/// `narrowed_ports` (name, from, to bits) and `left_out` (a line for each cut) behind its other keys. Without
+/// demands it is the manifest as it was.
 [[nodiscard]] std::string with_demand_fields(const std::string& manifest, const Demands& demands,
                                              const PruneReport& report);
 

@@ -31,16 +31,20 @@ const PortDemand* demand_on(const Demands& demands, const std::string& port) {
   return found == demands.ports.end() ? nullptr : &*found;
 }
 
-/// The intervals that a port's number lies in, demanded or not.
-std::vector<Interval> intervals_of(const Demands& demands, const Port& port) {
+/// What is demanded of a port, be it nothing.
+PortDemand demanded(const Demands& demands, const Port& port) {
   const PortDemand* const demand = demand_on(demands, port.name);
-  return demand != nullptr ? demand->within : std::vector<Interval>{all_numbers(port)};
+  return demand != nullptr ? *demand : PortDemand{port.name, {all_numbers(port)}};
 }
 
 bool lies_in(const std::vector<Interval>& within, const Interval& inner) {
   return std::any_of(within.begin(), within.end(), [&](const Interval& outer) {
     return outer.low <= inner.low && inner.high <= outer.high;
   });
+}
+
+std::uint64_t unit_of(const PortDemand& demand) {
+  return std::uint64_t{1} << demand.low_zeros;
 }
 
 std::string interval_text(const Interval& i) {
@@ -53,6 +57,10 @@ void check_port_demand(const PortDemand& demand, const std::vector<Port>& ports)
   if (demand.within.empty()) {
     throw std::invalid_argument(fmt::format("demand on {}: it allows no number", demand.port));
   }
+  if (demand.low_zeros < 0 || demand.low_zeros >= port.width) {
+    throw std::invalid_argument(fmt::format("demand on {}: {} low zeros, allowed are 0 to {}", demand.port,
+                                            demand.low_zeros, port.width - 1));
+  }
   for (std::size_t i = 0; i < demand.within.size(); ++i) {
     const Interval& each = demand.within[i];
     if (each.low > each.high || (i > 0 && each.low <= demand.within[i - 1].high)) {
@@ -62,6 +70,10 @@ void check_port_demand(const PortDemand& demand, const std::vector<Port>& ports)
     if (each.low < all.low || each.high > all.high) {
       throw std::invalid_argument(fmt::format("demand on {}: {} is outside its {} bits, {}", demand.port,
                                               interval_text(each), port.width, interval_text(all)));
+    }
+    if (!multiples_in(each, demand.low_zeros)) {
+      throw std::invalid_argument(fmt::format("demand on {}: {} holds no multiple of {}", demand.port,
+                                              interval_text(each), unit_of(demand)));
     }
   }
 }
@@ -84,8 +96,18 @@ Interval all_numbers(const Port& port) {
   return {port.is_signed ? -most - 1 : 0, most};
 }
 
+std::optional<Interval> multiples_in(const Interval& interval, int low_zeros) {
+  const std::uint64_t below = (std::uint64_t{1} << low_zeros) - 1;
+  const auto low = static_cast<std::uint64_t>(interval.low);
+  const auto high = static_cast<std::uint64_t>(interval.high);
+  const std::uint64_t up = (0 - low) & below;
+  if (up > high - low) return std::nullopt;
+  return Interval{static_cast<std::int64_t>(low + up), static_cast<std::int64_t>(high & ~below)};
+}
+
 Interval hull(const PortDemand& demand) {
-  return {demand.within.front().low, demand.within.back().high};
+  return {multiples_in(demand.within.front(), demand.low_zeros)->low,
+          multiples_in(demand.within.back(), demand.low_zeros)->high};
 }
 
 void check_demands(const Demands& demands, const std::vector<Port>& ports) {
@@ -102,7 +124,7 @@ void check_demands(const Demands& demands, const std::vector<Port>& ports) {
       throw std::invalid_argument(
           fmt::format("demand {} <= {}: ports of different kinds", order.lesser, order.greater));
     }
-    if (intervals_of(demands, lesser).front().low > intervals_of(demands, greater).back().high) {
+    if (hull(demanded(demands, lesser)).low > hull(demanded(demands, greater)).high) {
       throw std::invalid_argument(
           fmt::format("demand {} <= {}: no number of one is", order.lesser, order.greater));
     }
@@ -111,26 +133,31 @@ void check_demands(const Demands& demands, const std::vector<Port>& ports) {
 
 bool implies(const Demands& demands, const Demands& weaker, const std::vector<Port>& ports) {
   const auto port_implied = [&](const PortDemand& asked) {
-    const std::vector<Interval> known = intervals_of(demands, port_called(ports, asked.port));
-    return std::all_of(known.begin(), known.end(),
-                       [&](const Interval& each) { return lies_in(asked.within, each); });
+    const PortDemand known = demanded(demands, port_called(ports, asked.port));
+    return std::all_of(known.within.begin(), known.within.end(), [&](const Interval& each) {
+      const Interval numbers = *multiples_in(each, known.low_zeros);
+      const bool as_many_zeros = known.low_zeros >= asked.low_zeros ||
+                                 (numbers.low == numbers.high && multiples_in(numbers, asked.low_zeros));
+      return as_many_zeros && lies_in(asked.within, numbers);
+    });
   };
   const auto order_implied = [&](const OrderDemand& asked) {
     if (std::find(demands.orders.begin(), demands.orders.end(), asked) != demands.orders.end()) return true;
-    const Interval lesser = intervals_of(demands, port_called(ports, asked.lesser)).back();
-    const Interval greater = intervals_of(demands, port_called(ports, asked.greater)).front();
-    return lesser.high <= greater.low;
+    return hull(demanded(demands, port_called(ports, asked.lesser))).high <=
+           hull(demanded(demands, port_called(ports, asked.greater))).low;
   };
   return std::all_of(weaker.ports.begin(), weaker.ports.end(), port_implied) &&
          std::all_of(weaker.orders.begin(), weaker.orders.end(), order_implied);
 }
 
+bool meets(const PortDemand& demand, std::int64_t number) {
+  return lies_in(demand.within, {number, number}) && multiples_in({number, number}, demand.low_zeros);
+}
+
 bool meets(const Demands& demands, const std::vector<Port>& ports, const std::int64_t* operands) {
   const auto number = [&](const std::string& name) { return operands[index_of(ports, name)]; };
   return std::all_of(demands.ports.begin(), demands.ports.end(),
-                     [&](const PortDemand& d) {
-                       return lies_in(d.within, {number(d.port), number(d.port)});
-                     }) &&
+                     [&](const PortDemand& d) { return meets(d, number(d.port)); }) &&
          std::all_of(demands.orders.begin(), demands.orders.end(),
                      [&](const OrderDemand& d) { return number(d.lesser) <= number(d.greater); });
 }
@@ -141,7 +168,9 @@ std::string demand_text(const PortDemand& demand) {
     return fmt::format("{} = {}", demand.port, within[0].low);
   std::vector<std::string> texts;
   std::transform(within.begin(), within.end(), std::back_inserter(texts), interval_text);
-  return fmt::format("{} in {}", demand.port, fmt::join(texts, " or "));
+  const std::string zeros =
+      demand.low_zeros > 0 ? fmt::format(", a multiple of {}", unit_of(demand)) : std::string();
+  return fmt::format("{} in {}{}", demand.port, fmt::join(texts, " or "), zeros);
 }
 
 std::string demand_text(const Demands& demands, std::size_t index) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Interval {
 struct PortDemand {
   std::string port;
   std::vector<Interval> within;
+  int low_zeros = 0;  ///< this many low bits are always 0
   friend bool operator==(const PortDemand&, const PortDemand&) = default;
 };
 
@@ -45,23 +47,27 @@ struct Demands {
 
 /// What any value of the port's width is, as a number.
 [[nodiscard]] Interval all_numbers(const Port& port);
+/// From the least to the greatest multiple of 2^low_zeros in the interval, if it has one.
+[[nodiscard]] std::optional<Interval> multiples_in(const Interval& interval, int low_zeros);
 /// From the least to the greatest number demanded.
 [[nodiscard]] Interval hull(const PortDemand& demand);
 
 /// Throws std::invalid_argument, one line, when a demand names no port of these or one twice, has no number
-/// or numbers that the port cannot have, has intervals that do not ascend, or orders ports of different
-/// kinds or so that no operands are left.
+/// or numbers that the port cannot have, has intervals that do not ascend or hold no number of as many low
+/// zeros, or orders ports of different kinds or so that no operands are left.
 void check_demands(const Demands& demands, const std::vector<Port>& ports);
 
 /// Every operand that `weaker` excludes, `demands` exclude too: judged port by port and order by order.
 [[nodiscard]] bool implies(const Demands& demands, const Demands& weaker, const std::vector<Port>& ports);
 
+/// The port's number, sign-extended when signed, is as demanded.
+[[nodiscard]] bool meets(const PortDemand& demand, std::int64_t number);
 /// The operands, in port order and sign-extended when signed, are as demanded.
 [[nodiscard]] bool meets(const Demands& demands, const std::vector<Port>& ports,
                          const std::int64_t* operands);
 
-/// "rinf = 1", "irx in [-5, 5]", "iri_floor in [-9, -1] or [1, 9]", "ixmin <= ixmax"; by index as in
-/// `without`.
+/// "rinf = 1", "irx in [-5, 5]", "iri_floor in [-9, -1] or [1, 9]", "izmin in [-40, 40], a multiple of 4",
+/// "ixmin <= ixmax"; by index as in `without`.
 [[nodiscard]] std::string demand_text(const Demands& demands, std::size_t index);
 [[nodiscard]] std::string demand_text(const PortDemand& demand);
 

@@ -28,9 +28,10 @@ std::vector<std::vector<std::int64_t>> demanded_vectors(const FittedUnit& unit) 
                                    [&](const rtl::Port& p) { return p.name == demand.port; });
     const auto at = static_cast<std::size_t>(port - unit.ports.begin());
     for (auto& operands : vectors) {
-      const rtl::Interval& range = demand.within[random() % demand.within.size()];
-      const auto numbers = static_cast<std::uint64_t>(range.high - range.low) + 1;
-      operands[at] = range.low + static_cast<std::int64_t>(random() % numbers);
+      const rtl::Interval range =
+          *rtl::multiples_in(demand.within[random() % demand.within.size()], demand.low_zeros);
+      const auto numbers = static_cast<std::uint64_t>((range.high - range.low) >> demand.low_zeros) + 1;
+      operands[at] = range.low + static_cast<std::int64_t>((random() % numbers) << demand.low_zeros);
     }
   }
   return vectors;

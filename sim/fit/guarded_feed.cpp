@@ -1,6 +1,5 @@
 #include "sim/fit/guarded_feed.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -61,8 +60,7 @@ OperandGuard::OperandGuard(const rtl::Demands& demands, const std::vector<rtl::P
 void OperandGuard::check(std::span<const std::int64_t> operands) const {
   for (const Bound& bound : bounds_) {
     const std::int64_t number = operands[bound.port];
-    const auto holds = [&](const rtl::Interval& in) { return number >= in.low && number <= in.high; };
-    if (std::any_of(bound.demand.within.begin(), bound.demand.within.end(), holds)) continue;
+    if (rtl::meets(bound.demand, number)) continue;
     fail(fmt::format("{} = {}", bound.demand.port, number), rtl::demand_text(bound.demand));
   }
   for (const Order& order : orders_) {

@@ -139,9 +139,9 @@ class Draw {
  public:
   Draw(const std::vector<Port>& ports, const Demands& demands) : ports_(ports), demands_(demands) {
     for (const Port& port : ports) {
-      within_.push_back({all_numbers(port)});
+      wanted_.push_back({port.name, {all_numbers(port)}});
       for (const PortDemand& each : demands.ports) {
-        if (each.port == port.name) within_.back() = each.within;
+        if (each.port == port.name) wanted_.back() = each;
       }
     }
   }
@@ -149,7 +149,7 @@ class Draw {
   [[nodiscard]] std::vector<std::int64_t> operator()(Seeded& random) const {
     for (;;) {
       std::vector<std::int64_t> operands;
-      for (std::size_t i = 0; i < ports_.size(); ++i) operands.push_back(number(random, within_[i]));
+      for (std::size_t i = 0; i < ports_.size(); ++i) operands.push_back(number(random, wanted_[i]));
       // Boxes turned inside out are seldom hit.
       const bool turn = random.below(4) != 0;
       for (std::size_t i = 0; turn && i + 1 < ports_.size(); ++i) {
@@ -165,8 +165,13 @@ class Draw {
   static void put_in_order(std::int64_t& lesser, std::int64_t& greater) {
     if (lesser > greater) std::swap(lesser, greater);
   }
-  static std::int64_t number(Seeded& random, const std::vector<Interval>& within) {
-    const Interval& i = within[static_cast<std::size_t>(random.below(static_cast<int>(within.size())))];
+  static std::int64_t number(Seeded& random, const PortDemand& wanted) {
+    const auto any = static_cast<std::size_t>(random.below(static_cast<int>(wanted.within.size())));
+    const Interval i = *multiples_in(wanted.within[any], wanted.low_zeros);
+    // Between multiples, so the next below is in the interval too.
+    return number_in(random, i) >> wanted.low_zeros << wanted.low_zeros;
+  }
+  static std::int64_t number_in(Seeded& random, const Interval& i) {
     const auto size = static_cast<std::uint64_t>(i.high - i.low);
     const auto some = [&](std::uint64_t most) {
       return static_cast<std::int64_t>(most == ~std::uint64_t{0} ? random.bits()
@@ -196,7 +201,7 @@ class Draw {
 
   std::vector<Port> ports_;
   Demands demands_;
-  std::vector<std::vector<Interval>> within_;
+  std::vector<PortDemand> wanted_;
 };
 
 /// The operands of the ports that a pruned graph still has, in its order.

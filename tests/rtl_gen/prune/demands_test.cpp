@@ -1,6 +1,8 @@
 // Demands: which are legal, which say more than others, which operands meet them, and how they read.
 #include "rtl_gen/prune/demands.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "rtl_gen/prune/promises.hpp"
@@ -41,12 +43,36 @@ TEST(Demands, NumbersThatThePortCannotHaveAreRejected) {
   EXPECT_EQ(complaint({{{"c", {{-1, 0}}}}, {}}), "demand on c: [-1, 0] is outside its 8 bits, [0, 255]");
 }
 
+TEST(Demands, LowZerosThatThePortHasNotAreRejected) {
+  EXPECT_EQ(complaint({{{"a", {{-128, 127}}, 8}}, {}}), "demand on a: 8 low zeros, allowed are 0 to 7");
+  EXPECT_EQ(complaint({{{"d", {{0, 1}}, 1}}, {}}), "demand on d: 1 low zeros, allowed are 0 to 0");
+  EXPECT_EQ(complaint({{{"a", {{0, 1}}, -1}}, {}}), "demand on a: -1 low zeros, allowed are 0 to 7");
+}
+
+TEST(Demands, AnIntervalWithoutANumberOfSoManyLowZerosIsRejected) {
+  EXPECT_EQ(complaint({{{"a", {{-8, 0}, {1, 3}}, 2}}, {}}), "demand on a: [1, 3] holds no multiple of 4");
+  EXPECT_EQ(complaint({{{"a", {{6, 6}}, 2}}, {}}), "demand on a: 6 holds no multiple of 4");
+  check_demands({{{"a", {{-128, 127}}, 7}, {"b", {{4, 4}}, 2}, {"c", {{250, 255}}, 2}}, {}}, ports);
+}
+
+TEST(Demands, MultiplesInAnInterval) {
+  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  EXPECT_EQ(multiples_in({-5, 9}, 0), (Interval{-5, 9}));
+  EXPECT_EQ(multiples_in({-5, 9}, 2), (Interval{-4, 8}));
+  EXPECT_EQ(multiples_in({-8, -8}, 3), (Interval{-8, -8}));
+  EXPECT_EQ(multiples_in({-3, -1}, 2), std::nullopt);
+  EXPECT_EQ(multiples_in({-most - 1, most}, 63), (Interval{-most - 1, 0}));
+  EXPECT_EQ(multiples_in({most - 6, most}, 3), std::nullopt);
+}
+
 TEST(Demands, AnOrderOfDifferentPortsIsRejected) {
   EXPECT_EQ(complaint({{}, {{"a", "c"}}}), "demand a <= c: ports of different kinds");
 }
 
 TEST(Demands, AnOrderThatLeavesNothingIsRejected) {
   EXPECT_EQ(complaint({{{"a", {{5, 9}}}, {"b", {{0, 4}}}}, {{"a", "b"}}}),
+            "demand a <= b: no number of one is");
+  EXPECT_EQ(complaint({{{"a", {{5, 9}}, 2}, {"b", {{0, 7}}}}, {{"a", "b"}}}),
             "demand a <= b: no number of one is");
 }
 
@@ -62,6 +88,17 @@ TEST(Demands, WeakerOnesAreImplied) {
   EXPECT_FALSE(implies(strong, {{}, {{"b", "a"}}}, ports));
 }
 
+TEST(Demands, MoreLowZerosImplyFewer) {
+  const std::vector<Interval> whole{{-128, 127}};
+  const Demands multiples_of_4{{{"a", {{-10, 10}}, 2}}, {}};
+  EXPECT_TRUE(implies(multiples_of_4, {{{"a", whole, 1}}, {}}, ports));
+  EXPECT_TRUE(implies(multiples_of_4, {{{"a", {{-8, 8}}}}, {}}, ports)) << "none beyond";
+  EXPECT_TRUE(implies({{{"a", {{12, 12}}}}, {}}, {{{"a", whole, 2}}, {}}, ports)) << "a constant";
+  EXPECT_FALSE(implies(multiples_of_4, {{{"a", whole, 3}}, {}}, ports));
+  EXPECT_FALSE(implies({{{"a", {{4, 8}}}}, {}}, {{{"a", whole, 2}}, {}}, ports));
+  EXPECT_FALSE(implies({}, {{{"c", {{0, 255}}, 1}}, {}}, ports));
+}
+
 TEST(Demands, OperandsMeetThemOrNot) {
   const Demands demands{{{"a", {{-3, -1}, {1, 3}}}}, {{"a", "b"}}};
   const auto met = [&](std::int64_t a, std::int64_t b) {
@@ -73,6 +110,9 @@ TEST(Demands, OperandsMeetThemOrNot) {
   EXPECT_FALSE(met(0, 5));
   EXPECT_FALSE(met(4, 5));
   EXPECT_FALSE(met(3, 2));
+  EXPECT_TRUE(meets(PortDemand{"a", {{-9, 9}}, 2}, -8));
+  EXPECT_FALSE(meets(PortDemand{"a", {{-9, 9}}, 2}, -6));
+  EXPECT_FALSE(meets(PortDemand{"a", {{-9, 9}}, 2}, 12));
 }
 
 TEST(Demands, ReadAsText) {
@@ -81,6 +121,9 @@ TEST(Demands, ReadAsText) {
   EXPECT_EQ(demand_text(demands, 1), "a in [-5, 5]");
   EXPECT_EQ(demand_text(demands, 2), "b in [-9, -1] or 2");
   EXPECT_EQ(demand_text(demands, 3), "a <= b");
+  EXPECT_EQ(demand_text({"a", {{-40, 40}}, 2}), "a in [-40, 40], a multiple of 4");
+  EXPECT_EQ(demand_text({"a", {{-40, -1}, {8, 8}}, 3}), "a in [-40, -1] or 8, a multiple of 8");
+  EXPECT_EQ(demand_text({"a", {{8, 8}}, 3}), "a = 8");
 }
 
 TEST(Demands, OneLeftOut) {

@@ -177,6 +177,15 @@ TEST(CheckBlock, TestsOnlyWhatAPortCanBreak) {
       "    end\n  end\n`endif\n`endif\n");
 }
 
+TEST(CheckBlock, TestsLowZeros) {
+  const std::vector<Port> ports{{"a", 8, true}, {"b", 8, false}};
+  const Demands demands{{{"a", {{-9, 127}}, 1}, {"b", {{0, 255}}, 3}}, {}};
+  EXPECT_EQ(check_module("outside", demands, ports),
+            "// outside: 1 when an operand is not as demanded.\nmodule outside (\n  input  wire [7:0] a,\n  "
+            "input  wire [7:0] b,\n  output wire error\n);\n"
+            "  assign error = (!($signed(a) >= 8'shf7) || |a[0:0])\n    || (|b[2:0]);\nendmodule\n");
+}
+
 TEST(CheckBlock, NamesWhatNarrowPortsCannotTell) {
   const std::vector<Port> ports{{"a", 8, true}, {"b", 8, true}};
   const Demands demands{{{"a", {{3, 3}}}, {"b", {{-7, -3}}}}, {}};

@@ -179,7 +179,8 @@ TEST(PruneReport, DemandsThatDoOneThingTogetherShareNothing) {
 
 TEST(DemandFields, AreInTheManifestAndComeBack) {
   const Design& design = find_design("int_slabs");
-  const Demands demands{{{"rinf", {{1, 1}}}, {"iry", {{-9, -1}, {1, 9}}}}, {{"ixmin", "ixmax"}}};
+  const Demands demands{{{"rinf", {{1, 1}}}, {"iry", {{-9, -1}, {1, 9}}}, {"izmin", {{-64, 64}}, 4}},
+                        {{"ixmin", "ixmax"}}};
   const Pruned pruned = prune(design.trace({20, 24}), demands);
   const Pipeline pipeline = make_pipeline(pruned.graph, Library::thesis());
   const std::string plain = manifest(design, {20, 24}, pipeline, Library::thesis());
@@ -197,6 +198,14 @@ TEST(DemandFields, ABrokenOneIsRejected) {
   EXPECT_EQ(
       message_of<std::runtime_error>([] { (void)demands_of_manifest(R"({"demands": [{"port": 3}]})"); }),
       "manifest: \"demands\" is not a list of demands");
+}
+
+TEST(DemandFields, NameLowZerosOnlyWhereThereAreAny) {
+  const std::string plain = R"({"demands": [{"port": "a", "within": [[0, 8]]}]})";
+  EXPECT_EQ(demands_of_manifest(plain), (Demands{{{"a", {{0, 8}}}}, {}}));
+  const std::string fitted = with_demand_fields("{}", {{{"a", {{0, 8}}}, {"b", {{0, 8}}, 2}}, {}}, {});
+  EXPECT_EQ(fitted.find("low_zeros"), fitted.rfind("low_zeros")) << fitted;
+  EXPECT_EQ(demands_of_manifest(fitted), (Demands{{{"a", {{0, 8}}}, {"b", {{0, 8}}, 2}}, {}}));
 }
 
 }  // namespace

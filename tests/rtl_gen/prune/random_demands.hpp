@@ -1,4 +1,4 @@
-// Random legal demands on any ports: constants, narrow and wide intervals, two intervals, orders.
+// Random legal demands on any ports: constants, narrow and wide intervals, two intervals, low zeros, orders.
 #pragma once
 
 #include "tests/rtl_gen/prune/demand_sets.hpp"
@@ -25,15 +25,23 @@ inline Interval random_interval(Seeded& random, const Interval& all) {
   }
 }
 
+/// Of half of the demands none; else as many as leave each interval a number.
+inline int random_low_zeros(Seeded& random, const Port& port, const std::vector<Interval>& within) {
+  int low_zeros = random.flip() ? 0 : random.below(port.width);
+  const auto holds = [&](const Interval& each) { return multiples_in(each, low_zeros).has_value(); };
+  while (!std::all_of(within.begin(), within.end(), holds)) --low_zeros;
+  return low_zeros;
+}
+
 inline Demands random_demands(Seeded& random, const std::vector<Port>& ports) {
   Demands demands;
   for (const Port& port : ports) {
     if (random.below(4) == 0) continue;
     const Interval all = all_numbers(port);
-    std::vector<Interval> within{random_interval(random, all)};
+    std::vector<Interval> within{random.below(4) == 0 ? all : random_interval(random, all)};
     if (random.flip() && within[0].high < all.high - 1)
       within.push_back(random_interval(random, {within[0].high + 2, all.high}));
-    demands.ports.push_back({port.name, within});
+    demands.ports.push_back({port.name, within, random_low_zeros(random, port, within)});
   }
   for (std::size_t a = 0; a < ports.size(); ++a) {
     for (std::size_t b = 0; b < ports.size(); ++b) {
