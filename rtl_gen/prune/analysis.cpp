@@ -1,7 +1,6 @@
 #include "rtl_gen/prune/analysis.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <set>
 #include <utility>
@@ -15,9 +14,7 @@ using Orders = std::set<std::pair<NodeId, NodeId>>;
 
 /// The lowest bits of a sum or difference are known as far up as both operands' are.
 Facts known_low_bits(const Facts& a, const Facts& b, std::uint64_t result_of_ones) {
-  const std::uint64_t known = (a.zeros() | a.ones()) & (b.zeros() | b.ones());
-  const int count = std::countr_one(known);
-  const std::uint64_t mask = count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+  const std::uint64_t mask = all_bits(std::min(a.known_low(), b.known_low()));
   return Facts::bits(a.width(), ~result_of_ones & mask, result_of_ones & mask);
 }
 
@@ -33,9 +30,9 @@ Facts difference(const Facts& a, const Facts& b) {
   return Facts::both(bounds, known_low_bits(a, b, a.ones() - b.ones()));
 }
 
-Facts product(int width, const Facts& a, const Facts& b, bool is_signed) {
+/// Exact: it has the width of both.
+Facts product_in_range(int width, const Facts& a, const Facts& b, bool is_signed) {
   if (!is_signed) {
-    // Exact: it has the width of both.
     return Facts::patterns(width,
                            {a.patterns().low * b.patterns().low, a.patterns().high * b.patterns().high});
   }
@@ -43,6 +40,11 @@ Facts product(int width, const Facts& a, const Facts& b, bool is_signed) {
                           Wide{a.number().high} * b.number().low, Wide{a.number().high} * b.number().high};
   const auto [least, most] = std::minmax_element(std::begin(corners), std::end(corners));
   return Facts::number(width, *least, *most);
+}
+
+Facts product(int width, const Facts& a, const Facts& b, bool is_signed) {
+  return Facts::both(product_in_range(width, a, b, is_signed),
+                     Facts::bits(width, all_bits(std::min(width, a.low_zeros() + b.low_zeros())), 0));
 }
 
 Facts sliced(const Facts& a, int low, int width) {
@@ -201,9 +203,10 @@ Facts facts_of(const PortDemand& demand, const Node& port) {
                           : Facts::patterns(port.width, {static_cast<std::uint64_t>(i.low),
                                                          static_cast<std::uint64_t>(i.high)});
   };
-  Facts facts = of(demand.within.front());
-  for (const Interval& i : demand.within) facts = Facts::either(facts, of(i));
-  return facts;
+  Facts facts = of(*multiples_in(demand.within.front(), demand.low_zeros));
+  for (const Interval& i : demand.within)
+    facts = Facts::either(facts, of(*multiples_in(i, demand.low_zeros)));
+  return Facts::both(facts, Facts::bits(port.width, all_bits(demand.low_zeros), 0));
 }
 
 }  // namespace

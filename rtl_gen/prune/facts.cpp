@@ -19,15 +19,20 @@ Facts::Facts(int width, std::uint64_t zeros, std::uint64_t ones, Interval number
   sharpen();
 }
 
-/// Bits bound the number, and numbers of one sign agree in the bits above the first that differs.
+/// Bits bound the number, its ends have the low bits that are known, and numbers of one sign agree in the
+/// bits above the first that differs.
 void Facts::sharpen() {
   const std::uint64_t sign = std::uint64_t{1} << (width_ - 1);
   const std::uint64_t least = ones_ | (sign & ~zeros_);
   const std::uint64_t most = (~zeros_ & all_bits(width_) & ~sign) | (ones_ & sign);
   number_.low = std::max(number_.low, number_of(least, width_));
   number_.high = std::min(number_.high, number_of(most, width_));
-  const auto low = static_cast<std::uint64_t>(number_.low);
-  const auto high = static_cast<std::uint64_t>(number_.high);
+  const std::uint64_t below = all_bits(known_low());
+  const std::uint64_t low =
+      static_cast<std::uint64_t>(number_.low) + ((ones_ - static_cast<std::uint64_t>(number_.low)) & below);
+  const std::uint64_t high =
+      static_cast<std::uint64_t>(number_.high) - ((static_cast<std::uint64_t>(number_.high) - ones_) & below);
+  number_ = {static_cast<std::int64_t>(low), static_cast<std::int64_t>(high)};
   const int differing = 64 - std::countl_zero(low ^ high);
   const std::uint64_t agreed = differing == 64 ? 0 : ~std::uint64_t{0} << differing;
   zeros_ |= ~low & agreed & all_bits(width_);
@@ -91,6 +96,14 @@ int Facts::signed_width() const {
 int Facts::unknown_width() const {
   const std::uint64_t unknown = ~(zeros_ | ones_) & all_bits(width_);
   return 64 - std::countl_zero(unknown);
+}
+
+int Facts::known_low() const {
+  return std::countr_one(zeros_ | ones_);
+}
+
+int Facts::low_zeros() const {
+  return std::countr_one(zeros_);
 }
 
 }  // namespace hitpipe::rtl

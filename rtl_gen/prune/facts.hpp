@@ -11,9 +11,9 @@ namespace hitpipe::rtl {
 /// Holds what 64-bit operands make, before it is known to fit.
 __extension__ using Wide = __int128;
 
-/// The bits of a value of this width.
+/// The bits of a value of this width, 0 to 64.
 [[nodiscard]] constexpr std::uint64_t all_bits(int width) {
-  return ~std::uint64_t{0} >> (64 - width);
+  return width == 0 ? 0 : ~std::uint64_t{0} >> (64 - width);
 }
 /// A pattern as a two's complement number.
 [[nodiscard]] constexpr std::int64_t number_of(std::uint64_t pattern, int width) {
@@ -54,6 +54,9 @@ class Facts {
   [[nodiscard]] int signed_width() const;
   /// Bits below the topmost ones that are known.
   [[nodiscard]] int unknown_width() const;
+  /// The lowest bits that are known, and those that are 0.
+  [[nodiscard]] int known_low() const;
+  [[nodiscard]] int low_zeros() const;
 
  private:
   Facts(int width, std::uint64_t zeros, std::uint64_t ones, Interval number);

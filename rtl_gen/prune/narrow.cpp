@@ -9,18 +9,23 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// How a value comes back from its low bits: the bits above are known, or repeat the highest of them.
+/// The bits of a value that are made: those above are known, or repeat the highest of them; those below are
+/// known.
 struct Core {
-  int width;
+  int width;  ///< with those below
+  int low;    ///< so many below
   bool by_sign;
 };
 
 Core core_of(const Facts& facts) {
   const int by_bits = std::max(1, facts.unknown_width());
-  return by_bits < facts.signed_width() ? Core{by_bits, false} : Core{facts.signed_width(), true};
+  const bool by_sign = facts.signed_width() <= by_bits;
+  const int width = by_sign ? facts.signed_width() : by_bits;
+  return {width, std::min(facts.known_low(), width - 1), by_sign};
 }
 
-NodeId widened(Graph& to, NodeId low, const Core& core, const Facts& facts) {
+NodeId whole(Graph& to, NodeId made, const Core& core, const Facts& facts) {
+  const NodeId low = core.low == 0 ? made : to.concat(made, to.constant(core.low, facts.ones()));
   if (core.by_sign) return to.extend(low, facts.width(), true);
   if (core.width == facts.width()) return low;
   const std::uint64_t above = facts.ones() >> core.width;
@@ -43,44 +48,69 @@ class Narrow {
     const Node& n = graph_[id];
     if (!is_root(n.op)) return no_node;
     if (n.op == Op::less || n.op == Op::equal) return comparison(to, id, operands);
-    const NodeId whole = n.op == Op::mul ? product(to, id, operands) : no_node;
     const Core core = core_of(facts_[id]);
-    if (core.width == n.width) return whole;
-    NodeId low = no_node;
-    const auto cut = [&](std::size_t i) { return to.slice(operands[i], core.width - 1, 0); };
+    const auto core_bits = [&](NodeId value) { return to.slice(value, core.width - 1, core.low); };
+    NodeId made = no_node;
     switch (n.op) {
       case Op::input:
-        low = cut(0);
+        made = core_bits(operands[0]);
         break;
-      case Op::mux:
-        low = to.mux(operands[0], cut(1), cut(2));
+      case Op::mux: {
+        const NodeId if_one = core_bits(operands[1]);
+        made = to.mux(operands[0], if_one, core_bits(operands[2]));
+        break;
+      }
+      case Op::add:
+      case Op::sub:
+        made = core_bits(sum(to, id, operands, core.width));
         break;
       case Op::mul:
-        low = to.slice(whole, core.width - 1, 0);
+        made = core_bits(product(to, id, operands));
         break;
       case Op::call:
-        low = to.slice(record_again(to, graph_, id, operands), core.width - 1, 0);
+        made = core_bits(record_again(to, graph_, id, operands));
         break;
-      default:
-        low = to.binary(n.op, cut(0), cut(1));
+      default: {
+        const NodeId left = core_bits(operands[0]);
+        made = to.binary(n.op, left, core_bits(operands[1]));
         break;
+      }
     }
-    name(to, low, id);
-    return widened(to, low, core, facts_[id]);
+    name(to, made, id);
+    return whole(to, made, core, facts_[id]);
   }
 
-  /// Of operands that fit theirs; the sign of the multiplier stays, and so does a place for it.
+  /// The low bits of a sum or difference. Where one operand ends in zeros the other passes: no carry, no
+  /// borrow.
+  NodeId sum(Graph& to, NodeId id, const NewOperands& operands, int width) {
+    const Node& n = graph_[id];
+    const auto zeros = [&](std::size_t i) { return std::min(facts_[n.args[i]].low_zeros(), width); };
+    const std::size_t passes = n.op == Op::add && zeros(0) > zeros(1) ? 1 : 0;
+    const int low = zeros(1 - passes);
+    if (low == width) return to.slice(operands[passes], width - 1, 0);
+    const NodeId left = to.slice(operands[0], width - 1, low);
+    const NodeId made = to.binary(n.op, left, to.slice(operands[1], width - 1, low));
+    name(to, made, id);
+    return low == 0 ? made : to.concat(made, to.slice(operands[passes], low - 1, 0));
+  }
+
+  /// Of operands that fit theirs, without the zeros that they end in; the sign of the multiplier stays, and
+  /// so does a place for it.
   NodeId product(Graph& to, NodeId id, const NewOperands& operands) {
     const Node& n = graph_[id];
+    int zeros = 0;
     const auto fit = [&](std::size_t i) {
       const Facts& f = facts_[n.args[i]];
-      const int bits = n.is_signed ? f.signed_width() : 64 - std::countl_zero(f.patterns().high);
-      return to.slice(operands[i], std::max(1, bits) - 1, 0);
+      const int bits = std::max(1, n.is_signed ? f.signed_width() : 64 - std::countl_zero(f.patterns().high));
+      const int low = std::min(f.low_zeros(), bits - 1);
+      zeros += low;
+      return to.slice(operands[i], bits - 1, low);
     };
     const NodeId left = fit(0);
     const NodeId made = to.binary(Op::mul, left, fit(1), n.is_signed);
     name(to, made, id);
-    return to.extend(made, n.width, n.is_signed);
+    const NodeId wide = to.extend(made, n.width - zeros, n.is_signed);
+    return zeros == 0 ? wide : to.concat(wide, to.constant(zeros, 0));
   }
 
   /// In the bits in which the operands can differ.
@@ -96,9 +126,9 @@ class Narrow {
     // Below equal bits numbers are in the order of their patterns.
     const bool as_patterns = differing < width && differing <= by_sign;
     const int bits = as_patterns ? differing : keeps_sign || n.op == Op::equal ? by_sign : width;
-    if (bits == width) return no_node;
-    const NodeId left = to.slice(operands[0], bits - 1, 0);
-    return to.binary(n.op, left, to.slice(operands[1], bits - 1, 0), keeps_sign && !as_patterns);
+    const int low = std::min(std::countr_one(alike), bits - 1);
+    const NodeId left = to.slice(operands[0], bits - 1, low);
+    return to.binary(n.op, left, to.slice(operands[1], bits - 1, low), keeps_sign && !as_patterns);
   }
 
   void name(Graph& to, NodeId made, NodeId id) { to.annotate(made, graph_[id].name, graph_[id].source); }

@@ -23,7 +23,8 @@ namespace hitpipe::rtl {
 /// Sums and differences with 0, differences of equals, products with 0 and powers of two: wires.
 [[nodiscard]] Graph simplify_arithmetic(const Graph& graph);
 
-/// Every value is made in the bits that its numbers need; the others are copies of its sign, or constants.
+/// Every value is made in the bits that its numbers need; those above are copies of its sign or constants,
+/// those below constants, or one operand's where the other ends in zeros.
 [[nodiscard]] Graph narrow(const Graph& graph, const Demands& demands);
 
 /// a op b and b op a are one node where the order does not matter.

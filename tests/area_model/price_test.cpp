@@ -135,6 +135,30 @@ TEST(UnitLibrary, MultipliesByNarrowerOperandsInTheirPartOfTheSquare) {
   EXPECT_TRUE(lines.at("int_multiply_12x6").estimated);
 }
 
+// The low three bits of y's planes and origin are 0: multipliers, subtractors and latches without them.
+TEST(UnitLibrary, CoarseAxesCostLess) {
+  for (const char* const name : {"int_slabs", "int_plucker"}) {
+    const rtl::Design& design = rtl::find_design(name);
+    const rtl::Interval all{-2047, 2047};
+    const auto y = [&](int zeros) {
+      return rtl::Demands{{{"iry", {all}, zeros}, {"iymin", {all}, zeros}, {"iymax", {all}, zeros}}};
+    };
+    std::map<std::string, Line> fine;
+    std::map<std::string, Line> coarse;
+    const auto priced = [&](int zeros, std::map<std::string, Line>& lines) {
+      const rtl::Pipeline pipeline =
+          rtl::make_pipeline(rtl::prune(design.trace({12, 12}), y(zeros)).graph, rtl::unit_library());
+      const Price p = price(pipeline, {design.name, {12, 12}}, rtl::unit_library());
+      for (const Line& line : p.lines) lines.emplace(part_name(line.part), line);
+      return p.area_um2;
+    };
+    EXPECT_LT(priced(3, coarse), priced(0, fine)) << name;
+    EXPECT_EQ(coarse.at("int_subtract_9").n, 2) << name;
+    EXPECT_EQ(coarse.at("int_multiply_12x9").n, design.name == "int_slabs" ? 2 : 4) << name;
+    EXPECT_LT(coarse.at("latch_12").n, fine.at("latch_12").n) << name;
+  }
+}
+
 TEST(PriceOfAPipeline, IsThatOfTheDesignItComesFrom) {
   for (const DesignFormat& d : rtl::every_design()) {
     const Price whole = price_of(d, Account::built);

@@ -19,15 +19,16 @@ struct DemandSet {
   Demands demands;
 };
 
-/// Puts a demand in the place of the one on its port, or beside the others.
-inline void demand(Demands& demands, const std::string& port, std::vector<Interval> within) {
+/// The demand on the port: the one that is there, or a new one without intervals.
+inline PortDemand& demand_on(Demands& demands, const std::string& port) {
   for (PortDemand& each : demands.ports) {
-    if (each.port == port) {
-      each.within = std::move(within);
-      return;
-    }
+    if (each.port == port) return each;
   }
-  demands.ports.push_back({port, std::move(within)});
+  return demands.ports.emplace_back(PortDemand{port, {}});
+}
+
+inline void demand(Demands& demands, const std::string& port, std::vector<Interval> within) {
+  demand_on(demands, port).within = std::move(within);
 }
 
 /// Float patterns.
@@ -81,6 +82,15 @@ class Scene {
     if (!slabs_) demand(demands_, prefix() + "rey", {within});
     return *this;
   }
+  /// Origin and boxes lie on every eighth plane of constant y; a float's low three bits are 0.
+  Scene& coarse_axis() {
+    for (const char* const port : {"ry", "ymin", "ymax"}) {
+      PortDemand& coarse = demand_on(demands_, prefix() + port);
+      if (coarse.within.empty()) coarse.within = {{0, minus | 0x7fffffff}};
+      coarse.low_zeros = 3;
+    }
+    return *this;
+  }
   Scene& no_zero_components() {
     for (const char a : std::string("ijk")) {
       for (const std::string& port : direction(a)) demand(demands_, port, no_zero());
@@ -122,16 +132,17 @@ class Scene {
 
 inline std::vector<DemandSet> demand_sets(const Design& design, Format format) {
   const auto scene = [&] { return Scene(design, format); };
+  Scene all = scene();  // the camera stands outside the slab
+  all.infinite_rays().one_direction().narrow_axis().coarse_axis().fixed_origin().ordered_boxes();
   return {{"infinite rays", scene().infinite_rays().demands()},
           {"finite rays", scene().finite_rays().demands()},
           {"one direction class", scene().one_direction().demands()},
           {"fixed origin", scene().fixed_origin().demands()},
           {"narrow y", scene().narrow_axis().demands()},
+          {"coarse y", scene().coarse_axis().demands()},
           {"no zero component", scene().no_zero_components().demands()},
           {"min <= max", scene().ordered_boxes().demands()},
-          {"all of these",
-           // The camera stands outside the slab.
-           scene().infinite_rays().one_direction().narrow_axis().fixed_origin().ordered_boxes().demands()}};
+          {"all of these", all.demands()}};
 }
 
 /// Operands in port order that meet the demands: ends of intervals, numbers near them, near 0, and any.

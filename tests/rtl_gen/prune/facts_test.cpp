@@ -19,6 +19,24 @@ bool holds(const Facts& facts, std::uint64_t value) {
          number <= facts.number().high && value >= facts.patterns().low && value <= facts.patterns().high;
 }
 
+/// Every interval with every number of low zeros that leaves it a number.
+std::vector<PortDemand> three_bit_demands(const std::string& port, bool is_signed) {
+  std::vector<PortDemand> all;
+  const Interval numbers = all_numbers({port, 3, is_signed});
+  for (std::int64_t low = numbers.low; low <= numbers.high; ++low)
+    for (std::int64_t high = low; high <= numbers.high; ++high)
+      for (int zeros = 0; zeros < 3; ++zeros)
+        if (multiples_in({low, high}, zeros)) all.push_back({port, {{low, high}}, zeros});
+  return all;
+}
+
+std::vector<std::uint64_t> patterns_of(const PortDemand& demand) {
+  std::vector<std::uint64_t> patterns;
+  for (std::int64_t number = demand.within[0].low; number <= demand.within[0].high; ++number)
+    if (meets(demand, number)) patterns.push_back(static_cast<std::uint64_t>(number) & all_bits(3));
+  return patterns;
+}
+
 TEST(Facts, NumbersAndBitsSharpenEachOther) {
   const Facts small = Facts::number(8, 0, 9);
   EXPECT_EQ(small.zeros(), 0xf0U);
@@ -33,14 +51,28 @@ TEST(Facts, NumbersAndBitsSharpenEachOther) {
   EXPECT_EQ(Facts::nothing(64).unknown_width(), 64);
 }
 
+TEST(Facts, LowBitsMoveTheEndsToNumbersThatHaveThem) {
+  const Facts even = Facts::both(Facts::number(8, -9, 9), Facts::bits(8, 0x03, 0));
+  EXPECT_EQ(even.number(), (Interval{-8, 8}));
+  EXPECT_EQ(even.low_zeros(), 2);
+  const Facts odd = Facts::both(Facts::number(8, -9, 9), Facts::bits(8, 0x02, 0x01));
+  EXPECT_EQ(odd.number(), (Interval{-7, 9}));
+  EXPECT_EQ(odd.low_zeros(), 0);
+  EXPECT_EQ(odd.known_low(), 2);
+  const Facts one = Facts::both(Facts::number(8, 9, 15), Facts::bits(8, 0x03, 0));
+  EXPECT_TRUE(one.is_constant());
+  EXPECT_EQ(one.known_low(), 8);
+  EXPECT_EQ(Facts::nothing(64).known_low(), 0);
+}
+
 TEST(Facts, WhatDoesNotFitSaysNothing) {
   EXPECT_EQ(Facts::number(8, 0, 128).number(), (Interval{-128, 127}));
   EXPECT_EQ(Facts::patterns(8, {127, 128}).number(), (Interval{-128, 127}));
   EXPECT_EQ(Facts::patterns(8, {200, 255}).number(), (Interval{-56, -1}));
 }
 
-/// Every operation on every pair of intervals of 3-bit numbers, signed and unsigned: all results are in the
-/// facts, and differences and products that do not wrap reach the ends.
+/// Every operation on every pair of demands on 3-bit numbers, intervals with and without low zeros, signed
+/// and unsigned: all results are in the facts.
 TEST(Analysis, HoldsForEveryPairOfThreeBitIntervals) {
   std::size_t cases = 0;
   for (const bool is_signed : {false, true}) {
@@ -55,28 +87,27 @@ TEST(Analysis, HoldsForEveryPairOfThreeBitIntervals) {
           graph.slice(b, 1, 1), graph.invert(a), graph.binary(Op::bit_and, a, b),
           graph.binary(Op::bit_or, a, b), graph.binary(Op::bit_xor, a, b)})
       graph.output(fmt::format("o{}", id), id);
-    const std::int64_t low = is_signed ? -4 : 0;
-    for (std::int64_t a0 = low; a0 < low + 8; ++a0)
-      for (std::int64_t a1 = a0; a1 < low + 8; ++a1)
-        for (std::int64_t b0 = low; b0 < low + 8; ++b0)
-          for (std::int64_t b1 = b0; b1 < low + 8; ++b1) {
-            const std::vector<Facts> facts = analyse(graph, {{{"a", {{a0, a1}}}, {"b", {{b0, b1}}}}, {}});
-            for (std::int64_t x = a0; x <= a1; ++x)
-              for (std::int64_t y = b0; y <= b1; ++y) {
-                const std::array operands{static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y)};
-                const std::vector<std::uint64_t> values = evaluate(graph, operands);
-                for (std::size_t o = 0; o < values.size(); ++o) {
-                  const NodeId id = graph.outputs()[o].node;
-                  ASSERT_TRUE(holds(facts[id], values[o]))
-                      << to_text(graph) << "%" << id << " a=" << x << " in " << a0 << ".." << a1 << " b=" << y
-                      << " in " << b0 << ".." << b1;
-                  ++cases;
-                }
-              }
-          }
+    std::array<std::array<std::vector<std::uint64_t>, 8>, 8> values;
+    for (std::uint64_t x = 0; x < 8; ++x)
+      for (std::uint64_t y = 0; y < 8; ++y) values[x][y] = evaluate(graph, std::array{x, y});
+    const std::vector<PortDemand> of_a = three_bit_demands("a", is_signed);
+    const std::vector<PortDemand> of_b = three_bit_demands("b", is_signed);
+    for (const PortDemand& demand_a : of_a)
+      for (const PortDemand& demand_b : of_b) {
+        const std::vector<Facts> facts = analyse(graph, {{demand_a, demand_b}, {}});
+        for (const std::uint64_t x : patterns_of(demand_a))
+          for (const std::uint64_t y : patterns_of(demand_b))
+            for (const Output& out : graph.outputs()) {
+              const auto o = static_cast<std::size_t>(&out - graph.outputs().data());
+              ASSERT_TRUE(holds(facts[out.node], values[x][y][o]))
+                  << to_text(graph) << "%" << out.node << " a=" << x << " b=" << y << ' '
+                  << demand_text(demand_a) << ' ' << demand_text(demand_b);
+              ++cases;
+            }
+      }
   }
   std::cout << cases << " values\n";
-  EXPECT_GT(cases, 400'000U);
+  EXPECT_GT(cases, 800'000U);
 }
 
 TEST(Analysis, HoldsOnRandomGraphs) {
@@ -132,6 +163,28 @@ TEST(Analysis, KnowsPortsInOrder) {
   const std::vector<Facts> tight = analyse(graph, {{{"a", {{5, 100}}}, {"b", {{-100, 20}}}}, {{"a", "b"}}});
   EXPECT_EQ(tight[graph.inputs()[0]].number(), (Interval{5, 20}));
   EXPECT_EQ(tight[graph.inputs()[1]].number(), (Interval{5, 20}));
+}
+
+TEST(Analysis, CarriesLowZerosAsFarAsTheyGo) {
+  for (const bool is_signed : {false, true}) {
+    Graph graph("zeros");
+    const NodeId a = graph.input("a", 8, is_signed);
+    const NodeId b = graph.input("b", 8, is_signed);
+    const NodeId p = graph.input("p", 1, false);
+    const std::vector<std::pair<NodeId, int>> cases{{graph.binary(Op::add, a, b), 2},
+                                                    {graph.binary(Op::sub, b, a), 2},
+                                                    {graph.binary(Op::mul, a, b, is_signed), 5},
+                                                    {graph.mux(p, a, b), 2},
+                                                    {graph.extend(b, 20, is_signed), 3},
+                                                    {graph.slice(a, 6, 1), 1},
+                                                    {graph.concat(p, b), 3},
+                                                    {graph.binary(Op::bit_and, a, b), 3},
+                                                    {graph.binary(Op::bit_xor, a, b), 2}};
+    const Interval whole = all_numbers({"a", 8, is_signed});
+    const std::vector<Facts> facts = analyse(graph, {{{"a", {whole}, 2}, {"b", {whole}, 3}}, {}});
+    for (const auto& [node, zeros] : cases)
+      EXPECT_EQ(facts[node].low_zeros(), zeros) << to_text(graph) << '%' << node;
+  }
 }
 
 TEST(Analysis, LooksIntoAComponent) {

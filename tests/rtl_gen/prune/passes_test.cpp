@@ -197,6 +197,65 @@ TEST_F(Small, NarrowMakesValuesInTheBitsTheyNeed) {
   }
 }
 
+/// What is left of a value when the low two bits of a and the low three of b are 0.
+TEST_F(Small, NarrowLeavesOutLowZeros) {
+  const Demands demands{{{"a", {{-128, 127}}, 2}, {"b", {{-128, 127}}, 3}}, {}};
+  const std::vector<std::pair<NodeId, std::string>> cases{
+      {graph.binary(Op::add, a, b), "add:5"},         {graph.binary(Op::sub, a, b), "sub:5"},
+      {graph.binary(Op::sub, b, a), "sub:6"},         {graph.binary(Op::mul, a, b, true), "mul:11"},
+      {graph.binary(Op::mul, a, b, false), "mul:11"}, {graph.binary(Op::bit_and, a, b), "and:5"},
+      {graph.binary(Op::bit_or, a, b), "or:6"},       {graph.mux(p, a, b), "mux:6"}};
+  for (const auto& [node, expected] : cases) {
+    Graph each = graph;
+    each.output("o", node);
+    EXPECT_THAT(ops(narrow(each, demands)), testing::Contains(expected)) << to_text(narrow(each, demands));
+  }
+}
+
+TEST_F(Small, NarrowLetsLowBitsPassWhereTheOtherOperandHasNone) {
+  const Demands demands{{{"b", {{-128, 127}}, 3}}, {}};
+  const std::vector<std::pair<NodeId, std::string>> cases{{graph.binary(Op::add, a, b), "add:5"},
+                                                          {graph.binary(Op::add, b, a), "add:5"},
+                                                          {graph.binary(Op::sub, a, b), "sub:5"},
+                                                          {graph.binary(Op::sub, b, a), "sub:8"}};
+  for (const auto& [node, expected] : cases) {
+    Graph each = graph;
+    each.output("o", node);
+    EXPECT_THAT(ops(narrow(each, demands)), testing::Contains(expected)) << to_text(narrow(each, demands));
+  }
+}
+
+TEST_F(Small, NarrowComparesAboveEqualLowBits) {
+  for (const Op op : {Op::less, Op::equal}) {
+    for (const bool is_signed : {false, true}) {
+      Graph same = graph;
+      const auto compare = [&](Graph& to, std::uint64_t low_a, std::uint64_t low_b) {
+        const NodeId left = to.concat(to.slice(a, 7, 2), to.constant(2, low_a));
+        const NodeId right = to.concat(to.slice(b, 7, 2), to.constant(2, low_b));
+        to.output("o", to.binary(op, left, right, is_signed && op == Op::less));
+      };
+      compare(same, 1, 1);
+      const Graph made = narrow(same, {});
+      EXPECT_EQ(made[made[made.outputs().front().node].args[0]].width, 6) << to_text(made);
+      Graph apart = graph;
+      compare(apart, 1, 2);
+      const Graph whole = narrow(apart, {});
+      EXPECT_EQ(whole[whole[whole.outputs().front().node].args[0]].width, 8) << to_text(whole);
+    }
+  }
+}
+
+TEST_F(Small, NarrowKnowsLowBitsThatACarryLeaves) {
+  const NodeId three = graph.concat(graph.slice(a, 7, 2), graph.constant(2, 3));
+  const NodeId one = graph.concat(graph.slice(b, 7, 2), graph.constant(2, 1));
+  graph.output("o", graph.binary(Op::add, three, one));
+  const Graph made = canonical(narrow(graph, {}));
+  const Node& sum = made[made.outputs().front().node];
+  ASSERT_EQ(sum.op, Op::concat) << to_text(made);
+  EXPECT_EQ(made[sum.args[1]].op, Op::constant);
+  EXPECT_THAT(ops(made), testing::Contains("add:8"));
+}
+
 TEST_F(Small, NarrowComparesWithoutASignWhereItIsKnown) {
   graph.output("o", graph.binary(Op::less, a, b, true));
   const Graph made = narrow(graph, {{{"a", {{64, 71}}}, {"b", {{66, 70}}}}, {}});

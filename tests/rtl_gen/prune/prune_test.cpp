@@ -142,6 +142,34 @@ TEST(Prune, ANarrowAxisHasNarrowDifferences) {
   EXPECT_THAT(narrowed, testing::ElementsAre("iry 24 -> 8", "iymin 24 -> 8", "iymax 24 -> 8"));
 }
 
+/// Low three bits of y's origin and planes: neither read nor latched, in ports as wide as they were.
+TEST(Prune, ACoarseAxisHasNoLowBits) {
+  for (const char* const name : {"int_slabs", "int_plucker"}) {
+    const Design& design = find_design(name);
+    const Format format{24, 24};
+    const Graph traced = design.trace(format);
+    const Demands coarse = Scene(design, format).coarse_axis().demands();
+    const Pruned pruned = prune(traced, coarse, {.shares = false});
+    EXPECT_EQ(pruned.report.after.components.at("int_subtract_21"), 2) << name;
+    for (const PortChange& change : pruned.report.ports) {
+      const bool box = change.port == "iymin" || change.port == "iymax";
+      EXPECT_FALSE(box) << change.port << " has " << change.bits_after << " bits";
+    }
+    std::vector<std::string> cuts;
+    for (const Cut& cut : pruned.report.cuts) cuts.push_back(fmt::format("{} {}", cut.name, cut.bits_after));
+    EXPECT_THAT(cuts, testing::IsSupersetOf({"iry 20", "iymin 21", "iymax 21"})) << name;
+    int narrow_products = 0;
+    for (NodeId id = 0; id < pruned.graph.size(); ++id) {
+      if (pruned.graph[id].op == Op::mul) narrow_products += pruned.graph[id].width == 45 ? 1 : 0;
+    }
+    EXPECT_EQ(narrow_products, design.name == "int_slabs" ? 2 : 4) << name << ": 21 x 24";
+    const std::string verilog = verilog_of(pruned.graph);
+    for (const char* const latched :
+         {"iry_s0 <= iry[22:3];", "iymin_s0 <= iymin[23:3];", "iymax_s0 <= iymax[23:3];"})
+      EXPECT_NE(verilog.find(latched), std::string::npos) << name << ": " << latched;
+  }
+}
+
 TEST(PruneReport, SaysWhatWentAndForWhichDemand) {
   const Design& design = find_design("int_slabs");
   const Demands demands{{{"rinf", {{1, 1}}}, {"iri_floor", {{0, 100}}}}, {}};

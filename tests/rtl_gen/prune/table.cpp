@@ -1,10 +1,8 @@
 // Prints the table of docs/prune.md: what demand sets save of each design's area, account built,
 // thesis_250nm.
-#include <algorithm>
-
 #include <fmt/format.h>
 
-#include "area_model/count.hpp"
+#include "area_model/price.hpp"
 #include "rtl_gen/prune/prune.hpp"
 #include "tests/rtl_gen/prune/demand_sets.hpp"
 
@@ -12,58 +10,40 @@ namespace {
 
 using namespace hitpipe;
 
-std::int64_t area_um2(const rtl::Pipeline& pipeline) {
-  std::int64_t area = 0;
-  for (const area::Count& count : area::count_built(pipeline))
-    area +=
-        std::int64_t{count.n} * rtl::Library::thesis().cell(count.part.component, count.part.bits).area_um2;
-  return area;
-}
-
-/// What the account would be less if a multiplier of m x n bits had the area of max(m, n) bits times n / m:
-/// the account prices it as a square.
-std::int64_t corners_of_multipliers(const rtl::Graph& graph) {
-  std::int64_t area = 0;
-  for (rtl::NodeId id = 0; id < graph.size(); ++id) {
-    if (graph[id].op != rtl::Op::mul) continue;
-    const auto [few, many] = std::minmax(graph[graph[id].args[0]].width, graph[graph[id].args[1]].width);
-    const std::int64_t square = rtl::Library::thesis().cell(rtl::Component::int_multiply, many).area_um2;
-    area += square * (many - few) / many;
-  }
-  return area;
-}
-
 double percent(std::int64_t part, std::int64_t whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-void print_row(const std::string& name, const rtl::Pipeline& pipeline, std::int64_t whole,
-               const rtl::PruneReport& report) {
-  const std::int64_t area = area_um2(pipeline);
+std::int64_t area_um2(const rtl::Pipeline& pipeline, const area::Entry& entry) {
+  return area::price(pipeline, entry, rtl::Library::thesis()).area_um2;
+}
+
+void print_row(const std::string& name, const area::Entry& entry, const rtl::Pipeline& pipeline,
+               std::int64_t whole, const rtl::PruneReport& report) {
+  const std::int64_t area = area_um2(pipeline, entry);
   int port_bits = 0;
   for (const rtl::Port& port : rtl::input_ports(pipeline.graph)) port_bits += port.width;
-  fmt::print("| {} | {:.4f} | {:.1f} | {:.1f} | {} | {} | {} | {} |\n", name, static_cast<double>(area) / 1e6,
-             percent(whole - area, whole),
-             percent(whole - area + corners_of_multipliers(pipeline.graph), whole), pipeline.latency(),
-             pipeline.schedule.clock_ps, port_bits, report.after.nodes);
+  fmt::print("| {} | {:.4f} | {:.1f} | {} | {} | {} | {} |\n", name, static_cast<double>(area) / 1e6,
+             percent(whole - area, whole), pipeline.latency(), pipeline.schedule.clock_ps, port_bits,
+             report.after.nodes);
 }
 
 void print_design(const char* name, rtl::Format format, bool cuts) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Graph traced = design.trace(format);
   const rtl::Pipeline plain = rtl::make_pipeline(traced, rtl::Library::thesis());
-  const std::int64_t whole = area_um2(plain);
+  const area::Entry entry{design.name, format};
+  const std::int64_t whole = area_um2(plain, entry);
   fmt::print(
-      "\n| {} {} | mm2 | saved % | with m x n multipliers | stages | clock ps | port bits | nodes "
-      "|\n|---|---|---|---|---|---|---|---|\n",
+      "\n| {} {} | mm2 | saved % | stages | clock ps | port bits | nodes |\n|---|---|---|---|---|---|---|\n",
       name, to_string(format));
-  print_row("unfitted", plain, whole, {.before = {}, .after = rtl::size_of(plain.graph)});
+  print_row("unfitted", entry, plain, whole, {.before = {}, .after = rtl::size_of(plain.graph)});
   std::vector<rtl::DemandSet> sets = rtl::demand_sets(design, format);
   sets.insert(sets.begin(), {"the ports' own ranges", rtl::promises(design, format)});
   for (const rtl::DemandSet& set : sets) {
     const rtl::Pruned pruned = rtl::prune(traced, set.demands, {.shares = cuts});
     const rtl::Pipeline pipeline = rtl::make_pipeline(pruned.graph, rtl::Library::thesis());
-    print_row(set.name, pipeline, whole, pruned.report);
+    print_row(set.name, entry, pipeline, whole, pruned.report);
     if (!cuts) continue;
     for (const rtl::Cut& cut : pruned.report.cuts) fmt::print("  {}\n", rtl::cut_text(cut));
     for (const rtl::Share& share : pruned.report.shares)

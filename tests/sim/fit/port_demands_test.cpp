@@ -135,7 +135,7 @@ TEST(PortDemands, OfPrimaryRaysAloneFixTheOrigin) {
 
 TEST(Guard, NamesPortNumberAndDemand) {
   const std::vector<rtl::Port> ports{{"a", 8, true}, {"b", 8, true}};
-  const OperandGuard guard({{{"b", {{-9, -1}, {1, 9}}}}, {{"a", "b"}}}, ports);
+  const OperandGuard guard({{{"b", {{-9, -1}, {1, 9}}}, {"a", {{-128, 127}}, 1}}, {{"a", "b"}}}, ports);
   const auto said = [&](std::int64_t a, std::int64_t b) -> std::string {
     const std::int64_t operands[] = {a, b};
     try {
@@ -146,10 +146,11 @@ TEST(Guard, NamesPortNumberAndDemand) {
     return {};
   };
   EXPECT_EQ(said(-20, -9), "");
-  EXPECT_EQ(said(9, 9), "");
+  EXPECT_EQ(said(8, 9), "");
   EXPECT_THAT(said(-20, 0), HasSubstr("fitted to: b = 0, demanded is b in [-9, -1] or [1, 9]"));
   EXPECT_THAT(said(-20, 10), HasSubstr("b = 10"));
   EXPECT_THAT(said(8, 7), HasSubstr("a = 8 and b = 7, demanded is a <= b"));
+  EXPECT_THAT(said(-19, 7), HasSubstr("a = -19, demanded is a in [-128, 127], a multiple of 2"));
 }
 
 }  // namespace
