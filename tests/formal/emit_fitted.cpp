@@ -1,6 +1,7 @@
 // Writes what the proof of one fitted design reads: emit_fitted DESIGN FORMAT SET FOLDER. SET is the number
-// of a demand set, from 0. The proof: for all operands that meet the demands, the graph as it was traced, the
-// pruned one and the pruned one of narrower ports give one HIT. docs/prune.md says which lemma it uses.
+// of a demand set, from 0, or the manifest of a fitted unit. The proof: for all operands that meet the
+// demands, the graph as it was traced, the pruned one and the pruned one of narrower ports give one HIT.
+// docs/prune.md says which lemmas it uses.
 #include <algorithm>
 #include <exception>
 #include <iostream>
@@ -15,7 +16,7 @@
 #include "rtl_gen/verilog/body.hpp"
 #include "rtl_gen/verilog/combinational.hpp"
 #include "tests/formal/component.hpp"
-#include "tests/rtl_gen/prune/demand_sets.hpp"
+#include "tests/formal/fitted_set.hpp"
 
 namespace {
 
@@ -87,6 +88,13 @@ Instance instance(const std::string& module, const rtl::Graph& graph, const std:
     const std::string operands = known(a, lemma.a) + " && " + known(b, lemma.b);
     made.properties +=
         fmt::format("    assert ({0});\n    assume (!({0}) || {1});\n", operands, known(r, lemma.result));
+    const int zeros = lemma.a.low_zeros() + lemma.b.low_zeros();
+    if (!lemma.unit.empty() || zeros == 0) continue;
+    made.text += fmt::format(
+        "  wire signed [63:0] above_{0};\n  uf_mul above_of_{0} (.a({1} >>> {2}), .b({3} >>> {4}), "
+        ".y(above_{0}));\n",
+        r, a, lemma.a.low_zeros(), b, lemma.b.low_zeros());
+    made.properties += fmt::format("    assume (!({0}) || {1} == above_{1} << {2});\n", operands, r, zeros);
   }
   made.text += fmt::format("  wire {0}_hit;\n  {0} of_{0} ({1}.hit({0}_hit));\n", module, ports);
   return made;
@@ -139,11 +147,11 @@ std::string miter(const rtl::Graph& traced, const Instance& plain, const Instanc
                     asked, plain.text, kept.text, fitted.text, plain.properties, kept.properties);
 }
 
-std::vector<rtl::File> files_of(const std::string& name, const std::string& bits, std::size_t set) {
+std::vector<rtl::File> files_of(const std::string& name, const std::string& bits, const std::string& set) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Format format = design.parse_format(bits);
   const rtl::Graph traced = design.trace(format);
-  const rtl::DemandSet fit = rtl::demand_sets(design, format).at(set);
+  const rtl::DemandSet fit = formal::fitted_set(design, format, set);
   rtl::Graph kept =
       rtl::canonical(rtl::prune(traced, fit.demands, {.keep_ports = true, .shares = false}).graph);
   const rtl::Graph fitted = rtl::prune(traced, fit.demands, {.shares = false}).graph;
@@ -188,7 +196,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& bits
 int main(int argc, char** argv) {
   try {
     if (argc != 5) throw std::runtime_error("usage: emit_fitted DESIGN FORMAT SET FOLDER");
-    rtl::write_files(argv[4], files_of(argv[1], argv[2], std::stoul(argv[3])));
+    rtl::write_files(argv[4], files_of(argv[1], argv[2], argv[3]));
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -1,8 +1,7 @@
 // Writes what the proofs of one design in one format read: emit_formal DESIGN FORMAT FOLDER [SET]. FORMAT is
-// n/t or fp32; with the number of a demand set the design is the one fitted to it.
+// n/t or fp32; with the number of a demand set, or a manifest, the design is the one fitted to it.
 #include <exception>
 #include <iostream>
-#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,23 +10,22 @@
 #include "rtl_gen/prune/prune.hpp"
 #include "rtl_gen/verilog/combinational.hpp"
 #include "rtl_gen/verilog/module.hpp"
+#include "tests/formal/fitted_set.hpp"
 #include "tests/formal/properties.hpp"
-#include "tests/rtl_gen/prune/demand_sets.hpp"
 
 namespace {
 
 using namespace hitpipe;
 
-rtl::Graph fitted(const rtl::Design& design, rtl::Format format, std::size_t set) {
-  return rtl::prune(design.trace(format), rtl::demand_sets(design, format).at(set).demands, {.shares = false})
+rtl::Graph fitted(const rtl::Design& design, rtl::Format format, const std::string& set) {
+  return rtl::prune(design.trace(format), formal::fitted_set(design, format, set).demands, {.shares = false})
       .graph;
 }
 
-std::vector<rtl::File> files_of(const std::string& name, const std::string& format,
-                                std::optional<std::size_t> set) {
+std::vector<rtl::File> files_of(const std::string& name, const std::string& format, const std::string& set) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Format bits = design.parse_format(format);
-  const rtl::Graph traced = set ? fitted(design, bits, *set) : design.trace(bits);
+  const rtl::Graph traced = set.empty() ? design.trace(bits) : fitted(design, bits, set);
   const rtl::Pipeline pipeline = rtl::make_pipeline(traced, rtl::Library::thesis());
   const std::vector<formal::Component> parts = formal::components(pipeline, name);
 
@@ -74,8 +72,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& form
 int main(int argc, char** argv) {
   try {
     if (argc != 4 && argc != 5) throw std::runtime_error("usage: emit_formal DESIGN FORMAT FOLDER [SET]");
-    const auto set = argc == 5 ? std::optional<std::size_t>(std::stoul(argv[4])) : std::nullopt;
-    rtl::write_files(argv[3], files_of(argv[1], argv[2], set));
+    rtl::write_files(argv[3], files_of(argv[1], argv[2], argc == 5 ? argv[4] : ""));
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -1,5 +1,6 @@
-// Writes lemmas as SMT-LIB for z3: emit_lemmas trimming | products | pieces | bound | attained N. Before each
-// answer the script says what it is about and which one is the lemma's: "sat" of a value that is attained.
+// Writes lemmas as SMT-LIB for z3: emit_lemmas trimming | products | pieces | shifts | bound | attained N.
+// Before each answer the script says what it is about and which one is the lemma's: "sat" of a value that is
+// attained.
 #include <cstdint>
 #include <iostream>
 #include <string>
@@ -93,6 +94,17 @@ void pieces() {
           fmt::format("(assert (= b (+ {})))\n(assert (not (= (* a b) (+ {}))))\n", sum_b, sum));
     check(fmt::format("range of pieces, n = {}", n), "unsat",
           ranges + fmt::format("(assert (or{}))\n", wrong));
+  }
+}
+
+/// What the proofs of fitted designs assume of a product (emit_fitted.cpp), of integers: without the zeros
+/// that an operand ends in it is so many bits lower.
+void shifts() {
+  for (const char* name : {"a", "b", "c"}) fmt::print("(declare-const {} Int)\n", name);
+  for (int k = 1; k < 64; ++k) {
+    const std::uint64_t unit = std::uint64_t{1} << k;
+    check(fmt::format("a * b, a = c << {}", k), "unsat",
+          fmt::format("(assert (= a (* {0} c)))\n(assert (distinct (* a b) (* {0} (* c b))))\n", unit));
   }
 }
 
@@ -196,12 +208,15 @@ int main(int argc, char** argv) {
       products();
     } else if (lemma == "pieces" && argc == 2) {
       pieces();
+    } else if (lemma == "shifts" && argc == 2) {
+      shifts();
     } else if (lemma == "bound" && argc == 2) {
       bound();
     } else if (lemma == "attained" && argc == 3) {
       attained(std::stoi(argv[2]));
     } else {
-      throw std::runtime_error("usage: emit_lemmas trimming | products | pieces | bound | attained N");
+      throw std::runtime_error(
+          "usage: emit_lemmas trimming | products | pieces | shifts | bound | attained N");
     }
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

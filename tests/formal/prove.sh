@@ -69,6 +69,7 @@ report proof width result seconds
 row 'trimming keeps order and sign; kept bits' 'n 6..32' proved lemmas trimming
 row 'a product has 2n-1 bits' 'n 6..32' proved lemmas products
 row 'a product is the sum of its pieces' 'n 6..32' proved lemmas pieces
+row 'a product without the zeros of an operand' 'k 1..63' proved lemmas shifts
 row 'EBND is a bound' 'n 6..32' proved lemmas bound
 row 'EBND by all edges, and it is attained' 'n = 4' proved lemmas attained 4
 if [[ -z $short ]]; then

@@ -1,0 +1,21 @@
+// The demands that a proof is about: those of a demand set, by its number from 0, or of a fitted unit, by its
+// manifest.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "rtl_gen/prune/demand_fields.hpp"
+#include "tests/rtl_gen/prune/demand_sets.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::formal {
+
+inline rtl::DemandSet fitted_set(const rtl::Design& design, rtl::Format format, const std::string& set) {
+  if (!set.ends_with(".json")) return rtl::demand_sets(design, format).at(std::stoul(set));
+  rtl::DemandSet fitted{"as its manifest demands", rtl::demands_of_manifest(rtl::read_text(set))};
+  if (fitted.demands.empty()) throw std::runtime_error(set + ": no demands");
+  return fitted;
+}
+
+}  // namespace hitpipe::formal
