@@ -12,6 +12,8 @@ class Seeded {
   explicit Seeded(std::uint64_t seed) : engine_(seed) { std::cout << "seed " << seed << '\n'; }
 
   std::uint64_t bits() { return engine_(); }
+  /// For what draws from an engine itself.
+  operator std::mt19937_64&() { return engine_; }
   /// 0 .. n-1, n at least 1.
   int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
   int between(int low, int high) { return low + below(high - low + 1); }

@@ -3,12 +3,11 @@
 // ranges.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "rtl_gen/prune/demands.hpp"
+#include "rtl_gen/prune/draw.hpp"
 #include "rtl_gen/prune/promises.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
@@ -144,76 +143,6 @@ inline std::vector<DemandSet> demand_sets(const Design& design, Format format) {
           {"min <= max", scene().ordered_boxes().demands()},
           {"all of these", all.demands()}};
 }
-
-/// Operands in port order that meet the demands: ends of intervals, numbers near them, near 0, and any.
-class Draw {
- public:
-  Draw(const std::vector<Port>& ports, const Demands& demands) : ports_(ports), demands_(demands) {
-    for (const Port& port : ports) {
-      wanted_.push_back({port.name, {all_numbers(port)}});
-      for (const PortDemand& each : demands.ports) {
-        if (each.port == port.name) wanted_.back() = each;
-      }
-    }
-  }
-
-  [[nodiscard]] std::vector<std::int64_t> operator()(Seeded& random) const {
-    for (;;) {
-      std::vector<std::int64_t> operands;
-      for (std::size_t i = 0; i < ports_.size(); ++i) operands.push_back(number(random, wanted_[i]));
-      // Boxes turned inside out are seldom hit.
-      const bool turn = random.below(4) != 0;
-      for (std::size_t i = 0; turn && i + 1 < ports_.size(); ++i) {
-        if (ports_[i].name.ends_with("min")) put_in_order(operands[i], operands[i + 1]);
-      }
-      for (const OrderDemand& order : demands_.orders)
-        put_in_order(operands[index(order.lesser)], operands[index(order.greater)]);
-      if (meets(demands_, ports_, operands.data())) return operands;
-    }
-  }
-
- private:
-  static void put_in_order(std::int64_t& lesser, std::int64_t& greater) {
-    if (lesser > greater) std::swap(lesser, greater);
-  }
-  static std::int64_t number(Seeded& random, const PortDemand& wanted) {
-    const auto any = static_cast<std::size_t>(random.below(static_cast<int>(wanted.within.size())));
-    const Interval i = *multiples_in(wanted.within[any], wanted.low_zeros);
-    // Between multiples, so the next below is in the interval too.
-    return number_in(random, i) >> wanted.low_zeros << wanted.low_zeros;
-  }
-  static std::int64_t number_in(Seeded& random, const Interval& i) {
-    const auto size = static_cast<std::uint64_t>(i.high - i.low);
-    const auto some = [&](std::uint64_t most) {
-      return static_cast<std::int64_t>(most == ~std::uint64_t{0} ? random.bits()
-                                                                 : random.bits() % (most + 1));
-    };
-    switch (random.below(8)) {
-      case 0:
-        return i.low + some(std::min<std::uint64_t>(size, 2));
-      case 1:
-        return i.high - some(std::min<std::uint64_t>(size, 2));
-      case 2:
-        return std::clamp<std::int64_t>(some(4) - 2, i.low, i.high);
-      case 3: {
-        // Of any magnitude.
-        const std::int64_t small = some(size >> random.below(64));
-        return std::clamp(random.flip() ? small : -small, i.low, i.high);
-      }
-      default:
-        return i.low + some(size);
-    }
-  }
-  [[nodiscard]] std::size_t index(const std::string& name) const {
-    std::size_t i = 0;
-    while (ports_[i].name != name) ++i;
-    return i;
-  }
-
-  std::vector<Port> ports_;
-  Demands demands_;
-  std::vector<PortDemand> wanted_;
-};
 
 /// The operands of the ports that a pruned graph still has, in its order.
 inline std::vector<std::uint64_t> operands_left(const Graph& pruned, const std::vector<Port>& ports,

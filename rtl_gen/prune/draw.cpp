@@ -1,0 +1,142 @@
+#include "rtl_gen/prune/draw.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace hitpipe::rtl {
+
+namespace {
+
+using Random = std::mt19937_64;
+
+std::uint64_t below(Random& random, std::uint64_t count) {
+  return random() % count;
+}
+
+bool coin(Random& random) {
+  return below(random, 2) != 0;
+}
+
+/// 0 .. most.
+std::int64_t some(Random& random, std::uint64_t most) {
+  return static_cast<std::int64_t>(most == ~std::uint64_t{0} ? random() : below(random, most + 1));
+}
+
+std::uint64_t size_of(const Interval& i) {
+  return static_cast<std::uint64_t>(i.high) - static_cast<std::uint64_t>(i.low);
+}
+
+std::int64_t number_in(Random& random, const Interval& i) {
+  const std::uint64_t size = size_of(i);
+  switch (below(random, 8)) {
+    case 0:
+      return i.low + some(random, std::min<std::uint64_t>(size, 2));
+    case 1:
+      return i.high - some(random, std::min<std::uint64_t>(size, 2));
+    case 2:
+      return std::clamp<std::int64_t>(some(random, 4) - 2, i.low, i.high);
+    case 3: {
+      // Of any magnitude.
+      const std::int64_t small = some(random, size >> below(random, 64));
+      return std::clamp(coin(random) ? small : -small, i.low, i.high);
+    }
+    default:
+      return i.low + some(random, size);
+  }
+}
+
+/// The multiples of the demand's unit that one of its intervals holds.
+Interval multiples(const PortDemand& wanted, std::size_t interval) {
+  return *multiples_in(wanted.within[interval], wanted.low_zeros);
+}
+
+std::int64_t number(Random& random, const PortDemand& wanted) {
+  const Interval i = multiples(wanted, below(random, wanted.within.size()));
+  // Between multiples, so the next below is in the interval too.
+  return number_in(random, i) >> wanted.low_zeros << wanted.low_zeros;
+}
+
+/// By any magnitude, within the interval that it is in.
+std::int64_t moved(Random& random, const PortDemand& wanted, std::int64_t from) {
+  std::size_t interval = 0;
+  while (from > wanted.within[interval].high) ++interval;
+  const Interval i = multiples(wanted, interval);
+  const bool up = coin(random);
+  const std::uint64_t room = size_of(up ? Interval{from, i.high} : Interval{i.low, from});
+  const std::int64_t step = some(random, room >> below(random, 64)) >> wanted.low_zeros << wanted.low_zeros;
+  return up ? from + step : from - step;
+}
+
+std::size_t index_of(const std::vector<Port>& ports, const std::string& name) {
+  const auto found = std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == name; });
+  return static_cast<std::size_t>(found - ports.begin());
+}
+
+void put_in_order(std::int64_t& lesser, std::int64_t& greater) {
+  if (lesser > greater) std::swap(lesser, greater);
+}
+
+}  // namespace
+
+Draw::Draw(const std::vector<Port>& ports, const Demands& demands) {
+  for (const Port& port : ports) {
+    const std::size_t i = wanted_.size();
+    wanted_.push_back({port.name, {all_numbers(port)}});
+    for (const PortDemand& each : demands.ports)
+      if (each.port == port.name) wanted_.back() = each;
+    if (hull(wanted_[i]).low < hull(wanted_[i]).high) free_.push_back(i);
+    if (port.name.ends_with("min") && i + 1 < ports.size()) boxes_.push_back({i, i + 1});
+  }
+  for (const OrderDemand& each : demands.orders)
+    orders_.push_back({index_of(ports, each.lesser), index_of(ports, each.greater)});
+}
+
+bool Draw::put_in_order(std::vector<std::int64_t>& operands) const {
+  for (const Order& order : orders_) rtl::put_in_order(operands[order.lesser], operands[order.greater]);
+  for (std::size_t i = 0; i < operands.size(); ++i)
+    if (!meets(wanted_[i], operands[i])) return false;
+  return true;
+}
+
+std::vector<std::int64_t> Draw::operator()(Random& random) const {
+  for (;;) {
+    std::vector<std::int64_t> operands;
+    for (const PortDemand& wanted : wanted_) operands.push_back(number(random, wanted));
+    // Boxes turned inside out are seldom hit.
+    if (below(random, 4) != 0) {
+      for (const Order& box : boxes_) rtl::put_in_order(operands[box.lesser], operands[box.greater]);
+    }
+    if (put_in_order(operands)) return operands;
+  }
+}
+
+std::vector<std::int64_t> Draw::beside(const std::vector<std::int64_t>& operands, Random& random) const {
+  for (;;) {
+    std::vector<std::int64_t> near = operands;
+    for (std::uint64_t changes = 1 + below(random, 2); changes > 0 && !free_.empty(); --changes) {
+      const std::size_t port = free_[below(random, free_.size())];
+      near[port] = coin(random) ? number(random, wanted_[port]) : moved(random, wanted_[port], near[port]);
+    }
+    if (put_in_order(near)) return near;
+  }
+}
+
+DrawVectors::DrawVectors(const std::vector<Port>& ports, const Demands& demands, Evaluate evaluate,
+                         std::uint64_t seed)
+    : draw_(ports, demands), evaluate_(evaluate), random_(seed) {
+  for (int tries = 0; tries < 100'000 && last_hit_.empty(); ++tries)
+    static_cast<void>(judged(draw_(random_)));
+}
+
+Vector DrawVectors::judged(std::vector<std::int64_t> operands) {
+  const bool hit = evaluate_(operands.data());
+  if (hit) last_hit_ = operands;
+  return {std::move(operands), hit};
+}
+
+Vector DrawVectors::operator()() {
+  beside_ = !beside_ && !last_hit_.empty();
+  return judged(beside_ ? draw_.beside(last_hit_, random_) : draw_(random_));
+}
+
+}  // namespace hitpipe::rtl

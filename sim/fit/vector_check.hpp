@@ -1,0 +1,34 @@
+// A fitted unit's Verilog against the unfitted C++: random operands as demanded, offered with gaps and taken
+// with stalls; each HIT and its tag are compared.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "rtl_gen/prune/demands.hpp"
+#include "sim/verilated_design.hpp"
+
+namespace hitpipe::sim {
+
+struct VectorCheck {
+  const VerilatedDesign* verilated;     ///< the fitted unit's
+  rtl::Evaluate evaluate;               ///< the whole design's
+  const std::vector<rtl::Port>* ports;  ///< the whole design's
+  const rtl::Demands* demands;
+  std::uint64_t vectors = 1'000'000;
+  std::uint64_t seed = 1;
+  /// Told the finished share, 0..1.
+  std::function<void(double)> progress = [](double) {};
+};
+
+struct VectorResult {
+  std::uint64_t vectors = 0;     ///< sent
+  std::uint64_t hits = 0;        ///< by the C++
+  std::uint64_t mismatches = 0;  ///< wrong HIT, wrong tag, or no answer
+  std::string first_mismatch;    ///< "hit 0 tag 7, expected hit 1 tag 7 of vector 7 of seed 1: irx=0x5 ..."
+};
+
+[[nodiscard]] VectorResult check_vectors(const VectorCheck& check);
+
+}  // namespace hitpipe::sim
