@@ -8,7 +8,11 @@
 
 namespace hitpipe::rtl {
 
-/// With `axi_stream` there is a fileset axis too, and the wrapper is what lint and synth have as their top.
-[[nodiscard]] std::string core_file(const Design& design, Format format, bool axi_stream);
+struct CoreParts {
+  bool axi_stream = false;  ///< a fileset axis, and the wrapper is what lint and synth have as their top
+  bool check = false;       ///< of a fitted unit: fileset and target check (lint), and sim checks operands
+};
+
+[[nodiscard]] std::string core_file(const Design& design, Format format, const CoreParts& parts);
 
 }  // namespace hitpipe::rtl

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -15,6 +16,8 @@
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/scratch_file.hpp"
 #include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/prune/check_block.hpp"
+#include "rtl_gen/prune/demand_fields.hpp"
 #include "rtl_gen/schematic/dot.hpp"
 #include "rtl_gen/verilog/module.hpp"
 
@@ -46,24 +49,18 @@ File drawing_of(const File& dot) {
   return {std::filesystem::path(dot.name).replace_extension(".svg").string(), std::move(svg)};
 }
 
-}  // namespace
+std::vector<Vector> vectors(Evaluate evaluate, const std::vector<Port>& left, const PrunedFrom* from) {
+  if (from == nullptr) return judged(operand_vectors(left, vector_count, vector_seed), evaluate);
+  DrawVectors draw(from->ports, from->demands, evaluate, vector_seed);
+  std::vector<Vector> drawn;
+  for (int i = 0; i < vector_count; ++i) drawn.push_back(draw());
+  return drawn;
+}
 
-std::vector<File> emit(const Design& design, Format format, const Library& library, const Pipeline& pipeline,
-                       const EmitOptions& options) {
-  const std::vector<Port> ports = input_ports(pipeline.graph);
-  const std::string name(design.name);
-  const std::string title = fmt::format("{} {}: {} stages, {} ps", name, to_string(format),
-                                        pipeline.schedule.stages, pipeline.schedule.clock_ps);
-  const int last = pipeline.schedule.stages;
-  std::vector<File> files{
-      {name + ".v", to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format)})},
-      {name + ".json", manifest(design, format, pipeline, library, options.axi_stream)},
-      {name + ".core", core_file(design, format, options.axi_stream)},
-      {name + ".dot", to_dot(pipeline, title)},
-      {"tb/" + name + "_tb.v", testbench(design, ports, vector_count)},
-      {"tb/" + name + "_vectors.hex",
-       vector_file(ports, design.evaluate(format), vector_count, vector_seed)}};
-  if (options.axi_stream) files.push_back({stream_module(design) + ".v", axi_stream(design, ports)});
+/// None when there is one group only.
+std::vector<File> group_schematics(const Pipeline& pipeline, const std::string& name,
+                                   const std::string& title) {
+  std::vector<File> files;
   const std::vector<StageRange> groups = stage_groups(pipeline);
   for (const StageRange& group : groups) {
     if (groups.size() == 1) break;
@@ -74,8 +71,40 @@ std::vector<File> emit(const Design& design, Format format, const Library& libra
     std::replace(words.begin(), words.end(), '_', ' ');
     files.push_back(
         {fmt::format("{}_{}.dot", name, stages),
-         to_dot(pipeline, fmt::format("{} {}: {} of {}", name, to_string(format), words, last), group)});
+         to_dot(pipeline, fmt::format("{}: {} of {}", title, words, pipeline.schedule.stages), group)});
   }
+  return files;
+}
+
+}  // namespace
+
+std::vector<File> emit(const Design& design, Format format, const Library& library, const Pipeline& pipeline,
+                       const EmitOptions& options) {
+  const PrunedFrom* const from = options.pruned_from;
+  const std::vector<Port> left = input_ports(pipeline.graph);
+  const std::string name(design.name);
+  const std::string title = fmt::format("{} {}", name, to_string(format));
+  std::string verilog = to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format)});
+  std::string json = manifest(design, format, pipeline, library, options.axi_stream);
+  if (from != nullptr) {
+    verilog = with_check_block(verilog, check_block(name, from->demands, from->ports, left));
+    json = with_demand_fields(json, from->demands, from->report);
+  }
+  std::vector<File> files{
+      {name + ".v", std::move(verilog)},
+      {name + ".json", std::move(json)},
+      {name + ".core",
+       core_file(design, format, {.axi_stream = options.axi_stream, .check = from != nullptr})},
+      {name + ".dot",
+       to_dot(pipeline, fmt::format("{}{}: {} stages, {} ps", title, from == nullptr ? "" : ", fitted",
+                                    pipeline.schedule.stages, pipeline.schedule.clock_ps))},
+      {"tb/" + name + "_tb.v", testbench(design, left, vector_count)},
+      {"tb/" + name + "_vectors.hex", vector_file(from == nullptr ? left : from->ports, left,
+                                                  vectors(design.evaluate(format), left, from))}};
+  if (from != nullptr)
+    files.push_back({name + "_check.v", check_module(name + "_check", from->demands, from->ports)});
+  if (options.axi_stream) files.push_back({stream_module(design) + ".v", axi_stream(design, left)});
+  for (File& group : group_schematics(pipeline, name, title)) files.push_back(std::move(group));
   return files;
 }
 

@@ -1,6 +1,8 @@
 #include "rtl_gen/emit/testbench.hpp"
 
+#include <algorithm>
 #include <random>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -62,12 +64,28 @@ std::vector<std::vector<std::int64_t>> operand_vectors(const std::vector<Port>& 
   return vectors;
 }
 
-std::string vector_file(const std::vector<Port>& ports, Evaluate evaluate, int count, std::uint64_t seed) {
+std::vector<Vector> judged(std::vector<std::vector<std::int64_t>> operands, Evaluate evaluate) {
+  std::vector<Vector> vectors;
+  for (std::vector<std::int64_t>& each : operands) {
+    const bool hit = evaluate(each.data());
+    vectors.push_back({std::move(each), hit});
+  }
+  return vectors;
+}
+
+std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>& left,
+                        const std::vector<Vector>& vectors) {
+  std::vector<std::size_t> places;
+  for (const Port& port : left) {
+    const auto at =
+        std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == port.name; });
+    places.push_back(static_cast<std::size_t>(at - ports.begin()));
+  }
   std::string text;
-  for (const auto& operands : operand_vectors(ports, count, seed)) {
+  for (const Vector& vector : vectors) {
     std::string bits;
-    for (std::size_t i = 0; i < ports.size(); ++i) bits += binary(operands[i], ports[i].width);
-    bits += evaluate(operands.data()) ? '1' : '0';
+    for (std::size_t i = 0; i < left.size(); ++i) bits += binary(vector.operands[places[i]], left[i].width);
+    bits += vector.hit ? '1' : '0';
     text += hexadecimal(std::move(bits)) + "\n";
   }
   return text;

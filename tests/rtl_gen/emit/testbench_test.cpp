@@ -156,6 +156,12 @@ TEST(Vectors, ComeFromTheSeedAlone) {
   EXPECT_NE(operand_vectors(some_ports(), 50, 7), operand_vectors(some_ports(), 50, 8));
 }
 
+TEST(Vectors, PortsThatAreGoneAreNotWritten) {
+  const std::vector<Port> ports{{"a", 4, false}, {"b", 4, false}, {"c", 8, true}};
+  EXPECT_EQ(vector_file(ports, {{"b", 4, false}, {"c", 3, true}}, {{{15, 9, -2}, true}, {{15, 1, 2}, false}}),
+            "9d\n14\n");
+}
+
 TEST(Vectors, FirstPortIsInTheHighBitsAndHitInBit0) {
   const std::vector<Port> ports{{"a", 6, true}, {"b", 5, false}};
   const auto vectors = operand_vectors(ports, 20, 3);
@@ -164,8 +170,7 @@ TEST(Vectors, FirstPortIsInTheHighBitsAndHitInBit0) {
     const std::int64_t word = (v[0] & 0x3f) << 6 | v[1] << 1 | (v[0] < v[1] ? 1 : 0);
     expected += fmt::format("{:03x}\n", word);
   }
-  EXPECT_EQ(vector_file(
-                ports, [](const std::int64_t* v) { return v[0] < v[1]; }, 20, 3),
+  EXPECT_EQ(vector_file(ports, ports, judged(vectors, [](const std::int64_t* v) { return v[0] < v[1]; })),
             expected);
 }
 
@@ -189,9 +194,10 @@ std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library
   const std::vector<Port> ports = input_ports(pipeline.graph);
   const ScratchFolder folder;
   evaluated_graph = &graph;
+  const std::vector<Vector> expected = judged(operand_vectors(ports, vectors, 5), evaluate_graph);
   write_files(folder.path(), {{"toy.v", to_verilog(pipeline, library)},
                               {"tb/toy_tb.v", testbench(design, ports, vectors)},
-                              {"tb/toy_vectors.hex", vector_file(ports, evaluate_graph, vectors, 5)}});
+                              {"tb/toy_vectors.hex", vector_file(ports, ports, expected)}});
   evaluated_graph = nullptr;
   return replayed(folder, "toy");
 }
