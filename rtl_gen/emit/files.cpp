@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -47,6 +49,11 @@ File drawing_of(const File& dot) {
                                          WEXITSTATUS(status) == 127 ? "was not found" : "failed"));
   }
   return {std::filesystem::path(dot.name).replace_extension(".svg").string(), std::move(svg)};
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, int error) {
+  throw std::runtime_error(fmt::format("{}: cannot {}: {}", path.string(), what,
+                                       std::error_code(error, std::generic_category()).message()));
 }
 
 std::vector<Vector> vectors(Evaluate evaluate, const std::vector<Port>& left, const PrunedFrom* from) {
@@ -116,28 +123,32 @@ std::vector<File> draw(const std::vector<File>& files) {
   return drawings;
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) fail(folder, "create the folder", error.value());
+  if (access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, "write to the folder", errno);
+}
+
 void write_files(const std::filesystem::path& folder, const std::vector<File>& files) {
-  const auto fail = [](const std::filesystem::path& path, const std::string& what) {
-    throw std::runtime_error(fmt::format("{}: cannot {}", path.string(), what));
-  };
   std::vector<std::filesystem::path> temporary;
   std::error_code error;
   try {
     for (const File& file : files) {
       const std::filesystem::path target = folder / file.name;
-      std::filesystem::create_directories(target.parent_path(), error);
-      if (error) fail(target.parent_path(), fmt::format("create the folder: {}", error.message()));
+      make_folder(target.parent_path());
       // The renames below must not fail half-way.
-      if (std::filesystem::is_directory(target, error)) fail(target, "write the file: Is a directory");
+      if (std::filesystem::is_directory(target, error)) fail(target, "write the file", EISDIR);
       temporary.push_back(target.parent_path() / fmt::format(".{}.{}", target.filename().string(), getpid()));
+      errno = 0;
       std::ofstream out(temporary.back(), std::ios::binary);
       out << file.contents;
       out.close();
-      if (!out) fail(target, "write the file");
+      if (!out) fail(target, "write the file", errno);
     }
     for (std::size_t i = 0; i < files.size(); ++i) {
       std::filesystem::rename(temporary[i], folder / files[i].name, error);
-      if (error) fail(folder / files[i].name, fmt::format("write the file: {}", error.message()));
+      if (error) fail(folder / files[i].name, "write the file", error.value());
     }
   } catch (...) {
     for (const auto& path : temporary) std::filesystem::remove(path, error);

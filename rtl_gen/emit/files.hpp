@@ -41,7 +41,11 @@ struct EmitOptions {
 /// missing or fails.
 [[nodiscard]] std::vector<File> draw(const std::vector<File>& files);
 
-/// Writes all files or none: each to a temporary name first, then renamed. Creates the folders.
+/// Makes the folder unless it is there. Throws std::runtime_error naming it and the reason when it cannot be
+/// made or written to.
+void make_folder(const std::filesystem::path& folder);
+
+/// Writes all files or none: each to a temporary name first, then renamed. Makes the folders.
 /// Throws std::runtime_error naming the file and the reason.
 void write_files(const std::filesystem::path& folder, const std::vector<File>& files);
 

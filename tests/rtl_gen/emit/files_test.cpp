@@ -5,7 +5,9 @@
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 
 #include "rtl_gen/schematic/dot.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
@@ -102,7 +104,22 @@ TEST(WriteFiles, NameThatCannotBeWrittenRejectedAndNothingLeftBehind) {
   const ScratchFolder folder;
   const std::string name(300, 'x');
   EXPECT_EQ(told(folder.path(), {{"a.v", "x"}, {name, "x"}}),
-            (folder / name).string() + ": cannot write the file");
+            (folder / name).string() + ": cannot write the file: File name too long");
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
+}
+
+/// As on a full disk: the second file is cut short.
+TEST(WriteFiles, FileThatIsCutShortRejectedAndNothingLeftBehind) {
+  const ScratchFolder folder;
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{10'000, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string message = told(folder.path(), {{"a.v", "x"}, {"b.v", std::string(20'000, 'y')}});
+  EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  signal(SIGXFSZ, handler);
+  EXPECT_EQ(message, (folder / "b.v").string() + ": cannot write the file: File too large");
   EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
 }
 
