@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/prune/prune.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/prune/demand_sets.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::rtl {
@@ -23,8 +25,21 @@ class CoreFile : public testing::TestWithParam<DesignFormat> {
  protected:
   /// Writes the design and reads its core file by a YAML parser.
   void read_core(bool axi_stream) {
-    write_files(folder.path(), emit(GetParam().found(), GetParam().parsed(), Library::thesis(),
-                                    GetParam().pipeline(), {.axi_stream = axi_stream}));
+    read_core_of(emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline(),
+                      {.axi_stream = axi_stream}));
+  }
+  /// Of a unit of which a fixed origin and more is demanded.
+  void read_fitted_core() {
+    const Graph traced = GetParam().found().trace(GetParam().parsed());
+    const std::vector<Port> ports = input_ports(traced);
+    const Demands demands = demand_sets(GetParam().found(), GetParam().parsed()).back().demands;
+    const Pruned pruned = prune(traced, demands, {.shares = false});
+    const PrunedFrom from{ports, demands, pruned.report};
+    read_core_of(emit(GetParam().found(), GetParam().parsed(), Library::thesis(),
+                      make_pipeline(pruned.graph, Library::thesis()), {.pruned_from = &from}));
+  }
+  void read_core_of(const std::vector<File>& files) {
+    write_files(folder.path(), files);
     const std::string file = GetParam().design + ".core";
     const ToolResult result = run_tool(
         folder.path(), "python3-yaml", "python3",
@@ -108,6 +123,31 @@ TEST_P(CoreFile, SimTargetPasses) {
   read_core(false);
   const std::string files = sources("sim");
   const std::filesystem::path root = folder / "work" / "sim";
+  const ToolResult compiled =
+      run_tool(root, "iverilog", "iverilog", options("sim", "icarus") + "-o sim -s " + top("sim") + files);
+  ASSERT_EQ(compiled.status, 0) << compiled.output;
+  EXPECT_EQ(compiled.output, "");
+  EXPECT_THAT(run_tool(root, "iverilog", "vvp", "sim").output, testing::HasSubstr("PASS 1000 vectors"));
+}
+
+TEST_P(CoreFile, OfAFittedUnitHasItsCheckModule) {
+  read_fitted_core();
+  EXPECT_THAT(core.at("description").get<std::string>(), testing::EndsWith(GetParam().format + ", fitted"));
+  EXPECT_EQ(core.at("targets").size(), 5U);
+  EXPECT_EQ(top("check"), GetParam().design + "_check");
+  EXPECT_EQ(sources("check"), " " + GetParam().design + "_check.v");
+  const ToolResult result = run_tool(folder / "work" / "check", "verilator", "verilator",
+                                     "--lint-only " + options("check", "verilator") + "--top-module " +
+                                         top("check") + " " + GetParam().design + "_check.v");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output, "");
+}
+
+TEST_P(CoreFile, SimTargetOfAFittedUnitPassesWithItsChecksOn) {
+  read_fitted_core();
+  const std::string files = sources("sim");
+  const std::filesystem::path root = folder / "work" / "sim";
+  EXPECT_THAT(options("sim", "icarus"), testing::HasSubstr("-DHITPIPE_CHECK "));
   const ToolResult compiled =
       run_tool(root, "iverilog", "iverilog", options("sim", "icarus") + "-o sim -s " + top("sim") + files);
   ASSERT_EQ(compiled.status, 0) << compiled.output;

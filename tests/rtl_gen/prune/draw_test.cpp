@@ -1,0 +1,115 @@
+// Drawn operands are as demanded, wherever they are drawn; half of the vectors are beside hits.
+#include "rtl_gen/prune/draw.hpp"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/prune/random_demands.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+std::vector<Port> some_ports(Seeded& random) {
+  std::vector<Port> ports;
+  for (const char* const name : {"a", "b", "xmin", "xmax", "c", "wide"})
+    ports.push_back({name, std::string(name) == "wide" ? 64 : random.between(2, 40), random.flip()});
+  ports[3].width = ports[2].width;
+  ports[3].is_signed = ports[2].is_signed;
+  return ports;
+}
+
+TEST(Draw, IsAsDemandedAndReachesTheEnds) {
+  constexpr int sets = 60;
+  constexpr int draws = 300;
+  Seeded random(31);
+  std::size_t ends = 0;
+  for (int set = 0; set < sets; ++set) {
+    std::vector<Port> ports = some_ports(random);
+    ports.pop_back();  // the demands' own generator knows up to 62 bits
+    const Demands demands = random_demands(random, ports);
+    const Draw draw(ports, demands);
+    bool low = demands.ports.empty();
+    for (int i = 0; i < draws; ++i) {
+      const std::vector<std::int64_t> operands = draw(random);
+      ASSERT_TRUE(meets(demands, ports, operands.data()));
+      for (std::size_t p = 0; p < ports.size(); ++p) {
+        const Interval all = all_numbers(ports[p]);
+        ASSERT_TRUE(operands[p] >= all.low && operands[p] <= all.high) << ports[p].name;
+        for (const PortDemand& each : demands.ports)
+          low |= each.port == ports[p].name && operands[p] == hull(each).low;
+      }
+    }
+    ends += low ? 1 : 0;
+  }
+  std::cout << sets << " demand sets, " << draws << " draws of each\n";
+  EXPECT_EQ(ends, static_cast<std::size_t>(sets));
+}
+
+TEST(Draw, BesideIsAsDemandedAndChangesTwoPortsAtMost) {
+  constexpr int sets = 60;
+  constexpr int draws = 300;
+  Seeded random(37);
+  std::size_t changed = 0;
+  for (int set = 0; set < sets; ++set) {
+    std::vector<Port> ports = some_ports(random);
+    ports.pop_back();
+    Demands demands = random_demands(random, ports);
+    demands.orders.clear();  // putting in order changes another port
+    const Draw draw(ports, demands);
+    std::vector<std::int64_t> operands = draw(random);
+    for (int i = 0; i < draws; ++i) {
+      const std::vector<std::int64_t> near = draw.beside(operands, random);
+      ASSERT_TRUE(meets(demands, ports, near.data()));
+      int ports_changed = 0;
+      for (std::size_t p = 0; p < ports.size(); ++p) ports_changed += near[p] != operands[p] ? 1 : 0;
+      ASSERT_LE(ports_changed, 2);
+      changed += ports_changed > 0 ? 1 : 0;
+      operands = near;
+    }
+  }
+  std::cout << sets << " demand sets, " << draws << " steps of each\n";
+  EXPECT_GT(changed, std::size_t{sets} * draws / 2);
+}
+
+TEST(Draw, TakesPortsOf64Bits) {
+  Seeded random(41);
+  const std::vector<Port> ports{{"wide", 64, true}};
+  const Draw draw(ports, {{{"wide", {{INT64_MIN, INT64_MAX}}, 8}}, {}});
+  std::set<bool> signs;
+  for (int i = 0; i < 100; ++i) {
+    const std::int64_t number = draw.beside(draw(random), random).front();
+    EXPECT_EQ(number & 0xff, 0);
+    signs.insert(number < 0);
+  }
+  EXPECT_EQ(signs.size(), 2U);
+}
+
+class DrawnVectors : public testing::TestWithParam<DesignFormat> {};
+
+TEST_P(DrawnVectors, AreAsDemandedAndHitAboutEveryOtherTime) {
+  constexpr int count = 4000;
+  const Design& design = GetParam().found();
+  const Format format = GetParam().parsed();
+  const std::vector<Port> ports = input_ports(design.trace(format));
+  for (const DemandSet& set : demand_sets(design, format)) {
+    DrawVectors draw(ports, set.demands, design.evaluate(format), 1);
+    DrawVectors again(ports, set.demands, design.evaluate(format), 1);
+    int hits = 0;
+    for (int i = 0; i < count; ++i) {
+      const Vector vector = draw();
+      ASSERT_TRUE(meets(set.demands, ports, vector.operands.data())) << set.name;
+      ASSERT_EQ(vector.hit, design.evaluate(format)(vector.operands.data()));
+      ASSERT_EQ(vector.operands, again().operands);
+      hits += vector.hit ? 1 : 0;
+    }
+    EXPECT_GT(hits, count / 4) << set.name;
+    EXPECT_LT(hits, count * 3 / 4) << set.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, DrawnVectors, testing::ValuesIn(every_design({"20/24"})), design_suffix);
+
+}  // namespace
+}  // namespace hitpipe::rtl
