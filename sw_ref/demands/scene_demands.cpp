@@ -94,24 +94,26 @@ std::vector<Evidence> SceneDemands::evidence() const {
       {"rays with and without an end",
        shadows ? "primary rays start without an end and end at the nearest hit so far; shadow rays end at "
                  "their light"
-               : "primary rays start without an end and end at the nearest hit so far"});
+               : "primary rays start without an end and end at the nearest hit so far",
+       !(finite && infinite)});
+  all.push_back({"lengths and endpoints of rays", "they move with every hit", false});
   std::vector<std::string> names;
   for (unsigned c = 0; c < direction_classes; ++c)
     if ((classes() >> c & 1U) != 0) names.push_back(class_name(c));
   std::vector<std::string> sources;
   for (const RayFamily& family : rays) sources.push_back(family.why);
   all.push_back({fmt::format("direction classes {}", fmt::join(names, " ")),
-                 fmt::format("{}", fmt::join(sources, "; "))});
+                 fmt::format("{}", fmt::join(sources, "; ")), names.size() < direction_classes});
   std::string zeros;
   for (int axis = 0; axis < 3; ++axis)
     if (can_be_zero(axis)) zeros += "xyz"[axis];
   all.push_back(
       {zeros.empty() ? "no direction component is 0" : "direction components that may be 0: " + zeros,
-       "bounds of the directions"});
+       "bounds of the directions", zeros.empty()});
   all.push_back({std::isinf(spread())
                      ? "spread of direction components not bounded"
                      : fmt::format("direction components differ by at most {:.4g} times", spread()),
-                 "bounds of the directions"});
+                 "bounds of the directions", !std::isinf(spread())});
   all.push_back({"origins: " + spans(origins()),
                  rays.size() == 1 && rays[0].has_one_origin()
                      ? "the eye alone sends rays"

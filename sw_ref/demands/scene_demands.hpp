@@ -15,6 +15,7 @@ namespace hitpipe::ref {
 struct Evidence {
   std::string demand;
   std::string why;
+  bool bounds = true;  ///< else it says what cannot be bounded, and is kept whole
 };
 
 struct SceneDemands {
@@ -35,7 +36,7 @@ struct SceneDemands {
   /// Of a ray's direction, the largest component's magnitude over the smallest's is at most this; infinite
   /// where a component can be 0.
   [[nodiscard]] double spread() const;
-  /// Every demand in words, also those that could not be bounded.
+  /// Every demand in words, also what could not be bounded.
   [[nodiscard]] std::vector<Evidence> evidence() const;
 };
 

@@ -120,9 +120,25 @@ TEST(Origins, AreTheEyeOfPrimaryRaysAlone) {
 
 TEST(EvidenceOfDemands, SaysWhyOfEach) {
   const std::vector<Evidence> evidence = demands_of(sim::hills()).evidence();
-  EXPECT_EQ(evidence.size(), 9U);
+  EXPECT_EQ(evidence.size(), 10U);
   EXPECT_EQ(evidence.front().demand, "rays: primary, shadow");
   for (const Evidence& each : evidence) EXPECT_FALSE(each.why.empty()) << each.demand;
+}
+
+TEST(EvidenceOfDemands, SaysWhatIsKeptWhole) {
+  const auto kept = [](const Scene& scene) {
+    std::vector<std::string> words;
+    for (const Evidence& each : demands_of(scene).evidence())
+      if (!each.bounds) words.push_back(each.demand);
+    return words;
+  };
+  const std::vector<std::string> always{"rays with and without an end", "lengths and endpoints of rays"};
+  EXPECT_EQ(kept(stairs_along_one_class()), always);
+  std::vector<std::string> all = always;
+  all.insert(all.end(),
+             {"direction classes +++ -++ +-+ --+ ++- -+- +-- ---", "direction components that may be 0: xyz",
+              "spread of direction components not bounded"});
+  EXPECT_EQ(kept(demanding_octahedron()), all);
 }
 
 }  // namespace
