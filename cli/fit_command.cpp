@@ -1,19 +1,22 @@
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "area_model/figure.hpp"
 #include "cli/commands.hpp"
+#include "cli/fit_text.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_options.hpp"
-#include "cli/table.hpp"
 #include "cli/trace_options.hpp"
 #include "cli/values.hpp"
 #include "sim/cosim.hpp"
-#include "sim/fit/fit.hpp"
+#include "sim/fit/vector_check.hpp"
 
 namespace hitpipe::cli {
 
@@ -27,11 +30,25 @@ struct FitCommand {
   bool no_shadows = false;
   std::vector<std::string> designs;
   double overhead_pct = 2.0;
-  std::string bits = "24/24";
+  std::optional<std::string> bits;
   bool keep_bits = false;
+  std::uint64_t vectors = 1'000'000;
   std::string out;
   Format format = Format::text;
 };
+
+rtl::Format format_before(const FitCommand& command, const rtl::Design& design) {
+  return design.is_float() ? rtl::Format::fp32() : design.parse_format(command.bits.value_or("24/24"));
+}
+
+constexpr double most_overhead_pct = 1000.0;
+
+/// CLI::Range takes NaN for a number.
+std::string overhead_problem(const std::string& text) {
+  const double value = std::strtod(text.c_str(), nullptr);
+  if (value >= 0.0 && value <= most_overhead_pct) return "";
+  return fmt::format("Value {} not in range 0 to {}", text, most_overhead_pct);
+}
 
 struct FitScene {
   ref::Scene scene;
@@ -48,11 +65,20 @@ FitScene load(const FitCommand& command) {
   return {std::move(scene), std::move(bvh), std::move(demands)};
 }
 
+/// Each once. Throws when a name or the number format is none: before the long run.
 std::vector<const rtl::Design*> chosen_designs(const FitCommand& command) {
   std::vector<const rtl::Design*> designs;
-  if (command.designs.empty())
-    for (const rtl::Design& design : rtl::designs()) designs.push_back(&design);
-  for (const std::string& name : command.designs) designs.push_back(&rtl::find_design(name));
+  const auto choose = [&](const rtl::Design& design) {
+    if (std::find(designs.begin(), designs.end(), &design) == designs.end()) designs.push_back(&design);
+  };
+  for (const std::string& name : command.designs) choose(rtl::find_design(name));
+  if (designs.empty())
+    for (const rtl::Design& design : rtl::designs()) choose(design);
+  const auto is_float = [](const rtl::Design* design) { return design->is_float(); };
+  if (command.bits && std::all_of(designs.begin(), designs.end(), is_float))
+    throw std::runtime_error("--bits: no design named takes it; float designs have fp32 only");
+  for (const rtl::Design* design : designs)
+    static_cast<void>(design->evaluate(format_before(command, *design)));
   return designs;
 }
 
@@ -69,14 +95,23 @@ double area_delay(const area::Price& price) {
   return static_cast<double>(price.area_delay()) * 1e-9;
 }
 
-std::string left_out_text(const sim::LeftOut& left, const sim::FittedUnit& unit) {
-  return fmt::format("{} ({}): {:.2f} % of the area", left.what, left.why,
-                     percent_of(left.area_um2, unit.price_before.area_um2));
+/// Of the whole design, those that nothing is demanded of.
+Row kept_whole(const sim::FittedUnit& unit) {
+  Row names = Row::array();
+  for (const rtl::Port& port : unit.ports) {
+    const auto& ports = unit.demands.ports;
+    const auto bounded = [&](const rtl::PortDemand& demand) { return demand.port == port.name; };
+    if (std::none_of(ports.begin(), ports.end(), bounded)) names.push_back(port.name);
+  }
+  return names;
 }
 
-Row record(const sim::FittedUnit& unit, const FitScene& scene, const sim::CosimResult& result) {
+Row record(const sim::FittedUnit& unit, const FitScene& scene, const sim::VectorResult& vectors,
+           const sim::CosimResult& result) {
   Row left_out = Row::array();
-  for (const sim::LeftOut& left : unit.left_out) left_out.push_back(left_out_text(left, unit));
+  for (const sim::LeftOut& left : unit.left_out)
+    left_out.push_back(fmt::format("{} ({}): {:.2f} % of the area", left.what, left.why,
+                                   percent_of(left.area_um2, unit.price_before.area_um2)));
   Row demands = Row::array();
   for (std::size_t i = 0; i < unit.demands.count(); ++i) demands.push_back(rtl::demand_text(unit.demands, i));
   return {{"design", unit.design->name},
@@ -92,6 +127,9 @@ Row record(const sim::FittedUnit& unit, const FitScene& scene, const sim::CosimR
           {"area_delay_mm2_ns", area_delay(unit.price)},
           {"bytes_per_node_before", sim::bytes_per_node(unit.before)},
           {"bytes_per_node", sim::bytes_per_node(unit.format)},
+          {"vectors", vectors.vectors},
+          {"vector_hits", vectors.hits},
+          {"vector_mismatches", vectors.mismatches},
           {"rays", result.rays_primary + result.rays_secondary + result.rays_shadow},
           {"box_tests", result.unit.box_tests},
           {"extra_box_tests_pct", result.extra_box_tests_pct()},
@@ -99,40 +137,15 @@ Row record(const sim::FittedUnit& unit, const FitScene& scene, const sim::CosimR
           {"false_misses", unit.design->is_float() ? Row(nullptr) : Row(result.unit.false_misses)},
           {"rtl_mismatches", result.unit.rtl_mismatches},
           {"demands", demands},
+          {"kept_whole", kept_whole(unit)},
           {"left_out", left_out}};
 }
 
-/// As eighty columns hold it.
-Row short_row(const Row& row) {
-  return {{"design", row.at("design")},
-          {"bits", row.at("bits")},
-          {"mm2", fmt::format("{:.4f}", row.at("area_before_mm2").get<double>())},
-          {"fitted", fmt::format("{:.4f}", row.at("area_after_mm2").get<double>())},
-          {"saved%", fmt::format("{:.1f}", row.at("area_saved_pct").get<double>())},
-          {"stages", fmt::format("{}>{}", row.at("stages_before").get<int>(), row.at("stages").get<int>())},
-          {"ADP%", fmt::format("{:.1f}", 100.0 - 100.0 * row.at("area_delay_mm2_ns").get<double>() /
-                                                     row.at("area_delay_before_mm2_ns").get<double>())},
-          {"bytes", row.at("bytes_per_node")},
-          {"extra%", fmt::format("{:+.2f}", row.at("extra_box_tests_pct").get<double>())},
-          {"wrong", row.at("different_triangles").get<std::uint64_t>() +
-                        row.at("rtl_mismatches").get<std::uint64_t>()}};
-}
-
-std::string rows_text(const std::vector<Row>& rows, const FitScene& scene, Format format) {
-  if (format != Format::text) return table_text(rows, format);
-  std::string text = fmt::format("What {} asks for\n", scene.scene.name);
-  for (const ref::Evidence& each : scene.demands.evidence())
-    text += fmt::format("  {}\n    {}\n", each.demand, each.why);
-  std::vector<Row> table;
-  for (const Row& row : rows) table.push_back(short_row(row));
-  text += "\n" + table_text(table, format);
-  for (const Row& row : rows) {
-    text += fmt::format("\n{} {}: left out\n", row.at("design").get<std::string>(),
-                        row.at("bits").get<std::string>());
-    for (const Row& left : row.at("left_out")) text += fmt::format("  {}\n", left.get<std::string>());
-    if (row.at("left_out").empty()) text += "  nothing: the scene needs it all\n";
-  }
-  return text;
+std::string reports_text(const std::vector<FitReport>& reports, const FitScene& scene, Format format) {
+  if (format == Format::text) return fit_text(scene.scene.name, scene.demands, reports);
+  std::vector<Row> rows;
+  for (const FitReport& report : reports) rows.push_back(report.row);
+  return table_text(rows, format);
 }
 
 std::optional<sim::Precision> precision_of(const FitCommand& command, const rtl::Design& design,
@@ -142,29 +155,34 @@ std::optional<sim::Precision> precision_of(const FitCommand& command, const rtl:
                            .scene = &scene.scene,
                            .bvh = &scene.bvh,
                            .rays = &rays,
-                           .most = design.parse_format(command.bits).bits(),
+                           .most = format_before(command, design).bits(),
                            .overhead_pct = command.overhead_pct,
                            .threads = command.scene.threads});
 }
 
-struct Proved {
-  Row row;
-  bool good;
-};
-
-Proved fit_design(const FitCommand& command, const rtl::Design& design, const FitScene& scene,
-                  const sim::SceneRays& rays) {
+FitReport fit_design(const FitCommand& command, const rtl::Design& design, const FitScene& scene,
+                     const sim::SceneRays& rays) {
   const rtl::Library& library = rtl::Library::thesis();
   const std::string name(design.name);
   std::optional<Progress> progress(name + ": looking for the fewest bits");
-  const rtl::Format before = design.is_float() ? rtl::Format::fp32() : design.parse_format(command.bits);
-  const sim::FittedUnit unit =
+  const rtl::Format before = format_before(command, design);
+  sim::FittedUnit unit =
       sim::fit(design, before, precision_of(command, design, scene, rays), scene.demands, library);
+  std::stable_sort(unit.left_out.begin(), unit.left_out.end(),
+                   [](const auto& a, const auto& b) { return a.area_um2 > b.area_um2; });
   std::vector<rtl::File> files = sim::fitted_files(unit, library);
   progress.emplace(name + ": compiling the Verilog");
   const sim::VerilatedDesign verilated(design, unit.format, unit.pipeline, files.front().contents);
   for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
   rtl::write_files(fs::path(command.out) / name, files);
+  const auto show = [&](double share) { progress->show(share); };
+  progress.emplace(name + ": sending vectors");
+  const sim::VectorResult vectors = sim::check_vectors({.verilated = &verilated,
+                                                        .evaluate = design.evaluate(unit.format),
+                                                        .ports = &unit.ports,
+                                                        .demands = &unit.demands,
+                                                        .vectors = command.vectors,
+                                                        .progress = show});
   progress.emplace(name + ": co-simulating");
   const sim::OperandGuard guard(unit.demands, unit.ports);
   const sim::CosimResult result = sim::cosimulate(design, unit.format, verilated, scene.scene, scene.bvh,
@@ -175,43 +193,49 @@ Proved fit_design(const FitCommand& command, const rtl::Design& design, const Fi
                                                    .light = command.light,
                                                    .scene_demands = &scene.demands,
                                                    .guard = &guard,
-                                                   .progress = [&](double share) { progress->show(share); }});
-  return {record(unit, scene, result), result.verified(!design.is_float())};
+                                                   .progress = show});
+  return {record(unit, scene, vectors, result), unit.left_out, vectors.first_mismatch};
+}
+
+sim::SceneRays traced_rays(const FitCommand& command, const FitScene& scene) {
+  Progress progress("tracing the scene's rays");
+  sim::SceneRays rays = sim::scene_rays(scene.scene, scene.bvh,
+                                        {.width = command.scene.width,
+                                         .height = command.scene.height,
+                                         .threads = command.scene.threads,
+                                         .light = command.light,
+                                         .progress = [&](double share) { progress.show(share); }});
+  const auto hits = [](const ref::RecordedBatch& batch) {
+    return std::any_of(batch.triangles.begin(), batch.triangles.end(),
+                       [](std::uint32_t triangle) { return triangle != ref::Hit::none; });
+  };
+  if (std::none_of(rays.batches.begin(), rays.batches.end(), hits))
+    throw std::runtime_error(
+        fmt::format("scene {}: no ray of the image meets a triangle; a unit fitted to it "
+                    "would be of no use",
+                    scene.scene.name));
+  return rays;
 }
 
 int fit(const FitCommand& command) {
   const std::vector<const rtl::Design*> designs = chosen_designs(command);
-  for (const rtl::Design* design : designs) {
-    // Before the long run: a format that no design has is known at once.
-    if (!design->is_float()) (void)design->trace(design->parse_format(command.bits));
-  }
   std::optional<Progress> progress("reading the scene");
   const FitScene scene = load(command);
-  progress.emplace("tracing the scene's rays");
-  sim::SceneRays rays;
-  if (!command.keep_bits)
-    rays = sim::scene_rays(scene.scene, scene.bvh,
-                           {.width = command.scene.width,
-                            .height = command.scene.height,
-                            .threads = command.scene.threads,
-                            .light = command.light,
-                            .progress = [&](double share) { progress->show(share); }});
   progress.reset();
-  std::vector<Row> rows;
-  std::string wrong;
-  for (const rtl::Design* design : designs) {
-    Proved proved = fit_design(command, *design, scene, rays);
-    if (!proved.good) wrong += (wrong.empty() ? "" : ", ") + std::string(design->name);
-    rows.push_back(std::move(proved.row));
+  const sim::SceneRays rays = traced_rays(command, scene);
+  // Before the long run: a folder that cannot be written to is known at once.
+  rtl::make_folder(command.out);
+  std::vector<FitReport> reports;
+  for (const rtl::Design* design : designs) reports.push_back(fit_design(command, *design, scene, rays));
+  fmt::print("{}", reports_text(reports, scene, command.format));
+  int exit_code = 0;
+  for (const FitReport& report : reports) {
+    const std::string wrong = wrong_text(report);
+    if (wrong.empty()) continue;
+    fmt::print(stderr, "hitpipe: {}\n", wrong);
+    exit_code = 1;
   }
-  fmt::print("{}", rows_text(rows, scene, command.format));
-  if (wrong.empty()) return 0;
-  fmt::print(
-      stderr,
-      "hitpipe: fitted to {}: {} did not answer as the reference; different triangles, false misses and "
-      "RTL mismatches must all be 0\n",
-      scene.scene.name, wrong);
-  return 1;
+  return exit_code;
 }
 
 }  // namespace
@@ -225,17 +249,25 @@ void add_fit_command(CLI::App& program, int& exit_code) {
   command->add_flag("--no-shadows", options->no_shadows, "Switch the lights off: no shadow rays");
   command->add_option("--designs", options->designs, "Names that `hitpipe designs` lists; all unless given")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("NAME,...");
   command
       ->add_option("--overhead", options->overhead_pct,
                    "Most extra box tests of an integer design with fewer bits, in percent")
-      ->check(CLI::Range(0.0, 1000.0).description(""))
+      ->check(overhead_problem)
       ->capture_default_str()
       ->type_name("P");
-  command->add_option("--bits", options->bits, "Number format of integer designs before the fit")
-      ->capture_default_str()
+  command
+      ->add_option("--bits", options->bits,
+                   "Number format of integer designs before the fit; 24/24 unless given")
       ->type_name("n/t");
   command->add_flag("--keep-bits", options->keep_bits, "Leave the number format as it is");
+  command
+      ->add_option("--vectors", options->vectors,
+                   "Random vectors within the demands that are sent through the Verilog; 0: none")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000}).description(""))
+      ->capture_default_str()
+      ->type_name("N");
   add_folder_option(*command, options->out, "Folder for each design's Verilog, manifest and testbench")
       ->required();
   add_format_option(*command, options->format);

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <fmt/format.h>
+
+#include "cli/wrap.hpp"
 
 namespace hitpipe::cli {
 
@@ -47,25 +48,6 @@ std::string csv(const ref::ResultTable& table) {
     }
   }
   return table_text(rows, Format::csv);
-}
-
-constexpr std::size_t line_width = 80;
-
-/// Words in lines of at most line_width, the first from `column` on, the later ones indented.
-std::string wrapped(const std::string& text, std::size_t indent, std::size_t column = 0) {
-  std::string lines;
-  std::istringstream words(text);
-  for (std::string word; words >> word; column += word.size()) {
-    if (column > indent && column + 1 + word.size() > line_width) {
-      lines += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (!lines.empty()) {
-      lines += ' ';
-      ++column;
-    }
-    lines += word;
-  }
-  return lines + "\n";
 }
 
 class TextTable {

@@ -43,6 +43,13 @@ class BadInput : public testing::Test {
     const std::string file = folder_.write(name, text).string();
     scene_rejected({"--scene", file}, "mesh file \"" + file + "\": " + message);
   }
+  [[nodiscard]] std::vector<std::string> fit(const std::vector<std::string>& more,
+                                             const std::string& folder) const {
+    std::vector<std::string> arguments{"fit",      "--scene", "spheres", "--width", "8",
+                                       "--height", "8",       "--out",   folder};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
   [[nodiscard]] std::string out() const { return (results_ / "out").string(); }
 
   const sim::TemporaryFolder folder_;
@@ -54,6 +61,7 @@ TEST_F(BadInput, UnknownDesignRejected) {
       "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker";
   rejected({"cosim", "pluecker", "--scene", "spheres", "--out", out()}, message);
   rejected({"rtl", "pluecker", "--out", out()}, message);
+  rejected(fit({"--designs", "int_slabs,pluecker"}, out()), message);
 }
 
 TEST_F(BadInput, BitsRejected) {
@@ -124,7 +132,31 @@ TEST_F(BadInput, FolderBelowAFileRejected) {
   rejected({"rtl", "int_slabs", "--out", below}, below + ": cannot create the folder: Not a directory");
   rejected({"cosim", "int_slabs", "--scene", "spheres", "--out", below},
            below + ": cannot create the folder: Not a directory");
+  rejected(fit({"--designs", "fp_slabs"}, below), below + ": cannot create the folder: Not a directory");
   EXPECT_EQ(files_below(folder_.path()), (std::vector<std::string>{"file"}));
+}
+
+/// For no user: /proc takes no folder.
+TEST_F(BadInput, FolderThatCannotBeMadeRejectedBeforeTheLongRun) {
+  rejected(fit({"--designs", "int_slabs"}, "/proc/hitpipe"),
+           "/proc/hitpipe: cannot create the folder: No such file or directory");
+}
+
+TEST_F(BadInput, BitsOfFloatDesignsAloneRejected) {
+  rejected(fit({"--designs", "fp_slabs,fp_plucker", "--bits", "12/12"}, out()),
+           "--bits: no design named takes it; float designs have fp32 only");
+}
+
+TEST_F(BadInput, OverheadThatIsNoNumberRejected) {
+  rejected(fit({"--overhead", "nan"}, out()),
+           "--overhead: Value nan not in range 0 to 1000; see hitpipe fit --help");
+}
+
+TEST_F(BadInput, SceneWithoutATriangleInViewRejected) {
+  const std::string mesh = folder_.write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").string();
+  rejected({"fit", "--scene", mesh, "--eye", "0,0,2", "--target", "0,0,4", "--designs", "int_slabs",
+            "--width", "8", "--height", "8", "--out", out()},
+           "scene triangle: no ray of the image meets a triangle; a unit fitted to it would be of no use");
 }
 
 TEST_F(BadInput, FolderWithoutNameRejected) {

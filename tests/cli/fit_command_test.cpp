@@ -41,14 +41,16 @@ class FitCommand : public testing::Test {
   }
   [[nodiscard]] std::string out() const { return (folder_.path() / "out").string(); }
   [[nodiscard]] Outcome fit(const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments{"fit", "--scene",   scene_,      "--width", "24", "--height",
-                                       "20",  "--designs", "int_slabs", "--out",   out()};
+    std::vector<std::string> arguments{"fit",      "--scene",   scene_,      "--width",   "24",
+                                       "--height", "20",        "--designs", "int_slabs", "--out",
+                                       out(),      "--vectors", vectors_};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_hitpipe(arguments);
   }
 
   sim::TemporaryFolder folder_;
   std::string scene_;
+  std::string vectors_ = "2000";
 };
 
 TEST_F(FitCommand, KeepsEveryByteOfADesignThatIsNeededWhole) {
@@ -78,14 +80,84 @@ TEST_F(FitCommand, FindsFewerBitsAndSaysSo) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, HasSubstr("rays: primary, secondary, shadow\n"));
-  EXPECT_THAT(outcome.out, HasSubstr("bits: 6/6 instead of 24/24 ("));
-  EXPECT_LE(widest_line(outcome.out.substr(outcome.out.find("design "), 160)), 80U);
+  EXPECT_THAT(outcome.out, HasSubstr("\nint_slabs 6/6, 24/24 before\n"));
+  EXPECT_THAT(outcome.out, HasSubstr(" %  bits: 6/6 instead of 24/24\n"));
+  EXPECT_LE(widest_line(outcome.out), 80U);
+}
+
+TEST_F(FitCommand, SaysWhatIsKeptWholeAndWhy) {
+  const Outcome outcome = fit({"--keep-bits", "--bits", "12/12"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string kept = outcome.out.substr(outcome.out.find("What cannot be bounded is kept\n"));
+  EXPECT_THAT(kept, HasSubstr("  lengths and endpoints of rays\n    they move with every hit\n"));
+  EXPECT_THAT(kept, HasSubstr("  spread of direction components not bounded\n"));
+  EXPECT_THAT(kept, HasSubstr("\nint_slabs 12/12\n  left out: nothing, the scene needs it all\n"));
+  EXPECT_THAT(kept, HasSubstr("  ports kept whole: irx, iry, irz, "));
+  EXPECT_LE(widest_line(outcome.out), 80U);
+}
+
+TEST_F(FitCommand, SendsVectorsAndCountsTheirHits) {
+  const Outcome some = fit({"--keep-bits", "--bits", "12/12", "--format", "json"});
+  EXPECT_EQ(some.exit_code, 0) << some.err;
+  const json row = json::parse(some.out).at(0);
+  EXPECT_EQ(row.at("vectors"), 2000);
+  EXPECT_GT(row.at("vector_hits"), 500);
+  EXPECT_LT(row.at("vector_hits"), 1500);
+  EXPECT_EQ(row.at("vector_mismatches"), 0);
+  vectors_ = "0";
+  const Outcome none = fit({"--keep-bits", "--bits", "12/12", "--format", "json"});
+  EXPECT_EQ(none.exit_code, 0) << none.err;
+  EXPECT_EQ(json::parse(none.out).at(0).at("vectors"), 0);
+}
+
+TEST_F(FitCommand, FailsWhenTheVerilogAnswersWrongly) {
+  // A Verilator that damages what it is given; its version keeps its models apart from whole ones.
+  const std::string verilator = folder_
+                                    .write_program("verilator", R"(#!/bin/sh
+if [ "$1" = --version ]; then echo damaged; exit; fi
+if [ "$1" = --cc ]; then sed -i 's/assign hit = /assign hit = ~/' int_slabs.v; fi
+exec verilator "$@"
+)")
+                                    .string();
+  const Outcome outcome =
+      run_hitpipe({"fit", "--scene", scene_, "--width", "8", "--height", "8", "--designs", "int_slabs",
+                   "--keep-bits", "--bits", "12/12", "--vectors", "500", "--out", out()},
+                  {{"VERILATOR", verilator}});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("hitpipe: int_slabs 12/12 fitted to scene: 500 vector mismatches, "));
+  EXPECT_THAT(outcome.err, HasSubstr("; all must be 0; first vector: hit "));
+  EXPECT_THAT(outcome.err, HasSubstr(" of vector 0 of seed 1: irx=0x"));
+}
+
+TEST_F(FitCommand, TakesADesignNamedTwiceOnce) {
+  const Outcome outcome =
+      fit({"--designs", "int_slabs", "--keep-bits", "--bits", "12/12", "--format", "json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out).size(), 1U);
+}
+
+TEST_F(FitCommand, WritesTheFilesOfAWholeDesignAndItsCheck) {
+  const std::string whole = (folder_.path() / "whole").string();
+  EXPECT_EQ(run_hitpipe({"rtl", "int_slabs", "--bits", "12/12", "--out", whole}).exit_code, 0);
+  const Outcome outcome = run_hitpipe({"fit", "--scene", "spheres", "--no-shadows", "--width", "16",
+                                       "--height", "16", "--designs", "int_slabs", "--keep-bits", "--bits",
+                                       "12/12", "--vectors", "1000", "--out", out()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_LE(widest_line(outcome.out), 80U);
+  std::vector<std::string> files = files_below(whole);
+  files.emplace_back("int_slabs_check.v");
+  EXPECT_THAT(files_below(out() + "/int_slabs"), testing::UnorderedElementsAreArray(files));
+  EXPECT_THAT(contents_of(out() + "/int_slabs/int_slabs.core"), HasSubstr("files: [int_slabs_check.v]"));
 }
 
 TEST_F(FitCommand, RejectsWhatIsNotThere) {
   EXPECT_THAT(fit({"--designs", "int_cubes"}).err, HasSubstr("design int_cubes: unknown"));
   EXPECT_THAT(fit({"--bits", "99/3"}).err, HasSubstr("bits 99/3: allowed is n/t"));
-  EXPECT_THAT(fit({"--overhead", "-1"}).err, HasSubstr("--overhead"));
+  EXPECT_THAT(fit({"--overhead", "-1"}).err, HasSubstr("--overhead: Value -1 not in range 0 to 1000;"));
+  EXPECT_THAT(fit({"--overhead", "nan"}).err, HasSubstr("--overhead: Value nan not in range 0 to 1000;"));
+  vectors_ = "-1";
+  EXPECT_THAT(fit({}).err, HasSubstr("--vectors: Value -1 not in range 0 to 1000000000"));
   EXPECT_FALSE(std::filesystem::exists(out()));
 }
 

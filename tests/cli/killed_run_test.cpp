@@ -120,15 +120,15 @@ class KilledRun : public testing::Test {
     return files;
   }
 
-  /// Kills runs into one folder after more and more events of the files with `word` in their name, until a
-  /// run comes to its end.
-  void kill_at_events(std::string_view word, std::size_t step) {
+  /// Kills runs into one folder after more and more events of the files with `word` in their name, `below`
+  /// it, until a run comes to its end.
+  void kill_at_events(std::string_view word, std::size_t step, const fs::path& below = "") {
     const fs::path folder = folder_.path() / "events";
-    fs::create_directory(folder);
+    fs::create_directories(folder / below);
     std::size_t killed = 0;
     const std::size_t last = 12 * step;
     for (std::size_t count = 1; count <= last; count += step) {
-      const FolderEvents events(folder);
+      const FolderEvents events(folder / below);
       const pid_t child = start(into(folder));
       events.wait_for(count, word, 4 * length_);
       if (!kill_and_wait(child)) break;
@@ -182,6 +182,14 @@ TEST_F(KilledRun, OfCosimLeavesOnlyWholeFiles) {
       run_whole({"cosim", "int_slabs", "--scene", "spheres", "--width", "32", "--height", "32"}));
   kill_at_events("spheres", 1);
   kill_at_random_moments(2, 8);
+}
+
+TEST_F(KilledRun, OfFitLeavesOnlyWholeFiles) {
+  ASSERT_NO_FATAL_FAILURE(
+      run_whole({"fit", "--scene", "spheres", "--no-shadows", "--width", "8", "--height", "8", "--designs",
+                 "int_slabs", "--keep-bits", "--bits", "12/12", "--vectors", "1000"}));
+  kill_at_events("int_slabs", 8, "int_slabs");
+  kill_at_random_moments(3, 4);
 }
 
 }  // namespace
