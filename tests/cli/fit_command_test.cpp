@@ -1,4 +1,6 @@
 // `hitpipe fit`: what is left out and proved, in three formats, and the files of the fitted unit.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -52,6 +54,16 @@ class FitCommand : public testing::Test {
   std::string scene_;
   std::string vectors_ = "2000";
 };
+
+/// Of the cuts, in the order of their lines.
+std::vector<double> shares_in(const std::string& text) {
+  std::vector<double> shares;
+  for (const std::string& line : lines_of(text)) {
+    const std::size_t percent = line.find(" %  ");
+    if (percent != std::string::npos) shares.push_back(std::stod(line.substr(0, percent)));
+  }
+  return shares;
+}
 
 TEST_F(FitCommand, KeepsEveryByteOfADesignThatIsNeededWhole) {
   const Outcome outcome = fit({"--keep-bits", "--bits", "12/12", "--format", "json"});
@@ -137,7 +149,7 @@ TEST_F(FitCommand, TakesADesignNamedTwiceOnce) {
   EXPECT_EQ(json::parse(outcome.out).size(), 1U);
 }
 
-TEST_F(FitCommand, WritesTheFilesOfAWholeDesignAndItsCheck) {
+TEST_F(FitCommand, ListsCutsLargestFirstAndWritesACheckBesideTheWholeDesignsFiles) {
   const std::string whole = (folder_.path() / "whole").string();
   EXPECT_EQ(run_hitpipe({"rtl", "int_slabs", "--bits", "12/12", "--out", whole}).exit_code, 0);
   const Outcome outcome = run_hitpipe({"fit", "--scene", "spheres", "--no-shadows", "--width", "16",
@@ -145,6 +157,9 @@ TEST_F(FitCommand, WritesTheFilesOfAWholeDesignAndItsCheck) {
                                        "12/12", "--vectors", "1000", "--out", out()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_LE(widest_line(outcome.out), 80U);
+  const std::vector<double> shares = shares_in(outcome.out);
+  EXPECT_GT(shares.size(), 1U);
+  EXPECT_TRUE(std::is_sorted(shares.rbegin(), shares.rend())) << outcome.out;
   std::vector<std::string> files = files_below(whole);
   files.emplace_back("int_slabs_check.v");
   EXPECT_THAT(files_below(out() + "/int_slabs"), testing::UnorderedElementsAreArray(files));
