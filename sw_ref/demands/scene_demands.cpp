@@ -119,6 +119,22 @@ std::vector<Evidence> SceneDemands::evidence() const {
                      ? "the eye alone sends rays"
                      : "the eye, and surfaces with the offset of rays that leave them"});
   all.push_back({"boxes: " + spans(boxes), "all nodes of the hierarchy, padded"});
+  Aabb coordinates = origins();
+  coordinates.grow(boxes);
+  std::string two_sided;
+  std::string wide;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float low = coordinates.min[axis];
+    const float high = coordinates.max[axis];
+    if (low >= 0.0F || high <= 0.0F) continue;
+    two_sided += "xyz"[axis];
+    if (std::max(-low, high) >= 0.5F) wide += "xyz"[axis];
+  }
+  if (!two_sided.empty())
+    all.push_back({"float coordinates along " + two_sided, "they lie on both sides of 0", false});
+  if (!wide.empty())
+    all.push_back({"integer coordinates along " + wide,
+                   "they lie on both sides of 0, and reach half of the way to the cube's faces", false});
   all.push_back({fmt::format("smallest boxes: x {:.4g}, y {:.4g}, z {:.4g}", smallest_extent.x,
                              smallest_extent.y, smallest_extent.z),
                  "all nodes of the hierarchy"});

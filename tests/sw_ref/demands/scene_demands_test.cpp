@@ -120,7 +120,7 @@ TEST(Origins, AreTheEyeOfPrimaryRaysAlone) {
 
 TEST(EvidenceOfDemands, SaysWhyOfEach) {
   const std::vector<Evidence> evidence = demands_of(sim::hills()).evidence();
-  EXPECT_EQ(evidence.size(), 10U);
+  EXPECT_EQ(evidence.size(), 12U);
   EXPECT_EQ(evidence.front().demand, "rays: primary, shadow");
   for (const Evidence& each : evidence) EXPECT_FALSE(each.why.empty()) << each.demand;
 }
@@ -132,13 +132,15 @@ TEST(EvidenceOfDemands, SaysWhatIsKeptWhole) {
       if (!each.bounds) words.push_back(each.demand);
     return words;
   };
-  const std::vector<std::string> always{"rays with and without an end", "lengths and endpoints of rays"};
-  EXPECT_EQ(kept(stairs_along_one_class()), always);
-  std::vector<std::string> all = always;
-  all.insert(all.end(),
-             {"direction classes +++ -++ +-+ --+ ++- -+- +-- ---", "direction components that may be 0: xyz",
-              "spread of direction components not bounded"});
-  EXPECT_EQ(kept(demanding_octahedron()), all);
+  EXPECT_EQ(kept(stairs_along_one_class()),
+            (std::vector<std::string>{"rays with and without an end", "lengths and endpoints of rays",
+                                      "float coordinates along xz", "integer coordinates along xz"}));
+  EXPECT_EQ(kept(demanding_octahedron()),
+            (std::vector<std::string>{"rays with and without an end", "lengths and endpoints of rays",
+                                      "direction classes +++ -++ +-+ --+ ++- -+- +-- ---",
+                                      "direction components that may be 0: xyz",
+                                      "spread of direction components not bounded",
+                                      "float coordinates along xyz", "integer coordinates along xyz"}));
 }
 
 }  // namespace
