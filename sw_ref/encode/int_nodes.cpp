@@ -6,23 +6,33 @@ namespace hitpipe::ref {
 
 static_assert(NodeStore<IntNodes>);
 
-IntNodes::IntNodes(const Bvh& bvh, int coord_bits)
-    : bytes_per_node((6 * static_cast<std::size_t>(coord_bits) + 7) / 8 + tail_bytes),
-      coord_bits_(coord_bits) {
+IntNodes::IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse)
+    : bytes_per_node(box_bytes(coord_bits, coarse) + tail_bytes), coord_bits_(coord_bits) {
   // Also the check of coord_bits, before anything is allocated by it.
   (void)quantise_box({glm::vec3(0), glm::vec3(0)}, coord_bits);
-  for (int i = 0; i < 6; ++i) {
-    const int bit = coord_bits * i;
-    places_[static_cast<std::size_t>(i)] = {static_cast<std::uint32_t>(bit / 8), 64 - coord_bits - bit % 8};
+  check_coarse(coarse, coord_bits, "IntNodes");
+  int bit = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const int dropped = coarse.dropped[i % 3];
+    const int bits = coord_bits - dropped;
+    places_[i] = {static_cast<std::uint32_t>(bit / 8), 64 - bits - bit % 8,
+                  -static_cast<std::int32_t>(1U << dropped)};
+    bit += bits;
   }
   bytes_.resize(bytes_per_node * bvh.nodes.size());
   std::byte* at = bytes_.data();
   for (const BvhNode& node : bvh.nodes) {
-    write(at, quantise_box(node.box, coord_bits));
+    write(at, coarse_box(quantise_box(node.box, coord_bits), coarse, coord_bits));
     at += bytes_per_node;
     std::memcpy(at - tail_bytes, &node.count, sizeof node.count);
     std::memcpy(at - sizeof node.first, &node.first, sizeof node.first);
   }
+}
+
+std::size_t IntNodes::box_bytes(int coord_bits, const CoarseAxes& coarse) {
+  int bits = 6 * coord_bits;
+  for (const int dropped : coarse.dropped) bits -= 2 * dropped;
+  return (static_cast<std::size_t>(bits) + 7) / 8;
 }
 
 /// Into zeroed bytes.

@@ -1,8 +1,8 @@
 // Nodes of the integer hierarchy (chapter 6): boxes on the n-bit grid (sw_ref/quantise/int_box.hpp), packed
 // without a gap as Table 6.1 counts them: six n-bit coordinates, then count and pointer of 4 bytes each.
-// 20, 23, 26 bytes with n = 16, 20, 24; ceil(6n / 8) + 8 with any n of 6..32. A NodeStore
-// (sw_ref/traverse/node_store.hpp). Coordinate i starts at bit n i, least significant bit first: x, y, z of
-// min, then of max, two's complement.
+// 20, 23, 26 bytes with n = 16, 20, 24; ceil(6n / 8) + 8 with any n of 6..32. A coarse axis's coordinates
+// take n - k bits each. A NodeStore (sw_ref/traverse/node_store.hpp). Coordinates lie in a row, least
+// significant bit first: x, y, z of min, then of max, two's complement.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 
 namespace hitpipe::ref {
@@ -25,9 +26,9 @@ class IntNodes {
   using Node = std::uint32_t;  ///< index as in Bvh::nodes
   const std::size_t bytes_per_node;
 
-  /// Needs at least one node; copies what it needs of `bvh`. Throws as quantise_box() does: for n outside
-  /// 6..32 and for boxes that leave the grid.
-  IntNodes(const Bvh& bvh, int coord_bits);
+  /// Needs at least one node; copies what it needs of `bvh`. Throws as quantise_box() and coarse_box() do:
+  /// for n outside 6..32, and for boxes that leave the grid.
+  IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse = {});
 
   [[nodiscard]] Node root() const { return 0; }
   [[nodiscard]] Node child(Node node, unsigned which) const { return first(node) + which; }
@@ -46,14 +47,17 @@ class IntNodes {
 
  private:
   /// Where a coordinate lies: within 8 bytes from `byte`, `above` bits of which lie above it. They are all of
-  /// the node, as 5n / 8 + 8 <= ceil(6n / 8) + 8.
+  /// the node: the last one starts in a byte of the coordinates, and 8 bytes follow these. Read as n bits, it
+  /// has the dropped ones below it, which are no part of it.
   struct Place {
     std::uint32_t byte;
     int above;
+    std::int32_t kept;  ///< mask
   };
 
   static constexpr std::size_t tail_bytes = sizeof(BvhNode::count) + sizeof(BvhNode::first);
 
+  static std::size_t box_bytes(int coord_bits, const CoarseAxes& coarse);
   template <class Word>
   static Word read(const std::byte* at) {
     Word word;
@@ -65,7 +69,8 @@ class IntNodes {
   [[nodiscard]] const std::byte* tail(Node node) const { return address(node) + bytes_per_node - tail_bytes; }
   [[nodiscard]] std::int32_t coordinate(const std::byte* node, std::size_t number) const {
     const auto word = read<std::uint64_t>(node + places_[number].byte) << places_[number].above;
-    return static_cast<std::int32_t>(static_cast<std::int64_t>(word) >> (64 - coord_bits_));
+    return static_cast<std::int32_t>(static_cast<std::int64_t>(word) >> (64 - coord_bits_)) &
+           places_[number].kept;
   }
   void write(std::byte* node, const IntBox& box) const;
 

@@ -8,11 +8,12 @@ namespace hitpipe::ref {
 
 static_assert(BoxTest<IntPluckerTest, IntBox>);
 
-IntPluckerTest::IntPluckerTest(const Ray& ray, hls::IntBits bits)
+IntPluckerTest::IntPluckerTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse)
     : set_up_(ray, bits), trimmed_(bits.trimmed()), edge_bound_(hls::edge_bound(bits)) {
   const IntPluckerRay& prepared = set_up_.ray();
+  const IntOrigin origin = coarse_origin(prepared.origin, coarse, bits.coord);
   for (std::size_t i = 0; i < 3; ++i) {
-    axes_[i] = {prepared.origin[i], prepared.direction[i], 0, prepared.direction[i] < 0};
+    axes_[i] = {origin[i], prepared.direction[i], 0, prepared.direction[i] < 0};
   }
   set_end(prepared.end);
 }
@@ -28,8 +29,9 @@ void IntPluckerTest::set_end(const IntEndpoint& end) {
   }
 }
 
-IntPluckerSetUp::IntPluckerSetUp(hls::IntBits bits) : bits_(bits) {
+IntPluckerSetUp::IntPluckerSetUp(hls::IntBits bits, const CoarseAxes& coarse) : bits_(bits), coarse_(coarse) {
   check_format(bits, "IntPluckerSetUp");
+  check_coarse(coarse, bits.coord, "IntPluckerSetUp");
 }
 
 }  // namespace hitpipe::ref

@@ -14,11 +14,12 @@ static_assert(BoxTest<IntSlabsTest, IntBox>);
 // >= 0, near <= far and near <= length together say max(near, 0) <= min(far, length), as length >= 0; an
 // infinite ray has the longest length there is.
 
-IntSlabsTest::IntSlabsTest(const Ray& ray, hls::IntBits bits) : set_up_(ray, bits), trimmed_(bits.trimmed()) {
+IntSlabsTest::IntSlabsTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse)
+    : set_up_(ray, bits), trimmed_(bits.trimmed()) {
   const IntRay& prepared = set_up_.ray();
+  const IntOrigin origin = coarse_origin(prepared.origin, coarse, bits.coord);
   for (std::size_t i = 0; i < 3; ++i) {
-    axes_[i] = {prepared.origin[i], prepared.irdvc_floor[i], prepared.irdvc_ceil[i],
-                prepared.irdvc_floor[i] < 0};
+    axes_[i] = {origin[i], prepared.irdvc_floor[i], prepared.irdvc_ceil[i], prepared.irdvc_floor[i] < 0};
   }
   cut(ray.length);
 }
@@ -27,8 +28,9 @@ void IntSlabsTest::cut(float length) {
   length_ = std::isinf(length) ? std::numeric_limits<std::int64_t>::max() : set_up_.length(length);
 }
 
-IntSlabsSetUp::IntSlabsSetUp(hls::IntBits bits) : bits_(bits) {
+IntSlabsSetUp::IntSlabsSetUp(hls::IntBits bits, const CoarseAxes& coarse) : bits_(bits), coarse_(coarse) {
   check_format(bits, "IntSlabsSetUp");
+  check_coarse(coarse, bits.coord, "IntSlabsSetUp");
 }
 
 }  // namespace hitpipe::ref

@@ -9,6 +9,7 @@
 
 #include "hls/box/int_format.hpp"
 #include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_ray.hpp"
 
@@ -17,8 +18,8 @@ namespace hitpipe::ref {
 /// Differences have n - 1 bits and a sign, n <= 32, as have IRDVCs: products stay below 2^62.
 class IntSlabsTest {
  public:
-  /// Throws as IntRaySetup does.
-  IntSlabsTest(const Ray& ray, hls::IntBits bits);
+  /// Throws as IntRaySetup and coarse_origin() do.
+  IntSlabsTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse = {});
 
   /// `length` >= 0, or infinite.
   void cut(float length);
@@ -56,13 +57,14 @@ class IntSlabsTest {
 /// A functor that sets a test up for a ray.
 class IntSlabsSetUp {
  public:
-  /// Throws std::invalid_argument for a format that is no integer unit's.
-  explicit IntSlabsSetUp(hls::IntBits bits);
+  /// Throws std::invalid_argument for a format that is no integer unit's, or more dropped bits than it has.
+  explicit IntSlabsSetUp(hls::IntBits bits, const CoarseAxes& coarse = {});
 
-  [[nodiscard]] IntSlabsTest operator()(const Ray& ray) const { return {ray, bits_}; }
+  [[nodiscard]] IntSlabsTest operator()(const Ray& ray) const { return {ray, bits_, coarse_}; }
 
  private:
   hls::IntBits bits_;
+  CoarseAxes coarse_;
 };
 
 }  // namespace hitpipe::ref

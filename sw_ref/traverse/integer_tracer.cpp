@@ -9,8 +9,10 @@ namespace {
 template <class SetUp>
 std::unique_ptr<Tracer> tracer(const TracerParts& parts) {
   const hls::IntBits bits = parts.options.bits;
-  SetUp set_up(bits);  // first: it checks the format
-  return std::make_unique<StoreTracer<IntNodes, SetUp>>(IntNodes(parts.bvh, bits.coord), set_up, parts);
+  const CoarseAxes& coarse = parts.options.coarse;
+  SetUp set_up(bits, coarse);  // first: it checks both
+  return std::make_unique<StoreTracer<IntNodes, SetUp>>(IntNodes(parts.bvh, bits.coord, coarse), set_up,
+                                                        parts);
 }
 
 }  // namespace

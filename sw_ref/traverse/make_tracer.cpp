@@ -16,7 +16,7 @@ void check(const Bvh& bvh, const TracerOptions& options) {
   const bool plucker = options.algorithm == Algorithm::plu || options.algorithm == Algorithm::plu_dsa;
   const bool by_distance = options.algorithm == Algorithm::slabs_dist;
   const bool integer = options.arithmetic == Arithmetic::integer;
-  const bool coarse =
+  const bool few_bits =
       options.encoding == Encoding::hierarchical_4 || options.encoding == Encoding::hierarchical_8;
   allow(!bvh.nodes.empty(), "tracer: the hierarchy has no node; build it first");
   allow(!plucker || options.arithmetic != Arithmetic::robust,
@@ -25,7 +25,8 @@ void check(const Bvh& bvh, const TracerOptions& options) {
         "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa");
   allow(!integer || options.encoding == Encoding::plain,
         "tracer: integer arithmetic has nodes of its own; take the plain encoding");
-  allow(!options.look_up_table || coarse, "tracer: a look-up table is for hierarchical nodes of 4 or 8 bits");
+  allow(!options.look_up_table || few_bits,
+        "tracer: a look-up table is for hierarchical nodes of 4 or 8 bits");
   if (options.bundle != 1 && options.bundle != 64 && options.bundle != 256) {
     throw std::invalid_argument(
         fmt::format("tracer: bundles of {} rays; allowed are 1, 64 and 256", options.bundle));
@@ -33,7 +34,10 @@ void check(const Bvh& bvh, const TracerOptions& options) {
   allow(options.bundle == 1 || !by_distance,
         "tracer: the order by distance is of single rays; take bundle 1");
   allow(options.bundle == 1 || !integer, "tracer: integer units take single rays; take bundle 1");
-  if (integer) check_format(options.bits, "tracer");
+  allow(integer || !options.coarse.any(), "tracer: coarse axes are of integer arithmetic");
+  if (!integer) return;
+  check_format(options.bits, "tracer");
+  check_coarse(options.coarse, options.bits.coord, "tracer");
 }
 
 }  // namespace

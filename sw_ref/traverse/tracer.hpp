@@ -12,6 +12,7 @@
 #include "hls/box/int_format.hpp"
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/scene/mesh.hpp"
 #include "sw_ref/traverse/query.hpp"
 
@@ -103,10 +104,11 @@ struct TracerOptions {
   int bundle = 1;  ///< rays traced together at most: 1, 64 or 256 (section 5.5); 1 with integer, slabs_dist
   hls::IntBits bits{24, 24};  ///< of integer arithmetic
   TriangleTest triangle_test = TriangleTest::exact;
+  CoarseAxes coarse{};  ///< of integer arithmetic; rays and boxes must fit the coarser grid
 };
 
 /// Encodes the nodes and picks the loop. Throws std::invalid_argument, one line, for a combination that does
-/// not exist (see the comments above).
+/// not exist (see the comments above), std::out_of_range for boxes that leave the grid.
 [[nodiscard]] std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh,
                                                   const TracerOptions& options);
 

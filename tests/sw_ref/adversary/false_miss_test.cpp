@@ -1,5 +1,5 @@
 // The integer units, as their C++ computes them, never miss what the exact referee hits: every category,
-// format and both kinds of ray.
+// format and both kinds of ray, also on coarser axes.
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -14,9 +14,11 @@
 #include "hls/pipelines/int_slabs.hpp"
 #include "sw_ref/adversary/categories.hpp"
 #include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/quantise/int_ray.hpp"
+#include "tests/sw_ref/adversary/halved.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -27,7 +29,6 @@ using adversary::to_text;
 using hls::IntFormat;
 
 constexpr std::uint64_t seed = 20072;
-constexpr int cases_per_category = 20'000;
 
 /// |difference of a box coordinate and the origin| <= 2^(n-1) - 1, or it wraps in n bits.
 bool fits(const IntBox& box, const std::array<std::int32_t, 3>& origin, int coord_bits) {
@@ -52,13 +53,14 @@ void set_box(Operands& in, const IntBox& box) {
 
 template <class F>
 struct Slabs {
-  static bool hit(const Ray& exact, const IntBox& box) {
+  static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
     const IntRay ray = IntRaySetup(exact, F::bits).ray();
-    EXPECT_TRUE(fits(box, ray.origin, F::coord)) << to_text(exact);
+    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
+    EXPECT_TRUE(fits(box, origin, F::coord)) << to_text(exact);
     hls::IntSlabsOperands<hls::Native, F> in;
-    in.irx = ray.origin[0];
-    in.iry = ray.origin[1];
-    in.irz = ray.origin[2];
+    in.irx = origin[0];
+    in.iry = origin[1];
+    in.irz = origin[2];
     in.irlen = ray.length;
     in.iri_floor = ray.irdvc_floor[0];
     in.iri_ceil = ray.irdvc_ceil[0];
@@ -74,13 +76,14 @@ struct Slabs {
 
 template <class F>
 struct Plucker {
-  static bool hit(const Ray& exact, const IntBox& box) {
+  static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
     const IntPluckerRay ray = IntPluckerSetup(exact, F::bits).ray();
-    EXPECT_TRUE(fits(box, ray.origin, F::coord)) << to_text(exact);
+    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
+    EXPECT_TRUE(fits(box, origin, F::coord)) << to_text(exact);
     hls::IntPluckerOperands<hls::Native, F> in;
-    in.irx = ray.origin[0];
-    in.iry = ray.origin[1];
-    in.irz = ray.origin[2];
+    in.irx = origin[0];
+    in.iry = origin[1];
+    in.irz = origin[2];
     in.irex = ray.end.at[0];
     in.irey = ray.end.at[1];
     in.irez = ray.end.at[2];
@@ -95,8 +98,9 @@ struct Plucker {
 
 struct Unit {
   hls::IntBits bits;
-  bool (*hit)(const Ray&, const IntBox&);
+  bool (*hit)(const Ray&, const IntBox&, const CoarseAxes&);
   int most_false_hits_pct;  ///< of random cases: a unit that always hits would never miss
+  CoarseAxes coarse{};
 };
 
 template <template <class> class Design>
@@ -111,31 +115,49 @@ constexpr std::array<Unit, 10> units_of{{{{24, 24}, Design<IntFormat<24, 24>>::h
                                          {{24, 32}, Design<IntFormat<24, 32>>::hit, 1},
                                          {{32, 63}, Design<IntFormat<32, 63>>::hit, 1}}};
 
+template <template <class> class Design>
+constexpr std::array<Unit, 5> coarse_units_of{{{{24, 24}, Design<IntFormat<24, 24>>::hit, 1, {{0, 0, 5}}},
+                                               {{16, 16}, Design<IntFormat<16, 16>>::hit, 1, {{1, 2, 3}}},
+                                               {{12, 12}, Design<IntFormat<12, 12>>::hit, 1, {{4, 0, 1}}},
+                                               {{6, 6}, Design<IntFormat<6, 6>>::hit, 40, {{0, 2, 1}}},
+                                               {{6, 11}, Design<IntFormat<6, 11>>::hit, 40, {{3, 0, 0}}}}};
+
 struct Judged {
   int cases = 0;
+  int as_they_come = 0;  ///< the others are drawn towards the middle, where the coarser grid has room
   int hits = 0;
   int false_hits = 0;
   int false_misses = 0;
 };
 
+bool fits(const Case& c, const Unit& unit) {
+  const IntOrigin origin = IntRaySetup(c.ray, unit.bits).ray().origin;
+  return fits_grid(origin, quantise_box(c.box, unit.bits.coord), unit.coarse, unit.bits.coord);
+}
+
 Judged judge(const Unit& unit, const std::vector<Case>& cases, const std::vector<bool>& expected) {
   Judged judged;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const Case& c = cases[i];
-    const bool hit = unit.hit(c.ray, quantise_box(c.box, unit.bits.coord));
+    const bool as_it_comes = fits(cases[i], unit);
+    const Case c = as_it_comes ? cases[i] : adversary::halved(cases[i]);
+    const bool meets = as_it_comes ? expected[i] : ray_meets_box(c.ray, c.box);
+    const IntBox box = coarse_box(quantise_box(c.box, unit.bits.coord), unit.coarse, unit.bits.coord);
+    const bool hit = unit.hit(c.ray, box, unit.coarse);
     ++judged.cases;
-    judged.hits += expected[i] ? 1 : 0;
-    judged.false_hits += hit && !expected[i] ? 1 : 0;
-    if (hit || !expected[i]) continue;
+    judged.as_they_come += as_it_comes ? 1 : 0;
+    judged.hits += meets ? 1 : 0;
+    judged.false_hits += hit && !meets ? 1 : 0;
+    if (hit || !meets) continue;
     if (judged.false_misses++ == 0) {
-      ADD_FAILURE() << "false miss at " << unit.bits.coord << "/" << unit.bits.interval << ": " << to_text(c);
+      ADD_FAILURE() << "false miss at " << unit.bits.coord << "/" << unit.bits.interval << ", coarse "
+                    << to_text(unit.coarse) << ": " << to_text(c);
     }
   }
   return judged;
 }
 
 /// Every ray as it comes and without an end, one after the other.
-std::vector<Case> cases_of(const Category& category) {
+std::vector<Case> cases_of(const Category& category, int cases_per_category) {
   adversary::Random random(seed);
   std::vector<Case> cases;
   for (int i = 0; i < cases_per_category; ++i) {
@@ -146,19 +168,19 @@ std::vector<Case> cases_of(const Category& category) {
   return cases;
 }
 
-void expect_no_false_miss(std::span<const Unit> units) {
-  std::printf("seed %llu\n%9s %9s %9s %9s  format, category\n", static_cast<unsigned long long>(seed),
-              "cases", "hits", "false", "missed");
+void expect_no_false_miss(std::span<const Unit> units, int cases_per_category) {
+  std::printf("seed %llu\n%9s %9s %9s %9s %9s  format, dropped bits, category\n",
+              static_cast<unsigned long long>(seed), "cases", "as drawn", "hits", "false", "missed");
   long long run = 0;
   for (const Category& category : adversary::categories()) {
-    const std::vector<Case> cases = cases_of(category);
+    const std::vector<Case> cases = cases_of(category, cases_per_category);
     std::vector<bool> expected;
     for (const Case& c : cases) expected.push_back(ray_meets_box(c.ray, c.box));
     for (const Unit& unit : units) {
       const Judged judged = judge(unit, cases, expected);
-      std::printf("%9d %9d %9d %9d  %d/%d %s\n", judged.cases, judged.hits, judged.false_hits,
-                  judged.false_misses, unit.bits.coord, unit.bits.interval,
-                  std::string(category.name).c_str());
+      std::printf("%9d %9d %9d %9d %9d  %d/%d, %s, %s\n", judged.cases, judged.as_they_come, judged.hits,
+                  judged.false_hits, judged.false_misses, unit.bits.coord, unit.bits.interval,
+                  to_text(unit.coarse).c_str(), std::string(category.name).c_str());
       EXPECT_EQ(judged.cases, 2 * cases_per_category);
       EXPECT_EQ(judged.false_misses, 0) << category.name;
       EXPECT_GT(judged.hits, judged.cases / 25) << category.name;
@@ -169,15 +191,23 @@ void expect_no_false_miss(std::span<const Unit> units) {
       }
     }
   }
-  EXPECT_EQ(run, 27LL * 10 * 2 * cases_per_category);
+  EXPECT_EQ(run, 27LL * static_cast<long long>(units.size()) * 2 * cases_per_category);
 }
 
 TEST(NoFalseMiss, IntSlabsInEveryCategoryAndFormat) {
-  expect_no_false_miss(units_of<Slabs>);
+  expect_no_false_miss(units_of<Slabs>, 20'000);
 }
 
 TEST(NoFalseMiss, IntPluckerInEveryCategoryAndFormat) {
-  expect_no_false_miss(units_of<Plucker>);
+  expect_no_false_miss(units_of<Plucker>, 20'000);
+}
+
+TEST(NoFalseMiss, IntSlabsOnCoarseAxesInEveryCategory) {
+  expect_no_false_miss(coarse_units_of<Slabs>, 4'000);
+}
+
+TEST(NoFalseMiss, IntPluckerOnCoarseAxesInEveryCategory) {
+  expect_no_false_miss(coarse_units_of<Plucker>, 4'000);
 }
 
 }  // namespace

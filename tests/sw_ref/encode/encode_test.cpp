@@ -345,6 +345,31 @@ TEST(IntNodes, PackingReturnsTheQuantisedBoxesForEveryNumberOfBits) {
   }
 }
 
+TEST(IntNodes, CoarseAxesTakeTheirBitsFromTheNodes) {
+  const Bvh bvh = one_leaf(1);
+  EXPECT_EQ(IntNodes(bvh, 16, {{0, 4, 0}}).bytes_per_node, 19U);
+  EXPECT_EQ(IntNodes(bvh, 16, {{1, 1, 1}}).bytes_per_node, 20U);  // 90 bits: 12 bytes still
+  EXPECT_EQ(IntNodes(bvh, 6, {{3, 3, 3}}).bytes_per_node, 11U);
+  EXPECT_EQ(IntNodes(bvh, 32, {{29, 29, 29}}).bytes_per_node, 11U);
+}
+
+TEST(IntNodes, PackingReturnsTheCoarseBoxesForEveryNumberOfBits) {
+  const Bvh bvh = built(samples().front());
+  std::size_t run = 0;
+  for (int coord_bits = 6; coord_bits <= 32; ++coord_bits) {
+    for (int k = 1; k <= coord_bits - 4; k += 3) {
+      const CoarseAxes coarse{{k, k % 2, (k + 7) % (coord_bits - 4)}};
+      const IntNodes store(bvh, coord_bits, coarse);
+      EXPECT_EQ(expect_same_tree(store, bvh), bvh.nodes.size());
+      for (std::uint32_t i = 0; i < bvh.nodes.size(); ++i, ++run) {
+        ASSERT_EQ(store.box(i), coarse_box(quantise_box(bvh.nodes[i].box, coord_bits), coarse, coord_bits))
+            << coord_bits << " bits, dropped " << to_text(coarse) << ", node " << i;
+      }
+    }
+  }
+  EXPECT_GT(run, 100 * bvh.nodes.size());
+}
+
 TEST(IntNodes, BitsAndBoxesOutsideTheGridAreRejected) {
   EXPECT_EQ(refusal<std::invalid_argument>([] { const IntNodes store(one_leaf(1), 33); }),
             "quantise_box: 33 coordinate bits; allowed are 6 to 32");
@@ -352,6 +377,14 @@ TEST(IntNodes, BitsAndBoxesOutsideTheGridAreRejected) {
   bvh.nodes[0].box.max.x = 1.5F;
   EXPECT_EQ(refusal<std::out_of_range>([&] { const IntNodes store(bvh, 16); }),
             "quantise_box: max.x = 1.5 leaves the 16-bit grid; boxes must lie within [-1, 1]");
+  EXPECT_EQ(refusal<std::out_of_range>([] {
+              const IntNodes store(one_leaf(1), 16, {{0, 14, 0}});
+            }),
+            "coarse axes: min.y = -32768 leaves the 16-bit grid; drop fewer than 14 low bits of y");
+  EXPECT_EQ(refusal<std::invalid_argument>([] {
+              const IntNodes store(one_leaf(1), 16, {{15, 0, 0}});
+            }),
+            "IntNodes: 15 dropped bits of x; of 16 bits 0 to 14 can be dropped");
 }
 
 }  // namespace

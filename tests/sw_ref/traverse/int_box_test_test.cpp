@@ -1,5 +1,5 @@
 // The integer box tests of run-time n/t say what the datapaths of hls/ say: on every category of the
-// adversary, on boxes drawn near the ray on the grid, and after a cut.
+// adversary, on boxes drawn near the ray on the grid, and after a cut; on coarser axes too.
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -14,10 +14,12 @@
 #include "hls/pipelines/int_plucker.hpp"
 #include "hls/pipelines/int_slabs.hpp"
 #include "sw_ref/adversary/categories.hpp"
+#include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/traverse/int_plucker.hpp"
 #include "sw_ref/traverse/int_slabs.hpp"
+#include "tests/sw_ref/adversary/halved.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -43,12 +45,13 @@ void set_box(Operands& in, const IntBox& box) {
 
 template <class F>
 struct Slabs {
-  static bool hit(const Ray& exact, const IntBox& box) {
+  static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
     const IntRay ray = IntRaySetup(exact, F::bits).ray();
+    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
     hls::IntSlabsOperands<hls::Native, F> in;
-    in.irx = ray.origin[0];
-    in.iry = ray.origin[1];
-    in.irz = ray.origin[2];
+    in.irx = origin[0];
+    in.iry = origin[1];
+    in.irz = origin[2];
     in.irlen = ray.length;
     in.iri_floor = ray.irdvc_floor[0];
     in.iri_ceil = ray.irdvc_ceil[0];
@@ -64,12 +67,13 @@ struct Slabs {
 
 template <class F>
 struct Plucker {
-  static bool hit(const Ray& exact, const IntBox& box) {
+  static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
     const IntPluckerRay ray = IntPluckerSetup(exact, F::bits).ray();
+    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
     hls::IntPluckerOperands<hls::Native, F> in;
-    in.irx = ray.origin[0];
-    in.iry = ray.origin[1];
-    in.irz = ray.origin[2];
+    in.irx = origin[0];
+    in.iry = origin[1];
+    in.irz = origin[2];
     in.irex = ray.end.at[0];
     in.irey = ray.end.at[1];
     in.irez = ray.end.at[2];
@@ -84,18 +88,21 @@ struct Plucker {
 
 struct Unit {
   IntBits bits;
-  bool (*hit)(const Ray&, const IntBox&);
+  bool (*hit)(const Ray&, const IntBox&, const CoarseAxes&);
+  CoarseAxes coarse{};
 };
 
 template <template <class> class Design>
-constexpr std::array<Unit, 8> units_of{{{{24, 24}, Design<IntFormat<24, 24>>::hit},
-                                        {{20, 24}, Design<IntFormat<20, 24>>::hit},
-                                        {{16, 16}, Design<IntFormat<16, 16>>::hit},
-                                        {{12, 12}, Design<IntFormat<12, 12>>::hit},
-                                        {{6, 6}, Design<IntFormat<6, 6>>::hit},
-                                        {{4, 4}, Design<IntFormat<4, 4>>::hit},
-                                        {{31, 40}, Design<IntFormat<31, 40>>::hit},
-                                        {{32, 63}, Design<IntFormat<32, 63>>::hit}}};
+constexpr std::array<Unit, 10> units_of{{{{24, 24}, Design<IntFormat<24, 24>>::hit},
+                                         {{20, 24}, Design<IntFormat<20, 24>>::hit},
+                                         {{16, 16}, Design<IntFormat<16, 16>>::hit},
+                                         {{12, 12}, Design<IntFormat<12, 12>>::hit},
+                                         {{6, 6}, Design<IntFormat<6, 6>>::hit},
+                                         {{4, 4}, Design<IntFormat<4, 4>>::hit},
+                                         {{31, 40}, Design<IntFormat<31, 40>>::hit},
+                                         {{32, 63}, Design<IntFormat<32, 63>>::hit},
+                                         {{16, 16}, Design<IntFormat<16, 16>>::hit, {{0, 9, 2}}},
+                                         {{12, 12}, Design<IntFormat<12, 12>>::hit, {{3, 0, 1}}}}};
 
 /// A box around a point of the ray, moved by up to a few of its sides: edges and faces near the ray.
 IntBox box_near(const Ray& ray, int coord_bits, Random& random) {
@@ -129,9 +136,10 @@ struct Tally {
 
 template <class SetUp>
 void compare(const Unit& unit, const adversary::Category& category, Random& random, Tally& tally) {
-  const SetUp set_up(unit.bits);
+  const SetUp set_up(unit.bits, unit.coarse);
   for (int i = 0; i < rays_per_category; ++i) {
-    const adversary::Case c = category.make(random);
+    adversary::Case c = category.make(random);
+    if (unit.coarse.any()) c = adversary::halved(c);
     // Cut where boxes are, so that the length decides.
     Ray shorter = c.ray;
     shorter.length = std::min(c.ray.length, std::abs(random.signed_unit()) * 2.0F);
@@ -142,8 +150,8 @@ void compare(const Unit& unit, const adversary::Category& category, Random& rand
       const IntBox box = b == 0 && unit.bits.coord >= IntBits::min_coord
                              ? quantise_box(c.box, unit.bits.coord)
                              : box_near(c.ray, unit.bits.coord, random);
-      const bool whole = unit.hit(c.ray, box);
-      const bool cut = unit.hit(shorter, box);
+      const bool whole = unit.hit(c.ray, box, unit.coarse);
+      const bool cut = unit.hit(shorter, box, unit.coarse);
       ASSERT_EQ(whole_test(box), whole) << category.name << ", " << describe(c.ray, box, unit.bits);
       ASSERT_EQ(cut_test(box), cut) << category.name << ", cut, " << describe(shorter, box, unit.bits);
       tally.vectors += 2;
@@ -160,8 +168,9 @@ void compare_with(std::span<const Unit> units) {
     for (const adversary::Category& category : adversary::categories()) {
       ASSERT_NO_FATAL_FAILURE(compare<SetUp>(unit, category, random, tally));
     }
-    std::printf("seed %llu, %d/%d: %d vectors, %d hits\n", static_cast<unsigned long long>(seed),
-                unit.bits.coord, unit.bits.interval, tally.vectors, tally.hits);
+    std::printf("seed %llu, %d/%d, dropped bits %s: %d vectors, %d hits\n",
+                static_cast<unsigned long long>(seed), unit.bits.coord, unit.bits.interval,
+                to_text(unit.coarse).c_str(), tally.vectors, tally.hits);
     EXPECT_EQ(tally.vectors, vectors);
     EXPECT_GT(tally.hits, vectors / 10);
     EXPECT_LT(tally.hits, vectors * 9 / 10);
@@ -179,9 +188,9 @@ TEST(IntBoxTest, PluckerSaysWhatTheDatapathSays) {
 }
 
 template <class SetUp>
-std::string refusal(IntBits bits) {
+std::string refusal(IntBits bits, const CoarseAxes& coarse = {}) {
   try {
-    const SetUp set_up(bits);
+    const SetUp set_up(bits, coarse);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -194,6 +203,13 @@ TEST(IntBoxTest, FormatsThatNoUnitHasAreRejected) {
   EXPECT_EQ(refusal<IntPluckerSetUp>({16, 32}),
             "IntPluckerSetUp: format 16/32; n must be 6 to 32 and t 6 to 2n-1");
   EXPECT_EQ(refusal<IntPluckerSetUp>({16, 31}), "accepted");
+}
+
+TEST(IntBoxTest, MoreDroppedBitsThanACoordinateHasAreRejected) {
+  EXPECT_EQ(refusal<IntSlabsSetUp>({16, 16}, {{0, 15, 0}}),
+            "IntSlabsSetUp: 15 dropped bits of y; of 16 bits 0 to 14 can be dropped");
+  EXPECT_EQ(refusal<IntPluckerSetUp>({16, 16}, {{0, 0, -1}}),
+            "IntPluckerSetUp: -1 dropped bits of z; of 16 bits 0 to 14 can be dropped");
 }
 
 }  // namespace

@@ -33,10 +33,10 @@ constexpr std::array encodings{Encoding::plain, Encoding::hierarchical_4, Encodi
                                Encoding::hierarchical_12, Encoding::hierarchical_16};
 
 std::string name(const TracerOptions& options) {
-  return fmt::format("algorithm {} arithmetic {} encoding {} table {} bundle {} bits {}/{}",
+  return fmt::format("algorithm {} arithmetic {} encoding {} table {} bundle {} bits {}/{} dropped {}",
                      static_cast<int>(options.algorithm), static_cast<int>(options.arithmetic),
                      static_cast<int>(options.encoding), options.look_up_table, options.bundle,
-                     options.bits.coord, options.bits.interval);
+                     options.bits.coord, options.bits.interval, to_text(options.coarse));
 }
 
 /// Written without a look at what make_tracer() checks.
@@ -53,7 +53,7 @@ bool exists(const TracerOptions& options) {
          options.encoding == Encoding::hierarchical_8;
 }
 
-/// Every combination, with three formats of integers; with the exact triangle test.
+/// Every combination, with three formats of integers and two with coarser axes; with the exact triangle test.
 std::vector<TracerOptions> all_combinations() {
   std::vector<TracerOptions> all;
   for (const Algorithm algorithm : algorithms)
@@ -65,6 +65,10 @@ std::vector<TracerOptions> all_combinations() {
   for (const Algorithm algorithm : algorithms)
     for (const hls::IntBits bits : {hls::IntBits{16, 16}, hls::IntBits{12, 20}})
       all.push_back({algorithm, Arithmetic::integer, Encoding::plain, false, 1, bits, TriangleTest::exact});
+  for (const Algorithm algorithm : algorithms)
+    for (const CoarseAxes coarse : {CoarseAxes{{0, 4, 0}}, CoarseAxes{{2, 1, 3}}})
+      all.push_back(
+          {algorithm, Arithmetic::integer, Encoding::plain, false, 1, {12, 12}, TriangleTest::exact, coarse});
   return all;
 }
 
@@ -128,7 +132,7 @@ TEST_P(EveryTracer, FindsWhatTestingEveryTriangleFinds) {
     ASSERT_LE(any.counts.triangle_tests, closest.counts.triangle_tests) << name(options);
   }
   fmt::print("seed {}: {} tracers, {} rays, {} hit\n", seed, tracers, rays.size(), hits);
-  EXPECT_EQ(tracers, 33 + 4 + 8 + 6 * 33);
+  EXPECT_EQ(tracers, 33 + 4 + 8 + 8 + 6 * 33);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -221,6 +225,8 @@ TEST_F(TracersOnHills, NodesHaveTheBytesOfTables51And61) {
   EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {16, 16}}), 20U);
   EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {20, 20}}), 23U);
   EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {24, 24}}), 26U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {16, 16}, .coarse = {{1, 0, 2}}}), 20U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {16, 16}, .coarse = {{1, 0, 3}}}), 19U);
   EXPECT_EQ(make_tracer(mesh_, bvh_, {})->node_count(), bvh_.nodes.size());
 }
 
@@ -348,6 +354,8 @@ TEST(Tracer, CombinationsThatDoNotExistAreRejected) {
   };
   messages.insert(message({.bundle = 2}));
   messages.insert(message({.arithmetic = Arithmetic::integer, .bits = {5, 24}}));
+  messages.insert(message({.coarse = {{1, 0, 0}}}));
+  messages.insert(message({.arithmetic = Arithmetic::integer, .bits = {16, 16}, .coarse = {{0, 0, 15}}}));
   EXPECT_THAT(
       messages,
       testing::UnorderedElementsAre(
@@ -358,7 +366,9 @@ TEST(Tracer, CombinationsThatDoNotExistAreRejected) {
           "tracer: bundles of 2 rays; allowed are 1, 64 and 256",
           "tracer: the order by distance is of single rays; take bundle 1",
           "tracer: integer units take single rays; take bundle 1",
-          "tracer: format 5/24; n must be 6 to 32 and t 6 to 2n-1"));
+          "tracer: format 5/24; n must be 6 to 32 and t 6 to 2n-1",
+          "tracer: coarse axes are of integer arithmetic",
+          "tracer: 15 dropped bits of z; of 16 bits 0 to 14 can be dropped"));
   const auto tracer = make_tracer(mesh, bvh, {});
   const std::vector<Ray> rays(2, Ray{{0, 0, 0}, {0, 1, 0}});
   std::vector<std::uint32_t> triangles(1);

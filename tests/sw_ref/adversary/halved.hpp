@@ -1,0 +1,17 @@
+// A case drawn towards the middle of the cube, where coarser axes stay on the grid.
+#pragma once
+
+#include "sw_ref/adversary/case.hpp"
+
+namespace hitpipe::ref::adversary {
+
+/// Half as large, but for the direction, which may be the smallest there is.
+[[nodiscard]] inline Case halved(Case c) {
+  c.ray.origin *= 0.5F;
+  c.ray.length *= 0.5F;
+  c.box.min *= 0.5F;
+  c.box.max *= 0.5F;
+  return c;
+}
+
+}  // namespace hitpipe::ref::adversary
