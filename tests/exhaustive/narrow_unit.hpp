@@ -2,6 +2,7 @@
 // operands of a ray and a box. Boxes are rounded as quantise_box() does, which takes the program's n alone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <ostream>
@@ -13,6 +14,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/catalogue/native.hpp"
 #include "rtl_gen/catalogue/traced.hpp"
+#include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
@@ -63,6 +65,14 @@ inline IntBox narrow_box(const Aabb& box, int coord_bits) {
     rounded.max[i] = static_cast<std::int32_t>(-grid_floor(-box.max[axis], coord_bits, Half::down));
   }
   return rounded;
+}
+
+/// The ray's operands begin with its origin.
+inline void cut_origin(const CoarseAxes& coarse, int coord_bits, std::int64_t* operands) {
+  IntOrigin origin;
+  for (std::size_t axis = 0; axis < 3; ++axis) origin[axis] = static_cast<std::int32_t>(operands[axis]);
+  origin = coarse_origin(origin, coarse, coord_bits);
+  std::copy(origin.begin(), origin.end(), operands);
 }
 
 inline void put_box(const IntBox& box, std::int64_t* out) {

@@ -1,4 +1,5 @@
-// Every ray and box of the sweeps, n = 4 and 5, every t, both integer units: no false miss.
+// Every ray and box of the sweeps, n = 4 and 5, every t, both integer units, also on coarser axes: no false
+// miss.
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -21,9 +22,11 @@ struct Counts {
 };
 
 void judge(const NarrowUnit& unit, const Ray& ray, const std::vector<Aabb>& boxes,
-           const std::vector<IntBox>& rounded, const std::vector<char>& meets, Counts& counts) {
+           const std::vector<IntBox>& rounded, const std::vector<char>& meets, const CoarseAxes& coarse,
+           Counts& counts) {
   Operands operands{};
   unit.set_up(ray, unit.bits, operands.data());
+  cut_origin(coarse, unit.bits.coord, operands.data());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     put_box(rounded[i], operands.data() + unit.ray_operands);
     const bool hit = unit.evaluate(operands.data());
@@ -40,17 +43,19 @@ void judge(const NarrowUnit& unit, const Ray& ray, const std::vector<Aabb>& boxe
 
 /// Judges all units of a width over a sweep, which has so many tests and exact hits for each.
 void expect_no_false_miss(const std::vector<NarrowUnit>& units, const Sweep& sweep, std::uint64_t tests,
-                          std::uint64_t hits) {
+                          std::uint64_t hits, const CoarseAxes& coarse = {}) {
+  const int coord_bits = units.front().bits.coord;
   const std::vector<Aabb> all_boxes = boxes(sweep.corners);
   std::vector<IntBox> rounded;
-  for (const Aabb& box : all_boxes) rounded.push_back(narrow_box(box, units.front().bits.coord));
+  for (const Aabb& box : all_boxes)
+    rounded.push_back(coarse_box(narrow_box(box, coord_bits), coarse, coord_bits));
   std::vector<Counts> counts(units.size());
   std::vector<char> meets(all_boxes.size());
   for (const Ray& ray : sweep.rays()) {
     const BoxReferee referee(ray);
     for (std::size_t i = 0; i < all_boxes.size(); ++i) meets[i] = referee.meets(all_boxes[i]) ? 1 : 0;
     for (std::size_t u = 0; u < units.size(); ++u) {
-      judge(units[u], ray, all_boxes, rounded, meets, counts[u]);
+      judge(units[u], ray, all_boxes, rounded, meets, coarse, counts[u]);
     }
   }
   std::printf("%12s %10s %10s %7s  unit\n", "tests", "hits", "false", "missed");
@@ -95,6 +100,24 @@ TEST(EveryRayAndBox, FourBitPlueckerUnitsNeverMissWhereTheirDirectionLeans) {
 }
 TEST(EveryRayAndBox, FiveBitPlueckerUnitsNeverMissWhereTheirDirectionLeans) {
   expect_no_false_miss(plucker_of(units<5>()), leaning_5, leaning_tests, 41'568);
+}
+
+/// The axes know nothing of t: every other one will do.
+std::vector<NarrowUnit> of_even_t(std::vector<NarrowUnit> units) {
+  std::erase_if(units, [](const NarrowUnit& unit) { return unit.bits.interval % 2 != 0; });
+  return units;
+}
+constexpr std::uint64_t inner_tests = 4088ULL * 8 * 2 * 216;
+
+TEST(EveryRayAndBox, FourBitUnitsNeverMissOnCoarseAxes) {
+  expect_no_false_miss(of_even_t(units<4>()), inner, inner_tests, 1'438'133, {{1, 1, 1}});
+  expect_no_false_miss(of_even_t(units<4>()), inner, inner_tests, 1'438'133, {{0, 1, 0}});
+}
+TEST(EveryRayAndBox, FiveBitUnitsNeverMissOnCoarseAxes) {
+  expect_no_false_miss(of_even_t(units<5>()), inner, inner_tests, 1'438'133, {{1, 0, 2}});
+}
+TEST(EveryRayAndBox, FiveBitPlueckerUnitsNeverMissOnCoarseAxesWhereTheirDirectionLeans) {
+  expect_no_false_miss(of_even_t(plucker_of(units<5>())), leaning_5, leaning_tests, 41'568, {{1, 0, 1}});
 }
 
 TEST(EveryRayAndBox, BoxesAreRoundedAsForTheProgram) {

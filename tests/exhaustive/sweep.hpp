@@ -85,6 +85,10 @@ inline const Sweep endless{one_bit, {-1.0F, -0.5F, 0.5F, 1.0F}, {-0.5F, below_ha
 /// boxes.
 inline const Sweep ended{one_bit, {-1.0F, -0.5F, 0.5F, 1.0F}, {-0.5F}, {0.0F, 0x1p-4F, 0x1p-2F}};
 
+/// Away from the border, so that coarser axes stay on the grid: 4088 directions, 8 origins, 2 lengths, 216
+/// boxes.
+inline const Sweep inner{one_bit, {-0.5F, 0.5F, 0.75F}, {-0.5F, below_half}, {0x1p-3F, Ray::infinite}};
+
 /// Rays whose direction rounds by half a unit, as 7 * 1/14 and 15 * 3/10 do, from the end of the cube to
 /// boxes beside ties far away: here side relations reach down to EBND. 13816 directions, 8 origins, 216
 /// boxes.
