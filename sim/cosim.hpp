@@ -23,6 +23,7 @@ struct CosimOptions {
   int threads = 1;
   bool referee = false;
   ref::WhittedOptions light{};  ///< how far secondary rays are followed
+  ref::CoarseAxes coarse{};     ///< that the unit's operands are on; the referee judges the boxes as they are
   /// Of a fitted unit: what its rays and operands must be. A ray or operand that is not throws
   /// std::out_of_range.
   const ref::SceneDemands* scene_demands = nullptr;

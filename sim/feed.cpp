@@ -2,9 +2,11 @@
 
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "sim/feeds/coarse.hpp"
 #include "sim/feeds/feeds.hpp"
 
 namespace hitpipe::sim {
@@ -32,8 +34,11 @@ const Makers& makers_of(const rtl::Design& design) {
 
 }  // namespace
 
-std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, rtl::Format format, const ref::Bvh& bvh) {
-  return makers_of(design).feed(format, bvh);
+std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, rtl::Format format, const ref::Bvh& bvh,
+                                     const ref::CoarseAxes& coarse) {
+  std::unique_ptr<SceneFeed> feed = makers_of(design).feed(format, bvh);
+  if (!coarse.any()) return feed;
+  return with_step(std::move(feed), coarse_step(rtl::input_ports(design.trace(format)), coarse));
 }
 
 std::unique_ptr<BoxTest> make_box_test(const rtl::Design& design, rtl::Format format) {

@@ -9,6 +9,7 @@
 #include "rtl_gen/catalogue/format.hpp"
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/quantise/coarse_axes.hpp"
 
 namespace hitpipe::sim {
 
@@ -29,9 +30,10 @@ class SceneFeed {
   [[nodiscard]] virtual std::unique_ptr<RayFeed> unit(std::size_t slots) const = 0;
 };
 
-/// The format must be one of the design's. Throws std::runtime_error when the design reads operands that no
-/// set-up makes, std::out_of_range for a box outside the cube. The hierarchy need not outlive the feed.
+/// The format must be one of the design's; coarse axes are of integer designs. Throws std::runtime_error when
+/// the design reads operands that no set-up makes, std::out_of_range for a box outside the cube; its operands
+/// do for an origin or box that leaves the coarse grid. The hierarchy need not outlive the feed.
 [[nodiscard]] std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, rtl::Format format,
-                                                   const ref::Bvh& bvh);
+                                                   const ref::Bvh& bvh, const ref::CoarseAxes& coarse = {});
 
 }  // namespace hitpipe::sim

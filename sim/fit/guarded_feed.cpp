@@ -1,44 +1,15 @@
 #include "sim/fit/guarded_feed.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "sim/feeds/with_step.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
-
-class GuardedRays final : public RayFeed {
- public:
-  GuardedRays(std::unique_ptr<RayFeed> rays, const OperandGuard& guard, std::size_t operand_count)
-      : rays_(std::move(rays)), guard_(guard), operand_count_(operand_count) {}
-
-  void start(std::size_t slot, const ref::Ray& ray) override { rays_->start(slot, ray); }
-  void operands(std::size_t slot, std::uint32_t node, float length, std::int64_t* out) const override {
-    rays_->operands(slot, node, length, out);
-    guard_.check({out, operand_count_});
-  }
-
- private:
-  std::unique_ptr<RayFeed> rays_;
-  const OperandGuard& guard_;
-  std::size_t operand_count_;
-};
-
-class GuardedScene final : public SceneFeed {
- public:
-  GuardedScene(std::unique_ptr<SceneFeed> feed, const OperandGuard& guard, std::size_t operand_count)
-      : feed_(std::move(feed)), guard_(guard), operand_count_(operand_count) {}
-
-  [[nodiscard]] std::unique_ptr<RayFeed> unit(std::size_t slots) const override {
-    return std::make_unique<GuardedRays>(feed_->unit(slots), guard_, operand_count_);
-  }
-
- private:
-  std::unique_ptr<SceneFeed> feed_;
-  const OperandGuard& guard_;
-  std::size_t operand_count_;
-};
 
 [[noreturn]] void fail(const std::string& found, const std::string& demanded) {
   throw std::out_of_range(fmt::format(
@@ -73,7 +44,9 @@ void OperandGuard::check(std::span<const std::int64_t> operands) const {
 
 std::unique_ptr<SceneFeed> guarded(std::unique_ptr<SceneFeed> feed, const OperandGuard& guard,
                                    std::size_t operand_count) {
-  return std::make_unique<GuardedScene>(std::move(feed), guard, operand_count);
+  return with_step(std::move(feed), [&guard, operand_count](std::int64_t* operands) {
+    guard.check({operands, operand_count});
+  });
 }
 
 }  // namespace hitpipe::sim

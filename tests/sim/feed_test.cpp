@@ -17,6 +17,7 @@
 #include "sw_ref/quantise/int_ray.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/small_scene.hpp"
+#include "tests/sw_ref/adversary/halved.hpp"
 
 namespace hitpipe::sim {
 namespace {
@@ -143,6 +144,75 @@ TEST_P(Feed, GivesEachPortItsOperand) {
 
 INSTANTIATE_TEST_SUITE_P(Units, Feed, testing::ValuesIn(units),
                          [](const auto& parameter) { return test_name(parameter.param); });
+
+class CoarseFeed : public testing::TestWithParam<Unit> {};
+
+TEST_P(CoarseFeed, MovesOriginAndBoxAndNothingElse) {
+  const Unit& unit = GetParam();
+  const ref::Scene scene = hills();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const ref::CoarseAxes coarse{{1, 2, 0}};
+  const auto feed = make_feed(unit.design(), unit.format, bvh);
+  const auto coarse_feed = make_feed(unit.design(), unit.format, bvh, coarse);
+  const auto rays = feed->unit(1);
+  const auto coarse_rays = coarse_feed->unit(1);
+  const std::vector<rtl::Port> ports = unit.ports();
+  const int n = unit.format.bits().coord;
+  ref::adversary::Random random(8);
+  const auto categories = ref::adversary::categories();
+  std::vector<std::int64_t> operands(ports.size());
+  int checked = 0;
+  for (int i = 0; i < 500; ++i) {
+    const ref::Ray ray = ref::adversary::halved(categories[random.below(categories.size())].make(random)).ray;
+    rays->start(0, ray);
+    coarse_rays->start(0, ray);
+    for (std::uint32_t node = 0; node < bvh.nodes.size(); node += 7) {
+      rays->operands(0, node, ray.length, operands.data());
+      Operands expected = by_port(ports, operands);
+      const auto at = [&](const char* port) { return static_cast<std::int32_t>(expected.at(port)); };
+      const ref::IntOrigin origin = ref::coarse_origin({at("irx"), at("iry"), at("irz")}, coarse, n);
+      const ref::IntBox box = ref::coarse_box(
+          {{at("ixmin"), at("iymin"), at("izmin")}, {at("ixmax"), at("iymax"), at("izmax")}}, coarse, n);
+      expected["irx"] = origin[0];
+      expected["iry"] = origin[1];
+      expected["ixmin"] = box.min[0];
+      expected["iymin"] = box.min[1];
+      expected["ixmax"] = box.max[0];
+      expected["iymax"] = box.max[1];
+      coarse_rays->operands(0, node, ray.length, operands.data());
+      ASSERT_EQ(by_port(ports, operands), expected) << to_text(ray);
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 5'000);
+}
+
+INSTANTIATE_TEST_SUITE_P(IntegerUnits, CoarseFeed,
+                         testing::Values(Unit{"int_slabs", {12, 12}}, Unit{"int_plucker", {20, 24}}),
+                         [](const auto& parameter) { return test_name(parameter.param); });
+
+TEST(CoarseFeedOfAFloatDesign, Rejected) {
+  try {
+    (void)make_feed(rtl::find_design("fp_slabs"), rtl::Format::fp32(), {}, {{1, 0, 0}});
+    ADD_FAILURE() << "no error";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "coarse axes: there is no port irx; take an integer design");
+  }
+}
+
+TEST(CoarseFeedOfABoxAtTheBorder, Rejected) {
+  ref::Bvh bvh;
+  bvh.nodes.push_back({{glm::vec3(-1.0F), glm::vec3(1.0F)}, 1, 0});
+  const auto feed = make_feed(int_slabs(), {20, 24}, bvh, {{0, 3, 0}});
+  std::vector<std::int64_t> operands(rtl::input_ports(int_slabs().trace({20, 24})).size());
+  try {
+    feed->unit(1)->operands(0, 0, ref::Ray::infinite, operands.data());
+    ADD_FAILURE() << "no error";
+  } catch (const std::out_of_range& error) {
+    EXPECT_STREQ(error.what(),
+                 "coarse axes: min.y = -262152 leaves the 20-bit grid; drop fewer than 3 low bits of y");
+  }
+}
 
 TEST(FeedOfAnotherDesign, Rejected) {
   rtl::Design unknown = int_slabs();

@@ -1,0 +1,44 @@
+#include "sim/feeds/with_step.hpp"
+
+#include <utility>
+
+namespace hitpipe::sim {
+
+namespace {
+
+class SteppedRays final : public RayFeed {
+ public:
+  SteppedRays(std::unique_ptr<RayFeed> rays, const OperandStep& step) : rays_(std::move(rays)), step_(step) {}
+
+  void start(std::size_t slot, const ref::Ray& ray) override { rays_->start(slot, ray); }
+  void operands(std::size_t slot, std::uint32_t node, float length, std::int64_t* out) const override {
+    rays_->operands(slot, node, length, out);
+    step_(out);
+  }
+
+ private:
+  std::unique_ptr<RayFeed> rays_;
+  const OperandStep& step_;
+};
+
+class SteppedScene final : public SceneFeed {
+ public:
+  SteppedScene(std::unique_ptr<SceneFeed> feed, OperandStep step)
+      : feed_(std::move(feed)), step_(std::move(step)) {}
+
+  [[nodiscard]] std::unique_ptr<RayFeed> unit(std::size_t slots) const override {
+    return std::make_unique<SteppedRays>(feed_->unit(slots), step_);
+  }
+
+ private:
+  std::unique_ptr<SceneFeed> feed_;
+  OperandStep step_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneFeed> with_step(std::unique_ptr<SceneFeed> feed, OperandStep step) {
+  return std::make_unique<SteppedScene>(std::move(feed), std::move(step));
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,17 @@
+// A feed whose operands take one more step before the unit sees them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "sim/feed.hpp"
+
+namespace hitpipe::sim {
+
+/// Changes or checks operands, in port order; called by many threads.
+using OperandStep = std::function<void(std::int64_t* operands)>;
+
+[[nodiscard]] std::unique_ptr<SceneFeed> with_step(std::unique_ptr<SceneFeed> feed, OperandStep step);
+
+}  // namespace hitpipe::sim
