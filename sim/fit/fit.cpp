@@ -27,10 +27,12 @@ struct Cutter {
   }
 };
 
-std::string ports_text(const rtl::Demands& demands) {
+std::string what_text(const rtl::Demands& demands) {
   std::vector<std::string> names;
   for (const rtl::PortDemand& demand : demands.ports) names.push_back(demand.port);
-  return fmt::format("{}", fmt::join(names, ", "));
+  const int low_zeros = demands.ports.front().low_zeros;
+  return low_zeros > 0 ? fmt::format("low bits of {}: {}", fmt::join(names, ", "), low_zeros)
+                       : fmt::format("what {} never need", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -38,7 +40,8 @@ std::string ports_text(const rtl::Demands& demands) {
 FittedUnit fit(const rtl::Design& design, rtl::Format before, const std::optional<Precision>& precision,
                const ref::SceneDemands& scene, const rtl::Library& library) {
   const rtl::Format format = precision ? rtl::Format(precision->bits) : before;
-  const std::vector<DemandGroup> groups = port_demands(design, format, scene);
+  const std::vector<DemandGroup> groups =
+      port_demands(design, format, scene, precision.value_or(Precision{}));
   const Cutter cutter{design, format, library, design.trace(format), rtl::promises(design, format)};
   const rtl::Demands demands = all_of(groups);
   rtl::Pruned pruned = cutter.pruned(demands);
@@ -60,22 +63,20 @@ FittedUnit fit(const rtl::Design& design, rtl::Format before, const std::optiona
     const area::Price whole = area::price(design, unit.format, library, area::Account::built);
     unit.left_out.push_back(
         {fmt::format("bits: {} instead of {}", rtl::to_string(unit.format), rtl::to_string(before)),
-         fmt::format("{:.2f} % extra box tests, measured on the scene's rays",
-                     precision->extra_box_tests_pct),
-         unit.price_before.area_um2 - whole.area_um2});
+         measured_text(precision->extra_box_tests_pct), unit.price_before.area_um2 - whole.area_um2});
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    unit.left_out.push_back({"what " + ports_text(groups[i].demands) + " never need", groups[i].why,
+    unit.left_out.push_back({what_text(groups[i].demands), groups[i].why,
                              cutter.price(all_without(groups, i)).area_um2 - unit.price.area_um2});
   }
   return unit;
 }
 
-std::size_t bytes_per_node(rtl::Format format) {
+std::size_t bytes_per_node(rtl::Format format, const ref::CoarseAxes& coarse) {
   if (format.is_float()) return sizeof(ref::BvhNode);
   ref::Bvh one;
   one.nodes.push_back({{glm::vec3(0), glm::vec3(0)}, 1, 0});
-  return ref::IntNodes(one, format.bits().coord).bytes_per_node;
+  return ref::IntNodes(one, format.bits().coord, coarse).bytes_per_node;
 }
 
 }  // namespace hitpipe::sim

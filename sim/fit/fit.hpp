@@ -35,6 +35,7 @@ struct FittedUnit {
   std::vector<LeftOut> left_out;
 
   [[nodiscard]] std::int64_t saved_um2() const { return price_before.area_um2 - price.area_um2; }
+  [[nodiscard]] ref::CoarseAxes coarse() const { return precision ? precision->coarse : ref::CoarseAxes{}; }
 };
 
 /// At `precision`, or at `before`.
@@ -48,6 +49,6 @@ struct FittedUnit {
 [[nodiscard]] std::vector<rtl::File> fitted_files(const FittedUnit& unit, const rtl::Library& library);
 
 /// 32 of float boxes; packed n-bit ones otherwise (sw_ref/encode/int_nodes.hpp).
-[[nodiscard]] std::size_t bytes_per_node(rtl::Format format);
+[[nodiscard]] std::size_t bytes_per_node(rtl::Format format, const ref::CoarseAxes& coarse = {});
 
 }  // namespace hitpipe::sim

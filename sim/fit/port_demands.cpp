@@ -7,6 +7,7 @@
 
 #include "rtl_gen/prune/facts.hpp"
 #include "sim/fit/port_ranges.hpp"
+#include "sim/port_names.hpp"
 
 namespace hitpipe::sim {
 
@@ -36,6 +37,15 @@ class Groups {
       groups_.push_back({why, std::move(demands)});
     }
   }
+  /// Promises so many low zeros of the ports.
+  void add_low_zeros(const std::string& why, const std::vector<std::string>& names, int low_zeros) {
+    DemandGroup group{why, {}};
+    for (const rtl::Port& port : ports_) {
+      if (std::find(names.begin(), names.end(), port.name) != names.end())
+        group.demands.ports.push_back({port.name, {rtl::all_numbers(port)}, low_zeros});
+    }
+    groups_.push_back(std::move(group));
+  }
   [[nodiscard]] std::vector<DemandGroup> take() { return std::move(groups_); }
 
  private:
@@ -49,15 +59,6 @@ class Groups {
   std::vector<DemandGroup> groups_;
 };
 
-/// Names of the axis' ports, without the i of integers.
-struct PortNames {
-  std::string origin, direction, low, high;
-};
-PortNames names_of(int axis) {
-  const std::string x(1, "xyz"[axis]);
-  return {"r" + x, std::string("r") + "ijk"[axis], x + "min", x + "max"};
-}
-
 std::string bounds(const char* what, int axis, float low, float high) {
   return low == high ? fmt::format("{}.{} is always {:.6g}", what, "xyz"[axis], low)
                      : fmt::format("{}.{} lies within {:.6g} .. {:.6g}", what, "xyz"[axis], low, high);
@@ -69,22 +70,30 @@ std::string direction_text(const ref::SceneDemands& scene, int axis) {
   return bounds("direction", axis, all.min[axis], all.max[axis]);
 }
 
-void add_integer(Groups& groups, int coord_bits, const ref::SceneDemands& scene) {
+void add_integer(Groups& groups, int coord_bits, const ref::SceneDemands& scene, const Precision& precision) {
   // The cube's margin leaves one bit of every coordinate unused, in every scene.
   constexpr int spare = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const PortNames names = names_of(axis);
     const ref::Aabb origins = scene.origins();
     groups.add(bounds("ray origin", axis, origins.min[axis], origins.max[axis]), {"i" + names.origin},
-               int_origin(scene, axis, coord_bits), spare);
+               int_origin(scene, axis, coord_bits, precision.coarse), spare);
     groups.add(bounds("box", axis, scene.boxes.min[axis], scene.boxes.max[axis]),
-               {"i" + names.low, "i" + names.high}, int_box(scene, axis, coord_bits), spare);
+               {"i" + names.low, "i" + names.high}, int_box(scene, axis, coord_bits, precision.coarse),
+               spare);
     const std::string direction = direction_text(scene, axis);
     if (const auto irdvc = int_irdvc(scene, axis, coord_bits)) {
       groups.add(direction, {"i" + names.direction + "_floor"}, irdvc->floor, 0);
       groups.add(direction, {"i" + names.direction + "_ceil"}, irdvc->ceil, 0);
     }
     groups.add(direction, {"i" + names.direction}, int_direction(scene, axis, coord_bits), 0);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const PortNames names = names_of(axis);
+    const int dropped = precision.coarse.dropped[static_cast<std::size_t>(axis)];
+    if (dropped == 0) continue;
+    groups.add_low_zeros(measured_text(precision.coarse_extra_box_tests_pct),
+                         {"i" + names.origin, "i" + names.low, "i" + names.high}, dropped);
   }
 }
 
@@ -102,15 +111,29 @@ void add_float(Groups& groups, const ref::SceneDemands& scene) {
   }
 }
 
+/// Of two demands on a port, both of one interval, what both allow.
+void add(rtl::Demands& all, const rtl::PortDemand& demand) {
+  const auto known = std::find_if(all.ports.begin(), all.ports.end(),
+                                  [&](const rtl::PortDemand& each) { return each.port == demand.port; });
+  if (known == all.ports.end()) {
+    all.ports.push_back(demand);
+    return;
+  }
+  rtl::Interval& within = known->within.front();
+  within = {std::max(within.low, demand.within.front().low),
+            std::min(within.high, demand.within.front().high)};
+  known->low_zeros = std::max(known->low_zeros, demand.low_zeros);
+}
+
 }  // namespace
 
 std::vector<DemandGroup> port_demands(const rtl::Design& design, rtl::Format format,
-                                      const ref::SceneDemands& scene) {
+                                      const ref::SceneDemands& scene, const Precision& precision) {
   Groups groups(design, format);
   if (design.is_float()) {
     add_float(groups, scene);
   } else {
-    add_integer(groups, format.bits().coord, scene);
+    add_integer(groups, format.bits().coord, scene, precision);
   }
   return groups.take();
 }
@@ -123,7 +146,7 @@ rtl::Demands all_without(const std::vector<DemandGroup>& groups, std::size_t lef
   rtl::Demands all;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (i == left_out) continue;
-    all.ports.insert(all.ports.end(), groups[i].demands.ports.begin(), groups[i].demands.ports.end());
+    for (const rtl::PortDemand& demand : groups[i].demands.ports) add(all, demand);
     all.orders.insert(all.orders.end(), groups[i].demands.orders.begin(), groups[i].demands.orders.end());
   }
   return all;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rtl_gen/prune/demands.hpp"
+#include "sim/fit/precision.hpp"
 #include "sw_ref/demands/scene_demands.hpp"
 
 namespace hitpipe::sim {
@@ -16,10 +17,13 @@ struct DemandGroup {
   rtl::Demands demands;
 };
 
-/// Only of ports that lose a bit or their sign by it: what says no more than the cube does is left out.
+/// Ranges, only of ports that lose a bit or their sign by it: what says no more than the cube does is left
+/// out. And of each coarse axis of `precision` a group whose ports have low zeros.
 [[nodiscard]] std::vector<DemandGroup> port_demands(const rtl::Design& design, rtl::Format format,
-                                                    const ref::SceneDemands& scene);
+                                                    const ref::SceneDemands& scene,
+                                                    const Precision& precision = {});
 
+/// One demand for each port that groups speak of.
 [[nodiscard]] rtl::Demands all_of(const std::vector<DemandGroup>& groups);
 /// All but one group.
 [[nodiscard]] rtl::Demands all_without(const std::vector<DemandGroup>& groups, std::size_t left_out);

@@ -60,14 +60,19 @@ std::optional<ref::Aabb> one_sided(const ref::SceneDemands& scene, int axis) {
 
 }  // namespace
 
-Range int_origin(const ref::SceneDemands& scene, int axis, int coord_bits) {
+Range int_origin(const ref::SceneDemands& scene, int axis, int coord_bits, const ref::CoarseAxes& coarse) {
   const ref::Aabb origins = scene.origins();
-  return rtl::Interval{ref::grid_floor(origins.min[axis], coord_bits, ref::Half::up),
-                       ref::grid_floor(origins.max[axis], coord_bits, ref::Half::up)};
+  const auto i = static_cast<std::size_t>(axis);
+  const auto on_grid = [&](float at) {
+    ref::IntOrigin origin{};
+    origin[i] = static_cast<std::int32_t>(ref::grid_floor(at, coord_bits, ref::Half::up));
+    return ref::coarse_origin(origin, coarse, coord_bits)[i];
+  };
+  return rtl::Interval{on_grid(origins.min[axis]), on_grid(origins.max[axis])};
 }
 
-Range int_box(const ref::SceneDemands& scene, int axis, int coord_bits) {
-  const ref::IntBox box = ref::quantise_box(scene.boxes, coord_bits);
+Range int_box(const ref::SceneDemands& scene, int axis, int coord_bits, const ref::CoarseAxes& coarse) {
+  const ref::IntBox box = ref::coarse_box(ref::quantise_box(scene.boxes, coord_bits), coarse, coord_bits);
   const auto i = static_cast<std::size_t>(axis);
   return rtl::Interval{box.min[i], box.max[i]};
 }

@@ -6,14 +6,17 @@
 #include "hls/box/int_format.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "sw_ref/demands/scene_demands.hpp"
+#include "sw_ref/quantise/coarse_axes.hpp"
 
 namespace hitpipe::sim {
 
 using Range = std::optional<rtl::Interval>;
 
-/// Grid coordinates of ray origins, and of both corners of boxes.
-[[nodiscard]] Range int_origin(const ref::SceneDemands& scene, int axis, int coord_bits);
-[[nodiscard]] Range int_box(const ref::SceneDemands& scene, int axis, int coord_bits);
+/// Grid coordinates of ray origins, and of both corners of boxes. `coarse` must fit the scene.
+[[nodiscard]] Range int_origin(const ref::SceneDemands& scene, int axis, int coord_bits,
+                               const ref::CoarseAxes& coarse = {});
+[[nodiscard]] Range int_box(const ref::SceneDemands& scene, int axis, int coord_bits,
+                            const ref::CoarseAxes& coarse = {});
 /// Bounds of the scaled inverse direction (int_ray.hpp), where no direction may be 0 along the axis.
 struct IrdvcRanges {
   rtl::Interval floor;

@@ -1,23 +1,30 @@
 #include "sim/fit/precision.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <mutex>
 #include <utility>
 
+#include <fmt/format.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+
+#include "sim/fit/port_ranges.hpp"
+#include "sw_ref/quantise/int_box.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
 
-ref::TracerOptions integer_tracer(const rtl::Design& design, hls::IntBits bits) {
+ref::TracerOptions integer_tracer(const rtl::Design& design, hls::IntBits bits,
+                                  const ref::CoarseAxes& coarse) {
   ref::TracerOptions options;
   options.algorithm = design.name == "int_plucker" ? ref::Algorithm::plu_dsa : ref::Algorithm::slabs_dsa;
   options.arithmetic = ref::Arithmetic::integer;
   options.bits = bits;
+  options.coarse = coarse;
   return options;
 }
 
@@ -54,6 +61,55 @@ Value first_good(const std::vector<Value>& sorted, Good&& good) {
   return *std::partition_point(sorted.begin(), sorted.end() - 1, [&](Value value) { return !good(value); });
 }
 
+/// Each format and its coarse axes are measured once.
+class Measurements {
+ public:
+  explicit Measurements(const PrecisionSearch& search) : search_(search) {}
+
+  double extra(hls::IntBits bits, const ref::CoarseAxes& coarse = {}) {
+    const auto [x, y, z] = coarse.dropped;
+    const auto [at, is_new] = known_.try_emplace({bits.coord, bits.interval, x, y, z}, 0.0);
+    if (is_new) at->second = extra_box_tests_pct(search_, bits, coarse);
+    return at->second;
+  }
+  bool good(hls::IntBits bits, const ref::CoarseAxes& coarse = {}) {
+    return extra(bits, coarse) <= search_.overhead_pct;
+  }
+  [[nodiscard]] int count() const { return static_cast<int>(known_.size()); }
+
+ private:
+  const PrecisionSearch& search_;
+  std::map<std::array<int, 5>, double> known_;
+};
+
+bool fits(const ref::SceneDemands& scene, int coord_bits, const ref::CoarseAxes& coarse) {
+  ref::IntOrigin lowest{};
+  for (int axis = 0; axis < 3; ++axis)
+    lowest[static_cast<std::size_t>(axis)] =
+        static_cast<std::int32_t>(int_origin(scene, axis, coord_bits)->low);
+  return ref::fits_grid(lowest, ref::quantise_box(scene.boxes, coord_bits), coarse, coord_bits);
+}
+
+/// Greedily: an axis that once cannot lose another bit is left as it is.
+ref::CoarseAxes most_dropped(const PrecisionSearch& search, hls::IntBits bits, Measurements& measured) {
+  ref::CoarseAxes coarse;
+  std::vector<std::size_t> open{0, 1, 2};
+  const auto next = [&](std::size_t axis) {
+    ref::CoarseAxes coarser = coarse;
+    ++coarser.dropped[axis];
+    return coarser;
+  };
+  while (true) {
+    std::erase_if(open, [&](std::size_t axis) {
+      return !fits(*search.demands, bits.coord, next(axis)) || !measured.good(bits, next(axis));
+    });
+    if (open.empty()) return coarse;
+    coarse = next(*std::min_element(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
+      return measured.extra(bits, next(a)) < measured.extra(bits, next(b));
+    }));
+  }
+}
+
 }  // namespace
 
 SceneRays scene_rays(const ref::Scene& scene, const ref::Bvh& bvh, const ref::RenderOptions& options) {
@@ -70,8 +126,13 @@ SceneRays scene_rays(const ref::Scene& scene, const ref::Bvh& bvh, const ref::Re
   return rays;
 }
 
-double extra_box_tests_pct(const PrecisionSearch& search, hls::IntBits bits) {
-  const auto tracer = ref::make_tracer(search.scene->mesh, *search.bvh, integer_tracer(*search.design, bits));
+std::string measured_text(double extra_box_tests_pct) {
+  return fmt::format("{:.2f} % extra box tests, measured on the scene's rays", extra_box_tests_pct);
+}
+
+double extra_box_tests_pct(const PrecisionSearch& search, hls::IntBits bits, const ref::CoarseAxes& coarse) {
+  const auto tracer =
+      ref::make_tracer(search.scene->mesh, *search.bvh, integer_tracer(*search.design, bits, coarse));
   const auto reference = static_cast<double>(search.rays->reference.total().box_tests);
   const auto taken = static_cast<double>(box_tests(*tracer, search.rays->batches, search.threads));
   search.measured();
@@ -79,20 +140,16 @@ double extra_box_tests_pct(const PrecisionSearch& search, hls::IntBits bits) {
 }
 
 std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
-  std::map<std::pair<int, int>, double> known;
-  const auto extra = [&](int n, int t) {
-    const auto [at, is_new] = known.try_emplace({n, t}, 0.0);
-    if (is_new) at->second = extra_box_tests_pct(search, {n, t});
-    return at->second;
-  };
+  Measurements measured(search);
   const auto formats = formats_up_to(*search.design, search.most);
-  const auto good = [&](int n, int t) { return extra(n, t) <= search.overhead_pct; };
-  if (!good(search.most.coord, search.most.interval)) return std::nullopt;
+  if (!measured.good(search.most)) return std::nullopt;
   std::vector<int> coords;
   for (const auto& [n, intervals] : formats) coords.push_back(n);
-  const int n = first_good(coords, [&](int each) { return good(each, formats.at(each).back()); });
-  const int t = first_good(formats.at(n), [&](int each) { return good(n, each); });
-  return Precision{{n, t}, extra(n, t), static_cast<int>(known.size())};
+  const int n = first_good(coords, [&](int each) { return measured.good({each, formats.at(each).back()}); });
+  const int t = first_good(formats.at(n), [&](int each) { return measured.good({n, each}); });
+  const hls::IntBits bits{n, t};
+  const ref::CoarseAxes coarse = most_dropped(search, bits, measured);
+  return Precision{bits, measured.extra(bits), coarse, measured.extra(bits, coarse), measured.count()};
 }
 
 }  // namespace hitpipe::sim

@@ -73,6 +73,7 @@ TEST_F(FitCommand, KeepsEveryByteOfADesignThatIsNeededWhole) {
   EXPECT_EQ(row.at("bits"), "12/12");
   EXPECT_EQ(row.at("area_before_mm2"), row.at("area_after_mm2"));
   EXPECT_EQ(row.at("area_saved_pct"), 0.0);
+  EXPECT_EQ(row.at("dropped_bits"), json::array({0, 0, 0}));
   EXPECT_EQ(row.at("bytes_per_node"), 17);
   EXPECT_EQ(row.at("different_triangles"), 0);
   EXPECT_EQ(row.at("false_misses"), 0);

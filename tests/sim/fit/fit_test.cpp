@@ -51,6 +51,7 @@ CosimResult run(const FittedUnit& unit, const World& world, const World& fitted_
                      .height = World::height,
                      .threads = 2,
                      .referee = true,
+                     .coarse = unit.coarse(),
                      .scene_demands = &fitted_to.demands,
                      .guard = &guard});
 }
@@ -58,6 +59,7 @@ CosimResult run(const FittedUnit& unit, const World& world, const World& fitted_
 struct Case {
   const char* design;
   ref::Scene (*scene)();
+  ref::CoarseAxes coarse;  ///< that the scene leaves room for
 };
 void PrintTo(const Case& c, std::ostream* out) {
   *out << c.design;
@@ -86,9 +88,33 @@ TEST_P(Fitted, IsSmallerAndMissesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Units, Fitted,
-                         testing::Values(Case{"int_slabs", ref::flat_hills},
-                                         Case{"int_plucker", ref::stairs_along_one_class}),
+                         testing::Values(Case{"int_slabs", ref::flat_hills, {{0, 3, 1}}},
+                                         Case{"int_plucker", ref::stairs_along_one_class, {{1, 0, 1}}}),
                          [](const auto& parameter) { return std::string(parameter.param.design); });
+
+TEST_P(Fitted, OnCoarseAxesIsSmallerStillAndMissesNothing) {
+  const World world(GetParam().scene());
+  const rtl::Design& design = rtl::find_design(GetParam().design);
+  const rtl::Format format(12, 12);
+  const Precision precision{.bits = format.bits(), .coarse = GetParam().coarse};
+  const FittedUnit fine = fit(design, format, std::nullopt, world.demands, library());
+  const FittedUnit unit = fit(design, format, precision, world.demands, library());
+  EXPECT_LT(unit.price.area_um2, fine.price.area_um2);
+  int dropped = 0;
+  for (const LeftOut& left : unit.left_out) {
+    EXPECT_GE(left.area_um2, 0) << left.what;
+    if (!left.what.starts_with("low bits of ")) continue;
+    EXPECT_GT(left.area_um2, 0) << left.what;
+    ++dropped;
+  }
+  EXPECT_EQ(dropped, 2);
+
+  const CosimResult result = run(unit, world, world);
+  EXPECT_EQ(result.unit.rtl_mismatches, 0U);
+  EXPECT_EQ(result.different_triangles, 0U);
+  EXPECT_EQ(result.unit.false_misses, 0U);
+  EXPECT_GT(result.unit.hits, 0U);
+}
 
 TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
   const World world(ref::demanding_octahedron());
@@ -105,8 +131,8 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
 
 TEST(FittedFiles, ListTheDemandsAndCheckThem) {
   const World world(ref::flat_hills());
-  const FittedUnit unit =
-      fit(rtl::find_design("int_slabs"), {12, 12}, std::nullopt, world.demands, library());
+  const Precision precision{.bits = {12, 12}, .coarse = {{0, 3, 1}}};
+  const FittedUnit unit = fit(rtl::find_design("int_slabs"), {12, 12}, precision, world.demands, library());
   const auto files = by_name(fitted_files(unit, library()));
   EXPECT_EQ(rtl::demands_of_manifest(files.at("int_slabs.json")), unit.demands);
   EXPECT_THAT(files.at("int_slabs.v"), HasSubstr("`ifdef HITPIPE_CHECK"));
@@ -116,8 +142,8 @@ TEST(FittedFiles, ListTheDemandsAndCheckThem) {
 
 TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
   const World world(ref::flat_hills());
-  const FittedUnit unit =
-      fit(rtl::find_design("int_slabs"), {12, 12}, std::nullopt, world.demands, library());
+  const Precision precision{.bits = {12, 12}, .coarse = {{0, 3, 1}}};
+  const FittedUnit unit = fit(rtl::find_design("int_slabs"), {12, 12}, precision, world.demands, library());
   const rtl::ScratchFolder folder;
   rtl::write_files(folder.path(), fitted_files(unit, library()));
   const rtl::ToolResult compiled =
@@ -139,6 +165,21 @@ TEST(BytesPerNode, AreThoseOfTable61) {
   EXPECT_EQ(bytes_per_node(rtl::Format::fp32()), 32U);
   EXPECT_EQ(bytes_per_node({24, 24}), 26U);
   EXPECT_EQ(bytes_per_node({16, 24}), 20U);
+  EXPECT_EQ(bytes_per_node({16, 24}, {{0, 3, 1}}), 19U);
+}
+
+/// One dropped bit more, of any axis, breaks the limit or leaves the grid.
+bool no_further_bit(const PrecisionSearch& search, const Precision& found) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    ref::CoarseAxes coarser = found.coarse;
+    ++coarser.dropped[axis];
+    try {
+      if (extra_box_tests_pct(search, found.bits, coarser) <= search.overhead_pct) return false;
+    } catch (const std::out_of_range&) {
+      continue;
+    }
+  }
+  return true;
 }
 
 class PrecisionOf : public testing::TestWithParam<const char*> {};
@@ -151,6 +192,7 @@ TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
   PrecisionSearch search{.design = &design,
                          .scene = &world.scene,
                          .bvh = &world.bvh,
+                         .demands = &world.demands,
                          .rays = &rays,
                          .most = {24, 24},
                          .overhead_pct = 3.0};
@@ -169,9 +211,17 @@ TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
   }
   EXPECT_GT(narrower, 0);
 
-  // No limit, no bits; an impossible one, nothing.
+  // Dropped bits stay within the limit.
+  EXPECT_LE(found->coarse_extra_box_tests_pct, search.overhead_pct);
+  EXPECT_EQ(found->coarse_extra_box_tests_pct, extra_box_tests_pct(search, found->bits, found->coarse));
+  EXPECT_TRUE(no_further_bit(search, *found));
+
+  // No limit, no bits but those that the grid needs; an impossible one, nothing.
   search.overhead_pct = 1e9;
-  EXPECT_EQ(fewest_bits(search)->bits, (hls::IntBits{6, 6}));
+  const auto coarsest = fewest_bits(search);
+  EXPECT_EQ(coarsest->bits, (hls::IntBits{6, 6}));
+  EXPECT_TRUE(coarsest->coarse.any());
+  EXPECT_TRUE(no_further_bit(search, *coarsest));
   search.overhead_pct = -50.0;
   EXPECT_FALSE(fewest_bits(search).has_value());
 }

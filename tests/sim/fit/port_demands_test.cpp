@@ -15,6 +15,7 @@
 #include "sim/fit/guarded_feed.hpp"
 #include "sim/fit/port_ranges.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
+#include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/quantise/int_ray.hpp"
 #include "tests/sw_ref/demands/demand_scenes.hpp"
@@ -131,6 +132,77 @@ TEST(PortDemands, OfPrimaryRaysAloneFixTheOrigin) {
       constants += rtl::hull(demand).low == rtl::hull(demand).high ? 1 : 0;
     EXPECT_EQ(constants, 3) << name;
   }
+}
+
+const rtl::PortDemand& of_port(const rtl::Demands& demands, const std::string& port) {
+  const auto found = std::find_if(demands.ports.begin(), demands.ports.end(),
+                                  [&](const rtl::PortDemand& demand) { return demand.port == port; });
+  if (found == demands.ports.end()) throw std::runtime_error("no demand on " + port);
+  return *found;
+}
+
+TEST(PortDemands, OfCoarseAxesAreLowZerosBesideTheRanges) {
+  const ref::SceneDemands scene = demands_of(ref::flat_hills());
+  Precision precision{.bits = {12, 12}, .coarse = {{0, 2, 1}}, .coarse_extra_box_tests_pct = 1.5};
+  for (const char* const name : {"int_slabs", "int_plucker"}) {
+    const rtl::Design& design = rtl::find_design(name);
+    const auto groups = port_demands(design, {12, 12}, scene, precision);
+    const rtl::Demands all = all_of(groups);
+    rtl::check_demands(all, rtl::input_ports(design.trace({12, 12})));
+    for (const char* const port : {"iry", "iymin", "iymax"}) {
+      // y is narrow too: one demand says both.
+      EXPECT_EQ(of_port(all, port).low_zeros, 2) << port;
+      EXPECT_LT(rtl::hull(of_port(all, port)).high, 1000) << port;
+    }
+    for (const char* const port : {"irz", "izmin", "izmax"})
+      EXPECT_EQ(of_port(all, port).low_zeros, 1) << port;
+
+    int low = 0;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (groups[i].demands.ports.front().low_zeros == 0) continue;
+      ++low;
+      EXPECT_THAT(groups[i].why, HasSubstr("1.50 % extra box tests"));
+      const rtl::Demands others = all_without(groups, i);
+      EXPECT_EQ(others.ports.size(), low == 1 ? all.ports.size() : all.ports.size() - 3) << groups[i].why;
+      if (low == 1) {
+        EXPECT_EQ(of_port(others, "iry").low_zeros, 0);
+        EXPECT_EQ(of_port(others, "irz").low_zeros, 1);
+      }
+    }
+    EXPECT_EQ(low, 2) << name;
+  }
+}
+
+TEST(PortRanges, HoldOriginsAndBoxesOnCoarseAxes) {
+  std::mt19937_64 random(seed + 1);
+  std::uniform_real_distribution<float> part(-0.5F, 0.5F);
+  const auto point = [&] { return glm::vec3(part(random), part(random), part(random)); };
+  int checked = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const int n = 8 + static_cast<int>(random() % 25);
+    const ref::CoarseAxes coarse{{static_cast<int>(random() % 6), 0, static_cast<int>(random() % 4)}};
+    ref::SceneDemands scene;
+    scene.rays.resize(1);
+    std::vector<glm::vec3> points;
+    for (int i = 0; i < 4; ++i) points.push_back(point());
+    for (const glm::vec3& p : points) {
+      scene.rays[0].origin.grow({p, p});
+      scene.boxes.grow({p, p});
+    }
+    for (const glm::vec3& p : points) {
+      const ref::IntRay ray = ref::IntRaySetup({p, glm::vec3(1), 1.0F}, {n, 2 * n - 1}).ray();
+      const ref::IntOrigin origin = ref::coarse_origin(ray.origin, coarse, n);
+      const ref::IntBox box = ref::coarse_box(ref::quantise_box({p, p}, n), coarse, n);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        ASSERT_TRUE(holds(*int_origin(scene, axis, n, coarse), origin[a])) << seed + 1 << " " << round;
+        ASSERT_TRUE(holds(*int_box(scene, axis, n, coarse), box.min[a])) << seed + 1 << " " << round;
+        ASSERT_TRUE(holds(*int_box(scene, axis, n, coarse), box.max[a])) << seed + 1 << " " << round;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_EQ(checked, 36'000);
 }
 
 TEST(Guard, NamesPortNumberAndDemand) {
