@@ -2,24 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module.hpp"
+#include "sim/build_cache.hpp"
 #include "sim/model_source.hpp"
 #include "sim/pins_source.hpp"
+#include "sim/programs.hpp"
 
 namespace hitpipe::sim {
 
@@ -41,90 +36,70 @@ struct VerilatedDesign::Loaded {
 
 namespace {
 
-std::string environment(const char* name, const std::string& otherwise) {
-  const char* const value = std::getenv(name);
-  return value != nullptr && *value != '\0' ? value : otherwise;
-}
-
-/// FNV-1a, 64 bits: names a cache entry. The entry's sources are compared too, so a collision only costs a
-/// build.
-std::uint64_t hash_of(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
-}
-
-std::string shell_word(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-/// Runs a shell command; its exit code.
-int run(const std::string& command) {
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-std::string output_of(const std::string& command) {
-  std::string text;
-  if (std::FILE* const pipe = popen(command.c_str(), "r")) {
-    std::array<char, 4096> buffer{};
-    while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe))
-      text.append(buffer.data(), got);
-    if (pclose(pipe) != 0) text.clear();
-  }
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
-
-std::string read_file(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void write_file(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(fmt::format("{}: cannot write the file", path.string()));
-}
-
 constexpr std::string_view verilator_options =
     "--cc -O3 --x-assign fast --x-initial fast --noassert -Wno-fatal --Mdir obj";
-constexpr std::string_view compiler_options =
-    "-std=c++17 -O2 -w -fPIC -shared -fvisibility=hidden -Wl,-Bsymbolic -pthread";
+constexpr std::string_view compiler_options = "-std=c++17 -O2 -w -fPIC -fvisibility=hidden -pthread";
+constexpr std::string_view link_options = "-shared -Wl,-Bsymbolic";
 
-/// A program of the user's choice and what it says of itself.
-struct Tool {
-  std::string program;
-  std::string version;
+/// Verilator's own code, which every model needs.
+constexpr std::array runtime_files{"verilated", "verilated_threads"};
+
+struct Tools {
+  Tool verilator = find_tool("VERILATOR", "verilator", "verilator");
+  Tool compiler = find_tool("CXX", "c++", "g++");
+
+  [[nodiscard]] std::string identity() const {
+    return fmt::format("{}\n{}\n{}\n{}", verilator.version, compiler.program, compiler.version,
+                       compiler_options);
+  }
 };
-
-/// $variable, or `otherwise`. A program given by a path is run from another folder later on.
-Tool find_tool(const char* variable, const std::string& otherwise, std::string_view package) {
-  Tool tool{environment(variable, otherwise), ""};
-  if (tool.program.find('/') != std::string::npos) tool.program = fs::absolute(tool.program).string();
-  tool.version = output_of(shell_word(tool.program) + " --version 2>/dev/null");
-  if (tool.version.empty())
-    throw std::runtime_error(fmt::format("{}: cannot be run; install the package {} or set {} to the program",
-                                         tool.program, package, variable));
-  return tool;
-}
 
 /// What is built: everything that decides the machine code.
 struct Sources {
   std::string module;
   std::string verilog;
   std::string wrapper;
-  Tool verilator;
-  Tool compiler;
+  Tools tools;
 
   [[nodiscard]] std::string identity() const {
-    return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", verilator.version, verilator_options,
-                       compiler.program, compiler.version, compiler_options, pins_source, wrapper, verilog);
+    return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", tools.identity(), verilator_options, link_options,
+                       pins_source, wrapper, verilog);
   }
 };
+
+/// Runs a tool in the folder, its output into the log there. When it fails, the log stays in the cache, named
+/// after what was to be built, where the user can read it; the rest of the attempt goes.
+void step(const fs::path& folder, const std::string& what, const Tool& tool, const std::string& arguments) {
+  const int code = run("cd " + shell_word(folder.string()) + " && " + shell_word(tool.program) + " " +
+                       arguments + " >>log 2>&1");
+  if (code == 0) return;
+  const fs::path kept = folder.parent_path() / fmt::format("failed-{}.log", what);
+  std::error_code ignored;
+  fs::rename(folder / "log", kept, ignored);
+  throw std::runtime_error(
+      fmt::format("{}: failed with exit code {}; its output is in {}", tool.program, code, kept.string()));
+}
+
+/// -I options and all for what includes Verilator's headers.
+std::string includes(const std::string& root) {
+  return fmt::format("-I{0}/include -I{0}/include/vltstd", shell_word(root));
+}
+
+/// The folder of Verilator's code, compiled once for all models: it takes longer than a model.
+fs::path runtime(const Tools& tools, const std::string& root, const fs::path& cache) {
+  CacheEntry entry{
+      .name = "verilated", .identity = tools.identity() + "\n" + root, .products = {}, .build = {}};
+  std::string files;
+  for (const char* const file : runtime_files) {
+    entry.products.push_back(std::string(file) + ".o");
+    files += fmt::format(" {}/include/{}.cpp", shell_word(root), file);
+  }
+  entry.build = [&](const fs::path& folder) {
+    step(folder, entry.name, tools.compiler,
+         fmt::format("{} {} -c{}", compiler_options, includes(root), files));
+  };
+  return cached(entry, cache);
+}
 
 /// The model as one translation unit: its many small files would each read Verilator's headers again.
 std::string unit_of(const fs::path& folder) {
@@ -139,82 +114,26 @@ std::string unit_of(const fs::path& folder) {
   return text;
 }
 
-void build(const Sources& sources, const fs::path& folder) {
+void build(const Sources& sources, const fs::path& folder, const fs::path& cache) {
   write_file(folder / (sources.module + ".v"), sources.verilog);
   write_file(folder / "model.cpp", sources.wrapper);
   write_file(folder / "pins.hpp", std::string(pins_source));
-  write_file(folder / "identity", sources.identity());
-  const std::string in = "cd " + shell_word(folder.string()) + " && ";
-  const std::string log = " >>log 2>&1";
-  const auto step = [&](const Tool& tool, const std::string& arguments) {
-    const int code = run(in + shell_word(tool.program) + " " + arguments + log);
-    if (code == 0) return;
-    // The log stays where the user can read it; the rest of the attempt goes.
-    const fs::path kept = folder.parent_path() / fmt::format("failed-{}.log", sources.module);
-    std::error_code ignored;
-    fs::rename(folder / "log", kept, ignored);
-    throw std::runtime_error(
-        fmt::format("{}: failed with exit code {}; its output is in {}", tool.program, code, kept.string()));
-  };
-  step(sources.verilator, fmt::format("{} {}.v", verilator_options, sources.module));
-  const std::string root =
-      output_of(shell_word(sources.verilator.program) + " --getenv VERILATOR_ROOT 2>/dev/null");
+  const auto& [verilator, compiler] = sources.tools;
+  step(folder, sources.module, verilator, fmt::format("{} {}.v", verilator_options, sources.module));
+  const std::string root = output_of(shell_word(verilator.program) + " --getenv VERILATOR_ROOT 2>/dev/null");
   if (root.empty())
-    throw std::runtime_error(fmt::format("{}: does not say its VERILATOR_ROOT; set it in the environment",
-                                         sources.verilator.program));
+    throw std::runtime_error(
+        fmt::format("{}: does not say its VERILATOR_ROOT; set it in the environment", verilator.program));
+  std::string objects;
+  const fs::path compiled = runtime(sources.tools, root, fs::absolute(cache));
+  for (const char* const file : runtime_files)
+    objects += fmt::format(" {}", shell_word((compiled / file).string() + ".o"));
   write_file(folder / "unit.cpp", unit_of(folder));
-  step(sources.compiler, fmt::format("{0} -I. -Iobj -I{1}/include -I{1}/include/vltstd -o model.so unit.cpp "
-                                     "{1}/include/verilated.cpp {1}/include/verilated_threads.cpp",
-                                     compiler_options, shell_word(root)));
+  step(folder, sources.module, compiler,
+       fmt::format("{} {} -I. -Iobj {} -o model.so unit.cpp{}", compiler_options, link_options,
+                   includes(root), objects));
   std::error_code ignored;
   fs::remove_all(folder / "obj", ignored);
-}
-
-/// What killed runs left behind: build folders that nobody has touched for an hour.
-void remove_abandoned(const fs::path& cache) {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(cache, ignored)) {
-    if (!entry.path().filename().string().starts_with("building-")) continue;
-    const auto age = fs::file_time_type::clock::now() - fs::last_write_time(entry.path(), ignored);
-    if (age > std::chrono::hours(1)) fs::remove_all(entry.path(), ignored);
-  }
-}
-
-/// Whether the entry is whole and made of these sources.
-bool holds(const fs::path& entry, const Sources& sources) {
-  std::error_code ignored;
-  return fs::exists(entry / "model.so", ignored) && read_file(entry / "identity") == sources.identity();
-}
-
-/// The folder that holds model.so for the sources.
-fs::path cached(const Sources& sources, const fs::path& cache) {
-  const fs::path entry = cache / fmt::format("{}-{:016x}", sources.module, hash_of(sources.identity()));
-  if (holds(entry, sources)) return entry;
-
-  const auto refuse = [&] {
-    throw std::runtime_error(
-        fmt::format("{}: cannot write to the cache; set HITPIPE_CACHE to another folder", cache.string()));
-  };
-  std::error_code error;
-  fs::create_directories(cache, error);
-  std::string aside = (cache / "building-XXXXXX").string();
-  if (error || mkdtemp(aside.data()) == nullptr) refuse();
-  remove_abandoned(cache);
-  try {
-    build(sources, aside);
-    fs::rename(aside, entry, error);
-    if (error && !holds(entry, sources)) {
-      // A damaged entry, or other sources of the same hash.
-      fs::remove_all(entry, error);
-      fs::rename(aside, entry, error);
-    }
-    if (error && !holds(entry, sources)) refuse();
-    fs::remove_all(aside, error);  // still there when another process was first
-  } catch (...) {
-    fs::remove_all(aside, error);
-    throw;
-  }
-  return entry;
 }
 
 template <class Function>
@@ -249,10 +168,12 @@ VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, 
   sources.module = design.name;
   sources.verilog = verilog;
   sources.wrapper = model_source(sources.module, operands, rtl::input_ports(pipeline.graph));
-  sources.verilator = find_tool("VERILATOR", "verilator", "verilator");
-  sources.compiler = find_tool("CXX", "c++", "g++");
 
-  const fs::path entry = cached(sources, cache);
+  const fs::path entry = cached({.name = sources.module,
+                                 .identity = sources.identity(),
+                                 .products = {"model.so"},
+                                 .build = [&](const fs::path& folder) { build(sources, folder, cache); }},
+                                cache);
   const auto loaded = std::make_shared<Loaded>();
   try {
     loaded->library = dlopen((entry / "model.so").c_str(), RTLD_NOW | RTLD_LOCAL);

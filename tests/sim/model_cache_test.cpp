@@ -19,6 +19,7 @@ namespace hitpipe::sim {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::ElementsAre;
 using testing::MatchesRegex;
 
 constexpr hls::IntBits bits{20, 24};
@@ -44,12 +45,18 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-/// The only thing in the cache.
+/// The only model in the cache, which holds nothing else but Verilator's own code.
 fs::path only_entry(const fs::path& cache) {
   const auto names = names_in(cache);
-  EXPECT_EQ(names.size(), 1U);
-  EXPECT_THAT(names.front(), MatchesRegex("int_slabs-[0-9a-f]+"));
+  EXPECT_THAT(names, ElementsAre(MatchesRegex("int_slabs-[0-9a-f]+"), MatchesRegex("verilated-[0-9a-f]+")));
   return cache / names.front();
+}
+
+/// Entries of that name.
+std::ptrdiff_t count_in(const fs::path& cache, const std::string& name) {
+  const auto names = names_in(cache);
+  return std::count_if(names.begin(), names.end(),
+                       [&](const std::string& each) { return each.starts_with(name + "-"); });
 }
 
 /// A process of its own process group that builds and says by its exit code whether it could.
@@ -118,7 +125,23 @@ TEST_F(ModelCache, BuildsAgainForAnotherVersionFormatOrCompiler) {
   const EnvironmentValue compiler("CXX", folder_.path() / "compiler");
   build_in(cache_);
   EXPECT_EQ(stub_.runs(), 4);
-  EXPECT_EQ(names_in(cache_).size(), 4U);
+  EXPECT_EQ(count_in(cache_, "int_slabs"), 4);
+  EXPECT_EQ(count_in(cache_, "verilated"), 3) << "one for each version and compiler, whatever the format";
+}
+
+TEST_F(ModelCache, CompilesVerilatorsOwnCodeOnce) {
+  build_in(cache_);
+  for (const auto& each : fs::directory_iterator(cache_)) {
+    if (!each.path().filename().string().starts_with("verilated-")) continue;
+    EXPECT_EQ(names_in(each.path()),
+              (std::vector<std::string>{"identity", "log", "verilated.o", "verilated_threads.o"}));
+    // What cannot be compiled any more shows that it is not.
+    std::ofstream(stub_.program().parent_path() / "include/verilated.cpp") << "no C++";
+    const VerilatedDesign other_format(int_slabs(), {16, 16}, rtl::Library::thesis(), cache_);
+    fs::remove(each.path() / "verilated_threads.o");
+    EXPECT_THROW(VerilatedDesign(int_slabs(), {24, 24}, rtl::Library::thesis(), cache_), std::runtime_error);
+  }
+  EXPECT_TRUE(fs::exists(cache_ / "failed-verilated.log"));
 }
 
 TEST_F(ModelCache, TakesAnyFolderName) {
@@ -167,8 +190,9 @@ TEST_F(ModelCache, KilledBuildLeavesNoEntry) {
   fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::minutes(61));
   stub_.set_version("Stub 2");
   build_in(cache_);
-  for (const std::string& name : names_in(cache_)) EXPECT_THAT(name, MatchesRegex("int_slabs-[0-9a-f]+"));
-  EXPECT_EQ(names_in(cache_).size(), 2U);
+  EXPECT_EQ(count_in(cache_, "int_slabs"), 2);
+  EXPECT_EQ(count_in(cache_, "verilated"), 2);
+  EXPECT_EQ(names_in(cache_).size(), 4U);
 }
 
 TEST_F(ModelCache, DamagedEntriesAreBuiltAgain) {
@@ -240,7 +264,7 @@ TEST_F(ModelCache, FailingVerilatorRejected) {
   EXPECT_EQ(line, "stub fails");
   stub_.set_exit_code(0);
   build_in(cache_);
-  EXPECT_EQ(names_in(cache_).size(), 2U);
+  EXPECT_EQ(names_in(cache_).size(), 3U);
 }
 
 TEST_F(ModelCache, FailingCompilerRejected) {
@@ -248,8 +272,8 @@ TEST_F(ModelCache, FailingCompilerRejected) {
       "compiler", "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\necho no space >&2\nexit 4\n");
   const EnvironmentValue variable("CXX", compiler);
   EXPECT_EQ(error_of_build(cache_), compiler.string() + ": failed with exit code 4; its output is in " +
-                                        (cache_ / "failed-int_slabs.log").string());
-  EXPECT_EQ(names_in(cache_), (std::vector<std::string>{"failed-int_slabs.log"}));
+                                        (cache_ / "failed-verilated.log").string());
+  EXPECT_EQ(names_in(cache_), (std::vector<std::string>{"failed-verilated.log"}));
 }
 
 TEST_F(ModelCache, VerilatorWithoutRootRejected) {
