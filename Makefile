@@ -55,12 +55,10 @@ bench: build
 prove: build
 	@cmake --build --preset release -j $(JOBS) --target prove
 
-# Clang's tools cannot read the headers that another compiler has compiled before.
-lint: build
+lint: packages
 	@clang-format --dry-run --Werror $(CXX_FILES)
-	@mkdir -p build/tidy
-	@sed 's/-Winvalid-pch -include [^ ]*//' build/compile_commands.json >build/tidy/compile_commands.json
-	@run-clang-tidy -quiet -j $(JOBS) -p build/tidy '^$(CURDIR)/(rtl_gen|sw_ref|sim|cli)/.*\.cpp$$' >build/tidy.log 2>/dev/null \
+	@cmake --preset lint >build.log 2>&1 || { cat build.log; exit 1; }
+	@run-clang-tidy -quiet -j $(JOBS) -p build/lint '^$(CURDIR)/(rtl_gen|sw_ref|sim|cli)/.*\.cpp$$' >build/tidy.log 2>/dev/null \
 	  || { grep -E 'warning|error' build/tidy.log; exit 1; }
 	@echo 'lint: clean'
 

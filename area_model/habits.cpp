@@ -16,7 +16,7 @@ using rtl::Graph;
 using rtl::NodeId;
 using rtl::Op;
 
-constexpr std::array<Habits, 4> table_7_2{{
+constexpr std::array<Habits, 4> printed_rows{{
     {.design = "fp_slabs", .input_latches = true, .products_at_n_bits = false, .side_relations_at_t = false},
     {.design = "fp_plucker",
      .input_latches = false,
@@ -49,9 +49,9 @@ bool compares_side_relation(const Graph& graph, NodeId node) {
 }  // namespace
 
 const Habits& printed_habits(std::string_view design) {
-  const auto found =
-      std::find_if(table_7_2.begin(), table_7_2.end(), [&](const Habits& h) { return h.design == design; });
-  if (found == table_7_2.end()) {
+  const auto found = std::find_if(printed_rows.begin(), printed_rows.end(),
+                                  [&](const Habits& h) { return h.design == design; });
+  if (found == printed_rows.end()) {
     throw std::runtime_error(fmt::format(
         "design {}: not in Table 7.2, so there is no printed account of it, only the built one", design));
   }

@@ -12,20 +12,20 @@ namespace hitpipe::cli {
 namespace {
 
 constexpr int panel_width = 400;
-constexpr int picture_height = 400;
+constexpr int panel_height = 400;
 
-struct Style {
+struct LineStyle {
   const char* colour;
   int mark;
 };
-constexpr std::array<Style, 8> styles{{{"#0072B2", 7},
-                                       {"#D55E00", 5},
-                                       {"#009E73", 9},
-                                       {"#CC79A7", 13},
-                                       {"#E69F00", 4},
-                                       {"#56B4E9", 6},
-                                       {"#000000", 8},
-                                       {"#999999", 12}}};
+constexpr std::array<LineStyle, 8> line_styles{{{"#0072B2", 7},
+                                                {"#D55E00", 5},
+                                                {"#009E73", 9},
+                                                {"#CC79A7", 13},
+                                                {"#E69F00", 4},
+                                                {"#56B4E9", 6},
+                                                {"#000000", 8},
+                                                {"#999999", 12}}};
 
 /// One data block: x and a column for each line.
 std::string data_block(const Plot& plot, const PlotPanel& panel, std::size_t number, int zero_at) {
@@ -63,7 +63,7 @@ std::string plot_script(const Plot& plot) {
       "set xrange [-1:{}]\nset xtics ({}'zero' {})\nset key below samplen 1 width -0.5 height 0.5\n"
       "set format y '%g'\nset ytics add ('≤{}' {})\nset xlabel 'ratio of direction components'\nset ylabel "
       "{}\n",
-      panel_width * plot.panels.size(), picture_height, plot.panels.size(), gnuplot_string(plot.title),
+      panel_width * plot.panels.size(), panel_height, plot.panels.size(), gnuplot_string(plot.title),
       plot.least, 2 * most_percent(plot), zero_at + 2, tics, zero_at, plot.least, plot.least,
       gnuplot_string(plot.counted + ", %"));
   for (std::size_t p = 0; p < plot.panels.size(); ++p) {
@@ -71,7 +71,7 @@ std::string plot_script(const Plot& plot) {
     text += data_block(plot, panel, p, zero_at);
     text += fmt::format("set title {} noenhanced\nplot", gnuplot_string(panel.title));
     for (std::size_t l = 0; l < panel.lines.size(); ++l) {
-      const Style& style = styles[l % styles.size()];
+      const LineStyle& style = line_styles[l % line_styles.size()];
       // The last point, a zero, stands alone.
       text += fmt::format(
           "{0} $panel{1} using 1:{2} every ::0::{3} with linespoints lc rgb '{4}' pt {5} ps 0.6 "

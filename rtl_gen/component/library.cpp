@@ -25,25 +25,25 @@ int tree_depth(int bits) {
   return static_cast<int>(std::bit_width(static_cast<unsigned>(bits - 1)));
 }
 
-using Json = nlohmann::json;
+using FileJson = nlohmann::json;
 
-Json parsed(std::string_view text, std::string_view origin) {
+FileJson parsed(std::string_view text, std::string_view origin) {
   try {
-    return Json::parse(text);
-  } catch (const Json::exception& error) {
+    return FileJson::parse(text);
+  } catch (const FileJson::exception& error) {
     throw std::runtime_error(fmt::format("{}: not JSON: {}", origin, error.what()));
   }
 }
 
-const Json& required(const Json& object, const std::string& key, std::string_view where) {
+const FileJson& required(const FileJson& object, const std::string& key, std::string_view where) {
   if (!object.is_object()) throw std::runtime_error(fmt::format("{}: must be a JSON object", where));
   const auto found = object.find(key);
   if (found == object.end()) throw std::runtime_error(fmt::format("{}: \"{}\" is missing", where, key));
   return *found;
 }
 
-std::string text_of(const Json& object, const std::string& key, std::string_view where) {
-  const Json& value = required(object, key, where);
+std::string text_of(const FileJson& object, const std::string& key, std::string_view where) {
+  const FileJson& value = required(object, key, where);
   if (!value.is_string()) throw std::runtime_error(fmt::format("{}: \"{}\" must be a text", where, key));
   return value.get<std::string>();
 }
@@ -57,8 +57,8 @@ constexpr Limits area_limits{0, 100'000'000};
 constexpr Limits delay_limits{1, 1'000'000};
 constexpr Limits stages_limits{0, 64};
 
-int count_of(const Json& object, const std::string& key, std::string_view where, Limits allowed) {
-  const Json& value = required(object, key, where);
+int count_of(const FileJson& object, const std::string& key, std::string_view where, Limits allowed) {
+  const FileJson& value = required(object, key, where);
   if (!value.is_number_integer() || value.get<std::int64_t>() < allowed.least ||
       value.get<std::int64_t>() > allowed.most) {
     // An array may be nested too deep to be printed.
@@ -70,7 +70,7 @@ int count_of(const Json& object, const std::string& key, std::string_view where,
 }
 
 template <class Law, std::size_t N>
-Law law_of(const Json& object, const std::string& key, std::string_view where,
+Law law_of(const FileJson& object, const std::string& key, std::string_view where,
            const std::array<std::string_view, N>& laws) {
   const std::string law = text_of(object, key, where);
   const auto found = std::find(laws.begin(), laws.end(), law);
@@ -85,17 +85,17 @@ Law law_of(const Json& object, const std::string& key, std::string_view where,
 constexpr std::array<std::string_view, 3> above_laws{"same", "tree", "stages"};
 constexpr std::array<std::string_view, 2> area_laws{"linear", "quadratic"};
 
-std::vector<Cell> cells_of(const Json& entry, std::string_view where) {
-  const Json& rows = required(entry, "cells", where);
+std::vector<Cell> cells_of(const FileJson& entry, std::string_view where) {
+  const FileJson& rows = required(entry, "cells", where);
   if (!rows.is_array() || rows.empty()) throw std::runtime_error(fmt::format("{}: no cells", where));
   std::vector<Cell> cells;
-  for (const Json& row : rows) {
+  for (const FileJson& row : rows) {
     const int bits = count_of(row, "bits", where, bits_limits);
     const std::string cell = fmt::format("{}_{}", where, bits);
     if (!cells.empty() && cells.back().bits >= bits) {
       throw std::runtime_error(fmt::format("{}: cells must be in ascending order of bits", where));
     }
-    const Json estimated = row.value("estimated", Json(false));
+    const FileJson estimated = row.value("estimated", FileJson(false));
     if (!estimated.is_boolean()) {
       throw std::runtime_error(fmt::format("{}: \"estimated\" must be true or false", cell));
     }
@@ -131,7 +131,7 @@ Component component_called(std::string_view name) {
 }
 
 Library Library::from_json(std::string_view text, std::string_view origin) {
-  const Json json = parsed(text, origin);
+  const FileJson json = parsed(text, origin);
   Library library;
   library.name_ = text_of(json, "name", origin);
   // It stands in a comment of the Verilog.
@@ -139,12 +139,12 @@ Library Library::from_json(std::string_view text, std::string_view origin) {
     throw std::runtime_error(fmt::format("{}: \"name\" must be one line", origin));
   }
   library.gate_delay_ps_ = count_of(json, "gate_delay_ps", origin, delay_limits);
-  const Json& components = required(json, "components", origin);
+  const FileJson& components = required(json, "components", origin);
   for (std::size_t i = 0; i < component_count; ++i) {
     const std::string name(names[i]);
     const bool is_float = static_cast<Component>(i) >= Component::fp_subtract;
     if (is_float && !components.contains(name)) continue;
-    const Json& entry = required(components, name, origin);
+    const FileJson& entry = required(components, name, origin);
     const std::string where = fmt::format("{}: {}", origin, name);
     Family& family = library.families_[i];
     family.above = law_of<Above>(entry, "above", where, above_laws);

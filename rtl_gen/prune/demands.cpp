@@ -16,7 +16,7 @@ std::size_t index_of(const std::vector<Port>& ports, const std::string& name) {
   return static_cast<std::size_t>(found - ports.begin());
 }
 
-const Port& port_called(const std::vector<Port>& ports, const std::string& name) {
+const Port& known_port(const std::vector<Port>& ports, const std::string& name) {
   const std::size_t index = index_of(ports, name);
   if (index < ports.size()) return ports[index];
   std::vector<std::string> names;
@@ -52,7 +52,7 @@ std::string interval_text(const Interval& i) {
 }
 
 void check_port_demand(const PortDemand& demand, const std::vector<Port>& ports) {
-  const Port& port = port_called(ports, demand.port);
+  const Port& port = known_port(ports, demand.port);
   const Interval all = all_numbers(port);
   if (demand.within.empty()) {
     throw std::invalid_argument(fmt::format("demand on {}: it allows no number", demand.port));
@@ -118,8 +118,8 @@ void check_demands(const Demands& demands, const std::vector<Port>& ports) {
       throw std::invalid_argument(fmt::format("demand on {}: it is there twice", demand.port));
   }
   for (const OrderDemand& order : demands.orders) {
-    const Port& lesser = port_called(ports, order.lesser);
-    const Port& greater = port_called(ports, order.greater);
+    const Port& lesser = known_port(ports, order.lesser);
+    const Port& greater = known_port(ports, order.greater);
     if (lesser.width != greater.width || lesser.is_signed != greater.is_signed) {
       throw std::invalid_argument(
           fmt::format("demand {} <= {}: ports of different kinds", order.lesser, order.greater));
@@ -133,7 +133,7 @@ void check_demands(const Demands& demands, const std::vector<Port>& ports) {
 
 bool implies(const Demands& demands, const Demands& weaker, const std::vector<Port>& ports) {
   const auto port_implied = [&](const PortDemand& asked) {
-    const PortDemand known = demanded(demands, port_called(ports, asked.port));
+    const PortDemand known = demanded(demands, known_port(ports, asked.port));
     return std::all_of(known.within.begin(), known.within.end(), [&](const Interval& each) {
       const Interval numbers = *multiples_in(each, known.low_zeros);
       const bool as_many_zeros = known.low_zeros >= asked.low_zeros ||
@@ -143,8 +143,8 @@ bool implies(const Demands& demands, const Demands& weaker, const std::vector<Po
   };
   const auto order_implied = [&](const OrderDemand& asked) {
     if (std::find(demands.orders.begin(), demands.orders.end(), asked) != demands.orders.end()) return true;
-    return hull(demanded(demands, port_called(ports, asked.lesser))).high <=
-           hull(demanded(demands, port_called(ports, asked.greater))).low;
+    return hull(demanded(demands, known_port(ports, asked.lesser))).high <=
+           hull(demanded(demands, known_port(ports, asked.greater))).low;
   };
   return std::all_of(weaker.ports.begin(), weaker.ports.end(), port_implied) &&
          std::all_of(weaker.orders.begin(), weaker.orders.end(), order_implied);

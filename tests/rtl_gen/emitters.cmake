@@ -12,25 +12,20 @@ endif()
 if(HITPIPE_OTHER_CXX AND NOT HITPIPE_SANITIZE)
   get_target_property(rtl_sources hitpipe_rtl_gen SOURCES)
   get_target_property(rtl_folder hitpipe_rtl_gen SOURCE_DIR)
-  set(objects "")
+  # All in one file: most of the time goes into headers.
+  set(other_compiler ${CMAKE_CURRENT_BINARY_DIR}/other_compiler)
+  set(includes "")
   foreach(source IN LISTS rtl_sources ITEMS ${CMAKE_CURRENT_SOURCE_DIR}/emit/emit_all.cpp)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${rtl_folder})
-    cmake_path(GET source PARENT_PATH folder)
-    cmake_path(GET folder FILENAME folder)
-    cmake_path(GET source FILENAME name)
-    set(object ${CMAKE_CURRENT_BINARY_DIR}/other_compiler/${folder}_${name}.o)
-    add_custom_command(OUTPUT ${object}
-      COMMAND ${HITPIPE_OTHER_CXX} -std=c++20 -O0 -DHITPIPE_FEW_FORMATS -I${PROJECT_SOURCE_DIR}
-              -I${PROJECT_BINARY_DIR}/generated -MD -MF ${object}.d -c ${source} -o ${object}
-      DEPENDS ${source} DEPFILE ${object}.d
-      COMMENT "Compiling ${folder}/${name} with the other compiler" VERBATIM)
-    list(APPEND objects ${object})
+    string(APPEND includes "#include \"${source}\"\n")
   endforeach()
-  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/other_compiler)
-  set(other_emit_all ${CMAKE_CURRENT_BINARY_DIR}/other_compiler/emit_all)
+  file(GENERATE OUTPUT ${other_compiler}/all.cpp CONTENT "${includes}")
+  set(other_emit_all ${other_compiler}/emit_all)
   add_custom_command(OUTPUT ${other_emit_all}
-    COMMAND ${HITPIPE_OTHER_CXX} ${objects} -lfmt -o ${other_emit_all}
-    DEPENDS ${objects} COMMENT "Linking emit_all with the other compiler" VERBATIM)
+    COMMAND ${HITPIPE_OTHER_CXX} -std=c++20 -O0 -DHITPIPE_FEW_FORMATS -I${PROJECT_SOURCE_DIR} -I${PROJECT_BINARY_DIR}/generated
+            -MD -MF ${other_emit_all}.d -MT ${other_emit_all} ${other_compiler}/all.cpp -lfmt -o ${other_emit_all}
+    DEPENDS ${other_compiler}/all.cpp DEPFILE ${other_emit_all}.d
+    COMMENT "Building emit_all with the other compiler" VERBATIM)
   add_custom_target(rtl_emit_all_other DEPENDS ${other_emit_all})
 
   hitpipe_test(rtl_compilers_test SOURCES emit/compilers_test.cpp LIBS fmt::fmt)

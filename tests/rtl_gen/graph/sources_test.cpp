@@ -11,7 +11,7 @@ namespace {
 
 using Sources = std::vector<std::pair<NodeId, std::uint64_t>>;
 
-struct Words {
+struct ReadWords {
   Graph g{"words"};
   NodeId a = g.input("a", 8, true);
   NodeId b = g.input("b", 8, false);
@@ -33,7 +33,7 @@ TEST(BitRange, IsAMask) {
 }
 
 TEST(Sources, WiresMoveTheBitsThatAreRead) {
-  Words w;
+  ReadWords w;
   EXPECT_EQ(w.of(w.a, 0x0f), (Sources{{w.a, 0x0f}}));
   EXPECT_EQ(w.of(w.g.slice(w.a, 6, 2), 0x03), (Sources{{w.a, 0x0c}}));
   EXPECT_EQ(w.of(w.g.invert(w.a), 0x81), (Sources{{w.a, 0x81}}));
@@ -44,7 +44,7 @@ TEST(Sources, WiresMoveTheBitsThatAreRead) {
 }
 
 TEST(Sources, ASignExtensionReadsTheSign) {
-  Words w;
+  ReadWords w;
   const NodeId wide = w.g.extend(w.a, 12, true);
   EXPECT_EQ(w.of(wide, 0x00f), (Sources{{w.a, 0x0f}}));
   EXPECT_EQ(w.of(wide, 0x801), (Sources{{w.a, 0x81}})) << "bit 11 is bit 7";
@@ -52,7 +52,7 @@ TEST(Sources, ASignExtensionReadsTheSign) {
 }
 
 TEST(Sources, ZerosAndConstantsReadNothing) {
-  Words w;
+  ReadWords w;
   EXPECT_EQ(w.of(w.g.extend(w.b, 12, false), 0xf00), Sources{});
   EXPECT_EQ(w.of(w.g.extend(w.b, 12, false), 0xf01), (Sources{{w.b, 0x01}}));
   EXPECT_EQ(w.of(w.g.constant(8, 0xff), 0xff), Sources{});
@@ -60,7 +60,7 @@ TEST(Sources, ZerosAndConstantsReadNothing) {
 }
 
 TEST(Sources, OfANodeAreThoseOfItsOperands) {
-  Words w;
+  ReadWords w;
   const NodeId node = w.g.mux(w.g.slice(w.a, 7, 7), w.g.slice(w.b, 3, 0), w.g.constant(4, 9));
   Sources found;
   for_each_source(w.g, node, [&](NodeId source, std::uint64_t read) { found.emplace_back(source, read); });

@@ -28,7 +28,7 @@ std::string latched(const Graph& graph, const Placement& placement) {
   return text;
 }
 
-struct Tiny {
+struct Latched {
   Graph g{"tiny"};
   NodeId a = g.input("a", 8, true);
   NodeId b = g.input("b", 8, true);
@@ -46,7 +46,7 @@ struct Tiny {
 };
 
 TEST(Registers, OnlyBitsThatAreRead) {
-  Tiny t;
+  Latched t;
   const NodeId first = t.gate("first", 1, t.a, t.b);
   const NodeId second = t.gate("second", 2, t.g.slice(first, 5, 2), t.g.slice(t.b, 3, 0));
   t.g.output("o", second);
@@ -57,7 +57,7 @@ TEST(Registers, OnlyBitsThatAreRead) {
 }
 
 TEST(Registers, ASignIsLatchedAloneOnlyWhereItsWordIsNot) {
-  Tiny t;
+  Latched t;
   const NodeId word = t.gate("word", 1, t.a, t.b);
   const NodeId whole = t.gate("whole", 2, word, t.b);
   const NodeId sign = t.gate("sign", 4, t.g.slice(word, 7, 7), t.g.slice(whole, 0, 0));
@@ -71,7 +71,7 @@ TEST(Registers, ASignIsLatchedAloneOnlyWhereItsWordIsNot) {
 }
 
 TEST(Registers, AnExtensionsCopiesOfTheSignAreNotLatched) {
-  Tiny t;
+  Latched t;
   const NodeId word = t.gate("word", 1, t.a, t.b);
   const NodeId wide = t.g.extend(word, 12, true);
   const NodeId top = t.gate("top", 2, t.g.slice(wide, 11, 6), t.g.constant(6, 0x2a));
@@ -83,7 +83,7 @@ TEST(Registers, AnExtensionsCopiesOfTheSignAreNotLatched) {
 }
 
 TEST(Registers, BitsApartAreRegistersApart) {
-  Tiny t;
+  Latched t;
   const NodeId word = t.gate("word", 1, t.a, t.b);
   const NodeId ends = t.g.concat(t.g.slice(word, 7, 6), t.g.slice(word, 1, 0));
   t.g.output("o", t.gate("ends", 2, ends, t.g.slice(word, 4, 1)));
@@ -91,7 +91,7 @@ TEST(Registers, BitsApartAreRegistersApart) {
             "0: a[7:0] b[7:0]\n"
             "1: word[4:0] word[7:6]\n"
             "2: ends[3:0]");
-  Tiny apart;
+  Latched apart;
   const NodeId other = apart.gate("word", 1, apart.a, apart.b);
   const NodeId halves = apart.g.concat(apart.g.slice(other, 7, 6), apart.g.slice(other, 1, 0));
   apart.g.output("o", apart.gate("ends", 2, halves, apart.g.constant(4, 5)));
@@ -102,7 +102,7 @@ TEST(Registers, BitsApartAreRegistersApart) {
 }
 
 TEST(Registers, NothingThatIsNotReadAndNoConstant) {
-  Tiny t;
+  Latched t;
   t.g.input("unread", 8, false);
   t.g.output("o", t.gate("low", 1, t.g.slice(t.a, 2, 0), t.g.constant(3, 6)));
   t.g.output("one", t.g.constant(1, 1));
@@ -112,7 +112,7 @@ TEST(Registers, NothingThatIsNotReadAndNoConstant) {
 }
 
 TEST(Registers, AnOutputIsLatchedOnceBehindTheLastStage) {
-  Tiny t;
+  Latched t;
   const NodeId early = t.gate("early", 1, t.a, t.b);
   t.g.output("early", early);
   t.g.output("early_inverted", t.g.invert(early));
@@ -126,7 +126,7 @@ TEST(Registers, AnOutputIsLatchedOnceBehindTheLastStage) {
 }
 
 TEST(Registers, InsideAComponentPortsAreNotLatched) {
-  Tiny t;
+  Latched t;
   const NodeId first = t.gate("first", 1, t.a, t.b);
   t.g.output("o", t.gate("second", 2, first, t.b));
   EXPECT_EQ(t.registers(Ports::direct), "1: b[7:0] first[7:0]");

@@ -28,7 +28,7 @@ std::string said(const std::function<void()>& check) {
   return {};
 }
 
-SceneDemands demands_of(const Scene& scene) {
+SceneDemands demands_by_view(const Scene& scene) {
   return scene_demands(scene, build_bvh(scene.mesh), {64, 48});
 }
 
@@ -42,7 +42,7 @@ class GuardOfStairs : public testing::Test {
   }
 
   Scene scene_ = stairs_along_one_class();
-  SceneDemands demands_ = demands_of(scene_);
+  SceneDemands demands_ = demands_by_view(scene_);
   Ray good_{scene_.camera.eye, glm::vec3(scene_.camera.forward), Ray::infinite};
 };
 
@@ -85,7 +85,7 @@ TEST_F(GuardOfStairs, SeesAnEndThatIsMissingOrNotWanted) {
 }
 
 TEST_F(GuardOfStairs, SeesAnotherScene) {
-  EXPECT_THAT(scene(demands_of(demanding_octahedron())), HasSubstr("primary ray with "));
+  EXPECT_THAT(scene(demands_by_view(demanding_octahedron())), HasSubstr("primary ray with "));
   SceneDemands other = demands_;
   other.rays.push_back(other.rays.front());
   other.rays.back().kind = RayKind::secondary;
