@@ -58,7 +58,7 @@ Finding compared(const ResultTable& table, const std::string& claim, std::size_t
                       table.columns[b].name, agreeing, measured)};
 }
 
-std::vector<Finding> findings(const ResultTable& table) {
+std::vector<Finding> chapter_4_findings(const ResultTable& table) {
   if (table.number == "4.1")
     return {compared(table, "Pluecker boxes are faster than slabs on every scene", 1, 0, 8)};
   if (table.number == "4.3")
@@ -110,7 +110,7 @@ ResultTable traversal_times(std::string_view number, const ExperimentOptions& op
     table.rows.push_back(std::move(boxes));
     options.progress(static_cast<double>(i + 1) / static_cast<double>(scenes.size()));
   }
-  table.findings = findings(table);
+  table.findings = chapter_4_findings(table);
   table.notes.push_back(
       fmt::format("{} x {} pixels, all rays, without shading; the fastest of {} runs on one thread. {} of {} "
                   "rays differ from "

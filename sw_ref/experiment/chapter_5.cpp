@@ -115,7 +115,7 @@ Finding within(const ResultTable& table, const std::string& claim, std::string_v
           fmt::format("{:.1f} to {:.1f} %", ours.low, ours.high)};
 }
 
-std::vector<Finding> findings(const ResultTable& table) {
+std::vector<Finding> chapter_5_findings(const ResultTable& table) {
   const bool has_tests = table.number != "5.7";
   std::vector<Finding> all;
   if (has_tests) {
@@ -166,7 +166,7 @@ ResultTable hierarchical_encoding(std::string_view number, const ExperimentOptio
     }
     options.progress(static_cast<double>(i + 1) / static_cast<double>(scenes.size()));
   }
-  table.findings = findings(table);
+  table.findings = chapter_5_findings(table);
   table.notes.push_back(
       fmt::format("bvh_memory in bytes; time: binary32 is 1, traversal alone, the fastest of {} runs on one "
                   "thread; {} of {} "

@@ -115,7 +115,7 @@ double largest(const ResultTable& table, std::string_view scene, std::size_t col
   return most;
 }
 
-std::vector<Finding> findings(const ResultTable& table) {
+std::vector<Finding> chapter_6_findings(const ResultTable& table) {
   std::vector<Finding> all{monotone(table)};
   const double fine = largest(table, "", 3);
   all.push_back({"24/24 bits cost up to 6 % more tests on any scene", fine < 6.5,
@@ -168,7 +168,7 @@ ResultTable integer_traversal(std::string_view number, const ExperimentOptions& 
     }
     options.progress(static_cast<double>(i + 1) / static_cast<double>(scenes.size()));
   }
-  table.findings = findings(table);
+  table.findings = chapter_6_findings(table);
   table.findings.push_back({"every format finds the triangles that binary32 finds",
                             different == 0 && traced > 0,
                             fmt::format("{} of {} answers differ", different, traced)});

@@ -24,10 +24,10 @@ namespace {
 std::int64_t cut(std::int64_t coordinate, int dropped) {
   return coordinate >> dropped << dropped;
 }
-std::int64_t lower(std::int64_t min, int dropped) {
+std::int64_t coarse_lower(std::int64_t min, int dropped) {
   return cut(min - ((std::int64_t{1} << dropped) - 1), dropped);
 }
-std::int64_t upper(std::int64_t max, int dropped) {
+std::int64_t coarse_upper(std::int64_t max, int dropped) {
   return -cut(-max, dropped);
 }
 
@@ -63,8 +63,8 @@ IntBox coarse_box(const IntBox& box, const CoarseAxes& coarse, int coord_bits) {
   IntBox out;
   for (std::size_t i = 0; i < 3; ++i) {
     const int dropped = coarse.dropped[i];
-    const std::int64_t min = lower(box.min[i], dropped);
-    const std::int64_t max = upper(box.max[i], dropped);
+    const std::int64_t min = coarse_lower(box.min[i], dropped);
+    const std::int64_t max = coarse_upper(box.max[i], dropped);
     if (min < -grid_limit(coord_bits)) leaves("min", i, min, dropped, coord_bits);
     if (max > grid_limit(coord_bits)) leaves("max", i, max, dropped, coord_bits);
     out.min[i] = static_cast<std::int32_t>(min);
@@ -78,8 +78,8 @@ bool fits_grid(const IntOrigin& lowest_origin, const IntBox& bounds, const Coars
   for (std::size_t i = 0; i < 3; ++i) {
     const int dropped = coarse.dropped[i];
     if (cut(lowest_origin[i], dropped) < -grid_scale(coord_bits) ||
-        lower(bounds.min[i], dropped) < -grid_limit(coord_bits) ||
-        upper(bounds.max[i], dropped) > grid_limit(coord_bits))
+        coarse_lower(bounds.min[i], dropped) < -grid_limit(coord_bits) ||
+        coarse_upper(bounds.max[i], dropped) > grid_limit(coord_bits))
       return false;
   }
   return true;

@@ -34,13 +34,13 @@ constexpr std::int64_t irdvc_limit(int coord_bits) {
   return (std::int64_t{1} << (coord_bits - 1)) - 1;
 }
 
-constexpr std::string_view who = "IntRaySetup";
+constexpr std::string_view set_up_name = "IntRaySetup";
 
 }  // namespace
 
 IntRaySetup::IntRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bits) {
-  check_format(bits, who);
-  check_ray(ray, who);
+  check_format(bits, set_up_name);
+  check_ray(ray, set_up_name);
   for (int axis = 0; axis < 3; ++axis) {
     // To nearest, ties upwards: the error is at most 1/2 exactly, which the box's half unit covers.
     ray_.origin[static_cast<std::size_t>(axis)] =
@@ -85,7 +85,7 @@ void IntRaySetup::set_irdvcs(const Ray& ray) {
 }
 
 std::int64_t IntRaySetup::length(float length) const {
-  check_length(length, who);
+  check_length(length, set_up_name);
   const Uint128 largest = (Uint128{1} << (2 * bits_.coord - 2)) - 1;
   Uint128 full = largest;
   if (!std::isinf(length)) {

@@ -15,15 +15,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "sw_ref/reject.hpp"
 #include "sw_ref/render/colour_map.hpp"
 #include "sw_ref/render/png_check.hpp"
 
 namespace hitpipe::ref {
 namespace {
-
-[[noreturn]] void reject(const std::string& reason) {
-  throw std::runtime_error(reason);
-}
 
 /// IEC 61966-2-1: 8-bit code of a linear value, rounded to nearest; NaN becomes 0.
 std::uint8_t srgb(float linear) {

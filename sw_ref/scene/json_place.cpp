@@ -5,19 +5,16 @@
 #include <fstream>
 #include <limits>
 #include <set>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "sw_ref/reject.hpp"
 
 namespace hitpipe::ref {
 namespace {
 
 using nlohmann::json;
-
-[[noreturn]] void reject(const std::string& reason) {
-  throw std::runtime_error(reason);
-}
 
 }  // namespace
 

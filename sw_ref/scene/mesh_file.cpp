@@ -31,14 +31,11 @@
 #include <glm/mat4x4.hpp>
 
 #include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/reject.hpp"
 #include "sw_ref/scene/ply_check.hpp"
 
 namespace hitpipe::ref {
 namespace {
-
-[[noreturn]] void reject(const std::string& reason) {
-  throw std::runtime_error(reason);
-}
 
 std::string lower_extension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();

@@ -10,12 +10,13 @@
 #include <fstream>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "sw_ref/reject.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -60,10 +61,6 @@ struct Header {
   Encoding encoding;
   std::vector<Element> elements;
 };
-
-[[noreturn]] void reject(const std::string& reason) {
-  throw std::runtime_error(reason);
-}
 
 /// One header line without the blanks at its end. A header longer than this is none: the file is something
 /// else.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "sw_ref/reject.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "sw_ref/scene/mesh_file.hpp"
 #include "sw_ref/scene/mesh_scene.hpp"
@@ -18,10 +18,6 @@
 
 namespace hitpipe::ref {
 namespace {
-
-[[noreturn]] void reject(const std::string& reason) {
-  throw std::runtime_error(reason);
-}
 
 std::string text(const glm::dvec3& v) {
   return fmt::format("({}, {}, {})", v.x, v.y, v.z);
