@@ -10,6 +10,7 @@
 #include <oneapi/tbb/task_arena.h>
 #include <time.h>
 
+#include "sim/feeds/endless.hpp"
 #include "sw_ref/demands/guard.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 #include "sw_ref/render/whitted.hpp"
@@ -201,6 +202,7 @@ bool CosimResult::verified(bool conservative) const {
 CosimResult cosimulate(const rtl::Design& design, rtl::Format format, const VerilatedDesign& verilated,
                        const ref::Scene& scene, const ref::Bvh& bvh, const CosimOptions& options) {
   std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh, options.coarse);
+  if (!options.ends) feed = with_step(std::move(feed), endless_step(rtl::input_ports(design.trace(format))));
   if (options.guard != nullptr) feed = guarded(std::move(feed), *options.guard, verilated.operand_count());
   const ref::Whitted whitted(scene, options.light);
   const Frame frame{design, format, verilated, scene, bvh, options, *feed, whitted};

@@ -24,6 +24,7 @@ struct CosimOptions {
   bool referee = false;
   ref::WhittedOptions light{};  ///< how far secondary rays are followed
   ref::CoarseAxes coarse{};     ///< that the unit's operands are on; the referee judges the boxes as they are
+  bool ends = true;  ///< the unit hears where rays end; without, it is given endless ones and traces the same
   /// Of a fitted unit: what its rays and operands must be. A ray or operand that is not throws
   /// std::out_of_range.
   const ref::SceneDemands* scene_demands = nullptr;

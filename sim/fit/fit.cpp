@@ -30,6 +30,7 @@ struct Cutter {
 std::string what_text(const rtl::Demands& demands) {
   std::vector<std::string> names;
   for (const rtl::PortDemand& demand : demands.ports) names.push_back(demand.port);
+  if (names.front() == "rinf") return "the ends of rays";
   const int low_zeros = demands.ports.front().low_zeros;
   return low_zeros > 0 ? fmt::format("low bits of {}: {}", fmt::join(names, ", "), low_zeros)
                        : fmt::format("what {} never need", fmt::join(names, ", "));
@@ -39,7 +40,7 @@ std::string what_text(const rtl::Demands& demands) {
 
 FittedUnit fit(const rtl::Design& design, rtl::Format before, const std::optional<Precision>& precision,
                const ref::SceneDemands& scene, const rtl::Library& library) {
-  const rtl::Format format = precision ? rtl::Format(precision->bits) : before;
+  const rtl::Format format = precision && !before.is_float() ? rtl::Format(precision->bits) : before;
   const std::vector<DemandGroup> groups =
       port_demands(design, format, scene, precision.value_or(Precision{}));
   const Cutter cutter{design, format, library, design.trace(format), rtl::promises(design, format)};

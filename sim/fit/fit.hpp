@@ -35,6 +35,7 @@ struct FittedUnit {
   std::vector<LeftOut> left_out;
 
   [[nodiscard]] std::int64_t saved_um2() const { return price_before.area_um2 - price.area_um2; }
+  [[nodiscard]] bool ends() const { return !precision || precision->ends; }
   [[nodiscard]] ref::CoarseAxes coarse() const { return precision ? precision->coarse : ref::CoarseAxes{}; }
 };
 

@@ -135,6 +135,8 @@ std::vector<DemandGroup> port_demands(const rtl::Design& design, rtl::Format for
   } else {
     add_integer(groups, format.bits().coord, scene, precision);
   }
+  if (!precision.ends)
+    groups.add(measured_text(precision.endless_extra_box_tests_pct), {"rinf"}, rtl::Interval{1, 1}, 0);
   return groups.take();
 }
 

@@ -18,11 +18,14 @@ namespace hitpipe::sim {
 
 namespace {
 
-ref::TracerOptions integer_tracer(const rtl::Design& design, hls::IntBits bits,
-                                  const ref::CoarseAxes& coarse) {
+/// The traversal whose box tests answer as the design does.
+ref::TracerOptions tracer_like(const rtl::Design& design, hls::IntBits bits, const ref::CoarseAxes& coarse,
+                               bool ends) {
   ref::TracerOptions options;
-  options.algorithm = design.name == "int_plucker" ? ref::Algorithm::plu_dsa : ref::Algorithm::slabs_dsa;
-  options.arithmetic = ref::Arithmetic::integer;
+  options.algorithm = design.name.ends_with("plucker") ? ref::Algorithm::plu_dsa : ref::Algorithm::slabs_dsa;
+  options.ends = ends;
+  options.arithmetic = design.is_float() ? ref::Arithmetic::binary32 : ref::Arithmetic::integer;
+  if (design.is_float()) return options;
   options.bits = bits;
   options.coarse = coarse;
   return options;
@@ -66,10 +69,10 @@ class Measurements {
  public:
   explicit Measurements(const PrecisionSearch& search) : search_(search) {}
 
-  double extra(hls::IntBits bits, const ref::CoarseAxes& coarse = {}) {
+  double extra(hls::IntBits bits, const ref::CoarseAxes& coarse = {}, bool ends = true) {
     const auto [x, y, z] = coarse.dropped;
-    const auto [at, is_new] = known_.try_emplace({bits.coord, bits.interval, x, y, z}, 0.0);
-    if (is_new) at->second = extra_box_tests_pct(search_, bits, coarse);
+    const auto [at, is_new] = known_.try_emplace({bits.coord, bits.interval, x, y, z, ends ? 1 : 0}, 0.0);
+    if (is_new) at->second = extra_box_tests_pct(search_, bits, coarse, ends);
     return at->second;
   }
   bool good(hls::IntBits bits, const ref::CoarseAxes& coarse = {}) {
@@ -79,7 +82,7 @@ class Measurements {
 
  private:
   const PrecisionSearch& search_;
-  std::map<std::array<int, 5>, double> known_;
+  std::map<std::array<int, 6>, double> known_;
 };
 
 bool fits(const ref::SceneDemands& scene, int coord_bits, const ref::CoarseAxes& coarse) {
@@ -130,9 +133,10 @@ std::string measured_text(double extra_box_tests_pct) {
   return fmt::format("{:.2f} % extra box tests, measured on the scene's rays", extra_box_tests_pct);
 }
 
-double extra_box_tests_pct(const PrecisionSearch& search, hls::IntBits bits, const ref::CoarseAxes& coarse) {
+double extra_box_tests_pct(const PrecisionSearch& search, hls::IntBits bits, const ref::CoarseAxes& coarse,
+                           bool ends) {
   const auto tracer =
-      ref::make_tracer(search.scene->mesh, *search.bvh, integer_tracer(*search.design, bits, coarse));
+      ref::make_tracer(search.scene->mesh, *search.bvh, tracer_like(*search.design, bits, coarse, ends));
   const auto reference = static_cast<double>(search.rays->reference.total().box_tests);
   const auto taken = static_cast<double>(box_tests(*tracer, search.rays->batches, search.threads));
   search.measured();
@@ -141,15 +145,25 @@ double extra_box_tests_pct(const PrecisionSearch& search, hls::IntBits bits, con
 
 std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
   Measurements measured(search);
-  const auto formats = formats_up_to(*search.design, search.most);
-  if (!measured.good(search.most)) return std::nullopt;
-  std::vector<int> coords;
-  for (const auto& [n, intervals] : formats) coords.push_back(n);
-  const int n = first_good(coords, [&](int each) { return measured.good({each, formats.at(each).back()}); });
-  const int t = first_good(formats.at(n), [&](int each) { return measured.good({n, each}); });
-  const hls::IntBits bits{n, t};
-  const ref::CoarseAxes coarse = most_dropped(search, bits, measured);
-  return Precision{bits, measured.extra(bits), coarse, measured.extra(bits, coarse), measured.count()};
+  Precision found;
+  if (!search.design->is_float()) {
+    const auto formats = formats_up_to(*search.design, search.most);
+    if (!measured.good(search.most)) return std::nullopt;
+    std::vector<int> coords;
+    for (const auto& [n, intervals] : formats) coords.push_back(n);
+    const int n = first_good(coords, [&](int each) {
+      return measured.good({each, formats.at(each).back()});
+    });
+    const int t = first_good(formats.at(n), [&](int each) { return measured.good({n, each}); });
+    found.bits = {n, t};
+    found.extra_box_tests_pct = measured.extra(found.bits);
+    found.coarse = most_dropped(search, found.bits, measured);
+    found.coarse_extra_box_tests_pct = measured.extra(found.bits, found.coarse);
+  }
+  found.endless_extra_box_tests_pct = measured.extra(found.bits, found.coarse, false);
+  found.ends = found.endless_extra_box_tests_pct > search.overhead_pct;
+  found.formats_measured = measured.count();
+  return found;
 }
 
 }  // namespace hitpipe::sim

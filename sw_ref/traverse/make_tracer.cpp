@@ -35,6 +35,8 @@ void check(const Bvh& bvh, const TracerOptions& options) {
         "tracer: the order by distance is of single rays; take bundle 1");
   allow(options.bundle == 1 || !integer, "tracer: integer units take single rays; take bundle 1");
   allow(integer || !options.coarse.any(), "tracer: coarse axes are of integer arithmetic");
+  allow(options.ends || (options.bundle == 1 && !by_distance),
+        "tracer: the order by distance and bundles need the ends of rays; take bundle 1 and another order");
   if (!integer) return;
   check_format(options.bits, "tracer");
   check_coarse(options.coarse, options.bits.coord, "tracer");

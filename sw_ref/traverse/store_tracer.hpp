@@ -45,7 +45,8 @@ class StoreTracer final : public Tracer {
         set_up_(std::move(set_up)),
         leaves_{parts.mesh, parts.bvh.order, leaf_test(parts.options.triangle_test)},
         order_(child_order(parts.options.algorithm)),
-        bundle_(parts.options.bundle) {}
+        bundle_(parts.options.bundle),
+        ends_(parts.options.ends) {}
 
   void trace(const TraceJob& job, TraceCounts& counts) const override {
     if (job.triangles.size() != job.rays.size() ||
@@ -53,7 +54,8 @@ class StoreTracer final : public Tracer {
       throw std::invalid_argument("tracer: places for answers and work must be as many as the rays");
     }
     NoObserver observer;
-    trace_batch(TraceWith<Store, SetUp>{store_, set_up_, leaves_, order_, bundle_}, job, counts, observer);
+    trace_batch(TraceWith<Store, SetUp>{store_, set_up_, leaves_, order_, bundle_, ends_}, job, counts,
+                observer);
   }
 
   [[nodiscard]] std::size_t bytes_per_node() const override { return store_.bytes_per_node; }
@@ -65,6 +67,7 @@ class StoreTracer final : public Tracer {
   Leaves leaves_;
   ChildOrder order_;
   int bundle_;
+  bool ends_;
 };
 
 /// With a box test that needs nothing but the ray.

@@ -26,6 +26,7 @@ struct TraceWith {
   Leaves leaves;
   ChildOrder order;
   int bundle;
+  bool ends = true;  ///< as TracerOptions
 };
 
 template <class Store, class SetUp>
@@ -47,7 +48,9 @@ RayWork trace_one(const TraceWith<Store, SetUp>& with, const Ray& ray, Query que
     }
   }
   const unsigned order_class = with.order == ChildOrder::fixed ? 0 : direction_class(ray.direction);
-  return trace_ray(with.store, with.leaves, with.set_up(ray), ray, query, order_class, hit, observer);
+  const Ray tested{ray.origin, ray.direction, with.ends ? ray.length : Ray::infinite};
+  return trace_ray(with.store, with.leaves, with.set_up(tested), ray, query, order_class, with.ends, hit,
+                   observer);
 }
 
 template <class Store, class SetUp, class Observer>

@@ -9,11 +9,11 @@
 
 namespace hitpipe::ref {
 
-/// `order_class` chooses the near child; `test` was set up for `ray` and is cut with it. Returns the work:
-/// loads equal tests.
+/// `order_class` chooses the near child; `test` was set up for `ray` and, with `ends`, is cut with it.
+/// Returns the work: loads equal tests.
 template <class Store, class Test, class Observer>
 RayWork trace_ray(const Store& store, const Leaves& leaves, Test&& test, const Ray& ray, Query query,
-                  unsigned order_class, Hit& hit, Observer& observer) {
+                  unsigned order_class, bool ends, Hit& hit, Observer& observer) {
   std::array<Waiting<Store>, deepest_stack> stack;
   std::size_t top = 0;
   RayWork work;
@@ -36,7 +36,7 @@ RayWork trace_ray(const Store& store, const Leaves& leaves, Test&& test, const R
       work.triangle_tests += tests;
       if (hit.triangle != before) {
         if (query == Query::any) return work;
-        test.cut(cull_length(hit));
+        if (ends) test.cut(cull_length(hit));
       }
     }
     if (top == 0) return work;

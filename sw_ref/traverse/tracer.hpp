@@ -105,6 +105,7 @@ struct TracerOptions {
   hls::IntBits bits{24, 24};  ///< of integer arithmetic
   TriangleTest triangle_test = TriangleTest::exact;
   CoarseAxes coarse{};  ///< of integer arithmetic; rays and boxes must fit the coarser grid
+  bool ends = true;     ///< box tests hear where rays end; without, all but slabs_dist and only single rays
 };
 
 /// Encodes the nodes and picks the loop. Throws std::invalid_argument, one line, for a combination that does

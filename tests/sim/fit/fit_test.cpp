@@ -52,6 +52,7 @@ CosimResult run(const FittedUnit& unit, const World& world, const World& fitted_
                      .threads = 2,
                      .referee = true,
                      .coarse = unit.coarse(),
+                     .ends = unit.ends(),
                      .scene_demands = &fitted_to.demands,
                      .guard = &guard});
 }
@@ -115,6 +116,35 @@ TEST_P(Fitted, OnCoarseAxesIsSmallerStillAndMissesNothing) {
   EXPECT_EQ(result.unit.false_misses, 0U);
   EXPECT_GT(result.unit.hits, 0U);
 }
+
+class Endless : public testing::TestWithParam<const char*> {};
+
+TEST_P(Endless, UnitIsSmallerAndTracesTheSame) {
+  const World world(sim::hills());
+  const rtl::Design& design = rtl::find_design(GetParam());
+  const rtl::Format format = design.is_float() ? rtl::Format::fp32() : rtl::Format(12, 12);
+  const FittedUnit with_ends = fit(design, format, std::nullopt, world.demands, library());
+  const FittedUnit unit =
+      fit(design, format, Precision{.bits = {12, 12}, .ends = false}, world.demands, library());
+  EXPECT_LT(unit.price.area_um2, with_ends.price.area_um2);
+  for (const rtl::Port& port : rtl::input_ports(unit.pipeline.graph)) {
+    EXPECT_NE(port.name, "rinf");
+    EXPECT_NE(port.name, "irlen");
+    EXPECT_NE(port.name, "rex");
+  }
+  EXPECT_TRUE(std::any_of(unit.left_out.begin(), unit.left_out.end(), [](const LeftOut& left) {
+    return left.what == "the ends of rays" && left.area_um2 > 0;
+  }));
+
+  const CosimResult result = run(unit, world, world);
+  EXPECT_EQ(result.unit.rtl_mismatches, 0U);
+  EXPECT_EQ(result.different_triangles, 0U);
+  EXPECT_GT(result.extra_box_tests_pct(), 0.0);
+  EXPECT_GT(result.unit.hits, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, Endless, testing::Values("int_slabs", "int_plucker", "fp_slabs"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
 
 TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
   const World world(ref::demanding_octahedron());
@@ -222,8 +252,29 @@ TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
   EXPECT_EQ(coarsest->bits, (hls::IntBits{6, 6}));
   EXPECT_TRUE(coarsest->coarse.any());
   EXPECT_TRUE(no_further_bit(search, *coarsest));
+  EXPECT_TRUE(found->ends);
+  EXPECT_FALSE(coarsest->ends);
   search.overhead_pct = -50.0;
   EXPECT_FALSE(fewest_bits(search).has_value());
+}
+
+TEST(PrecisionOfFloats, IsWhetherRaysEnd) {
+  const World world(sim::hills());
+  const SceneRays rays = scene_rays(world.scene, world.bvh, {.width = World::width, .height = World::height});
+  for (const char* const name : {"fp_slabs", "fp_plucker"}) {
+    PrecisionSearch search{.design = &rtl::find_design(name),
+                           .scene = &world.scene,
+                           .bvh = &world.bvh,
+                           .demands = &world.demands,
+                           .rays = &rays};
+    const auto found = fewest_bits(search);
+    const double endless = extra_box_tests_pct(search, {}, {}, false);
+    EXPECT_GT(endless, search.overhead_pct) << name;
+    EXPECT_EQ(found->endless_extra_box_tests_pct, endless) << name;
+    EXPECT_TRUE(found->ends) << name;
+    search.overhead_pct = endless;
+    EXPECT_FALSE(fewest_bits(search)->ends) << name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, PrecisionOf, testing::Values("int_slabs", "int_plucker"),

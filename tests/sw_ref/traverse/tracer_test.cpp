@@ -33,10 +33,11 @@ constexpr std::array encodings{Encoding::plain, Encoding::hierarchical_4, Encodi
                                Encoding::hierarchical_12, Encoding::hierarchical_16};
 
 std::string name(const TracerOptions& options) {
-  return fmt::format("algorithm {} arithmetic {} encoding {} table {} bundle {} bits {}/{} dropped {}",
-                     static_cast<int>(options.algorithm), static_cast<int>(options.arithmetic),
-                     static_cast<int>(options.encoding), options.look_up_table, options.bundle,
-                     options.bits.coord, options.bits.interval, to_text(options.coarse));
+  return fmt::format(
+      "algorithm {} arithmetic {} encoding {} table {} bundle {} bits {}/{} dropped {} ends {}",
+      static_cast<int>(options.algorithm), static_cast<int>(options.arithmetic),
+      static_cast<int>(options.encoding), options.look_up_table, options.bundle, options.bits.coord,
+      options.bits.interval, to_text(options.coarse), options.ends);
 }
 
 /// Written without a look at what make_tracer() checks.
@@ -44,6 +45,7 @@ bool exists(const TracerOptions& options) {
   const bool plucker = options.algorithm == Algorithm::plu || options.algorithm == Algorithm::plu_dsa;
   const bool by_distance = options.algorithm == Algorithm::slabs_dist;
   if (plucker && options.arithmetic == Arithmetic::robust) return false;
+  if (!options.ends && (by_distance || options.bundle != 1)) return false;
   if (options.arithmetic == Arithmetic::integer) {
     return !by_distance && options.encoding == Encoding::plain && !options.look_up_table &&
            options.bundle == 1;
@@ -53,7 +55,8 @@ bool exists(const TracerOptions& options) {
          options.encoding == Encoding::hierarchical_8;
 }
 
-/// Every combination, with three formats of integers and two with coarser axes; with the exact triangle test.
+/// Every combination, with three formats of integers and two with coarser axes; some without the ends of
+/// rays; with the exact triangle test.
 std::vector<TracerOptions> all_combinations() {
   std::vector<TracerOptions> all;
   for (const Algorithm algorithm : algorithms)
@@ -69,6 +72,18 @@ std::vector<TracerOptions> all_combinations() {
     for (const CoarseAxes coarse : {CoarseAxes{{0, 4, 0}}, CoarseAxes{{2, 1, 3}}})
       all.push_back(
           {algorithm, Arithmetic::integer, Encoding::plain, false, 1, {12, 12}, TriangleTest::exact, coarse});
+  for (const Algorithm algorithm : algorithms)
+    for (const Arithmetic arithmetic : {Arithmetic::binary32, Arithmetic::integer})
+      for (const int bundle : {1, 64})
+        all.push_back({algorithm,
+                       arithmetic,
+                       Encoding::plain,
+                       false,
+                       bundle,
+                       {16, 16},
+                       TriangleTest::exact,
+                       CoarseAxes{},
+                       false});
   return all;
 }
 
@@ -132,7 +147,7 @@ TEST_P(EveryTracer, FindsWhatTestingEveryTriangleFinds) {
     ASSERT_LE(any.counts.triangle_tests, closest.counts.triangle_tests) << name(options);
   }
   fmt::print("seed {}: {} tracers, {} rays, {} hit\n", seed, tracers, rays.size(), hits);
-  EXPECT_EQ(tracers, 33 + 4 + 8 + 8 + 6 * 33);
+  EXPECT_EQ(tracers, 33 + 4 + 8 + 8 + 8 + 6 * 33);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -174,6 +189,17 @@ TEST_F(TracersOnHills, BundlesTestWhatSingleRaysTest) {
       ASSERT_LT(3 * together.counts.nodes_loaded, alone.counts.nodes_loaded) << name(options);
       ASSERT_LT(2 * together.counts.triangles_loaded, alone.counts.triangles_loaded) << name(options);
     }
+  }
+}
+
+TEST_F(TracersOnHills, WithoutTheEndsOfRaysMoreBoxesAreTested) {
+  for (TracerOptions options : all_combinations()) {
+    if (options.ends || !exists(options)) continue;
+    const Traced endless = traced(*make_tracer(mesh_, bvh_, options), rays_, Query::closest);
+    options.ends = true;
+    const Traced ended = traced(*make_tracer(mesh_, bvh_, options), rays_, Query::closest);
+    EXPECT_GT(endless.counts.box_tests, ended.counts.box_tests) << name(options);
+    EXPECT_EQ(endless.triangles, ended.triangles) << name(options);
   }
 }
 
@@ -368,6 +394,7 @@ TEST(Tracer, CombinationsThatDoNotExistAreRejected) {
           "tracer: integer units take single rays; take bundle 1",
           "tracer: format 5/24; n must be 6 to 32 and t 6 to 2n-1",
           "tracer: coarse axes are of integer arithmetic",
+          "tracer: the order by distance and bundles need the ends of rays; take bundle 1 and another order",
           "tracer: 15 dropped bits of z; of 16 bits 0 to 14 can be dropped"));
   const auto tracer = make_tracer(mesh, bvh, {});
   const std::vector<Ray> rays(2, Ray{{0, 0, 0}, {0, 1, 0}});

@@ -1,0 +1,14 @@
+// Operands of a unit that never hears where a ray ends: every box ahead of the origin is hit.
+#pragma once
+
+#include <vector>
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "sim/feeds/with_step.hpp"
+
+namespace hitpipe::sim {
+
+/// Sets rinf: the unit ignores length or endpoint. Throws std::invalid_argument for ports without it.
+[[nodiscard]] OperandStep endless_step(const std::vector<rtl::Port>& ports);
+
+}  // namespace hitpipe::sim
