@@ -10,6 +10,7 @@
 #include "sw_ref/scene/plant.hpp"
 #include "sw_ref/scene/poppy.hpp"
 #include "sw_ref/scene/statue.hpp"
+#include "sw_ref/scene/waves.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -19,7 +20,7 @@ SceneDescription only_spheres(std::size_t /*triangles*/) {
 }
 
 // The thesis's sizes, except where a scene would take a minute: those default to a million triangles.
-constexpr std::array<BuiltInScene, 9> scenes{{
+constexpr std::array<BuiltInScene, 11> scenes{{
     {"spheres", "Spheres", 24'578, 24'578, 24'578, 2, "balls, some mirrors, some of glass", only_spheres},
     {"branch", "Branch", 312'706, 80'000, 10'000'000, 2, "a spruce branch with cones", branch},
     {"poppy", "Poppy", 395'460, 25'000, 10'000'000, 2, "a clump of poppies", poppy},
@@ -32,6 +33,8 @@ constexpr std::array<BuiltInScene, 9> scenes{{
      plant_boiler},
     {"statue", "Lucy", 1'000'000, 10'000, 50'000'000, 2, "a winged figure with a torch", statue},
     {"two_statues", "2Lucy", 1'500'000, 20'000, 50'000'000, 2, "two of them", two_statues},
+    {"plant_slice", "", 27'962, 27'962, 27'962, 1, "a slice of the plant, 2.8 m thick", plant_slice},
+    {"waves", "", 30'000, 1'000, 10'000'000, 1, "a sea seen and lit along one class", waves},
 }};
 
 template <class Wanted>

@@ -13,7 +13,7 @@ namespace hitpipe::ref {
 
 struct BuiltInScene {
   const char* name;
-  const char* stands_for;  ///< the scene of figures 4.1, 4.2, 5.4 that it stands in for
+  const char* stands_for;  ///< the scene of figures 4.1, 4.2, 5.4 that it stands in for; empty: none
   std::size_t triangles;   ///< unless others are asked for
   std::size_t least;       ///< triangles; equal to `most` where the scene does not scale
   std::size_t most;

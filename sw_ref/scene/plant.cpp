@@ -1,6 +1,9 @@
 #include "sw_ref/scene/plant.hpp"
 
+#include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "sw_ref/scene/plant_parts.hpp"
 
@@ -39,6 +42,28 @@ SceneDescription whole_plant(std::size_t triangles) {
   return scene;
 }
 
+/// Leaves the triangles whose corners all lie within `reach` of the plane z = `middle`, and their vertices.
+void cut_to_slab(Mesh& mesh, double middle, double reach) {
+  constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
+  const Mesh whole = std::exchange(mesh, {});
+  std::vector<std::uint32_t> moved(whole.vertices.size(), unused);
+  const auto kept = [&](std::uint32_t vertex) {
+    if (moved[vertex] == unused) {
+      moved[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
+      mesh.vertices.push_back(whole.vertices[vertex]);
+    }
+    return moved[vertex];
+  };
+  for (std::uint32_t i = 0; i < whole.triangles.size(); ++i) {
+    const Mesh::Corners corners = whole.corners(i);
+    const auto within = [&](const glm::vec3& p) { return std::abs(double{p.z} - middle) <= reach; };
+    if (!within(corners.a) || !within(corners.b) || !within(corners.c)) continue;
+    const glm::uvec3& t = whole.triangles[i];
+    mesh.triangles.push_back({kept(t.x), kept(t.y), kept(t.z)});
+    mesh.materials.push_back(whole.materials[i]);
+  }
+}
+
 }  // namespace
 
 SceneDescription plant_front(std::size_t triangles) {
@@ -67,6 +92,17 @@ SceneDescription plant_boiler(std::size_t triangles) {
   scene.target = {31.0, 18.5, 13.5};
   scene.fov_degrees = 75.0;
   scene.lights = {{{27.5, 12.0, 17.5}, {1.0, 0.90, 0.74}}};
+  return scene;
+}
+
+SceneDescription plant_slice(std::size_t /*triangles*/) {
+  SceneDescription scene = whole_plant(400'000);
+  constexpr double middle = 20.0;  // of the yard
+  cut_to_slab(scene.mesh, middle, 1.4);
+  scene.eye = {-2.0, 12.0, middle + 0.3};
+  scene.target = {50.0, 19.0, middle - 0.2};
+  scene.fov_degrees = 60.0;
+  scene.lights = {{{-20.0, 62.0, middle}, {1.0, 0.94, 0.84}}};
   return scene;
 }
 

@@ -1,4 +1,4 @@
-// The built-in scenes of an industrial plant: one mesh, three views.
+// The built-in scenes of an industrial plant: one mesh, three views, and a slice of it.
 #pragma once
 
 #include <cstddef>
@@ -14,5 +14,8 @@ namespace hitpipe::ref {
 [[nodiscard]] SceneDescription plant_north(std::size_t triangles);
 /// Inside the boiler.
 [[nodiscard]] SceneDescription plant_boiler(std::size_t triangles);
+/// What of the plant of 400,000 triangles lies within 1.4 m of its middle plane, z = 20; eye and light lie
+/// within too.
+[[nodiscard]] SceneDescription plant_slice(std::size_t triangles);
 
 }  // namespace hitpipe::ref

@@ -82,7 +82,8 @@ TEST_F(BadInput, UnknownSceneRejected) {
   scene_rejected(
       {"--scene", "bunny"},
       "scene \"bunny\": no built-in scene and no file of that name; built-in are: spheres, branch, "
-      "poppy, plant, plant_front, plant_north, plant_boiler, statue, two_statues");
+      "poppy, plant, plant_front, plant_north, plant_boiler, statue, two_statues, "
+      "plant_slice, waves");
 }
 
 TEST_F(BadInput, MissingMeshRejected) {

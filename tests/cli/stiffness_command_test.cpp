@@ -134,7 +134,8 @@ TEST(StiffnessCommand, BadInputRejected) {
                "bits 5/6: allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
   expect_error({"--scene", "cone"},
                "scene \"cone\": no built-in scene and no file of that name; built-in are: spheres, branch, "
-               "poppy, plant, plant_front, plant_north, plant_boiler, statue, two_statues");
+               "poppy, plant, plant_front, plant_north, plant_boiler, statue, two_statues, "
+               "plant_slice, waves");
   expect_error({"--out", ""}, "--out: is empty; give the name of a folder; see hitpipe stiffness --help");
 }
 

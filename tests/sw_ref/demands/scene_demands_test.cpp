@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/demands/guard.hpp"
+#include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/traverse/child_order.hpp"
 #include "tests/sw_ref/demands/demand_scenes.hpp"
@@ -105,6 +106,29 @@ TEST(DirectionClasses, OfStairsSeenAndLitAlongOne) {
   EXPECT_EQ(demands.classes(), 1U << 4U);  // +x, +y, -z
   for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(demands.can_be_zero(axis));
   EXPECT_TRUE(std::isfinite(demands.spread()));
+}
+
+TEST(DirectionClasses, OfWavesIsOneAndTheyShadeEachOther) {
+  const Scene scene = load_scene("waves");
+  const Bvh bvh = build_bvh(scene.mesh);
+  const SceneDemands demands = scene_demands(scene, bvh, {});
+  EXPECT_EQ(demands.classes(), 1U << 4U);  // +x, +y, -z
+  for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(demands.can_be_zero(axis));
+  EXPECT_FALSE(demands.has(RayKind::secondary));
+  RenderOptions options{.width = 64, .height = 64};
+  std::size_t rays = 0;
+  std::size_t shaded = 0;
+  options.traced = [&](RayKind kind, const TraceJob& job) {
+    for (std::size_t i = 0; i < job.rays.size(); ++i) {
+      EXPECT_NO_THROW(check_ray(demands, kind, job.rays[i]));
+      if (kind != RayKind::shadow) continue;
+      ++rays;
+      shaded += job.triangles[i] != Hit::none ? 1 : 0;
+    }
+  };
+  (void)render(scene, *make_tracer(scene.mesh, bvh, {}), options);
+  EXPECT_GT(shaded, rays / 10) << rays;
+  EXPECT_LT(shaded, rays * 9 / 10) << rays;
 }
 
 TEST(DirectionClasses, AreAllWithMirrors) {

@@ -69,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Small{"spheres", 0x765716A8890361C6}, Small{"branch", 0x02B351868AE5B2D3},
                     Small{"poppy", 0x46231E5A3665F8EC}, Small{"plant_front", 0x536EB96ED1BAFF75},
                     Small{"plant_north", 0x536EB96ED1BAFF75}, Small{"plant_boiler", 0x536EB96ED1BAFF75},
-                    Small{"statue", 0x19385A9A4F16B5D2}, Small{"two_statues", 0x06BA5CAF1DDCE6F9}),
+                    Small{"statue", 0x19385A9A4F16B5D2}, Small{"two_statues", 0x06BA5CAF1DDCE6F9},
+                    Small{"plant_slice", 0x0ECD82323750C5CD}, Small{"waves", 0xD4B1C229A29C7609}),
     [](const auto& parameter) { return std::string(parameter.param.name); });
 
 TEST(BuiltInScenes, HaveTheNumberOfTrianglesAskedFor) {
@@ -77,7 +78,8 @@ TEST(BuiltInScenes, HaveTheNumberOfTrianglesAskedFor) {
                                         {"poppy", 60'000U},
                                         {"plant", 500'000U},
                                         {"statue", 33'333U},
-                                        {"two_statues", 50'000U}}) {
+                                        {"two_statues", 50'000U},
+                                        {"waves", 20'000U}}) {
     const std::size_t count = make_built_in(name, triangles).mesh.triangles.size();
     EXPECT_NEAR(static_cast<double>(count), triangles, 0.02 * triangles) << name;
   }
@@ -124,6 +126,16 @@ TEST(Statue, TrianglesAreOfOneSize) {
   }
   std::sort(areas.begin(), areas.end());
   EXPECT_LT(areas[areas.size() * 9 / 10], 4.0 * areas[areas.size() / 10]);
+}
+
+TEST(PlantSlice, IsNarrowWithItsEyeAndLight) {
+  const Scene scene = load_scene("plant_slice");
+  constexpr float reach = 0x1p-5F;
+  for (const glm::vec3& v : scene.mesh.vertices) ASSERT_LT(std::abs(v.z), reach);
+  EXPECT_LT(std::abs(scene.camera.eye.z), reach);
+  for (const Light& light : scene.lights) EXPECT_LT(std::abs(light.position.z), reach);
+  for (const glm::uvec3& t : scene.mesh.triangles)
+    for (int k = 0; k < 3; ++k) ASSERT_LT(t[k], scene.mesh.vertices.size());
 }
 
 TEST(BuiltInScenes, NumbersOfTrianglesTheyCannotHaveRejected) {
