@@ -169,6 +169,72 @@ TEST_F(FitCommand, ListsCutsLargestFirstAndWritesACheckBesideTheWholeDesignsFile
   EXPECT_THAT(contents_of(out() + "/int_slabs/int_slabs.core"), HasSubstr("files: [int_slabs_check.v]"));
 }
 
+/// A closed room with a tetrahedron in it, as a mesh file of a model in its box is.
+constexpr const char* room = R"(v -1 -1 -1
+v 1 -1 -1
+v -1 1 -1
+v 1 1 -1
+v -1 -1 1
+v 1 -1 1
+v -1 1 1
+v 1 1 1
+v -0.3 -0.9 -0.3
+v 0.3 -0.9 -0.2
+v 0.1 -0.9 0.3
+v 0 -0.3 0
+f 1 2 4 3
+f 5 6 8 7
+f 1 2 6 5
+f 3 4 8 7
+f 1 3 7 5
+f 2 4 8 6
+f 9 10 11
+f 9 10 12
+f 10 11 12
+f 11 9 12
+)";
+
+/// The scenes of docs/fit.md, small; the room is for the model in its box.
+struct FittedScene {
+  const char* name;
+  std::vector<std::string> options;
+  const char* reason;  ///< among those that are listed
+};
+void PrintTo(const FittedScene& fitted, std::ostream* out) {
+  *out << fitted.name;
+}
+
+class FitOfScene : public FitCommand, public testing::WithParamInterface<FittedScene> {};
+
+TEST_P(FitOfScene, SavesAreaSaysWhyAndMissesNothing) {
+  scene_ = GetParam().name;
+  if (scene_ == "room") scene_ = folder_.write("room.obj", room).string();
+  std::vector<std::string> options = GetParam().options;
+  options.insert(options.end(), {"--format", "json"});
+  const Outcome outcome = fit(options);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json row = json::parse(outcome.out).at(0);
+  EXPECT_GT(row.at("area_saved_pct"), 0.0);
+  EXPECT_LT(row.at("area_after_mm2"), row.at("area_before_mm2"));
+  EXPECT_THAT(row.at("left_out").dump(), HasSubstr(GetParam().reason));
+  EXPECT_GE(row.at("rays"), 24 * 20);
+  EXPECT_GT(row.at("box_tests"), row.at("rays"));
+  EXPECT_EQ(row.at("different_triangles"), 0);
+  EXPECT_EQ(row.at("false_misses"), 0);
+  EXPECT_EQ(row.at("rtl_mismatches"), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, FitOfScene,
+    testing::Values(FittedScene{"spheres",
+                                {"--no-shadows", "--bounces", "0", "--keep-bits", "--bits", "12/12"},
+                                "(ray origin.z is always "},
+                    FittedScene{
+                        "plant_slice", {"--keep-bits", "--bits", "12/12"}, "(box.z lies within -0.0"},
+                    FittedScene{"room", {"--overhead", "900"}, "bits: 6/6 instead of 24/24"},
+                    FittedScene{"waves", {"--keep-bits", "--bits", "12/12"}, "(direction.x lies within 0."}),
+    [](const auto& parameter) { return std::string(parameter.param.name); });
+
 TEST_F(FitCommand, RejectsWhatIsNotThere) {
   EXPECT_THAT(fit({"--designs", "int_cubes"}).err, HasSubstr("design int_cubes: unknown"));
   EXPECT_THAT(fit({"--bits", "99/3"}).err, HasSubstr("bits 99/3: allowed is n/t"));
