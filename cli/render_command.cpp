@@ -95,7 +95,12 @@ void render_scene(const RenderCommand& command) {
           {"node_bytes", tracer->node_count() * tracer->bytes_per_node()},
           {"rays_primary", counts.primary.rays},
           {"rays_secondary", counts.secondary.rays},
-          {"rays_shadow", counts.shadow.rays}};
+          {"rays_shadow", counts.shadow.rays},
+          {"surface_points", result.shading.surface_points},
+          {"light_evaluations", result.shading.light_evaluations},
+          {"queue_bytes_primary", result.shading.queue_bytes_of(ref::RayKind::primary)},
+          {"queue_bytes_secondary", result.shading.queue_bytes_of(ref::RayKind::secondary)},
+          {"queue_bytes_shadow", result.shading.queue_bytes_of(ref::RayKind::shadow)}};
   add_work(row, counts, "box_tests", &ref::TraceCounts::box_tests);
   add_work(row, counts, "triangle_tests", &ref::TraceCounts::triangle_tests);
   add_work(row, counts, "nodes_loaded", &ref::TraceCounts::nodes_loaded);

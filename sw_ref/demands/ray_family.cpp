@@ -14,10 +14,6 @@ namespace {
 /// Covers what double arithmetic and one rounding to binary32 can add to numbers of at most 1 or so.
 constexpr double slack = 0x1p-22;
 
-bool any(const glm::vec3& light) {
-  return light.x > 0.0F || light.y > 0.0F || light.z > 0.0F;
-}
-
 float below(double x) {
   return std::nextafter(static_cast<float>(x), -Ray::infinite);
 }
@@ -64,35 +60,19 @@ Aabb all_directions() {
 
 }  // namespace
 
-SurfaceParts surface_parts(const Scene& scene) {
-  std::vector<bool> used(scene.materials.size(), scene.mesh.materials.empty());
-  for (const std::uint8_t material : scene.mesh.materials) used[material] = true;
-  SurfaceParts parts;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) continue;
-    const Material& material = scene.materials[i];
-    parts.diffuse = parts.diffuse || any(material.albedo);
-    parts.bending = parts.bending || any(material.reflect) || any(material.transmit);
-  }
-  return parts;
-}
-
 std::vector<RayFamily> ray_families(const Scene& scene, const ViewOptions& view) {
-  const SurfaceParts parts = surface_parts(scene);
+  const RayCauses causes = ray_causes(scene, view.bounces);
   const glm::vec3& eye = scene.camera.eye;
   std::vector<RayFamily> families{{RayKind::primary,
                                    {eye, eye},
                                    primary_directions(scene.camera, view),
                                    "from the eye through the frustum of the image"}};
   const Aabb surfaces = surface_origins(scene.mesh);
-  const bool bending = parts.bending && view.bounces > 0;
-  if (bending)
+  if (causes.secondary())
     families.push_back({RayKind::secondary, surfaces, all_directions(),
                         "from the surfaces: mirrors and glass send rays anywhere"});
-  if (!parts.diffuse) return families;
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+  for (const std::uint32_t i : causes.lights) {
     const Light& light = scene.lights[i];
-    if (!any(light.intensity)) continue;
     // light - origin in binary32: rounding is monotone, so the ends are the differences of the ends.
     families.push_back({RayKind::shadow,
                         surfaces,

@@ -28,14 +28,6 @@ struct ViewOptions {
   int bounces = WhittedOptions{}.bounces;
 };
 
-/// Surfaces that are not black; what they are made of decides which rays leave them.
-struct SurfaceParts {
-  bool diffuse = false;
-  bool bending = false;  ///< some mirror or pass light on
-};
-/// Of the materials that triangles use.
-[[nodiscard]] SurfaceParts surface_parts(const Scene& scene);
-
 /// Primary rays first, then secondary ones, then those to each light.
 [[nodiscard]] std::vector<RayFamily> ray_families(const Scene& scene, const ViewOptions& view);
 

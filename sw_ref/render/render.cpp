@@ -1,7 +1,6 @@
 #include "sw_ref/render/render.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <limits>
 #include <mutex>
@@ -33,15 +32,18 @@ struct Frame {
 class TileRenderer {
  public:
   TileRenderer(const Frame& frame, RenderResult& result)
-      : frame_(frame), result_(result), shadows_(frame.scene.lights.size()) {}
+      : frame_(frame),
+        result_(result),
+        shadows_(causes().lights.size()),
+        secondary_(std::size_t{causes().mirrors} + std::size_t{causes().refracts}),
+        generation_(secondary_.size()) {}
 
-  RenderCounts run(std::size_t tile) {
+  void run(std::size_t tile) {
     const int side = frame_.options.tile_side;
     left_ = static_cast<int>(tile) % frame_.columns * side;
     top_ = static_cast<int>(tile) / frame_.columns * side;
     width_ = std::min(side, result_.width - left_);
     const int height = std::min(side, result_.height - top_);
-    counts_ = {};
     light_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height), {});
     batch_.clear();
     for (std::size_t i = 0; i < light_.size(); ++i) {
@@ -50,22 +52,42 @@ class TileRenderer {
       batch_.push_back(
           frame_.whitted.primary(x, y, result_.width, result_.height, static_cast<std::uint32_t>(i)));
     }
+    note_queue(RayKind::primary, batch_.size());
     trace(batch_);
     keep_primary_hits();
     trace_shadows();
-    while (std::any_of(secondary_.begin(), secondary_.end(), [](const auto& b) { return !b.empty(); })) {
+    while (waiting(secondary_) > 0) {
       std::swap(secondary_, generation_);
-      for (std::vector<RayTask>& batch : generation_) {
+      for (Queue& batch : generation_) {
         trace(batch);
+        note_queue(RayKind::secondary, waiting(generation_) + waiting(secondary_));
         batch.clear();
       }
       trace_shadows();
     }
     for (std::size_t i = 0; i < light_.size(); ++i) result_.image[place(i)] = light_[i].value();
-    return counts_;
   }
 
+  /// Of all tiles so far.
+  [[nodiscard]] const RenderCounts& counts() const { return counts_; }
+  [[nodiscard]] const ShadingCounts& shading() const { return shading_; }
+
  private:
+  using Queue = std::vector<RayTask>;
+
+  [[nodiscard]] const RayCauses& causes() const { return frame_.whitted.causes(); }
+
+  void note_queue(RayKind kind, std::size_t tasks) {
+    std::uint64_t& most = shading_.queue_bytes.at(static_cast<std::size_t>(kind));
+    most = std::max(most, std::uint64_t{tasks * sizeof(RayTask)});
+  }
+
+  [[nodiscard]] static std::size_t waiting(const std::vector<Queue>& queues) {
+    std::size_t tasks = 0;
+    for (const Queue& queue : queues) tasks += queue.size();
+    return tasks;
+  }
+
   /// Where the result keeps the tile's pixel.
   [[nodiscard]] std::size_t place(std::size_t pixel) const {
     const int x = left_ + static_cast<int>(pixel) % width_;
@@ -75,7 +97,7 @@ class TileRenderer {
   }
 
   /// Traces tasks of one kind and sorts what follows into shadows_ and secondary_.
-  void trace(const std::vector<RayTask>& batch) {
+  void trace(const Queue& batch) {
     if (batch.empty()) return;
     rays_.clear();
     for (const RayTask& task : batch) rays_.push_back(task.ray);
@@ -86,8 +108,11 @@ class TileRenderer {
     frame_.tracer.trace(job, counts_.of(first.kind));
     if (frame_.options.traced) frame_.options.traced(first.kind, job);
     next_.clear();
-    for (std::size_t i = 0; i < batch.size(); ++i)
-      frame_.whitted.end(batch[i], triangles_[i], light_[batch[i].pixel], next_);
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const ShadeWork work = frame_.whitted.end(batch[i], triangles_[i], light_[batch[i].pixel], next_);
+      shading_.surface_points += work.surface_points;
+      shading_.light_evaluations += work.light_evaluations;
+    }
     for (const RayTask& task : next_)
       (task.kind == RayKind::shadow ? shadows_[task.source] : secondary_[task.source]).push_back(task);
     for (std::size_t i = 0; i < work_.size(); ++i) {
@@ -98,7 +123,8 @@ class TileRenderer {
   }
 
   void trace_shadows() {
-    for (std::vector<RayTask>& batch : shadows_) {
+    note_queue(RayKind::shadow, waiting(shadows_));
+    for (Queue& batch : shadows_) {
       trace(batch);
       batch.clear();
     }
@@ -122,12 +148,13 @@ class TileRenderer {
   int top_ = 0;
   int width_ = 0;
   RenderCounts counts_;
+  ShadingCounts shading_;
   std::vector<LightSum> light_;  // by pixel of the tile
-  std::vector<RayTask> batch_;
-  std::vector<std::vector<RayTask>> shadows_;       // by light
-  std::array<std::vector<RayTask>, 2> secondary_;   // mirrored and refracted
-  std::array<std::vector<RayTask>, 2> generation_;  // the secondary rays that are being traced
-  std::vector<RayTask> next_;
+  Queue batch_;
+  std::vector<Queue> shadows_;     // by light of RayCauses
+  std::vector<Queue> secondary_;   // mirrored and refracted, as far as the scene causes them
+  std::vector<Queue> generation_;  // the secondary rays that are being traced
+  Queue next_;
   std::vector<Ray> rays_;
   std::vector<std::uint32_t> triangles_;
   std::vector<RayWork> work_;
@@ -158,6 +185,14 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
   primary += other.primary;
   secondary += other.secondary;
   shadow += other.shadow;
+  return *this;
+}
+
+ShadingCounts& ShadingCounts::operator+=(const ShadingCounts& other) {
+  surface_points += other.surface_points;
+  light_evaluations += other.light_evaluations;
+  for (std::size_t kind = 0; kind < queue_bytes.size(); ++kind)
+    queue_bytes.at(kind) = std::max(queue_bytes.at(kind), other.queue_bytes.at(kind));
   return *this;
 }
 
@@ -196,15 +231,15 @@ RenderResult render(const Scene& scene, const Tracer& tracer, const RenderOption
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
       TileRenderer renderer(frame, result);
-      RenderCounts counts;
       for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {
-        counts += renderer.run(tile);
+        renderer.run(tile);
         const std::size_t done = ++finished;
         if (steps(done) != steps(done - 1))
           options.progress(static_cast<double>(done) / static_cast<double>(count));
       }
       const std::scoped_lock lock(counting);
-      result.counts += counts;
+      result.counts += renderer.counts();
+      result.shading += renderer.shading();
     });
   });
   return result;

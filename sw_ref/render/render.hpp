@@ -4,6 +4,7 @@
 // rays; and so on.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -44,6 +45,21 @@ struct RenderCounts {
   friend bool operator==(const RenderCounts&, const RenderCounts&) = default;
 };
 
+/// What the renderer did beside tracing.
+struct ShadingCounts {
+  std::uint64_t surface_points = 0;     ///< hits that were shaded
+  std::uint64_t light_evaluations = 0;  ///< lights asked by them
+  /// Of rays that wait or are being traced, at their most in a tile, by RayKind.
+  std::array<std::uint64_t, 3> queue_bytes{};
+
+  [[nodiscard]] std::uint64_t queue_bytes_of(RayKind kind) const {
+    return queue_bytes.at(static_cast<std::size_t>(kind));
+  }
+  /// Queues: the larger of the two.
+  ShadingCounts& operator+=(const ShadingCounts& other);
+  friend bool operator==(const ShadingCounts&, const ShadingCounts&) = default;
+};
+
 /// Pictures row by row from the top.
 struct RenderResult {
   int width = 0;
@@ -54,6 +70,7 @@ struct RenderResult {
   std::vector<float> box_tests;          ///< for all rays of the pixel
   std::vector<float> triangle_tests;
   RenderCounts counts;
+  ShadingCounts shading;
 };
 
 /// `tracer` is made over `scene.mesh`, whose camera is in the cube. Throws std::invalid_argument for sizes or

@@ -13,9 +13,8 @@ double part(double x, double most) {
   return x > 0.0 ? std::min(x, most) : 0.0;
 }
 
-}  // namespace
-
-SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) {
+template <bool smooth>
+SurfacePoint point_of(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) {
   const Mesh::Corners corners = mesh.corners(triangle);
   const glm::dvec3 a(corners.a);
   const glm::dvec3 ab = glm::dvec3(corners.b) - a;
@@ -36,14 +35,29 @@ SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& 
   point.normal = glm::normalize(facing == glm::dvec3(0.0) ? -direction : facing);
   point.shading_normal = point.normal;
   point.front = determinant <= 0.0;
-  if (!mesh.normals.empty()) {
+  if constexpr (smooth) {
     const glm::uvec3& t = mesh.triangles[triangle];
-    const glm::dvec3 smooth =
+    const glm::dvec3 shading =
         glm::normalize((1.0 - v - w) * glm::dvec3(mesh.normals[t.x]) + v * glm::dvec3(mesh.normals[t.y]) +
                        w * glm::dvec3(mesh.normals[t.z]));
-    point.shading_normal = glm::dot(smooth, point.normal) < 0.0 ? -smooth : smooth;
+    point.shading_normal = glm::dot(shading, point.normal) < 0.0 ? -shading : shading;
   }
   return point;
+}
+
+}  // namespace
+
+SurfacePoint flat_surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) {
+  return point_of<false>(mesh, triangle, ray);
+}
+
+SurfacePoint smooth_surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) {
+  return point_of<true>(mesh, triangle, ray);
+}
+
+SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) {
+  return mesh.normals.empty() ? flat_surface_point(mesh, triangle, ray)
+                              : smooth_surface_point(mesh, triangle, ray);
 }
 
 glm::vec3 origin_beside(const SurfacePoint& point, double offset) {

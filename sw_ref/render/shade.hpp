@@ -28,6 +28,9 @@ struct SurfacePoint {
 
 /// The point of `triangle` that the ray hits, computed in double and kept on the triangle.
 [[nodiscard]] SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray);
+/// The same of a mesh without normals, and of one with.
+[[nodiscard]] SurfacePoint flat_surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray);
+[[nodiscard]] SurfacePoint smooth_surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray);
 
 /// The point `offset` above the surface, on the ray's side of it for offset > 0. It is moved onto the [-1, 1]
 /// cube, as a float, where the offset leaves it.

@@ -20,7 +20,12 @@ float brightest(const glm::vec3& light) {
 
 }  // namespace
 
-Whitted::Whitted(const Scene& scene, const WhittedOptions& options) : scene_(&scene), options_(options) {
+Whitted::Whitted(const Scene& scene, const WhittedOptions& options)
+    : scene_(&scene),
+      options_(options),
+      causes_(ray_causes(scene, options.bounces)),
+      surface_(causes_.smooth ? smooth_surface_point : flat_surface_point),
+      end_(end_for(causes_)) {
   if (options.bounces < 0 || options.bounces > WhittedOptions::most_bounces)
     throw std::invalid_argument(
         fmt::format("{} bounces; allowed are 0 to {}", options.bounces, WhittedOptions::most_bounces));
@@ -39,46 +44,96 @@ RayTask Whitted::primary(int x, int y, int width, int height, std::uint32_t numb
   return task;
 }
 
-void Whitted::end(const RayTask& task, std::uint32_t triangle, LightSum& pixel,
-                  std::vector<RayTask>& next) const {
-  if (task.kind == RayKind::shadow) {
-    if (triangle == Hit::none) pixel.add(task.weight);
-    return;
+ShadeWork Whitted::end(const RayTask& task, std::uint32_t triangle, LightSum& pixel,
+                       std::vector<RayTask>& next) const {
+  return (this->*end_)(task, triangle, pixel, next);
+}
+
+Whitted::End Whitted::end_for(const RayCauses& causes) {
+  if (causes.shadow())
+    return causes.secondary() ? &Whitted::end_where<true, true, true>
+                              : &Whitted::end_where<true, true, false>;
+  if (causes.scatters)
+    return causes.secondary() ? &Whitted::end_where<true, false, true>
+                              : &Whitted::end_where<true, false, false>;
+  return causes.secondary() ? &Whitted::end_where<false, false, true>
+                            : &Whitted::end_where<false, false, false>;
+}
+
+template <bool scatters, bool shadow, bool secondary>
+ShadeWork Whitted::end_where(const RayTask& task, std::uint32_t triangle, LightSum& pixel,
+                             std::vector<RayTask>& next) const {
+  if constexpr (shadow) {
+    if (task.kind == RayKind::shadow) {
+      if (triangle == Hit::none) pixel.add(task.weight);
+      return {};
+    }
   }
   if (triangle == Hit::none) {
     pixel.add(task.weight * sky(task.ray.direction));
-    return;
+    return {};
   }
-  const Mesh& mesh = scene_->mesh;
-  const Material& material = scene_->materials[mesh.materials.empty() ? 0 : mesh.materials[triangle]];
-  const SurfacePoint point = surface_point(mesh, triangle, task.ray);
-  const glm::vec3 diffuse = task.weight * material.albedo;
-  pixel.add(diffuse * ambient(point));
-  for (std::size_t i = 0; i < scene_->lights.size(); ++i) {
-    const Light& light = scene_->lights[i];
+  ShadeWork work;
+  if constexpr (scatters || secondary) {
+    const Mesh& mesh = scene_->mesh;
+    const Material& material = scene_->materials[mesh.materials.empty() ? 0 : mesh.materials[triangle]];
+    glm::vec3 diffuse(0.0F);
+    if constexpr (scatters) diffuse = task.weight * material.albedo;
+    Bent bent;
+    if constexpr (secondary) {
+      if (task.depth != options_.bounces)
+        bent = {task.weight * material.reflect, task.weight * material.transmit};
+    }
+    const bool is_matt = scatters && brightest(diffuse) > 0.0F;
+    const bool bends = secondary && counts(bent.mirrored + bent.passing);
+    if (!is_matt && !bends) return work;
+
+    const SurfacePoint point = surface_(mesh, triangle, task.ray);
+    work.surface_points = 1;
+    if constexpr (scatters) {
+      if (is_matt) pixel.add(diffuse * ambient(point));
+    }
+    if constexpr (shadow) {
+      if (is_matt) work.light_evaluations = add_shadow_rays(task, point, diffuse, next);
+    }
+    if constexpr (secondary) {
+      if (bends) add_secondary_rays(task, point, material.refractive_index, bent, next);
+    }
+  }
+  return work;
+}
+
+std::uint32_t Whitted::add_shadow_rays(const RayTask& task, const SurfacePoint& point,
+                                       const glm::vec3& diffuse, std::vector<RayTask>& next) const {
+  const auto lights = static_cast<std::uint32_t>(causes_.lights.size());
+  for (std::uint32_t i = 0; i < lights; ++i) {
+    const Light& light = scene_->lights[causes_.lights[i]];
     const glm::vec3 brought = diffuse * direct(point, light);
     if (!(brightest(brought) > 0.0F)) continue;
     const auto ray = shadow_ray(point, light);
     if (!ray) continue;
     next.push_back({*ray, brought, task.pixel, static_cast<std::uint16_t>(i), RayKind::shadow, task.depth});
   }
+  return lights;
+}
 
-  if (task.depth == options_.bounces) return;
+void Whitted::add_secondary_rays(const RayTask& task, const SurfacePoint& point, float index, Bent bent,
+                                 std::vector<RayTask>& next) const {
   const auto append = [&](const Ray& ray, const glm::vec3& weight, std::uint16_t source) {
     next.push_back(
         {ray, weight, task.pixel, source, RayKind::secondary, static_cast<std::uint8_t>(task.depth + 1)});
   };
-  const auto counts = [&](const glm::vec3& weight) {
-    return brightest(weight) > 0.0F && brightest(weight) >= options_.cutoff;
-  };
-  glm::vec3 mirrored = task.weight * material.reflect;
-  if (brightest(material.transmit) > 0.0F) {
-    const glm::vec3 passing = task.weight * material.transmit;
-    const auto ray = refracted_ray(point, task.ray.direction, material.refractive_index);
-    if (!ray) mirrored += passing;
-    if (ray && counts(passing)) append(*ray, passing, RayTask::refracted);
+  if (brightest(bent.passing) > 0.0F) {
+    const auto ray = refracted_ray(point, task.ray.direction, index);
+    if (!ray) bent.mirrored += bent.passing;
+    if (ray && counts(bent.passing)) append(*ray, bent.passing, RayTask::refracted);
   }
-  if (counts(mirrored)) append(mirrored_ray(point, task.ray.direction), mirrored, RayTask::mirrored);
+  if (counts(bent.mirrored))
+    append(mirrored_ray(point, task.ray.direction), bent.mirrored, RayTask::mirrored);
+}
+
+bool Whitted::counts(const glm::vec3& weight) const {
+  return brightest(weight) > 0.0F && brightest(weight) >= options_.cutoff;
 }
 
 }  // namespace hitpipe::ref

@@ -11,6 +11,8 @@
 
 #include "sw_ref/geometry/ray.hpp"
 #include "sw_ref/render/light_sum.hpp"
+#include "sw_ref/render/ray_causes.hpp"
+#include "sw_ref/render/shade.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "sw_ref/traverse/query.hpp"
 
@@ -30,7 +32,7 @@ struct RayTask {
   Ray ray;
   glm::vec3 weight{1.0F};    ///< its share of the pixel's light; of a shadow ray: the light that it brings
   std::uint32_t pixel = 0;   ///< the caller's number
-  std::uint16_t source = 0;  ///< of a shadow ray the light's index, of a secondary ray mirrored or refracted
+  std::uint16_t source = 0;  ///< of a shadow ray an index of RayCauses::lights, else mirrored or refracted
   RayKind kind = RayKind::primary;
   std::uint8_t depth = 0;  ///< secondary rays between the eye and its origin, itself counted
 
@@ -47,11 +49,19 @@ struct WhittedOptions {
   float cutoff = 1.0F / 256.0F;
 };
 
+/// What came of the end of a ray.
+struct ShadeWork {
+  std::uint32_t surface_points = 0;     ///< computed
+  std::uint32_t light_evaluations = 0;  ///< of direct light
+};
+
 class Whitted {
  public:
   /// The scene must outlive it. Throws std::invalid_argument for options out of range, and for more lights
   /// than a task can number (2^16).
   Whitted(const Scene& scene, const WhittedOptions& options);
+
+  [[nodiscard]] const RayCauses& causes() const { return causes_; }
 
   /// The task of pixel (x, y), called `number`, of a width x height image.
   [[nodiscard]] RayTask primary(int x, int y, int width, int height, std::uint32_t number) const;
@@ -59,11 +69,37 @@ class Whitted {
   /// Goes on after the task's ray ended at `triangle`, Hit::none if at none: adds light to the task's pixel
   /// and appends the tasks that follow. A shadow ray is appended when the light is in front of the surface
   /// and would bring more than 0. With the eye in the cube the rays of all tasks are acceptable().
-  void end(const RayTask& task, std::uint32_t triangle, LightSum& pixel, std::vector<RayTask>& next) const;
+  ShadeWork end(const RayTask& task, std::uint32_t triangle, LightSum& pixel,
+                std::vector<RayTask>& next) const;
 
  private:
+  using End = ShadeWork (Whitted::*)(const RayTask&, std::uint32_t, LightSum&, std::vector<RayTask>&) const;
+
+  /// A ray's weight after a surface has bent it.
+  struct Bent {
+    glm::vec3 mirrored{0.0F};
+    glm::vec3 passing{0.0F};
+  };
+
+  /// end() for scenes that cause no more than these; chosen once.
+  template <bool scatters, bool shadow, bool secondary>
+  ShadeWork end_where(const RayTask& task, std::uint32_t triangle, LightSum& pixel,
+                      std::vector<RayTask>& next) const;
+  [[nodiscard]] static End end_for(const RayCauses& causes);
+
+  /// How many lights were asked.
+  std::uint32_t add_shadow_rays(const RayTask& task, const SurfacePoint& point, const glm::vec3& diffuse,
+                                std::vector<RayTask>& next) const;
+  void add_secondary_rays(const RayTask& task, const SurfacePoint& point, float index, Bent bent,
+                          std::vector<RayTask>& next) const;
+  /// A secondary ray of this weight is sent.
+  [[nodiscard]] bool counts(const glm::vec3& weight) const;
+
   const Scene* scene_;
   WhittedOptions options_;
+  RayCauses causes_;
+  SurfacePoint (*surface_)(const Mesh&, std::uint32_t, const Ray&);
+  End end_;
 };
 
 }  // namespace hitpipe::ref

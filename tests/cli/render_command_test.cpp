@@ -67,7 +67,8 @@ TEST(RenderCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0],
             "scene,stands_for,triangles,degenerate_dropped,bvh_nodes,bytes_per_node,node_bytes,rays_primary,"
-            "rays_secondary,rays_shadow,"
+            "rays_secondary,rays_shadow,surface_points,light_evaluations,"
+            "queue_bytes_primary,queue_bytes_secondary,queue_bytes_shadow,"
             "box_tests,box_tests_per_ray,box_tests_per_primary,box_tests_per_secondary,box_tests_per_shadow,"
             "triangle_tests,triangle_tests_per_ray,triangle_tests_per_primary,triangle_tests_per_secondary,"
             "triangle_tests_per_shadow,"
@@ -144,6 +145,30 @@ TEST(RenderCommand, DrawsMapsWhereTold) {
   EXPECT_EQ(object.at("box_map_low"), 0.0);
   EXPECT_GT(object.at("box_map_high"), object.at("box_tests_per_primary"));
   EXPECT_GT(object.at("triangle_map_high"), 1.0);
+}
+
+TEST(RenderCommand, SaysWhatTheSceneDidWithout) {
+  const sim::TemporaryFolder folder;
+  const auto shown = [&](const std::string& lights, const std::string& bounces) {
+    const std::string scene =
+        folder.write("scene.json", R"({"built_in": "spheres", "lights": [)" + lights + "]}").string();
+    const Outcome outcome = run_hitpipe({"render", "--scene", scene, "--width", "40", "--height", "30",
+                                         "--bounces", bounces, "--format", "json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  };
+  const auto least = shown("", "0");
+  EXPECT_GT(least.at("surface_points"), 0);
+  EXPECT_EQ(least.at("light_evaluations"), 0);
+  EXPECT_GT(least.at("queue_bytes_primary"), 0);
+  EXPECT_EQ(least.at("queue_bytes_secondary"), 0);
+  EXPECT_EQ(least.at("queue_bytes_shadow"), 0);
+  const auto most = shown(R"({"position": [0, 9, 3]})", "3");
+  EXPECT_GT(most.at("surface_points"), least.at("surface_points"));
+  EXPECT_GT(most.at("light_evaluations"), 0);
+  EXPECT_EQ(most.at("queue_bytes_primary"), least.at("queue_bytes_primary"));
+  EXPECT_GT(most.at("queue_bytes_secondary"), 0);
+  EXPECT_GT(most.at("queue_bytes_shadow"), 0);
 }
 
 /// The options mean what their help says: one light more makes more shadow rays, another eye another picture.
