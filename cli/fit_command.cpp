@@ -118,6 +118,9 @@ Row record(const sim::FittedUnit& unit, const FitScene& scene, const sim::Vector
           {"bits", rtl::to_string(unit.format)},
           {"bits_before", rtl::to_string(unit.before)},
           {"dropped_bits", unit.coarse().dropped},
+          {"ray_ends", unit.ends()},
+          {"endless_extra_box_tests_pct",
+           unit.precision ? Row(unit.precision->endless_extra_box_tests_pct) : Row(nullptr)},
           {"formats_measured", unit.precision ? unit.precision->formats_measured : 0},
           {"scene", scene.scene.name},
           {"area_before_mm2", mm2(unit.price_before.area_um2)},
@@ -152,13 +155,14 @@ std::string reports_text(const std::vector<FitReport>& reports, const FitScene& 
 
 std::optional<sim::Precision> precision_of(const FitCommand& command, const rtl::Design& design,
                                            const FitScene& scene, const sim::SceneRays& rays) {
-  if (command.keep_bits || design.is_float()) return std::nullopt;
+  if (command.keep_bits) return std::nullopt;
+  const rtl::Format before = format_before(command, design);
   return sim::fewest_bits({.design = &design,
                            .scene = &scene.scene,
                            .bvh = &scene.bvh,
                            .demands = &scene.demands,
                            .rays = &rays,
-                           .most = format_before(command, design).bits(),
+                           .most = before.is_float() ? hls::IntBits{} : before.bits(),
                            .overhead_pct = command.overhead_pct,
                            .threads = command.scene.threads});
 }
@@ -195,6 +199,7 @@ FitReport fit_design(const FitCommand& command, const rtl::Design& design, const
                                                    .referee = !design.is_float(),
                                                    .light = command.light,
                                                    .coarse = unit.coarse(),
+                                                   .ends = unit.ends(),
                                                    .scene_demands = &scene.demands,
                                                    .guard = &guard,
                                                    .progress = show});
@@ -257,7 +262,7 @@ void add_fit_command(CLI::App& program, int& exit_code) {
       ->type_name("NAME,...");
   command
       ->add_option("--overhead", options->overhead_pct,
-                   "Most extra box tests of an integer design with fewer bits, in percent")
+                   "Most extra box tests that fewer bits, or rays without ends, may cost, in percent")
       ->check(overhead_problem)
       ->capture_default_str()
       ->type_name("P");

@@ -75,6 +75,10 @@ std::string design_text(const FitReport& report) {
     text += fmt::format("  {:6.2f} %  ", 100.0 * static_cast<double>(left.area_um2) / whole_um2) +
             wrapped(left.what, 14, 12) + std::string(12, ' ') + wrapped(left.why, 14, 12);
   }
+  if (row.at("ray_ends").get<bool>() && !row.at("endless_extra_box_tests_pct").is_null())
+    text += "  " + wrapped(fmt::format("ends of rays kept: {:.2f} % extra box tests without them",
+                                       number_of(row, "endless_extra_box_tests_pct")),
+                           4, 2);
   const auto kept = row.at("kept_whole").get<std::vector<std::string>>();
   text += "  " + wrapped(fmt::format("ports kept whole: {}", fmt::join(kept, ", ")), 4, 2);
   text += "  " +

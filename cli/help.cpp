@@ -2,28 +2,18 @@
 
 #include <sstream>
 
+#include "cli/wrap.hpp"
+
 namespace hitpipe::cli {
 
 namespace {
 
-constexpr std::size_t page_width = 80;
 constexpr std::size_t name_width = 33;  // the longest name with its value: --format text|csv|json=text
 
-/// The words of a text in lines of at most `width` characters; a longer word has a line of its own.
-std::string wrapped(const std::string& text, std::size_t width) {
-  std::istringstream words(text);
-  std::string lines;
-  std::size_t column = 0;
-  for (std::string word; words >> word; column += word.size()) {
-    if (column > 0 && column + 1 + word.size() > width) {
-      lines += '\n';
-      column = 0;
-    } else if (column > 0) {
-      lines += ' ';
-      ++column;
-    }
-    lines += word;
-  }
+/// Without the end of the last line, which CLI adds.
+std::string in_lines(const std::string& text, std::size_t width) {
+  std::string lines = wrapped(text, 0, 0, width);
+  lines.pop_back();
   return lines;
 }
 
@@ -37,18 +27,18 @@ HelpFormatter::HelpFormatter() {
 }
 
 std::string HelpFormatter::make_description(const CLI::App* app) const {
-  return wrapped(app->get_description(), page_width) + "\n";
+  return in_lines(app->get_description(), line_width) + "\n";
 }
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
   std::ostringstream out;
   CLI::detail::format_help(out, command->get_name(),
-                           wrapped(command->get_description(), page_width - name_width), name_width);
+                           in_lines(command->get_description(), line_width - name_width), name_width);
   return out.str();
 }
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
-  return wrapped(option->get_description(), page_width - name_width);
+  return in_lines(option->get_description(), line_width - name_width);
 }
 
 }  // namespace hitpipe::cli

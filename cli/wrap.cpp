@@ -4,17 +4,11 @@
 
 namespace hitpipe::cli {
 
-namespace {
-
-constexpr std::size_t line_width = 80;
-
-}  // namespace
-
-std::string wrapped(const std::string& text, std::size_t indent, std::size_t column) {
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t column, std::size_t width) {
   std::string lines;
   std::istringstream words(text);
   for (std::string word; words >> word; column += word.size()) {
-    if (column > indent && column + 1 + word.size() > line_width) {
+    if (column > indent && column + 1 + word.size() > width) {
       lines += "\n" + std::string(indent, ' ');
       column = indent;
     } else if (!lines.empty()) {

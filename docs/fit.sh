@@ -8,8 +8,8 @@ program=${3:-build/hitpipe}
 out=out/fit
 mkdir -p "$out"
 
-echo "| scene | design | bits | mm² before | after | saved % | stages | bytes per node | extra box tests % |"
-echo "|---|---|---|---|---|---|---|---|---|"
+echo "| scene | design | bits | dropped x y z | mm² before | after | saved % | stages | bytes per node | extra box tests % |"
+echo "|---|---|---|---|---|---|---|---|---|---|"
 # The columns by their names; those used stand before any that may hold a comma.
 fit() {
   "$program" fit --scene "$@" --width "$size" --height "$size" --out "$out" --format csv >"$out/rows.csv"
@@ -17,7 +17,8 @@ fit() {
     NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
     { extra = sprintf("%.2f", $at["extra_box_tests_pct"])
       if (extra + 0 == 0) extra = "0.00"
-      printf "| %s | %s | %s | %.4f | %.4f | %.1f | %d to %d | %d | %s |\n", $at["scene"], $at["design"], $at["bits"],
+      printf "| %s | %s | %s | %s | %.4f | %.4f | %.1f | %d to %d | %d | %s |\n", $at["scene"], $at["design"], $at["bits"],
+        $at["design"] ~ /^fp/ ? "" : $at["dropped_bits"],
         $at["area_before_mm2"], $at["area_after_mm2"], $at["area_saved_pct"], $at["stages_before"], $at["stages"],
         $at["bytes_per_node"], extra }' "$out/rows.csv"
 }

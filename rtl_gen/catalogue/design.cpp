@@ -64,4 +64,9 @@ const Design& find_design(std::string_view name) {
   throw std::runtime_error(fmt::format("design {}: unknown; there are: {}", name, fmt::join(names, ", ")));
 }
 
+std::size_t index_of(const std::vector<Port>& ports, const std::string& name) {
+  const auto found = std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == name; });
+  return static_cast<std::size_t>(found - ports.begin());
+}
+
 }  // namespace hitpipe::rtl

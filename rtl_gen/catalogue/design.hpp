@@ -47,5 +47,7 @@ struct Port {
 };
 /// A graph's inputs, in order.
 [[nodiscard]] std::vector<Port> input_ports(const Graph& graph);
+/// Where the port of that name is; as many as there are where none is.
+[[nodiscard]] std::size_t index_of(const std::vector<Port>& ports, const std::string& name);
 
 }  // namespace hitpipe::rtl

@@ -11,11 +11,6 @@ namespace hitpipe::rtl {
 
 namespace {
 
-std::size_t index_of(const std::vector<Port>& ports, const std::string& name) {
-  const auto found = std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == name; });
-  return static_cast<std::size_t>(found - ports.begin());
-}
-
 const Port& known_port(const std::vector<Port>& ports, const std::string& name) {
   const std::size_t index = index_of(ports, name);
   if (index < ports.size()) return ports[index];

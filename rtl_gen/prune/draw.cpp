@@ -67,11 +67,6 @@ std::int64_t moved(Random& random, const PortDemand& wanted, std::int64_t from) 
   return up ? from + step : from - step;
 }
 
-std::size_t index_of(const std::vector<Port>& ports, const std::string& name) {
-  const auto found = std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == name; });
-  return static_cast<std::size_t>(found - ports.begin());
-}
-
 void put_in_order(std::int64_t& lesser, std::int64_t& greater) {
   if (lesser > greater) std::swap(lesser, greater);
 }

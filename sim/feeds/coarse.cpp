@@ -12,12 +12,10 @@ namespace hitpipe::sim {
 
 namespace {
 
-std::size_t index_of(const std::vector<rtl::Port>& ports, const std::string& name) {
-  const auto port = std::find_if(ports.begin(), ports.end(), [&](const auto& p) { return p.name == name; });
-  if (port == ports.end())
-    throw std::invalid_argument(
-        fmt::format("coarse axes: there is no port {}; take an integer design", name));
-  return static_cast<std::size_t>(port - ports.begin());
+std::size_t place_of(const std::vector<rtl::Port>& ports, const std::string& name) {
+  const std::size_t place = rtl::index_of(ports, name);
+  if (place < ports.size()) return place;
+  throw std::invalid_argument(fmt::format("coarse axes: there is no port {}; take an integer design", name));
 }
 
 struct Places {
@@ -27,9 +25,9 @@ struct Places {
     for (int axis = 0; axis < 3; ++axis) {
       const PortNames names = names_of(axis);
       const auto i = static_cast<std::size_t>(axis);
-      origin[i] = index_of(ports, "i" + names.origin);
-      min[i] = index_of(ports, "i" + names.low);
-      max[i] = index_of(ports, "i" + names.high);
+      origin[i] = place_of(ports, "i" + names.origin);
+      min[i] = place_of(ports, "i" + names.low);
+      max[i] = place_of(ports, "i" + names.high);
     }
   }
 };

@@ -1,14 +1,12 @@
 #include "sim/feeds/endless.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace hitpipe::sim {
 
 OperandStep endless_step(const std::vector<rtl::Port>& ports) {
-  const auto port = std::find_if(ports.begin(), ports.end(), [](const auto& p) { return p.name == "rinf"; });
-  if (port == ports.end()) throw std::invalid_argument("endless rays: there is no port rinf");
-  const auto at = port - ports.begin();
+  const std::size_t at = rtl::index_of(ports, "rinf");
+  if (at == ports.size()) throw std::invalid_argument("endless rays: there is no port rinf");
   return [at](std::int64_t* operands) { operands[at] = 1; };
 }
 

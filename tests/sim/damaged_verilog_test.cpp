@@ -19,7 +19,7 @@
 namespace hitpipe::sim {
 namespace {
 
-constexpr hls::IntBits bits{12, 12};
+constexpr hls::IntBits damaged_bits{12, 12};
 constexpr Traffic traffic{"gaps and stalls", 0.7, 0.7};
 constexpr Traffic resets{"gaps, stalls and resets", 0.7, 0.7, 0.01};
 constexpr std::uint64_t seed = 74;
@@ -40,23 +40,23 @@ exec {1} "$@"
 )",
                                                 sed, real == nullptr ? "verilator" : real));
   const EnvironmentValue verilator("VERILATOR", folder.path() / "verilator");
-  return {int_slabs(), bits, rtl::Library::thesis()};
+  return {int_slabs(), damaged_bits, rtl::Library::thesis()};
 }
 
 TestbenchReport driven(const VerilatedDesign& design, const Traffic& with = traffic) {
-  const std::vector<rtl::Port> ports = rtl::input_ports(int_slabs().trace(bits));
+  const std::vector<rtl::Port> ports = rtl::input_ports(int_slabs().trace(damaged_bits));
   Model model(design);
-  return drive(model, ports, int_slabs().evaluate(bits), rtl::operand_vectors(ports, 20'000, seed), with,
-               seed, seed);
+  return drive(model, ports, int_slabs().evaluate(damaged_bits), rtl::operand_vectors(ports, 20'000, seed),
+               with, seed, seed);
 }
 
 /// The counts of one unit with 8 rays in flight that sees the hills from one point.
 UnitCounts traced(const VerilatedDesign& design) {
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const auto feed = make_feed(int_slabs(), bits, bvh);
+  const auto feed = make_feed(int_slabs(), damaged_bits, bvh);
   RayUnit unit({.verilated = &design,
-                .evaluate = int_slabs().evaluate(bits),
+                .evaluate = int_slabs().evaluate(damaged_bits),
                 .feed = feed.get(),
                 .bvh = &bvh,
                 .mesh = &scene.mesh,
@@ -76,11 +76,11 @@ UnitCounts traced(const VerilatedDesign& design) {
 }
 
 TEST(DamagedVerilog, WholeOneIsClean) {
-  const TestbenchReport report = driven(verilated(bits));
+  const TestbenchReport report = driven(verilated(damaged_bits));
   EXPECT_TRUE(report.clean()) << report.first_failure;
   EXPECT_EQ(report.first_failure, "");
   EXPECT_EQ(report.received, 20'000U);
-  const UnitCounts counts = traced(verilated(bits));
+  const UnitCounts counts = traced(verilated(damaged_bits));
   EXPECT_EQ(counts.rtl_mismatches, 0U);
   EXPECT_GT(counts.box_tests, 4'000U);
 }
@@ -133,7 +133,7 @@ TEST(DamagedVerilog, TestsThatOutliveAResetAreNotTheOldest) {
   const TestbenchReport report = driven(design, resets);
   EXPECT_GT(report.resets, 100U);
   EXPECT_GT(report.surplus + report.wrong_tags, report.resets);
-  const TestbenchReport whole = driven(verilated(bits), resets);
+  const TestbenchReport whole = driven(verilated(damaged_bits), resets);
   EXPECT_TRUE(whole.clean()) << whole.first_failure;
   EXPECT_EQ(whole.received, 20'000U);
   EXPECT_GT(whole.dropped, whole.resets);

@@ -24,7 +24,7 @@ template <class Op>
 Named(const char*, Op) -> Named<Op>;
 
 // clang-format off
-constexpr auto operators = std::make_tuple(
+constexpr auto all_operators = std::make_tuple(
     Named{"a + b", [](auto, const auto& a, const auto& b) { return a + b; }},
     Named{"a - b", [](auto, const auto& a, const auto& b) { return a - b; }},
     Named{"a * b", [](auto, const auto& a, const auto& b) { return a * b; }},
@@ -51,7 +51,7 @@ constexpr auto operators = std::make_tuple(
     Named{"sint of -3", []<class D>(D, const auto& a, const auto&) { return a - typename D::template sint<7>(-3); }},
     Named{"as", [](auto, const auto& a, const auto& b) { return as("named", a) - as("named", 'x', b); }});
 // clang-format on
-constexpr std::size_t operator_count = std::tuple_size_v<decltype(operators)>;
+constexpr std::size_t operator_count = std::tuple_size_v<decltype(all_operators)>;
 
 template <class T>
 struct Shape {
@@ -65,10 +65,10 @@ struct Shape<bool> {
 };
 
 template <class T>
-std::uint64_t pattern(const T& x) {
+std::uint64_t pattern_of(const T& x) {
   return x.to_uint64() & ~std::uint64_t{0} >> (64 - T::width);
 }
-std::uint64_t pattern(bool x) {
+std::uint64_t pattern_of(bool x) {
   return x ? 1 : 0;
 }
 
@@ -91,7 +91,7 @@ int compare_pair(Seeded& random, int vectors) {
     EXPECT_EQ(graph[traced.id()].width, Traced::width) << op.name;
     graph.output(op.name, traced.id());
   };
-  std::apply([&](const auto&... op) { (record(op), ...); }, operators);
+  std::apply([&](const auto&... op) { (record(op), ...); }, all_operators);
 
   int compared = 0;
   for (int v = 0; v < vectors; ++v) {
@@ -100,9 +100,9 @@ int compare_pair(Seeded& random, int vectors) {
     std::vector<std::uint64_t> native;
     std::apply(
         [&](const auto&... op) {
-          (native.push_back(pattern(op.apply(hls::Native{}, A(in[0]), B(in[1])))), ...);
+          (native.push_back(pattern_of(op.apply(hls::Native{}, A(in[0]), B(in[1])))), ...);
         },
-        operators);
+        all_operators);
     for (std::size_t i = 0; i < operator_count; ++i) {
       EXPECT_EQ(traced[i], native[i])
           << graph.outputs()[i].name << std::hex << ", a 0x" << in[0] << ":" << std::dec << W1

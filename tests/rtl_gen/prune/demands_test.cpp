@@ -11,14 +11,15 @@
 namespace hitpipe::rtl {
 namespace {
 
-const std::vector<Port> ports{{"a", 8, true}, {"b", 8, true}, {"c", 8, false}, {"d", 1, false}};
+const std::vector<Port> four_ports{{"a", 8, true}, {"b", 8, true}, {"c", 8, false}, {"d", 1, false}};
 
 std::string complaint(const Demands& demands) {
-  return message_of<std::invalid_argument>([&] { check_demands(demands, ports); });
+  return message_of<std::invalid_argument>([&] { check_demands(demands, four_ports); });
 }
 
 TEST(Demands, LegalOnesAreTaken) {
-  check_demands({{{"a", {{-128, -5}, {3, 127}}}, {"c", {{0, 255}}}, {"d", {{1, 1}}}}, {{"a", "b"}}}, ports);
+  check_demands({{{"a", {{-128, -5}, {3, 127}}}, {"c", {{0, 255}}}, {"d", {{1, 1}}}}, {{"a", "b"}}},
+                four_ports);
 }
 
 TEST(Demands, AnUnknownPortIsRejected) {
@@ -52,7 +53,7 @@ TEST(Demands, LowZerosThatThePortHasNotAreRejected) {
 TEST(Demands, AnIntervalWithoutANumberOfSoManyLowZerosIsRejected) {
   EXPECT_EQ(complaint({{{"a", {{-8, 0}, {1, 3}}, 2}}, {}}), "demand on a: [1, 3] holds no multiple of 4");
   EXPECT_EQ(complaint({{{"a", {{6, 6}}, 2}}, {}}), "demand on a: 6 holds no multiple of 4");
-  check_demands({{{"a", {{-128, 127}}, 7}, {"b", {{4, 4}}, 2}, {"c", {{250, 255}}, 2}}, {}}, ports);
+  check_demands({{{"a", {{-128, 127}}, 7}, {"b", {{4, 4}}, 2}, {"c", {{250, 255}}, 2}}, {}}, four_ports);
 }
 
 TEST(Demands, MultiplesInAnInterval) {
@@ -78,32 +79,32 @@ TEST(Demands, AnOrderThatLeavesNothingIsRejected) {
 
 TEST(Demands, WeakerOnesAreImplied) {
   const Demands strong{{{"a", {{0, 4}, {7, 9}}}, {"b", {{10, 12}}}}, {}};
-  EXPECT_TRUE(implies(strong, {{{"a", {{0, 9}}}}, {}}, ports));
-  EXPECT_TRUE(implies(strong, {{}, {{"a", "b"}}}, ports));
-  EXPECT_TRUE(implies(strong, {}, ports));
-  EXPECT_TRUE(implies({}, {{{"c", {{0, 255}}}}, {}}, ports)) << "all that the port can have";
-  EXPECT_FALSE(implies(strong, {{{"a", {{0, 8}}}}, {}}, ports));
-  EXPECT_FALSE(implies(strong, {{{"a", {{0, 5}, {6, 8}}}}, {}}, ports));
-  EXPECT_FALSE(implies(strong, {{{"c", {{1, 255}}}}, {}}, ports));
-  EXPECT_FALSE(implies(strong, {{}, {{"b", "a"}}}, ports));
+  EXPECT_TRUE(implies(strong, {{{"a", {{0, 9}}}}, {}}, four_ports));
+  EXPECT_TRUE(implies(strong, {{}, {{"a", "b"}}}, four_ports));
+  EXPECT_TRUE(implies(strong, {}, four_ports));
+  EXPECT_TRUE(implies({}, {{{"c", {{0, 255}}}}, {}}, four_ports)) << "all that the port can have";
+  EXPECT_FALSE(implies(strong, {{{"a", {{0, 8}}}}, {}}, four_ports));
+  EXPECT_FALSE(implies(strong, {{{"a", {{0, 5}, {6, 8}}}}, {}}, four_ports));
+  EXPECT_FALSE(implies(strong, {{{"c", {{1, 255}}}}, {}}, four_ports));
+  EXPECT_FALSE(implies(strong, {{}, {{"b", "a"}}}, four_ports));
 }
 
 TEST(Demands, MoreLowZerosImplyFewer) {
   const std::vector<Interval> whole{{-128, 127}};
   const Demands multiples_of_4{{{"a", {{-10, 10}}, 2}}, {}};
-  EXPECT_TRUE(implies(multiples_of_4, {{{"a", whole, 1}}, {}}, ports));
-  EXPECT_TRUE(implies(multiples_of_4, {{{"a", {{-8, 8}}}}, {}}, ports)) << "none beyond";
-  EXPECT_TRUE(implies({{{"a", {{12, 12}}}}, {}}, {{{"a", whole, 2}}, {}}, ports)) << "a constant";
-  EXPECT_FALSE(implies(multiples_of_4, {{{"a", whole, 3}}, {}}, ports));
-  EXPECT_FALSE(implies({{{"a", {{4, 8}}}}, {}}, {{{"a", whole, 2}}, {}}, ports));
-  EXPECT_FALSE(implies({}, {{{"c", {{0, 255}}, 1}}, {}}, ports));
+  EXPECT_TRUE(implies(multiples_of_4, {{{"a", whole, 1}}, {}}, four_ports));
+  EXPECT_TRUE(implies(multiples_of_4, {{{"a", {{-8, 8}}}}, {}}, four_ports)) << "none beyond";
+  EXPECT_TRUE(implies({{{"a", {{12, 12}}}}, {}}, {{{"a", whole, 2}}, {}}, four_ports)) << "a constant";
+  EXPECT_FALSE(implies(multiples_of_4, {{{"a", whole, 3}}, {}}, four_ports));
+  EXPECT_FALSE(implies({{{"a", {{4, 8}}}}, {}}, {{{"a", whole, 2}}, {}}, four_ports));
+  EXPECT_FALSE(implies({}, {{{"c", {{0, 255}}, 1}}, {}}, four_ports));
 }
 
 TEST(Demands, OperandsMeetThemOrNot) {
   const Demands demands{{{"a", {{-3, -1}, {1, 3}}}}, {{"a", "b"}}};
   const auto met = [&](std::int64_t a, std::int64_t b) {
     const std::int64_t operands[] = {a, b, 0, 0};
-    return meets(demands, ports, operands);
+    return meets(demands, four_ports, operands);
   };
   EXPECT_TRUE(met(-3, -3));
   EXPECT_TRUE(met(3, 5));

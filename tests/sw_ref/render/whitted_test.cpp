@@ -147,13 +147,13 @@ void add_rectangle(Scene& scene, const glm::vec3& corner, const glm::vec3& u, co
   scene.mesh.materials.insert(scene.mesh.materials.end(), 2, material);
 }
 
-Material matt(float albedo) {
+Material matt_with(float albedo) {
   return {glm::vec3(albedo)};
 }
-Material mirror(float part) {
+Material mirror_with(float part) {
   return {glm::vec3(0.0F), glm::vec3(part)};
 }
-Material glass(float reflected, float passed, float index) {
+Material glass_with(float reflected, float passed, float index) {
   return {glm::vec3(0.0F), glm::vec3(reflected), glm::vec3(passed), index};
 }
 
@@ -195,7 +195,7 @@ Followed follow(const Scene& scene, const Ray& ray, const WhittedOptions& option
 /// Slanting to the middle of a mirror on the floor, which shows a matt wall.
 Scene mirror_and_wall() {
   Scene scene;
-  scene.materials = {mirror(0.5F), matt(0.8F)};
+  scene.materials = {mirror_with(0.5F), matt_with(0.8F)};
   add_rectangle(scene, {-0.25F, 0.0F, 0.25F}, {0.5F, 0.0F, 0.0F}, {0.0F, 0.0F, -0.5F}, 0);
   add_rectangle(scene, {0.5F, 0.0F, -0.5F}, {0.0F, 0.0F, 1.0F}, {0.0F, 0.9F, 0.0F}, 1);
   scene.lights = {{{-0.5F, 0.5F, 0.0F}, glm::vec3(1.0F)}};
@@ -234,7 +234,7 @@ TEST(Whitted, LightThatBringsNothingIsNotAskedFor) {
   scene.lights.push_back({{0.0F, 0.75F, 0.0F}, glm::vec3(0.0F)});
   scene.lights.push_back({{0.0F, INFINITY, 0.0F}, glm::vec3(1.0F)});
   EXPECT_EQ(shadow_rays(scene), 1U);
-  scene.materials[1] = matt(0.0F);
+  scene.materials[1] = matt_with(0.0F);
   EXPECT_EQ(shadow_rays(scene), 0U);
   scene.materials[1] = {glm::vec3(0.0F, 0.0F, 0.1F)};
   scene.lights = {{{0.0F, 0.75F, 0.0F}, {1.0F, 1.0F, 0.0F}}};  // yellow light on blue paint
@@ -251,7 +251,7 @@ Scene slab(const Material& material) {
 }
 
 TEST(Whitted, GlassSlabMovesARayAsideByTheKnownAmount) {
-  const Followed followed = follow(slab(glass(0.0F, 0.9F, 1.5F)), {{-0.5F, 0.5F, 0.0F}, slanting});
+  const Followed followed = follow(slab(glass_with(0.0F, 0.9F, 1.5F)), {{-0.5F, 0.5F, 0.0F}, slanting});
   ASSERT_EQ(followed.tasks.size(), 3U);
   EXPECT_EQ(followed.tasks[1].source, RayTask::refracted);
   const RayTask& last = followed.tasks[2];
@@ -265,7 +265,7 @@ TEST(Whitted, GlassSlabMovesARayAsideByTheKnownAmount) {
 }
 
 TEST(Whitted, TotalReflectionSendsAllLightTheOtherWay) {
-  const Scene scene = slab(glass(0.25F, 0.5F, 1.5F));
+  const Scene scene = slab(glass_with(0.25F, 0.5F, 1.5F));
   const Ray inside{{-0.75F, 0.0F, 0.0F}, slanting};  // 45 degrees are beyond the critical 41.8
   const Followed followed = follow(scene, inside, {.bounces = 3, .cutoff = 0.0F});
   ASSERT_EQ(followed.tasks.size(), 4U);
@@ -278,7 +278,7 @@ TEST(Whitted, TotalReflectionSendsAllLightTheOtherWay) {
 }
 
 TEST(Whitted, GlassSendsBothRaysAndTheirNumberIsLimited) {
-  const Scene scene = slab(glass(0.5F, 0.5F, 1.1F));
+  const Scene scene = slab(glass_with(0.5F, 0.5F, 1.1F));
   const Ray above{{-0.5F, 0.5F, 0.0F}, slanting};
   const auto secondary = [&](const WhittedOptions& options) {
     return follow(scene, above, options).count(RayKind::secondary);
@@ -293,12 +293,12 @@ TEST(Whitted, GlassSendsBothRaysAndTheirNumberIsLimited) {
 }
 
 TEST(Whitted, MirrorsFacingEachOtherAreFollowedToTheLimit) {
-  Scene scene = slab(mirror(1.0F));
+  Scene scene = slab(mirror_with(1.0F));
   const Ray between{{0.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}};
   EXPECT_EQ(follow(scene, between, {.bounces = 64}).count(RayKind::secondary), 64U);
-  scene.materials[0] = mirror(0.5F);
+  scene.materials[0] = mirror_with(0.5F);
   EXPECT_EQ(follow(scene, between, {.bounces = 64}).count(RayKind::secondary), 8U);  // 2^-8 is the cutoff
-  scene.materials[0] = matt(1.0F);
+  scene.materials[0] = matt_with(1.0F);
   EXPECT_EQ(follow(scene, between, {.bounces = 64}).tasks.size(), 1U);
 }
 
