@@ -189,7 +189,7 @@ TEST_F(KilledRun, OfFitLeavesOnlyWholeFiles) {
       run_whole({"fit", "--scene", "spheres", "--no-shadows", "--width", "8", "--height", "8", "--designs",
                  "int_slabs", "--keep-bits", "--bits", "12/12", "--vectors", "1000"}));
   kill_at_events("int_slabs", 8, "int_slabs");
-  kill_at_random_moments(3, 4);
+  kill_at_random_moments(6, 5);
 }
 
 }  // namespace
