@@ -131,9 +131,9 @@ std::vector<Evidence> SceneDemands::evidence() const {
     if (std::max(-low, high) >= 0.5F) wide += "xyz"[axis];
   }
   if (!two_sided.empty())
-    all.push_back({"float coordinates along " + two_sided, "they lie on both sides of 0", false});
+    all.push_back({"signs of float coordinates along " + two_sided, "they lie on both sides of 0", false});
   if (!wide.empty())
-    all.push_back({"integer coordinates along " + wide,
+    all.push_back({"range of integer coordinates along " + wide,
                    "they lie on both sides of 0, and reach half of the way to the cube's faces", false});
   all.push_back({fmt::format("smallest boxes: x {:.4g}, y {:.4g}, z {:.4g}", smallest_extent.x,
                              smallest_extent.y, smallest_extent.z),

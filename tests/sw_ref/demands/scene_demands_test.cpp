@@ -158,13 +158,14 @@ TEST(EvidenceOfDemands, SaysWhatIsKeptWhole) {
   };
   EXPECT_EQ(kept(stairs_along_one_class()),
             (std::vector<std::string>{"rays with and without an end", "lengths and endpoints of rays",
-                                      "float coordinates along xz", "integer coordinates along xz"}));
+                                      "signs of float coordinates along xz",
+                                      "range of integer coordinates along xz"}));
   EXPECT_EQ(kept(demanding_octahedron()),
-            (std::vector<std::string>{"rays with and without an end", "lengths and endpoints of rays",
-                                      "direction classes +++ -++ +-+ --+ ++- -+- +-- ---",
-                                      "direction components that may be 0: xyz",
-                                      "spread of direction components not bounded",
-                                      "float coordinates along xyz", "integer coordinates along xyz"}));
+            (std::vector<std::string>{
+                "rays with and without an end", "lengths and endpoints of rays",
+                "direction classes +++ -++ +-+ --+ ++- -+- +-- ---",
+                "direction components that may be 0: xyz", "spread of direction components not bounded",
+                "signs of float coordinates along xyz", "range of integer coordinates along xyz"}));
 }
 
 }  // namespace
