@@ -44,25 +44,16 @@ RayTask Whitted::primary(int x, int y, int width, int height, std::uint32_t numb
   return task;
 }
 
-ShadeWork Whitted::end(const RayTask& task, std::uint32_t triangle, LightSum& pixel,
-                       std::vector<RayTask>& next) const {
-  return (this->*end_)(task, triangle, pixel, next);
-}
-
 Whitted::End Whitted::end_for(const RayCauses& causes) {
-  if (causes.shadow())
-    return causes.secondary() ? &Whitted::end_where<true, true, true>
-                              : &Whitted::end_where<true, true, false>;
+  if (causes.shadow()) return causes.secondary() ? end_where<true, true, true> : end_where<true, true, false>;
   if (causes.scatters)
-    return causes.secondary() ? &Whitted::end_where<true, false, true>
-                              : &Whitted::end_where<true, false, false>;
-  return causes.secondary() ? &Whitted::end_where<false, false, true>
-                            : &Whitted::end_where<false, false, false>;
+    return causes.secondary() ? end_where<true, false, true> : end_where<true, false, false>;
+  return causes.secondary() ? end_where<false, false, true> : end_where<false, false, false>;
 }
 
 template <bool scatters, bool shadow, bool secondary>
-ShadeWork Whitted::end_where(const RayTask& task, std::uint32_t triangle, LightSum& pixel,
-                             std::vector<RayTask>& next) const {
+ShadeWork Whitted::end_where(const Whitted& whitted, const RayTask& task, std::uint32_t triangle,
+                             LightSum& pixel, std::vector<RayTask>& next) {
   if constexpr (shadow) {
     if (task.kind == RayKind::shadow) {
       if (triangle == Hit::none) pixel.add(task.weight);
@@ -75,29 +66,26 @@ ShadeWork Whitted::end_where(const RayTask& task, std::uint32_t triangle, LightS
   }
   ShadeWork work;
   if constexpr (scatters || secondary) {
-    const Mesh& mesh = scene_->mesh;
-    const Material& material = scene_->materials[mesh.materials.empty() ? 0 : mesh.materials[triangle]];
+    const Scene& scene = *whitted.scene_;
+    const Mesh& mesh = scene.mesh;
+    const Material& material = scene.materials[mesh.materials.empty() ? 0 : mesh.materials[triangle]];
     glm::vec3 diffuse(0.0F);
     if constexpr (scatters) diffuse = task.weight * material.albedo;
-    Bent bent;
-    if constexpr (secondary) {
-      if (task.depth != options_.bounces)
-        bent = {task.weight * material.reflect, task.weight * material.transmit};
-    }
     const bool is_matt = scatters && brightest(diffuse) > 0.0F;
-    const bool bends = secondary && counts(bent.mirrored + bent.passing);
+    const bool bends = secondary && task.depth != whitted.options_.bounces &&
+                       brightest(material.reflect + material.transmit) > 0.0F;
     if (!is_matt && !bends) return work;
 
-    const SurfacePoint point = surface_(mesh, triangle, task.ray);
+    const SurfacePoint point = whitted.surface_(mesh, triangle, task.ray);
     work.surface_points = 1;
     if constexpr (scatters) {
       if (is_matt) pixel.add(diffuse * ambient(point));
     }
     if constexpr (shadow) {
-      if (is_matt) work.light_evaluations = add_shadow_rays(task, point, diffuse, next);
+      if (is_matt) work.light_evaluations = whitted.add_shadow_rays(task, point, diffuse, next);
     }
     if constexpr (secondary) {
-      if (bends) add_secondary_rays(task, point, material.refractive_index, bent, next);
+      if (bends) whitted.add_secondary_rays(task, point, material, next);
     }
   }
   return work;
@@ -117,23 +105,23 @@ std::uint32_t Whitted::add_shadow_rays(const RayTask& task, const SurfacePoint& 
   return lights;
 }
 
-void Whitted::add_secondary_rays(const RayTask& task, const SurfacePoint& point, float index, Bent bent,
+void Whitted::add_secondary_rays(const RayTask& task, const SurfacePoint& point, const Material& material,
                                  std::vector<RayTask>& next) const {
   const auto append = [&](const Ray& ray, const glm::vec3& weight, std::uint16_t source) {
     next.push_back(
         {ray, weight, task.pixel, source, RayKind::secondary, static_cast<std::uint8_t>(task.depth + 1)});
   };
-  if (brightest(bent.passing) > 0.0F) {
-    const auto ray = refracted_ray(point, task.ray.direction, index);
-    if (!ray) bent.mirrored += bent.passing;
-    if (ray && counts(bent.passing)) append(*ray, bent.passing, RayTask::refracted);
+  const auto counts = [&](const glm::vec3& weight) {
+    return brightest(weight) > 0.0F && brightest(weight) >= options_.cutoff;
+  };
+  glm::vec3 mirrored = task.weight * material.reflect;
+  if (brightest(material.transmit) > 0.0F) {
+    const glm::vec3 passing = task.weight * material.transmit;
+    const auto ray = refracted_ray(point, task.ray.direction, material.refractive_index);
+    if (!ray) mirrored += passing;
+    if (ray && counts(passing)) append(*ray, passing, RayTask::refracted);
   }
-  if (counts(bent.mirrored))
-    append(mirrored_ray(point, task.ray.direction), bent.mirrored, RayTask::mirrored);
-}
-
-bool Whitted::counts(const glm::vec3& weight) const {
-  return brightest(weight) > 0.0F && brightest(weight) >= options_.cutoff;
+  if (counts(mirrored)) append(mirrored_ray(point, task.ray.direction), mirrored, RayTask::mirrored);
 }
 
 }  // namespace hitpipe::ref

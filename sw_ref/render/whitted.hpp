@@ -70,30 +70,24 @@ class Whitted {
   /// and appends the tasks that follow. A shadow ray is appended when the light is in front of the surface
   /// and would bring more than 0. With the eye in the cube the rays of all tasks are acceptable().
   ShadeWork end(const RayTask& task, std::uint32_t triangle, LightSum& pixel,
-                std::vector<RayTask>& next) const;
+                std::vector<RayTask>& next) const {
+    return end_(*this, task, triangle, pixel, next);
+  }
 
  private:
-  using End = ShadeWork (Whitted::*)(const RayTask&, std::uint32_t, LightSum&, std::vector<RayTask>&) const;
-
-  /// A ray's weight after a surface has bent it.
-  struct Bent {
-    glm::vec3 mirrored{0.0F};
-    glm::vec3 passing{0.0F};
-  };
+  using End = ShadeWork (*)(const Whitted&, const RayTask&, std::uint32_t, LightSum&, std::vector<RayTask>&);
 
   /// end() for scenes that cause no more than these; chosen once.
   template <bool scatters, bool shadow, bool secondary>
-  ShadeWork end_where(const RayTask& task, std::uint32_t triangle, LightSum& pixel,
-                      std::vector<RayTask>& next) const;
+  static ShadeWork end_where(const Whitted& whitted, const RayTask& task, std::uint32_t triangle,
+                             LightSum& pixel, std::vector<RayTask>& next);
   [[nodiscard]] static End end_for(const RayCauses& causes);
 
   /// How many lights were asked.
   std::uint32_t add_shadow_rays(const RayTask& task, const SurfacePoint& point, const glm::vec3& diffuse,
                                 std::vector<RayTask>& next) const;
-  void add_secondary_rays(const RayTask& task, const SurfacePoint& point, float index, Bent bent,
+  void add_secondary_rays(const RayTask& task, const SurfacePoint& point, const Material& material,
                           std::vector<RayTask>& next) const;
-  /// A secondary ray of this weight is sent.
-  [[nodiscard]] bool counts(const glm::vec3& weight) const;
 
   const Scene* scene_;
   WhittedOptions options_;
