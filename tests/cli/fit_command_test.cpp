@@ -229,8 +229,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(FittedScene{"spheres",
                                 {"--no-shadows", "--bounces", "0", "--keep-bits", "--bits", "12/12"},
                                 "(ray origin.z is always "},
-                    FittedScene{
-                        "plant_slice", {"--keep-bits", "--bits", "12/12"}, "(box.z lies within -0.0"},
+                    FittedScene{"plant_slice", {"--keep-bits", "--bits", "12/12"}, "(box.z lies within -0.0"},
                     FittedScene{"room", {"--overhead", "900"}, "bits: 6/6 instead of 24/24"},
                     FittedScene{"waves", {"--keep-bits", "--bits", "12/12"}, "(direction.x lies within 0."}),
     [](const auto& parameter) { return std::string(parameter.param.name); });
