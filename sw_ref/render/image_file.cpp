@@ -10,13 +10,12 @@
 #include <string>
 #include <system_error>
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "sw_ref/reject.hpp"
 #include "sw_ref/render/colour_map.hpp"
+#include "sw_ref/render/image_codec.hpp"
 #include "sw_ref/render/png_check.hpp"
 
 namespace hitpipe::ref {
@@ -27,38 +26,6 @@ std::uint8_t srgb(float linear) {
   const float x = linear > 0.0F ? std::min(linear, 1.0F) : 0.0F;
   const float encoded = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
   return static_cast<std::uint8_t>(std::lround(255.0F * encoded));
-}
-
-/// Pixels as a file holds them.
-struct Encoded {
-  std::vector<std::uint8_t> codes;  // .png: sRGB
-  std::vector<float> values;        // .exr
-  int channels = 3;
-  OIIO::TypeDesc exr_type = OIIO::TypeDesc::HALF;
-};
-
-/// The bytes of the file. They are made in memory because OpenImageIO's PNG writer reports success on a full
-/// disk.
-std::vector<unsigned char> encode(const std::string& format, int width, int height, const Encoded& image) {
-  const bool is_png = format == "png";
-  const auto output = OIIO::ImageOutput::create(format);
-  OIIO::Filesystem::IOVecOutput bytes;
-  if (!output || !output->supports("ioproxy") || !output->set_ioproxy(&bytes))
-    reject(fmt::format("this OpenImageIO cannot write .{}; use one that can", format));
-  OIIO::ImageSpec spec(width, height, image.channels, is_png ? OIIO::TypeDesc::UINT8 : image.exr_type);
-  spec.attribute("oiio:ColorSpace", is_png ? "sRGB" : "Linear");
-  if (!is_png) {
-    spec.attribute("compression", "zip");
-    spec.attribute("DateTime", "");  // else the time of writing: equal images must be equal files
-  }
-  const std::string name = "image." + format;
-  if (!output->open(name, spec) ||
-      !(is_png ? output->write_image(OIIO::TypeDesc::UINT8, image.codes.data())
-               : output->write_image(OIIO::TypeDesc::FLOAT, image.values.data())) ||
-      !output->close())
-    reject(fmt::format("OpenImageIO cannot encode it; allowed are images that fit .{} ({})", format,
-                       output->geterror()));
-  return bytes.buffer();
 }
 
 /// "png" or "exr".
@@ -77,13 +44,13 @@ void check_size(int width, int height, std::size_t pixels) {
                        pixels, width, height));
 }
 
-void write_beside(const std::filesystem::path& file, int width, int height, const Encoded& image) {
+void write_beside(const std::filesystem::path& file, int width, int height, const EncodedPixels& image) {
   const std::filesystem::path folder =
       file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   if (!std::filesystem::is_directory(folder))
     reject(fmt::format("no folder \"{}\"; create it first", folder.string()));
   if (std::filesystem::is_directory(file)) reject("is a folder; give the name of a file");
-  const std::vector<unsigned char> bytes = encode(format_of(file), width, height, image);
+  const std::vector<unsigned char> bytes = image_codec().encode(format_of(file), width, height, image);
   std::filesystem::path partial = file;
   partial += fmt::format(".{}.partial", ::getpid());
   try {
@@ -117,25 +84,7 @@ StoredImage read(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) reject("no such file; check the name");
   if (std::filesystem::is_directory(file)) reject("is a folder; give the name of a file");
   check_png(file);
-  const auto unreadable = [](const std::string& why) {
-    reject(fmt::format("OpenImageIO cannot read it; give a whole .png or .exr ({})",
-                       why.substr(0, why.find_first_of("\r\n"))));
-  };
-  const auto input = OIIO::ImageInput::open(file.string());
-  if (!input) unreadable(OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
-  constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
-  constexpr int most_channels = 64;
-  if (spec.depth > 1 || std::int64_t{spec.width} * spec.height > most_pixels ||
-      spec.nchannels > most_channels)
-    reject(fmt::format("{} x {} x {} pixels of {} channels; allowed are {} pixels in a plane and {} channels",
-                       spec.width, spec.height, spec.depth, spec.nchannels, most_pixels, most_channels));
-  StoredImage image{spec.width, spec.height, spec.nchannels, {}};
-  image.values.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                      static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, image.values.data()))
-    unreadable(input->geterror());
-  return image;
+  return image_codec().read(file);
 }
 
 }  // namespace
@@ -145,7 +94,7 @@ void write_image(const std::filesystem::path& file, int width, int height,
   naming(file, [&] {
     const bool is_png = format_of(file) == "png";
     check_size(width, height, linear.size());
-    Encoded image;
+    EncodedPixels image;
     is_png ? image.codes.reserve(3 * linear.size()) : image.values.reserve(3 * linear.size());
     for (const glm::vec3& colour : linear) {
       for (int k = 0; k < 3; ++k) {
@@ -173,7 +122,7 @@ void write_map(const std::filesystem::path& file, int width, int height, std::sp
   naming(file, [&] {
     const bool is_png = format_of(file) == "png";
     check_size(width, height, values.size());
-    Encoded image;
+    EncodedPixels image;
     if (is_png) {
       const float size = scale.high > scale.low ? scale.high - scale.low : 1.0F;
       for (const float value : values) {
@@ -184,7 +133,7 @@ void write_map(const std::filesystem::path& file, int width, int height, std::sp
     } else {
       image.values.assign(values.begin(), values.end());
       image.channels = 1;
-      image.exr_type = OIIO::TypeDesc::FLOAT;
+      image.full_floats = true;
     }
     write_beside(file, width, height, image);
   });

@@ -1,0 +1,37 @@
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include "sw_ref/reject.hpp"
+#include "sw_ref/render/image_codec.hpp"
+
+namespace hitpipe::ref {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside an installed program, else where it was built.
+fs::path module_file() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path installed = program.parent_path().parent_path() / HITPIPE_IMAGES_INSTALLED;
+  return fs::exists(installed, ignored) ? installed : fs::path(HITPIPE_IMAGES_BUILT);
+}
+
+const ImageCodec* load() {
+  const fs::path file = module_file();
+  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (module == nullptr) reject(fmt::format("images need a library that cannot be loaded: {}", dlerror()));
+  const auto entry = reinterpret_cast<decltype(&hitpipe_image_codec)>(dlsym(module, "hitpipe_image_codec"));
+  if (entry == nullptr) reject(fmt::format("images need another {}: {}", file.string(), dlerror()));
+  return entry();
+}
+
+}  // namespace
+
+const ImageCodec& image_codec() {
+  static const ImageCodec* const codec = load();
+  return *codec;
+}
+
+}  // namespace hitpipe::ref
