@@ -13,7 +13,9 @@
 #include "cli/trace_options.hpp"
 #include "cli/values.hpp"
 #include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/verilog/module.hpp"
 #include "sim/cosim.hpp"
+#include "sim/fit/written_unit.hpp"
 #include "sw_ref/render/image_file.hpp"
 
 namespace hitpipe::cli {
@@ -27,16 +29,30 @@ struct CosimCommand {
   SceneChoice scene;
   int rays_in_flight = 32;
   bool referee = false;
+  std::string unit;
   ref::WhittedOptions light;
   std::string out;
   Format format = Format::text;
 };
 
-Row record(const CosimCommand& command, const ref::Scene& scene, const ref::Bvh& bvh,
-           const sim::CosimResult& r) {
+/// Made here, or as it was written to a folder.
+sim::WrittenUnit unit_of(const CosimCommand& command) {
+  const rtl::Design& design = command.choice.design();
+  const rtl::Library& library = rtl::Library::thesis();
+  if (!command.unit.empty()) return sim::read_unit(command.unit, design, library);
+  const rtl::Format format = command.choice.format();
+  const rtl::Graph traced = design.trace(format);
+  rtl::Pipeline pipeline = rtl::make_pipeline(traced, library);
+  std::string verilog = rtl::to_verilog(
+      pipeline, library, {.module_name = std::string(design.name), .bits = rtl::to_string(format)});
+  return {format, {}, rtl::input_ports(traced), std::move(pipeline), std::move(verilog)};
+}
+
+Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref::Scene& scene,
+           const ref::Bvh& bvh, const sim::CosimResult& r) {
   const auto judged = [&](std::uint64_t count) { return command.referee ? Row(count) : Row(nullptr); };
   return {{"design", command.choice.name},
-          {"bits", rtl::to_string(command.choice.format())},
+          {"bits", rtl::to_string(unit.format)},
           {"scene", scene.name},
           {"triangles", scene.mesh.triangles.size()},
           {"degenerate_dropped", scene.mesh.degenerate_dropped},
@@ -62,38 +78,45 @@ Row record(const CosimCommand& command, const ref::Scene& scene, const ref::Bvh&
 
 int cosimulate(const CosimCommand& command) {
   const rtl::Design& design = command.choice.design();
-  const rtl::Format format = command.choice.format();
-  const rtl::Library& library = rtl::Library::thesis();
+  const sim::WrittenUnit unit = unit_of(command);
 
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   progress.emplace("compiling the Verilog");
-  const sim::VerilatedDesign verilated(design, format, library);
+  const sim::VerilatedDesign verilated(design, unit.format, unit.pipeline, unit.verilog);
   const fs::path folder = command.out;
+  const bool emits = !command.out.empty() && command.unit.empty();
   if (!command.out.empty()) {
     // Before the long run: a folder that cannot be written to is known at once.
-    std::vector<rtl::File> files =
-        rtl::emit(design, format, library, rtl::make_pipeline(design.trace(format), library));
+    std::vector<rtl::File> files;
+    if (emits) files = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
     for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
+    rtl::make_folder(folder);
     rtl::write_files(folder, files);
   }
+  const sim::OperandGuard guard(unit.demands, unit.ports);
   progress.emplace("co-simulating");
-  const sim::CosimResult result = sim::cosimulate(design, format, verilated, scene, bvh,
+  const sim::CosimResult result = sim::cosimulate(design, unit.format, verilated, scene, bvh,
                                                   {.width = command.scene.width,
                                                    .height = command.scene.height,
                                                    .rays_in_flight = command.rays_in_flight,
                                                    .threads = command.scene.threads,
                                                    .referee = command.referee,
                                                    .light = command.light,
+                                                   .coarse = unit.coarse(),
+                                                   .ends = unit.ends(),
+                                                   .guard = &guard,
                                                    .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
-  Row row = record(command, scene, bvh, result);
+  Row row = record(command, unit, scene, bvh, result);
   if (!command.out.empty()) {
     const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
     ref::write_image(image, command.scene.width, command.scene.height, result.image);
     row["image"] = image.string();
+  }
+  if (emits) {
     row["verilog"] = (folder / (command.choice.name + ".v")).string();
     row["schematic"] = (folder / (command.choice.name + ".svg")).string();
   }
@@ -102,7 +125,7 @@ int cosimulate(const CosimCommand& command) {
   fmt::print(
       stderr,
       "hitpipe: {} {} on {}: {} RTL mismatches, {} different triangles, {} false misses; all must be 0\n",
-      command.choice.name, rtl::to_string(format), scene.name, result.unit.rtl_mismatches,
+      command.choice.name, rtl::to_string(unit.format), scene.name, result.unit.rtl_mismatches,
       result.different_triangles, result.unit.false_misses);
   return 1;
 }
@@ -115,6 +138,12 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
       "Render a scene whose every box test is answered by a design's Verilog, and compare with software");
   const auto options = std::make_shared<CosimCommand>();
   add_design_options(*command, options->choice);
+  command
+      ->add_option(
+          "--unit", options->unit,
+          "Folder of a unit that `hitpipe fit` or `hitpipe rtl` wrote, edited or not, to run as it is")
+      ->excludes("--bits")
+      ->type_name("DIR");
   add_scene_options(*command, options->scene);
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight, {1, 65536},
                    "Rays that share one pipeline")

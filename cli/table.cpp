@@ -38,7 +38,8 @@ std::string csv_cell(const Row& value) {
   if (value.is_null()) return "";
   if (value.is_array()) {
     std::string words;
-    for (const Row& entry : value) words += (words.empty() ? "" : " ") + entry.get<std::string>();
+    for (const Row& entry : value)
+      words += (words.empty() ? "" : " ") + (entry.is_string() ? entry.get<std::string>() : dump(entry));
     return csv_cell(words);
   }
   if (!value.is_string()) return dump(value);

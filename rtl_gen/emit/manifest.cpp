@@ -1,6 +1,7 @@
 #include "rtl_gen/emit/manifest.hpp"
 
 #include <map>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -84,6 +85,16 @@ std::string manifest(const Design& design, Format format, const Pipeline& pipeli
             {"by_stage", stages(pipeline)}};
   if (stream) json["axi_stream"] = stream_json(design, input_ports(pipeline.graph));
   return json.dump(2) + "\n";
+}
+
+ManifestHead head_of(const std::string& manifest) {
+  try {
+    const Json json = Json::parse(manifest);
+    return {json.at("design").get<std::string>(), json.at("bits").get<std::string>(),
+            json.at("latency").get<int>()};
+  } catch (const Json::exception&) {
+    throw std::runtime_error("no manifest: it must be JSON with design, bits and latency");
+  }
 }
 
 }  // namespace hitpipe::rtl

@@ -15,4 +15,14 @@ namespace hitpipe::rtl {
 [[nodiscard]] std::string manifest(const Design& design, Format format, const Pipeline& pipeline,
                                    const Library& library, bool stream = false);
 
+/// What a manifest says its unit is.
+struct ManifestHead {
+  std::string design;
+  std::string bits;
+  int latency = 0;
+};
+
+/// Throws std::runtime_error, one line, for a text that is no manifest.
+[[nodiscard]] ManifestHead head_of(const std::string& manifest);
+
 }  // namespace hitpipe::rtl

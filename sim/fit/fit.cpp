@@ -33,7 +33,7 @@ std::string what_text(const rtl::Demands& demands) {
   if (names.front() == "rinf") return "the ends of rays";
   const int low_zeros = demands.ports.front().low_zeros;
   return low_zeros > 0 ? fmt::format("low bits of {}: {}", fmt::join(names, ", "), low_zeros)
-                       : fmt::format("what {} never need", fmt::join(names, ", "));
+                       : fmt::format("numbers of {} that never come", fmt::join(names, ", "));
 }
 
 }  // namespace

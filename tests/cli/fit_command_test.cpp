@@ -169,6 +169,62 @@ TEST_F(FitCommand, ListsCutsLargestFirstAndWritesACheckBesideTheWholeDesignsFile
   EXPECT_THAT(contents_of(out() + "/int_slabs/int_slabs.core"), HasSubstr("files: [int_slabs_check.v]"));
 }
 
+TEST_F(FitCommand, WrittenUnitRunsAgainAndRefusesWhatItWasNotFittedTo) {
+  ASSERT_EQ(run_hitpipe({"fit", "--scene", "spheres", "--no-shadows", "--width", "16", "--height", "16",
+                         "--designs", "int_slabs", "--keep-bits", "--bits", "12/12", "--vectors", "1000",
+                         "--out", out()})
+                .exit_code,
+            0);
+  const std::string unit = out() + "/int_slabs";
+  const auto cosim = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"cosim",   "int_slabs", "--unit",   unit,
+                                       "--width", "16",        "--height", "16"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_hitpipe(arguments);
+  };
+  const Outcome same = cosim({"--scene", "spheres", "--referee", "--format", "json"});
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  const json row = json::parse(same.out);
+  EXPECT_EQ(row.at("bits"), "12/12");
+  EXPECT_EQ(row.at("rtl_mismatches"), 0);
+  EXPECT_EQ(row.at("false_misses"), 0);
+  EXPECT_GT(row.at("hits"), 0);
+
+  const Outcome other = cosim({"--scene", "waves"});
+  EXPECT_NE(other.exit_code, 0);
+  EXPECT_THAT(other.err, HasSubstr("hitpipe: operands outside the demands that the unit was fitted to: i"));
+  EXPECT_EQ(lines_of(other.err).size(), 1U) << other.err;
+  EXPECT_THAT(cosim({"--scene", "spheres", "--bits", "12/12"}).err, HasSubstr("--bits excludes --unit"));
+
+  const std::string manifest = contents_of(unit + "/int_slabs.json");
+  const auto error_with = [&](const std::string& text) {
+    folder_.write("out/int_slabs/int_slabs.json", text);
+    return cosim({"--scene", "spheres"}).err;
+  };
+  EXPECT_THAT(error_with("no JSON"), HasSubstr("int_slabs.json: no manifest: it must be JSON with design, "));
+  json damaged = json::parse(manifest);
+  damaged["latency"] = 99;
+  EXPECT_THAT(error_with(damaged.dump()), HasSubstr("int_slabs.json: a latency of 99 cycles, "));
+  damaged = json::parse(manifest);
+  damaged["design"] = "int_plucker";
+  EXPECT_THAT(error_with(damaged.dump()),
+              HasSubstr("the manifest of int_plucker; allowed is that of int_slabs"));
+  damaged = json::parse(manifest);
+  damaged["demands"][0]["port"] = "nowhere";
+  EXPECT_THAT(error_with(damaged.dump()), HasSubstr("demand on nowhere: no such port; "));
+  std::filesystem::remove(unit + "/int_slabs.json");
+  EXPECT_THAT(cosim({"--scene", "spheres"}).err, HasSubstr("int_slabs.json: cannot be read; give a folder "));
+}
+
+TEST_F(FitCommand, PrintsALineForEachDesignAsCsv) {
+  const Outcome outcome = fit({"--keep-bits", "--bits", "12/12", "--format", "csv"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_THAT(lines[0], testing::StartsWith("design,bits,bits_before,dropped_bits,"));
+  EXPECT_THAT(lines[1], testing::StartsWith("int_slabs,12/12,12/12,0 0 0,true,,"));
+}
+
 /// A closed room with a tetrahedron in it, as a mesh file of a model in its box is.
 constexpr const char* room = R"(v -1 -1 -1
 v 1 -1 -1

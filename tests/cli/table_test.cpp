@@ -37,6 +37,11 @@ TEST(Record, EmptyFirstCellKeepsItsColumnAsCsv) {
   EXPECT_EQ(record_text({{"none", nullptr}, {"count", 1}}, Format::csv), "none,count\n,1\n");
 }
 
+TEST(Record, ListsAreWordsAsCsv) {
+  EXPECT_EQ(record_text({{"words", {"a", "b"}}, {"numbers", {0, 2, 1}}}, Format::csv),
+            "words,numbers\na b,0 2 1\n");
+}
+
 TEST(Record, LineBreaksAreQuotedAsCsv) {
   EXPECT_EQ(record_text({{"a", "x\ry"}, {"b", "x\ny"}}, Format::csv), "a,b\n\"x\ry\",\"x\ny\"\n");
 }
