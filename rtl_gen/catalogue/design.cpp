@@ -1,5 +1,6 @@
 #include "rtl_gen/catalogue/design.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
