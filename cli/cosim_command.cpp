@@ -87,12 +87,11 @@ int cosimulate(const CosimCommand& command) {
   const sim::VerilatedDesign verilated(design, unit.format, unit.pipeline, unit.verilog);
   const fs::path folder = command.out;
   const bool emits = !command.out.empty() && command.unit.empty();
-  if (!command.out.empty()) {
-    // Before the long run: a folder that cannot be written to is known at once.
-    std::vector<rtl::File> files;
-    if (emits) files = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
+  // Before the long run: a folder that cannot be written to is known at once.
+  if (!command.out.empty()) rtl::make_folder(folder);
+  if (emits) {
+    std::vector<rtl::File> files = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
     for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
-    rtl::make_folder(folder);
     rtl::write_files(folder, files);
   }
   const sim::OperandGuard guard(unit.demands, unit.ports);
@@ -106,7 +105,7 @@ int cosimulate(const CosimCommand& command) {
                                                    .light = command.light,
                                                    .coarse = unit.coarse(),
                                                    .ends = unit.ends(),
-                                                   .guard = &guard,
+                                                   .guard = unit.demands.empty() ? nullptr : &guard,
                                                    .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 

@@ -27,7 +27,7 @@ HelpFormatter::HelpFormatter() {
 }
 
 std::string HelpFormatter::make_description(const CLI::App* app) const {
-  return in_lines(app->get_description(), line_width) + "\n";
+  return wrapped(app->get_description(), 0);
 }
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {

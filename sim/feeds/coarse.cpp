@@ -1,6 +1,5 @@
 #include "sim/feeds/coarse.hpp"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-// Operands of a unit that never hears where a ray ends: every box ahead of the origin is hit.
+// Operands of a unit that never hears where a ray ends: no box ahead of the origin is too far.
 #pragma once
 
 #include <vector>
