@@ -1,6 +1,5 @@
 #include "rtl_gen/emit/testbench.hpp"
 
-#include <algorithm>
 #include <random>
 #include <utility>
 
@@ -76,11 +75,7 @@ std::vector<Vector> judged(std::vector<std::vector<std::int64_t>> operands, Eval
 std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>& left,
                         const std::vector<Vector>& vectors) {
   std::vector<std::size_t> places;
-  for (const Port& port : left) {
-    const auto at =
-        std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == port.name; });
-    places.push_back(static_cast<std::size_t>(at - ports.begin()));
-  }
+  for (const Port& port : left) places.push_back(index_of(ports, port.name));
   std::string text;
   for (const Vector& vector : vectors) {
     std::string bits;
