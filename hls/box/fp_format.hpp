@@ -1,12 +1,20 @@
 // The number format of a float ray-box unit: all its words are floats of E exponent and M fraction bits.
 #pragma once
 
+#include "hls/box/operand.hpp"
+
 namespace hitpipe::hls {
 
 template <int E, int M>
 struct FpFormat {
   static constexpr int exponent = E;
   static constexpr int mantissa = M;
+  static constexpr int width = 1 + E + M;
+
+  /// An operand of units in this format.
+  static constexpr Operand number(const char* name, Role role, Axis axis = Axis::none) {
+    return real_operand(name, role, axis, width);
+  }
 };
 
 /// IEEE 754 binary32, the thesis's "32 bit FP".

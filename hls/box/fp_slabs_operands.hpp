@@ -2,11 +2,12 @@
 //   F  an FpFormat<E, M>;  D  a value domain
 #pragma once
 
+#include "hls/box/operand.hpp"
 #include "hls/num/fp.hpp"
 
 namespace hitpipe::hls {
 
-/// for_each calls visit(name, field) for every port, in the order of figure 7.1. `Self` may be const.
+/// for_each calls visit(Operand, field) for every port, in the order of figure 7.1. `Self` may be const.
 template <class D, class F>
 struct FpSlabsOperands {
   using real = Fp<D, F::exponent, F::mantissa>;
@@ -22,20 +23,20 @@ struct FpSlabsOperands {
 
   template <class Self, class Visit>
   static constexpr void for_each(Self& self, Visit&& visit) {
-    visit("rx", self.rx.bits);
-    visit("ry", self.ry.bits);
-    visit("rz", self.rz.bits);
-    visit("rlen", self.rlen.bits);
-    visit("ri_inv", self.ri_inv.bits);
-    visit("rj_inv", self.rj_inv.bits);
-    visit("rk_inv", self.rk_inv.bits);
-    visit("rinf", self.rinf);
-    visit("xmin", self.xmin.bits);
-    visit("xmax", self.xmax.bits);
-    visit("ymin", self.ymin.bits);
-    visit("ymax", self.ymax.bits);
-    visit("zmin", self.zmin.bits);
-    visit("zmax", self.zmax.bits);
+    visit(F::number("rx", Role::origin, Axis::x), self.rx.bits);
+    visit(F::number("ry", Role::origin, Axis::y), self.ry.bits);
+    visit(F::number("rz", Role::origin, Axis::z), self.rz.bits);
+    visit(F::number("rlen", Role::length), self.rlen.bits);
+    visit(F::number("ri_inv", Role::inverse, Axis::x), self.ri_inv.bits);
+    visit(F::number("rj_inv", Role::inverse, Axis::y), self.rj_inv.bits);
+    visit(F::number("rk_inv", Role::inverse, Axis::z), self.rk_inv.bits);
+    visit(flag_operand("rinf", Role::endless), self.rinf);
+    visit(F::number("xmin", Role::plane_low, Axis::x), self.xmin.bits);
+    visit(F::number("xmax", Role::plane_high, Axis::x), self.xmax.bits);
+    visit(F::number("ymin", Role::plane_low, Axis::y), self.ymin.bits);
+    visit(F::number("ymax", Role::plane_high, Axis::y), self.ymax.bits);
+    visit(F::number("zmin", Role::plane_low, Axis::z), self.zmin.bits);
+    visit(F::number("zmax", Role::plane_high, Axis::z), self.zmax.bits);
   }
 };
 

@@ -3,6 +3,10 @@
 //   t  bits kept of a distance product, whose significant width is 2n-1, 6..2n-1
 #pragma once
 
+#include <cstdint>
+
+#include "hls/box/operand.hpp"
+
 namespace hitpipe::hls {
 
 /// An integer format whose widths are known at run time. Valid: see `valid()`.
@@ -20,6 +24,26 @@ struct IntBits {
   [[nodiscard]] constexpr int product() const { return 2 * coord - 1; }
   /// Low product bits that are dropped before distances are compared.
   [[nodiscard]] constexpr int trimmed() const { return product() - interval; }
+  /// G, the grid of coordinates: origins and endpoints of rays lie in -G..G.
+  [[nodiscard]] constexpr std::int64_t largest_point() const { return (std::int64_t{1} << (coord - 2)) - 1; }
+  /// Boxes are rounded outward, one further.
+  [[nodiscard]] constexpr std::int64_t largest_plane() const { return std::int64_t{1} << (coord - 2); }
+  /// M, the largest magnitude of a direction component and of an IRDVC.
+  [[nodiscard]] constexpr std::int64_t largest_component() const {
+    return (std::int64_t{1} << (coord - 1)) - 1;
+  }
+  /// The operands of units in this format.
+  [[nodiscard]] constexpr Operand point(const char* name, Role role, Axis axis) const {
+    return integer_operand(name, role, axis, coord, largest_point());
+  }
+  [[nodiscard]] constexpr Operand plane(const char* name, Role role, Axis axis) const {
+    return integer_operand(name, role, axis, coord, largest_plane());
+  }
+  [[nodiscard]] constexpr Operand component(const char* name, Role role, Axis axis) const {
+    return integer_operand(name, role, axis, coord, largest_component());
+  }
+  [[nodiscard]] constexpr Operand length(const char* name) const { return length_operand(name, interval); }
+
   /// A format of the program.
   [[nodiscard]] constexpr bool valid() const {
     return proved() && coord >= min_coord && interval >= min_interval;

@@ -2,9 +2,11 @@
 //   F  an IntFormat<n, t>;  D  a value domain
 #pragma once
 
+#include "hls/box/operand.hpp"
+
 namespace hitpipe::hls {
 
-/// for_each calls visit(name, field) for every port, in the order of figure 7.1. `Self` may be const.
+/// for_each calls visit(Operand, field) for every port, in the order of figure 7.1. `Self` may be const.
 template <class D, class F>
 struct IntPluckerOperands {
   using coord = typename D::template sint<F::coord>;
@@ -20,22 +22,22 @@ struct IntPluckerOperands {
 
   template <class Self, class Visit>
   static constexpr void for_each(Self& self, Visit&& visit) {
-    visit("irx", self.irx);
-    visit("iry", self.iry);
-    visit("irz", self.irz);
-    visit("irex", self.irex);
-    visit("irey", self.irey);
-    visit("irez", self.irez);
-    visit("iri", self.iri);
-    visit("irj", self.irj);
-    visit("irk", self.irk);
-    visit("rinf", self.rinf);
-    visit("ixmin", self.ixmin);
-    visit("ixmax", self.ixmax);
-    visit("iymin", self.iymin);
-    visit("iymax", self.iymax);
-    visit("izmin", self.izmin);
-    visit("izmax", self.izmax);
+    visit(F::bits.point("irx", Role::origin, Axis::x), self.irx);
+    visit(F::bits.point("iry", Role::origin, Axis::y), self.iry);
+    visit(F::bits.point("irz", Role::origin, Axis::z), self.irz);
+    visit(F::bits.point("irex", Role::endpoint, Axis::x), self.irex);
+    visit(F::bits.point("irey", Role::endpoint, Axis::y), self.irey);
+    visit(F::bits.point("irez", Role::endpoint, Axis::z), self.irez);
+    visit(F::bits.component("iri", Role::direction, Axis::x), self.iri);
+    visit(F::bits.component("irj", Role::direction, Axis::y), self.irj);
+    visit(F::bits.component("irk", Role::direction, Axis::z), self.irk);
+    visit(flag_operand("rinf", Role::endless), self.rinf);
+    visit(F::bits.plane("ixmin", Role::plane_low, Axis::x), self.ixmin);
+    visit(F::bits.plane("ixmax", Role::plane_high, Axis::x), self.ixmax);
+    visit(F::bits.plane("iymin", Role::plane_low, Axis::y), self.iymin);
+    visit(F::bits.plane("iymax", Role::plane_high, Axis::y), self.iymax);
+    visit(F::bits.plane("izmin", Role::plane_low, Axis::z), self.izmin);
+    visit(F::bits.plane("izmax", Role::plane_high, Axis::z), self.izmax);
   }
 };
 

@@ -2,9 +2,11 @@
 //   F  an IntFormat<n, t>;  D  a value domain
 #pragma once
 
+#include "hls/box/operand.hpp"
+
 namespace hitpipe::hls {
 
-/// Calls visit(name, field) for every port, in the order of figure 7.1. `Self` may be const.
+/// Calls visit(Operand, field) for every port, in the order of figure 7.1. `Self` may be const.
 template <class D, class F>
 struct IntSlabsOperands {
   using coord = typename D::template sint<F::coord>;
@@ -23,23 +25,23 @@ struct IntSlabsOperands {
 
   template <class Self, class Visit>
   static constexpr void for_each(Self& self, Visit&& visit) {
-    visit("irx", self.irx);
-    visit("iry", self.iry);
-    visit("irz", self.irz);
-    visit("irlen", self.irlen);
-    visit("iri_floor", self.iri_floor);
-    visit("iri_ceil", self.iri_ceil);
-    visit("irj_floor", self.irj_floor);
-    visit("irj_ceil", self.irj_ceil);
-    visit("irk_floor", self.irk_floor);
-    visit("irk_ceil", self.irk_ceil);
-    visit("rinf", self.rinf);
-    visit("ixmin", self.ixmin);
-    visit("ixmax", self.ixmax);
-    visit("iymin", self.iymin);
-    visit("iymax", self.iymax);
-    visit("izmin", self.izmin);
-    visit("izmax", self.izmax);
+    visit(F::bits.point("irx", Role::origin, Axis::x), self.irx);
+    visit(F::bits.point("iry", Role::origin, Axis::y), self.iry);
+    visit(F::bits.point("irz", Role::origin, Axis::z), self.irz);
+    visit(F::bits.length("irlen"), self.irlen);
+    visit(F::bits.component("iri_floor", Role::inverse_low, Axis::x), self.iri_floor);
+    visit(F::bits.component("iri_ceil", Role::inverse_high, Axis::x), self.iri_ceil);
+    visit(F::bits.component("irj_floor", Role::inverse_low, Axis::y), self.irj_floor);
+    visit(F::bits.component("irj_ceil", Role::inverse_high, Axis::y), self.irj_ceil);
+    visit(F::bits.component("irk_floor", Role::inverse_low, Axis::z), self.irk_floor);
+    visit(F::bits.component("irk_ceil", Role::inverse_high, Axis::z), self.irk_ceil);
+    visit(flag_operand("rinf", Role::endless), self.rinf);
+    visit(F::bits.plane("ixmin", Role::plane_low, Axis::x), self.ixmin);
+    visit(F::bits.plane("ixmax", Role::plane_high, Axis::x), self.ixmax);
+    visit(F::bits.plane("iymin", Role::plane_low, Axis::y), self.iymin);
+    visit(F::bits.plane("iymax", Role::plane_high, Axis::y), self.iymax);
+    visit(F::bits.plane("izmin", Role::plane_low, Axis::z), self.izmin);
+    visit(F::bits.plane("izmax", Role::plane_high, Axis::z), self.izmax);
   }
 };
 

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <random>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "hls/box/arithmetic.hpp"
+#include "hls/box/operand.hpp"
 #include "hls/num/domain.hpp"
 #include "hls/top/top_domain.hpp"
 
@@ -33,12 +33,12 @@ std::vector<std::uint64_t> random_operands(std::mt19937_64& random) {
   std::vector<std::uint64_t> words;
   typename Pipeline::template Operands<Native, F> shape{};
   const bool any = random() % 8 == 0;
-  std::remove_cvref_t<decltype(shape)>::for_each(shape, [&](std::string_view name, auto& field) {
+  std::remove_cvref_t<decltype(shape)>::for_each(shape, [&](const Operand& port, auto& field) {
     constexpr int width = std::remove_cvref_t<decltype(field)>::width;
     std::uint64_t word = any || width == 1 ? random() : random_word<width>(Pipeline::arithmetic, random);
     constexpr std::uint64_t sign = std::uint64_t{1} << (width - 1);
-    if (name.ends_with("len")) word &= sign - 1;
-    if (name.ends_with("max") && !any) {
+    if (port.role == Role::length) word &= sign - 1;
+    if (port.role == Role::plane_high && !any) {
       std::uint64_t& lower = words.back();
       const bool negative = (lower & word & sign) != 0 && Pipeline::arithmetic == Arithmetic::floating;
       const auto order = [](std::uint64_t x) { return static_cast<std::int64_t>(x << (64 - width)); };
@@ -53,7 +53,8 @@ template <class Pipeline, class F>
 bool native_hit(const std::vector<std::uint64_t>& words) {
   typename Pipeline::template Operands<Native, F> in;
   std::size_t next = 0;
-  std::remove_cvref_t<decltype(in)>::for_each(in, [&](const char*, auto& field) { field = words[next++]; });
+  std::remove_cvref_t<decltype(in)>::for_each(in,
+                                              [&](const Operand&, auto& field) { field = words[next++]; });
   return Pipeline::template hit<Native, F>(in).to_bool();
 }
 

@@ -22,7 +22,7 @@ template <class Pipeline, class F>
 HITPIPE_FLATTEN bool native(const std::int64_t* operands) {
   using Operands = typename Pipeline::template Operands<hls::Native, F>;
   Operands in;
-  Operands::for_each(in, [&](const char*, auto& field) { field = *operands++; });
+  Operands::for_each(in, [&](const hls::Operand&, auto& field) { field = *operands++; });
   return Pipeline::template hit<hls::Native, F>(in).to_bool();
 }
 #undef HITPIPE_FLATTEN

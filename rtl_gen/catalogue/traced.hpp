@@ -13,8 +13,8 @@ Graph traced() {
   const Tracer tracer(graph);
   using Operands = typename Pipeline::template Operands<Trace, F>;
   Operands in;
-  Operands::for_each(in, [&]<int W, bool S>(const char* name, Signal<W, S>& field) {
-    field = Signal<W, S>::from(graph.input(name, W, S));
+  Operands::for_each(in, [&]<int W, bool S>(const hls::Operand& port, Signal<W, S>& field) {
+    field = Signal<W, S>::from(graph.input(port.name, W, S));
   });
   graph.output("hit", Pipeline::template hit<Trace, F>(in).id());
   return graph;

@@ -20,12 +20,12 @@ struct OneAxisSlabOperands {
 
   template <class Self, class Visit>
   static constexpr void for_each(Self& self, Visit&& visit) {
-    visit("irx", self.irx);
-    visit("iri", self.iri);
-    visit("ixmin", self.ixmin);
-    visit("ixmax", self.ixmax);
-    visit("irlen", self.irlen);
-    visit("from_above", self.from_above);
+    visit(F::bits.point("irx", Role::origin, Axis::x), self.irx);
+    visit(F::bits.component("iri", Role::inverse, Axis::x), self.iri);
+    visit(F::bits.plane("ixmin", Role::plane_low, Axis::x), self.ixmin);
+    visit(F::bits.plane("ixmax", Role::plane_high, Axis::x), self.ixmax);
+    visit(F::bits.length("irlen"), self.irlen);
+    visit(flag_operand("from_above", Role::other), self.from_above);
   }
 };
 

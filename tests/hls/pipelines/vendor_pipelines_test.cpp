@@ -26,7 +26,7 @@ bool hit_of(const std::vector<std::uint64_t>& words) {
   using Operands = typename Pipeline::template Operands<D, F>;
   Operands in;
   std::size_t next = 0;
-  Operands::for_each(in, [&](const char*, auto& field) { field = words[next++]; });
+  Operands::for_each(in, [&](const hls::Operand&, auto& field) { field = words[next++]; });
   return Pipeline::template hit<D, F>(in).to_bool();
 }
 

@@ -1,0 +1,19 @@
+// The result of a unit that answers for one box.
+#pragma once
+
+#include "hls/box/operand.hpp"
+
+namespace hitpipe::hls {
+
+template <class Bit>
+struct BoxHit {
+  Bit hit;
+
+  /// Calls visit(Result, field) for every result port. `Self` may be const.
+  template <class Self, class Visit>
+  static constexpr void for_each(Self& self, Visit&& visit) {
+    visit(Result{"hit", Meaning::hit, 0, 1, false}, self.hit);
+  }
+};
+
+}  // namespace hitpipe::hls

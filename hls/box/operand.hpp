@@ -1,0 +1,79 @@
+// What a design says of its ports. Set-up, tests, fit and manifests read these lists; none of them guesses
+// from a port's name.
+#pragma once
+
+#include <cstdint>
+
+namespace hitpipe::hls {
+
+enum class Axis { none, x, y, z };
+
+/// What an operand tells the unit.
+enum class Role {
+  origin,        ///< of the ray
+  endpoint,      ///< of the ray
+  direction,     ///< of the ray
+  inverse,       ///< reciprocal of a direction component
+  inverse_low,   ///< lower bound of a reciprocal
+  inverse_high,  ///< upper bound of a reciprocal
+  length,        ///< of the ray
+  endless,       ///< 1: the ray has no end, so length or endpoint is ignored
+  plane_low,     ///< lower plane of a box
+  plane_high,    ///< upper plane of a box
+  other,         ///< known to the design's own set-up alone
+};
+
+/// How an operand's bits are read.
+enum class Kind {
+  integer,  ///< two's complement
+  real,     ///< the pattern of a float
+  flag,     ///< one bit
+};
+
+/// An operand port. Numbers are those of the port: two's complement of an integer, the pattern of a float.
+struct Operand {
+  const char* name;
+  Role role;
+  Axis axis;
+  Kind kind;
+  int width;               ///< bits
+  std::int64_t low, high;  ///< the set-up gives no number outside low..high
+  int box;                 ///< plane_low, plane_high: of which box, 0 for the first
+
+  constexpr bool is_signed() const { return kind == Kind::integer; }
+};
+
+/// An integer between -limit and limit.
+constexpr Operand integer_operand(const char* name, Role role, Axis axis, int width, std::int64_t limit) {
+  return {name, role, axis, Kind::integer, width, -limit, limit, 0};
+}
+/// A length: an integer from 0 to the port's largest.
+constexpr Operand length_operand(const char* name, int width) {
+  return {name, Role::length, Axis::none, Kind::integer, width, 0, (std::int64_t{1} << (width - 1)) - 1, 0};
+}
+/// A float of any pattern: zeros of either sign, infinities and NaN may come.
+constexpr Operand real_operand(const char* name, Role role, Axis axis, int width) {
+  return {name, role, axis, Kind::real, width, 0, (std::int64_t{1} << width) - 1, 0};
+}
+constexpr Operand flag_operand(const char* name, Role role) {
+  return {name, role, Axis::none, Kind::flag, 1, 0, 1, 0};
+}
+
+/// What a result tells the traversal.
+enum class Meaning {
+  hit,    ///< 1: the ray meets the box
+  entry,  ///< distance at which the ray enters the box
+  exit,   ///< distance at which the ray leaves the box
+  order,  ///< 1: the second box comes first
+};
+
+/// A result port.
+struct Result {
+  const char* name;
+  Meaning meaning;
+  int box;  ///< which box it answers for, 0 for the first
+  int width;
+  bool is_signed;
+};
+
+}  // namespace hitpipe::hls
