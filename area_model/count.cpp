@@ -69,16 +69,17 @@ std::vector<Count> count_built(const rtl::Pipeline& pipeline) {
   return tally.counts();
 }
 
-std::vector<Count> count_printed(const rtl::Pipeline& pipeline, rtl::Format format, const Habits& habits) {
+std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const rtl::Format& format,
+                                 const rtl::Printed& printed) {
   const rtl::Graph& graph = pipeline.graph;
   Tally tally;
   for (const rtl::Register& r : pipeline.placement.registers) {
-    if (r.boundary == 0 && !habits.input_latches) continue;
-    tally.add(r.boundary, {Component::latch, printed_latch_bits(graph, r, format, habits)});
+    if (r.boundary == 0 && !printed.input_latches) continue;
+    tally.add(r.boundary, {Component::latch, printed_latch_bits(graph, r, format, printed)});
   }
   for (const NodeId id : components_of(pipeline)) {
     tally.add(pipeline.schedule.slots[id].stage,
-              {component_of(graph, id).component, printed_component_bits(graph, id, format, habits)});
+              {component_of(graph, id).component, printed_component_bits(graph, id, format, printed)});
   }
   return tally.counts();
 }

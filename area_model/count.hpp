@@ -8,7 +8,6 @@
 
 #include "area_model/habits.hpp"
 #include "area_model/part.hpp"
-#include "rtl_gen/catalogue/format.hpp"
 #include "rtl_gen/pipeline.hpp"
 
 namespace hitpipe::area {
@@ -26,7 +25,7 @@ struct Count {
 
 /// By stage, then by part.
 [[nodiscard]] std::vector<Count> count_built(const rtl::Pipeline& pipeline);
-[[nodiscard]] std::vector<Count> count_printed(const rtl::Pipeline& pipeline, rtl::Format format,
-                                               const Habits& habits);
+[[nodiscard]] std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const rtl::Format& format,
+                                               const rtl::Printed& printed);
 
 }  // namespace hitpipe::area

@@ -1,6 +1,9 @@
 #include "area_model/price.hpp"
 
 #include <map>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace hitpipe::area {
 
@@ -54,21 +57,35 @@ Price price(const rtl::Pipeline& pipeline, const Entry& entry, const rtl::Librar
   return price;
 }
 
-Price price(const rtl::Design& design, rtl::Format format, const rtl::Library& library, Account account) {
-  const Habits* const habits = account == Account::printed ? &printed_habits(design.name) : nullptr;
+Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
+            Account account) {
+  if (account == Account::printed && design.printed.rows.empty())
+    throw std::runtime_error(
+        fmt::format("design {}: not in Table 7.2, so there is no printed account of it, only the built one",
+                    design.name));
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
   const Entry entry{design.name, format};
-  if (habits == nullptr) return price(pipeline, entry, library);
-  Price price = priced(pipeline, count_printed(pipeline, format, *habits), entry, library);
+  if (account == Account::built) return price(pipeline, entry, library);
+  Price price = priced(pipeline, count_printed(pipeline, format, design.printed), entry, library);
   for (const Line& line : price.lines) price.area_um2 += as_printed(line.area_um2);
   return price;
 }
 
 const std::vector<Entry>& table_7_2() {
-  static const std::vector<Entry> rows{{"fp_slabs", rtl::Format::fp32()}, {"fp_plucker", rtl::Format::fp32()},
-                                       {"int_slabs", {24, 24}},           {"int_slabs", {20, 24}},
-                                       {"int_plucker", {24, 24}},         {"int_plucker", {20, 24}}};
-  return rows;
+  static const std::vector<Entry> entries = [] {
+    std::map<int, Entry> by_row;
+    for (const rtl::Design& design : rtl::designs())
+      for (const rtl::PrintedRow& row : design.printed.rows)
+        by_row.emplace(row.row, Entry{design.name, row.format});
+    std::vector<Entry> sorted;
+    for (const auto& [row, entry] : by_row) sorted.push_back(entry);
+    return sorted;
+  }();
+  return entries;
+}
+
+const Entry& yardstick() {
+  return table_7_2().front();
 }
 
 bool can_price_yardstick(const rtl::Library& library) {

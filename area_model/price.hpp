@@ -48,19 +48,20 @@ struct Entry {
   rtl::Format format;
 };
 
-/// Throws as rtl::Design::trace, printed_habits and rtl::Library::cell do.
-[[nodiscard]] Price price(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
+/// Throws as rtl::Design::trace, rtl::Library::cell do; of the printed account also std::runtime_error, one
+/// line, for a design that the thesis does not have.
+[[nodiscard]] Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
                           Account account);
 
 /// Of any pipeline, under the name of the design that it comes from; account built. A multiplier with a
 /// narrower operand has that part of the square one's area that it has of its partial products; estimated.
 [[nodiscard]] Price price(const rtl::Pipeline& pipeline, const Entry& entry, const rtl::Library& library);
 
-/// The six, in its order.
+/// The six, in its order: the rows that designs say are theirs.
 [[nodiscard]] const std::vector<Entry>& table_7_2();
 
-/// The design to which its percentages refer.
-inline constexpr std::string_view yardstick = "fp_slabs";
+/// The first of them, to which its percentages refer.
+[[nodiscard]] const Entry& yardstick();
 /// Whether a library has what it takes.
 [[nodiscard]] bool can_price_yardstick(const rtl::Library& library);
 

@@ -9,6 +9,7 @@
 #include "area_model/price.hpp"
 #include "cli/area_text.hpp"
 #include "cli/commands.hpp"
+#include "cli/design_options.hpp"
 #include "cli/table.hpp"
 #include "cli/values.hpp"
 
@@ -21,8 +22,7 @@ using area::Line;
 using area::Price;
 
 struct AreaOptions {
-  std::vector<std::string> designs;
-  std::optional<std::string> bits;
+  DesignsChoice units;
   Account account = Account::built;
   std::string library;
   Format format = Format::text;
@@ -31,13 +31,12 @@ struct AreaOptions {
 
 /// Those of Table 7.2 unless the user names others.
 std::vector<area::Entry> chosen(const AreaOptions& options) {
-  if (options.designs.empty()) return area::table_7_2();
+  if (options.units.names.empty()) return area::table_7_2();
+  const auto any = [](const rtl::Design&) { return std::string(); };
+  const auto own = [](const rtl::Design& design) { return std::vector{design.default_format}; };
   std::vector<area::Entry> entries;
-  for (const std::string& name : options.designs) {
-    const rtl::Design& design = rtl::find_design(name);
-    entries.push_back(
-        {design.name, options.bits ? design.parse_format(*options.bits) : design.default_format()});
-  }
+  for (const sim::DesignFormats& each : options.units.formats(options.units.designs(any), own))
+    for (const rtl::Format& format : each.formats) entries.push_back({each.design->name, format});
   return entries;
 }
 
@@ -120,7 +119,7 @@ void print_prices(const AreaOptions& options) {
     return;
   }
   std::optional<Price> yardstick;
-  if (area::can_price_yardstick(library)) yardstick = priced({area::yardstick, rtl::Format::fp32()});
+  if (area::can_price_yardstick(library)) yardstick = priced(area::yardstick());
   fmt::print("{}", options.format == Format::text
                        ? area_text(prices, yardstick)
                        : table_text(design_rows(prices, yardstick, options.format), options.format));
@@ -134,15 +133,10 @@ void add_area_command(CLI::App& program) {
   const auto options = std::make_shared<AreaOptions>();
   CLI::Option* const designs =
       command
-          ->add_option("design", options->designs,
+          ->add_option("design", options->units.names,
                        "Names that `hitpipe designs` lists; without any, the six designs of Table 7.2")
           ->type_name("NAME");
-  command
-      ->add_option("--bits", options->bits,
-                   "Number format of the designs named: n/t for integer ones (20/24 unless given), fp32 for "
-                   "float ones")
-      ->type_name("n/t")
-      ->needs(designs);
+  add_bits_option(*command, options->units, "each design's own")->needs(designs);
   add_choice_option<Account>(*command, "--account", options->account,
                              {{"printed", Account::printed}, {"built", Account::built}},
                              "built: all that is emitted; printed: counted as the thesis counts");

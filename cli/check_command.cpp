@@ -35,9 +35,13 @@ struct CheckCommand {
   Format format = Format::text;
 };
 
-std::vector<Category> chosen_categories(const std::vector<std::string>& names) {
-  const auto all = ref::adversary::categories();
-  if (names.empty()) return {all.begin(), all.end()};
+/// The adversary's, and those that are made for the design.
+std::vector<Category> chosen_categories(const rtl::Design& design, const std::vector<std::string>& names) {
+  const auto general = ref::adversary::categories();
+  std::vector<Category> all(general.begin(), general.end());
+  const std::vector<Category>& own = sim::software_of(design).categories;
+  all.insert(all.end(), own.begin(), own.end());
+  if (names.empty()) return all;
   std::vector<Category> chosen;
   for (const std::string& name : names) {
     const auto found =
@@ -77,21 +81,20 @@ Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim:
 }
 
 std::string replay_command(const CheckCommand& command, const Case& c) {
-  const std::string bits =
-      command.choice.design().is_float() ? "" : " --bits " + rtl::to_string(command.choice.format());
+  const std::string bits = command.choice.design().bits_option(command.choice.format());
   return fmt::format("hitpipe check {}{} --replay \"{}\"", command.choice.name, bits,
                      ref::adversary::to_text(c));
 }
 
 /// Exit code of a run that found these.
 int verdict(const rtl::Design& design, std::uint64_t false_misses, std::uint64_t rtl_mismatches) {
-  return (false_misses > 0 && !design.is_float()) || rtl_mismatches > 0 ? 1 : 0;
+  return (false_misses > 0 && design.conservative) || rtl_mismatches > 0 ? 1 : 0;
 }
 
 int judge(const CheckCommand& command) {
   const rtl::Design& design = command.choice.design();
   const rtl::Format format = command.choice.format();
-  const std::vector<Category> categories = chosen_categories(command.categories);
+  const std::vector<Category> categories = chosen_categories(design, command.categories);
   std::optional<Progress> progress;
   std::optional<sim::VerilatedDesign> verilated;
   if (command.rtl) {
@@ -108,9 +111,9 @@ int judge(const CheckCommand& command) {
                             .progress = [&](double share) { progress->show(share); }};
   const std::vector<sim::CategoryResult> results = sim::check(make, options);
   std::vector<sim::CategoryResult> robust;
-  if (design.name == "fp_slabs") {
+  if (const sim::MakeBoxTest& beside = sim::software_of(design).beside) {
     options.rtl = nullptr;
-    robust = sim::check(sim::robust_float_slabs_test, options);
+    robust = sim::check(beside, options);
   }
   progress.reset();
 
@@ -166,7 +169,7 @@ int replay(const CheckCommand& command) {
     row["rtl"] = pins.out_valid ? word(pins.hit) : "no answer";
     rtl_differs = !pins.out_valid || pins.hit != hit;
   }
-  const std::vector<rtl::Port> ports = rtl::input_ports(design.trace(format));
+  const std::vector<rtl::Port> ports = design.ports(format);
   for (std::size_t i = 0; i < ports.size(); ++i) {
     const auto bits =
         static_cast<std::uint64_t>(test->operands()[i]) & (~std::uint64_t{0} >> (64 - ports[i].width));

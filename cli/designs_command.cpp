@@ -16,7 +16,12 @@ void add_designs_command(CLI::App& program) {
   command->callback([format] {
     std::vector<Row> rows;
     for (const rtl::Design& design : rtl::designs()) {
-      rows.push_back({{"design", design.name}, {"what", design.summary}});
+      rows.push_back({{"design", design.name},
+                      {"bits", rtl::to_string(design.default_format)},
+                      {"never_misses", design.conservative ? "yes" : "no"},
+                      {"what", design.summary}});
+      if (*format == Format::text) continue;
+      rows.back()["formats"] = design.default_format.family().allowed;
     }
     fmt::print("{}", table_text(rows, *format));
   });

@@ -10,6 +10,7 @@
 
 #include "area_model/figure.hpp"
 #include "cli/commands.hpp"
+#include "cli/design_options.hpp"
 #include "cli/fit_text.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_options.hpp"
@@ -17,6 +18,7 @@
 #include "cli/values.hpp"
 #include "sim/cosim.hpp"
 #include "sim/fit/vector_check.hpp"
+#include "sim/software.hpp"
 
 namespace hitpipe::cli {
 
@@ -28,18 +30,13 @@ struct FitCommand {
   SceneChoice scene;
   ref::WhittedOptions light;
   bool no_shadows = false;
-  std::vector<std::string> designs;
+  DesignsChoice units;
   double overhead_pct = 2.0;
-  std::optional<std::string> bits;
   bool keep_bits = false;
   std::uint64_t vectors = 1'000'000;
   std::string out;
   Format format = Format::text;
 };
-
-rtl::Format format_before(const FitCommand& command, const rtl::Design& design) {
-  return design.is_float() ? rtl::Format::fp32() : design.parse_format(command.bits.value_or("24/24"));
-}
 
 constexpr double most_overhead_pct = 1000.0;
 
@@ -65,21 +62,32 @@ FitScene load(const FitCommand& command) {
   return {std::move(scene), std::move(bvh), std::move(demands)};
 }
 
-/// Each once. Throws when a name or the number format is none: before the long run.
-std::vector<const rtl::Design*> chosen_designs(const FitCommand& command) {
-  std::vector<const rtl::Design*> designs;
-  const auto choose = [&](const rtl::Design& design) {
-    if (std::find(designs.begin(), designs.end(), &design) == designs.end()) designs.push_back(&design);
+/// A design and its format before the fit.
+struct Wanted {
+  const rtl::Design* design;
+  rtl::Format before;
+};
+
+std::string why_not_fitted(const rtl::Design& design) {
+  const sim::Software& software = sim::software_of(design);
+  if (const std::string why = sim::why_not_traced(design); !why.empty()) return why;
+  if (software.traversal == nullptr) return sim::missing(design, sim::traversal_part);
+  return software.promise == nullptr ? sim::missing(design, sim::promise_part) : "";
+}
+
+/// Each design once. Throws when a name or a number format is none: before the long run.
+std::vector<Wanted> chosen_designs(const FitCommand& command) {
+  const auto own = [](const rtl::Design& design) -> std::vector<rtl::Format> {
+    return {sim::software_of(design).fit_from.value_or(design.default_format)};
   };
-  for (const std::string& name : command.designs) choose(rtl::find_design(name));
-  if (designs.empty())
-    for (const rtl::Design& design : rtl::designs()) choose(design);
-  const auto is_float = [](const rtl::Design* design) { return design->is_float(); };
-  if (command.bits && std::all_of(designs.begin(), designs.end(), is_float))
-    throw std::runtime_error("--bits: no design named takes it; float designs have fp32 only");
-  for (const rtl::Design* design : designs)
-    static_cast<void>(design->evaluate(format_before(command, *design)));
-  return designs;
+  std::vector<Wanted> wanted;
+  for (const sim::DesignFormats& each : command.units.formats(command.units.designs(why_not_fitted), own)) {
+    if (each.formats.size() > 1)
+      throw std::runtime_error(fmt::format("--bits: {} formats for {}; a fit starts from one",
+                                           each.formats.size(), each.design->name));
+    wanted.push_back({each.design, each.formats.front()});
+  }
+  return wanted;
 }
 
 double percent_of(std::int64_t part, std::int64_t whole) {
@@ -130,13 +138,13 @@ Row record(const sim::FittedUnit& unit, const FitScene& scene, const sim::Vector
           {"stages", unit.price.stages},
           {"area_delay_before_mm2_ns", area_delay(unit.price_before)},
           {"area_delay_mm2_ns", area_delay(unit.price)},
-          {"bytes_per_node_before", sim::bytes_per_node(unit.before)},
-          {"bytes_per_node", sim::bytes_per_node(unit.format, unit.coarse())},
+          {"bytes_per_node_before", sim::bytes_per_node(*unit.design, unit.before)},
+          {"bytes_per_node", sim::bytes_per_node(*unit.design, unit.format, unit.coarse())},
           {"rays", result.rays_primary + result.rays_secondary + result.rays_shadow},
           {"box_tests", result.unit.box_tests},
           {"extra_box_tests_pct", result.extra_box_tests_pct()},
           {"different_triangles", result.different_triangles},
-          {"false_misses", unit.design->is_float() ? Row(nullptr) : Row(result.unit.false_misses)},
+          {"false_misses", unit.design->conservative ? Row(result.unit.false_misses) : Row(nullptr)},
           {"rtl_mismatches", result.unit.rtl_mismatches},
           {"vectors", vectors.vectors},
           {"vector_hits", vectors.hits},
@@ -153,28 +161,27 @@ std::string reports_text(const std::vector<FitReport>& reports, const FitScene& 
   return table_text(rows, format);
 }
 
-std::optional<sim::Precision> precision_of(const FitCommand& command, const rtl::Design& design,
+std::optional<sim::Precision> precision_of(const FitCommand& command, const Wanted& wanted,
                                            const FitScene& scene, const sim::SceneRays& rays) {
   if (command.keep_bits) return std::nullopt;
-  const rtl::Format before = format_before(command, design);
-  return sim::fewest_bits({.design = &design,
+  return sim::fewest_bits({.design = wanted.design,
                            .scene = &scene.scene,
                            .bvh = &scene.bvh,
                            .demands = &scene.demands,
                            .rays = &rays,
-                           .most = before.is_float() ? hls::IntBits{} : before.bits(),
+                           .most = wanted.before,
                            .overhead_pct = command.overhead_pct,
                            .threads = command.scene.threads});
 }
 
-FitReport fit_design(const FitCommand& command, const rtl::Design& design, const FitScene& scene,
+FitReport fit_design(const FitCommand& command, const Wanted& wanted, const FitScene& scene,
                      const sim::SceneRays& rays) {
+  const rtl::Design& design = *wanted.design;
   const rtl::Library& library = rtl::Library::thesis();
   const std::string name(design.name);
   std::optional<Progress> progress(name + ": looking for the fewest bits");
-  const rtl::Format before = format_before(command, design);
   sim::FittedUnit unit =
-      sim::fit(design, before, precision_of(command, design, scene, rays), scene.demands, library);
+      sim::fit(design, wanted.before, precision_of(command, wanted, scene, rays), scene.demands, library);
   std::stable_sort(unit.left_out.begin(), unit.left_out.end(),
                    [](const auto& a, const auto& b) { return a.area_um2 > b.area_um2; });
   std::vector<rtl::File> files = sim::fitted_files(unit, library);
@@ -196,7 +203,7 @@ FitReport fit_design(const FitCommand& command, const rtl::Design& design, const
                                                   {.width = command.scene.width,
                                                    .height = command.scene.height,
                                                    .threads = command.scene.threads,
-                                                   .referee = !design.is_float(),
+                                                   .referee = design.conservative,
                                                    .light = command.light,
                                                    .coarse = unit.coarse(),
                                                    .ends = unit.ends(),
@@ -227,7 +234,7 @@ sim::SceneRays traced_rays(const FitCommand& command, const FitScene& scene) {
 }
 
 int fit(const FitCommand& command) {
-  const std::vector<const rtl::Design*> designs = chosen_designs(command);
+  const std::vector<Wanted> designs = chosen_designs(command);
   std::optional<Progress> progress("reading the scene");
   const FitScene scene = load(command);
   progress.reset();
@@ -235,7 +242,7 @@ int fit(const FitCommand& command) {
   // Before the long run: a folder that cannot be written to is known at once.
   rtl::make_folder(command.out);
   std::vector<FitReport> reports;
-  for (const rtl::Design* design : designs) reports.push_back(fit_design(command, *design, scene, rays));
+  for (const Wanted& wanted : designs) reports.push_back(fit_design(command, wanted, scene, rays));
   fmt::print("{}", reports_text(reports, scene, command.format));
   int exit_code = 0;
   for (const FitReport& report : reports) {
@@ -256,20 +263,14 @@ void add_fit_command(CLI::App& program, int& exit_code) {
   add_scene_options(*command, options->scene);
   add_bounces_option(*command, options->light);
   command->add_flag("--no-shadows", options->no_shadows, "Switch the lights off: no shadow rays");
-  command->add_option("--designs", options->designs, "Names that `hitpipe designs` lists; all unless given")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAME,...");
+  add_designs_option(*command, options->units);
   command
       ->add_option("--overhead", options->overhead_pct,
                    "Most extra box tests that fewer bits, or rays without ends, may cost, in percent")
       ->check(overhead_problem)
       ->capture_default_str()
       ->type_name("P");
-  command
-      ->add_option("--bits", options->bits,
-                   "Number format of integer designs before the fit; 24/24 unless given")
-      ->type_name("n/t");
+  add_bits_option(*command, options->units, "24/24 of n/t designs: the formats before the fit");
   command->add_flag("--keep-bits", options->keep_bits, "Leave the number format as it is");
   command
       ->add_option("--vectors", options->vectors,

@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 struct ReportCommand {
   SceneChoice scene;
-  DesignChoice image{"int_slabs", {}};
-  std::vector<std::string> bits;  ///< swept
+  DesignChoice image;
+  DesignsChoice swept;
   std::string rows;
   std::uint64_t tests = 20'000;
   std::uint64_t seed = 1;
@@ -59,15 +59,22 @@ std::string options_given(const CLI::App& command, bool scene_only) {
   return text;
 }
 
-/// The fewest bits among the rows of a design; else the bits that it has.
-hls::IntBits coarsest(std::span<const sim::SweepRow> rows, const DesignChoice& unit) {
-  hls::IntBits least = unit.format().bits();
+/// The format with the least numbers among the rows of a design; else the format that it has.
+rtl::Format coarsest(std::span<const sim::SweepRow> rows, const DesignChoice& unit) {
+  rtl::Format least = unit.format();
   for (const sim::SweepRow& row : rows) {
     if (row.design != unit.name) continue;
-    const hls::IntBits bits = rtl::parse_bits(row.bits);
-    if (std::pair(bits.coord, bits.interval) < std::pair(least.coord, least.interval)) least = bits;
+    const rtl::Format format = unit.design().parse_format(row.bits);
+    if (format.numbers() < least.numbers()) least = format;
   }
   return least;
+}
+
+/// The first design that never misses and can be traced.
+std::string image_design() {
+  for (const rtl::Design& design : rtl::designs())
+    if (design.conservative && sim::why_not_swept(design).empty()) return std::string(design.name);
+  throw std::runtime_error("--image-design: no design never misses and can be traced");
 }
 
 std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& command, const ref::Scene& scene,
@@ -87,14 +94,17 @@ std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& comm
 }
 
 int report(const ReportCommand& command, const CLI::App& options) {
-  if (command.image.design().is_float())
+  if (!command.image.design().conservative)
     throw std::runtime_error(
-        fmt::format("design {}: computes in floats; give an integer design", command.image.name));
-  const hls::IntBits image_bits = command.image.format().bits();
-  std::vector<hls::IntBits> swept;
-  for (const std::string& bits : command.bits) swept.push_back(rtl::parse_bits(bits));
+        fmt::format("design {}: can miss boxes; give a design that never does", command.image.name));
+  if (const std::string why = sim::why_not_swept(command.image.design()); !why.empty())
+    throw std::runtime_error(why);
+  const rtl::Format image_format = command.image.format();
   std::vector<sim::SweepPoint> points;
-  if (command.rows.empty()) points = report_points(swept);
+  if (command.rows.empty()) {
+    const std::vector<const rtl::Design*> designs = command.swept.designs(sim::why_not_swept);
+    points = report_points(command.swept.formats(designs, sim::sweep_formats));
+  }
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
@@ -130,7 +140,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   progress.emplace("rendering");
   facts.pictures = make_pictures(scene, bvh,
                                  {.design = &command.image.design(),
-                                  .bits = image_bits,
+                                  .format = image_format,
                                   .coarse = coarsest(facts.rows, command.image),
                                   .scene_options = options_given(options, true),
                                   .width = command.scene.width,
@@ -153,7 +163,8 @@ int report(const ReportCommand& command, const CLI::App& options) {
   wrong.rtl_mismatches += facts.pictures.rtl_mismatches;
   wrong.different_triangles += facts.pictures.different_triangles;
   wrong.different_pixels += facts.pictures.different_pixels;
-  for (const Stability& s : facts.stability) wrong.false_misses += s.bits == "fp32" ? 0 : s.false_misses;
+  for (const Stability& s : facts.stability)
+    wrong.false_misses += rtl::find_design(s.design).conservative ? s.false_misses : 0;
   const std::string page = (fs::path(command.out) / "index.html").string();
   fmt::print("{}", record_text({{"page", page},
                                 {"rows", facts.rows.size()},
@@ -179,20 +190,14 @@ void add_report_command(CLI::App& program, int& exit_code) {
           ->add_option("--rows", options->rows,
                        "CSV of hitpipe sweep, of this scene and size, instead of a new sweep")
           ->type_name("FILE");
-  command
-      ->add_option("--bits", options->bits,
-                   "Number formats of the integer designs to measure (default: as hitpipe sweep)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->excludes(rows)
-      ->type_name("n/t,...");
+  add_bits_option(*command, options->swept, "those that hitpipe sweep takes")->excludes(rows);
+  options->image.name = image_design();
   command
       ->add_option("--image-design", options->image.name,
-                   "The integer design whose Verilog renders the image")
+                   "The design whose Verilog renders the image; one that never misses")
       ->capture_default_str()
       ->type_name("NAME");
-  command->add_option("--image-bits", options->image.bits, "Its number format; 20/24 unless given")
-      ->type_name("n/t");
+  command->add_option("--image-bits", options->image.bits, "Its number format")->type_name("FORMAT");
   command->add_option("--tests", options->tests, "Of each unit's stability (1 to 10^9)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}).description(""))
       ->type_name("N")

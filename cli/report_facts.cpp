@@ -55,7 +55,7 @@ std::vector<Stability> measure_stability(const StabilityOptions& options) {
       sum.false_hits += r.false_hits;
     }
     sum.command = fmt::format("hitpipe check {}{} --tests {} --seed {}", design.name,
-                              design.is_float() ? "" : " --bits " + bits, options.tests, options.seed);
+                              design.bits_option(entry.format), options.tests, options.seed);
     measured.push_back(std::move(sum));
   }
   return measured;

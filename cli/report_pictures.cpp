@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "cli/trace_options.hpp"
 #include "rtl_gen/emit/scratch_file.hpp"
 #include "sim/cosim.hpp"
+#include "sim/software.hpp"
 #include "sw_ref/render/image_file.hpp"
 #include "sw_ref/render/render.hpp"
 
@@ -30,10 +32,6 @@ std::string png_of(const Write& write) {
   std::error_code ignored;
   fs::remove(file, ignored);
   return bytes;
-}
-
-std::string algorithm_of(const rtl::Design& design) {
-  return design.name == "int_plucker" ? "plu-dsa" : "slabs-dsa";
 }
 
 class Studio {
@@ -115,9 +113,9 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
                fmt::format("The scene {} rendered by software", scene.name),
                row_of("software", reference.box_tests, reference.triangle_tests, render + " --out FILE.png"));
 
-  const std::string unit = fmt::format("{} {}", choice.design->name, rtl::to_string(choice.bits));
-  const sim::VerilatedDesign verilated(*choice.design, choice.bits, rtl::Library::thesis());
-  const sim::CosimResult rtl = sim::cosimulate(*choice.design, choice.bits, verilated, scene, bvh,
+  const std::string unit = choice.design->name_at(choice.format);
+  const sim::VerilatedDesign verilated(*choice.design, choice.format, rtl::Library::thesis());
+  const sim::CosimResult rtl = sim::cosimulate(*choice.design, choice.format, verilated, scene, bvh,
                                                {.width = choice.width,
                                                 .height = choice.height,
                                                 .threads = choice.threads,
@@ -133,22 +131,19 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
                            readable_number(std::to_string(rtl.unit.box_tests)), unit, made.different_pixels),
                fmt::format("The scene {} rendered through the Verilog of {}", scene.name, unit),
                row_of(unit, rtl.unit.box_tests, rtl.unit.triangle_tests,
-                      fmt::format("hitpipe cosim {} --bits {} {} --out FOLDER", choice.design->name,
-                                  rtl::to_string(choice.bits), choice.scene_options)));
+                      fmt::format("hitpipe cosim {}{} {} --out FOLDER", choice.design->name,
+                                  choice.design->bits_option(choice.format), choice.scene_options)));
 
   studio.map(
       "box_tests", software.box_tests, "Box tests of all rays of a pixel, robust float slabs.",
       "Heat map of the box tests of each pixel",
       row_of("software", reference.box_tests, reference.triangle_tests, render + " --box-map FILE.exr"));
-  std::vector<hls::IntBits> formats{choice.bits};
-  if (choice.coarse != choice.bits) formats.push_back(choice.coarse);
-  for (const hls::IntBits format : formats) {
+  std::vector<rtl::Format> formats{choice.format};
+  if (choice.coarse != choice.format) formats.push_back(choice.coarse);
+  for (const rtl::Format& format : formats) {
     const std::string bits = rtl::to_string(format);
-    const ref::RenderResult work =
-        studio.render({.algorithm = choice.design->name == "int_plucker" ? ref::Algorithm::plu_dsa
-                                                                         : ref::Algorithm::slabs_dsa,
-                       .arithmetic = ref::Arithmetic::integer,
-                       .bits = format});
+    const ref::TracerOptions tracing = sim::software_of(*choice.design).traversal(format);
+    const ref::RenderResult work = studio.render(tracing);
     std::vector<float> extra(work.box_tests.size());
     for (std::size_t i = 0; i < extra.size(); ++i)
       extra[i] = std::max(0.0F, work.box_tests[i] - software.box_tests[i]);
@@ -164,8 +159,7 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
                     readable_number(std::to_string(counts.box_tests))),
         fmt::format("Heat map of the extra box tests of {} {}", choice.design->name, bits),
         row_of(fmt::format("{} {}", choice.design->name, bits), counts.box_tests, counts.triangle_tests,
-               fmt::format("{} --traversal {} --arithmetic integer --bits {} --box-map FILE.exr", render,
-                           algorithm_of(*choice.design), bits)));
+               fmt::format("{} {} --box-map FILE.exr", render, trace_options_text(tracing))));
   }
   return made;
 }

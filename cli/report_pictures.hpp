@@ -17,10 +17,10 @@
 namespace hitpipe::cli {
 
 struct PictureChoice {
-  const rtl::Design* design = nullptr;  ///< whose Verilog renders; an integer one
-  hls::IntBits bits{20, 24};
-  hls::IntBits coarse{20, 24};  ///< for a second map of extra work
-  std::string scene_options;    ///< as a user writes them, for the commands
+  const rtl::Design* design;  ///< whose Verilog renders
+  rtl::Format format;
+  rtl::Format coarse;         ///< for a second map of extra work
+  std::string scene_options;  ///< as a user writes them, for the commands
   int width = 256;
   int height = 256;
   int threads = 1;

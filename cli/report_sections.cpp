@@ -142,7 +142,7 @@ void add_findings(Page& page, const ReportFacts& facts, int rays) {
   }
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const sim::SweepRow& unit = rows[row];
-    if (unit.design == area::yardstick && unit.rays_in_flight == rays)
+    if (unit.design == area::yardstick().design && unit.rays_in_flight == rays)
       findings.emplace_back("The yardstick", told(row));
   }
   page.list(findings);

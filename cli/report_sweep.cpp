@@ -47,20 +47,15 @@ void append_once(std::vector<Value>& values, const Value& value) {
 
 }  // namespace
 
-std::vector<sim::SweepPoint> report_points(std::vector<hls::IntBits> formats) {
-  if (formats.empty()) formats = sim::sweep_formats();
-  std::vector<const rtl::Design*> designs;
-  for (const rtl::Design& design : rtl::designs()) designs.push_back(&design);
+std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats) {
   std::map<sim::RowKey, sim::SweepPoint> points;
   const auto add = [&](const std::vector<sim::SweepPoint>& more) {
     for (const sim::SweepPoint& point : more) points.emplace(sim::key_of(point), point);
   };
-  add(sim::plan_sweep(designs, formats, usual_rays));
+  add(sim::plan_sweep(formats, usual_rays));
   for (const area::Entry& entry : area::table_7_2()) {
-    const std::array<const rtl::Design*, 1> design{&rtl::find_design(entry.design)};
-    std::vector<hls::IntBits> bits;
-    if (!entry.format.is_float()) bits.push_back(entry.format.bits());
-    add(sim::plan_sweep(design, bits, many_rays));
+    const sim::DesignFormats unit{&rtl::find_design(entry.design), {entry.format}};
+    add(sim::plan_sweep({&unit, 1}, many_rays));
   }
   std::vector<sim::SweepPoint> all;
   for (const auto& [key, point] : points) all.push_back(point);
@@ -104,7 +99,8 @@ std::vector<std::string> sweep_commands(std::span<const sim::SweepRow> rows,
   for (const sim::SweepRow& row : rows) {
     Sweep& sweep = sweeps[rays_of[{row.design, row.bits}]];
     append_once(sweep.designs, row.design);
-    if (row.bits != rtl::to_string(rtl::Format::fp32())) append_once(sweep.bits, row.bits);
+    const rtl::Design& design = rtl::find_design(row.design);
+    if (!design.default_format.family().single) append_once(sweep.bits, row.bits);
   }
   std::vector<std::string> commands;
   for (const auto& [rays, sweep] : sweeps) {

@@ -12,9 +12,8 @@
 
 namespace hitpipe::cli {
 
-/// Every design in each of `formats` (without any: sim::sweep_formats()) with 32 rays in flight, and the
-/// thesis's six units with 1, 2, 4 .. 256.
-[[nodiscard]] std::vector<sim::SweepPoint> report_points(std::vector<hls::IntBits> formats);
+/// Every design in its formats with 32 rays in flight, and the thesis's six units with 1, 2, 4 .. 256.
+[[nodiscard]] std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats);
 
 /// Measures what `file` does not hold yet, each row written as soon as it is known, and returns all that it
 /// holds. Throws as sim::run_sweep() and sim::read_rows() do, and when the file is about something else.

@@ -126,7 +126,7 @@ int rescale(const RescaleCommand& command) {
   std::optional<sim::VerilatedDesign> verilated;
   if (judged) {
     progress.emplace("compiling the Verilog");
-    verilated.emplace(*options.unit.design, options.unit.format, rtl::Library::thesis());
+    verilated.emplace(*options.unit.design, *options.unit.format, rtl::Library::thesis());
     options.unit.verilated = &*verilated;
   }
   progress.emplace("rendering");
@@ -153,7 +153,8 @@ int rescale(const RescaleCommand& command) {
   if (command.format == Format::text) {
     fmt::print(
         "{}: {} vertices, {} pixels{}\n", scene.name, scene.mesh.vertices.size(), original.image.size(),
-        judged ? fmt::format(", {} {}", options.unit.design->name, rtl::to_string(options.unit.format)) : "");
+        judged ? fmt::format(", {} {}", options.unit.design->name, rtl::to_string(*options.unit.format))
+               : "");
     for (Row& row : rows) row = short_row(row, judged);
   }
   fmt::print("{}", table_text(rows, command.format));
@@ -189,7 +190,7 @@ void add_rescale_command(CLI::App& program, int& exit_code) {
   command->add_option("--design", options->design.name, "Let this design's Verilog answer every box test")
       ->type_name("NAME");
   command->add_option("--bits", options->design.bits, "Number format of the design; its own unless given")
-      ->type_name("n/t");
+      ->type_name("FORMAT");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = rescale(*options); });
 }

@@ -7,11 +7,13 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/design_options.hpp"
 #include "cli/progress.hpp"
 #include "cli/stiffness_report.hpp"
 #include "cli/table.hpp"
 #include "cli/values.hpp"
 #include "rtl_gen/emit/files.hpp"
+#include "sim/software.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::cli {
@@ -19,8 +21,7 @@ namespace hitpipe::cli {
 namespace {
 
 struct StiffnessCommand {
-  std::vector<std::string> designs{"int_slabs", "int_plucker"};
-  std::vector<std::string> bits{"24/24", "20/24", "16/16", "12/12"};
+  DesignsChoice units;
   std::string scene;
   std::uint64_t tests = 60'000;
   std::uint64_t rays = 2'000;
@@ -37,25 +38,29 @@ struct LoadedScene {
   ref::Bvh bvh;
 };
 
-std::vector<rtl::Format> formats_of(const rtl::Design& design, const std::vector<std::string>& bits) {
-  if (design.is_float()) return {design.default_format()};
-  std::vector<rtl::Format> formats;
-  for (const std::string& text : bits) formats.push_back(design.parse_format(text));
-  return formats;
+std::string why_not_stiff(const rtl::Design& design) {
+  return sim::software_of(design).box_test == nullptr ? sim::missing(design, sim::set_up_part)
+                                                      : sim::why_not_traced(design);
 }
 
-/// A wrong name or format is known here, before the long run.
+/// Unless the user names designs, those that are conservative. A wrong name or format is known here, before
+/// the long run.
 std::vector<MeasuredDesign> chosen(const StiffnessCommand& command) {
-  std::vector<MeasuredDesign> designs;
-  for (const std::string& name : command.designs) {
-    MeasuredDesign made{&rtl::find_design(name), {}};
-    for (const rtl::Format format : formats_of(*made.design, command.bits)) {
-      static_cast<void>(made.design->evaluate(format));
+  const auto own = [](const rtl::Design& design) { return sim::software_of(design).stiffness_formats; };
+  std::vector<const rtl::Design*> designs = command.units.designs(why_not_stiff);
+  if (command.units.names.empty())
+    std::erase_if(designs, [](const rtl::Design* design) { return !design->conservative; });
+  std::vector<MeasuredDesign> measured;
+  for (const sim::DesignFormats& each : command.units.formats(designs, own)) {
+    if (each.formats.size() > most_formats)
+      throw std::runtime_error(fmt::format("--bits: {} formats for {}; a table has room for {}",
+                                           each.formats.size(), each.design->name, most_formats));
+    MeasuredDesign made{each.design, {}};
+    for (const rtl::Format& format : each.formats)
       made.formats.push_back({.format = format, .boxes = {}, .all_boxes = {}, .traversals = {}});
-    }
-    designs.push_back(std::move(made));
+    measured.push_back(std::move(made));
   }
-  return designs;
+  return measured;
 }
 
 void measure(const StiffnessCommand& command, const LoadedScene* loaded,
@@ -106,7 +111,8 @@ int report(const StiffnessCommand& command) {
                                                   : table_text(rows, command.format));
   const std::uint64_t wrong = wrong_answers(designs);
   if (wrong == 0) return 0;
-  fmt::print(stderr, "hitpipe: {} false misses or different triangles of integer designs; all must be 0\n",
+  fmt::print(stderr,
+             "hitpipe: {} false misses or different triangles of designs that never miss; all must be 0\n",
              wrong);
   return 1;
 }
@@ -117,13 +123,9 @@ void add_stiffness_command(CLI::App& program, int& exit_code) {
   CLI::App* const command = program.add_subcommand(
       "stiffness", "Measure false hits as the components of a ray's direction grow apart");
   const auto options = std::make_shared<StiffnessCommand>();
-  command->add_option("--designs", options->designs, "Which to measure; of a float design fp32 alone")
-      ->default_str("int_slabs int_plucker")
-      ->type_name("NAME...");
-  command->add_option("--bits", options->bits, "Number formats of the integer designs, 8 at most")
-      ->expected(1, static_cast<int>(most_formats))
-      ->default_str("24/24 20/24 16/16 12/12")
-      ->type_name("n/t...");
+  add_designs_option(*command, options->units)
+      ->description("Names that `hitpipe designs` lists; those that never miss unless given");
+  add_bits_option(*command, options->units, "24/24, 20/24, 16/16 and 12/12 of n/t designs; 8 at most");
   command
       ->add_option("--scene", options->scene,
                    "Also count the box tests of stiff rays through a built-in scene or a mesh file")

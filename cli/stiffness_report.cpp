@@ -120,7 +120,7 @@ Plot traversals_plot(const std::vector<MeasuredDesign>& designs, const std::stri
 std::uint64_t wrong_answers(const std::vector<MeasuredDesign>& designs) {
   std::uint64_t wrong = 0;
   for (const MeasuredDesign& d : designs) {
-    if (d.design->is_float()) continue;
+    if (!d.design->conservative) continue;
     for (const Measured& m : d.formats) {
       for (const sim::StiffBoxes& b : m.boxes) wrong += b.false_misses;
       for (const sim::StiffTraversals& t : m.traversals) wrong += t.different_triangles;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/design_options.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/table.hpp"
@@ -25,8 +26,7 @@ namespace fs = std::filesystem;
 
 struct SweepCommand {
   SceneChoice scene;
-  std::vector<std::string> designs;
-  std::vector<std::string> bits;
+  DesignsChoice units;
   std::vector<int> rays_in_flight{32};
   ref::WhittedOptions light;
   std::optional<std::string> shard;  ///< as the user wrote it; without: the whole sweep
@@ -36,19 +36,8 @@ struct SweepCommand {
 };
 
 std::vector<sim::SweepPoint> plan(const SweepCommand& command) {
-  std::vector<const rtl::Design*> designs;
-  for (const std::string& name : command.designs) designs.push_back(&rtl::find_design(name));
-  if (designs.empty()) {
-    for (const rtl::Design& design : rtl::designs()) designs.push_back(&design);
-  }
-  std::vector<hls::IntBits> formats;
-  for (const std::string& bits : command.bits) formats.push_back(rtl::parse_bits(bits));
-  const bool integers = std::any_of(designs.begin(), designs.end(),
-                                    [](const rtl::Design* design) { return !design->is_float(); });
-  if (!formats.empty() && !integers)
-    throw std::runtime_error("--bits: no design named takes it; float designs have fp32 only");
-  if (formats.empty()) formats = sim::sweep_formats();
-  return sim::plan_sweep(designs, formats, command.rays_in_flight);
+  const std::vector<const rtl::Design*> designs = command.units.designs(sim::why_not_swept);
+  return sim::plan_sweep(command.units.formats(designs, sim::sweep_formats), command.rays_in_flight);
 }
 
 /// Cells as the file has them; JSON has numbers for numbers.
@@ -88,7 +77,7 @@ int report(const sim::RowsFile& rows, Format format) {
   }
   int exit_code = 0;
   for (const sim::SweepRow& row : rows.rows) {
-    if (row.verified(!rtl::find_design(row.design).is_float())) continue;
+    if (row.verified(rtl::find_design(row.design).conservative)) continue;
     fmt::print(stderr,
                "hitpipe: {} {} on {}: {} RTL mismatches, {} different triangles, {} different pixels, {} "
                "false misses; all must be 0\n",
@@ -179,17 +168,9 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
   const auto options = std::make_shared<SweepCommand>();
   add_scene_options(*command, options->scene);
   CLI::Option* const scene = command->get_option("--scene")->required(false);
-  command->add_option("--designs", options->designs, "Names that `hitpipe designs` lists (default: all)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAME,...");
-  command
-      ->add_option("--bits", options->bits,
-                   "Number formats of the integer designs (default: n from 8 to 32 in steps of 4, each with "
-                   "t of n, n+4 and n+8)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("n/t,...");
+  add_designs_option(*command, options->units);
+  add_bits_option(*command, options->units,
+                  "of n/t designs n from 8 to 32 in steps of 4, each with t of n, n+4 and n+8");
   command
       ->add_option("--rays-in-flight", options->rays_in_flight,
                    "Rays that share one pipeline, a row for each (1 to 65536; default: 32)")

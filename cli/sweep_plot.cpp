@@ -28,22 +28,23 @@ constexpr double error_least_pct = error_floor_pct / 2;  // room for the marks o
 constexpr double error_most_pct = 1e3;
 
 struct Style {
-  const char* design;
   const char* colour;
   int mark;       ///< of gnuplot, filled
   int open_mark;  ///< the same, hollow
-  double size;    ///< integer units, and float units, often coincide: the smaller lies on the larger
+  double size;    ///< marks of two units often coincide: the smaller lies on the larger
 };
-constexpr std::array<Style, 4> styles{{{"fp_slabs", "#0072B2", 7, 6, 1.8},
-                                       {"fp_plucker", "#E69F00", 9, 8, 1.1},
-                                       {"int_slabs", "#D55E00", 5, 4, 1.8},
-                                       {"int_plucker", "#000000", 13, 12, 1.1}}};
-constexpr Style other_style{"", "#009E73", 3, 2, 1.4};
+/// By the design's place in the catalogue; with more designs they come again.
+constexpr std::array<Style, 8> styles{{{"#0072B2", 7, 6, 1.8},
+                                       {"#D55E00", 5, 4, 1.8},
+                                       {"#E69F00", 9, 8, 1.1},
+                                       {"#000000", 13, 12, 1.1},
+                                       {"#009E73", 11, 10, 1.5},
+                                       {"#CC79A7", 15, 14, 1.4},
+                                       {"#56B4E9", 7, 6, 1.2},
+                                       {"#8C6D31", 5, 4, 1.2}}};
 
 const Style& style_of(const std::string& design) {
-  const auto* const found =
-      std::find_if(styles.begin(), styles.end(), [&](const Style& s) { return s.design == design; });
-  return found == styles.end() ? other_style : *found;
+  return styles[rtl::place_of(rtl::find_design(design)) % styles.size()];
 }
 
 constexpr std::array<CostAxis, 3> axes{

@@ -8,7 +8,8 @@
 namespace hitpipe::cli {
 
 std::string unit_name(const sim::SweepRow& row) {
-  return row.bits == "fp32" ? row.design : row.design + " " + row.bits;
+  const rtl::Design& design = rtl::find_design(row.design);
+  return design.name_at(design.parse_format(row.bits));
 }
 
 bool is_thesis_unit(const sim::SweepRow& row) {
@@ -48,7 +49,7 @@ int usual_rays_in_flight(std::span<const sim::SweepRow> rows) {
 Wrong wrong_in(std::span<const sim::SweepRow> rows) {
   Wrong wrong;
   for (const sim::SweepRow& row : rows) {
-    wrong.false_misses += row.bits == "fp32" ? 0 : row.false_misses;
+    wrong.false_misses += rtl::find_design(row.design).conservative ? row.false_misses : 0;
     wrong.rtl_mismatches += row.rtl_mismatches;
     wrong.different_triangles += row.different_triangles;
     wrong.different_pixels += row.different_pixels;

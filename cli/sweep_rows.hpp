@@ -29,7 +29,7 @@ namespace hitpipe::cli {
 /// The number of rays in flight that most rows have; of equals the greatest; 0 without rows.
 [[nodiscard]] int usual_rays_in_flight(std::span<const sim::SweepRow> rows);
 
-/// What must be zero, over all rows; false misses of integer units alone.
+/// What must be zero, over all rows; false misses of conservative units alone.
 struct Wrong {
   std::uint64_t false_misses = 0;
   std::uint64_t rtl_mismatches = 0;

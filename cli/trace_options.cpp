@@ -1,13 +1,45 @@
 #include "cli/trace_options.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/values.hpp"
-#include "rtl_gen/catalogue/format.hpp"
+#include "rtl_gen/catalogue/int_formats.hpp"
 
 namespace hitpipe::cli {
+
+namespace {
+
+using ref::Algorithm;
+using ref::Arithmetic;
+
+const Choices<Algorithm> algorithms{{"slabs", Algorithm::slabs},
+                                    {"plu", Algorithm::plu},
+                                    {"slabs-dist", Algorithm::slabs_dist},
+                                    {"slabs-dsa", Algorithm::slabs_dsa},
+                                    {"plu-dsa", Algorithm::plu_dsa}};
+const Choices<Arithmetic> arithmetics{{"float", Arithmetic::binary32},
+                                      {"double", Arithmetic::binary64},
+                                      {"robust", Arithmetic::robust},
+                                      {"integer", Arithmetic::integer}};
+
+template <class Value>
+std::string word_for(const Choices<Value>& choices, Value value) {
+  const auto found =
+      std::find_if(choices.begin(), choices.end(), [&](const auto& each) { return each.second == value; });
+  return found == choices.end() ? "?" : found->first;
+}
+
+}  // namespace
+
+std::string trace_options_text(const ref::TracerOptions& options) {
+  const std::string bits =
+      options.arithmetic == Arithmetic::integer ? " --bits " + to_string(rtl::Format(options.bits)) : "";
+  return fmt::format("--traversal {} --arithmetic {}{}", word_for(algorithms, options.algorithm),
+                     word_for(arithmetics, options.arithmetic), bits);
+}
 
 void add_bounces_option(CLI::App& command, ref::WhittedOptions& options) {
   add_count_option(command, "--bounces", options.bounces, {0, ref::WhittedOptions::most_bounces},
@@ -25,25 +57,14 @@ ref::TracerOptions TraceChoice::options() const {
 }
 
 void add_trace_options(CLI::App& command, TraceChoice& choice) {
-  using ref::Algorithm;
-  using ref::Arithmetic;
   using ref::Encoding;
   using ref::TriangleTest;
   ref::TracerOptions& tracer = choice.tracer;
   add_choice_option<Algorithm>(
-      command, "--traversal", tracer.algorithm,
-      {{"slabs", Algorithm::slabs},
-       {"plu", Algorithm::plu},
-       {"slabs-dist", Algorithm::slabs_dist},
-       {"slabs-dsa", Algorithm::slabs_dsa},
-       {"plu-dsa", Algorithm::plu_dsa}},
+      command, "--traversal", tracer.algorithm, algorithms,
       "Box test, and which child comes first: always the same, the nearer box (dist), or "
       "by direction and split axis (dsa)");
-  add_choice_option<Arithmetic>(command, "--arithmetic", tracer.arithmetic,
-                                {{"float", Arithmetic::binary32},
-                                 {"double", Arithmetic::binary64},
-                                 {"robust", Arithmetic::robust},
-                                 {"integer", Arithmetic::integer}},
+  add_choice_option<Arithmetic>(command, "--arithmetic", tracer.arithmetic, arithmetics,
                                 "Of the box test; robust: floats with a proven bound, slabs only");
   command.add_option("--bits", choice.bits, "Number format of integer arithmetic, 24/24 unless given")
       ->type_name("n/t");

@@ -28,4 +28,8 @@ struct TraceChoice {
 /// --traversal, --arithmetic, --bits, --encoding, --lut, --bundle, --triangle-test.
 void add_trace_options(CLI::App& command, TraceChoice& choice);
 
+/// "--traversal slabs-dsa --arithmetic integer --bits 20/24": the options that choose this algorithm,
+/// arithmetic and format.
+[[nodiscard]] std::string trace_options_text(const ref::TracerOptions& options);
+
 }  // namespace hitpipe::cli

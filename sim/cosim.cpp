@@ -202,7 +202,7 @@ bool CosimResult::verified(bool conservative) const {
 CosimResult cosimulate(const rtl::Design& design, rtl::Format format, const VerilatedDesign& verilated,
                        const ref::Scene& scene, const ref::Bvh& bvh, const CosimOptions& options) {
   std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh, options.coarse);
-  if (!options.ends) feed = with_step(std::move(feed), endless_step(rtl::input_ports(design.trace(format))));
+  if (!options.ends) feed = with_step(std::move(feed), endless_step(design.ports(format)));
   if (options.guard != nullptr) feed = guarded(std::move(feed), *options.guard, verilated.operand_count());
   const ref::Whitted whitted(scene, options.light);
   const Frame frame{design, format, verilated, scene, bvh, options, *feed, whitted};

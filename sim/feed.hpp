@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/catalogue/format.hpp"
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/geometry/ray.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
@@ -30,10 +29,11 @@ class SceneFeed {
   [[nodiscard]] virtual std::unique_ptr<RayFeed> unit(std::size_t slots) const = 0;
 };
 
-/// The format must be one of the design's; coarse axes are of integer designs. Throws std::runtime_error when
-/// the design reads operands that no set-up makes, std::out_of_range for a box outside the cube; its operands
-/// do for an origin or box that leaves the coarse grid. The hierarchy need not outlive the feed.
-[[nodiscard]] std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, rtl::Format format,
+/// The format must be one of the design's; coarse axes are for designs whose coordinates are integers. Throws
+/// std::runtime_error when the design has no set-up or answers for several boxes at a time, std::out_of_range
+/// for a box outside the cube; RayFeed::operands() throws that for an origin or box that leaves the coarse
+/// grid. The hierarchy need not outlive the feed.
+[[nodiscard]] std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, const rtl::Format& format,
                                                    const ref::Bvh& bvh, const ref::CoarseAxes& coarse = {});
 
 }  // namespace hitpipe::sim

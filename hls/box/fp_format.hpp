@@ -5,6 +5,13 @@
 
 namespace hitpipe::hls {
 
+/// A float format whose widths are known at run time; binary32 unless said otherwise.
+struct FpBits {
+  int exponent = 8;
+  int fraction = 23;
+  friend constexpr bool operator==(const FpBits&, const FpBits&) = default;
+};
+
 template <int E, int M>
 struct FpFormat {
   static constexpr int exponent = E;

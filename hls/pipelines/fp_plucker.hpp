@@ -32,6 +32,8 @@ struct FpPlucker {
   static constexpr const char* name = "fp_plucker";
   static constexpr const char* summary = "float Pluecker test, figures 7.7-7.10";
   static constexpr Arithmetic arithmetic = Arithmetic::floating;
+  static constexpr bool conservative = false;
+  using Bits = FpBits;
 
   template <class D, class F>
   using Operands = FpPluckerOperands<D, F>;

@@ -48,6 +48,8 @@ struct FpSlabs {
   static constexpr const char* name = "fp_slabs";
   static constexpr const char* summary = "float slabs test, figures 7.2-7.3";
   static constexpr Arithmetic arithmetic = Arithmetic::floating;
+  static constexpr bool conservative = false;
+  using Bits = FpBits;
 
   template <class D, class F>
   using Operands = FpSlabsOperands<D, F>;

@@ -55,6 +55,8 @@ struct IntPlucker {
   static constexpr const char* name = "int_plucker";
   static constexpr const char* summary = "integer Pluecker test, figures 7.11-7.14";
   static constexpr Arithmetic arithmetic = Arithmetic::integer;
+  static constexpr bool conservative = true;
+  using Bits = IntBits;
 
   template <class D, class F>
   using Operands = IntPluckerOperands<D, F>;

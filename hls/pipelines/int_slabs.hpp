@@ -64,6 +64,8 @@ struct IntSlabs {
   static constexpr const char* name = "int_slabs";
   static constexpr const char* summary = "integer slabs test, figures 7.4-7.6";
   static constexpr Arithmetic arithmetic = Arithmetic::integer;
+  static constexpr bool conservative = true;
+  using Bits = IntBits;
 
   template <class D, class F>
   using Operands = IntSlabsOperands<D, F>;

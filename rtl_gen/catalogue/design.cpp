@@ -2,58 +2,92 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace hitpipe::rtl {
 
+/// Those of hitpipe's own list; written when the build is configured.
+std::deque<Design> own_designs();
+
 namespace {
 
-[[noreturn]] void no_such_format(const Design& design, Format format) {
-  if (design.is_float()) {
-    throw std::runtime_error(fmt::format("bits {}: {} computes in floats; its only format is {}",
-                                         to_string(format), design.name, to_string(Format::fp32())));
-  }
-  throw std::runtime_error(fmt::format(
-      "bits {}: no such format of {}; allowed is n/t with n in {}..{} and t in {}..2n-1", to_string(format),
-      design.name, hls::IntBits::min_coord, hls::IntBits::max_coord, hls::IntBits::min_interval));
+std::deque<Design>& all() {
+  static std::deque<Design> list = own_designs();
+  return list;
+}
+
+[[noreturn]] void no_such_format(const Design& design, std::string_view text) {
+  const FormatFamily& family = design.default_format.family();
+  throw std::runtime_error(fmt::format("bits {}: no format of {}; allowed is {}{}", text, design.name,
+                                       family.allowed,
+                                       family.single ? "" : fmt::format(", for example {}", family.example)));
+}
+
+void check(const Design& design, const Format& format) {
+  if (&format.family() != &design.default_format.family() || !format.valid())
+    no_such_format(design, to_string(format));
 }
 
 }  // namespace
 
-Format Design::default_format() const {
-  return is_float() ? Format::fp32() : Format(hls::IntBits{});
-}
-
 Format Design::parse_format(std::string_view text) const {
-  if (text == to_string(Format::fp32())) {
-    if (!is_float()) no_such_format(*this, Format::fp32());
-    return Format::fp32();
-  }
-  const Format format = parse_bits(text);
-  if (is_float()) no_such_format(*this, format);
-  return format;
+  const FormatFamily& family = default_format.family();
+  const auto numbers = family.parse(text);
+  if (!numbers || !family.valid(*numbers)) no_such_format(*this, text);
+  return {family, *numbers};
 }
 
-Graph Design::trace(Format format) const {
-  Graph (*const found)() = traced(format);
-  if (found == nullptr) no_such_format(*this, format);
-  return found();
+std::vector<Port> Design::ports(const Format& format) const {
+  check(*this, format);
+  return ports_at(format);
 }
 
-Evaluate Design::evaluate(Format format) const {
-  const Evaluate found = native(format);
-  if (found == nullptr) no_such_format(*this, format);
-  return found;
+Graph Design::trace(const Format& format) const {
+  check(*this, format);
+  return trace_at(format);
 }
 
-std::vector<Port> input_ports(const Graph& graph) {
-  std::vector<Port> ports;
-  for (const NodeId id : graph.inputs())
-    ports.push_back({graph[id].name, graph[id].width, graph[id].is_signed});
-  return ports;
+Evaluate Design::evaluate(const Format& format) const {
+  check(*this, format);
+  return {run_at(format), format, results};
+}
+
+int Design::boxes_per_test() const {
+  int last = 0;
+  for (const hls::Result& result : results) last = std::max(last, result.box);
+  return last + 1;
+}
+
+std::string Design::name_at(const Format& format) const {
+  return format.family().single ? std::string(name) : fmt::format("{} {}", name, to_string(format));
+}
+
+std::string Design::bits_option(const Format& format) const {
+  return format.family().single ? "" : " --bits " + to_string(format);
+}
+
+Evaluate::Evaluate(Run run, const Format& format, std::span<const hls::Result> results)
+    : run_(run), format_(format), hit_(0) {
+  const auto is_hit = [](const hls::Result& r) { return r.meaning == hls::Meaning::hit && r.box == 0; };
+  const auto found = std::find_if(results.begin(), results.end(), is_hit);
+  if (found == results.end() || results.size() > most_results)
+    throw std::invalid_argument(
+        fmt::format("a design has 1 to {} results, one of them HIT of the first box", most_results));
+  hit_ = static_cast<std::size_t>(found - results.begin());
+}
+
+const std::deque<Design>& designs() {
+  return all();
+}
+
+void add_design(Design design) {
+  for (const Design& known : all())
+    if (known.name == design.name)
+      throw std::invalid_argument(fmt::format("design {}: there is one of that name", design.name));
+  all().push_back(std::move(design));
 }
 
 const Design& find_design(std::string_view name) {
@@ -65,9 +99,10 @@ const Design& find_design(std::string_view name) {
   throw std::runtime_error(fmt::format("design {}: unknown; there are: {}", name, fmt::join(names, ", ")));
 }
 
-std::size_t index_of(const std::vector<Port>& ports, const std::string& name) {
-  const auto found = std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == name; });
-  return static_cast<std::size_t>(found - ports.begin());
+std::size_t place_of(const Design& design) {
+  const auto found = std::find_if(designs().begin(), designs().end(),
+                                  [&](const Design& each) { return each.name == design.name; });
+  return static_cast<std::size_t>(found - designs().begin());
 }
 
 }  // namespace hitpipe::rtl

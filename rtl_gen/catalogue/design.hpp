@@ -1,53 +1,57 @@
-// The designs hitpipe knows. A design is one file in hls/pipelines and one hitpipe_design() line in
-// CMakeLists.txt.
+// What a design is to everything that makes, prices and tests hardware. A design says it once, in
+// rtl_gen/designs/NAME.cpp; docs/designs.md tells how to add one.
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <string>
+#include <deque>
 #include <string_view>
 #include <vector>
 
-#include "hls/box/arithmetic.hpp"
+#include "hls/box/operand.hpp"
+#include "rtl_gen/catalogue/evaluate.hpp"
 #include "rtl_gen/catalogue/format.hpp"
+#include "rtl_gen/catalogue/fp_formats.hpp"
+#include "rtl_gen/catalogue/int_formats.hpp"
+#include "rtl_gen/catalogue/port.hpp"
+#include "rtl_gen/catalogue/printed.hpp"
 #include "rtl_gen/graph/graph.hpp"
 
 namespace hitpipe::rtl {
 
-/// The pipeline's C++ on the host: HIT for operands in port order, each sign-extended when its port is
-/// signed.
-using Evaluate = bool (*)(const std::int64_t* operands);
-
 struct Design {
-  std::string_view name;         ///< also the Verilog module's
-  std::string_view summary;      ///< one line, with its figures in the thesis
-  hls::Arithmetic arithmetic;    ///< decides the formats it has
-  Graph (*(*traced)(Format))();  ///< null for a format it does not have
-  Evaluate (*native)(Format);    ///< likewise
+  std::string_view name;     ///< also the Verilog module's
+  std::string_view summary;  ///< one line, with its figures in the thesis
+  bool conservative;         ///< HIT whenever the exact ray meets the closed box
+  Format default_format;     ///< of the family that all its formats are of
+  std::vector<hls::Result> results;
+  std::vector<Port> (*ports_at)(const Format&);
+  Graph (*trace_at)(const Format&);
+  Evaluate::Run (*run_at)(const Format&);
+  Printed printed{};  ///< nothing of a design that the thesis does not have
 
-  [[nodiscard]] bool is_float() const { return arithmetic == hls::Arithmetic::floating; }
-  /// 20/24, or binary32.
-  [[nodiscard]] Format default_format() const;
   /// A format of this design as a user writes it. Throws std::runtime_error, one line, that says what is
   /// allowed.
   [[nodiscard]] Format parse_format(std::string_view text) const;
-  /// Both throw std::runtime_error, one line, when there is no such format.
-  [[nodiscard]] Graph trace(Format format) const;
-  [[nodiscard]] Evaluate evaluate(Format format) const;
+  /// All throw std::runtime_error, one line, when there is no such format.
+  [[nodiscard]] std::vector<Port> ports(const Format& format) const;
+  [[nodiscard]] Graph trace(const Format& format) const;
+  [[nodiscard]] Evaluate evaluate(const Format& format) const;
+  /// Boxes that one test answers for.
+  [[nodiscard]] int boxes_per_test() const;
+  /// "int_slabs 20/24", "fp_slabs".
+  [[nodiscard]] std::string name_at(const Format& format) const;
+  /// " --bits 20/24", or nothing when it has one format only: as a command takes it.
+  [[nodiscard]] std::string bits_option(const Format& format) const;
 };
 
-[[nodiscard]] std::span<const Design> designs();
+/// hitpipe's own, and those that a program added.
+[[nodiscard]] const std::deque<Design>& designs();
+/// For a program with designs of its own, before it uses any. Throws std::invalid_argument for a name that
+/// there is.
+void add_design(Design design);
 /// Throws std::runtime_error that lists the designs when there is none of that name.
 [[nodiscard]] const Design& find_design(std::string_view name);
-
-struct Port {
-  std::string name;
-  int width;  ///< 1..64
-  bool is_signed;
-};
-/// A graph's inputs, in order.
-[[nodiscard]] std::vector<Port> input_ports(const Graph& graph);
-/// Where the port of that name is; as many as there are where none is.
-[[nodiscard]] std::size_t index_of(const std::vector<Port>& ports, const std::string& name);
+/// By its place in designs().
+[[nodiscard]] std::size_t place_of(const Design& design);
 
 }  // namespace hitpipe::rtl

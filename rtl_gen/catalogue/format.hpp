@@ -1,38 +1,78 @@
-// The number format of a design: n/t bits of an integer unit, or binary32 of a float one.
+// The number format of a design, chosen at run time. Formats come in families, each with its own numbers and
+// its own spelling: n/t of integers (int_formats.hpp), eEmM of floats (fp_formats.hpp). A family is one
+// struct in hls/box with the numbers and one specialisation of FamilyOf; nothing else knows what the numbers
+// mean.
 #pragma once
 
+#include <array>
+#include <bit>
+#include <compare>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "hls/box/int_format.hpp"
-
 namespace hitpipe::rtl {
+
+/// What a format consists of, {20, 24} of 20/24; the rest is 0.
+using FormatNumbers = std::array<int, 4>;
+
+struct FormatFamily {
+  std::string_view syntax;   ///< "n/t"
+  std::string_view allowed;  ///< "n/t with n in 6..32 and t in 6..2n-1"
+  std::string_view example;  ///< "20/24"
+  bool single;               ///< it has one format only, which needs no mention beside a design's name
+  bool (*valid)(const FormatNumbers& numbers);
+  std::string (*print)(const FormatNumbers& numbers);
+  /// Nothing when the text is not spelled so; what it says may still be invalid.
+  std::optional<FormatNumbers> (*parse)(std::string_view text);
+};
+
+/// FamilyOf<Bits>::family is the family of a struct of hls/box that holds a format's numbers.
+template <class Bits>
+struct FamilyOf;
+
+template <class Bits>
+concept format_bits = requires {
+  FamilyOf<Bits>::family;
+};
 
 class Format {
  public:
-  /// An integer format; implicit, as the n/t formats are the many.
-  constexpr Format(hls::IntBits bits) : integer_(bits) {}
-  constexpr Format(int coord, int interval) : integer_(hls::IntBits{coord, interval}) {}
-  /// IEEE 754 binary32.
-  [[nodiscard]] static constexpr Format fp32() { return Format(); }
+  /// Implicit: such a struct is a format.
+  template <format_bits Bits>
+  constexpr Format(const Bits& bits) : family_(&FamilyOf<Bits>::family) {
+    const auto own = std::bit_cast<std::array<int, sizeof(Bits) / sizeof(int)>>(bits);
+    for (std::size_t i = 0; i < own.size(); ++i) numbers_[i] = own[i];
+  }
+  constexpr Format(const FormatFamily& family, const FormatNumbers& numbers)
+      : family_(&family), numbers_(numbers) {}
 
-  [[nodiscard]] constexpr bool is_float() const { return !integer_; }
-  /// Only of an integer format.
-  [[nodiscard]] constexpr hls::IntBits bits() const { return *integer_; }
+  [[nodiscard]] constexpr const FormatFamily& family() const { return *family_; }
+  [[nodiscard]] constexpr const FormatNumbers& numbers() const { return numbers_; }
+  [[nodiscard]] bool valid() const { return family_->valid(numbers_); }
+
+  template <format_bits Bits>
+  [[nodiscard]] constexpr bool is() const {
+    return family_ == &FamilyOf<Bits>::family;
+  }
+  /// The numbers as the struct of their family; only where is<Bits>().
+  template <format_bits Bits>
+  [[nodiscard]] constexpr Bits as() const {
+    std::array<int, sizeof(Bits) / sizeof(int)> own{};
+    for (std::size_t i = 0; i < own.size(); ++i) own[i] = numbers_[i];
+    return std::bit_cast<Bits>(own);
+  }
 
   friend constexpr bool operator==(const Format&, const Format&) = default;
 
  private:
-  constexpr Format() = default;
-
-  std::optional<hls::IntBits> integer_;
+  const FormatFamily* family_;
+  FormatNumbers numbers_{};
 };
 
-/// "20/24", or "fp32".
-[[nodiscard]] std::string to_string(Format format);
-
-/// "20/24". Throws std::runtime_error naming the text and what is allowed.
-[[nodiscard]] hls::IntBits parse_bits(std::string_view text);
+/// "20/24", "fp32".
+[[nodiscard]] inline std::string to_string(const Format& format) {
+  return format.family().print(format.numbers());
+}
 
 }  // namespace hitpipe::rtl

@@ -9,7 +9,8 @@
 #include "hls/box/arithmetic.hpp"
 #include "hls/box/fp_format.hpp"
 #include "hls/box/int_format.hpp"
-#include "rtl_gen/catalogue/format.hpp"
+#include "rtl_gen/catalogue/fp_formats.hpp"
+#include "rtl_gen/catalogue/int_formats.hpp"
 
 namespace hitpipe::rtl {
 
@@ -64,11 +65,11 @@ typename Make::Entry of_bits(hls::IntBits bits, std::integer_sequence<int, I...>
 template <class Make>
 typename Make::Entry for_format(Format format) {
   if constexpr (Make::arithmetic == hls::Arithmetic::floating) {
-    return format.is_float() ? Make::template entry<hls::Fp32>() : nullptr;
+    return format.is<hls::FpBits>() ? Make::template entry<hls::Fp32>() : nullptr;
   } else {
-    if (format.is_float() || !format.bits().valid()) return nullptr;
+    if (!format.is<hls::IntBits>() || !format.valid()) return nullptr;
     return detail::of_bits<Make>(
-        format.bits(),
+        format.as<hls::IntBits>(),
         std::make_integer_sequence<int, hls::IntBits::max_coord - hls::IntBits::min_coord + 1>{});
   }
 }

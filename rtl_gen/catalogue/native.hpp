@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "hls/num/domain.hpp"
+#include "rtl_gen/catalogue/evaluate.hpp"
 #include "rtl_gen/catalogue/instantiate.hpp"
 
 namespace hitpipe::rtl {
@@ -19,22 +20,27 @@ namespace hitpipe::rtl {
 /// `operands` in port order, each sign-extended when its port is signed; bits above a port's width are
 /// ignored.
 template <class Pipeline, class F>
-HITPIPE_FLATTEN bool native(const std::int64_t* operands) {
+HITPIPE_FLATTEN void run_native(const Format&, const std::int64_t* operands, std::int64_t* results) {
   using Operands = typename Pipeline::template Operands<hls::Native, F>;
   Operands in;
   Operands::for_each(in, [&](const hls::Operand&, auto& field) { field = *operands++; });
-  return Pipeline::template hit<hls::Native, F>(in).to_bool();
+  results[0] = Pipeline::template hit<hls::Native, F>(in).to_bool() ? 1 : 0;
 }
 #undef HITPIPE_FLATTEN
 
 template <class Pipeline>
 struct MakeNative {
   static constexpr hls::Arithmetic arithmetic = Pipeline::arithmetic;
-  using Entry = bool (*)(const std::int64_t*);
+  using Entry = Evaluate::Run;
   template <class F>
   static constexpr Entry entry() {
-    return native<Pipeline, F>;
+    return run_native<Pipeline, F>;
   }
 };
+
+template <class Pipeline>
+Evaluate::Run native(const typename Pipeline::Bits& bits) {
+  return for_format<MakeNative<Pipeline>>(bits);
+}
 
 }  // namespace hitpipe::rtl

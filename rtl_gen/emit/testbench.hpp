@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/prune/draw.hpp"
 
 namespace hitpipe::rtl {

@@ -8,16 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/catalogue/port.hpp"
 
 namespace hitpipe::rtl {
-
-/// From low to high, both included.
-struct Interval {
-  std::int64_t low;
-  std::int64_t high;
-  friend bool operator==(const Interval&, const Interval&) = default;
-};
 
 /// The port's number lies in one of the intervals; one of a single number is a constant.
 struct PortDemand {

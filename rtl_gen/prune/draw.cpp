@@ -80,7 +80,11 @@ Draw::Draw(const std::vector<Port>& ports, const Demands& demands) {
     for (const PortDemand& each : demands.ports)
       if (each.port == port.name) wanted_.back() = each;
     if (hull(wanted_[i]).low < hull(wanted_[i]).high) free_.push_back(i);
-    if (port.name.ends_with("min") && i + 1 < ports.size()) boxes_.push_back({i, i + 1});
+    for (std::size_t j = 0; j < ports.size() && port.role == hls::Role::plane_low; ++j) {
+      const Port& other = ports[j];
+      if (other.role == hls::Role::plane_high && other.axis == port.axis && other.box == port.box)
+        boxes_.push_back({i, j});
+    }
   }
   for (const OrderDemand& each : demands.orders)
     orders_.push_back({index_of(ports, each.lesser), index_of(ports, each.greater)});
@@ -116,7 +120,7 @@ std::vector<std::int64_t> Draw::beside(const std::vector<std::int64_t>& operands
   }
 }
 
-DrawVectors::DrawVectors(const std::vector<Port>& ports, const Demands& demands, Evaluate evaluate,
+DrawVectors::DrawVectors(const std::vector<Port>& ports, const Demands& demands, const Evaluate& evaluate,
                          std::uint64_t seed)
     : draw_(ports, demands), evaluate_(evaluate), random_(seed) {
   for (int tries = 0; tries < 100'000 && last_hit_.empty(); ++tries)

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "rtl_gen/catalogue/evaluate.hpp"
 #include "rtl_gen/prune/demands.hpp"
 
 namespace hitpipe::rtl {
@@ -29,7 +30,7 @@ class Draw {
 
   std::vector<PortDemand> wanted_;  ///< of each port
   std::vector<Order> orders_;
-  std::vector<Order> boxes_;       ///< ports that follow each other as min and max
+  std::vector<Order> boxes_;       ///< lower and upper plane of a box on an axis
   std::vector<std::size_t> free_;  ///< ports of more than one number
 };
 
@@ -44,7 +45,8 @@ struct Vector {
 class DrawVectors {
  public:
   /// Looks for a first hit, for a while.
-  DrawVectors(const std::vector<Port>& ports, const Demands& demands, Evaluate evaluate, std::uint64_t seed);
+  DrawVectors(const std::vector<Port>& ports, const Demands& demands, const Evaluate& evaluate,
+              std::uint64_t seed);
 
   [[nodiscard]] Vector operator()();
 

@@ -1,12 +1,13 @@
-// What the ports of the thesis's designs promise anyway, whatever the scene: the ranges in the comments of
-// hls/box. A demand that says no more than these leaves a design as it is.
+// What the set-up of a design promises of its operands, whatever the scene: the ranges that its operands
+// state (hls/box). A demand that says no more than these leaves the design as it is.
 #pragma once
 
+#include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/prune/demands.hpp"
 
 namespace hitpipe::rtl {
 
-/// By the names of the design's ports; of a port that promises nothing there is no demand.
-[[nodiscard]] Demands promises(const Design& design, Format format);
+/// A demand for each port whose range is narrower than its width.
+[[nodiscard]] Demands promises(const Design& design, const Format& format);
 
 }  // namespace hitpipe::rtl

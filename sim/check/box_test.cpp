@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+
+#include "sim/software.hpp"
 
 namespace hitpipe::sim {
 
@@ -38,6 +41,12 @@ class RobustFloatSlabsTest final : public BoxTest {
 };
 
 }  // namespace
+
+std::unique_ptr<BoxTest> make_box_test(const rtl::Design& design, const rtl::Format& format) {
+  const Software& software = software_of(design);
+  if (software.box_test == nullptr) throw std::runtime_error(missing(design, set_up_part));
+  return software.box_test(design, format);
+}
 
 std::unique_ptr<BoxTest> robust_float_slabs_test() {
   return std::make_unique<RobustFloatSlabsTest>();

@@ -7,7 +7,6 @@
 #include <span>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/catalogue/format.hpp"
 #include "sw_ref/geometry/aabb.hpp"
 #include "sw_ref/geometry/ray.hpp"
 
@@ -32,7 +31,7 @@ using MakeBoxTest = std::function<std::unique_ptr<BoxTest>()>;
 
 /// A design of the catalogue: its set-up and its C++ datapath. Throws as make_feed() and Design::evaluate()
 /// do.
-[[nodiscard]] std::unique_ptr<BoxTest> make_box_test(const rtl::Design& design, rtl::Format format);
+[[nodiscard]] std::unique_ptr<BoxTest> make_box_test(const rtl::Design& design, const rtl::Format& format);
 
 /// Slabs in binary32 whose far distance is widened by 2 ulp: "Robust BVH Ray Traversal" (Ize, 2013).
 [[nodiscard]] std::unique_ptr<BoxTest> robust_float_slabs_test();

@@ -41,7 +41,7 @@ Picture rendered(const ref::Scene& scene, const PictureOptions& options) {
     return picture;
   }
   CosimResult result =
-      cosimulate(*unit.design, unit.format, *unit.verilated, scene, bvh,
+      cosimulate(*unit.design, *unit.format, *unit.verilated, scene, bvh,
                  {.width = options.width, .height = options.height, .threads = options.threads});
   picture.image = std::move(result.image);
   picture.triangles = std::move(result.triangles);

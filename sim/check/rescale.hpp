@@ -34,7 +34,7 @@ struct MovedScene {
 /// What answers the box tests of a picture: a design's Verilog, or the robust float slabs in software.
 struct PictureUnit {
   const rtl::Design* design = nullptr;
-  rtl::Format format = rtl::Format::fp32();
+  std::optional<rtl::Format> format{};
   const VerilatedDesign* verilated = nullptr;  ///< null: software
 };
 

@@ -153,7 +153,7 @@ std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Fo
                                               const StiffnessOptions& options) {
   const std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh);
   const rtl::Evaluate evaluate = design.evaluate(format);
-  const std::size_t ports = rtl::input_ports(design.trace(format)).size();
+  const std::size_t ports = design.ports(format).size();
   std::vector<StiffTraversals> sums;
   for (const Stiffness stiffness : stiffnesses()) sums.push_back({.stiffness = stiffness});
   in_parallel(sums.size(), options, [&](std::size_t i) {

@@ -3,30 +3,26 @@
 #include <array>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
-#include "sim/port_names.hpp"
-
 namespace hitpipe::sim {
 
 namespace {
 
-std::size_t place_of(const std::vector<rtl::Port>& ports, const std::string& name) {
-  const std::size_t place = rtl::index_of(ports, name);
-  if (place < ports.size()) return place;
-  throw std::invalid_argument(fmt::format("coarse axes: there is no port {}; take an integer design", name));
+std::size_t place_of(const std::vector<rtl::Port>& ports, hls::Role role, hls::Axis axis) {
+  const auto place = rtl::index_of(ports, role, axis);
+  if (place && ports[*place].is_signed) return *place;
+  throw std::invalid_argument("coarse axes: origin or box is no integer; take an integer design");
 }
 
 struct Places {
   std::array<std::size_t, 3> origin{}, min{}, max{};
 
   explicit Places(const std::vector<rtl::Port>& ports) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const PortNames names = names_of(axis);
-      const auto i = static_cast<std::size_t>(axis);
-      origin[i] = place_of(ports, "i" + names.origin);
-      min[i] = place_of(ports, "i" + names.low);
-      max[i] = place_of(ports, "i" + names.high);
+    std::size_t i = 0;
+    for (const hls::Axis axis : {hls::Axis::x, hls::Axis::y, hls::Axis::z}) {
+      origin[i] = place_of(ports, hls::Role::origin, axis);
+      min[i] = place_of(ports, hls::Role::plane_low, axis);
+      max[i] = place_of(ports, hls::Role::plane_high, axis);
+      ++i;
     }
   }
 };

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/catalogue/port.hpp"
 #include "sim/feeds/with_step.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 

@@ -3,12 +3,13 @@
 
 #include <vector>
 
-#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/catalogue/port.hpp"
 #include "sim/feeds/with_step.hpp"
 
 namespace hitpipe::sim {
 
-/// Sets rinf: the unit ignores length or endpoint. Throws std::invalid_argument for ports without it.
+/// Says of every ray that it has no end: the unit ignores length or endpoint. Throws std::invalid_argument
+/// for ports without an operand for that.
 [[nodiscard]] OperandStep endless_step(const std::vector<rtl::Port>& ports);
 
 }  // namespace hitpipe::sim

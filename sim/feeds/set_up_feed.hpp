@@ -39,7 +39,7 @@ void put_box(const Box& box, std::int64_t* out) {
 template <class S>
 class SetUpRays final : public RayFeed {
  public:
-  SetUpRays(const std::vector<typename S::Box>& boxes, rtl::Format format, std::size_t slots)
+  SetUpRays(const std::vector<typename S::Box>& boxes, const rtl::Format& format, std::size_t slots)
       : boxes_(boxes), format_(format), slots_(slots, Slot(any_ray(), format)) {}
 
   void start(std::size_t slot, const ref::Ray& ray) override { slots_[slot] = Slot(ray, format_); }
@@ -55,7 +55,7 @@ class SetUpRays final : public RayFeed {
 
  private:
   struct Slot {
-    Slot(const ref::Ray& ray, rtl::Format format)
+    Slot(const ref::Ray& ray, const rtl::Format& format)
         : set_up(ray, format), length(ray.length), end(set_up.end(ray.length)) {}
 
     S set_up;
@@ -72,7 +72,7 @@ class SetUpRays final : public RayFeed {
 template <class S>
 class SetUpScene final : public SceneFeed {
  public:
-  SetUpScene(rtl::Format format, const ref::Bvh& bvh) : format_(format) {
+  SetUpScene(const rtl::Format& format, const ref::Bvh& bvh) : format_(format) {
     std::vector<ref::Aabb> boxes;
     boxes.reserve(bvh.nodes.size());
     for (const ref::BvhNode& node : bvh.nodes) boxes.push_back(node.box);
@@ -92,10 +92,8 @@ class SetUpScene final : public SceneFeed {
 template <class S>
 class SetUpTest final : public BoxTest {
  public:
-  SetUpTest(const rtl::Design& design, rtl::Format format)
-      : evaluate_(design.evaluate(format)),
-        format_(format),
-        operands_(rtl::input_ports(design.trace(format)).size()) {}
+  SetUpTest(const rtl::Design& design, const rtl::Format& format)
+      : evaluate_(design.evaluate(format)), format_(format), operands_(design.ports(format).size()) {}
 
   void start(const ref::Ray& ray) override {
     const S set_up(ray, format_);
@@ -123,5 +121,15 @@ class SetUpTest final : public BoxTest {
   std::vector<std::int64_t> operands_;
   std::vector<typename S::Box> boxes_;
 };
+
+/// Software::feed and Software::box_test of a design with set-up S.
+template <class S>
+std::unique_ptr<SceneFeed> set_up_feed(const rtl::Format& format, const ref::Bvh& bvh) {
+  return std::make_unique<SetUpScene<S>>(format, bvh);
+}
+template <class S>
+std::unique_ptr<BoxTest> set_up_test(const rtl::Design& design, const rtl::Format& format) {
+  return std::make_unique<SetUpTest<S>>(design, format);
+}
 
 }  // namespace hitpipe::sim

@@ -1,12 +1,13 @@
 #include "sim/fit/fit.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "rtl_gen/prune/promises.hpp"
-#include "sw_ref/encode/int_nodes.hpp"
+#include "sim/software.hpp"
 
 namespace hitpipe::sim {
 
@@ -27,22 +28,27 @@ struct Cutter {
   }
 };
 
-std::string what_text(const rtl::Demands& demands) {
+std::string what_text(const DemandGroup& group) {
   std::vector<std::string> names;
-  for (const rtl::PortDemand& demand : demands.ports) names.push_back(demand.port);
-  if (names.front() == "rinf") return "the ends of rays";
-  const int low_zeros = demands.ports.front().low_zeros;
-  return low_zeros > 0 ? fmt::format("low bits of {}: {}", fmt::join(names, ", "), low_zeros)
-                       : fmt::format("numbers of {} that never come", fmt::join(names, ", "));
+  for (const rtl::PortDemand& demand : group.demands.ports) names.push_back(demand.port);
+  switch (group.what) {
+    case DemandGroup::What::ends:
+      return "the ends of rays";
+    case DemandGroup::What::low_bits:
+      return fmt::format("low bits of {}: {}", fmt::join(names, ", "), group.demands.ports.front().low_zeros);
+    case DemandGroup::What::numbers:
+      break;
+  }
+  return fmt::format("numbers of {} that never come", fmt::join(names, ", "));
 }
 
 }  // namespace
 
-FittedUnit fit(const rtl::Design& design, rtl::Format before, const std::optional<Precision>& precision,
-               const ref::SceneDemands& scene, const rtl::Library& library) {
-  const rtl::Format format = precision && !before.is_float() ? rtl::Format(precision->bits) : before;
-  const std::vector<DemandGroup> groups =
-      port_demands(design, format, scene, precision.value_or(Precision{}));
+FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
+               const std::optional<Precision>& precision, const ref::SceneDemands& scene,
+               const rtl::Library& library) {
+  const rtl::Format format = precision ? precision->format : before;
+  const std::vector<DemandGroup> groups = port_demands(design, format, scene, precision);
   const Cutter cutter{design, format, library, design.trace(format), rtl::promises(design, format)};
   const rtl::Demands demands = all_of(groups);
   rtl::Pruned pruned = cutter.pruned(demands);
@@ -55,7 +61,7 @@ FittedUnit fit(const rtl::Design& design, rtl::Format before, const std::optiona
                   .price_before = area::price(design, before, library, area::Account::built),
                   .price = std::move(price),
                   .demands = demands,
-                  .ports = rtl::input_ports(cutter.traced),
+                  .ports = design.ports(format),
                   .report = std::move(pruned.report),
                   .pipeline = std::move(pipeline),
                   .left_out = {}};
@@ -67,17 +73,17 @@ FittedUnit fit(const rtl::Design& design, rtl::Format before, const std::optiona
          measured_text(precision->extra_box_tests_pct), unit.price_before.area_um2 - whole.area_um2});
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    unit.left_out.push_back({what_text(groups[i].demands), groups[i].why,
+    unit.left_out.push_back({what_text(groups[i]), groups[i].why,
                              cutter.price(all_without(groups, i)).area_um2 - unit.price.area_um2});
   }
   return unit;
 }
 
-std::size_t bytes_per_node(rtl::Format format, const ref::CoarseAxes& coarse) {
-  if (format.is_float()) return sizeof(ref::BvhNode);
-  ref::Bvh one;
-  one.nodes.push_back({{glm::vec3(0), glm::vec3(0)}, 1, 0});
-  return ref::IntNodes(one, format.bits().coord, coarse).bytes_per_node;
+std::size_t bytes_per_node(const rtl::Design& design, const rtl::Format& format,
+                           const ref::CoarseAxes& coarse) {
+  const Software& software = software_of(design);
+  if (software.bytes_per_node == nullptr) throw std::runtime_error(missing(design, "size of its nodes"));
+  return software.bytes_per_node(format, coarse);
 }
 
 }  // namespace hitpipe::sim

@@ -40,7 +40,7 @@ struct FittedUnit {
 };
 
 /// At `precision`, or at `before`.
-[[nodiscard]] FittedUnit fit(const rtl::Design& design, rtl::Format before,
+[[nodiscard]] FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
                              const std::optional<Precision>& precision, const ref::SceneDemands& scene,
                              const rtl::Library& library);
 
@@ -49,7 +49,8 @@ struct FittedUnit {
 /// a testbench whose vectors are as demanded.
 [[nodiscard]] std::vector<rtl::File> fitted_files(const FittedUnit& unit, const rtl::Library& library);
 
-/// 32 of float boxes; packed n-bit ones otherwise (sw_ref/encode/int_nodes.hpp).
-[[nodiscard]] std::size_t bytes_per_node(rtl::Format format, const ref::CoarseAxes& coarse = {});
+/// Of a node whose boxes are stored as the design reads them, on coarser axes without their low bits.
+[[nodiscard]] std::size_t bytes_per_node(const rtl::Design& design, const rtl::Format& format,
+                                         const ref::CoarseAxes& coarse = {});
 
 }  // namespace hitpipe::sim

@@ -1,61 +1,90 @@
 #include "sim/fit/port_demands.hpp"
 
 #include <algorithm>
-#include <string_view>
+#include <array>
+#include <initializer_list>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "rtl_gen/prune/facts.hpp"
-#include "sim/fit/port_ranges.hpp"
-#include "sim/port_names.hpp"
+#include "sim/software.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
 
+using hls::Axis;
+using hls::Role;
+
+bool one_of(Role role, std::initializer_list<Role> roles) {
+  return std::find(roles.begin(), roles.end(), role) != roles.end();
+}
+
+constexpr std::initializer_list<Role> origin_roles{Role::origin};
+constexpr std::initializer_list<Role> box_roles{Role::plane_low, Role::plane_high};
+constexpr std::initializer_list<Role> direction_roles{Role::direction, Role::inverse, Role::inverse_low,
+                                                      Role::inverse_high};
+
 class Groups {
  public:
-  explicit Groups(const rtl::Design& design, rtl::Format format)
-      : ports_(rtl::input_ports(design.trace(format))) {}
-
-  /// Promises `range` of the ports if the design has them and they lose a bit by it beside the `spare` ones
-  /// that they never use.
-  void add(const std::string& why, const std::vector<std::string>& names, const Range& range, int spare) {
-    if (!range) return;
-    rtl::Demands demands;
-    for (const std::string& name : names) {
-      const auto port =
-          std::find_if(ports_.begin(), ports_.end(), [&](const auto& p) { return p.name == name; });
-      if (port == ports_.end() || !loses_bits(*port, *range, spare)) continue;
-      demands.ports.push_back({name, {*range}});
-    }
-    if (demands.empty()) return;
-    if (!groups_.empty() && groups_.back().why == why) {
-      auto& known = groups_.back().demands.ports;
-      known.insert(known.end(), demands.ports.begin(), demands.ports.end());
-    } else {
-      groups_.push_back({why, std::move(demands)});
-    }
+  Groups(const rtl::Design& design, const rtl::Format& format, const ref::SceneDemands& scene,
+         const ref::CoarseAxes& coarse)
+      : ports_(design.ports(format)),
+        promise_(software_of(design).promise),
+        format_(format),
+        scene_(scene),
+        coarse_(coarse) {
+    if (promise_ == nullptr) throw std::runtime_error(missing(design, promise_part));
   }
-  /// Promises so many low zeros of the ports.
-  void add_low_zeros(const std::string& why, const std::vector<std::string>& names, int low_zeros) {
-    DemandGroup group{why, {}};
+
+  /// What the scene says of the ports of these roles on the axis, where they lose a bit by it beside the
+  /// spare ones that they never use.
+  void add(const std::string& why, Axis axis, const std::initializer_list<Role>& roles) {
+    rtl::Demands demands;
     for (const rtl::Port& port : ports_) {
-      if (std::find(names.begin(), names.end(), port.name) != names.end())
-        group.demands.ports.push_back({port.name, {rtl::all_numbers(port)}, low_zeros});
+      if (port.axis != axis || !one_of(port.role, roles)) continue;
+      const std::optional<ScenePromise> promise = promise_(port, format_, scene_, coarse_);
+      if (promise && loses_bits(port, *promise)) demands.ports.push_back({port.name, {promise->range}});
     }
-    groups_.push_back(std::move(group));
+    keep({why, DemandGroup::What::numbers, std::move(demands)});
+  }
+  /// So many low bits of origin and box are 0 on the axis.
+  void add_low_zeros(const std::string& why, Axis axis, int low_zeros) {
+    rtl::Demands demands;
+    for (const rtl::Port& port : ports_) {
+      if (port.axis == axis && (one_of(port.role, origin_roles) || one_of(port.role, box_roles)))
+        demands.ports.push_back({port.name, {rtl::all_numbers(port)}, low_zeros});
+    }
+    keep({why, DemandGroup::What::low_bits, std::move(demands)});
+  }
+  /// No ray has an end.
+  void add_endless(const std::string& why) {
+    rtl::Demands demands;
+    for (const rtl::Port& port : ports_)
+      if (port.role == Role::endless) demands.ports.push_back({port.name, {{1, 1}}});
+    keep({why, DemandGroup::What::ends, std::move(demands)});
   }
   [[nodiscard]] std::vector<DemandGroup> take() { return std::move(groups_); }
 
  private:
-  static bool loses_bits(const rtl::Port& port, const rtl::Interval& range, int spare) {
+  void keep(DemandGroup group) {
+    if (group.demands.empty()) return;
+    groups_.push_back(std::move(group));
+  }
+  static bool loses_bits(const rtl::Port& port, const ScenePromise& promise) {
     if (!port.is_signed) return true;  // a float's: one sign, or one number
+    const rtl::Interval& range = promise.range;
     return range.low >= 0 || range.high < 0 ||
-           rtl::Facts::number(port.width, range.low, range.high).signed_width() < port.width - spare;
+           rtl::Facts::number(port.width, range.low, range.high).signed_width() <
+               port.width - promise.spare_bits;
   }
 
   std::vector<rtl::Port> ports_;
+  decltype(Software::promise) promise_;
+  rtl::Format format_;
+  const ref::SceneDemands& scene_;
+  const ref::CoarseAxes coarse_;
   std::vector<DemandGroup> groups_;
 };
 
@@ -70,46 +99,7 @@ std::string direction_text(const ref::SceneDemands& scene, int axis) {
   return bounds("direction", axis, all.min[axis], all.max[axis]);
 }
 
-void add_integer(Groups& groups, int coord_bits, const ref::SceneDemands& scene, const Precision& precision) {
-  // The cube's margin leaves one bit of every coordinate unused, in every scene.
-  constexpr int spare = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const PortNames names = names_of(axis);
-    const ref::Aabb origins = scene.origins();
-    groups.add(bounds("ray origin", axis, origins.min[axis], origins.max[axis]), {"i" + names.origin},
-               int_origin(scene, axis, coord_bits, precision.coarse), spare);
-    groups.add(bounds("box", axis, scene.boxes.min[axis], scene.boxes.max[axis]),
-               {"i" + names.low, "i" + names.high}, int_box(scene, axis, coord_bits, precision.coarse),
-               spare);
-    const std::string direction = direction_text(scene, axis);
-    if (const auto irdvc = int_irdvc(scene, axis, coord_bits)) {
-      groups.add(direction, {"i" + names.direction + "_floor"}, irdvc->floor, 0);
-      groups.add(direction, {"i" + names.direction + "_ceil"}, irdvc->ceil, 0);
-    }
-    groups.add(direction, {"i" + names.direction}, int_direction(scene, axis, coord_bits), 0);
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    const PortNames names = names_of(axis);
-    const int dropped = precision.coarse.dropped[static_cast<std::size_t>(axis)];
-    if (dropped == 0) continue;
-    groups.add_low_zeros(measured_text(precision.coarse_extra_box_tests_pct),
-                         {"i" + names.origin, "i" + names.low, "i" + names.high}, dropped);
-  }
-}
-
-void add_float(Groups& groups, const ref::SceneDemands& scene) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const PortNames names = names_of(axis);
-    const ref::Aabb origins = scene.origins();
-    groups.add(bounds("ray origin", axis, origins.min[axis], origins.max[axis]), {names.origin},
-               float_range(origins.min[axis], origins.max[axis]), 0);
-    groups.add(bounds("box", axis, scene.boxes.min[axis], scene.boxes.max[axis]), {names.low, names.high},
-               float_range(scene.boxes.min[axis], scene.boxes.max[axis]), 0);
-    const std::string direction = direction_text(scene, axis);
-    groups.add(direction, {names.direction}, float_direction(scene, axis), 0);
-    groups.add(direction, {names.direction + "_inv"}, float_irdvc(scene, axis), 0);
-  }
-}
+constexpr std::array<Axis, 3> axes{Axis::x, Axis::y, Axis::z};
 
 /// Of two demands on a port, both of one interval, what both allow.
 void add(rtl::Demands& all, const rtl::PortDemand& demand) {
@@ -127,16 +117,24 @@ void add(rtl::Demands& all, const rtl::PortDemand& demand) {
 
 }  // namespace
 
-std::vector<DemandGroup> port_demands(const rtl::Design& design, rtl::Format format,
-                                      const ref::SceneDemands& scene, const Precision& precision) {
-  Groups groups(design, format);
-  if (design.is_float()) {
-    add_float(groups, scene);
-  } else {
-    add_integer(groups, format.bits().coord, scene, precision);
+std::vector<DemandGroup> port_demands(const rtl::Design& design, const rtl::Format& format,
+                                      const ref::SceneDemands& scene,
+                                      const std::optional<Precision>& precision) {
+  const ref::CoarseAxes coarse = precision ? precision->coarse : ref::CoarseAxes{};
+  Groups groups(design, format, scene, coarse);
+  const ref::Aabb origins = scene.origins();
+  for (int i = 0; i < 3; ++i) {
+    const Axis axis = axes[static_cast<std::size_t>(i)];
+    groups.add(bounds("ray origin", i, origins.min[i], origins.max[i]), axis, origin_roles);
+    groups.add(bounds("box", i, scene.boxes.min[i], scene.boxes.max[i]), axis, box_roles);
+    groups.add(direction_text(scene, i), axis, direction_roles);
   }
-  if (!precision.ends)
-    groups.add(measured_text(precision.endless_extra_box_tests_pct), {"rinf"}, rtl::Interval{1, 1}, 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (const int dropped = coarse.dropped[i]; dropped > 0)
+      groups.add_low_zeros(measured_text(precision->coarse_extra_box_tests_pct), axes[i], dropped);
+  }
+  if (precision && !precision->ends)
+    groups.add_endless(measured_text(precision->endless_extra_box_tests_pct));
   return groups.take();
 }
 

@@ -2,6 +2,7 @@
 // the set-up that makes operands of them (sw_ref/quantise).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,15 +14,18 @@ namespace hitpipe::sim {
 
 /// Demands that stand or fall with one property of the scene.
 struct DemandGroup {
+  enum class What { numbers, low_bits, ends };
+
   std::string why;  ///< "the eye alone sends rays: origin.x = 0.25"
+  What what;        ///< is left out
   rtl::Demands demands;
 };
 
 /// Ranges, only of ports that lose a bit or their sign by it: what says no more than the cube does is left
 /// out. And of each coarse axis of `precision` a group whose ports have low zeros.
-[[nodiscard]] std::vector<DemandGroup> port_demands(const rtl::Design& design, rtl::Format format,
+[[nodiscard]] std::vector<DemandGroup> port_demands(const rtl::Design& design, const rtl::Format& format,
                                                     const ref::SceneDemands& scene,
-                                                    const Precision& precision = {});
+                                                    const std::optional<Precision>& precision = std::nullopt);
 
 /// One demand for each port that groups speak of.
 [[nodiscard]] rtl::Demands all_of(const std::vector<DemandGroup>& groups);

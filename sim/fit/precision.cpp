@@ -4,6 +4,8 @@
 #include <array>
 #include <map>
 #include <mutex>
+#include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,22 +13,19 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "sim/fit/port_ranges.hpp"
-#include "sw_ref/quantise/int_box.hpp"
+#include "sim/software.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
 
 /// The traversal whose box tests answer as the design does.
-ref::TracerOptions tracer_like(const rtl::Design& design, hls::IntBits bits, const ref::CoarseAxes& coarse,
-                               bool ends) {
-  ref::TracerOptions options;
-  options.algorithm = design.name.ends_with("plucker") ? ref::Algorithm::plu_dsa : ref::Algorithm::slabs_dsa;
+ref::TracerOptions tracer_like(const rtl::Design& design, const rtl::Format& format,
+                               const ref::CoarseAxes& coarse, bool ends) {
+  const Software& software = software_of(design);
+  if (software.traversal == nullptr) throw std::runtime_error(missing(design, traversal_part));
+  ref::TracerOptions options = software.traversal(format);
   options.ends = ends;
-  options.arithmetic = design.is_float() ? ref::Arithmetic::binary32 : ref::Arithmetic::integer;
-  if (design.is_float()) return options;
-  options.bits = bits;
   options.coarse = coarse;
   return options;
 }
@@ -48,20 +47,11 @@ std::uint64_t box_tests(const ref::Tracer& tracer, const std::vector<ref::Record
   return sum.box_tests;
 }
 
-/// Formats by n, their t ascending, that the program has and that are no wider than `most`.
-std::map<int, std::vector<int>> formats_up_to(const rtl::Design& design, hls::IntBits most) {
-  std::map<int, std::vector<int>> formats;
-  for (int n = hls::IntBits::min_coord; n <= most.coord; ++n) {
-    for (int t = hls::IntBits::min_interval; t <= std::min(most.interval, hls::IntBits{n, 0}.product()); ++t)
-      if (design.traced({n, t}) != nullptr) formats[n].push_back(t);
-  }
-  return formats;
-}
-
 /// The first of `sorted` that is good, when all after a good one are and the last is.
 template <class Value, class Good>
-Value first_good(const std::vector<Value>& sorted, Good&& good) {
-  return *std::partition_point(sorted.begin(), sorted.end() - 1, [&](Value value) { return !good(value); });
+const Value& first_good(const std::vector<Value>& sorted, Good&& good) {
+  return *std::partition_point(sorted.begin(), sorted.end() - 1,
+                               [&](const Value& value) { return !good(value); });
 }
 
 /// Each format and its coarse axes are measured once.
@@ -69,32 +59,26 @@ class Measurements {
  public:
   explicit Measurements(const PrecisionSearch& search) : search_(search) {}
 
-  double extra(hls::IntBits bits, const ref::CoarseAxes& coarse = {}, bool ends = true) {
-    const auto [x, y, z] = coarse.dropped;
-    const auto [at, is_new] = known_.try_emplace({bits.coord, bits.interval, x, y, z, ends ? 1 : 0}, 0.0);
-    if (is_new) at->second = extra_box_tests_pct(search_, bits, coarse, ends);
+  double extra(const rtl::Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
+    const auto [at, is_new] = known_.try_emplace({format.numbers(), coarse.dropped, ends}, 0.0);
+    if (is_new) at->second = extra_box_tests_pct(search_, format, coarse, ends);
     return at->second;
   }
-  bool good(hls::IntBits bits, const ref::CoarseAxes& coarse = {}) {
-    return extra(bits, coarse) <= search_.overhead_pct;
+  bool good(const rtl::Format& format, const ref::CoarseAxes& coarse = {}) {
+    return extra(format, coarse) <= search_.overhead_pct;
   }
   [[nodiscard]] int count() const { return static_cast<int>(known_.size()); }
 
  private:
   const PrecisionSearch& search_;
-  std::map<std::array<int, 6>, double> known_;
+  std::map<std::tuple<rtl::FormatNumbers, std::array<int, 3>, bool>, double> known_;
 };
 
-bool fits(const ref::SceneDemands& scene, int coord_bits, const ref::CoarseAxes& coarse) {
-  ref::IntOrigin lowest{};
-  for (int axis = 0; axis < 3; ++axis)
-    lowest[static_cast<std::size_t>(axis)] =
-        static_cast<std::int32_t>(int_origin(scene, axis, coord_bits)->low);
-  return ref::fits_grid(lowest, ref::quantise_box(scene.boxes, coord_bits), coarse, coord_bits);
-}
-
 /// Greedily: an axis that once cannot lose another bit is left as it is.
-ref::CoarseAxes most_dropped(const PrecisionSearch& search, hls::IntBits bits, Measurements& measured) {
+ref::CoarseAxes most_dropped(const PrecisionSearch& search, const rtl::Format& format,
+                             Measurements& measured) {
+  const auto fits = software_of(*search.design).fits_coarse;
+  if (fits == nullptr) return {};
   ref::CoarseAxes coarse;
   std::vector<std::size_t> open{0, 1, 2};
   const auto next = [&](std::size_t axis) {
@@ -104,11 +88,11 @@ ref::CoarseAxes most_dropped(const PrecisionSearch& search, hls::IntBits bits, M
   };
   while (true) {
     std::erase_if(open, [&](std::size_t axis) {
-      return !fits(*search.demands, bits.coord, next(axis)) || !measured.good(bits, next(axis));
+      return !fits(format, *search.demands, next(axis)) || !measured.good(format, next(axis));
     });
     if (open.empty()) return coarse;
     coarse = next(*std::min_element(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
-      return measured.extra(bits, next(a)) < measured.extra(bits, next(b));
+      return measured.extra(format, next(a)) < measured.extra(format, next(b));
     }));
   }
 }
@@ -133,10 +117,10 @@ std::string measured_text(double extra_box_tests_pct) {
   return fmt::format("{:.2f} % extra box tests, measured on the scene's rays", extra_box_tests_pct);
 }
 
-double extra_box_tests_pct(const PrecisionSearch& search, hls::IntBits bits, const ref::CoarseAxes& coarse,
-                           bool ends) {
+double extra_box_tests_pct(const PrecisionSearch& search, const rtl::Format& format,
+                           const ref::CoarseAxes& coarse, bool ends) {
   const auto tracer =
-      ref::make_tracer(search.scene->mesh, *search.bvh, tracer_like(*search.design, bits, coarse, ends));
+      ref::make_tracer(search.scene->mesh, *search.bvh, tracer_like(*search.design, format, coarse, ends));
   const auto reference = static_cast<double>(search.rays->reference.total().box_tests);
   const auto taken = static_cast<double>(box_tests(*tracer, search.rays->batches, search.threads));
   search.measured();
@@ -145,22 +129,17 @@ double extra_box_tests_pct(const PrecisionSearch& search, hls::IntBits bits, con
 
 std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
   Measurements measured(search);
-  Precision found;
-  if (!search.design->is_float()) {
-    const auto formats = formats_up_to(*search.design, search.most);
+  Precision found{.format = search.most};
+  if (const auto up_to = software_of(*search.design).up_to; up_to != nullptr) {
     if (!measured.good(search.most)) return std::nullopt;
-    std::vector<int> coords;
-    for (const auto& [n, intervals] : formats) coords.push_back(n);
-    const int n = first_good(coords, [&](int each) {
-      return measured.good({each, formats.at(each).back()});
-    });
-    const int t = first_good(formats.at(n), [&](int each) { return measured.good({n, each}); });
-    found.bits = {n, t};
-    found.extra_box_tests_pct = measured.extra(found.bits);
-    found.coarse = most_dropped(search, found.bits, measured);
-    found.coarse_extra_box_tests_pct = measured.extra(found.bits, found.coarse);
+    const std::vector<std::vector<rtl::Format>> groups = up_to(search.most);
+    const auto& group = first_good(groups, [&](const auto& each) { return measured.good(each.back()); });
+    found.format = first_good(group, [&](const rtl::Format& each) { return measured.good(each); });
+    found.extra_box_tests_pct = measured.extra(found.format);
+    found.coarse = most_dropped(search, found.format, measured);
+    found.coarse_extra_box_tests_pct = measured.extra(found.format, found.coarse);
   }
-  found.endless_extra_box_tests_pct = measured.extra(found.bits, found.coarse, false);
+  found.endless_extra_box_tests_pct = measured.extra(found.format, found.coarse, false);
   found.ends = found.endless_extra_box_tests_pct > search.overhead_pct;
   found.formats_measured = measured.count();
   return found;

@@ -27,7 +27,7 @@ struct SceneRays {
 
 /// What a scene's own rays were seen to do without.
 struct Precision {
-  hls::IntBits bits;               ///< of an integer design
+  rtl::Format format;
   double extra_box_tests_pct = 0;  ///< of the format alone
   ref::CoarseAxes coarse{};
   double coarse_extra_box_tests_pct = 0;   ///< without the dropped bits too
@@ -45,21 +45,22 @@ struct PrecisionSearch {
   const ref::Bvh* bvh;
   const ref::SceneDemands* demands;
   const SceneRays* rays;
-  hls::IntBits most{24, 24};  ///< of an integer design
+  rtl::Format most;
   double overhead_pct = 2.0;
   int threads = 1;
   std::function<void()> measured = [] {};  ///< told after each of them
 };
 
-/// Box tests beyond the reference's, in percent of them. Floats have neither bits nor axes to choose.
-[[nodiscard]] double extra_box_tests_pct(const PrecisionSearch& search, hls::IntBits bits,
+/// Box tests beyond the reference's, in percent of them. Throws std::runtime_error for a design without a
+/// software traversal.
+[[nodiscard]] double extra_box_tests_pct(const PrecisionSearch& search, const rtl::Format& format,
                                          const ref::CoarseAxes& coarse = {}, bool ends = true);
 
-/// The fewest coordinate bits n, then the fewest interval bits t, with n and t no more than `most`'s, that
-/// stay within the limit; bisection, as tests get fewer with n and with t. Then one low bit of an axis after
-/// another, each where it costs the fewest tests, while the limit and the grid allow it. At last the ends of
-/// rays, which are all that a float design has to lose. Nothing when not even `most` stays within the limit.
-/// `most` must be a format of the design.
+/// Of the formats up to `most` (Software::up_to) the first group with a format within the limit, and the
+/// first of that group: of n/t the fewest n, then the fewest t. By bisection, as more bits never take more
+/// tests. Then one low bit of an axis after another, each where it costs the fewest tests, while the limit
+/// and the grid allow it. At last the ends of rays, which are all that a design with one format has to lose.
+/// Nothing when not even `most`, a format of the design, stays within the limit.
 [[nodiscard]] std::optional<Precision> fewest_bits(const PrecisionSearch& search);
 
 }  // namespace hitpipe::sim

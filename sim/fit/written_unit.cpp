@@ -11,7 +11,6 @@
 #include "rtl_gen/prune/demand_fields.hpp"
 #include "rtl_gen/prune/promises.hpp"
 #include "rtl_gen/prune/prune.hpp"
-#include "sim/port_names.hpp"
 
 namespace hitpipe::sim {
 
@@ -39,15 +38,19 @@ std::string text_of(const fs::path& folder, const std::string& name, std::string
 ref::CoarseAxes WrittenUnit::coarse() const {
   ref::CoarseAxes axes;
   for (int axis = 0; axis < 3; ++axis) {
-    if (const rtl::PortDemand* const origin = demand_on(demands, fmt::format("i{}", names_of(axis).origin)))
-      axes.dropped[static_cast<std::size_t>(axis)] = origin->low_zeros;
+    const auto origin = rtl::index_of(ports, hls::Role::origin, static_cast<hls::Axis>(axis + 1));
+    if (!origin) continue;
+    if (const rtl::PortDemand* const demand = demand_on(demands, ports[*origin].name))
+      axes.dropped[static_cast<std::size_t>(axis)] = demand->low_zeros;
   }
   return axes;
 }
 
 bool WrittenUnit::ends() const {
-  const rtl::PortDemand* const rinf = demand_on(demands, "rinf");
-  return rinf == nullptr || hull(*rinf) != rtl::Interval{1, 1};
+  const auto endless = rtl::index_of(ports, hls::Role::endless);
+  if (!endless) return true;
+  const rtl::PortDemand* const demand = demand_on(demands, ports[*endless].name);
+  return demand == nullptr || hull(*demand) != rtl::Interval{1, 1};
 }
 
 WrittenUnit read_unit(const fs::path& folder, const rtl::Design& design, const rtl::Library& library) {
@@ -69,7 +72,7 @@ WrittenUnit read_unit(const fs::path& folder, const rtl::Design& design, const r
       throw std::runtime_error(
           fmt::format("a latency of {} cycles, {} is that of the library {}; write the unit again",
                       head.latency, pipeline.latency(), library.name()));
-    return {format, std::move(demands), rtl::input_ports(traced), std::move(pipeline),
+    return {format, std::move(demands), design.ports(format), std::move(pipeline),
             text_of(folder, name + ".v", design.name)};
   } catch (const std::invalid_argument& error) {
     throw where(error);

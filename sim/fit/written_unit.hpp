@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"

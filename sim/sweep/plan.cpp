@@ -1,29 +1,29 @@
 #include "sim/sweep/plan.hpp"
 
-#include <algorithm>
 #include <map>
+
+#include "sim/software.hpp"
 
 namespace hitpipe::sim {
 
-std::vector<hls::IntBits> sweep_formats() {
-  std::vector<hls::IntBits> formats;
-  for (int n = 8; n <= hls::IntBits::max_coord; n += 4) {
-    for (int t = n; t <= n + 8; t += 4) formats.push_back({n, std::min(t, hls::IntBits{n, t}.product())});
-  }
-  return formats;
+std::string why_not_swept(const rtl::Design& design) {
+  if (const std::string why = why_not_traced(design); !why.empty()) return why;
+  return software_of(design).traversal == nullptr ? missing(design, traversal_part) : "";
 }
 
-std::vector<SweepPoint> plan_sweep(std::span<const rtl::Design* const> designs,
-                                   std::span<const hls::IntBits> formats,
+std::vector<rtl::Format> sweep_formats(const rtl::Design& design) {
+  const std::vector<rtl::Format>& own = software_of(design).sweep_formats;
+  return own.empty() ? std::vector<rtl::Format>{design.default_format} : own;
+}
+
+std::vector<SweepPoint> plan_sweep(std::span<const DesignFormats> designs,
                                    std::span<const int> rays_in_flight) {
   std::map<RowKey, SweepPoint> points;
-  for (const rtl::Design* const design : designs) {
-    std::vector<rtl::Format> own(formats.begin(), formats.end());
-    if (design->is_float()) own = {design->default_format()};
-    for (const rtl::Format format : own) {
-      static_cast<void>(design->evaluate(format));  // throws when there is none
+  for (const DesignFormats& each : designs) {
+    for (const rtl::Format& format : each.formats) {
+      static_cast<void>(each.design->evaluate(format));  // throws when there is none
       for (const int rays : rays_in_flight) {
-        const SweepPoint point{design, format, rays};
+        const SweepPoint point{each.design, format, rays};
         points.emplace(key_of(point), point);
       }
     }
@@ -34,10 +34,7 @@ std::vector<SweepPoint> plan_sweep(std::span<const rtl::Design* const> designs,
 }
 
 RowKey key_of(const SweepPoint& point) {
-  const auto place = static_cast<std::size_t>(point.design - rtl::designs().data());
-  if (point.format.is_float()) return {place, 0, 0, point.rays_in_flight};
-  const hls::IntBits bits = point.format.bits();
-  return {place, bits.coord, bits.interval, point.rays_in_flight};
+  return {rtl::place_of(*point.design), point.format.numbers(), point.rays_in_flight};
 }
 
 RowKey key_of(const std::string& design, const std::string& bits, int rays_in_flight) {

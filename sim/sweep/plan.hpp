@@ -16,21 +16,26 @@ struct SweepPoint {
   int rays_in_flight;
 };
 
-/// n = 8, 12, .. 32, each with t = n, n + 4, n + 8, cut to the product's 2n - 1 bits. All formats of Tables
-/// 6.2 to 6.7 are among them.
-[[nodiscard]] std::vector<hls::IntBits> sweep_formats();
+/// A design and the formats in which it is wanted.
+struct DesignFormats {
+  const rtl::Design* design;
+  std::vector<rtl::Format> formats;
+};
 
-/// Every design with each of its formats and each number of rays in flight, once. Of float designs `formats`
-/// says nothing. Throws std::runtime_error, one line, for a format that a design does not have.
-[[nodiscard]] std::vector<SweepPoint> plan_sweep(std::span<const rtl::Design* const> designs,
-                                                 std::span<const hls::IntBits> formats,
+/// Why a design cannot be swept, one line; empty when it can.
+[[nodiscard]] std::string why_not_swept(const rtl::Design& design);
+/// The formats in which a design is swept unless told otherwise; its default if it states none.
+[[nodiscard]] std::vector<rtl::Format> sweep_formats(const rtl::Design& design);
+
+/// Every design in each of its formats with each number of rays in flight, once. Throws std::runtime_error,
+/// one line, for a format that a design does not have.
+[[nodiscard]] std::vector<SweepPoint> plan_sweep(std::span<const DesignFormats> designs,
                                                  std::span<const int> rays_in_flight);
 
-/// Where a row stands in the file: by place of the design in the catalogue, bits, rays in flight.
+/// Where a row stands in the file: by place of the design in the catalogue, format, rays in flight.
 struct RowKey {
   std::size_t design;
-  int coord;
-  int interval;
+  rtl::FormatNumbers format;
   int rays_in_flight;
 
   friend auto operator<=>(const RowKey&, const RowKey&) = default;

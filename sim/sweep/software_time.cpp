@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "area_model/price.hpp"
-#include "sw_ref/traverse/tracer.hpp"
+#include "sim/software.hpp"
 
 namespace hitpipe::sim {
 
@@ -16,16 +17,6 @@ std::vector<ref::RecordedBatch> record(const ref::Scene& scene, const ref::Bvh& 
   return ref::record_rays(scene, bvh, scaled(width), scaled(height), 1);
 }
 
-/// Near child first, as the unit's traversal.
-ref::TracerOptions tracing(const rtl::Design& design, rtl::Format format) {
-  const bool plucker = design.name.ends_with("plucker");
-  ref::TracerOptions options;
-  options.algorithm = plucker ? ref::Algorithm::plu_dsa : ref::Algorithm::slabs_dsa;
-  options.arithmetic = design.is_float() ? ref::Arithmetic::binary32 : ref::Arithmetic::integer;
-  if (!format.is_float()) options.bits = format.bits();
-  return options;
-}
-
 }  // namespace
 
 double milli(double time) {
@@ -35,15 +26,18 @@ double milli(double time) {
 SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height)
     : scene_(scene), bvh_(bvh), batches_(record(scene, bvh, width, height)) {}
 
-double SoftwareTime::seconds(const rtl::Design& design, rtl::Format format) const {
+double SoftwareTime::seconds(const rtl::Design& design, const rtl::Format& format) const {
   constexpr int runs = 3;
-  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene_.mesh, bvh_, tracing(design, format));
+  const Software& software = software_of(design);
+  if (software.traversal == nullptr) throw std::runtime_error(missing(design, traversal_part));
+  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene_.mesh, bvh_, software.traversal(format));
   return ref::measure(*tracer, batches_, runs).seconds;
 }
 
-double SoftwareTime::ratio(const rtl::Design& design, rtl::Format format) const {
-  if (design.name == area::yardstick) return 1.0;
-  const double yardstick = seconds(rtl::find_design(area::yardstick), rtl::Format::fp32());
+double SoftwareTime::ratio(const rtl::Design& design, const rtl::Format& format) const {
+  const area::Entry& row = area::yardstick();
+  if (design.name == row.design && format == row.format) return 1.0;
+  const double yardstick = seconds(rtl::find_design(row.design), row.format);
   return yardstick > 0 ? milli(seconds(design, format) / yardstick) : 0.0;
 }
 

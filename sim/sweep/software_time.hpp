@@ -23,10 +23,10 @@ class SoftwareTime {
 
   /// Both are timed now, one after the other, each by the fastest of three runs. 1 for fp_slabs. Throws as
   /// ref::make_tracer() does.
-  [[nodiscard]] double ratio(const rtl::Design& design, rtl::Format format) const;
+  [[nodiscard]] double ratio(const rtl::Design& design, const rtl::Format& format) const;
 
  private:
-  [[nodiscard]] double seconds(const rtl::Design& design, rtl::Format format) const;
+  [[nodiscard]] double seconds(const rtl::Design& design, const rtl::Format& format) const;
 
   const ref::Scene& scene_;
   const ref::Bvh& bvh_;

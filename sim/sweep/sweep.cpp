@@ -67,14 +67,15 @@ class Run {
   }
 
  private:
-  /// Float units take longest to build and to simulate, then wide ones. A unit's further rows come later, so
+  /// Units with many operand bits take longest to build and to simulate. A unit's further rows come later, so
   /// that no two wait for the same build.
   static std::vector<SweepPoint> longest_first(std::span<const SweepPoint> points) {
     std::map<RowKey, int> rows_before;
     std::vector<std::pair<std::pair<int, int>, SweepPoint>> ranked;
     for (const SweepPoint& point : points) {
-      const int width = point.format.is_float() ? hls::IntBits::max_coord + 1 : point.format.bits().coord;
-      ranked.push_back({{rows_before[unit_key(point)]++, -width}, point});
+      int bits = 0;
+      for (const rtl::Port& port : point.design->ports(point.format)) bits += port.width;
+      ranked.push_back({{rows_before[unit_key(point)]++, -bits}, point});
     }
     std::stable_sort(ranked.begin(), ranked.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });

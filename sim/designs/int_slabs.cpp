@@ -1,5 +1,5 @@
 // Operands of hls::IntSlabsOperands, in its order (section 6.2.1).
-#include "sim/feeds/feeds.hpp"
+#include "sim/designs/int_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_ray.hpp"
@@ -13,10 +13,10 @@ class IntSlabsSetUp {
   using Box = ref::IntBox;
   using End = std::int64_t;
 
-  IntSlabsSetUp(const ref::Ray& ray, rtl::Format format) : set_up_(ray, format.bits()) {}
+  IntSlabsSetUp(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
 
-  static void boxes(std::span<const ref::Aabb> boxes, rtl::Format format, std::span<Box> out) {
-    ref::quantise_boxes(boxes, format.bits().coord, out);
+  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
+    ref::quantise_boxes(boxes, format.as<hls::IntBits>().coord, out);
   }
   [[nodiscard]] End end(float length) const { return set_up_.length(length); }
 
@@ -36,14 +36,22 @@ class IntSlabsSetUp {
   ref::IntRaySetup set_up_;
 };
 
-}  // namespace
-
-std::unique_ptr<SceneFeed> int_slabs_feed(rtl::Format format, const ref::Bvh& bvh) {
-  return std::make_unique<SetUpScene<IntSlabsSetUp>>(format, bvh);
+ref::TracerOptions int_slabs_traversal(const rtl::Format& format) {
+  ref::TracerOptions options;
+  options.algorithm = ref::Algorithm::slabs_dsa;
+  options.arithmetic = ref::Arithmetic::integer;
+  options.bits = format.as<hls::IntBits>();
+  return options;
 }
 
-std::unique_ptr<BoxTest> int_slabs_test(const rtl::Design& design, rtl::Format format) {
-  return std::make_unique<SetUpTest<IntSlabsSetUp>>(design, format);
+}  // namespace
+
+Software int_slabs_software() {
+  Software software = int_design_software();
+  software.feed = set_up_feed<IntSlabsSetUp>;
+  software.box_test = set_up_test<IntSlabsSetUp>;
+  software.traversal = int_slabs_traversal;
+  return software;
 }
 
 }  // namespace hitpipe::sim

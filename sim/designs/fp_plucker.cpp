@@ -1,7 +1,7 @@
 // Operands of hls::FpPluckerOperands, in its order (section 3.3).
 #include <algorithm>
 
-#include "sim/feeds/feeds.hpp"
+#include "sim/designs/fp_design.hpp"
 #include "sim/feeds/float_patterns.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
@@ -15,9 +15,9 @@ class FpPluckerSetUp {
   using Box = PatternBox;
   using End = ref::FloatEndpoint;
 
-  FpPluckerSetUp(const ref::Ray& ray, rtl::Format /*binary32*/) : ray_(ray) {}
+  FpPluckerSetUp(const ref::Ray& ray, const rtl::Format& /*binary32*/) : ray_(ray) {}
 
-  static void boxes(std::span<const ref::Aabb> boxes, rtl::Format /*binary32*/, std::span<Box> out) {
+  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& /*binary32*/, std::span<Box> out) {
     std::transform(boxes.begin(), boxes.end(), out.begin(), [](const ref::Aabb& box) { return Box(box); });
   }
   [[nodiscard]] End end(float length) const { return ref::float_endpoint(ray_, length); }
@@ -34,14 +34,21 @@ class FpPluckerSetUp {
   ref::Ray ray_;
 };
 
-}  // namespace
-
-std::unique_ptr<SceneFeed> fp_plucker_feed(rtl::Format format, const ref::Bvh& bvh) {
-  return std::make_unique<SetUpScene<FpPluckerSetUp>>(format, bvh);
+ref::TracerOptions fp_plucker_traversal(const rtl::Format& /*binary32*/) {
+  ref::TracerOptions options;
+  options.algorithm = ref::Algorithm::plu_dsa;
+  options.arithmetic = ref::Arithmetic::binary32;
+  return options;
 }
 
-std::unique_ptr<BoxTest> fp_plucker_test(const rtl::Design& design, rtl::Format format) {
-  return std::make_unique<SetUpTest<FpPluckerSetUp>>(design, format);
+}  // namespace
+
+Software fp_plucker_software() {
+  Software software = fp_design_software();
+  software.feed = set_up_feed<FpPluckerSetUp>;
+  software.box_test = set_up_test<FpPluckerSetUp>;
+  software.traversal = fp_plucker_traversal;
+  return software;
 }
 
 }  // namespace hitpipe::sim

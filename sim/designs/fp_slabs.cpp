@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/feeds/feeds.hpp"
+#include "sim/designs/fp_design.hpp"
 #include "sim/feeds/float_patterns.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
@@ -16,10 +16,10 @@ class FpSlabsSetUp {
   using Box = PatternBox;
   using End = std::uint32_t;
 
-  FpSlabsSetUp(const ref::Ray& ray, rtl::Format /*binary32*/)
+  FpSlabsSetUp(const ref::Ray& ray, const rtl::Format& /*binary32*/)
       : origin_(patterns(ray.origin)), irdvc_(patterns(ref::float_irdvc(ray.direction))) {}
 
-  static void boxes(std::span<const ref::Aabb> boxes, rtl::Format /*binary32*/, std::span<Box> out) {
+  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& /*binary32*/, std::span<Box> out) {
     std::transform(boxes.begin(), boxes.end(), out.begin(), [](const ref::Aabb& box) { return Box(box); });
   }
   [[nodiscard]] End end(float length) const { return pattern(std::abs(length)); }  // -0 is a length too
@@ -37,14 +37,22 @@ class FpSlabsSetUp {
   Patterns irdvc_;
 };
 
-}  // namespace
-
-std::unique_ptr<SceneFeed> fp_slabs_feed(rtl::Format format, const ref::Bvh& bvh) {
-  return std::make_unique<SetUpScene<FpSlabsSetUp>>(format, bvh);
+ref::TracerOptions fp_slabs_traversal(const rtl::Format& /*binary32*/) {
+  ref::TracerOptions options;
+  options.algorithm = ref::Algorithm::slabs_dsa;
+  options.arithmetic = ref::Arithmetic::binary32;
+  return options;
 }
 
-std::unique_ptr<BoxTest> fp_slabs_test(const rtl::Design& design, rtl::Format format) {
-  return std::make_unique<SetUpTest<FpSlabsSetUp>>(design, format);
+}  // namespace
+
+Software fp_slabs_software() {
+  Software software = fp_design_software();
+  software.feed = set_up_feed<FpSlabsSetUp>;
+  software.box_test = set_up_test<FpSlabsSetUp>;
+  software.traversal = fp_slabs_traversal;
+  software.beside = robust_float_slabs_test;
+  return software;
 }
 
 }  // namespace hitpipe::sim

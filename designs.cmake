@@ -1,0 +1,10 @@
+# The designs: one line each, in the order in which the program lists them. NAME stands for
+#   rtl_gen/designs/NAME.cpp   what it is as hardware: its pipeline, and its rows of the thesis's table
+#   sim/designs/NAME.cpp       what software knows of it: set-up of rays and boxes, software traversal
+# docs/designs.md tells how to add one.
+set(HITPIPE_DESIGNS
+  fp_slabs
+  int_slabs
+  fp_plucker
+  int_plucker
+)

@@ -1,0 +1,24 @@
+// A pipeline of hls/pipelines as a design: its name, formats, operands and results as it states them, its
+// graph and its host function from its one template.
+#pragma once
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/catalogue/native.hpp"
+#include "rtl_gen/catalogue/traced.hpp"
+
+namespace hitpipe::rtl {
+
+template <class Pipeline>
+Design design_of() {
+  using Bits = typename Pipeline::Bits;
+  return {.name = Pipeline::name,
+          .summary = Pipeline::summary,
+          .conservative = Pipeline::conservative,
+          .default_format = Bits{},
+          .results = results_of<Pipeline>(),
+          .ports_at = [](const Format& format) { return ports_of<Pipeline>(format.as<Bits>()); },
+          .trace_at = [](const Format& format) { return traced<Pipeline>(format.as<Bits>()); },
+          .run_at = [](const Format& format) { return native<Pipeline>(format.as<Bits>()); }};
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,41 @@
+// A design's own C++ on the host, at one format.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "hls/box/operand.hpp"
+#include "rtl_gen/catalogue/format.hpp"
+
+namespace hitpipe::rtl {
+
+class Evaluate {
+ public:
+  /// Operands in port order, each sign-extended when its port is signed; bits above a port's width are
+  /// ignored.
+  using Run = void (*)(const Format& format, const std::int64_t* operands, std::int64_t* results);
+  static constexpr std::size_t most_results = 16;
+
+  /// `results` are the design's. Throws std::invalid_argument when there are more than most_results, or no
+  /// HIT.
+  Evaluate(Run run, const Format& format, std::span<const hls::Result> results);
+
+  /// HIT of the first box.
+  bool operator()(const std::int64_t* operands) const {
+    std::array<std::int64_t, most_results> results;  // NOLINT: run_ writes those that there are
+    run_(format_, operands, results.data());
+    return results[hit_] != 0;
+  }
+  /// All results, in the design's order.
+  void operator()(const std::int64_t* operands, std::int64_t* results) const {
+    run_(format_, operands, results);
+  }
+
+ private:
+  Run run_;
+  Format format_;
+  std::size_t hit_;
+};
+
+}  // namespace hitpipe::rtl

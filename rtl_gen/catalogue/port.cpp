@@ -1,0 +1,37 @@
+#include "rtl_gen/catalogue/port.hpp"
+
+#include <algorithm>
+
+namespace hitpipe::rtl {
+
+Port port_of(const hls::Operand& operand) {
+  return {.name = operand.name,
+          .width = operand.width,
+          .is_signed = operand.is_signed(),
+          .role = operand.role,
+          .axis = operand.axis,
+          .box = operand.box,
+          .range = Interval{operand.low, operand.high}};
+}
+
+std::vector<Port> input_ports(const Graph& graph) {
+  std::vector<Port> ports;
+  for (const NodeId id : graph.inputs())
+    ports.push_back({graph[id].name, graph[id].width, graph[id].is_signed});
+  return ports;
+}
+
+std::size_t index_of(const std::vector<Port>& ports, const std::string& name) {
+  const auto found = std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == name; });
+  return static_cast<std::size_t>(found - ports.begin());
+}
+
+std::optional<std::size_t> index_of(const std::vector<Port>& ports, hls::Role role, hls::Axis axis) {
+  const auto found = std::find_if(ports.begin(), ports.end(), [&](const Port& p) {
+    return p.role == role && p.axis == axis && p.box == 0;
+  });
+  if (found == ports.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - ports.begin());
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,41 @@
+// A port of a unit: what an operand is, as the design says it (hls/box/operand.hpp), or what is left of it in
+// a graph.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hls/box/operand.hpp"
+#include "rtl_gen/graph/graph.hpp"
+
+namespace hitpipe::rtl {
+
+/// From low to high, both included.
+struct Interval {
+  std::int64_t low;
+  std::int64_t high;
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+struct Port {
+  std::string name;
+  int width;  ///< 1..64
+  bool is_signed;
+  hls::Role role = hls::Role::other;
+  hls::Axis axis = hls::Axis::none;
+  int box = 0;                      ///< plane_low, plane_high: of which box
+  std::optional<Interval> range{};  ///< the numbers that the set-up gives; nothing: not known
+};
+
+[[nodiscard]] Port port_of(const hls::Operand& operand);
+/// A graph's inputs, in order, without their roles.
+[[nodiscard]] std::vector<Port> input_ports(const Graph& graph);
+/// Where the port of that name is; as many as there are where none is.
+[[nodiscard]] std::size_t index_of(const std::vector<Port>& ports, const std::string& name);
+/// Where the port of that role and axis is, of a box's planes that of the first box; nothing where none is.
+[[nodiscard]] std::optional<std::size_t> index_of(const std::vector<Port>& ports, hls::Role role,
+                                                  hls::Axis axis = hls::Axis::none);
+
+}  // namespace hitpipe::rtl

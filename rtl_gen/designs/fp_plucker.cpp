@@ -1,0 +1,13 @@
+#include "hls/pipelines/fp_plucker.hpp"
+
+#include "rtl_gen/catalogue/design_of.hpp"
+
+namespace hitpipe::rtl {
+
+Design fp_plucker() {
+  Design design = design_of<hls::FpPlucker>();
+  design.printed = {.rows = {{2, hls::FpBits{}}}};
+  return design;
+}
+
+}  // namespace hitpipe::rtl

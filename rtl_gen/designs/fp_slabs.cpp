@@ -1,0 +1,13 @@
+#include "hls/pipelines/fp_slabs.hpp"
+
+#include "rtl_gen/catalogue/design_of.hpp"
+
+namespace hitpipe::rtl {
+
+Design fp_slabs() {
+  Design design = design_of<hls::FpSlabs>();
+  design.printed = {.rows = {{1, hls::FpBits{}}}, .input_latches = true};
+  return design;
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,50 @@
+#include "sim/designs/fp_design.hpp"
+
+#include "sim/fit/port_ranges.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+using hls::Role;
+
+std::optional<ScenePromise> fp_promise(const rtl::Port& port, const rtl::Format& /*binary32*/,
+                                       const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
+  const int axis = static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
+  Range range;
+  switch (port.role) {
+    case Role::origin:
+      range = float_range(scene.origins().min[axis], scene.origins().max[axis]);
+      break;
+    case Role::plane_low:
+    case Role::plane_high:
+      range = float_range(scene.boxes.min[axis], scene.boxes.max[axis]);
+      break;
+    case Role::direction:
+      range = float_direction(scene, axis);
+      break;
+    case Role::inverse:
+      range = float_irdvc(scene, axis);
+      break;
+    default:
+      break;
+  }
+  if (!range) return std::nullopt;
+  return ScenePromise{*range};
+}
+
+std::size_t fp_bytes_per_node(const rtl::Format& /*binary32*/, const ref::CoarseAxes& /*none*/) {
+  return sizeof(ref::BvhNode);
+}
+
+}  // namespace
+
+Software fp_design_software() {
+  return {.bytes_per_node = fp_bytes_per_node,
+          .promise = fp_promise,
+          .sweep_formats = {hls::FpBits{}},
+          .stiffness_formats = {hls::FpBits{}},
+          .fit_from = hls::FpBits{}};
+}
+
+}  // namespace hitpipe::sim

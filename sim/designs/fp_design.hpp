@@ -1,0 +1,12 @@
+// What the software of all binary32 designs shares: the boxes as they are, and what a scene tells of operands
+// by role.
+#pragma once
+
+#include "sim/software.hpp"
+
+namespace hitpipe::sim {
+
+/// The software of a binary32 design but for its own set-up: feed, box_test and traversal are still missing.
+[[nodiscard]] Software fp_design_software();
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,98 @@
+#include "sim/designs/int_design.hpp"
+
+#include <algorithm>
+
+#include "sim/fit/port_ranges.hpp"
+#include "sw_ref/encode/int_nodes.hpp"
+#include "sw_ref/quantise/int_box.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+using hls::IntBits;
+using hls::Role;
+
+int axis_of(const rtl::Port& port) {
+  return static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
+}
+
+std::optional<ScenePromise> promised(const Range& range, int spare_bits = 0) {
+  if (!range) return std::nullopt;
+  return ScenePromise{*range, spare_bits};
+}
+
+std::optional<ScenePromise> int_promise(const rtl::Port& port, const rtl::Format& format,
+                                        const ref::SceneDemands& scene, const ref::CoarseAxes& coarse) {
+  // The cube's margin leaves one bit of every coordinate unused, in every scene.
+  constexpr int spare = 1;
+  const int n = format.as<IntBits>().coord;
+  switch (port.role) {
+    case Role::origin:
+      return promised(int_origin(scene, axis_of(port), n, coarse), spare);
+    case Role::plane_low:
+    case Role::plane_high:
+      return promised(int_box(scene, axis_of(port), n, coarse), spare);
+    case Role::direction:
+      return promised(int_direction(scene, axis_of(port), n));
+    case Role::inverse_low:
+    case Role::inverse_high: {
+      const std::optional<IrdvcRanges> ranges = int_irdvc(scene, axis_of(port), n);
+      if (!ranges) return std::nullopt;
+      return ScenePromise{port.role == Role::inverse_low ? ranges->floor : ranges->ceil};
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+std::size_t int_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& coarse) {
+  ref::Bvh one;
+  one.nodes.push_back({{glm::vec3(0), glm::vec3(0)}, 1, 0});
+  return ref::IntNodes(one, format.as<IntBits>().coord, coarse).bytes_per_node;
+}
+
+bool int_fits_coarse(const rtl::Format& format, const ref::SceneDemands& scene,
+                     const ref::CoarseAxes& coarse) {
+  const int n = format.as<IntBits>().coord;
+  ref::IntOrigin lowest{};
+  for (int axis = 0; axis < 3; ++axis)
+    lowest[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(int_origin(scene, axis, n)->low);
+  return ref::fits_grid(lowest, ref::quantise_box(scene.boxes, n), coarse, n);
+}
+
+/// By n, then by t.
+std::vector<std::vector<rtl::Format>> int_up_to(const rtl::Format& most) {
+  const auto [coord, interval] = most.as<IntBits>();
+  std::vector<std::vector<rtl::Format>> groups;
+  for (int n = IntBits::min_coord; n <= coord; ++n) {
+    std::vector<rtl::Format>& group = groups.emplace_back();
+    for (int t = IntBits::min_interval; t <= std::min(interval, IntBits{n, 0}.product()); ++t)
+      group.push_back(IntBits{n, t});
+  }
+  return groups;
+}
+
+/// n = 8, 12, .. 32, each with t = n, n + 4, n + 8, cut to the product's 2n - 1 bits. All formats of
+/// Tables 6.2 to 6.7 are among them.
+std::vector<rtl::Format> int_sweep_formats() {
+  std::vector<rtl::Format> formats;
+  for (int n = 8; n <= IntBits::max_coord; n += 4) {
+    for (int t = n; t <= n + 8; t += 4) formats.push_back(IntBits{n, std::min(t, IntBits{n, t}.product())});
+  }
+  return formats;
+}
+
+}  // namespace
+
+Software int_design_software() {
+  return {.bytes_per_node = int_bytes_per_node,
+          .promise = int_promise,
+          .fits_coarse = int_fits_coarse,
+          .up_to = int_up_to,
+          .sweep_formats = int_sweep_formats(),
+          .stiffness_formats = {IntBits{24, 24}, IntBits{20, 24}, IntBits{16, 16}, IntBits{12, 12}},
+          .fit_from = IntBits{24, 24}};
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,54 @@
+// Operands of hls::IntPluckerOperands, in its order (section 6.3.1).
+#include "sim/designs/int_design.hpp"
+#include "sim/feeds/set_up_feed.hpp"
+#include "sw_ref/quantise/int_box.hpp"
+#include "sw_ref/quantise/int_plucker_ray.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+class IntPluckerSetUp {
+ public:
+  using Box = ref::IntBox;
+  using End = ref::IntEndpoint;
+
+  IntPluckerSetUp(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
+
+  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
+    ref::quantise_boxes(boxes, format.as<hls::IntBits>().coord, out);
+  }
+  [[nodiscard]] End end(float length) const { return set_up_.endpoint(length); }
+
+  void write(const End& end, bool /*rinf*/, const Box& box, std::int64_t* out) const {
+    const ref::IntPluckerRay& ray = set_up_.ray();
+    out = put(ray.origin, out);
+    out = put(end.at, out);
+    out = put(ray.direction, out);
+    *out++ = end.infinite ? 1 : 0;
+    put_box(box, out);
+  }
+
+ private:
+  ref::IntPluckerSetup set_up_;
+};
+
+ref::TracerOptions int_plucker_traversal(const rtl::Format& format) {
+  ref::TracerOptions options;
+  options.algorithm = ref::Algorithm::plu_dsa;
+  options.arithmetic = ref::Arithmetic::integer;
+  options.bits = format.as<hls::IntBits>();
+  return options;
+}
+
+}  // namespace
+
+Software int_plucker_software() {
+  Software software = int_design_software();
+  software.feed = set_up_feed<IntPluckerSetUp>;
+  software.box_test = set_up_test<IntPluckerSetUp>;
+  software.traversal = int_plucker_traversal;
+  return software;
+}
+
+}  // namespace hitpipe::sim

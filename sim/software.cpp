@@ -1,0 +1,49 @@
+#include "sim/software.hpp"
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace hitpipe::sim {
+
+using SoftwareByName = std::map<std::string, Software, std::less<>>;
+
+/// Of the designs in designs.cmake; written when the build is configured.
+SoftwareByName own_software();
+
+namespace {
+
+SoftwareByName& all() {
+  static SoftwareByName known = own_software();
+  return known;
+}
+
+}  // namespace
+
+const Software& software_of(const rtl::Design& design) {
+  static const Software nothing;
+  const auto found = all().find(design.name);
+  return found == all().end() ? nothing : found->second;
+}
+
+void add_software(std::string_view design, Software software) {
+  if (!all().emplace(design, std::move(software)).second)
+    throw std::invalid_argument(fmt::format("design {}: its software is known already", design));
+}
+
+std::string missing(const rtl::Design& design, std::string_view part) {
+  return fmt::format("design {}: there is no {}", design.name, part);
+}
+
+std::string why_not_traced(const rtl::Design& design) {
+  if (software_of(design).feed == nullptr) return missing(design, set_up_part);
+  if (design.boxes_per_test() > 1)
+    return fmt::format("design {}: answers for {} boxes at a time; traversals ask about one", design.name,
+                       design.boxes_per_test());
+  return "";
+}
+
+}  // namespace hitpipe::sim
