@@ -34,7 +34,10 @@ std::vector<SweepPoint> plan_sweep(std::span<const rtl::Design* const> designs,
 }
 
 RowKey key_of(const SweepPoint& point) {
-  const auto place = static_cast<std::size_t>(point.design - rtl::designs().data());
+  const auto all = rtl::designs();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const rtl::Design& d) { return d.name == point.design->name; });
+  const auto place = static_cast<std::size_t>(found - all.begin());
   if (point.format.is_float()) return {place, 0, 0, point.rays_in_flight};
   const hls::IntBits bits = point.format.bits();
   return {place, bits.coord, bits.interval, point.rays_in_flight};

@@ -26,7 +26,8 @@ struct SweepPoint {
                                                  std::span<const hls::IntBits> formats,
                                                  std::span<const int> rays_in_flight);
 
-/// Where a row stands in the file: by place of the design in the catalogue, bits, rays in flight.
+/// Where a row stands in the file: by the design's place in the catalogue, bits, rays in flight. A design
+/// that is not in the catalogue comes last.
 struct RowKey {
   std::size_t design;
   int coord;
