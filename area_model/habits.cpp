@@ -29,7 +29,7 @@ constexpr std::array<Habits, 4> printed_rows{{
      .side_relations_at_t = true},
 }};
 
-/// q - p: a subtractor fed by multipliers.
+/// q - p: a subtractor whose operands are products.
 bool is_side_relation(const Graph& graph, NodeId node) {
   if (graph[node].op != Op::sub) return false;
   bool products = true;
