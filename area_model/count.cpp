@@ -26,7 +26,7 @@ class Tally {
   std::map<std::pair<int, Part>, int> counts_;
 };
 
-/// The nodes that are a component each: of a magnitude comparator's two orders only the first.
+/// One node for each component: a magnitude comparator counts once, by the first of its two orders.
 std::vector<NodeId> components_of(const rtl::Pipeline& pipeline) {
   const rtl::Graph& graph = pipeline.graph;
   std::vector<NodeId> nodes;

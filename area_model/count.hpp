@@ -1,7 +1,7 @@
-// How many of which part a scheduled design has in each stage, in one of two accounts.
-//   built    what is emitted: every register, valid and tag bit, every component at its real width
+// Counts the parts of a scheduled design in each stage, in one of two accounts.
+//   built    all that is emitted: every register, valid and tag bit, and every component at its real width
 //   printed  as Table 7.2 counts, with its habits (area_model/habits.hpp)
-// In both, `<` and `>` of one pair of operands in one stage are one magnitude comparator, which gives both.
+// In both accounts `<` and `>` of the same two operands in one stage are one magnitude comparator.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace hitpipe::area {
 
-/// Width of the tag that travels along, unless a user of the Verilog sets TAG_BITS.
+/// Width of the tag, unless a user of the Verilog sets TAG_BITS.
 inline constexpr int tag_bits = 16;
 
 struct Count {

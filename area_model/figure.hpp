@@ -1,4 +1,4 @@
-// Exact integers as decimal figures, with the digits of Table 7.2.
+// Turns exact integers into decimal figures, with as many digits as Table 7.2.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace hitpipe::area {
 
-/// dividend / divisor with so many digits after the point, halves rounded up; neither is negative.
+/// dividend / divisor with `digits` digits after the point; halves are rounded up. Both are not negative.
 [[nodiscard]] std::string decimal(std::int64_t dividend, std::int64_t divisor, int digits);
 
 [[nodiscard]] std::string area_mm2(std::int64_t area_um2);
 [[nodiscard]] std::string delay_ns(std::int64_t delay_ps);
 [[nodiscard]] std::string clock_mhz(const Price& price);
 [[nodiscard]] std::string adp_mm2_ns(const Price& price);
-/// Whole percent of the whole.
+/// The part in percent of the whole, without decimals.
 [[nodiscard]] std::string percent(std::int64_t part, std::int64_t whole);
 
 }  // namespace hitpipe::area

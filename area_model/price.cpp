@@ -18,7 +18,7 @@ std::int64_t as_printed(std::int64_t area_um2) {
 Line line_of(const Part& part, int n, const rtl::Library& library) {
   rtl::Cell cell = library.cell(part.component, part.bits);
   if (part.by != 0) {
-    // An array has a row of partial products for each bit of the narrower operand: so much of the square.
+    // An array has one row of partial products for each bit of the narrower operand.
     cell.area_um2 =
         static_cast<int>((2 * std::int64_t{cell.area_um2} * part.by + part.bits) / (2 * part.bits));
     cell.estimated = true;
@@ -26,7 +26,7 @@ Line line_of(const Part& part, int n, const rtl::Library& library) {
   return {.part = part, .n = n, .area_um2 = std::int64_t{n} * cell.area_um2, .estimated = cell.estimated};
 }
 
-/// What the counts of a pipeline cost; without the total.
+/// Prices the counts of a pipeline; the total is left to the caller.
 Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, const Entry& entry,
              const rtl::Library& library) {
   Price price{.design = entry.design,

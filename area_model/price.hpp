@@ -1,5 +1,5 @@
-// The price of a scheduled design: Table 7.2 for any design, format and component library. Areas in square
-// micrometres, times in picoseconds, all integers; only area_model/figure.hpp rounds, for printing.
+// The price of a scheduled design: Table 7.2 for any design, format and component library. Areas are integers
+// in square micrometres, times integers in picoseconds. Only area_model/figure.hpp rounds them, for printing.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ namespace hitpipe::area {
 
 enum class Account { printed, built };
 
-/// All parts of one kind, as a row of Table 7.2.
+/// All parts of one kind: a row of Table 7.2.
 struct Line {
   Part part;
   int n = 0;
-  std::int64_t area_um2 = 0;  ///< of all n
-  bool estimated = false;     ///< the library marks the width so, or made it by a law
+  std::int64_t area_um2 = 0;  ///< of all n together
+  bool estimated = false;     ///< the library marks this width as an estimate, or computes it by a law
 };
 
 struct StagePrice {
@@ -33,7 +33,7 @@ struct Price {
   rtl::Format format;
   std::vector<Line> lines;           ///< in the order of Table 7.1
   std::vector<StagePrice> by_stage;  ///< every stage from 0 on
-  std::int64_t area_um2 = 0;  ///< built: exact. printed: of rows rounded to 0.0001 mm2, as in Table 7.2
+  std::int64_t area_um2 = 0;         ///< built: exact; printed: of rows rounded to 0.0001 mm2 as in Table 7.2
   int stages = 0;
   int stage_delay_ps = 0;
 
@@ -42,7 +42,7 @@ struct Price {
   [[nodiscard]] std::int64_t area_delay() const { return area_um2 * stage_delay_ps; }
 };
 
-/// A design at a format, as a row of Table 7.2.
+/// A design at a format: a row of Table 7.2's summary.
 struct Entry {
   std::string_view design;
   rtl::Format format;
@@ -53,8 +53,9 @@ struct Entry {
 [[nodiscard]] Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
                           Account account);
 
-/// Of any pipeline, under the name of the design that it comes from; account built. A multiplier with a
-/// narrower operand has that part of the square one's area that it has of its partial products; estimated.
+/// The built account of any pipeline, under the name of the design that it comes from. A multiplier of m x n
+/// bits, m > n, has n/m of the area of one of m x m bits, as it has n/m of its partial products. That area is
+/// estimated.
 [[nodiscard]] Price price(const rtl::Pipeline& pipeline, const Entry& entry, const rtl::Library& library);
 
 /// The six, in its order: the rows that designs say are theirs.

@@ -184,11 +184,10 @@ FitReport fit_design(const FitCommand& command, const Wanted& wanted, const FitS
       sim::fit(design, wanted.before, precision_of(command, wanted, scene, rays), scene.demands, library);
   std::stable_sort(unit.left_out.begin(), unit.left_out.end(),
                    [](const auto& a, const auto& b) { return a.area_um2 > b.area_um2; });
-  std::vector<rtl::File> files = sim::fitted_files(unit, library);
+  const rtl::EmittedDesign emitted = sim::fitted_files(unit, library);
   progress.emplace(name + ": compiling the Verilog");
-  const sim::VerilatedDesign verilated(design, unit.format, unit.pipeline, files.front().contents);
-  for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
-  rtl::write_files(fs::path(command.out) / name, files);
+  const sim::VerilatedDesign verilated(design, unit.format, unit.pipeline, emitted.verilog.contents);
+  rtl::write_files(fs::path(command.out) / name, rtl::files_and_drawings(emitted));
   const auto show = [&](double share) { progress->show(share); };
   progress.emplace(name + ": sending vectors");
   const sim::VectorResult vectors = sim::check_vectors({.verilated = &verilated,

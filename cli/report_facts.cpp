@@ -93,11 +93,10 @@ std::vector<Schematic> draw_schematics() {
   for (const rtl::Design& design : rtl::designs()) {
     const rtl::Format format = design.default_format();
     const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
-    std::vector<rtl::File> groups;
-    for (rtl::File& file : rtl::emit(design, format, library, pipeline)) {
-      if (file.name.ends_with(".dot")) groups.push_back(std::move(file));
-    }
-    if (groups.size() > 1) groups.erase(groups.begin());  // the whole, too wide to be read on a page
+    const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline);
+    // The whole is too wide to be read on a page.
+    const std::vector<rtl::File> groups =
+        emitted.stage_schematics.empty() ? emitted.schematics() : emitted.stage_schematics;
     Schematic schematic{
         fmt::format("{} {}: {} stages", design.name, rtl::to_string(format), pipeline.schedule.stages), {}};
     for (rtl::File& file : rtl::draw(groups)) {

@@ -30,9 +30,8 @@ void emit_rtl(const RtlOptions& options) {
   const rtl::Library library =
       options.library.empty() ? rtl::Library::thesis() : rtl::Library::load(options.library);
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
-  std::vector<rtl::File> files =
-      rtl::emit(design, format, library, pipeline, {.axi_stream = options.axi_stream});
-  for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
+  const std::vector<rtl::File> files = rtl::files_and_drawings(
+      rtl::emit(design, format, library, pipeline, {.axi_stream = options.axi_stream}));
   rtl::write_files(options.out, files);
 
   std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// A datapath that is ready to be emitted: canonical graph, stages, registers.
+// A datapath ready to be emitted: canonical graph, stages, registers.
 #pragma once
 
 #include "rtl_gen/component/library.hpp"
@@ -13,8 +13,8 @@ struct Pipeline {
   Schedule schedule;
   Placement placement;
 
-  /// Cycles from the clock edge that takes the operands into the input latches to the edge that latches the
-  /// outputs: the thesis's number of pipeline stages (section 7.4).
+  /// Cycles from the clock edge that latches the operands to the edge that latches the outputs: the thesis's
+  /// number of pipeline stages (section 7.4).
   [[nodiscard]] int latency() const { return schedule.stages; }
 };
 

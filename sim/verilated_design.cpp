@@ -160,7 +160,7 @@ VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, 
 
 VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
                                  const std::string& verilog, const fs::path& cache)
-    : latency_(pipeline.latency()), stages_(pipeline.schedule.stages), clock_ps_(pipeline.schedule.clock_ps) {
+    : latency_(pipeline.latency()) {
   const std::vector<rtl::Port> operands = design.ports(format);
   operand_count_ = operands.size();
 

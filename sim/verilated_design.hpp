@@ -33,8 +33,6 @@ class VerilatedDesign {
                   const std::string& verilog, const std::filesystem::path& cache = default_cache());
 
   [[nodiscard]] int latency() const { return latency_; }
-  [[nodiscard]] int stages() const { return stages_; }
-  [[nodiscard]] int clock_ps() const { return clock_ps_; }
   [[nodiscard]] std::size_t operand_count() const { return operand_count_; }
 
  private:
@@ -42,8 +40,6 @@ class VerilatedDesign {
   struct Loaded;
   std::shared_ptr<const Loaded> loaded_;
   int latency_ = 0;
-  int stages_ = 0;
-  int clock_ps_ = 0;
   std::size_t operand_count_ = 0;
 };
 

@@ -51,7 +51,7 @@ std::string text_of(const FileJson& object, const std::string& key, std::string_
 struct Limits {
   std::int64_t least, most;
 };
-// Wide enough for any process; sums and products of such numbers stay within 64 bits.
+// Wide enough for any process. Sums and products of such numbers stay within 64 bits.
 constexpr Limits bits_limits{1, 1024};
 constexpr Limits area_limits{0, 100'000'000};
 constexpr Limits delay_limits{1, 1'000'000};
@@ -108,12 +108,12 @@ std::vector<Cell> cells_of(const FileJson& entry, std::string_view where) {
   return cells;
 }
 
-/// What the area is proportional to.
+/// The area is proportional to this.
 std::int64_t area_measure(AreaLaw law, std::int64_t bits) {
   return law == AreaLaw::linear ? bits : bits * bits;
 }
 
-/// Neither is negative.
+/// Dividend and divisor are not negative.
 std::int64_t rounded_quotient(std::int64_t dividend, std::int64_t divisor) {
   return (dividend + divisor / 2) / divisor;
 }
@@ -134,7 +134,7 @@ Library Library::from_json(std::string_view text, std::string_view origin) {
   const FileJson json = parsed(text, origin);
   Library library;
   library.name_ = text_of(json, "name", origin);
-  // It stands in a comment of the Verilog.
+  // A comment of the Verilog holds the name.
   if (std::any_of(library.name_.begin(), library.name_.end(), [](unsigned char c) { return c < ' '; })) {
     throw std::runtime_error(fmt::format("{}: \"name\" must be one line", origin));
   }
@@ -233,7 +233,7 @@ ComponentUse component_of(const Graph& graph, NodeId node) {
   const Node& n = graph[node];
   const auto operand = [&](std::size_t i) { return graph[n.args[i]].width; };
   switch (n.op) {
-    case Op::add:  // the thesis lists subtractors only; an adder is the same carry tree
+    case Op::add:  // the thesis lists only subtractors; an adder is the same carry tree
     case Op::sub:
       return {Component::int_subtract, n.width};
     case Op::mul:

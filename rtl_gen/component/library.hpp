@@ -1,6 +1,6 @@
-// A component library: area, delay and stages of circuits by width. One data file drives the schedule and the
-// prices. The thesis's Table 7.1 is the default. Delays in picoseconds, areas in square micrometres, both
-// integers, so that no schedule depends on the order of a sum.
+// A component library: area, delay and stages of circuits by width. One data file (component/libraries)
+// drives the schedule and the prices; the default is the thesis's Table 7.1. Delays are in picoseconds and
+// areas in square micrometres. Both are integers, so that no result depends on the order of a sum.
 #pragma once
 
 #include <array>
@@ -28,42 +28,42 @@ inline constexpr std::size_t component_count = 8;
 /// Throws std::invalid_argument for any other name.
 [[nodiscard]] Component component_called(std::string_view name);
 
-/// One row of the library. `stages` 0: combinational; else `delay_ps` is the slowest stage.
+/// One row of the library. With `stages` 0 it is combinational; else `delay_ps` is that of the slowest stage.
 struct Cell {
   int bits = 0;
   int area_um2 = 0;
   int delay_ps = 0;
   int stages = 0;
-  bool estimated = false;  ///< the source marks the row as an estimate, or a law made it
+  bool estimated = false;  ///< the data file says so, or the row follows from a law
 };
 
-/// How delay and stages go on above the widest row listed.
+/// Delay and stages above the widest row of the file.
 enum class Above {
-  same,    ///< bit-parallel (latch, mux): the widest row's
-  tree,    ///< carry or comparison tree: delay grows with its depth ceil(log2 bits)
-  stages,  ///< array: one stage for every started share of bits/stages of the widest row, its delay kept
+  same,    ///< bit-parallel (latch, mux): those of the widest row
+  tree,    ///< carry or comparison tree: the delay grows with the depth, ceil(log2 bits)
+  stages,  ///< array: the widest row's delay and bits per stage; stages are rounded up
 };
 
-/// How area goes on between the rows listed and, in proportion to the end row, beyond them.
+/// Area between two rows of the file, and beyond the first and the last in proportion to that row.
 enum class AreaLaw {
-  linear,     ///< with the bits: latch, mux, carry tree
-  quadratic,  ///< with their square: multiplier array
+  linear,     ///< in the bits: latch, mux, carry tree
+  quadratic,  ///< in the square of the bits: multiplier array
 };
 
 class Library {
  public:
-  /// Throws std::runtime_error naming `origin`, the component and the offending entry. Widths must ascend.
-  /// The float components may be left out.
+  /// Widths must ascend. The float components may be left out. Throws std::runtime_error with `origin`, the
+  /// component and the wrong entry.
   [[nodiscard]] static Library from_json(std::string_view text, std::string_view origin);
   [[nodiscard]] static Library load(const std::filesystem::path& file);
   /// Table 7.1 of the thesis.
   [[nodiscard]] static const Library& thesis();
 
-  /// Delay and stages at a width: a width that is not listed takes the next larger row, above the widest the
-  /// law.
+  /// Delay and stages at a width: those of the next larger row when the width has no row, and those of the
+  /// law above the widest row.
   [[nodiscard]] Cell timing(Component component, int bits) const;
-  /// The timing, and the area at just this width: the row's where it is listed, else by the area law and
-  /// rounded to the nearest square micrometre. Both throw std::runtime_error for a component left out.
+  /// The timing, and the area at exactly this width: that of its row, else by the area law, rounded to the
+  /// nearest square micrometre. Both throw std::runtime_error when the library does not have the component.
   [[nodiscard]] Cell cell(Component component, int bits) const;
   [[nodiscard]] bool has(Component component) const { return !family(component).cells.empty(); }
   [[nodiscard]] int latch_delay_ps() const { return timing(Component::latch, 1).delay_ps; }
@@ -79,7 +79,7 @@ class Library {
   [[nodiscard]] const Family& family(Component component) const {
     return families_[static_cast<std::size_t>(component)];
   }
-  /// Throws when it was left out.
+  /// Throws std::runtime_error when the library does not have the component.
   [[nodiscard]] const Family& found(Component component) const;
 
   std::string name_;
@@ -87,15 +87,15 @@ class Library {
   std::array<Family, component_count> families_;
 };
 
-/// What a node costs: the component and the width it is looked up at. Nodes without one are wires, gates,
-/// inputs.
+/// What a node costs: the component, and the width at which the library is asked. Wires, gates and inputs
+/// cost nothing.
 struct ComponentUse {
   Component component;
   int bits;
 };
 [[nodiscard]] bool is_component(Op op);
 [[nodiscard]] ComponentUse component_of(const Graph& graph, NodeId node);
-/// Delay and stages of any node that takes time: a component, or a gate of the library.
+/// Delay and stages of a node that takes time: a component or a gate.
 [[nodiscard]] Cell timing_of(const Graph& graph, NodeId node, const Library& library);
 
 }  // namespace hitpipe::rtl

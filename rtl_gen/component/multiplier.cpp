@@ -15,14 +15,14 @@ Graph multiplier(const MultiplierShape& shape, std::string_view name) {
   const int piece = (shape.width_b + shape.stages - 1) / shape.stages;
 
   g.begin_stage(1);
-  NodeId sum = no_node;  // of the pieces so far; `is_signed` in its top bit
+  NodeId sum = no_node;  // of the pieces so far; with `is_signed` its top bit is the sign
   int step = 1;
   for (int low = 0; low < shape.width_b; low += piece, ++step) {
     const int high = std::min(low + piece, shape.width_b) - 1;
     const bool top = high == shape.width_b - 1;
     g.begin_stage(1);
     NodeId factor = g.slice(b, high, low);
-    // A lower piece has no sign: a zero bit keeps a signed multiplier from seeing one.
+    // A lower piece has no sign: a zero bit above it makes a signed multiplier read it so.
     if (shape.is_signed && !top) factor = g.extend(factor, g[factor].width + 1, false);
     NodeId product = g.binary(Op::mul, a, factor, shape.is_signed);
     g.annotate(product, fmt::format("piece_{}", step - 1), {});

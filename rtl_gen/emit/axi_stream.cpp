@@ -69,7 +69,7 @@ module {0}_axis #(
   output wire [7:0] m_axis_tdata,
   output wire [TAG_BITS-1:0] m_axis_tid
 );
-  // A result that m_axis_tready came too late for: the pipeline stands still while it waits.
+  // Holds a result when m_axis_tready falls; the pipeline stands still until it is taken.
   reg spare_valid;
   reg spare_hit;
   reg [TAG_BITS-1:0] spare_tag;

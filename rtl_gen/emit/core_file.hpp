@@ -9,8 +9,8 @@
 namespace hitpipe::rtl {
 
 struct CoreParts {
-  bool axi_stream = false;  ///< a fileset axis, and the wrapper is what lint and synth have as their top
-  bool check = false;       ///< of a fitted unit: fileset and target check (lint), and sim checks operands
+  bool axi_stream = false;  ///< a fileset axis; the wrapper is the top of lint and synth
+  bool check = false;       ///< for a fitted unit: fileset and target check (lint); sim checks operands
 };
 
 [[nodiscard]] std::string core_file(const Design& design, Format format, const CoreParts& parts);

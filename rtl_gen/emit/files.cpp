@@ -65,7 +65,7 @@ std::vector<Vector> vectors(Evaluate evaluate, const std::vector<Port>& left, co
 }
 
 /// None when there is one group only.
-std::vector<File> group_schematics(const Pipeline& pipeline, const std::string& name,
+std::vector<File> stage_schematics(const Pipeline& pipeline, const std::string& name,
                                    const std::string& title) {
   std::vector<File> files;
   const std::vector<StageRange> groups = stage_groups(pipeline);
@@ -85,8 +85,22 @@ std::vector<File> group_schematics(const Pipeline& pipeline, const std::string& 
 
 }  // namespace
 
-std::vector<File> emit(const Design& design, Format format, const Library& library, const Pipeline& pipeline,
-                       const EmitOptions& options) {
+std::vector<File> EmittedDesign::schematics() const {
+  std::vector<File> all{schematic};
+  all.insert(all.end(), stage_schematics.begin(), stage_schematics.end());
+  return all;
+}
+
+std::vector<File> EmittedDesign::files() const {
+  std::vector<File> all{verilog, manifest, core, schematic, testbench, vectors};
+  if (check_module) all.push_back(*check_module);
+  if (axi_stream) all.push_back(*axi_stream);
+  all.insert(all.end(), stage_schematics.begin(), stage_schematics.end());
+  return all;
+}
+
+EmittedDesign emit(const Design& design, Format format, const Library& library, const Pipeline& pipeline,
+                   const EmitOptions& options) {
   const PrunedFrom* const from = options.pruned_from;
   const std::vector<Port> left = input_ports(pipeline.graph);
   const std::string name(design.name);
@@ -97,30 +111,36 @@ std::vector<File> emit(const Design& design, Format format, const Library& libra
     verilog = with_check_block(verilog, check_block(name, from->demands, from->ports, left));
     json = with_demand_fields(json, from->demands, from->report);
   }
-  std::vector<File> files{
-      {name + ".v", std::move(verilog)},
-      {name + ".json", std::move(json)},
-      {name + ".core",
-       core_file(design, format, {.axi_stream = options.axi_stream, .check = from != nullptr})},
-      {name + ".dot",
-       to_dot(pipeline, fmt::format("{}{}: {} stages, {} ps", title, from == nullptr ? "" : ", fitted",
-                                    pipeline.schedule.stages, pipeline.schedule.clock_ps))},
-      {"tb/" + name + "_tb.v", testbench(design, left, vector_count)},
-      {"tb/" + name + "_vectors.hex", vector_file(from == nullptr ? left : from->ports, left,
-                                                  vectors(design.evaluate(format), left, from))}};
+  const std::string summary = fmt::format("{}{}: {} stages, {} ps", title, from == nullptr ? "" : ", fitted",
+                                          pipeline.schedule.stages, pipeline.schedule.clock_ps);
+  const CoreParts parts{.axi_stream = options.axi_stream, .check = from != nullptr};
+  EmittedDesign emitted{
+      .verilog = {name + ".v", std::move(verilog)},
+      .manifest = {name + ".json", std::move(json)},
+      .core = {name + ".core", core_file(design, format, parts)},
+      .schematic = {name + ".dot", to_dot(pipeline, summary)},
+      .testbench = {"tb/" + name + "_tb.v", testbench(design, left, vector_count)},
+      .vectors = {"tb/" + name + "_vectors.hex", vector_file(from == nullptr ? left : from->ports, left,
+                                                             vectors(design.evaluate(format), left, from))},
+      .check_module = {},
+      .axi_stream = {},
+      .stage_schematics = stage_schematics(pipeline, name, title)};
   if (from != nullptr)
-    files.push_back({name + "_check.v", check_module(name + "_check", from->demands, from->ports)});
-  if (options.axi_stream) files.push_back({stream_module(design) + ".v", axi_stream(design, left)});
-  for (File& group : group_schematics(pipeline, name, title)) files.push_back(std::move(group));
-  return files;
+    emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
+  if (options.axi_stream) emitted.axi_stream = {stream_module(design) + ".v", axi_stream(design, left)};
+  return emitted;
 }
 
-std::vector<File> draw(const std::vector<File>& files) {
+std::vector<File> draw(const std::vector<File>& schematics) {
   std::vector<File> drawings;
-  for (const File& file : files) {
-    if (file.name.ends_with(".dot")) drawings.push_back(drawing_of(file));
-  }
+  for (const File& schematic : schematics) drawings.push_back(drawing_of(schematic));
   return drawings;
+}
+
+std::vector<File> files_and_drawings(const EmittedDesign& emitted) {
+  std::vector<File> all = emitted.files();
+  for (File& drawing : draw(emitted.schematics())) all.push_back(std::move(drawing));
+  return all;
 }
 
 void make_folder(const std::filesystem::path& folder) {

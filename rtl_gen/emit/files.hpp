@@ -1,7 +1,8 @@
-// A design as files: Verilog, manifest, FuseSoC core, schematic, testbench and its vectors.
+// A design as files: Verilog, manifest, FuseSoC core, schematics, testbench and its vectors.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,36 +18,54 @@ struct File {
   std::string contents;
 };
 
-/// What a pipeline that is not the whole design's was made of.
+/// What emit() must know of a unit that prune() made smaller.
 struct PrunedFrom {
-  const std::vector<Port>& ports;  ///< the whole design's
+  const std::vector<Port>& ports;  ///< those of the whole design
   const Demands& demands;          ///< not empty
   const PruneReport& report;
 };
 
 struct EmitOptions {
-  bool axi_stream = false;  ///< also <design>_axis.v; core and manifest speak of it
-  /// Of a fitted unit: also <design>_check.v, a module that checks operands as they come from the set-up; a
-  /// check block in the Verilog, the demands in the manifest, and vectors as demanded.
+  bool axi_stream = false;  ///< adds the AXI4-Stream wrapper; core and manifest name it
+  /// Set for a fitted unit. It adds the check module, a check block in the Verilog and the demands in the
+  /// manifest, and the vectors meet the demands.
   const PrunedFrom* pruned_from = nullptr;
 };
 
-/// <design>.v, .json, .core, .dot, a .dot for each group of stages, and in tb/ <design>_tb.v and
-/// _vectors.hex; the same bytes for the same design, format and library. `pipeline` is the design's at that
-/// format, or what pruning left of it.
-[[nodiscard]] std::vector<File> emit(const Design& design, Format format, const Library& library,
-                                     const Pipeline& pipeline, const EmitOptions& options = {});
+/// The files of a design, each by what it is.
+struct EmittedDesign {
+  File verilog;                          ///< <design>.v
+  File manifest;                         ///< <design>.json
+  File core;                             ///< <design>.core, for FuseSoC
+  File schematic;                        ///< <design>.dot, all stages
+  File testbench;                        ///< tb/<design>_tb.v
+  File vectors;                          ///< tb/<design>_vectors.hex
+  std::optional<File> check_module;      ///< <design>_check.v, of a fitted unit
+  std::optional<File> axi_stream;        ///< <design>_axis.v, if asked for
+  std::vector<File> stage_schematics{};  ///< a .dot for each group of stages; none for a single group
 
-/// An .svg for each .dot among the files, drawn by Graphviz's dot. Throws std::runtime_error when dot is
-/// missing or fails.
-[[nodiscard]] std::vector<File> draw(const std::vector<File>& files);
+  /// Every .dot: the whole first, then the groups from the first stage on.
+  [[nodiscard]] std::vector<File> schematics() const;
+  [[nodiscard]] std::vector<File> files() const;
+};
 
-/// Makes the folder unless it is there. Throws std::runtime_error naming it and the reason when it cannot be
-/// made or written to.
+/// The same bytes for the same design, format and library. `pipeline` is the design's at that format, or what
+/// pruning left of it.
+[[nodiscard]] EmittedDesign emit(const Design& design, Format format, const Library& library,
+                                 const Pipeline& pipeline, const EmitOptions& options = {});
+
+/// An .svg for each .dot, drawn by Graphviz's dot. Throws std::runtime_error when dot is missing or fails.
+[[nodiscard]] std::vector<File> draw(const std::vector<File>& schematics);
+
+/// The files of a design and the drawings of its schematics. Throws as draw() does.
+[[nodiscard]] std::vector<File> files_and_drawings(const EmittedDesign& emitted);
+
+/// Makes the folder unless it exists. When it cannot be made or written to, throws std::runtime_error with
+/// its name and the reason.
 void make_folder(const std::filesystem::path& folder);
 
-/// Writes all files or none: each to a temporary name first, then renamed. Makes the folders.
-/// Throws std::runtime_error naming the file and the reason.
+/// Writes all files or none: it writes each under a temporary name, then renames them all. Makes the folders.
+/// Throws std::runtime_error with the name of the file and the reason.
 void write_files(const std::filesystem::path& folder, const std::vector<File>& files);
 
 }  // namespace hitpipe::rtl

@@ -1,5 +1,5 @@
-// The manifest of an emitted design: what a flow needs to know, as JSON, computed from the graph that was
-// emitted.
+// The manifest of an emitted design: what a flow needs to know, in JSON. It is computed from the graph that
+// was emitted.
 #pragma once
 
 #include <string>
@@ -10,19 +10,20 @@
 namespace hitpipe::rtl {
 
 /// Keys: design, bits, module, files, clock, reset, handshake, ports (name, direction, width, signed),
-/// stages, latency, clock_ps, library, and per stage: components with their counts, latch bits at its end.
-/// With `stream`, axi_stream: the wrapper's module, file, clock, reset, and the fields of its tdata and tid.
+/// stages, latency, clock_ps, library, by_stage (for each stage, its components with their counts and the
+/// latch bits at its end). With `stream` also axi_stream: the wrapper's module, file, clock, reset, and the
+/// fields of its tdata and tid.
 [[nodiscard]] std::string manifest(const Design& design, Format format, const Pipeline& pipeline,
                                    const Library& library, bool stream = false);
 
-/// What a manifest says its unit is.
+/// What a manifest says about its unit.
 struct ManifestHead {
   std::string design;
   std::string bits;
   int latency = 0;
 };
 
-/// Throws std::runtime_error, one line, for a text that is no manifest.
+/// Throws std::runtime_error, one line, when the text is not a manifest.
 [[nodiscard]] ManifestHead head_of(const std::string& manifest);
 
 }  // namespace hitpipe::rtl

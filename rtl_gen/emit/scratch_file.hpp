@@ -1,4 +1,4 @@
-// A file in the temporary folder, for what another program is to read.
+// A file in the temporary folder that another program will read.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace hitpipe::rtl {
 
-/// Empty when it is made, removed when it goes out of scope. Throws std::runtime_error when it cannot be
-/// made.
+/// The constructor makes an empty file, the destructor removes it. Throws std::runtime_error when it cannot
+/// be made.
 class ScratchFile {
  public:
   ScratchFile() {

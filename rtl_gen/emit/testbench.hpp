@@ -1,4 +1,4 @@
-// Vectors for a design and a Verilog testbench that replays them: any simulator, no hitpipe needed.
+// Vectors for a design and a Verilog testbench that replays them in any simulator, without hitpipe.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace hitpipe::rtl {
 
-/// Operand values for every port: corners (all zeros, extremes, +-1) first, then random ones, all from the
-/// seed.
+/// Operands for every port, drawn from the seed. Of four vectors the first has corner values (0, 1, -1, the
+/// extremes, alternating bits), the second numbers near 0, the other two any numbers.
 [[nodiscard]] std::vector<std::vector<std::int64_t>> operand_vectors(const std::vector<Port>& ports,
                                                                      int count, std::uint64_t seed);
-/// With their HIT.
+/// The operands with their HIT.
 [[nodiscard]] std::vector<Vector> judged(std::vector<std::vector<std::int64_t>> operands, Evaluate evaluate);
 
 /// One vector a line, hexadecimal: the operands, first port in the high bits, and the expected HIT in bit 0.
-/// Vectors hold operands of all `ports`; the ports that are `left` of them are written.
+/// Vectors hold operands of all `ports`; the file has only those of the ports that are `left`.
 [[nodiscard]] std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>& left,
                                       const std::vector<Vector>& vectors);
 
-/// Drives the vectors with gaps and stalls, compares every HIT and every tag, ends with "PASS <n> vectors" or
-/// the first mismatch and $fatal's equivalent of Verilog-2001.
+/// Sends the vectors with gaps and stalls, and compares every HIT and every tag. The last line printed is
+/// "PASS <n> vectors" or "FAIL" with the first mismatch.
 [[nodiscard]] std::string testbench(const Design& design, const std::vector<Port>& ports, int count);
 
 }  // namespace hitpipe::rtl

@@ -6,7 +6,7 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// How many low bits of every node some output depends on; 0: none.
+/// For every node, the number of low bits on which some output depends; 0: none.
 std::vector<int> needed_low_bits(const Graph& graph) {
   std::vector<int> need(graph.size(), 0);
   const auto ask = [&](NodeId id, int bits) {
@@ -133,8 +133,8 @@ class Rebuild {
 }  // namespace
 
 Graph canonical(const Graph& graph) {
-  // Narrower arms can make a mux superfluous, narrower wires each other: what only they read is dead then,
-  // and has asked for bits in vain. Each round leaves less, until nothing changes.
+  // Narrower arms can make a mux superfluous, and narrower wires can cancel each other. What only those read
+  // is then dead, yet it has asked for bits: repeat until nothing changes.
   Graph made = Rebuild(graph).take();
   for (std::string before; before != to_text(made);) {
     before = to_text(made);

@@ -1,6 +1,6 @@
-// The graph that is scheduled and emitted: dead nodes gone, arithmetic no wider than the bits that are used
-// of it, nodes numbered from the outputs. Compilers evaluate operands in different orders; this numbering
-// does not depend on the order in which nodes were recorded.
+// The graph that is scheduled and emitted. It has no dead nodes, its arithmetic is no wider than the bits
+// that are used, and its nodes are numbered from the outputs. Compilers evaluate operands in different
+// orders, so the numbering must not depend on the order in which nodes were recorded.
 #pragma once
 
 #include "rtl_gen/graph/graph.hpp"

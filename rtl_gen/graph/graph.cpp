@@ -20,6 +20,10 @@ std::int64_t as_signed(std::uint64_t value, int width) {
   return static_cast<std::int64_t>(value << spare) >> spare;
 }
 
+bool are_equal(const Unit& a, const Unit& b) {
+  return a.component == b.component && a.bits == b.bits && to_text(a.body) == to_text(b.body);
+}
+
 }  // namespace
 
 std::string_view op_name(Op op) {
@@ -97,7 +101,7 @@ NodeId Graph::slice(NodeId a, int high, int low) {
         fmt::format("graph {}: bits {}:{} of a {}-bit value", name_, high, low, n.width));
   }
   if (width == n.width) return a;
-  switch (n.op) {  // a slice always lands on what can be latched
+  switch (n.op) {  // a slice is moved through wires, to a value that can be latched
     case Op::constant:
       return constant(width, n.value >> low);
     case Op::slice:
@@ -197,7 +201,12 @@ NodeId Graph::call(const std::shared_ptr<const Unit>& unit, std::span<const Node
   const auto same = [&](const auto& known) { return known->body.name() == body.name(); };
   const auto found = std::find_if(units_.begin(), units_.end(), same);
   n.unit = static_cast<int>(found - units_.begin());
-  if (found == units_.end()) units_.push_back(unit);
+  if (found == units_.end()) {
+    units_.push_back(unit);
+  } else if (*found != unit && !are_equal(**found, *unit)) {
+    throw std::invalid_argument(
+        fmt::format("graph {}: two different units have the name {}", name_, body.name()));
+  }
   return record(std::move(n));
 }
 

@@ -1,6 +1,6 @@
-// A datapath as a flat list of nodes in topological order; an edge is the index of the node it comes from.
-// Values are bit vectors of 1..64 bits without a sign; a node that reads its operands as two's complement
-// says so. Equal nodes are recorded once. The text form (to_text) is the graph's printable identity.
+// A datapath as a flat list of nodes in topological order. An edge is the index of the node that it comes
+// from. Values are bit vectors of 1..64 bits without a sign; a node says when it reads its operands as two's
+// complement. Equal nodes are recorded once. Two graphs are the same when their texts (to_text) are.
 #pragma once
 
 #include <array>
@@ -37,19 +37,19 @@ enum class Op : std::uint8_t {
   less,  ///< 1 bit, a < b, operands of one width
   equal,
   mux,   ///< a ? b : c
-  call,  ///< a unit, a component with logic of its own, of up to three operands
+  call,  ///< a unit: a component with logic of its own and up to three operands
 };
 
 [[nodiscard]] std::string_view op_name(Op op);
 [[nodiscard]] constexpr bool is_wire(Op op) {
   return op == Op::slice || op == Op::concat || op == Op::extend || op == Op::invert;
 }
-/// A value that can be latched: neither a wire, which is taken from its source, nor a constant.
+/// A value that can be latched: no constant, and no wire, which is taken from its source.
 [[nodiscard]] constexpr bool is_root(Op op) {
   return !is_wire(op) && op != Op::constant;
 }
 
-/// Where in the C++ a value was named: "hls/pipelines/int_slabs.hpp", 33. line 0: unknown.
+/// The line of the C++ that names a value: "hls/pipelines/int_slabs.hpp", 33. Line 0: unknown.
 struct SourceLine {
   std::string file;
   unsigned line = 0;
@@ -60,12 +60,12 @@ struct Node {
   int width = 1;
   bool is_signed = false;   ///< extend, mul, less: operands are two's complement; input: the port is
   int low = 0;              ///< slice: lowest bit taken
-  int unit = -1;            ///< call: which of the graph's units
+  int unit = -1;            ///< call: index into the graph's units
   std::uint64_t value = 0;  ///< constant, at most 64 bits
   std::array<NodeId, 3> args{no_node, no_node, no_node};
   std::string name{};  ///< from the C++, may be empty
   SourceLine source{};
-  int min_stage = 0;  ///< earliest pipeline stage; set only by components with a stated partition
+  int min_stage = 0;  ///< earliest pipeline stage; set only in components that state their partition
 
   [[nodiscard]] int arity() const {
     return args[0] == no_node ? 0 : args[1] == no_node ? 1 : args[2] == no_node ? 2 : 3;
@@ -91,12 +91,13 @@ class Graph {
   NodeId slice(NodeId a, int high, int low);
   NodeId concat(NodeId high, NodeId low);
   NodeId extend(NodeId a, int width, bool is_signed);
-  /// Takes `a` to `width` bits: the low ones when narrower, else as extend.
+  /// `a` in `width` bits: its low bits when that is narrower, else extended.
   NodeId resize(NodeId a, int width, bool is_signed);
   NodeId invert(NodeId a);
   NodeId binary(Op op, NodeId a, NodeId b, bool is_signed = false);
   NodeId mux(NodeId select, NodeId if_one, NodeId if_zero);
-  /// The unit's only output. Units of one body name are one unit.
+  /// The unit's only output. Units with the same body name must be equal and become one unit; throws
+  /// std::invalid_argument when they differ.
   NodeId call(const std::shared_ptr<const Unit>& unit, std::span<const NodeId> operands);
   void output(std::string_view name, NodeId node);
 
@@ -111,7 +112,7 @@ class Graph {
   [[nodiscard]] const std::vector<NodeId>& inputs() const { return inputs_; }
   [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }
   [[nodiscard]] const std::vector<std::shared_ptr<const Unit>>& units() const { return units_; }
-  /// Of a node that is a call.
+  /// The unit that a call node calls.
   [[nodiscard]] const std::shared_ptr<const Unit>& unit_of(NodeId id) const {
     return units_[static_cast<std::size_t>(nodes_[id].unit)];
   }
@@ -129,17 +130,18 @@ class Graph {
   int min_stage_ = 0;
 };
 
-/// A component whose inside is a graph too, such as a float operator: emitted as a module of its own.
+/// A component that is itself a graph, such as a float operator. It is emitted as a module of its own.
 struct Unit {
   std::string component;  ///< the library's name for it, e.g. "fp_subtract"
-  int bits;               ///< the width it is looked up at
-  Graph body;             ///< canonical; its name, e.g. "fp_subtract_8_23", tells units apart; one output
+  int bits;               ///< the width at which the library is asked
+  Graph body;             ///< canonical, one output; its name, e.g. "fp_subtract_8_23", identifies the unit
 };
 
-/// One line a node: "%7 = sub:24 %1 %4  dx0 @ hls/pipelines/int_slabs.hpp:33".
+/// One line for each node: "%7 = sub:24 %1 %4  dx0 @ hls/pipelines/int_slabs.hpp:33".
 [[nodiscard]] std::string to_text(const Graph& graph);
 
-/// The value of every output for given inputs (in port order); the graph's meaning, used to check passes.
+/// The value of every output for the given inputs (in port order). It defines what a graph means, and checks
+/// that passes do not change it.
 [[nodiscard]] std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uint64_t> inputs);
 
 }  // namespace hitpipe::rtl

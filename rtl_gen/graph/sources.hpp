@@ -1,4 +1,4 @@
-// Through the wires: which latchable values, and which of their bits, a node reads.
+// Follows wires back to the values that can be latched: which of them a node reads, and which of their bits.
 #pragma once
 
 #include "rtl_gen/graph/graph.hpp"
@@ -11,8 +11,8 @@ namespace hitpipe::rtl {
   return upto & ~((std::uint64_t{1} << low) - 1);
 }
 
-/// Calls visit(root, bits) for every input, component or gate from which the masked bits of `value` come by
-/// wires.
+/// Calls visit(root, bits) for every input, component or gate from which wires bring the masked bits of
+/// `value`.
 template <class Visit>
 void for_each_source_of(const Graph& graph, NodeId value, std::uint64_t bits, Visit&& visit) {
   const Node& n = graph[value];

@@ -4,6 +4,19 @@
 
 namespace hitpipe::rtl {
 
+namespace {
+
+/// The last `count` components of a path, without a slash before them.
+std::string_view last_components(std::string_view path, int count) {
+  std::size_t start = path.size();
+  for (; start > 0; --start) {
+    if (path[start - 1] == '/' && (--count == 0 || start == 1)) break;
+  }
+  return path.substr(start);
+}
+
+}  // namespace
+
 thread_local Graph* Tracer::current_ = nullptr;
 
 Graph& Tracer::graph() {
@@ -12,8 +25,8 @@ Graph& Tracer::graph() {
 }
 
 SourceLine source_line(std::string_view path, unsigned line) {
-  const std::size_t hls = path.rfind("hls/");
-  return {std::string(hls == std::string_view::npos ? path : path.substr(hls)), line};
+  const std::string_view of_project = last_components(path, 3);
+  return {std::string(of_project.starts_with("hls/") ? of_project : last_components(path, 2)), line};
 }
 
 }  // namespace hitpipe::rtl

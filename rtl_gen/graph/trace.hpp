@@ -30,7 +30,8 @@ class Tracer {
   Graph* outer_;
 };
 
-/// "/any/where/hls/pipelines/int_slabs.hpp" and "hls/pipelines/int_slabs.hpp" are the same line to a reader.
+/// A short path, the same on every machine: hls/FOLDER/FILE for a source of the project, FOLDER/FILE for any
+/// other.
 [[nodiscard]] SourceLine source_line(std::string_view path, unsigned line);
 
 template <int W, bool S>

@@ -9,10 +9,10 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// Ports that the demands say are in order, by node.
+/// Pairs of port nodes that the demands order: lesser, greater.
 using Orders = std::set<std::pair<NodeId, NodeId>>;
 
-/// The lowest bits of a sum or difference are known as far up as both operands' are.
+/// The low bits of a sum or difference are known up to where the bits of both operands are.
 Facts known_low_bits(const Facts& a, const Facts& b, std::uint64_t result_of_ones) {
   const std::uint64_t mask = all_bits(std::min(a.known_low(), b.known_low()));
   return Facts::bits(a.width(), ~result_of_ones & mask, result_of_ones & mask);
@@ -30,7 +30,7 @@ Facts difference(const Facts& a, const Facts& b) {
   return Facts::both(bounds, known_low_bits(a, b, a.ones() - b.ones()));
 }
 
-/// Exact: it has the width of both.
+/// The product is exact: it is as wide as both operands together.
 Facts product_in_range(int width, const Facts& a, const Facts& b, bool is_signed) {
   if (!is_signed) {
     return Facts::patterns(width,
@@ -161,7 +161,7 @@ class Analysis {
     const Facts& if_zero = facts_[n.args[2]];
     if (select.is_constant()) return select.pattern() != 0 ? if_one : if_zero;
     const Facts plain = Facts::either(if_one, if_zero);
-    // a < b ? b : a is the greater, a < b ? a : b the lesser of two.
+    // a < b ? b : a is the greater of two, a < b ? a : b the lesser.
     const Node& order = graph_[n.args[0]];
     if (order.op != Op::less || !order.is_signed) return plain;
     const Interval a = facts_[n.args[1]].number();
@@ -175,7 +175,7 @@ class Analysis {
     return plain;
   }
 
-  /// Two ports, whose numbers wires may have made wider or narrower, one demanded never to exceed the other.
+  /// Whether both are ports, perhaps made wider or narrower by wires, and the demands order them.
   [[nodiscard]] bool in_order(NodeId lesser, NodeId greater, bool is_signed) const {
     const auto keeps_number = [&](const Node& n) {
       if (n.op == Op::extend) return n.is_signed == is_signed;

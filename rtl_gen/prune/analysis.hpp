@@ -1,6 +1,6 @@
-// Interval and known-bits analysis of a graph: what is known of every value while the operands are as
-// demanded. Sound for every operation; a component with logic of its own (a float operator) is analysed by
-// its body.
+// Interval and known-bits analysis of a graph: what is known of every value while the operands meet the
+// demands. It is sound for every operation. For a component with logic of its own (a float operator) it
+// analyses that logic.
 #pragma once
 
 #include <vector>

@@ -31,12 +31,13 @@ std::string operand(const Port& port) {
   return port.is_signed ? fmt::format("$signed({})", port.name) : port.name;
 }
 
-/// The demand in the numbers of a port that pruning may have made narrower; none when these cannot tell.
+/// The demanded intervals in the numbers of a port that pruning may have made narrower; none when the port
+/// cannot tell.
 std::optional<std::vector<Interval>> as_seen_at(const Port& port, const PortDemand& demand) {
   const Interval all = all_numbers(port);
   const Interval wanted = hull(demand);
   if (wanted.low >= all.low && wanted.high <= all.high) return demand.within;
-  // Bits below ones that are all alike: the numbers less what those are worth.
+  // The missing high bits are the same in all demanded numbers: subtract their value.
   if (port.is_signed || port.width > 62 || wanted.low >> port.width != wanted.high >> port.width)
     return std::nullopt;
   const std::int64_t above = (wanted.low >> port.width) * (std::int64_t{1} << port.width);
@@ -45,8 +46,8 @@ std::optional<std::vector<Interval>> as_seen_at(const Port& port, const PortDema
   return seen;
 }
 
-/// True of a number in the interval; empty when every number of the port is. No comparison that a port
-/// cannot fail is written: a linter would ask about it.
+/// The Verilog condition that a port's number is in the interval; empty when it always is. A comparison that
+/// cannot fail is left out, as a linter would warn of it.
 std::string inside(const Port& port, const Interval& i) {
   const Interval all = all_numbers(port);
   if (i.low == i.high) return fmt::format("{} == {}", operand(port), literal(port, i.low));
@@ -56,7 +57,7 @@ std::string inside(const Port& port, const Interval& i) {
   return fmt::format("{}", fmt::join(terms, " && "));
 }
 
-/// The Verilog condition that a port's number is in none of the intervals; empty when it cannot be.
+/// The Verilog condition that a port's number is in none of the intervals; empty when it always is in one.
 std::string outside(const Port& port, const std::vector<Interval>& within) {
   std::vector<std::string> terms;
   for (const Interval& each : within) {
@@ -67,7 +68,8 @@ std::string outside(const Port& port, const std::vector<Interval>& within) {
   return fmt::format("!({})", fmt::join(terms, " || "));
 }
 
-/// The Verilog condition that a demand is broken by; empty when no operand of these ports can break it.
+/// The Verilog condition that the demand is broken: empty when these ports cannot break it, none when they
+/// cannot tell.
 std::optional<std::string> broken(const PortDemand& demand, const std::vector<Port>& ports) {
   const Port* const port = port_called(ports, demand.port);
   if (port == nullptr) return std::nullopt;
@@ -89,7 +91,7 @@ std::string widened(const Port& port, int width) {
   return fmt::format("{{{{{}{{{}}}}}, {}}}", width - port.width, fill, port.name);
 }
 
-/// A port whose numbers, read by its own sign, are those of the original.
+/// Whether the port, read with its own sign, has the numbers of the original.
 bool keeps_numbers(const Demands& demands, const Port& original, const Port& port) {
   const auto demand = std::find_if(demands.ports.begin(), demands.ports.end(),
                                    [&](const PortDemand& d) { return d.port == port.name; });
@@ -106,7 +108,7 @@ std::optional<std::string> broken(const OrderDemand& order, const Demands& deman
   if (!keeps_numbers(demands, *port_called(original, order.lesser), *lesser) ||
       !keeps_numbers(demands, *port_called(original, order.greater), *greater))
     return std::nullopt;
-  // A bit more where one has a sign and the other none.
+  // An unsigned port needs one bit more beside a signed one.
   const bool is_signed = lesser->is_signed || greater->is_signed;
   const auto need = [&](const Port& p) { return p.width + (is_signed && !p.is_signed ? 1 : 0); };
   const int width = std::max(need(*lesser), need(*greater));

@@ -1,4 +1,4 @@
-// Verilog that watches whether the operands a fitted unit accepts are as demanded: plain Verilog-2001.
+// Verilog-2001 that checks whether the operands of a fitted unit meet its demands.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace hitpipe::rtl {
 
-/// To stand in a module with these ports and clk, rst, in_valid, in_ready, where HITPIPE_CHECK is defined
-/// and SYNTHESIS is not: ends the simulation, naming demand and operand, when an accepted operand breaks a
-/// demand. `original` are the design's ports before pruning. Demands on ports that are gone, or too narrow to
-/// tell, are named in a comment: prune with keep_ports, or check_module(), to have all. Empty when there are
-/// no demands.
+/// A block for a module with these ports and with clk, rst, in_valid, in_ready. It is active when
+/// HITPIPE_CHECK is defined and SYNTHESIS is not. When an accepted operand breaks a demand it prints demand
+/// and operand and ends the simulation. `original` are the ports of the design before pruning. A comment
+/// names the demands on ports that are gone or too narrow to tell; check_module() checks those too. Empty
+/// without demands.
 [[nodiscard]] std::string check_block(const std::string& module, const Demands& demands,
                                       const std::vector<Port>& original, const std::vector<Port>& ports);
 
-/// `verilog` with the block at the end of its first module.
+/// Puts the block at the end of the first module of `verilog`.
 [[nodiscard]] std::string with_check_block(const std::string& verilog, const std::string& block);
 
-/// A module `name` of its own, without a clock, for the operands as they come from outside: every port that a
-/// demand speaks of, and `error`, 1 when a demand is broken.
+/// A module without a clock that checks the operands before they reach the unit. Its inputs are the original
+/// ports that have demands; its output `error` is 1 when a demand is broken.
 [[nodiscard]] std::string check_module(const std::string& name, const Demands& demands,
                                        const std::vector<Port>& original);
 

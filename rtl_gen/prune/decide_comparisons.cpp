@@ -10,7 +10,7 @@ Graph decide_comparisons(const Graph& graph, const Demands& demands) {
     const Node& n = graph[id];
     if (n.op != Op::less && n.op != Op::equal) return no_node;
     if (facts[id].is_constant()) return to.constant(1, facts[id].pattern());
-    // An unsigned x < 0 was decided above.
+    // This x < 0 is signed: an unsigned one was decided above.
     const Facts& right = facts[n.args[1]];
     if (n.op == Op::less && right.is_constant() && right.pattern() == 0) {
       const int sign = right.width() - 1;

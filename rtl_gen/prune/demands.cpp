@@ -26,7 +26,7 @@ const PortDemand* demand_on(const Demands& demands, const std::string& port) {
   return found == demands.ports.end() ? nullptr : &*found;
 }
 
-/// What is demanded of a port, be it nothing.
+/// The demand on a port; all its numbers when there is none.
 PortDemand demanded(const Demands& demands, const Port& port) {
   const PortDemand* const demand = demand_on(demands, port.name);
   return demand != nullptr ? *demand : PortDemand{port.name, {all_numbers(port)}};

@@ -1,6 +1,6 @@
-// What is promised of the operands that a unit will ever be given: which numbers a port can have, which port
-// never exceeds which. Numbers are those of the port: two's complement when it is signed, else its bits as
-// they are; a float port's are its bit patterns, so that +0.0 .. largest finite is 0 .. 0x7f7fffff.
+// Demands on the operands of a unit: which numbers a port may have, and which port may not exceed which. A
+// signed port's number is its two's complement, an unsigned port's its plain bits. A float port's number is
+// its bit pattern, so +0.0 .. largest finite is 0 .. 0x7f7fffff.
 #pragma once
 
 #include <cstdint>
@@ -33,34 +33,35 @@ struct Demands {
 
   [[nodiscard]] bool empty() const { return ports.empty() && orders.empty(); }
   [[nodiscard]] std::size_t count() const { return ports.size() + orders.size(); }
-  /// All but one; ports first, then orders.
+  /// All demands but one. The index counts ports first, then orders.
   [[nodiscard]] Demands without(std::size_t index) const;
   friend bool operator==(const Demands&, const Demands&) = default;
 };
 
-/// What any value of the port's width is, as a number.
+/// All numbers that the port can have.
 [[nodiscard]] Interval all_numbers(const Port& port);
-/// From the least to the greatest multiple of 2^low_zeros in the interval, if it has one.
+/// From the least to the greatest multiple of 2^low_zeros in the interval; none when it holds no multiple.
 [[nodiscard]] std::optional<Interval> multiples_in(const Interval& interval, int low_zeros);
-/// From the least to the greatest number demanded.
+/// From the least to the greatest number that the demand allows.
 [[nodiscard]] Interval hull(const PortDemand& demand);
 
-/// Throws std::invalid_argument, one line, when a demand names no port of these or one twice, has no number
-/// or numbers that the port cannot have, has intervals that do not ascend or hold no number of as many low
-/// zeros, or orders ports of different kinds or so that no operands are left.
+/// Throws std::invalid_argument, one line, when a demand names a port that is not among these or that already
+/// has a demand; allows no number, or numbers that the port cannot have; has intervals that do not ascend, or
+/// one without a number of that many low zeros; orders two ports of different width or sign; or leaves no
+/// operands.
 void check_demands(const Demands& demands, const std::vector<Port>& ports);
 
-/// Every operand that `weaker` excludes, `demands` exclude too: judged port by port and order by order.
+/// Whether `demands` exclude every operand that `weaker` excludes, judged port by port and order by order.
 [[nodiscard]] bool implies(const Demands& demands, const Demands& weaker, const std::vector<Port>& ports);
 
-/// The port's number, sign-extended when signed, is as demanded.
+/// Whether the port's number, sign-extended when signed, meets the demand.
 [[nodiscard]] bool meets(const PortDemand& demand, std::int64_t number);
-/// The operands, in port order and sign-extended when signed, are as demanded.
+/// Whether the operands, in port order and sign-extended when signed, meet the demands.
 [[nodiscard]] bool meets(const Demands& demands, const std::vector<Port>& ports,
                          const std::int64_t* operands);
 
 /// "rinf = 1", "irx in [-5, 5]", "iri_floor in [-9, -1] or [1, 9]", "izmin in [-40, 40], a multiple of 4",
-/// "ixmin <= ixmax"; by index as in `without`.
+/// "ixmin <= ixmax". The index is that of `without`.
 [[nodiscard]] std::string demand_text(const Demands& demands, std::size_t index);
 [[nodiscard]] std::string demand_text(const PortDemand& demand);
 

@@ -19,8 +19,8 @@ Facts::Facts(int width, std::uint64_t zeros, std::uint64_t ones, Interval number
   sharpen();
 }
 
-/// Bits bound the number, its ends have the low bits that are known, and numbers of one sign agree in the
-/// bits above the first that differs.
+/// Known bits bound the number; both ends of its interval must have the known low bits; and all numbers of
+/// the interval agree in the bits above the highest one in which its ends differ.
 void Facts::sharpen() {
   const std::uint64_t sign = std::uint64_t{1} << (width_ - 1);
   const std::uint64_t least = ones_ | (sign & ~zeros_);
@@ -55,7 +55,7 @@ Facts Facts::number(int width, Wide low, Wide high) {
 }
 
 Facts Facts::patterns(int width, Patterns p) {
-  // Patterns of either sign are not one interval of numbers.
+  // Patterns with the top bit clear and set are not one interval of numbers.
   if ((p.low ^ p.high) >> (width - 1) != 0) return nothing(width);
   return number(width, number_of(p.low, width), number_of(p.high, width));
 }

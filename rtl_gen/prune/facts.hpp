@@ -1,5 +1,5 @@
-// What is known of a value whatever the operands are, as long as they are as demanded: bits that are always
-// 0 or always 1, and the interval of its number as two's complement. Each sharpens the other.
+// What is known of a value for all operands that meet the demands: bits that are always 0 or always 1, and
+// the interval of its number in two's complement. Each of the two sharpens the other.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace hitpipe::rtl {
 
-/// Holds what 64-bit operands make, before it is known to fit.
+/// Holds the result of 64-bit operands before it is known to fit into 64 bits.
 __extension__ using Wide = __int128;
 
-/// The bits of a value of this width, 0 to 64.
+/// All bits of a value of this width, 0 to 64.
 [[nodiscard]] constexpr std::uint64_t all_bits(int width) {
   return width == 0 ? 0 : ~std::uint64_t{0} >> (64 - width);
 }
@@ -20,7 +20,7 @@ __extension__ using Wide = __int128;
   return static_cast<std::int64_t>(pattern << (64 - width)) >> (64 - width);
 }
 
-/// A value's patterns read without a sign.
+/// The bounds of a value that is read without a sign.
 struct Patterns {
   std::uint64_t low;
   std::uint64_t high;
@@ -28,16 +28,17 @@ struct Patterns {
 
 class Facts {
  public:
-  /// Of a value of which nothing is known.
+  /// Nothing is known of the value.
   [[nodiscard]] static Facts nothing(int width);
   [[nodiscard]] static Facts constant(int width, std::uint64_t pattern);
-  /// Numbers as two's complement; nothing when they do not fit into the width.
+  /// The number in two's complement lies between the two. Nothing is known when they do not fit into the
+  /// width.
   [[nodiscard]] static Facts number(int width, Wide low, Wide high);
   [[nodiscard]] static Facts patterns(int width, Patterns patterns);
   [[nodiscard]] static Facts bits(int width, std::uint64_t zeros, std::uint64_t ones);
-  /// Of a value that is one of two.
+  /// Facts of a value to which a or b applies.
   [[nodiscard]] static Facts either(const Facts& a, const Facts& b);
-  /// Of a value of which both hold.
+  /// Facts of a value to which a and b apply.
   [[nodiscard]] static Facts both(const Facts& a, const Facts& b);
 
   [[nodiscard]] int width() const { return width_; }
@@ -46,15 +47,15 @@ class Facts {
   [[nodiscard]] Interval number() const { return number_; }
   [[nodiscard]] Patterns patterns() const;
   [[nodiscard]] bool is_constant() const { return number_.low == number_.high; }
-  /// Of a constant.
+  /// The bits of a constant.
   [[nodiscard]] std::uint64_t pattern() const {
     return static_cast<std::uint64_t>(number_.low) & all_bits(width_);
   }
-  /// Bits that hold the number as two's complement: the others repeat the highest of them.
+  /// How many low bits hold the number in two's complement: the bits above repeat the highest of them.
   [[nodiscard]] int signed_width() const;
-  /// Bits below the topmost ones that are known.
+  /// How many low bits are left below the known bits at the top.
   [[nodiscard]] int unknown_width() const;
-  /// The lowest bits that are known, and those that are 0.
+  /// How many of the lowest bits are known, and how many are 0.
   [[nodiscard]] int known_low() const;
   [[nodiscard]] int low_zeros() const;
 

@@ -9,11 +9,11 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// The bits of a value that are made: those above are known, or repeat the highest of them; those below are
-/// known.
+/// The bits of a value that must be computed. Those below are known. Those above are known too, or with
+/// `by_sign` they repeat the highest computed one.
 struct Core {
-  int width;  ///< with those below
-  int low;    ///< so many below
+  int width;  ///< the bits below included
+  int low;    ///< how many bits are below
   bool by_sign;
 };
 
@@ -80,8 +80,8 @@ class Narrow {
     return whole(to, made, core, facts_[id]);
   }
 
-  /// The low bits of a sum or difference. Where one operand ends in zeros the other passes: no carry, no
-  /// borrow.
+  /// The low bits of a sum or difference. Where one operand ends in zeros, the bits of the other pass
+  /// through: there is no carry and no borrow.
   NodeId sum(Graph& to, NodeId id, const NewOperands& operands, int width) {
     const Node& n = graph_[id];
     const auto zeros = [&](std::size_t i) { return std::min(facts_[n.args[i]].low_zeros(), width); };
@@ -94,8 +94,8 @@ class Narrow {
     return low == 0 ? made : to.concat(made, to.slice(operands[passes], low - 1, 0));
   }
 
-  /// Of operands that fit theirs, without the zeros that they end in; the sign of the multiplier stays, and
-  /// so does a place for it.
+  /// Operands lose the high bits that their numbers do not need and the zeros at their ends. A signed
+  /// multiplier stays signed, so each operand keeps a sign bit.
   NodeId product(Graph& to, NodeId id, const NewOperands& operands) {
     const Node& n = graph_[id];
     int zeros = 0;
@@ -113,7 +113,7 @@ class Narrow {
     return zeros == 0 ? wide : to.concat(wide, to.constant(zeros, 0));
   }
 
-  /// In the bits in which the operands can differ.
+  /// Compares only the bits in which the operands can differ.
   NodeId comparison(Graph& to, NodeId id, const NewOperands& operands) {
     const Node& n = graph_[id];
     const Facts& a = facts_[n.args[0]];
@@ -123,7 +123,7 @@ class Narrow {
     const int differing = std::max(1, 64 - std::countl_zero(~alike & all_bits(width)));
     const bool keeps_sign = n.op == Op::less && n.is_signed;
     const int by_sign = std::max(a.signed_width(), b.signed_width());
-    // Below equal bits numbers are in the order of their patterns.
+    // When the high bits are equal, the order is that of the unsigned patterns below them.
     const bool as_patterns = differing < width && differing <= by_sign;
     const int bits = as_patterns ? differing : keeps_sign || n.op == Op::equal ? by_sign : width;
     const int low = std::min(std::countr_one(alike), bits - 1);

@@ -13,7 +13,7 @@ Graph narrow_ports(const Graph& graph, const Demands& demands) {
   const auto port = [&](Graph& to, NodeId id) {
     const Node& n = graph[id];
     const int width = 64 - std::countl_zero(read[id]);
-    if (width == 0) return to.constant(n.width, 0);  // for nodes that nobody reads either
+    if (width == 0) return to.constant(n.width, 0);  // its readers are not read either
     const bool is_signed = n.is_signed && width >= facts[id].signed_width();
     return to.extend(to.input(n.name, width, is_signed), n.width, is_signed);
   };

@@ -33,7 +33,7 @@ const std::vector<Pass>& passes() {
   return all;
 }
 
-/// A graph and, by name, the pass that last made a value smaller.
+/// A graph, and for each value that became smaller the pass that did so last.
 struct Reduced {
   Graph graph;
   std::map<std::string, std::string> passes;
@@ -48,7 +48,7 @@ void note(const Pass& pass, const Graph& before, const Graph& after, Reduced& re
 }
 
 Reduced reduce(const Graph& named, const Demands& demands) {
-  // Every pass leaves less or the same, so this ends after a few; the limit is for a pass that does not.
+  // No pass adds anything, so a few rounds are enough. The limit catches a faulty pass.
   constexpr int most_rounds = 1000;
   Reduced reduced{named, {}};
   std::string before;
@@ -84,7 +84,7 @@ std::vector<Cut> cuts_between(const Graph& before, const Reduced& after) {
   return cuts;
 }
 
-/// What each demand does that the others do not: by leaving it out.
+/// Finds what each demand saves beyond the others by leaving it out.
 void add_shares(const Graph& named, const Demands& demands, PruneReport& report) {
   for (std::size_t i = 0; i < demands.count(); ++i) {
     const std::string text = demand_text(demands, i);
@@ -124,7 +124,6 @@ Pruned prune(const Graph& traced, const Demands& demands, const PruneOptions& op
   PruneReport report{.before = before, .after = size_of(reduced.graph)};
   report.cuts = cuts_between(named, reduced);
   if (options.shares) add_shares(named, demands, report);
-  if (options.keep_ports) return {std::move(reduced.graph), std::move(report)};
   Graph graph = canonical(narrow_ports(reduced.graph, demands));
   report.ports = port_changes(traced, graph);
   return {std::move(graph), std::move(report)};

@@ -1,6 +1,6 @@
-// A design takes demands and its graph simplifies itself: the passes of passes.hpp in turn until none changes
-// anything. The result is a traced graph like any other: it is scheduled, emitted and priced by the same
-// rules. docs/prune.md tells what each pass may do.
+// Simplifies the graph of a design under demands: runs the passes of passes.hpp in turn until none changes
+// anything. The result is scheduled, emitted and priced like any traced graph. docs/prune.md tells what each
+// pass may do.
 #pragma once
 
 #include "rtl_gen/prune/report.hpp"
@@ -8,12 +8,9 @@
 namespace hitpipe::rtl {
 
 struct PruneOptions {
-  /// The interface stays as it is: unread ports and bits are left unread. Then the unit can check all its
-  /// operands itself (check_block.hpp).
-  bool keep_ports = false;
-  /// What holds of the design's operands anyway: demands that say no more leave the graph as it is.
+  /// What the design's operands meet in any case: demands that say no more leave the graph as it is.
   Demands promised{};
-  /// Without, `demands` of cuts and `shares` stay empty: each demand takes another run.
+  /// Without it the `demands` of cuts and `shares` stay empty, which saves one run for each demand.
   bool shares = true;
 };
 
@@ -22,7 +19,7 @@ struct Pruned {
   PruneReport report;
 };
 
-/// Equal outputs for all operands that meet the demands. Throws as check_demands() does.
+/// The outputs are equal for all operands that meet the demands. Throws as check_demands() does.
 [[nodiscard]] Pruned prune(const Graph& traced, const Demands& demands, const PruneOptions& options = {});
 
 }  // namespace hitpipe::rtl

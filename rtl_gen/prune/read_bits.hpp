@@ -1,4 +1,4 @@
-// Which bits of every latchable value some output depends on by wires, gates and components.
+// Which bits of every value that can be latched are read.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace hitpipe::rtl {
 
-/// By node; 0 for wires and constants. Nodes without a reader count as readers: run canonical() first.
+/// By node; 0 for wires and constants. A node that nothing reads still counts as a reader, so run canonical()
+/// first.
 [[nodiscard]] std::vector<std::uint64_t> read_bits(const Graph& graph);
 
 }  // namespace hitpipe::rtl

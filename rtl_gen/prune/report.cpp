@@ -20,7 +20,7 @@ std::string kind_of(const Graph& graph, NodeId id) {
   return std::string(component_name(component_of(graph, id).component));
 }
 
-/// The name of the nearest reader that the C++ named; of a slice alone when that is all that is read.
+/// A name made of the nearest reader that the C++ names; the name of a slice when only the slice is read.
 std::string name_from_readers(const Graph& graph, NodeId id,
                               const std::vector<std::vector<NodeId>>& readers) {
   const auto only_reader = [&](NodeId at) { return readers[at].size() == 1 ? readers[at].front() : no_node; };

@@ -1,4 +1,4 @@
-// A graph made again node by node, each as it was or as a pass puts something in its place.
+// Copies a graph node by node; a pass may replace each node.
 #pragma once
 
 #include <array>
@@ -7,14 +7,15 @@
 
 namespace hitpipe::rtl {
 
-/// What a node's operands are in the graph being made; of an input, the input itself comes first.
+/// The operands of a node in the new graph; for an input, the first is the input itself.
 using NewOperands = std::array<NodeId, 3>;
 
-/// Records `id` of `from`, which is no input, on other operands.
+/// Records the node `id` of `from`, which is no input, with other operands.
 NodeId record_again(Graph& to, const Graph& from, NodeId id, const NewOperands& operands);
 
-/// `replace(to, id, operands)` gives the node that stands for `id` of `from`, or no_node: as it was.
-/// `port(to, id)` likewise for an input; replace is then asked of the node that it gave. Names go along.
+/// `replace(to, id, operands)` returns the node that stands for `id` of `from`, or no_node to copy it.
+/// `port(to, id)` makes the node that stands for an input; `replace` is then called with that node. Names are
+/// kept.
 template <class Port, class Replace>
 [[nodiscard]] Graph rewrite(const Graph& from, Port&& port, Replace&& replace) {
   Graph to(from.name());
@@ -37,7 +38,7 @@ template <class Port, class Replace>
   return to;
 }
 
-/// With the ports as they are.
+/// The same, with the ports copied.
 template <class Replace>
 [[nodiscard]] Graph rewrite(const Graph& from, Replace&& replace) {
   return rewrite(

@@ -7,7 +7,7 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// A product's operands stay: they have widths, and its multiplier stages, of their own.
+/// Products are left alone: their operands differ in width, and the multiplier is divided by the right one.
 bool commutes(Op op) {
   return op == Op::add || op == Op::equal || op == Op::bit_and || op == Op::bit_or || op == Op::bit_xor;
 }
@@ -15,7 +15,7 @@ bool commutes(Op op) {
 }  // namespace
 
 Graph share(const Graph& graph) {
-  // The graph records equal nodes once; here they are made equal.
+  // The graph records equal nodes once, so it is enough to make them equal.
   return rewrite(graph, [&](Graph& to, NodeId id, const NewOperands& operands) {
     const Node& n = graph[id];
     if (!commutes(n.op)) return no_node;

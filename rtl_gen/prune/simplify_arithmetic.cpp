@@ -12,7 +12,7 @@ bool is_zero(const Graph& graph, NodeId id) {
   return graph[id].op == Op::constant && graph[id].value == 0;
 }
 
-/// A product with a constant: 0, or a power of two that is positive as the multiplier reads it.
+/// A product with the constant 0, or with a power of two that the multiplier reads as positive.
 NodeId shifted(Graph& to, const Node& mul, NodeId fixed, NodeId other) {
   const Node factor = to[fixed];
   if (factor.op != Op::constant) return no_node;

@@ -15,7 +15,7 @@ bool opposite(const Graph& graph, NodeId a, NodeId b) {
          (graph[b].op == Op::invert && graph[b].args[0] == a);
 }
 
-/// What a gate is with a constant operand; no_node when `fixed` is none that matters.
+/// The value of a gate with a constant operand; no_node when `fixed` is no constant that decides.
 NodeId with_constant(Graph& to, Op op, NodeId fixed, NodeId other) {
   const std::uint64_t all = all_bits(to[other].width);
   if (is_constant(to, fixed, 0)) return op == Op::bit_and ? fixed : other;

@@ -25,7 +25,7 @@ NodeId as_gate(Graph& to, NodeId select, NodeId if_one, NodeId if_zero) {
   return no_node;
 }
 
-/// What an arm is while the select has the given value.
+/// The value of an arm while the select has the given value.
 NodeId while_select_is(bool value, NodeId select, const Graph& to, NodeId arm) {
   while (to[arm].op == Op::mux && to[arm].args[0] == select) arm = to[arm].args[value ? 1 : 2];
   return arm;

@@ -11,7 +11,7 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// The slowest stage of any component of the graph and a latch, and the component that needs it.
+/// The clock period that the slowest component of the graph needs, latch included, and that component.
 struct SlowestStage {
   int clock_ps = 0;
   std::string component = "a latch alone";
@@ -32,6 +32,11 @@ SlowestStage slowest_stage(const Graph& graph, const Library& library) {
     }
   }
   return slowest;
+}
+
+void require_legal(const Graph& graph, const std::vector<std::string>& broken) {
+  if (broken.empty()) return;
+  throw std::logic_error(fmt::format("{}: illegal schedule: {}", graph.name(), fmt::join(broken, "; ")));
 }
 
 }  // namespace
@@ -80,9 +85,7 @@ Schedule schedule_asap(const Graph& graph, const Library& library, std::optional
       s.stages = std::max(s.stages, s.slots[source].finish);
     });
   }
-  if (const auto broken = verify(graph, library, s); !broken.empty()) {
-    throw std::logic_error(fmt::format("{}: illegal schedule: {}", graph.name(), fmt::join(broken, "; ")));
-  }
+  require_legal(graph, verify(graph, library, s));
   return s;
 }
 
@@ -92,7 +95,8 @@ Schedule schedule_as_stated(const Graph& graph, int stages) {
   s.slots.resize(graph.size());
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& n = graph[id];
-    if (!is_root(n.op)) continue;
+    if (n.op == Op::input) s.slots[id].latched = true;
+    if (!is_root(n.op) || n.op == Op::input) continue;
     int stage = std::max(1, n.min_stage);
     for_each_source(graph, id,
                     [&](NodeId source, std::uint64_t) { stage = std::max(stage, s.slots[source].finish); });
@@ -101,6 +105,7 @@ Schedule schedule_as_stated(const Graph& graph, int stages) {
     }
     s.slots[id] = {.stage = stage, .finish = stage};
   }
+  require_legal(graph, verify_stated(graph, s));
   return s;
 }
 

@@ -13,7 +13,7 @@ const Library& levels() {
   return library;
 }
 
-/// Long enough for all the logic in one stage.
+/// A clock period in which all the logic fits into one stage.
 int whole_delay(const Graph& graph) {
   int sum = levels().latch_delay_ps();
   for (NodeId id = 0; id < graph.size(); ++id) {
@@ -26,7 +26,7 @@ int whole_delay(const Graph& graph) {
 
 Schedule balance(const Graph& graph, int stages) {
   if (stages < 1) throw std::invalid_argument(graph.name() + ": a component has at least one stage");
-  // The fewer stages, the longer the clock: bisect for the shortest that fits.
+  // A longer clock needs fewer stages: bisect for the shortest that fits.
   Schedule best = schedule_asap(graph, levels(), whole_delay(graph));
   int too_short = schedule_asap(graph, levels()).clock_ps - 1;
   while (best.clock_ps - too_short > 1) {

@@ -21,7 +21,7 @@ Placement place_registers(const Graph& graph, const Schedule& schedule, Ports po
     placed.used_bits[value] |= bits;
     for (int b = first_boundary(value); b < stage; ++b) live[static_cast<std::size_t>(b)][value] |= bits;
   };
-  // A node that no output depends on was removed by canonical(), so every reader counts.
+  // canonical() removed the nodes on which no output depends, so every reader counts.
   for (NodeId id = 0; id < graph.size(); ++id) {
     if (!is_root(graph[id].op)) continue;
     const int stage = schedule.slots[id].stage;

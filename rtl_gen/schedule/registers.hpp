@@ -1,6 +1,6 @@
-// Where values are latched: for every value and every stage boundary it crosses, exactly the bits that are
-// read later. A wire is never latched: it is taken as late as its source is live (a sign bit is not latched
-// beside its word).
+// Where values are latched. At every stage boundary that a value crosses, exactly the bits that are read
+// later are latched. A wire is never latched: its reader takes it from its source (so a sign bit is not
+// latched beside its word).
 #pragma once
 
 #include <cstdint>
@@ -22,13 +22,13 @@ struct Register {
 };
 
 enum class Ports {
-  latched,  ///< inputs are latched first, outputs last: a whole pipeline
-  direct,   ///< inputs are there in stage 1, outputs leave the last stage unlatched: a component inside one
+  latched,  ///< a whole pipeline: it latches its inputs and its outputs
+  direct,   ///< a component inside a pipeline: inputs are there in stage 1, outputs leave unlatched
 };
 
 struct Placement {
   std::vector<Register> registers;       ///< by boundary, then by value, then from the low bits up
-  std::vector<std::uint64_t> used_bits;  ///< by node: bits of its own, unlatched value that anything reads
+  std::vector<std::uint64_t> used_bits;  ///< by node: the bits of its value that anything reads
 };
 
 [[nodiscard]] Placement place_registers(const Graph& graph, const Schedule& schedule, Ports ports);

@@ -1,6 +1,6 @@
-// The rules of schedule.hpp, checked one by one. Arrival times are computed here again, from the stages
-// alone.
+// Checks the rules of schedule.hpp one by one. It computes arrival times again, from the stages alone.
 #include <algorithm>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -16,14 +16,14 @@ std::string label(const Graph& graph, NodeId id) {
   return n.name.empty() ? fmt::format("%{} ({})", id, op_name(n.op)) : n.name;
 }
 
-}  // namespace
-
-std::vector<std::string> verify(const Graph& graph, const Library& library, const Schedule& schedule) {
+/// `timing` gives the delay and the internal stages of a node.
+std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedule,
+                                      const std::function<Cell(NodeId)>& timing, int latch_ps) {
   std::vector<std::string> broken;
   if (schedule.slots.size() != graph.size()) {
     return {fmt::format("{} slots for {} nodes", schedule.slots.size(), graph.size())};
   }
-  const int latch_ps = library.latch_delay_ps();
+  if (schedule.stages < 1) broken.push_back(fmt::format("{} stages, at least 1 is needed", schedule.stages));
   std::vector<int> arrival(graph.size(), 0);  // within the finishing stage, for unlatched values
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& n = graph[id];
@@ -35,7 +35,11 @@ std::vector<std::string> verify(const Graph& graph, const Library& library, cons
       continue;
     }
     if (slot.stage < 1) broken.push_back(fmt::format("{} starts in stage {}", label(graph, id), slot.stage));
-    const Cell cell = timing_of(graph, id, library);
+    if (slot.stage < n.min_stage) {
+      broken.push_back(fmt::format("{} starts in stage {} but states stage {}", label(graph, id), slot.stage,
+                                   n.min_stage));
+    }
+    const Cell cell = timing(id);
     if (slot.finish != slot.stage + std::max(cell.stages, 1) - 1 || slot.latched != (cell.stages > 0)) {
       broken.push_back(fmt::format("{} has {} internal stages but occupies stages {} to {}", label(graph, id),
                                    cell.stages, slot.stage, slot.finish));
@@ -66,6 +70,18 @@ std::vector<std::string> verify(const Graph& graph, const Library& library, cons
     });
   }
   return broken;
+}
+
+}  // namespace
+
+std::vector<std::string> verify(const Graph& graph, const Library& library, const Schedule& schedule) {
+  const auto timing = [&](NodeId id) { return timing_of(graph, id, library); };
+  return broken_rules(graph, schedule, timing, library.latch_delay_ps());
+}
+
+std::vector<std::string> verify_stated(const Graph& graph, const Schedule& schedule) {
+  return broken_rules(
+      graph, schedule, [](NodeId) { return Cell{}; }, 0);
 }
 
 }  // namespace hitpipe::rtl

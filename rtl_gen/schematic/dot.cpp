@@ -49,13 +49,13 @@ std::string symbol(const Graph& graph, NodeId id) {
   }
 }
 
-/// What a whole and a part have in common.
+/// The base of Whole and Part.
 class Drawing {
  public:
   [[nodiscard]] std::string take() { return std::move(text_) + "}\n"; }
 
  protected:
-  /// `spread`: a component of many stages reaches over as many columns.
+  /// `spread`: a component of several stages takes as many columns.
   Drawing(const Pipeline& pipeline, const std::string& title, bool spread)
       : spread_(spread),
         graph_(pipeline.graph),
@@ -73,7 +73,7 @@ class Drawing {
         title);
   }
 
-  /// Components and gates that begin in a stage; 0: the ports.
+  /// Components and gates that start in a stage; stage 0: the ports.
   void write_stage(int stage, const char* indent, bool spans) {
     for (NodeId n = 0; n < graph_.size(); ++n) {
       const Node& node = graph_[n];
@@ -121,7 +121,8 @@ class Drawing {
     return fmt::format("r{}_{}_{}_{}", r.value, r.boundary, r.high, r.low);
   }
 
-  /// The drawn node that has these bits of a value: a latch at the boundary, or where the value is made.
+  /// The drawn node that holds these bits of a value: a latch at the boundary, or the node that makes the
+  /// value.
   virtual std::string source_of(NodeId value, int high, int low, int boundary) {
     for (const Register& r : placement_.registers) {
       if (r.value == value && r.boundary == boundary && r.low <= low && r.high >= high) return node_of(r);
@@ -156,11 +157,11 @@ class Drawing {
   const Schedule& schedule_;
   const Placement& placement_;
   std::vector<std::string> names_;
-  std::string edges_;  // and nodes that stand outside all frames
+  std::string edges_;  // also nodes outside all frames
   std::string text_;
 };
 
-/// All stages, each a frame, every wire drawn.
+/// All stages, each in a frame, with every wire.
 class Whole final : public Drawing {
  public:
   Whole(const Pipeline& pipeline, const std::string& title) : Drawing(pipeline, title, false) {
@@ -180,8 +181,8 @@ class Whole final : public Drawing {
   }
 };
 
-/// Some stages as the thesis draws them: what comes in stands by its name wherever it is read, latches of one
-/// boundary stand in one column.
+/// Some stages as the thesis draws them. A value from an earlier stage stands by its name at each of its
+/// readers, and the latches of one boundary are in one column.
 class Part final : public Drawing {
  public:
   Part(const Pipeline& pipeline, const std::string& title, StageRange range)

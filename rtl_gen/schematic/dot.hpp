@@ -1,4 +1,4 @@
-// The schematic of a pipeline, stage by stage, as Graphviz text: the symbols are the thesis's (section 7.3).
+// The schematic of a pipeline as Graphviz text, stage by stage, with the thesis's symbols (section 7.3):
 //   "-" subtract   "x" multiply   "<>" compare   "2:1" multiplexer   "L:24" a 24-bit latch   a bubble inverts
 #pragma once
 
@@ -17,10 +17,11 @@ struct StageRange {
   int last;
 };
 
-/// The pipeline cut where components begin their work, as the thesis cuts its figures: 1-7, 8-12, 13.
+/// A group starts at each stage in which some component starts, as in the thesis's figures: 1-7, 8-12, 13.
 [[nodiscard]] std::vector<StageRange> stage_groups(const Pipeline& pipeline);
 
-/// One group, to be laid beside a figure: what comes into it stands by its name wherever it is read.
+/// One group, to compare with a figure of the thesis. A value that comes from an earlier stage stands by its
+/// name at each of its readers.
 [[nodiscard]] std::string to_dot(const Pipeline& pipeline, const std::string& title, StageRange range);
 
 }  // namespace hitpipe::rtl

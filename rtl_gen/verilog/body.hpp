@@ -17,15 +17,15 @@ namespace hitpipe::rtl {
 [[nodiscard]] std::string vector_range(int width);
 
 struct BodyOptions {
-  std::string prefix;             ///< of the names of component modules
-  std::string enable;             ///< signal that lets the registers load
+  std::string prefix;             ///< begins the names of component modules
+  std::string enable;             ///< the signal that lets the registers load
   std::set<std::string> taken{};  ///< names that are not free
 };
 
-/// A unit that a body has instances of.
+/// A unit that a body instantiates.
 struct UnitUse {
   std::shared_ptr<const Unit> unit;
-  int stages;  ///< 1 and combinational, or pipelined
+  int stages;  ///< 1: combinational; more: pipelined
 };
 
 class Body {
@@ -34,11 +34,11 @@ class Body {
   Body(const Graph& graph, const Schedule& schedule, const Placement& placement, BodyOptions options);
 
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Any value as it stands in a stage; stages + 1: behind the output latches.
+  /// The Verilog of a value in a stage; stages + 1: behind the output latches.
   [[nodiscard]] std::string expression(NodeId value, int stage) const;
-  /// The pipelined multipliers it has instances of, and the names of their modules.
+  /// The pipelined multipliers that it instantiates, and the names of their modules.
   [[nodiscard]] const std::map<MultiplierShape, std::string>& multipliers() const { return multipliers_; }
-  /// The same for units, by the names of their modules.
+  /// The units that it instantiates, by the names of their modules.
   [[nodiscard]] const std::map<std::string, UnitUse>& units() const { return units_; }
 
  private:
@@ -50,13 +50,13 @@ class Body {
   void write_unused();
   [[nodiscard]] std::string expression(NodeId value, int high, int low, int stage) const;
   [[nodiscard]] std::string bits_of(NodeId root, int high, int low, int stage) const;
-  /// `wish`, or with a number behind it when that is taken.
+  /// `wish`, with a number at its end when the name is taken.
   [[nodiscard]] std::string claim(const std::string& wish);
-  [[nodiscard]] const std::string& register_name(const Register& r) const;  ///< of one in the placement
+  [[nodiscard]] const std::string& register_name(const Register& r) const;  ///< `r` is in the placement
   [[nodiscard]] std::string wished_name(const Register& r) const;
   [[nodiscard]] std::string source_comment(NodeId id) const;
-  /// The bits an unlatched value is declared with: a pipelined multiplier leaves out low bits that nobody
-  /// reads.
+  /// The bits with which an unlatched value is declared: those of a pipelined multiplier that are read, all
+  /// of any other.
   [[nodiscard]] BitSpan declared(NodeId root) const;
   [[nodiscard]] bool is_pipelined_multiplier(NodeId id) const;
 
@@ -66,7 +66,7 @@ class Body {
   BodyOptions options_;
   std::set<std::string> taken_;
   std::vector<std::string> names_;      ///< by node
-  std::vector<std::string> registers_;  ///< by their place in the placement
+  std::vector<std::string> registers_;  ///< names, in the order of the placement
   std::map<MultiplierShape, std::string> multipliers_;
   std::map<std::string, UnitUse> units_;
   std::string text_;

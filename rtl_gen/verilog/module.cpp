@@ -25,7 +25,7 @@ std::string port_list(const Graph& graph, const std::vector<std::string>& fixed)
   return fmt::format("{}", fmt::join(ports, ",\n  "));
 }
 
-/// A component inside a pipeline: its operands come out of latches, its result is latched outside.
+/// A component inside a pipeline. Its operands come out of latches; the pipeline latches its result.
 std::string component_module(const Graph& graph, const Schedule& schedule, const std::string& name) {
   const Placement placement = place_registers(graph, schedule, Ports::direct);
   const Body body(graph, schedule, placement, {.prefix = name, .enable = "en"});
@@ -101,7 +101,7 @@ std::string to_verilog(const Pipeline& pipeline, const Library& library, const V
   }
   text += "endmodule\n";
   if (!body.multipliers().empty() || !body.units().empty()) {
-    // A design is one file to copy; its components are in it, below it.
+    // One file holds the whole design, so the components follow the top module.
     text += "\n/* verilator lint_off DECLFILENAME */\n";
     for (const auto& [shape, module] : body.multipliers()) text += multiplier_module(shape, module);
     for (const auto& [module, use] : body.units()) text += unit_module(use, module);

@@ -1,5 +1,5 @@
-// Verilog-2001 of a pipeline: registers exactly where the schedule has them, names and source lines from the
-// C++, the same bytes for the same graph.
+// A pipeline as Verilog-2001. Registers are exactly where the schedule has them, names and source lines come
+// from the C++, and the same graph gives the same bytes.
 #pragma once
 
 #include <string>
@@ -8,19 +8,18 @@
 
 namespace hitpipe::rtl {
 
-/// The ports beside a design's operands and results.
-///   clk, rst            one clock; synchronous reset, active high, of the valid bits only
-///   in_valid, in_ready  operands are taken at a rising edge with both high
-///   in_tag, out_tag     TAG_BITS that travel with the operands
-///   out_valid, out_ready  a result is handed over at a rising edge with both high; held while out_ready is
-///   low
-/// in_ready falls only when a valid result waits for out_ready: then the whole pipeline stands still.
 struct VerilogOptions {
   std::string module_name;  ///< empty: the graph's name
   std::string bits;         ///< for the header comment, e.g. "20/24"
 };
 
-/// The top module first, then one module for each kind of pipelined component it has.
+/// The top module, then one module for each kind of pipelined component in it. Beside operands and results
+/// the top module has these ports:
+///   clk, rst              one clock; a synchronous reset, active high, of the valid bits only
+///   in_valid, in_ready    operands are taken at a rising edge with both high
+///   in_tag, out_tag       TAG_BITS bits that travel with the operands
+///   out_valid, out_ready  a result is handed over at a rising edge with both high, and held until then
+/// in_ready falls only while a valid result waits for out_ready. The whole pipeline then stands still.
 [[nodiscard]] std::string to_verilog(const Pipeline& pipeline, const Library& library,
                                      const VerilogOptions& options = {});
 

@@ -10,7 +10,8 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// Of Verilog (IEEE 1364-2001), and of SystemVerilog (IEEE 1800-2012), as which tools may read a design.
+/// Keywords of Verilog (IEEE 1364-2001) and of SystemVerilog (IEEE 1800-2012): some tools read every design
+/// as SystemVerilog.
 std::set<std::string> keywords() {
   std::istringstream words(
       "always and assign automatic begin buf bufif0 bufif1 case casex casez cell cmos config deassign "
@@ -37,7 +38,7 @@ std::set<std::string> keywords() {
   return {std::istream_iterator<std::string>(words), {}};
 }
 
-/// The nearest reader of `value` that the C++ named, itself included.
+/// The name of `value`, or of its nearest reader that the C++ names.
 std::string name_downstream(const Graph& graph, NodeId value,
                             const std::vector<std::vector<NodeId>>& readers) {
   for (NodeId at = value;;) {
@@ -58,7 +59,7 @@ BitSpan used_span(const Graph& graph, const Placement& placement, NodeId value) 
 std::vector<std::string> value_names(const Graph& graph, const Placement& placement,
                                      std::set<std::string> taken) {
   taken.merge(keywords());
-  std::vector<std::string> part(graph.size());  // what the C++ calls exactly the used bits
+  std::vector<std::string> part(graph.size());  // the C++'s name for exactly the used bits
   std::vector<std::vector<NodeId>> readers(graph.size());
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& n = graph[id];
@@ -73,7 +74,7 @@ std::vector<std::string> value_names(const Graph& graph, const Placement& placem
     for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", wish, i);
     names[id] = name;
   };
-  // Ports first: they keep their names whatever else is called so. Then what the C++ names, then the rest.
+  // Ports come first, as they must keep their names; then what the C++ names; then the rest.
   for (const NodeId id : graph.inputs()) claim(id, graph[id].name);
   for (const bool named : {true, false}) {
     for (NodeId id = 0; id < graph.size(); ++id) {

@@ -10,7 +10,7 @@
 
 namespace hitpipe::rtl {
 
-/// The bits of a value that anything reads, as one range.
+/// One range that holds all bits of a value that anything reads.
 struct BitSpan {
   int high = 0;
   int low = 0;
@@ -18,9 +18,10 @@ struct BitSpan {
 };
 [[nodiscard]] BitSpan used_span(const Graph& graph, const Placement& placement, NodeId value);
 
-/// A name for every input, component and gate, unique and no Verilog keyword. A value is called what the C++
-/// calls it; one that the C++ names only in part (a trimmed product) takes the part's name when nothing else
-/// of it is used; one that the C++ does not name is called after its first named reader and its operation.
+/// A name for every input, component and gate. Names are unique, and none is a Verilog keyword. A value has
+/// its name from the C++. Where the C++ names only a part of it (a trimmed product) and nothing else of it is
+/// used, it takes the name of the part. Where the C++ names nothing, the name is made of the first named
+/// reader and the operation.
 [[nodiscard]] std::vector<std::string> value_names(const Graph& graph, const Placement& placement,
                                                    std::set<std::string> taken);
 

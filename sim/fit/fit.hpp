@@ -44,10 +44,10 @@ struct FittedUnit {
                              const std::optional<Precision>& precision, const ref::SceneDemands& scene,
                              const rtl::Library& library);
 
-/// Of a unit that nothing was left out of: just as rtl::emit(). Else the Verilog with its check block, a
-/// module beside it that checks operands as they come from the set-up, a manifest that lists the demands, and
-/// a testbench whose vectors are as demanded.
-[[nodiscard]] std::vector<rtl::File> fitted_files(const FittedUnit& unit, const rtl::Library& library);
+/// The files of the fitted unit: Verilog with a check block, a module that checks operands as they come from
+/// the set-up, a manifest that lists the demands, and vectors that meet them. A unit without demands has the
+/// files of the whole design.
+[[nodiscard]] rtl::EmittedDesign fitted_files(const FittedUnit& unit, const rtl::Library& library);
 
 /// Of a node whose boxes are stored as the design reads them, on coarser axes without their low bits.
 [[nodiscard]] std::size_t bytes_per_node(const rtl::Design& design, const rtl::Format& format,

@@ -2,7 +2,7 @@
 
 namespace hitpipe::sim {
 
-std::vector<rtl::File> fitted_files(const FittedUnit& unit, const rtl::Library& library) {
+rtl::EmittedDesign fitted_files(const FittedUnit& unit, const rtl::Library& library) {
   const rtl::PrunedFrom from{unit.ports, unit.demands, unit.report};
   return rtl::emit(*unit.design, unit.format, library, unit.pipeline,
                    {.pruned_from = unit.demands.empty() ? nullptr : &from});

@@ -50,23 +50,4 @@ void check_ray(const SceneDemands& demands, RayKind kind, const Ray& ray) {
   check_family(demands, kind, {ray.origin, ray.origin}, {ray.direction, ray.direction});
 }
 
-void check_scene(const SceneDemands& fitted, const SceneDemands& scene) {
-  for (const RayFamily& family : scene.rays)
-    check_family(fitted, family.kind, family.origin, family.direction);
-  if (scene.infinite && !fitted.infinite) fail("rays without an end");
-  if (scene.finite && !fitted.finite) fail("rays with an end");
-  const std::string box = outside(fitted.boxes, scene.boxes, "box");
-  if (!box.empty()) fail(box);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (scene.smallest_extent[axis] < fitted.smallest_extent[axis])
-      fail(fmt::format("a box {:.9g} wide along {}, demanded is at least {:.9g}", scene.smallest_extent[axis],
-                       "xyz"[axis], fitted.smallest_extent[axis]));
-  }
-  if (scene.deepest > fitted.deepest)
-    fail(fmt::format("{} levels, demanded are at most {}", scene.deepest, fitted.deepest));
-  if (scene.most_in_leaf > fitted.most_in_leaf)
-    fail(fmt::format("{} triangles in a leaf, demanded are at most {}", scene.most_in_leaf,
-                     fitted.most_in_leaf));
-}
-
 }  // namespace hitpipe::ref

@@ -172,7 +172,8 @@ TEST(AreaCommand, PricesTheDesignsNamedInTheirOrder) {
 class AreaLibrary : public testing::Test {
  protected:
   static std::string thesis() {
-    return contents_of(std::filesystem::path(HITPIPE_SOURCE) / "area_model/libraries/thesis_250nm.json");
+    return contents_of(std::filesystem::path(HITPIPE_SOURCE) /
+                       "rtl_gen/component/libraries/thesis_250nm.json");
   }
   std::string write(const Json& library) const { return folder_.write("own.json", library.dump()).string(); }
 

@@ -41,7 +41,7 @@ TEST_F(RtlCommand, WritesAllFilesIntoAFreshFolder) {
   const rtl::Design& design = rtl::find_design("int_slabs");
   const rtl::Library& library = rtl::Library::thesis();
   for (const rtl::File& file :
-       rtl::emit(design, bits, library, rtl::make_pipeline(design.trace(bits), library))) {
+       rtl::emit(design, bits, library, rtl::make_pipeline(design.trace(bits), library)).files()) {
     EXPECT_EQ(contents_of(out_ / file.name), file.contents) << file.name;
   }
   EXPECT_THAT(contents_of(out_ / "int_slabs.svg"), HasSubstr("</svg>"));
@@ -144,7 +144,7 @@ TEST_F(RtlCommand, ClockTooFastRejected) {
 
 TEST_F(RtlCommand, UsesALibraryOfTheUsersOwn) {
   std::string library =
-      contents_of(std::filesystem::path(HITPIPE_SOURCE) / "area_model/libraries/thesis_250nm.json");
+      contents_of(std::filesystem::path(HITPIPE_SOURCE) / "rtl_gen/component/libraries/thesis_250nm.json");
   const std::string name = "thesis_250nm";
   ASSERT_NE(library.find(name), std::string::npos);
   library.replace(library.find(name), name.size(), "my_own");

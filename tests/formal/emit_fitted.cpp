@@ -1,7 +1,7 @@
 // Writes what the proof of one fitted design reads: emit_fitted DESIGN FORMAT SET FOLDER. SET is the number
 // of a demand set, from 0, or the manifest of a fitted unit. The proof: for all operands that meet the
-// demands, the graph as it was traced, the pruned one and the pruned one of narrower ports give one HIT.
-// docs/prune.md says which lemmas it uses.
+// demands, the graph as it was traced, the fitted one behind the ports of the whole design and the
+// fitted one itself give one HIT. docs/prune.md says which lemmas it uses.
 #include <algorithm>
 #include <exception>
 #include <iostream>
@@ -17,6 +17,7 @@
 #include "rtl_gen/verilog/combinational.hpp"
 #include "tests/formal/component.hpp"
 #include "tests/formal/fitted_set.hpp"
+#include "tests/rtl_gen/prune/all_ports.hpp"
 
 namespace {
 
@@ -152,9 +153,8 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& bits
   const rtl::Format format = design.parse_format(bits);
   const rtl::Graph traced = design.trace(format);
   const rtl::DemandSet fit = formal::fitted_set(design, format, set);
-  rtl::Graph kept =
-      rtl::canonical(rtl::prune(traced, fit.demands, {.keep_ports = true, .shares = false}).graph);
   const rtl::Graph fitted = rtl::prune(traced, fit.demands, {.shares = false}).graph;
+  rtl::Graph kept = rtl::with_all_ports(fitted, rtl::input_ports(traced));
   rtl::Graph plain = rtl::canonical(traced);
   const std::vector<Lemma> of_plain = expose(plain, fit.demands);
   const std::vector<Lemma> of_kept = expose(kept, fit.demands);

@@ -196,6 +196,14 @@ TEST(SweepPlan, IsSortedAndHasEachRowOnce) {
             "int_plucker 6/6 1\nint_plucker 6/6 8\nint_plucker 24/24 1\nint_plucker 24/24 8\n");
 }
 
+TEST(SweepPlan, FindsThePlaceOfADesignByItsName) {
+  const rtl::Design copied = rtl::find_design("int_slabs");
+  EXPECT_EQ(key_of({&copied, {6, 6}, 8}), key_of("int_slabs", "6/6", 8));
+  rtl::Design outside = copied;
+  outside.name = "outside";
+  EXPECT_EQ(key_of({&outside, {6, 6}, 8}).design, rtl::designs().size()) << "behind all of the catalogue";
+}
+
 TEST(Shards, ShareThePlanWithoutLossOrOverlap) {
   const std::vector<SweepPoint> whole = small_plan();
   for (int count = 1; count <= 7; ++count) {

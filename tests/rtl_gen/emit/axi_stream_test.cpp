@@ -22,7 +22,7 @@ constexpr int beat_count = 1000;
 constexpr std::uint64_t beat_seed = 53;
 
 std::vector<File> emitted(const DesignFormat& d, bool axi_stream) {
-  return emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), {.axi_stream = axi_stream});
+  return emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), {.axi_stream = axi_stream}).files();
 }
 
 const std::vector<Port>& mixed_ports() {

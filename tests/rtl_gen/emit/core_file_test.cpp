@@ -38,9 +38,9 @@ class CoreFile : public testing::TestWithParam<DesignFormat> {
     read_core_of(emit(GetParam().found(), GetParam().parsed(), Library::thesis(),
                       make_pipeline(pruned.graph, Library::thesis()), {.pruned_from = &from}));
   }
-  void read_core_of(const std::vector<File>& files) {
-    write_files(folder.path(), files);
-    const std::string file = GetParam().design + ".core";
+  void read_core_of(const EmittedDesign& emitted) {
+    write_files(folder.path(), emitted.files());
+    const std::string& file = emitted.core.name;
     const ToolResult result = run_tool(
         folder.path(), "python3-yaml", "python3",
         python_text(

@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
         const Format format = design.parse_format(folder);
         std::replace(folder.begin(), folder.end(), '/', '_');
         const Pipeline pipeline = make_pipeline(design.trace(format), Library::thesis());
-        std::vector<File> files = emit(design, format, Library::thesis(), pipeline, {.axi_stream = true});
+        std::vector<File> files =
+            emit(design, format, Library::thesis(), pipeline, {.axi_stream = true}).files();
         // As recorded, before canonical() has put it in order: the compilers may differ here.
         files.push_back({"recorded.txt", to_text(design.trace(format))});
         write_files(std::filesystem::path(argv[1]) / std::string(design.name) / folder, files);

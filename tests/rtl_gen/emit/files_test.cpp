@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <sys/resource.h>
 
+#include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/schematic/dot.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/message_of.hpp"
@@ -31,48 +32,85 @@ std::string told(const std::filesystem::path& folder, const std::vector<File>& f
   return message_of<std::runtime_error>([&] { write_files(folder, files); });
 }
 
-std::vector<std::string> emitted_names(const DesignFormat& d, const EmitOptions& options = {}) {
+EmittedDesign emitted(const DesignFormat& d, const EmitOptions& options = {}) {
+  return emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), options);
+}
+
+std::vector<std::string> names_of(const std::vector<File>& files) {
   std::vector<std::string> names;
-  for (const File& file : emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), options))
-    names.push_back(file.name);
+  for (const File& file : files) names.push_back(file.name);
   return names;
 }
 
-TEST(Emit, GivesTheFilesOfADesign) {
-  EXPECT_EQ(
-      emitted_names({"int_slabs", "20/24"}),
-      (std::vector<std::string>{"int_slabs.v", "int_slabs.json", "int_slabs.core", "int_slabs.dot",
-                                "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex", "int_slabs_stage_1.dot",
-                                "int_slabs_stages_2-3.dot", "int_slabs_stage_4.dot"}));
+TEST(Emit, NamesEveryPart) {
+  const EmittedDesign d = emitted({"int_slabs", "20/24"}, {.axi_stream = true});
+  EXPECT_EQ(d.verilog.name, "int_slabs.v");
+  EXPECT_EQ(d.manifest.name, "int_slabs.json");
+  EXPECT_EQ(d.core.name, "int_slabs.core");
+  EXPECT_EQ(d.schematic.name, "int_slabs.dot");
+  EXPECT_EQ(d.testbench.name, "tb/int_slabs_tb.v");
+  EXPECT_EQ(d.vectors.name, "tb/int_slabs_vectors.hex");
+  EXPECT_EQ(d.axi_stream.value().name, "int_slabs_axis.v");
+  EXPECT_FALSE(d.check_module.has_value());
+  EXPECT_EQ(names_of(d.stage_schematics),
+            (std::vector<std::string>{"int_slabs_stage_1.dot", "int_slabs_stages_2-3.dot",
+                                      "int_slabs_stage_4.dot"}));
 }
 
-TEST(Emit, GivesTheFilesOfAFloatDesign) {
-  EXPECT_EQ(
-      emitted_names({"fp_slabs", "fp32"}),
-      (std::vector<std::string>{"fp_slabs.v", "fp_slabs.json", "fp_slabs.core", "fp_slabs.dot",
-                                "tb/fp_slabs_tb.v", "tb/fp_slabs_vectors.hex", "fp_slabs_stages_1-7.dot",
-                                "fp_slabs_stages_8-12.dot", "fp_slabs_stage_13.dot"}));
+TEST(Emit, PutsInEveryPartWhatItIs) {
+  const EmittedDesign d = emitted({"int_slabs", "20/24"}, {.axi_stream = true});
+  EXPECT_NE(d.verilog.contents.find("module int_slabs #("), std::string::npos);
+  EXPECT_EQ(head_of(d.manifest.contents).design, "int_slabs");
+  EXPECT_TRUE(d.core.contents.starts_with("CAPI=2:"));
+  EXPECT_TRUE(d.schematic.contents.starts_with("digraph"));
+  EXPECT_NE(d.testbench.contents.find("module int_slabs_tb;"), std::string::npos);
+  EXPECT_EQ(std::count(d.vectors.contents.begin(), d.vectors.contents.end(), '\n'), 1000);
+  EXPECT_NE(d.axi_stream.value().contents.find("module int_slabs_axis #("), std::string::npos);
+}
+
+TEST(Emit, GivesTheStageSchematicsOfAFloatDesign) {
+  EXPECT_EQ(names_of(emitted({"fp_slabs", "fp32"}).stage_schematics),
+            (std::vector<std::string>{"fp_slabs_stages_1-7.dot", "fp_slabs_stages_8-12.dot",
+                                      "fp_slabs_stage_13.dot"}));
+}
+
+TEST(Emit, FilesAreAllPartsEachOnce) {
+  EXPECT_EQ(names_of(emitted({"int_slabs", "20/24"}, {.axi_stream = true}).files()),
+            (std::vector<std::string>{"int_slabs.v", "int_slabs.json", "int_slabs.core", "int_slabs.dot",
+                                      "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex", "int_slabs_axis.v",
+                                      "int_slabs_stage_1.dot", "int_slabs_stages_2-3.dot",
+                                      "int_slabs_stage_4.dot"}));
 }
 
 TEST(Emit, AddsTheWrapperOnlyWhenAsked) {
   for (const DesignFormat& d : every_design({"20/24"})) {
-    std::vector<std::string> names = emitted_names(d, {.axi_stream = true});
-    const auto wrapper = std::find(names.begin(), names.end(), d.design + "_axis.v");
-    ASSERT_NE(wrapper, names.end()) << d;
-    names.erase(wrapper);
-    EXPECT_EQ(names, emitted_names(d)) << d;
+    const EmittedDesign with = emitted(d, {.axi_stream = true});
+    const EmittedDesign without = emitted(d);
+    EXPECT_FALSE(without.axi_stream.has_value()) << d;
+    ASSERT_TRUE(with.axi_stream.has_value()) << d;
+    std::vector<std::string> names = names_of(with.files());
+    std::erase(names, d.design + "_axis.v");
+    EXPECT_EQ(names, names_of(without.files())) << d;
+    EXPECT_EQ(with.verilog.contents, without.verilog.contents) << d;
   }
 }
 
 TEST(Emit, DrawsEveryGroupOfStagesOnce) {
   for (const DesignFormat& d : every_design({"20/24", "24/24"})) {
-    const Pipeline pipeline = d.pipeline();
-    const auto files = emit(d.found(), d.parsed(), Library::thesis(), pipeline);
-    const auto drawings = std::count_if(files.begin(), files.end(),
-                                        [](const File& file) { return file.name.ends_with(".dot"); });
-    const std::size_t groups = stage_groups(pipeline).size();
-    EXPECT_EQ(static_cast<std::size_t>(drawings), 1 + (groups > 1 ? groups : 0)) << d;
+    const EmittedDesign made = emitted(d);
+    const std::size_t groups = stage_groups(d.pipeline()).size();
+    EXPECT_EQ(made.stage_schematics.size(), groups > 1 ? groups : 0) << d;
+    EXPECT_EQ(made.schematics().size(), 1 + made.stage_schematics.size()) << d;
+    EXPECT_EQ(made.schematics().front().contents, made.schematic.contents) << d;
   }
+}
+
+TEST(Emit, FilesAndDrawingsHaveADrawingOfEverySchematic) {
+  const EmittedDesign made = emitted({"int_slabs", "20/24"});
+  std::vector<std::string> expected = names_of(made.files());
+  expected.insert(expected.end(), {"int_slabs.svg", "int_slabs_stage_1.svg", "int_slabs_stages_2-3.svg",
+                                   "int_slabs_stage_4.svg"});
+  EXPECT_EQ(names_of(files_and_drawings(made)), expected);
 }
 
 TEST(WriteFiles, CreatesFoldersAndReplacesFiles) {
@@ -142,9 +180,8 @@ TEST(WriteFiles, AFailureKeepsWhatWasThere) {
 }
 
 TEST(Draw, MakesAnSvgOfEverySchematic) {
-  const auto drawings = draw({{"toy.v", ""},
-                              {"toy.dot", "digraph toy { one -> two }"},
-                              {"toy_stage_1.dot", "digraph toy { three -> four }"}});
+  const auto drawings =
+      draw({{"toy.dot", "digraph toy { one -> two }"}, {"toy_stage_1.dot", "digraph toy { three -> four }"}});
   ASSERT_EQ(drawings.size(), 2U);
   EXPECT_EQ(drawings[0].name, "toy.svg");
   EXPECT_NE(drawings[0].contents.find("<svg"), std::string::npos);
@@ -154,7 +191,7 @@ TEST(Draw, MakesAnSvgOfEverySchematic) {
 }
 
 TEST(Draw, NothingToDrawGivesNothing) {
-  EXPECT_TRUE(draw({{"toy.v", ""}}).empty());
+  EXPECT_TRUE(draw({}).empty());
 }
 
 TEST(Draw, TextThatIsNoGraphRejected) {

@@ -36,7 +36,7 @@ std::string replayed(const ScratchFolder& folder, const std::string& design) {
 }
 
 void write_design(const ScratchFolder& folder, const DesignFormat& d) {
-  write_files(folder.path(), emit(d.found(), d.parsed(), Library::thesis(), d.pipeline()));
+  write_files(folder.path(), emit(d.found(), d.parsed(), Library::thesis(), d.pipeline()).files());
 }
 
 void write_int_slabs(const ScratchFolder& folder, hls::IntBits bits) {

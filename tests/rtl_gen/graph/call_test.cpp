@@ -38,11 +38,35 @@ TEST(Call, ToTheSameUnitWithTheSameOperandsIsOneNode) {
   const NodeId x = g.input("x", 4, false);
   const NodeId y = g.input("y", 3, false);
   const NodeId first = g.call(less_twice(), std::array{x, y});
-  EXPECT_EQ(g.call(less_twice(), std::array{x, y}), first) << "a unit is known by its body's name";
+  EXPECT_EQ(g.call(less_twice(), std::array{x, y}), first) << "an equal unit of the same name is the same";
   EXPECT_NE(g.call(less_twice(), std::array{x, g.slice(x, 2, 0)}), first);
   EXPECT_NE(g.call(less_twice("other"), std::array{x, y}), first);
   ASSERT_EQ(g.units().size(), 2U);
   EXPECT_EQ(g.unit_of(first)->body.name(), "less_twice");
+}
+
+TEST(Call, ToADifferentUnitOfTheSameNameIsRejected) {
+  Graph g("caller");
+  const NodeId x = g.input("x", 4, false);
+  const NodeId y = g.input("y", 3, false);
+  const std::array operands{x, y};
+  g.call(less_twice(), operands);
+  const auto said = [&](const std::shared_ptr<const Unit>& unit) {
+    return message_of<std::invalid_argument>([&] { g.call(unit, operands); });
+  };
+  const std::string rejected = "graph caller: two different units have the name less_twice";
+
+  Graph more("less_twice");
+  const NodeId a = more.input("a", 4, false);
+  const NodeId b = more.input("b", 3, false);
+  more.output("r", more.binary(Op::add, a, more.concat(b, more.constant(1, 0))));
+  EXPECT_EQ(said(std::make_shared<const Unit>(Unit{"int_subtract", 4, more})), rejected) << "another body";
+  EXPECT_EQ(said(std::make_shared<const Unit>(Unit{"fp_subtract", 4, less_twice()->body})), rejected)
+      << "another component";
+  EXPECT_EQ(said(std::make_shared<const Unit>(Unit{"int_subtract", 5, less_twice()->body})), rejected)
+      << "another width";
+  EXPECT_EQ(said(less_twice()), "no exception") << "the same, traced again";
+  EXPECT_EQ(g.units().size(), 1U);
 }
 
 TEST(Call, PrintsItsUnitBelow) {

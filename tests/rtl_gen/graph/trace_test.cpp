@@ -168,12 +168,21 @@ TEST(Signal, NamesLandOnTheValue) {
   EXPECT_EQ(graph[next.id()].source.line, graph[sum.id()].source.line + 1);
 }
 
-TEST(SourceLine, PathsStartAtHls) {
+TEST(SourceLine, OfTheProjectStartsAtHls) {
   EXPECT_EQ(source_line("/any/where/hls/pipelines/toy.hpp", 33).file, "hls/pipelines/toy.hpp");
   EXPECT_EQ(source_line("hls/pipelines/toy.hpp", 33).file, "hls/pipelines/toy.hpp");
   EXPECT_EQ(source_line("/home/hls/work/hls/num/toy.hpp", 33).file, "hls/num/toy.hpp");
-  EXPECT_EQ(source_line("/any/where/toy.hpp", 33).file, "/any/where/toy.hpp") << "not in hls/: left alone";
+  EXPECT_EQ(source_line("../hls/num/toy.hpp", 33).file, "hls/num/toy.hpp");
   EXPECT_EQ(source_line("hls/toy.hpp", 33).line, 33U);
+}
+
+TEST(SourceLine, OfAnyOtherSourceIsItsLastTwoComponents) {
+  EXPECT_EQ(source_line("/home/somebody/designs/toy.hpp", 33).file, "designs/toy.hpp");
+  EXPECT_EQ(source_line("/home/hls/work/secret/toy.hpp", 33).file, "secret/toy.hpp");
+  EXPECT_EQ(source_line("/home/myhls/num/toy.hpp", 33).file, "num/toy.hpp");
+  EXPECT_EQ(source_line("/toy.hpp", 33).file, "toy.hpp");
+  EXPECT_EQ(source_line("toy.hpp", 33).file, "toy.hpp");
+  EXPECT_EQ(source_line("", 33).file, "");
 }
 
 TEST(Tracer, TheInnerOneRecordsUntilItEnds) {

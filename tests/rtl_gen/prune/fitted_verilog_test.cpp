@@ -6,6 +6,7 @@
 #include "rtl_gen/prune/check_block.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/prune/all_ports.hpp"
 #include "tests/rtl_gen/prune/compare.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
@@ -33,12 +34,12 @@ std::string vector_line(const std::vector<Port>& ports, const std::vector<std::u
 /// Of a design fitted to the last demand set, "all of these", with its check block.
 class Fitted {
  public:
-  Fitted(const DesignFormat& d, bool keep_ports)
+  Fitted(const DesignFormat& d, bool all_ports)
       : design(d.found()),
         format(d.parsed()),
         ports(input_ports(design.trace(format))),
         demands(demand_sets(design, format).back().demands),
-        graph(prune(design.trace(format), demands, {.keep_ports = keep_ports, .shares = false}).graph),
+        graph(fitted_graph(all_ports)),
         left(input_ports(graph)) {}
 
   /// name.v, and in tb/ a testbench for so many vectors.
@@ -71,8 +72,14 @@ class Fitted {
   const Format format;
   const std::vector<Port> ports;
   const Demands demands;
-  const Graph graph;
+  const Graph graph;  ///< with `all_ports`, behind the ports of the whole design
   const std::vector<Port> left;
+
+ private:
+  [[nodiscard]] Graph fitted_graph(bool all_ports) const {
+    Graph fitted = prune(design.trace(format), demands, {.shares = false}).graph;
+    return all_ports ? with_all_ports(fitted, ports) : fitted;
+  }
 };
 
 void compile(const ScratchFolder& folder, const std::string& name) {
@@ -92,8 +99,8 @@ class FittedVerilog : public testing::TestWithParam<DesignFormat> {
 };
 
 TEST_P(FittedVerilog, EveryToolIsSilent) {
-  for (const bool keep_ports : {false, true}) {
-    const Fitted fitted(GetParam(), keep_ports);
+  for (const bool all_ports : {false, true}) {
+    const Fitted fitted(GetParam(), all_ports);
     fitted.write(folder, 1);
     write_text(folder / "outside.v", check_module("outside", fitted.demands, fitted.ports));
     const auto expect_silence = [&](const std::string& program, const std::string& arguments) {
@@ -101,7 +108,7 @@ TEST_P(FittedVerilog, EveryToolIsSilent) {
       EXPECT_EQ(result.status, 0);
       EXPECT_EQ(result.output, "") << program << ' ' << arguments;
     };
-    const std::string define = keep_ports ? "" : "-DHITPIPE_CHECK ";
+    const std::string define = all_ports ? "" : "-DHITPIPE_CHECK ";
     expect_silence("verilator", "--lint-only -Wall -DHITPIPE_CHECK " + name + ".v");
     expect_silence("iverilog", "-g2001 -Wall " + define + "-o design " + name + ".v");
     expect_silence("yosys", "-q -p 'read_verilog " + define + name + ".v; hierarchy -check -top " + name +
@@ -113,9 +120,9 @@ TEST_P(FittedVerilog, EveryToolIsSilent) {
 }
 
 TEST_P(FittedVerilog, AnswersInIcarusAsTheUnfittedCpp) {
-  for (const bool keep_ports : {false, true}) {
+  for (const bool all_ports : {false, true}) {
     Seeded random(23);
-    const Fitted fitted(GetParam(), keep_ports);
+    const Fitted fitted(GetParam(), all_ports);
     fitted.write(folder, vector_count);
     fitted.write_vectors(folder, fitted.drawn(random, vector_count));
     compile(folder, name);

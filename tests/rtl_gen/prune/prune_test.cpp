@@ -12,6 +12,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/graph/recipe.hpp"
 #include "tests/rtl_gen/message_of.hpp"
+#include "tests/rtl_gen/prune/all_ports.hpp"
 #include "tests/rtl_gen/prune/compare.hpp"
 #include "tests/rtl_gen/prune/random_demands.hpp"
 
@@ -36,9 +37,9 @@ TEST_P(PrunedDesign, AnswersAsTheUnfittedOne) {
   std::size_t hits = 0;
   const std::vector<DemandSet> sets = demand_sets(design, format);
   for (const DemandSet& set : sets) {
-    for (const bool keep_ports : {false, true}) {
-      const Pruned pruned = prune(traced, set.demands, {.keep_ports = keep_ports, .shares = false});
-      const Comparison found = compare(design, format, set.demands, pruned.graph, vectors, random);
+    const Graph fitted = prune(traced, set.demands, {.shares = false}).graph;
+    for (const Graph& graph : {fitted, with_all_ports(fitted, input_ports(traced))}) {
+      const Comparison found = compare(design, format, set.demands, graph, vectors, random);
       ASSERT_EQ(found.mismatch, "") << set.name;
       compared += found.vectors;
       hits += found.hits;
@@ -67,8 +68,11 @@ TEST_P(PrunedDesign, ByWhatItsPortsPromiseAnywayIsAsItWas) {
 
 TEST_P(PrunedDesign, IsAFixedPoint) {
   for (const DemandSet& set : demand_sets(design, format)) {
-    const Graph once = prune(traced, set.demands, {.keep_ports = true, .shares = false}).graph;
-    const Graph twice = prune(once, set.demands, {.keep_ports = true, .shares = false}).graph;
+    const auto pruned = [&](const Graph& graph) {
+      return with_all_ports(prune(graph, set.demands, {.shares = false}).graph, input_ports(traced));
+    };
+    const Graph once = pruned(traced);
+    const Graph twice = pruned(once);
     EXPECT_EQ(to_text(once), to_text(twice)) << set.name;
   }
 }

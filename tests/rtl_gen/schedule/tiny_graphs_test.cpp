@@ -276,5 +276,12 @@ TEST(AsStated, StageBeyondTheLastRejected) {
             "tiny: a node states stage 3 of 2");
 }
 
+TEST(AsStated, IsVerified) {
+  Tiny t;
+  t.g.output("o", t.a);
+  EXPECT_EQ(message_of<std::logic_error>([&] { static_cast<void>(schedule_as_stated(t.g, 0)); }),
+            "tiny: illegal schedule: 0 stages, at least 1 is needed");
+}
+
 }  // namespace
 }  // namespace hitpipe::rtl

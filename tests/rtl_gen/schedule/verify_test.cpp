@@ -65,6 +65,28 @@ TEST_F(DamagedSchedule, NodeBeforeTheFirstStageRejected) {
                     "m starts in stage 0 but reads b, which is there in stage 1"}));
 }
 
+TEST(Verify, NodeBeforeItsStatedStageRejected) {
+  const Library library = unit_library();
+  Graph g("stated");
+  const NodeId a = g.input("a", 1, false);
+  const NodeId b = g.input("b", 1, false);
+  g.begin_stage(2);
+  const NodeId gate = g.binary(Op::bit_and, a, b);
+  g.annotate(gate, "gate", {});
+  g.output("o", gate);
+  Schedule s = schedule_asap(g, library);
+  EXPECT_EQ(s.slots[gate].stage, 2);
+  EXPECT_EQ(verify(g, library, s), Broken{});
+  s.slots[gate].stage = s.slots[gate].finish = 1;
+  EXPECT_EQ(verify(g, library, s), Broken{"gate starts in stage 1 but states stage 2"});
+}
+
+TEST_F(DamagedSchedule, NoStagesRejected) {
+  s.stages = 0;
+  EXPECT_EQ(broken(), (Broken{"0 stages, at least 1 is needed",
+                              "output o is latched in stage 0 but h is there in stage 4"}));
+}
+
 TEST_F(DamagedSchedule, CombinationalNodeOverTwoStagesRejected) {
   s.slots[gate].finish = 5;
   s.stages = 5;
@@ -118,6 +140,57 @@ TEST_F(DamagedSchedule, ArrivalTimesAreNotTakenOnTrust) {
 TEST_F(DamagedSchedule, OutputLatchedBeforeItsValueRejected) {
   s.stages = 3;
   EXPECT_EQ(broken(), Broken{"output o is latched in stage 3 but h is there in stage 4"});
+}
+
+/// p = a - b (stage 1), q = p + b (stage 2, as it states), r = q + p (stage 2).
+class DamagedStatedSchedule : public testing::Test {
+ protected:
+  DamagedStatedSchedule() {
+    p = g.binary(Op::sub, a, b);
+    g.annotate(p, "p", {});
+    g.begin_stage(2);
+    q = g.binary(Op::add, p, b);
+    g.annotate(q, "q", {});
+    g.begin_stage(1);
+    r = g.binary(Op::add, q, p);
+    g.annotate(r, "r", {});
+    g.output("o", r);
+    s = schedule_as_stated(g, 2);
+  }
+  [[nodiscard]] Broken broken() const { return verify_stated(g, s); }
+  void move(NodeId node, int stage) { s.slots[node].stage = s.slots[node].finish = stage; }
+
+  Graph g{"damaged"};
+  NodeId a = g.input("a", 8, true);
+  NodeId b = g.input("b", 8, true);
+  NodeId p = no_node;
+  NodeId q = no_node;
+  NodeId r = no_node;
+  Schedule s;
+};
+
+TEST_F(DamagedStatedSchedule, UndamagedIsLegal) {
+  EXPECT_EQ(broken(), Broken{});
+}
+
+TEST_F(DamagedStatedSchedule, NodeBeforeItsStatedStageRejected) {
+  move(q, 1);
+  EXPECT_EQ(broken(), Broken{"q starts in stage 1 but states stage 2"});
+}
+
+TEST_F(DamagedStatedSchedule, NodeBeforeItsOperandRejected) {
+  move(r, 1);
+  EXPECT_EQ(broken(), Broken{"r starts in stage 1 but reads q, which is there in stage 2"});
+}
+
+TEST_F(DamagedStatedSchedule, NodeOverTwoStagesRejected) {
+  s.slots[p].finish = 2;
+  EXPECT_EQ(broken(), Broken{"p has 0 internal stages but occupies stages 1 to 2"});
+}
+
+TEST_F(DamagedStatedSchedule, OutputBeforeItsValueRejected) {
+  s.stages = 1;
+  EXPECT_EQ(broken(), Broken{"output o is latched in stage 1 but r is there in stage 2"});
 }
 
 TEST(Verify, AcceptsLegalSchedulesThatNobodyWouldMake) {

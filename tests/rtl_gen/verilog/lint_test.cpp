@@ -11,8 +11,9 @@ namespace {
 class Lint : public testing::TestWithParam<DesignFormat> {
  protected:
   void SetUp() override {
-    write_files(folder.path(),
-                emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline()));
+    write_files(
+        folder.path(),
+        emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline()).files());
   }
   void expect_silence(const std::string& package, const std::string& program, const std::string& arguments) {
     const ToolResult result = run_tool(folder.path(), package, program, arguments);
@@ -46,7 +47,7 @@ class LintOfADamagedDesign : public testing::Test {
  protected:
   void damage(const std::string& good, const std::string& bad) {
     const Pipeline pipeline = int_slabs_pipeline({6, 6});
-    std::string text = emit(find_design("int_slabs"), {6, 6}, Library::thesis(), pipeline).front().contents;
+    std::string text = emit(find_design("int_slabs"), {6, 6}, Library::thesis(), pipeline).verilog.contents;
     const std::size_t at = text.find(good);
     ASSERT_NE(at, std::string::npos);
     write_text(folder / "int_slabs.v", text.replace(at, good.size(), bad));

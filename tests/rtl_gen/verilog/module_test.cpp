@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/graph/trace.hpp"
 #include "rtl_gen/schematic/dot.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/verilog/toy.hpp"
@@ -193,16 +194,29 @@ TEST(Verilog, ComponentsOfOneShapeAreOneModule) {
   EXPECT_EQ(std::distance(std::sregex_iterator(text.begin(), text.end(), instance), {}), 6);
 }
 
+TEST(Verilog, NamesASourceOutsideTheProjectWithoutItsMachine) {
+  Graph graph("outside");
+  {
+    const Tracer tracer(graph);
+    const auto a = Signal<4, true>::from(graph.input("a", 4, true));
+    const auto b = Signal<4, true>::from(graph.input("b", 4, true));
+    graph.output("hit", as("below", Signal<1, false>(a < b), "/home/somebody/designs/toy.hpp", 7).id());
+  }
+  const std::string text = to_verilog(make_pipeline(graph, unit_library()), unit_library());
+  EXPECT_NE(text.find(", designs/toy.hpp:7\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("somebody"), std::string::npos) << text;
+}
+
 class EmittedFiles : public testing::TestWithParam<DesignFormat> {
  protected:
-  [[nodiscard]] static std::vector<File> emitted() {
+  [[nodiscard]] static EmittedDesign emitted() {
     return emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline());
   }
 };
 
 TEST_P(EmittedFiles, AreTheSameEachTime) {
-  const auto first = emitted();
-  const auto second = emitted();
+  const std::vector<File> first = emitted().files();
+  const std::vector<File> second = emitted().files();
   const std::size_t groups = stage_groups(GetParam().pipeline()).size();
   ASSERT_EQ(first.size(), 6 + groups) << "six files, and a schematic for each group of stages";
   ASSERT_EQ(first.size(), second.size());
@@ -216,15 +230,15 @@ TEST_P(EmittedFiles, AreTheSameEachTime) {
 TEST_P(EmittedFiles, NameNoAbsolutePath) {
   const std::regex absolute("(^|[^A-Za-z0-9_./])/[A-Za-z0-9_.-]+/");
   ASSERT_TRUE(std::regex_search("reg x;  // stage 1, /home/me/hls/pipelines/x.hpp:3", absolute));
-  for (const File& file : emitted()) {
+  for (const File& file : emitted().files()) {
     std::smatch found;
     EXPECT_FALSE(std::regex_search(file.contents, found, absolute)) << file.name << ": " << found.str();
   }
 }
 
 TEST_P(EmittedFiles, NameTheLinesOfTheCpp) {
-  const auto files = emitted();
-  EXPECT_NE(files.front().contents.find(", hls/pipelines/" + GetParam().design + ".hpp:"), std::string::npos);
+  EXPECT_NE(emitted().verilog.contents.find(", hls/pipelines/" + GetParam().design + ".hpp:"),
+            std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, EmittedFiles, testing::ValuesIn(every_design()), design_suffix);

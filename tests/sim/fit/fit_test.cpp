@@ -36,15 +36,15 @@ struct World {
   ref::SceneDemands demands;
 };
 
-std::map<std::string, std::string> by_name(const std::vector<rtl::File>& files) {
+std::map<std::string, std::string> by_name(const rtl::EmittedDesign& emitted) {
   std::map<std::string, std::string> found;
-  for (const rtl::File& file : files) found[file.name] = file.contents;
+  for (const rtl::File& file : emitted.files()) found[file.name] = file.contents;
   return found;
 }
 
 CosimResult run(const FittedUnit& unit, const World& world, const World& fitted_to) {
   const VerilatedDesign verilated(*unit.design, unit.format, unit.pipeline,
-                                  fitted_files(unit, library()).front().contents);
+                                  fitted_files(unit, library()).verilog.contents);
   const OperandGuard guard(unit.demands, unit.ports);
   return cosimulate(*unit.design, unit.format, verilated, world.scene, world.bvh,
                     {.width = World::width,
@@ -163,11 +163,13 @@ TEST(FittedFiles, ListTheDemandsAndCheckThem) {
   const World world(ref::flat_hills());
   const Precision precision{.bits = {12, 12}, .coarse = {{0, 3, 1}}};
   const FittedUnit unit = fit(rtl::find_design("int_slabs"), {12, 12}, precision, world.demands, library());
-  const auto files = by_name(fitted_files(unit, library()));
-  EXPECT_EQ(rtl::demands_of_manifest(files.at("int_slabs.json")), unit.demands);
-  EXPECT_THAT(files.at("int_slabs.v"), HasSubstr("`ifdef HITPIPE_CHECK"));
+  const rtl::EmittedDesign emitted = fitted_files(unit, library());
+  EXPECT_EQ(rtl::demands_of_manifest(emitted.manifest.contents), unit.demands);
+  EXPECT_THAT(emitted.verilog.contents, HasSubstr("`ifdef HITPIPE_CHECK"));
+  ASSERT_TRUE(emitted.check_module.has_value());
+  EXPECT_EQ(emitted.check_module->name, "int_slabs_check.v");
   for (const rtl::PortDemand& demand : unit.demands.ports)
-    EXPECT_THAT(files.at("int_slabs_check.v"), HasSubstr(demand.port));
+    EXPECT_THAT(emitted.check_module->contents, HasSubstr(demand.port));
 }
 
 TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
@@ -175,7 +177,7 @@ TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
   const Precision precision{.bits = {12, 12}, .coarse = {{0, 3, 1}}};
   const FittedUnit unit = fit(rtl::find_design("int_slabs"), {12, 12}, precision, world.demands, library());
   const rtl::ScratchFolder folder;
-  rtl::write_files(folder.path(), fitted_files(unit, library()));
+  rtl::write_files(folder.path(), fitted_files(unit, library()).files());
   const rtl::ToolResult compiled =
       rtl::run_tool(folder / "tb", "iverilog", "iverilog",
                     "-g2001 -Wall -DHITPIPE_CHECK -o tb int_slabs_tb.v ../int_slabs.v ../int_slabs_check.v");

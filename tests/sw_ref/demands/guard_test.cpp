@@ -37,9 +37,6 @@ class GuardOfStairs : public testing::Test {
   [[nodiscard]] std::string ray(RayKind kind, const Ray& ray) const {
     return said([&] { check_ray(demands_, kind, ray); });
   }
-  [[nodiscard]] std::string scene(const SceneDemands& other) const {
-    return said([&] { check_scene(demands_, other); });
-  }
 
   Scene scene_ = stairs_along_one_class();
   SceneDemands demands_ = demands_by_view(scene_);
@@ -48,7 +45,6 @@ class GuardOfStairs : public testing::Test {
 
 TEST_F(GuardOfStairs, TakesWhatIsDemanded) {
   EXPECT_EQ(ray(RayKind::primary, good_), "");
-  EXPECT_EQ(scene(demands_), "");
 }
 
 TEST_F(GuardOfStairs, SeesAKindOfRayThatWasNotToCome) {
@@ -82,32 +78,6 @@ TEST_F(GuardOfStairs, SeesAnEndThatIsMissingOrNotWanted) {
   demands_.finite = false;
   good_.length = 1.0F;
   EXPECT_THAT(ray(RayKind::primary, good_), HasSubstr("a ray with an end"));
-}
-
-TEST_F(GuardOfStairs, SeesAnotherScene) {
-  EXPECT_THAT(scene(demands_by_view(demanding_octahedron())), HasSubstr("primary ray with "));
-  SceneDemands other = demands_;
-  other.rays.push_back(other.rays.front());
-  other.rays.back().kind = RayKind::secondary;
-  EXPECT_THAT(scene(other), HasSubstr("secondary rays"));
-  other = demands_;
-  other.boxes.max.z = 1.0F;
-  EXPECT_THAT(scene(other), HasSubstr("box.z = 1, demanded is "));
-  other = demands_;
-  other.smallest_extent.x *= 0.5F;
-  EXPECT_THAT(scene(other), HasSubstr("wide along x, demanded is at least "));
-  other = demands_;
-  ++other.deepest;
-  EXPECT_THAT(scene(other), HasSubstr("levels, demanded are at most "));
-  other = demands_;
-  ++other.most_in_leaf;
-  EXPECT_THAT(scene(other), HasSubstr("triangles in a leaf, demanded are at most "));
-  SceneDemands narrow = demands_;
-  narrow.infinite = false;
-  EXPECT_THAT(said([&] { check_scene(narrow, demands_); }), HasSubstr("rays without an end"));
-  narrow = demands_;
-  narrow.finite = false;
-  EXPECT_THAT(said([&] { check_scene(narrow, demands_); }), HasSubstr("rays with an end"));
 }
 
 }  // namespace
