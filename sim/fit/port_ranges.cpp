@@ -91,7 +91,7 @@ std::optional<IrdvcRanges> int_irdvc(const ref::SceneDemands& scene, int axis, i
     const double smallest_least = *std::min_element(r.least.begin(), r.least.end());
     const std::int64_t most = scaled_up(smallest_most, r.least[i], limit);
     const std::int64_t least = scaled_down(smallest_least, r.most[i], limit);
-    // The bound away from 0 is at least 1, whatever the scale: int_ray.cpp.
+    // The bound away from 0 is at least 1, whatever the scale: int_slabs_ray.cpp.
     const rtl::Interval outer{std::max<std::int64_t>(1, least), std::max<std::int64_t>(1, most)};
     const rtl::Interval inner{least, most};
     if (family.direction.min[axis] > 0.0F) {

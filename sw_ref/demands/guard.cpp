@@ -44,7 +44,7 @@ void check_family(const SceneDemands& demands, RayKind kind, const Aabb& origin,
 
 }  // namespace
 
-void check_ray(const SceneDemands& demands, RayKind kind, const Ray& ray) {
+void check_ray_against(const SceneDemands& demands, RayKind kind, const Ray& ray) {
   if (ray.is_infinite() ? !demands.infinite : !demands.finite)
     fail(fmt::format("a ray {} an end", ray.is_infinite() ? "without" : "with"));
   check_family(demands, kind, {ray.origin, ray.origin}, {ray.direction, ray.direction});

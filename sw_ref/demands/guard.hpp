@@ -7,7 +7,7 @@
 namespace hitpipe::ref {
 
 /// Throws std::out_of_range, one line that names the demand, for a ray that is none of the demanded ones.
-void check_ray(const SceneDemands& demands, RayKind kind, const Ray& ray);
+void check_ray_against(const SceneDemands& demands, RayKind kind, const Ray& ray);
 
 /// Throws likewise when `scene` asks for more than `fitted`: another kind of ray, origins, directions or
 /// boxes outside, smaller boxes, a deeper hierarchy, a larger leaf.

@@ -1,5 +1,5 @@
 // Nodes in binary64 (section 5.7): 56 bytes, the box an exact copy of the padded binary32 box, so that
-// whatever holds for the plain nodes holds for these. A NodeStore (sw_ref/traverse/node_store.hpp).
+// whatever holds for the plain nodes holds for these. A NodeStore (sw_ref/encode/node_store.hpp).
 #pragma once
 
 #include <cstddef>

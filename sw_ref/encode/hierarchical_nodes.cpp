@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sw_ref/traverse/node_store.hpp"
+#include "sw_ref/encode/node_store.hpp"
 
 namespace hitpipe::ref {
 namespace {

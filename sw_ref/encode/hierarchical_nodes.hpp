@@ -1,6 +1,6 @@
 // Nodes whose boxes are stored in a few bits relative to the parent's decoded box (sections 5.2 to 5.4):
 // 8 bytes a node with 4 bits, 12 with 8, 16 with 12, 20 with 16. A NodeStore
-// (sw_ref/traverse/node_store.hpp): a node carries its decoded box, from which its children are decoded. Each
+// (sw_ref/encode/node_store.hpp): a node carries its decoded box, from which its children are decoded. Each
 // decoded box contains the plain one, checked for every node when it is encoded. With `lut` codes become
 // floats by table (section 5.4). The root's parent is the cube of hierarchical_frame; no decoded coordinate
 // is beyond +-(1 + 2^-13).

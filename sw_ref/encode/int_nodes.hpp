@@ -1,7 +1,7 @@
 // Nodes of the integer hierarchy (chapter 6): boxes on the n-bit grid (sw_ref/quantise/int_box.hpp), packed
 // without a gap as Table 6.1 counts them: six n-bit coordinates, then count and pointer of 4 bytes each.
 // 20, 23, 26 bytes with n = 16, 20, 24; ceil(6n / 8) + 8 with any n of 6..32. A coarse axis's coordinates
-// take n - k bits each. A NodeStore (sw_ref/traverse/node_store.hpp). Coordinates lie in a row, least
+// take n - k bits each. A NodeStore (sw_ref/encode/node_store.hpp). Coordinates lie in a row, least
 // significant bit first: x, y, z of min, then of max, two's complement.
 #pragma once
 

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 
 #include "sw_ref/encode/hierarchical_nodes.hpp"
+#include "sw_ref/encode/plain_nodes.hpp"
 #include "sw_ref/experiment/metric.hpp"
 #include "sw_ref/experiment/paging.hpp"
 #include "sw_ref/experiment/printed.hpp"
 #include "sw_ref/experiment/recording.hpp"
 #include "sw_ref/experiment/tables.hpp"
 #include "sw_ref/experiment/test_scene.hpp"
-#include "sw_ref/traverse/plain_nodes.hpp"
 #include "sw_ref/traverse/plucker.hpp"
 #include "sw_ref/traverse/store_tracer.hpp"
 
@@ -37,9 +37,9 @@ struct Paged {
 template <class Store>
 Paged run(const Scene& scene, const Bvh& bvh, const Store& store, const std::vector<RecordedBatch>& batches,
           int bundle, std::uint64_t unit_pages, const std::function<void()>& step) {
-  using SetUp = SetUpTest<Plucker<float>>;
-  const SetUp set_up;
-  const TraceWith<Store, SetUp> with{store, set_up,
+  using Maker = TestMaker<Plucker<float>>;
+  const Maker make_test;
+  const TraceWith<Store, Maker> with{store, make_test,
                                      Leaves{scene.mesh, bvh.order, leaf_test(TriangleTest::binary32)},
                                      ChildOrder::by_direction, bundle};
   Paged result;

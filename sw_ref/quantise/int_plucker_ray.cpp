@@ -43,7 +43,7 @@ namespace {
 
 __extension__ using Int128 = __int128;
 
-constexpr std::string_view who = "IntPluckerSetup";
+constexpr std::string_view who = "IntPluckerRaySetup";
 
 /// M = 2^(n-1) - 1.
 constexpr std::uint64_t direction_limit(int coord_bits) {
@@ -81,7 +81,8 @@ std::int64_t grid_floor_of_sum(float o, float t, float d, int coord_bits, bool n
 
 }  // namespace
 
-IntPluckerSetup::IntPluckerSetup(const Ray& ray, hls::IntBits bits) : exact_(ray), coord_bits_(bits.coord) {
+IntPluckerRaySetup::IntPluckerRaySetup(const Ray& ray, hls::IntBits bits)
+    : exact_(ray), coord_bits_(bits.coord) {
   check_format(bits, who);
   check_ray(ray, who);
   for (int axis = 0; axis < 3; ++axis) {
@@ -93,7 +94,7 @@ IntPluckerSetup::IntPluckerSetup(const Ray& ray, hls::IntBits bits) : exact_(ray
   ray_.end = endpoint(ray.length);
 }
 
-void IntPluckerSetup::set_direction() {
+void IntPluckerRaySetup::set_direction() {
   const glm::vec3& d = exact_.direction;
   const Binary32 largest = decode(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}));
   for (int axis = 0; axis < 3; ++axis) {
@@ -112,7 +113,7 @@ void IntPluckerSetup::set_direction() {
   }
 }
 
-IntEndpoint IntPluckerSetup::endpoint(float length) const {
+IntEndpoint IntPluckerRaySetup::endpoint(float length) const {
   check_length(length, who);
   const IntEndpoint nowhere{ray_.origin, true};
   if (std::isinf(length)) {

@@ -27,11 +27,11 @@ struct IntPluckerRay {
 };
 
 /// Sets a ray up for an n/t unit; t plays no part.
-class IntPluckerSetup {
+class IntPluckerRaySetup {
  public:
   /// Needs an acceptable ray (see box_referee.hpp) and a valid format. Throws std::out_of_range for an origin
   /// outside [-1, 1]^3, std::invalid_argument for anything else.
-  IntPluckerSetup(const Ray& ray, hls::IntBits bits);
+  IntPluckerRaySetup(const Ray& ray, hls::IntBits bits);
 
   [[nodiscard]] const IntPluckerRay& ray() const { return ray_; }
 

@@ -1,6 +1,6 @@
 // The integer Pluecker box test (section 6.3.2) for any n/t of run time, in 64-bit words: the same HIT as the
 // datapath of hls/pipelines/int_plucker.hpp. Takes boxes of the n-bit grid (sw_ref/quantise/int_box.hpp); a
-// BoxTest (sw_ref/traverse/node_store.hpp).
+// BoxTest (sw_ref/traverse/box_test.hpp).
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace hitpipe::ref {
 /// Differences have n - 1 bits and a sign, n <= 32, as have directions: products stay below 2^62.
 class IntPluckerTest {
  public:
-  /// Throws as IntPluckerSetup and coarse_origin() do.
+  /// Throws as IntPluckerRaySetup and coarse_origin() do.
   IntPluckerTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse = {});
 
   /// `length` >= 0, or infinite.
@@ -73,17 +73,17 @@ class IntPluckerTest {
 
   void set_end(const IntEndpoint& end);
 
-  IntPluckerSetup set_up_;
+  IntPluckerRaySetup set_up_;
   std::array<Axis, 3> axes_{};
   int trimmed_;
   std::int64_t edge_bound_;
 };
 
 /// A functor that sets a test up for a ray.
-class IntPluckerSetUp {
+class IntPluckerTestMaker {
  public:
   /// Throws std::invalid_argument for a format that is no integer unit's, or more dropped bits than it has.
-  explicit IntPluckerSetUp(hls::IntBits bits, const CoarseAxes& coarse = {});
+  explicit IntPluckerTestMaker(hls::IntBits bits, const CoarseAxes& coarse = {});
 
   [[nodiscard]] IntPluckerTest operator()(const Ray& ray) const { return {ray, bits_, coarse_}; }
 

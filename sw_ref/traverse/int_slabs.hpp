@@ -1,6 +1,6 @@
 // The integer slabs box test (section 6.2.2) for any n/t of run time, in 64-bit words: the same HIT as the
 // datapath of hls/pipelines/int_slabs.hpp. Takes boxes of the n-bit grid (sw_ref/quantise/int_box.hpp); a
-// BoxTest (sw_ref/traverse/node_store.hpp).
+// BoxTest (sw_ref/traverse/box_test.hpp).
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 #include "sw_ref/geometry/ray.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 
 namespace hitpipe::ref {
 
 /// Differences have n - 1 bits and a sign, n <= 32, as have IRDVCs: products stay below 2^62.
 class IntSlabsTest {
  public:
-  /// Throws as IntRaySetup and coarse_origin() do.
+  /// Throws as IntSlabsRaySetup and coarse_origin() do.
   IntSlabsTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse = {});
 
   /// `length` >= 0, or infinite.
@@ -48,17 +48,17 @@ class IntSlabsTest {
     bool backward;  ///< the floor bound is negative
   };
 
-  IntRaySetup set_up_;
+  IntSlabsRaySetup set_up_;
   std::array<Axis, 3> axes_{};
   int trimmed_;
   std::int64_t length_ = 0;
 };
 
 /// A functor that sets a test up for a ray.
-class IntSlabsSetUp {
+class IntSlabsTestMaker {
  public:
   /// Throws std::invalid_argument for a format that is no integer unit's, or more dropped bits than it has.
-  explicit IntSlabsSetUp(hls::IntBits bits, const CoarseAxes& coarse = {});
+  explicit IntSlabsTestMaker(hls::IntBits bits, const CoarseAxes& coarse = {});
 
   [[nodiscard]] IntSlabsTest operator()(const Ray& ray) const { return {ray, bits_, coarse_}; }
 

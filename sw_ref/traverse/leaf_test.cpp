@@ -28,9 +28,9 @@ std::uint32_t test_ray(const Mesh& mesh, std::span<const std::uint32_t> triangle
 }
 
 template <class Triangle>
-LeafTests test_bundle(const Mesh& mesh, std::span<const std::uint32_t> triangles, BundledRay* rays,
-                      RayNumbers numbers, Query query) {
-  LeafTests sum;
+LeafCounts test_bundle(const Mesh& mesh, std::span<const std::uint32_t> triangles, BundledRay* rays,
+                       RayNumbers numbers, Query query) {
+  LeafCounts sum;
   for (const std::uint32_t index : triangles) {
     if (numbers.empty()) break;
     const Triangle triangle(mesh, index);

@@ -27,7 +27,7 @@ struct BundledRay {
 /// Numbers of rays of a bundle.
 using RayNumbers = std::span<std::uint16_t>;
 
-struct LeafTests {
+struct LeafCounts {
   std::uint64_t tests = 0;
   std::uint32_t loaded = 0;  ///< of the leaf's triangles, the first so many
 };
@@ -38,8 +38,8 @@ struct LeafTest {
                        Query query, Hit& best);
   /// Each triangle is loaded once and tested with all rays named in `numbers`; with Query::any a ray drops
   /// out of them when it is hit.
-  LeafTests (*bundle)(const Mesh& mesh, std::span<const std::uint32_t> triangles, BundledRay* rays,
-                      RayNumbers numbers, Query query);
+  LeafCounts (*bundle)(const Mesh& mesh, std::span<const std::uint32_t> triangles, BundledRay* rays,
+                       RayNumbers numbers, Query query);
 };
 
 [[nodiscard]] const LeafTest& leaf_test(TriangleTest test);

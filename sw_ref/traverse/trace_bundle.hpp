@@ -96,7 +96,7 @@ class BundleTrace {
                  TraceCounts& counts) {
     const auto triangles = leaves_.triangles(first_triangle, count);
     const std::span<std::uint16_t> numbers(&numbers_[first], last - first);
-    const LeafTests tests = leaves_.test.bundle(leaves_.mesh, triangles, rays_.data(), numbers, query_);
+    const LeafCounts tests = leaves_.test.bundle(leaves_.mesh, triangles, rays_.data(), numbers, query_);
     tell_loads(observer_, triangles.first(tests.loaded));
     counts.triangles_loaded += tests.loaded;
     counts.triangle_tests += tests.tests;

@@ -107,7 +107,7 @@ class Traversal {
   std::array<std::uint32_t, stack_size> stack_;  // only [0, top_] is ever read, and so only that is set
 };
 
-/// One ray from root to answer with a box test set up for it: BoxTest(ray), see node_store.hpp.
+/// One ray from root to answer with a box test set up for it: BoxTest(ray), see box_test.hpp.
 template <class BoxTest>
 Hit trace(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query, TraversalCounts& counts) {
   BoxTest test(ray);

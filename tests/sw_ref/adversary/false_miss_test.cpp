@@ -17,7 +17,7 @@
 #include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sw_ref/adversary/halved.hpp"
 
 namespace hitpipe::ref {
@@ -54,7 +54,7 @@ void set_box(Operands& in, const IntBox& box) {
 template <class F>
 struct Slabs {
   static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
-    const IntRay ray = IntRaySetup(exact, F::bits).ray();
+    const IntSlabsRay ray = IntSlabsRaySetup(exact, F::bits).ray();
     const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
     EXPECT_TRUE(fits(box, origin, F::coord)) << to_text(exact);
     hls::IntSlabsOperands<hls::Native, F> in;
@@ -77,7 +77,7 @@ struct Slabs {
 template <class F>
 struct Plucker {
   static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
-    const IntPluckerRay ray = IntPluckerSetup(exact, F::bits).ray();
+    const IntPluckerRay ray = IntPluckerRaySetup(exact, F::bits).ray();
     const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
     EXPECT_TRUE(fits(box, origin, F::coord)) << to_text(exact);
     hls::IntPluckerOperands<hls::Native, F> in;
@@ -131,7 +131,7 @@ struct Judged {
 };
 
 bool fits(const Case& c, const Unit& unit) {
-  const IntOrigin origin = IntRaySetup(c.ray, unit.bits).ray().origin;
+  const IntOrigin origin = IntSlabsRaySetup(c.ray, unit.bits).ray().origin;
   return fits_grid(origin, quantise_box(c.box, unit.bits.coord), unit.coarse, unit.bits.coord);
 }
 

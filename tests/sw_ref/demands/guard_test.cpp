@@ -35,7 +35,7 @@ SceneDemands demands_by_view(const Scene& scene) {
 class GuardOfStairs : public testing::Test {
  protected:
   [[nodiscard]] std::string ray(RayKind kind, const Ray& ray) const {
-    return said([&] { check_ray(demands_, kind, ray); });
+    return said([&] { check_ray_against(demands_, kind, ray); });
   }
   [[nodiscard]] std::string scene(const SceneDemands& other) const {
     return said([&] { check_scene(demands_, other); });

@@ -14,7 +14,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/traverse/plain_nodes.hpp"
+#include "sw_ref/encode/plain_nodes.hpp"
 #include "sw_ref/traverse/slabs.hpp"
 #include "sw_ref/traverse/trace_batch.hpp"
 #include "sw_ref/traverse/traversal.hpp"

@@ -1,4 +1,4 @@
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,11 +34,11 @@ constexpr std::int64_t irdvc_limit(int coord_bits) {
   return (std::int64_t{1} << (coord_bits - 1)) - 1;
 }
 
-constexpr std::string_view set_up_name = "IntRaySetup";
+constexpr std::string_view set_up_name = "IntSlabsRaySetup";
 
 }  // namespace
 
-IntRaySetup::IntRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bits) {
+IntSlabsRaySetup::IntSlabsRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bits) {
   check_format(bits, set_up_name);
   check_ray(ray, set_up_name);
   for (int axis = 0; axis < 3; ++axis) {
@@ -51,7 +51,7 @@ IntRaySetup::IntRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bits) {
   ray_.length = length(ray.length);
 }
 
-void IntRaySetup::set_irdvcs(const Ray& ray) {
+void IntSlabsRaySetup::set_irdvcs(const Ray& ray) {
   const std::int64_t limit = irdvc_limit(bits_.coord);
   const float smallest =
       std::min({std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z)});
@@ -84,7 +84,7 @@ void IntRaySetup::set_irdvcs(const Ray& ray) {
   length_exponent_ = least.exponent;
 }
 
-std::int64_t IntRaySetup::length(float length) const {
+std::int64_t IntSlabsRaySetup::length(float length) const {
   check_length(length, set_up_name);
   const Uint128 largest = (Uint128{1} << (2 * bits_.coord - 2)) - 1;
   Uint128 full = largest;

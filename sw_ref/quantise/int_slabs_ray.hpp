@@ -11,24 +11,24 @@
 
 namespace hitpipe::ref {
 
-struct IntRay {
+struct IntSlabsRay {
   std::array<std::int32_t, 3> origin{};       ///< n bits, |.| <= G = 2^(n-2) - 1
   std::array<std::int32_t, 3> irdvc_floor{};  ///< n bits, |.| <= M = 2^(n-1) - 1
   std::array<std::int32_t, 3> irdvc_ceil{};   ///< n bits, |.| <= M; floor or floor + 1
   std::int64_t length = 0;                    ///< trimmed to t - 1 bits, >= 0
   bool infinite = false;                      ///< the unit then ignores `length`, the largest there is
 
-  friend bool operator==(const IntRay&, const IntRay&) = default;
+  friend bool operator==(const IntSlabsRay&, const IntSlabsRay&) = default;
 };
 
 /// Sets a ray up for an n/t unit.
-class IntRaySetup {
+class IntSlabsRaySetup {
  public:
   /// Needs an acceptable ray (see box_referee.hpp) and 6 <= n <= 32, 6 <= t <= 2n-1. Throws std::out_of_range
   /// for an origin outside [-1, 1]^3, std::invalid_argument for anything else.
-  IntRaySetup(const Ray& ray, hls::IntBits bits);
+  IntSlabsRaySetup(const Ray& ray, hls::IntBits bits);
 
-  [[nodiscard]] const IntRay& ray() const { return ray_; }
+  [[nodiscard]] const IntSlabsRay& ray() const { return ray_; }
 
   /// The trimmed length if the same ray ended at `length` >= 0, or infinite. Throws std::invalid_argument
   /// otherwise.
@@ -39,7 +39,7 @@ class IntRaySetup {
 
   void set_irdvcs(const Ray& ray);
 
-  IntRay ray_;
+  IntSlabsRay ray_;
   hls::IntBits bits_;
   // scale * G = length_factor_ * 2^length_exponent_; 0 with an infinitesimal scale.
   Uint128 length_factor_ = 0;  // < 2^85

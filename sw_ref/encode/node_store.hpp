@@ -1,4 +1,4 @@
-// What the traversal loops ask of a store of nodes, whatever its encoding, and of a box test.
+// What the traversal loops ask of a store of nodes, whatever its encoding.
 #pragma once
 
 #include <concepts>
@@ -20,14 +20,6 @@ concept NodeStore = requires(const S& store, const typename S::Node& node, unsig
   { store.index(node) } -> std::same_as<std::uint32_t>;  // of the node, 0 is the root
   { store.size() } -> std::same_as<std::size_t>;
   { S::bytes_per_node } -> std::convertible_to<std::size_t>;
-};
-
-/// Set up for one ray by a functor of (const Ray&). cut(length): from now on a box that the ray only enters
-/// beyond t = length need not be a hit.
-template <class T, class Box>
-concept BoxTest = requires(T test, const T& asked, const Box& box, float length) {
-  test.cut(length);
-  { asked(box) } -> std::same_as<bool>;
 };
 
 }  // namespace hitpipe::ref
