@@ -27,7 +27,7 @@ float subnormal(Random& random) {
 Case at_ties(Random& random) {
   const int n = std::array{6, 7, 8, 12, 16, 20, 24}[random.below(7)];
   const auto unit = static_cast<float>(grid_scale(n));
-  const int limit = (1 << (n - 1)) - 1;
+  const auto limit = static_cast<int>(direction_limit(n));
   const int largest = random.axis();
   Case c;
   for (int axis = 0; axis < 3; ++axis) {
@@ -72,7 +72,7 @@ void mirror(Case& c, int axis) {
 Case across_the_cube(Random& random) {
   const int n = std::array{12, 16, 20, 24}[random.below(4)];
   const auto unit = static_cast<double>(grid_scale(n));
-  const int limit = (1 << (n - 1)) - 1;
+  const auto limit = static_cast<int>(direction_limit(n));
   const int up = random.axis();
   const int down = (up + random.between(1, 2)) % 3;
   const int largest = 3 - up - down;

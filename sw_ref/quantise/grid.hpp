@@ -23,6 +23,12 @@ namespace hitpipe::ref {
   return std::int64_t{1} << (coord_bits - 2);
 }
 
+/// M = 2^(n-1) - 1 = G + (G + 1): the largest n-bit word. No difference between a box coordinate and a ray
+/// origin exceeds it, and the set-ups scale directions and inverse directions to it.
+[[nodiscard]] constexpr std::int64_t direction_limit(int coord_bits) {
+  return (std::int64_t{1} << (coord_bits - 1)) - 1;
+}
+
 enum class Half : int { down = -1, up = 1 };
 
 /// Up to this n, G x has 29 + 24 bits at most: an exact double.

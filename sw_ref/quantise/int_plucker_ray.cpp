@@ -45,11 +45,6 @@ __extension__ using Int128 = __int128;
 
 constexpr std::string_view who = "IntPluckerRaySetup";
 
-/// M = 2^(n-1) - 1.
-constexpr std::uint64_t direction_limit(int coord_bits) {
-  return (std::uint64_t{1} << (coord_bits - 1)) - 1;
-}
-
 /// mantissa * 2^exponent in units of 2^-90, rounded down; exact unless exponent < -90.
 Int128 fixed_point(Int128 mantissa, int exponent) {
   const int shift = exponent + 90;
@@ -96,6 +91,7 @@ IntPluckerRaySetup::IntPluckerRaySetup(const Ray& ray, hls::IntBits bits)
 
 void IntPluckerRaySetup::set_direction() {
   const glm::vec3& d = exact_.direction;
+  const auto limit = static_cast<std::uint64_t>(direction_limit(coord_bits_));
   const Binary32 largest = decode(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}));
   for (int axis = 0; axis < 3; ++axis) {
     // |e| = M m / (m_largest 2^k), to nearest, ties away from zero: mirrored rays have mirrored directions.
@@ -103,7 +99,7 @@ void IntPluckerRaySetup::set_direction() {
     const int k = largest.exponent - parts.exponent;
     std::uint64_t magnitude = 0;
     if (k < 33) {
-      const std::uint64_t twice = 2 * direction_limit(coord_bits_) * parts.mantissa;  // < 2^56
+      const std::uint64_t twice = 2 * limit * parts.mantissa;  // < 2^56
       const std::uint64_t denominator = std::uint64_t{largest.mantissa} << k;         // < 2^57
       magnitude = (twice + denominator) / (2 * denominator);
     }

@@ -29,11 +29,6 @@ namespace hitpipe::ref {
 
 namespace {
 
-/// M = 2^(n-1) - 1: the IRDVC of the smallest direction component.
-constexpr std::int64_t irdvc_limit(int coord_bits) {
-  return (std::int64_t{1} << (coord_bits - 1)) - 1;
-}
-
 constexpr std::string_view set_up_name = "IntSlabsRaySetup";
 
 }  // namespace
@@ -52,7 +47,7 @@ IntSlabsRaySetup::IntSlabsRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bi
 }
 
 void IntSlabsRaySetup::set_irdvcs(const Ray& ray) {
-  const std::int64_t limit = irdvc_limit(bits_.coord);
+  const std::int64_t limit = direction_limit(bits_.coord);
   const float smallest =
       std::min({std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z)});
   const bool infinitesimal_scale = smallest == 0.0F;
