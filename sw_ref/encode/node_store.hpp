@@ -1,4 +1,4 @@
-// What the traversal loops ask of a store of nodes, whatever its encoding.
+// What the traversal loops require of a store of nodes in any encoding.
 #pragma once
 
 #include <concepts>
@@ -7,8 +7,9 @@
 
 namespace hitpipe::ref {
 
-/// Node names a node and carries what its children need to be decoded: an index for plain nodes, the decoded
-/// box too for nodes that are stored relative to their parent. Each child() is one load from memory.
+/// Node identifies a node and carries what is needed to decode its children: an index for plain nodes, and
+/// also the decoded box for nodes that are stored relative to their parent. Each child() is one load from
+/// memory.
 template <class S>
 concept NodeStore = requires(const S& store, const typename S::Node& node, unsigned which) {
   typename S::Box;  // what a box test takes

@@ -22,18 +22,18 @@
 namespace hitpipe::ref {
 namespace {
 
-/// Memory as a share of all that the binary32 form takes. The thesis's machine held the 8-bit form and not
-/// the other.
+/// Memory as a share of what the binary32 form needs. The memory of the thesis's machine held the 8-bit form
+/// but not the binary32 form.
 constexpr std::array memory_percents{95, 90, 80, 60, 40};
 
 struct Paged {
   RenderCounts counts;
   std::array<std::uint64_t, memory_percents.size()> faults{};
   std::uint64_t bytes = 0;  ///< of the nodes
-  std::uint64_t pages = 0;  ///< that were read from
+  std::uint64_t pages = 0;  ///< pages that were read
 };
 
-/// unit_pages: what memory_percents are shares of; 0: the pages that this store reads from.
+/// memory_percents are shares of unit_pages; 0 means the pages that this store reads.
 template <class Store>
 Paged run(const Scene& scene, const Bvh& bvh, const Store& store, const std::vector<RecordedBatch>& batches,
           int bundle, std::uint64_t unit_pages, const std::function<void()>& step) {

@@ -1,4 +1,4 @@
-// What the traversal loops ask of a box test.
+// What the traversal loops require of a box test.
 #pragma once
 
 #include <concepts>

@@ -10,9 +10,9 @@ namespace hitpipe::ref {
 
 static_assert(BoxTest<IntSlabsTest, IntBox>);
 
-// The datapath compares near with far, far with 0 and, unless the ray is infinite, near with the length. Far
-// >= 0, near <= far and near <= length together say max(near, 0) <= min(far, length), as length >= 0; an
-// infinite ray has the longest length there is.
+// The datapath compares near with far, far with 0 and, unless the ray is infinite, near with the length. As
+// length >= 0, far >= 0, near <= far and near <= length together mean max(near, 0) <= min(far, length). An
+// infinite ray has the longest possible length.
 
 IntSlabsTest::IntSlabsTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse)
     : set_up_(ray, bits), trimmed_(bits.trimmed()) {

@@ -5,7 +5,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// The exact test in the form of the others: it has no set-up that rays could share.
+/// The exact test with the interface of the others. It has no set-up that rays could share.
 class ExactTriangle {
  public:
   ExactTriangle(const Mesh& mesh, std::uint32_t triangle) : mesh_(mesh), index_(triangle) {}

@@ -31,7 +31,7 @@ namespace hitpipe::ref {
   return algorithm == Algorithm::plu || algorithm == Algorithm::plu_dsa;
 }
 
-/// Makes a box test that needs nothing but the ray.
+/// Makes a box test from the ray alone.
 template <class Test>
 struct TestMaker {
   [[nodiscard]] Test operator()(const Ray& ray) const { return Test(ray); }
@@ -70,20 +70,20 @@ class StoreTracer final : public Tracer {
   bool ends_;
 };
 
-/// With a box test that needs nothing but the ray.
+/// A tracer with a box test that is made from the ray alone.
 template <class Test, class Store>
 [[nodiscard]] std::unique_ptr<Tracer> store_tracer(Store store, const TracerParts& parts) {
   return std::make_unique<StoreTracer<Store, TestMaker<Test>>>(std::move(store), TestMaker<Test>{}, parts);
 }
 
-/// With slabs or Pluecker in T.
+/// A tracer with slabs or Pluecker in T.
 template <class T, class Store>
 [[nodiscard]] std::unique_ptr<Tracer> float_tracer(Store store, const TracerParts& parts) {
   if (is_plucker(parts.options.algorithm)) return store_tracer<Plucker<T>>(std::move(store), parts);
   return store_tracer<Slabs<T>>(std::move(store), parts);
 }
 
-/// Over binary32 boxes with whichever arithmetic is asked for.
+/// A tracer over binary32 boxes, with the arithmetic of the options.
 template <class Store>
 [[nodiscard]] std::unique_ptr<Tracer> any_float_tracer(Store store, const TracerParts& parts) {
   switch (parts.options.arithmetic) {

@@ -1,5 +1,6 @@
-// A batch of rays, one by one or in bundles, over a store of nodes with a box test. A template over all
-// parts: who wants to watch the loads (out-of-core model, section 5.8) calls it with an observer of his own.
+// Traces a batch of rays, one by one or in bundles, over a store of nodes with a box test. It is a template
+// over all parts. To watch the loads, as the out-of-core model does (section 5.8), call it with an observer
+// of your own.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +19,8 @@ namespace hitpipe::ref {
 
 enum class ChildOrder : std::uint8_t { fixed, by_direction, by_distance };
 
-/// `make_test(ray)` makes the box test of a ray. Bundles are for tests that allow them and not for
-/// by_distance.
+/// `make_test(ray)` makes the box test of a ray. Bundles need a test that allows them, and an order other
+/// than by_distance.
 template <class Store, class Maker>
 struct TraceWith {
   const Store& store;
@@ -27,13 +28,13 @@ struct TraceWith {
   Leaves leaves;
   ChildOrder order;
   int bundle;
-  bool ends = true;  ///< as TracerOptions
+  bool ends = true;  ///< as in TracerOptions
 };
 
 template <class Maker>
 using BoxTestOf = std::invoke_result_t<const Maker&, const Ray&>;
 
-/// Box tests that tell the distance at which a ray enters a box.
+/// Box tests that give the distance at which a ray enters a box.
 template <class Test, class Box>
 concept HasDistance = requires(const Test& test, const Box& box, typename Test::Distance& distance) {
   { test.enters(box, distance) } -> std::same_as<bool>;
@@ -69,7 +70,7 @@ void trace_singly(const TraceWith<Store, Maker>& with, const TraceJob& job, Trac
   }
 }
 
-/// Rays first..first + count of the job, which become one bundle per direction class among them.
+/// Traces the rays first..first + count of the job, as one bundle for each direction class that they have.
 template <class Store, class Maker, class Observer>
 void trace_bundles(const TraceWith<Store, Maker>& with, const TraceJob& job, std::size_t first,
                    std::size_t count, TraceCounts& counts, Observer& observer) {
@@ -82,7 +83,7 @@ void trace_bundles(const TraceWith<Store, Maker>& with, const TraceJob& job, std
     classes[i] = static_cast<unsigned char>(ray_class);
     present |= 1U << ray_class;
   }
-  // Not initialised: only as many as there are rays.
+  // The memory is not initialised; only as many elements are made as there are rays.
   alignas(Test) std::array<std::byte, sizeof(Test) * largest_bundle> test_memory;
   alignas(BundledRay) std::array<std::byte, sizeof(BundledRay) * largest_bundle> ray_memory;
   Test* const tests = reinterpret_cast<Test*>(test_memory.data());
