@@ -32,7 +32,7 @@ std::string outside(const Aabb& outer, const Aabb& inner, const char* what) {
 /// Throws unless one demanded family of this kind contains all these rays. The message is about the last
 /// family.
 void check_family(const SceneDemands& demands, RayKind kind, const Aabb& origin, const Aabb& direction) {
-  std::string reason = fmt::format("{} rays, of which there were to be none", name_of(kind));
+  std::string reason = fmt::format("{} rays; the demands allow none", name_of(kind));
   for (const RayFamily& family : demands.rays) {
     if (family.kind != kind) continue;
     reason = outside(family.origin, origin, "origin");

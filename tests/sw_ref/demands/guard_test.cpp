@@ -1,4 +1,4 @@
-// Every kind of violated demand is seen, and named in one line.
+// Every kind of violated demand is found and named in one line.
 #include "sw_ref/demands/guard.hpp"
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// What is said; empty when nothing is thrown.
+/// The message; empty if nothing is thrown.
 std::string said(const std::function<void()>& check) {
   try {
     check();
@@ -52,7 +52,7 @@ TEST_F(GuardOfStairs, TakesWhatIsDemanded) {
 }
 
 TEST_F(GuardOfStairs, SeesAKindOfRayThatWasNotToCome) {
-  EXPECT_THAT(ray(RayKind::secondary, good_), HasSubstr("secondary rays, of which there were to be none"));
+  EXPECT_THAT(ray(RayKind::secondary, good_), HasSubstr("secondary rays; the demands allow none"));
   demands_.rays.pop_back();
   EXPECT_THAT(ray(RayKind::shadow, good_), HasSubstr("shadow rays, of which there were to be none"));
 }

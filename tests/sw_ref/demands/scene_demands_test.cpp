@@ -1,4 +1,4 @@
-// What a scene demands: nothing that its rays and boxes are not, and less where the scene has less.
+// What a scene demands: its rays and boxes meet the demands, and a scene with less demands less.
 #include "sw_ref/demands/scene_demands.hpp"
 
 #include <bit>

@@ -41,7 +41,7 @@ oracle::Integer expected_direction(const Ray& ray, int axis, int n) {
   return ray.direction[axis] < 0 ? oracle::Integer(-magnitude) : magnitude;
 }
 
-/// Section 6.3.1 written out; `rounded` is the set-up's direction.
+/// Section 6.3.1 in rational numbers; `rounded` is the direction of the set-up.
 IntEndpoint expected_end(const Ray& ray, float length, int n, const IntPluckerRay& set_up) {
   const IntEndpoint nowhere{set_up.origin, true};
   if (std::isinf(length)) return nowhere;
@@ -93,7 +93,8 @@ TEST(IntPluckerRaySetup, IsTheRationalForEveryWidthAndCategory) {
 }
 
 TEST(IntPluckerRaySetup, EndpointIsTheRationalForAnyExponents) {
-  // Where the sum's terms lie far apart, cancel, or both lie below the fixed point's last bit.
+  // Cases in which the terms of the sum lie far apart, cancel, or are both below the last bit of the fixed
+  // point.
   Random random(seed + 1);
   int run = 0;
   int ends = 0;
@@ -107,7 +108,7 @@ TEST(IntPluckerRaySetup, EndpointIsTheRationalForAnyExponents) {
     }
     ray.length = std::abs(random.coin() ? random.signed_unit() : random.of_exponent(-149, low));
     if (random.below(3) == 0) {
-      // Ends at the axis' zero, or an ulp beside it.
+      // The ray ends where the axis is 0, or an ulp from there.
       const int axis = random.axis();
       ray.length = std::ldexp(1.0F, -random.between(0, 20));
       ray.direction[axis] = -ray.origin[axis] / ray.length;
@@ -150,7 +151,8 @@ TEST(IntPluckerRaySetup, EndpointIsRoundedOutwardAlongTheRay) {
 }
 
 TEST(IntPluckerRaySetup, NegativeComponentRoundedToZeroEndsWhereItStarts) {
-  // The class is plus, the ray goes down from 1.5 to 1.0 in x: what the unit compares must not be below 1.5.
+  // The class is plus, but the ray goes down from 1.5 to 1.0 in x. The end that the unit compares must not be
+  // below 1.5.
   const Ray ray{{0.1F, 0, 0}, {-0.0333F, 0, 1}, 1};
   const IntPluckerRay steep = IntPluckerRaySetup(ray, {6, 6}).ray();
   EXPECT_EQ(steep.direction, (Triple{-1, 0, 31}));

@@ -1,4 +1,4 @@
-// Integer ray set-up against rational arithmetic for every n, and each trap of a careless set-up by name.
+// Integer ray set-up against rational arithmetic for every n, with a test for each trap of a careless set-up.
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 
 #include <algorithm>
@@ -183,7 +183,7 @@ TEST(IntSlabsRaySetup, ShortenedLengthIsThatOfAFreshSetup) {
   EXPECT_EQ(run, 2'000 * static_cast<int>(cases::categories.size()));
 }
 
-// What plain binary32 code would give, to show that the exact set-up is needed and not only neat.
+// The results of plain binary32 code, which show that the exact set-up is needed.
 
 struct Bounds {
   std::array<std::int64_t, 3> low;
@@ -221,7 +221,7 @@ TEST(IntSlabsRaySetup, Binary32SetupIsNoBoundWhereOursIs) {
   constexpr int count = 100'000;
   struct Row {
     int n;
-    int at_least;  // of `count`: half of what was measured first, 0.15 %, 2.4 %, 35 %
+    int at_least;  // of `count`: half of the first measurements, 0.15 %, 2.4 %, 35 %
   };
   for (const Row& row : {Row{16, 75}, Row{20, 1'200}, Row{24, 17'500}}) {
     Random random(seed + 4);

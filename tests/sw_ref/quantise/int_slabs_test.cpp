@@ -1,5 +1,5 @@
-// Quantisation judged by its purpose: an integer slabs test of plain words (section 6.2.2) on quantised rays
-// and boxes never misses what the exact referee calls a hit, in any category and format.
+// Tests the purpose of quantisation: an integer slabs test in plain words (section 6.2.2) on quantised rays
+// and boxes never misses a hit of the exact referee, in any category and format.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -82,7 +82,8 @@ TEST_P(IntSlabs, NeverMissesWhatTheRefereeHits) {
     std::printf("%9d %9d %9d  %s\n", run, hits, false_hits, category.name);
     EXPECT_EQ(run, cases_per_category);
     EXPECT_GT(hits, cases_per_category / 50) << category.name;
-    // An always-hit unit would pass the above: with 12 bits and more few random misses may pass as hits.
+    // A unit that always hits would pass the checks above. So with 12 bits and more only few random misses
+    // may count as hits.
     if (category.make == cases::random_case && bits.coord >= 12 && bits.interval >= 12) {
       EXPECT_LT(false_hits, cases_per_category / 100);
     }
@@ -105,7 +106,7 @@ TEST(IntSlabs, ZeroComponentLeavesAOneAxisTest) {
   };
   EXPECT_TRUE(hit({{-0.1F, 0.2F, 0.1F}, {0.1F, 0.4F, 0.2F}}));      // hit
   EXPECT_TRUE(hit({{-0.1F, -0.9F, -0.9F}, {0.1F, -0.8F, -0.8F}}));  // behind the origin, but in the slab of x
-  EXPECT_FALSE(hit({{0.05F, 0.2F, 0.1F}, {0.1F, 0.4F, 0.2F}}));     // beside the slab of x
+  EXPECT_FALSE(hit({{0.05F, 0.2F, 0.1F}, {0.1F, 0.4F, 0.2F}}));     // outside the slab of x
 }
 
 }  // namespace

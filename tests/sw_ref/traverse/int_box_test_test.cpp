@@ -1,5 +1,5 @@
-// The integer box tests of run-time n/t say what the datapaths of hls/ say: on every category of the
-// adversary, on boxes drawn near the ray on the grid, and after a cut; on coarser axes too.
+// The integer box tests with run-time n/t answer as the datapaths of hls/ do: on every category of the
+// adversary, on random boxes near the ray on the grid, after a cut, and on coarser axes.
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -30,7 +30,8 @@ using hls::IntFormat;
 
 constexpr std::uint64_t seed = 20046;
 constexpr int rays_per_category = 500;
-constexpr int boxes_per_ray = 8;  ///< the first is the case's own, for the ray as it comes and cut
+constexpr int boxes_per_ray =
+    8;  ///< the first is the case's own, tested with the original ray and the cut ray
 constexpr int vectors = 27 * rays_per_category * boxes_per_ray * 2;
 
 template <class Operands>
