@@ -65,8 +65,8 @@ void integer_test(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs));
 }
-BENCHMARK(integer_test<ref::IntSlabsSetUp>)->ArgName("hits")->Arg(0)->Arg(50)->Arg(100);
-BENCHMARK(integer_test<ref::IntPluckerSetUp>)->ArgName("hits")->Arg(0)->Arg(50)->Arg(100);
+BENCHMARK(integer_test<ref::IntSlabsTestMaker>)->ArgName("hits")->Arg(0)->Arg(50)->Arg(100);
+BENCHMARK(integer_test<ref::IntPluckerTestMaker>)->ArgName("hits")->Arg(0)->Arg(50)->Arg(100);
 
 /// A complete tree of 12 levels: each child takes most of its parent.
 ref::Bvh tree() {

@@ -13,7 +13,7 @@
 #include "sw_ref/exact/box_referee.hpp"
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 
 namespace {
 
@@ -120,20 +120,20 @@ void quantise_box(benchmark::State& state) {
 }
 BENCHMARK(quantise_box);
 
-void int_ray_setup(benchmark::State& state) {
+void int_slabs_ray_setup(benchmark::State& state) {
   const std::vector<ref::Ray> rays = random_rays();
   for (auto _ : state) {
     for (const ref::Ray& ray : rays) {
-      const ref::IntRaySetup setup(ray, hls::IntBits{24, 24});
+      const ref::IntSlabsRaySetup setup(ray, hls::IntBits{24, 24});
       benchmark::DoNotOptimize(setup.ray().length);
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(case_count));
 }
-BENCHMARK(int_ray_setup);
+BENCHMARK(int_slabs_ray_setup);
 
-void int_ray_length(benchmark::State& state) {
-  const ref::IntRaySetup setup(random_rays().front(), hls::IntBits{24, 24});
+void int_slabs_ray_length(benchmark::State& state) {
+  const ref::IntSlabsRaySetup setup(random_rays().front(), hls::IntBits{24, 24});
   Random random(seed);
   std::uniform_real_distribution<float> value(0, 2);
   std::vector<float> lengths(case_count);
@@ -147,6 +147,6 @@ void int_ray_length(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(case_count));
 }
-BENCHMARK(int_ray_length);
+BENCHMARK(int_slabs_ray_length);
 
 }  // namespace

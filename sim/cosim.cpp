@@ -114,7 +114,7 @@ class Tile {
   std::optional<RayJob> next(CosimResult& counts) {
     while (const std::optional<ref::RayTask> task = next_task()) {
       if (frame_.options.scene_demands != nullptr)
-        ref::check_ray(*frame_.options.scene_demands, task->kind, task->ray);
+        ref::check_ray_against(*frame_.options.scene_demands, task->kind, task->ray);
       count_of(task->kind, counts) += 1;
       const std::uint32_t id = keep(*task);
       if (ref::acceptable(task->ray)) return RayJob{task->ray, task->query(), id};

@@ -1,4 +1,4 @@
-// How those who read and write files refuse: one line that says what is wrong, where, and what is allowed.
+// How readers and writers of files refuse: with one line that says what is wrong, where, and what is allowed.
 #pragma once
 
 #include <stdexcept>

@@ -30,7 +30,7 @@ class IntPluckerSetUp {
   }
 
  private:
-  ref::IntPluckerSetup set_up_;
+  ref::IntPluckerRaySetup set_up_;
 };
 
 ref::TracerOptions int_plucker_traversal(const rtl::Format& format) {

@@ -2,7 +2,7 @@
 #include "sim/designs/int_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 
 namespace hitpipe::sim {
 
@@ -21,7 +21,7 @@ class IntSlabsSetUp {
   [[nodiscard]] End end(float length) const { return set_up_.length(length); }
 
   void write(End irlen, bool rinf, const Box& box, std::int64_t* out) const {
-    const ref::IntRay& ray = set_up_.ray();
+    const ref::IntSlabsRay& ray = set_up_.ray();
     out = put(ray.origin, out);
     *out++ = irlen;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -33,7 +33,7 @@ class IntSlabsSetUp {
   }
 
  private:
-  ref::IntRaySetup set_up_;
+  ref::IntSlabsRaySetup set_up_;
 };
 
 ref::TracerOptions int_slabs_traversal(const rtl::Format& format) {

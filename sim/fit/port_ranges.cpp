@@ -12,11 +12,6 @@ namespace hitpipe::sim {
 
 namespace {
 
-/// M of sw_ref/quantise: the largest direction component and IRDVC.
-std::int64_t direction_limit(int coord_bits) {
-  return (std::int64_t{1} << (coord_bits - 1)) - 1;
-}
-
 /// Magnitudes of a family's direction components.
 struct Magnitudes {
   std::array<double, 3> least{};
@@ -79,7 +74,7 @@ Range int_box(const ref::SceneDemands& scene, int axis, int coord_bits, const re
 
 std::optional<IrdvcRanges> int_irdvc(const ref::SceneDemands& scene, int axis, int coord_bits) {
   if (!one_sided(scene, axis)) return std::nullopt;
-  const std::int64_t limit = direction_limit(coord_bits);
+  const std::int64_t limit = ref::direction_limit(coord_bits);
   const auto i = static_cast<std::size_t>(axis);
   Range floors;
   Range ceils;
@@ -91,7 +86,7 @@ std::optional<IrdvcRanges> int_irdvc(const ref::SceneDemands& scene, int axis, i
     const double smallest_least = *std::min_element(r.least.begin(), r.least.end());
     const std::int64_t most = scaled_up(smallest_most, r.least[i], limit);
     const std::int64_t least = scaled_down(smallest_least, r.most[i], limit);
-    // The bound away from 0 is at least 1, whatever the scale: int_ray.cpp.
+    // The bound away from 0 is at least 1, whatever the scale: int_slabs_ray.cpp.
     const rtl::Interval outer{std::max<std::int64_t>(1, least), std::max<std::int64_t>(1, most)};
     const rtl::Interval inner{least, most};
     if (family.direction.min[axis] > 0.0F) {
@@ -106,7 +101,7 @@ std::optional<IrdvcRanges> int_irdvc(const ref::SceneDemands& scene, int axis, i
 }
 
 Range int_direction(const ref::SceneDemands& scene, int axis, int coord_bits) {
-  const std::int64_t limit = direction_limit(coord_bits);
+  const std::int64_t limit = ref::direction_limit(coord_bits);
   Range range;
   for (const ref::RayFamily& family : scene.rays) {
     // M r_i / l, rounded to nearest, l the largest component's magnitude.

@@ -17,7 +17,7 @@ using Range = std::optional<rtl::Interval>;
                                const ref::CoarseAxes& coarse = {});
 [[nodiscard]] Range int_box(const ref::SceneDemands& scene, int axis, int coord_bits,
                             const ref::CoarseAxes& coarse = {});
-/// Bounds of the scaled inverse direction (int_ray.hpp), where no direction may be 0 along the axis.
+/// Bounds of the scaled inverse direction (int_slabs_ray.hpp), where no direction may be 0 along the axis.
 struct IrdvcRanges {
   rtl::Interval floor;
   rtl::Interval ceil;

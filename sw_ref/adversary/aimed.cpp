@@ -9,7 +9,7 @@ Aabb any_box(Random& random) {
   return random.coin() ? coarse_box(random) : sized_box(random);
 }
 
-/// A box without extent on `flat` axes, with a ray through one of its points.
+/// A box without extent on `flat` axes, and a ray through one of its points.
 Case degenerate(Random& random, int flat) {
   Aabb box = any_box(random);
   const int first = random.axis();

@@ -1,4 +1,4 @@
-// One ray and one box, as an adversary hands them to a ray-box test.
+// One ray and one box, made to break a ray-box test.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct Case {
   Aabb box;
 };
 
-/// All coordinates as hexadecimal floats: exact, and C++ reads them back.
+/// All coordinates as hexadecimal floats, which are exact and readable by C++.
 [[nodiscard]] std::string to_text(const Ray& ray);
 [[nodiscard]] std::string to_text(const Case& c);
 

@@ -1,5 +1,5 @@
-// Rays and boxes where ray-box tests break, by named category (sections 6.2 and 6.3): for tests and for
-// judging a design. Every case is one that the referee accepts (sw_ref/exact/box_referee.hpp).
+// Rays and boxes that are likely to break ray-box tests, by named category (sections 6.2 and 6.3). They serve
+// in tests and for judging a design. The referee accepts every case (sw_ref/exact/box_referee.hpp).
 #pragma once
 
 #include <span>

@@ -7,13 +7,13 @@
 namespace hitpipe::ref::adversary {
 namespace {
 
-/// A coordinate inside [low, high], at one of its ends, or an ulp beside it.
+/// A coordinate inside [low, high], at one of its ends, or an ulp from an end.
 float about(Random& random, float low, float high) {
   const float at = std::array{low, high, (low + high) / 2}[random.below(3)];
   return within_cube(nudged(at, random.between(-1, 1)));
 }
 
-/// A ray along one axis that starts about the box's slabs of the others.
+/// A ray along one axis that starts inside or near the box's slabs of the other axes.
 Case along_axis(Random& random, int moving) {
   Case c{.ray = {}, .box = coarse_box(random)};
   for (int axis = 0; axis < 3; ++axis) {
@@ -21,7 +21,7 @@ Case along_axis(Random& random, int moving) {
     c.ray.origin[axis] = moves ? random.coarse() : about(random, c.box.min[axis], c.box.max[axis]);
     c.ray.direction[axis] = moves ? random.sign() : random.signed_zero();
   }
-  // Mostly towards the box.
+  // Most of these rays go towards the box.
   if (random.below(4) != 0) {
     c.ray.direction[moving] = c.ray.origin[moving] < c.box.max[moving] ? 1.0F : -1.0F;
   }
@@ -42,7 +42,7 @@ Case axis_parallel(Random& random) {
 Case nearly_axis_parallel(Random& random) {
   const int moving = random.axis();
   Case c = along_axis(random, moving);
-  // An n-bit direction component rounds to zero below 1 / (2 M), M = 2^(n-1) - 1.
+  // An n-bit direction component below 1 / (2 M) rounds to zero (M is direction_limit()).
   const auto limit = static_cast<float>((std::int64_t{1} << (random.between(6, 32) - 1)) - 1);
   for (int axis = 0; axis < 3; ++axis) {
     if (axis == moving) continue;
@@ -90,7 +90,7 @@ Case stiff(Random& random) {
   c.ray.direction[fast] = random.sign() * std::ldexp(1.25F, exponent);
   c.ray.direction[middle] = random.of_exponent(0, 0) * std::ldexp(1.0F, exponent - random.between(0, ratio));
   c.ray.direction[slow] = random.of_exponent(0, 0) * std::ldexp(1.0F, exponent - ratio);
-  // Start so that the ray passes about a point of the box.
+  // Start so that the ray passes near a point of the box.
   const glm::vec3 target = point_of(random, c.box, random.between(0, 3));
   const float distance = std::abs(random.coarse());
   for (int axis = 0; axis < 3; ++axis) {

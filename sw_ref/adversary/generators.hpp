@@ -1,4 +1,4 @@
-// The generators behind the table of categories, by the file that holds them.
+// The generators in the table of categories, by the file that contains them.
 #pragma once
 
 #include "sw_ref/adversary/case.hpp"

@@ -27,15 +27,15 @@ float subnormal(Random& random) {
 Case at_ties(Random& random) {
   const int n = std::array{6, 7, 8, 12, 16, 20, 24}[random.below(7)];
   const auto unit = static_cast<float>(grid_scale(n));
-  const int limit = (1 << (n - 1)) - 1;
+  const auto limit = static_cast<int>(direction_limit(n));
   const int largest = random.axis();
   Case c;
   for (int axis = 0; axis < 3; ++axis) {
-    // Twice the component, an odd number as often as not; near the largest as often as not.
+    // Twice the component: odd half of the time, and near the largest half of the time.
     const int twice = random.coin() ? 2 * limit - random.between(1, 9) : random.between(0, 2 * limit);
     const auto component = static_cast<float>(axis == largest ? 2 * limit : twice);
     c.ray.direction[axis] = random.sign() * nudged(component, -random.between(0, 1));
-    // In units of the grid, at an integer or a tie; in the half of the cube that the ray comes from.
+    // The origin, in grid units, is at an integer or a tie, in the half of the cube that the ray comes from.
     const float start =
         std::round(unit * (1.0F - std::ldexp(std::abs(random.signed_unit()), -random.between(0, 4)))) -
         (random.coin() ? 0.5F : 0.0F);
@@ -46,7 +46,7 @@ Case at_ties(Random& random) {
   for (int axis = 0; axis < 3; ++axis) {
     const double step = along * c.ray.direction[axis] / (2.0 * limit);
     const float touch = within_cube(static_cast<float>(c.ray.origin[axis] + step));
-    // Put the plane where the ray is when it reaches a whole unit, as often as not.
+    // Half of the time, put the plane where the ray reaches a whole unit.
     const float plane = random.coin() ? touch : within_cube(std::round(touch * unit) / unit);
     const float extent = static_cast<float>(random.between(0, 2)) / unit;
     const bool above = random.coin();
@@ -57,7 +57,7 @@ Case at_ties(Random& random) {
   return c;
 }
 
-/// The ray and box seen in a mirror across the plane where that coordinate is 0.
+/// Mirrors ray and box in the plane where that coordinate is 0.
 void mirror(Case& c, int axis) {
   c.ray.origin[axis] = -c.ray.origin[axis];
   c.ray.direction[axis] = -c.ray.direction[axis];
@@ -66,21 +66,21 @@ void mirror(Case& c, int axis) {
   c.box.max[axis] = -low;
 }
 
-/// The worst that rounding can do to a side relation, an error of the direction times a distance: from one
-/// corner of the cube past an edge near the opposite one, with two components half a unit off, one up and one
-/// down, and the origin half a unit off on their axes, away from that edge.
+/// The worst effect of rounding on a side relation, which is an error of the direction times a distance. The
+/// ray goes from one corner of the cube past an edge near the opposite corner. Two of its components are half
+/// a unit off, one up and one down. On their axes the origin is also half a unit off, away from that edge.
 Case across_the_cube(Random& random) {
   const int n = std::array{12, 16, 20, 24}[random.below(4)];
   const auto unit = static_cast<double>(grid_scale(n));
-  const int limit = (1 << (n - 1)) - 1;
+  const auto limit = static_cast<int>(direction_limit(n));
   const int up = random.axis();
   const int down = (up + random.between(1, 2)) % 3;
   const int largest = 3 - up - down;
 
-  // In units of the grid, where M is the largest component. At the edge the ray has done 1 - lag / M of its
-  // direction: on the slower axis it gains slower * lag / M, at most 1/16, on whole units. That is to
-  // outweigh what the last bits of the coordinates take from it. The edge lies at ties, as the origin, or at
-  // whole units.
+  // Numbers are in grid units, where M is the largest component. At the edge the ray has covered 1 - lag / M
+  // of its direction, so on the slower axis it gains slower * lag / M, at most 1/16, over whole units. That
+  // must outweigh the effect of the last bits of the coordinates. The edge lies at ties, like the origin, or
+  // at whole units.
   const auto few = [&] { return random.between(0, limit / 128); };
   const int slower = 1 + few();
   const int lag = 2 + random.between(0, limit / 16) / slower;

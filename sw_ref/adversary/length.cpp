@@ -1,4 +1,4 @@
-// Where the ray ends: at the box, at once, or out of every range.
+// Cases by the end of the ray: at the box, at the origin, or out of range.
 #include <limits>
 
 #include "sw_ref/adversary/generators.hpp"
@@ -8,7 +8,8 @@ namespace hitpipe::ref::adversary {
 namespace {
 
 /// A ray that crosses the box's near or far plane on one axis, inside the face, and ends there within an ulp.
-/// Exact, if it is not turned: the plane is coarse and reached at a power of two.
+/// If it is not turned the end is exact, because the plane is coarse and the ray reaches it at a power of
+/// two.
 Case ending_at_plane(Random& random, bool entry) {
   Case c{.ray = {}, .box = coarse_box(random)};
   c.ray.origin = vector_of([&] { return random.coarse(); });
@@ -17,7 +18,7 @@ Case ending_at_plane(Random& random, bool entry) {
   float& low = c.box.min[axis];
   float& high = c.box.max[axis];
   const float plane = forward == entry ? low : high;
-  // The ray must start on the outer side of a plane of entry, on the inner side of a plane of exit.
+  // The ray must start on the outer side of a plane of entry, or on the inner side of a plane of exit.
   const float gap = static_cast<float>(random.between(1, 32)) * 0x1p-6F;
   c.ray.origin[axis] = std::clamp(forward ? plane - gap : plane + gap, -1.0F, 1.0F);
   glm::vec3 target = point_of(random, c.box, random.between(0, 2));
@@ -47,7 +48,7 @@ Case length_zero(Random& random) {
 Case length_subnormal(Random& random) {
   Case c = aimed_at(random, coarse_box(random), random.between(0, 3));
   if (random.coin()) c.ray.origin = point_of(random, c.box, random.between(0, 3));
-  // 2^126 |direction| and more: reaches the box at about 2^-126.
+  // Within a subnormal length only a direction of about 2^126 or more reaches the box.
   const float scale = std::ldexp(1.0F, random.coin() ? random.between(100, 118) : random.between(-20, 20));
   c.ray.direction *= scale;
   c.ray.length = std::abs(random.of_exponent(-149, -127));

@@ -11,14 +11,14 @@ namespace hitpipe::ref::adversary {
 
 namespace {
 
-// Runs once a test of a billion: half a draw for all choices, no library call, no branch on a random bit, and
-// as many boxes at a time as the compiler sees fit.
+// This runs for each of a billion tests. So half a random draw serves all choices, there is no library call
+// and no branch on a random bit, and the compiler can treat many boxes at a time.
 
 constexpr std::size_t at_a_time = 16;
 template <class T>
 using Each = std::array<T, at_a_time>;
 
-/// All ones where the condition holds.
+/// All ones if the condition holds, otherwise 0.
 std::uint32_t mask(bool condition) {
   return condition ? ~std::uint32_t{0} : 0;
 }
@@ -30,7 +30,7 @@ float chosen(std::uint32_t first, float a, float b) {
       chosen(first, std::bit_cast<std::uint32_t>(a), std::bit_cast<std::uint32_t>(b)));
 }
 
-/// `steps` binary32 values up or down; from a zero into the subnormals of that side.
+/// The value `steps` binary32 values up or down; from a zero into the subnormals of that side.
 float stepped(float x, std::uint32_t steps) {
   constexpr std::uint32_t sign = 0x80000000U;
   const auto bits = std::bit_cast<std::uint32_t>(x);
@@ -39,7 +39,7 @@ float stepped(float x, std::uint32_t steps) {
   return std::bit_cast<float>(chosen(mask(order >= sign), (0U - order) | sign, order));
 }
 
-/// What 32 random bits choose: a face, and where it goes.
+/// What 32 random bits choose: a face and its move.
 struct Moves {
   Each<std::uint32_t> face{};
   Each<std::uint32_t> opposite{};

@@ -1,4 +1,4 @@
-// Where the ray starts: in, on and in front of the box; and boxes about coordinate zero.
+// Cases by the start of the ray: in, on and in front of the box; and boxes around coordinate zero.
 #include "sw_ref/adversary/generators.hpp"
 #include "sw_ref/adversary/parts.hpp"
 

@@ -1,5 +1,6 @@
-// What the generators are made of: boxes, points on them, and rays through points. "Exactly" holds for coarse
-// coordinates, multiples of 2^-6: their differences are exact, and so is a direction made of them.
+// Building blocks of the generators: boxes, points on them, and rays through points. "Exactly" holds for
+// coarse coordinates, which are multiples of 2^-6: their differences are exact, and so is a direction made
+// from them.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 
 namespace hitpipe::ref::adversary {
 
-/// The binary32 `ulps` steps above a finite x; the zeros are one.
+/// The binary32 value `ulps` steps above a finite x; both zeros count as one value.
 inline float nudged(float x, int ulps) {
   if (ulps == 0) return x;
   const auto magnitude = static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(x) & 0x7FFFFFFFU);
@@ -45,7 +46,7 @@ inline Aabb coarse_box(Random& random) {
   return box_of([&] { return random.coarse(); });
 }
 
-/// Of any size from the whole cube down to 2^-20 of it, each axis for itself.
+/// A box of any size from the whole cube down to 2^-20 of it, for each axis separately.
 inline Aabb sized_box(Random& random) {
   Aabb box;
   for (int axis = 0; axis < 3; ++axis) {
@@ -57,8 +58,8 @@ inline Aabb sized_box(Random& random) {
   return box;
 }
 
-/// A point of the box, on a face of each of `fixed` axes and at a quarter of its extent on the others: exact
-/// for a coarse box.
+/// A point of the box that lies on a face on `fixed` axes, and at a quarter of the extent on the others. It
+/// is exact for a coarse box.
 inline glm::vec3 point_of(Random& random, const Aabb& box, int fixed) {
   glm::vec3 point;
   const int first = random.axis();
@@ -72,13 +73,13 @@ inline glm::vec3 point_of(Random& random, const Aabb& box, int fixed) {
   return point;
 }
 
-/// Replaces the zero vector, which is no direction, by an axis.
+/// Replaces a zero direction, which is not allowed, by an axis.
 inline void give_direction(Random& random, Ray& ray) {
   if (ray.direction == glm::vec3(0)) ray.direction[random.axis()] = random.sign();
 }
 
-/// Turns the ray towards the target, which it reaches at the returned t = 2^-k, exactly if origin and target
-/// are coarse.
+/// Turns the ray towards the target. The ray reaches it at the returned t = 2^-k, exactly if origin and
+/// target are coarse.
 inline float aim(Random& random, Ray& ray, const glm::vec3& target) {
   const int k = random.between(-8, 8);
   for (int axis = 0; axis < 3; ++axis) {
@@ -88,7 +89,7 @@ inline float aim(Random& random, Ray& ray, const glm::vec3& target) {
   return std::ldexp(1.0F, -k);
 }
 
-/// No end, just at the target or an ulp beside it, or beyond it.
+/// A length for a ray to a target: infinite, ending at the target or an ulp from it, or beyond it.
 inline float length_about(Random& random, float target) {
   switch (random.below(4)) {
     case 0:
@@ -112,7 +113,8 @@ inline void disturb(Random& random, Ray& ray) {
   }
 }
 
-/// A ray from anywhere through a point with `fixed` coordinates on faces of the box: exactly, or nearly.
+/// A ray from anywhere through a point with `fixed` coordinates on faces of the box, either exactly or
+/// nearly.
 inline Case aimed_at(Random& random, const Aabb& box, int fixed) {
   Case c{.ray = {}, .box = box};
   c.ray.origin = vector_of([&] { return random.coarse(); });

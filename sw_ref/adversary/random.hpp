@@ -1,5 +1,5 @@
-// A seeded engine without the distributions of the standard library: one program draws the same cases from a
-// seed wherever it runs.
+// A seeded random engine. It does not use the distributions of the standard library, so a seed gives the same
+// cases on every machine.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace hitpipe::ref::adversary {
 
 class Random {
  public:
-  /// The state is four draws of SplitMix64, as the authors of the engine advise: never all zero.
+  /// The state is four draws of SplitMix64, as the authors of the engine advise. It is never all zero.
   explicit Random(std::uint64_t seed) {
     for (std::uint64_t& word : state_) {
       seed += 0x9E3779B97F4A7C15U;
@@ -33,7 +33,8 @@ class Random {
     state_[3] = std::rotl(state_[3], 45);
     return drawn;
   }
-  /// Less than count, from the upper half of a product: no division. The bias, count / 2^64, is nothing here.
+  /// Less than `count`, from the upper half of a product, without a division. The bias of count / 2^64 is
+  /// negligible here.
   std::uint64_t below(std::uint64_t count) {
     return static_cast<std::uint64_t>(static_cast<Uint128>(bits()) * count >> 64);
   }
@@ -45,7 +46,7 @@ class Random {
   int axis() { return between(0, 2); }
   float sign() { return coin() ? 1.0F : -1.0F; }
   float signed_zero() { return coin() ? 0.0F : -0.0F; }
-  /// In [-1, 1], of full precision.
+  /// In [-1, 1], with full precision.
   float signed_unit() { return static_cast<float>(static_cast<double>(bits() >> 11) * 0x1p-52 - 1.0); }
   /// A multiple of 2^-6 in [-63/64, 63/64].
   float coarse() { return static_cast<float>(between(-63, 63)) * 0x1p-6F; }

@@ -1,4 +1,4 @@
-// Cases as text, to be run again.
+// Reads cases from text, to run them again.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,9 @@
 
 namespace hitpipe::ref::adversary {
 
-/// What to_text(Case) writes; numbers may be decimal or hexadecimal, a length may be inf. Throws
-/// std::runtime_error, one line, that names the word it cannot read, or says why the case is not acceptable.
+/// Reads what to_text(Case) writes. Numbers may be decimal or hexadecimal, and a length may be inf. Throws
+/// std::runtime_error, one line that names the word that it cannot read, or says why the case is not
+/// acceptable.
 [[nodiscard]] Case parse_case(std::string_view text);
 
 }  // namespace hitpipe::ref::adversary

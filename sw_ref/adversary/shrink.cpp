@@ -22,7 +22,8 @@ std::array<float*, 13> numbers_of(Case& c) {
   return numbers;
 }
 
-/// How much there is to read: significant mantissa bits, and the distance of the exponent from that of 1.
+/// How complicated a number is: its significant mantissa bits plus the distance of its exponent from that of
+/// 1.
 int complexity(float x) {
   if (x == 0 || std::isinf(x)) return std::signbit(x) ? 1 : 0;
   const Binary32 parts = decode(x);

@@ -1,4 +1,4 @@
-// The simplest case that still fails: what a person reads.
+// Reduces a failing case to the simplest one that still fails, for a person to read.
 #pragma once
 
 #include <functional>
@@ -7,9 +7,9 @@
 
 namespace hitpipe::ref::adversary {
 
-/// Replaces one number at a time by a simpler one (an infinite length, 0, +-1, fewer mantissa bits, a smaller
-/// exponent's neighbour) as long as the case stays acceptable and `fails` says that it still fails; ends when
-/// no replacement is left. `fails(c)` must be true for the case given.
+/// Replaces one number at a time by a simpler one: an infinite length, 0, +-1, fewer mantissa bits, or an
+/// exponent closer to that of 1. The case must stay acceptable, and `fails` must still be true. Ends when no
+/// replacement is left. `fails(c)` must be true for the given case.
 [[nodiscard]] Case shrink(Case c, const std::function<bool(const Case&)>& fails);
 
 }  // namespace hitpipe::ref::adversary

@@ -1,6 +1,6 @@
 // Distances along a ray to a plane (section 2.3.1), by division or by inverse ray direction vector components
-// (IRDVCs) that the ray carries. A ray in a plane that it is parallel to has the distance 0/0, NaN, which
-// keep_larger() and keep_smaller() ignore: that plane is no constraint.
+// (IRDVCs) that the ray carries. A ray that lies in the plane has the distance 0/0, which is NaN.
+// keep_larger() and keep_smaller() ignore NaN, so that plane is no constraint.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,6 +1,6 @@
-// The Pluecker box test of section 3.3 for infinite rays: "plu" moves the box to the ray's origin, "plu-cff"
-// carries the ray's coordinates R0, R1, R3 instead; with a distance, that of the plane met last of the three
-// facing the ray, 0 if the origin is inside (figure 3.6).
+// The Pluecker box test of section 3.3 for infinite rays: "plu" moves the box to the ray's origin; "plu-cff"
+// uses the ray's coordinates R0, R1, R3 instead. Forms with a distance give that of the last of the three
+// planes that face the ray, 0 if the origin is inside (figure 3.6).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,7 +11,7 @@
 
 namespace hitpipe::ref {
 
-/// Whether the box lies behind the ray's origin: beyond it on every axis a ray gets no further into the box.
+/// Whether the box lies behind the ray's origin on some axis.
 template <class Class, class T>
 bool behind(const BasicAabb<T>& box, const glm::vec<3, T>& origin) {
   const auto beyond = [](bool minus, T plane, T from) { return minus ? from < plane : from > plane; };
@@ -31,22 +31,22 @@ T entry_distance(const Ray& ray, const BasicAabb<T>& box) {
   return distance;
 }
 
-/// What one axis gives to the side relations with an edge that is parallel to another.
+/// The numbers of one axis that enter the side relations with edges parallel to another axis.
 template <class T>
 struct EdgeAxis {
   T direction, min, max;  ///< of ray and box
 };
 
-/// Whether the ray passes outside one of the two silhouette edges parallel to the third axis. Which plane a
-/// direction component is multiplied by depends on its own sign alone. `moment`: what moving the box to the
-/// ray's origin would have changed.
+/// Whether the ray passes outside one of the two silhouette edges parallel to the third axis. The sign of a
+/// direction component alone decides which plane it is multiplied by. `moment` is the term that makes up for
+/// not moving the box to the ray's origin.
 template <bool minus_i, bool minus_j, class T>
 bool outside(const EdgeAxis<T>& i, const EdgeAxis<T>& j, T moment) {
   return j.direction * (minus_j ? i.min : i.max) - i.direction * (minus_i ? j.max : j.min) < moment ||
          i.direction * (minus_i ? j.min : j.max) - j.direction * (minus_j ? i.max : i.min) < -moment;
 }
 
-/// Of all six edges.
+/// The same for all six edges.
 template <class Class, class T>
 bool outside_silhouette(const glm::vec<3, T>& direction, const BasicAabb<T>& box, T moment_xy, T moment_zx,
                         T moment_yz) {

@@ -1,5 +1,5 @@
-// The eight ray classes of section 3.3, MMM to PPP, as compile-time constants: a box test is written once
-// over the class, and a class chooses its planes without looking at the ray.
+// The eight ray classes of section 3.3, MMM to PPP, as compile-time constants: a box test is written once for
+// all classes, and each class knows its planes at compile time.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,7 @@
-// The separating axis test of a segment and a box (section 2.3.3; Gregory et al. 1999), for rays of the
-// [-1, 1] cube: they become segments that leave the cube. Six axes: the three of the box, and their cross
-// products with the segment. No distance. Everything is doubled, so that no centre is halved.
+// The separating axis test of a segment and a box (section 2.3.3; Gregory et al. 1999), for rays of the [-1,
+// 1] cube, which become segments that leave the cube. There are six axes: the three of the box, and their
+// cross products with the segment. It gives no distance. All coordinates are doubled, so that no centre needs
+// a division by two.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// The slabs test of section 2.3.1 in the forms that chapter 3 times, for infinite rays: near and far planes
-// looked up by the signs of the direction as it goes ("slabs"), or known in each of the eight ray classes
-// ("slabs8"). The distance is that of entry, 0 if the origin is inside.
+// The slabs test of section 2.3.1 in the forms that chapter 3 times, for infinite rays: "slabs" selects near
+// and far planes by the signs of the direction at run time; "slabs8" knows them in each of the eight ray
+// classes. The distance is that of entry, 0 if the origin is inside.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@
 
 namespace hitpipe::ref {
 
-/// The intervals of three slabs from entry to exit have a point in common that is not behind the origin; they
-/// are intersected one after the other, until nothing is left.
+/// Whether the intervals of the three slabs, from entry to exit, have a common point that is not behind the
+/// origin. They are intersected one after the other, until nothing is left.
 template <class T>
 bool intervals_overlap(const glm::vec<3, T>& first, const glm::vec<3, T>& last, T& entry) {
   T near = 0;

@@ -13,7 +13,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// A first run, untimed, brings the pairs into the caches and shows the hits.
+/// A first run without timing loads the pairs into the caches and counts the hits.
 BoxTestTiming time_variant(const BoxTestVariant& variant, std::span<const BoxPair> workload, int hit_percent,
                            int repeats) {
   const std::unique_ptr<PreparedBoxTests> tests = variant.prepare(workload);

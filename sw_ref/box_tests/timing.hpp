@@ -13,11 +13,12 @@ struct BoxTestTiming {
   int precision_bits;        ///< 32: Table 3.1, 64: Table 3.2
   int hit_percent;
   std::uint64_t tests;
-  double seconds;  ///< of this process on the processor: what else the machine does hardly counts
+  double seconds;  ///< processor time of this process; other work on the machine hardly matters
 };
 
-/// Tests `pairs` pairs `repeats` times in a row, on one thread; the thesis has 500,000 and 100. By precision,
-/// then hit share, then variant. Throws std::logic_error if a variant's hits are not the workload's.
+/// Tests `pairs` pairs `repeats` times on one thread; the thesis has 500,000 and 100. The results are ordered
+/// by precision, then hit share, then variant. Throws std::logic_error if a variant's number of hits is not
+/// that of the workload.
 [[nodiscard]] std::vector<BoxTestTiming> time_box_tests(std::size_t pairs, int repeats,
                                                         std::uint64_t seed = 2007);
 

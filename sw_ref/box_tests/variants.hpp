@@ -1,6 +1,6 @@
-// The ray-box tests of chapter 3 as a list: those of Tables 3.1 and 3.2 in their order, then Woo's. T: float
-// or double. They answer for infinite rays of the [-1, 1] cube whose direction has about unit length, and as
-// rounding lets them: sw_ref/exact has the referee.
+// The ray-box tests of chapter 3 as a list: those of Tables 3.1 and 3.2 in their order, then Woo's. T is
+// float or double. They are for infinite rays of the [-1, 1] cube whose direction has about unit length. They
+// round; the exact referee is in sw_ref/exact.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace hitpipe::ref {
 
 struct BoxAnswer {
   bool hit = false;
-  double entry = 0;  ///< of a hit, where the variant has one: t at which the ray enters, 0 from inside
+  double entry = 0;  ///< for a hit, if the variant has one: t at which the ray enters, 0 from inside
 };
 
-/// Pairs made ready for one variant: rays set up, everything converted to its precision.
+/// Pairs prepared for one variant: rays are set up, and everything is in its precision.
 class PreparedBoxTests {
  public:
   virtual ~PreparedBoxTests() = default;
@@ -30,7 +30,7 @@ class PreparedBoxTests {
 };
 
 struct BoxTestVariant {
-  std::string_view name;  ///< as the thesis's tables have it
+  std::string_view name;  ///< as in the thesis's tables
   bool has_distance;
   BoxAnswer (*ask)(const Ray& ray, const Aabb& box);
   std::unique_ptr<PreparedBoxTests> (*prepare)(std::span<const BoxPair> pairs);

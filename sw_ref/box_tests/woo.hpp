@@ -1,7 +1,7 @@
-// Woo's test (section 2.3.2; Woo 1990) for infinite rays: of the at most three planes between the origin and
-// the box, the one met last is where the ray enters, if that point lies in the face. The distance is that of
-// entry, 0 if the origin is inside. Where two planes are met together, at an edge of the box, rounding can
-// put that point outside the face: then the test misses a ray that goes on through the middle of the box.
+// Woo's test (section 2.3.2; Woo 1990) for infinite rays. At most three planes lie between the origin and the
+// box. The ray enters at the one that it meets last, if that point lies in the face. The distance is that of
+// entry, 0 if the origin is inside. At an edge of the box the ray meets two planes together. Rounding can
+// then put the point outside the face, and the test misses a ray that goes through the middle of the box.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -18,7 +18,7 @@ glm::vec3 point(Random& random) {
   return {random.signed_unit(), random.signed_unit(), random.signed_unit()};
 }
 
-/// Uniform in the ball, then pushed out to the sphere.
+/// A uniform point of the ball, moved out to the sphere.
 glm::vec3 unit_direction(Random& random) {
   for (;;) {
     const glm::dvec3 d(point(random));
@@ -28,7 +28,7 @@ glm::vec3 unit_direction(Random& random) {
 }
 
 BoxPair random_pair(Random& random) {
-  // Inside the cube even when moved by the margin.
+  // The box stays inside the cube when moved by the margin.
   constexpr float range = 0.99F;
   BoxPair pair;
   pair.ray.origin = point(random);
@@ -38,7 +38,7 @@ BoxPair random_pair(Random& random) {
   return pair;
 }
 
-/// The box with every face moved outward; empty if it has no such inside.
+/// Whether the ray meets the box with every face moved by `outward`; false if nothing of the box is left.
 bool meets_moved(const BoxPair& pair, float outward) {
   const Aabb moved{pair.box.min - outward, pair.box.max + outward};
   return acceptable(moved) && ray_meets_box(pair.ray, moved);

@@ -1,5 +1,5 @@
-// Ray-box pairs for the timings of section 3.5: random, a given share of them hits, as judged by the exact
-// referee beforehand.
+// Random ray-box pairs for the timings of section 3.5. A given share of them are hits; the exact referee
+// judges that beforehand.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,12 @@ struct BoxPair {
   Aabb box;
 };
 
-/// No pair is a near miss or a near hit: moving every face by this, in or out, leaves the answer. So tests
-/// that round agree on all of them.
+/// No pair is a near miss or a near hit: moving every face by this much, in or out, does not change the
+/// answer. So tests that round agree on all pairs.
 inline constexpr float workload_margin = 0x1p-16F;
 
-/// floor(pairs * hit_percent / 100) pairs hit, at random places. Throws std::invalid_argument unless 0 <=
-/// hit_percent <= 100.
+/// floor(pairs * hit_percent / 100) pairs are hits, at random places. Throws std::invalid_argument unless 0
+/// <= hit_percent <= 100.
 [[nodiscard]] std::vector<BoxPair> make_box_workload(std::size_t pairs, int hit_percent, std::uint64_t seed);
 
 }  // namespace hitpipe::ref

@@ -1,7 +1,7 @@
-// Top-down construction. Large nodes are parted by all threads together; their subtrees of at most `alone`
-// triangles are grown by one thread each, with a list of pending nodes in place of recursion, and put
-// together in the order of the walk. Every pending node is the second child of a branch on the path to the
-// node at work, so the list stays as short as the tree is deep.
+// Top-down construction. All threads together split a large node. One thread builds each subtree of at most
+// `alone` triangles, with a list of pending nodes instead of recursion. The subtrees are then joined in
+// depth-first order. Every pending node is the second child of a branch on the path to the current node, so
+// the list is never longer than the tree is deep.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -58,22 +58,22 @@ float least_width(const BuildOptions& options) {
 }
 
 /// Rounding is monotone and p - padding <= p <= p + padding, so each rounded sum is still on the outer side
-/// of p: the result contains `box` whatever the padding.
+/// of p. The result contains `box` for any padding.
 Aabb padded(const Aabb& box, float padding) {
   return {box.min - padding, box.max + padding};
 }
 
 struct Pending {
   std::uint32_t first, last;  ///< its items: first <= i < last
-  int depth;                  ///< level of the node, the root is 1
-  int axis;                   ///< whose turn it is
-  std::uint32_t node = 0;     ///< where it will be
+  int depth;                  ///< level of the node; the root is 1
+  int axis;                   ///< the axis whose turn it is
+  std::uint32_t node = 0;     ///< its index in the result
 };
 
-/// A node and all below it: either grown by one thread, or two subtrees.
+/// A node and all nodes below it: either built by one thread, or two subtrees.
 struct Subtree {
   BvhNode root;
-  std::vector<BvhNode> below;  ///< pairs of children in the order of the walk; indices count from the first
+  std::vector<BvhNode> below;  ///< pairs of children in depth-first order; indices count from the first
   std::array<std::unique_ptr<Subtree>, 2> children;
   int depth = 0;
 
@@ -130,8 +130,8 @@ class Growth {
     return tree;
   }
 
-  /// Sets the node's box, and for a leaf all of it; for a branch all but the place of its children, which are
-  /// returned.
+  /// Sets the node's box. Completes a leaf; for a branch it sets all but the index of the children, and
+  /// returns the children.
   [[nodiscard]] std::optional<Children> split(const Pending& at, BvhNode& node) const {
     const std::uint32_t count = at.last - at.first;
     const Splittable parts{items_.subspan(at.first, count), bounds_of(items_.subspan(at.first, count)),
@@ -151,7 +151,7 @@ class Growth {
         {{at.first, middle, at.depth + 1, next_axis}, {middle, at.last, at.depth + 1, next_axis}}};
   }
 
-  /// Nothing for a leaf.
+  /// Returns nothing for a leaf.
   [[nodiscard]] std::optional<Split> choose(const Splittable& parts, int depth) const {
     const bool narrow = parts.is_narrow(0) && parts.is_narrow(1) && parts.is_narrow(2);
     if (narrow || parts.items.size() == 1 || depth == options_.max_depth) return std::nullopt;
@@ -165,7 +165,8 @@ class Growth {
   float least_width_;
 };
 
-/// Puts the subtree's root at nodes[place] and all below it at the end, and frees it piece by piece.
+/// Puts the subtree's root at nodes[place] and all nodes below it at the end. Frees the subtree piece by
+/// piece.
 void append(Subtree& tree, std::size_t place, std::vector<BvhNode>& nodes) {
   const auto base = static_cast<std::uint32_t>(nodes.size());
   const auto moved = [base](BvhNode node) {
@@ -190,7 +191,7 @@ Bvh build_bvh(const Mesh& mesh, const BuildOptions& options) {
   check(mesh, options);
   Bvh bvh;
   Subtree tree;
-  // More workers than cores would only make TBB complain.
+  // With more workers than cores TBB prints a warning.
   const int cores = tbb::info::default_concurrency();
   tbb::task_arena arena(options.threads == 0 ? cores : std::min(options.threads, cores));
   arena.execute([&] {

@@ -1,5 +1,5 @@
-// The surface area heuristic (MacDonald and Booth 1990): the work for a random line that meets the root. A
-// line that meets a convex box meets one inside it with the ratio of their surface areas.
+// The surface area heuristic (MacDonald and Booth 1990): the work for a random line that meets the root. The
+// probability that a line through a convex box meets a box inside it is the ratio of their surface areas.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,9 +8,9 @@
 
 namespace hitpipe::ref {
 
-/// Of visiting a branch, which is two box tests, and of testing one triangle of a leaf. Equal as measured
-/// through hierarchies of 1 to 16 triangles per leaf (docs/bvh.md): 13 to 15 ns a branch, 11 to 13 a
-/// triangle.
+/// The costs of visiting a branch, which is two box tests, and of testing one triangle of a leaf. They are
+/// equal because the measured times are about equal in hierarchies of 1 to 16 triangles per leaf
+/// (docs/bvh.md): 13 to 15 ns a branch, 11 to 13 ns a triangle.
 constexpr float traversal_cost = 1.0F;
 constexpr float intersection_cost = 1.0F;
 

@@ -3,7 +3,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// A row of items on the wrong side of the middle.
+/// Consecutive items on the wrong side of the middle.
 struct Run {
   std::size_t first, last;
 };
@@ -12,7 +12,7 @@ struct Exchange {
   std::size_t low, high, count;
 };
 
-/// Pairs the runs of high items below the middle with those of low items above it; both have as many items.
+/// Pairs the runs of high items below the middle with those of low items above it; there are equally many.
 std::vector<Exchange> pair_up(std::vector<Run> highs, std::vector<Run> lows) {
   std::vector<Exchange> pairs;
   for (std::size_t h = 0, l = 0; h < highs.size() && l < lows.size();) {

@@ -1,6 +1,6 @@
-// The triangles of a mesh as a builder sorts them: their boxes are moved along with their indices, so that
-// each pass over a node reads memory in order. 28 bytes a triangle. Long passes are cut into blocks for
-// several threads, at places that depend on the number of items alone, and so do the results.
+// The triangles of a mesh as a builder sorts them. Boxes are moved together with their indices, so each pass
+// over a node reads memory in order. That takes 28 bytes a triangle. Long passes are cut into blocks for
+// several threads. The cuts depend only on the number of items, so the results do not depend on the threads.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ constexpr std::size_t item_block = 1U << 15U;
 /// One item for each triangle, in the mesh's order.
 [[nodiscard]] std::vector<Item> make_items(const Mesh& mesh);
 
-/// Adds every item to a Value: add(value, item); join(value, other) adds up those of two blocks.
+/// Adds every item to a Value by add(value, item). join(value, other) combines the values of two blocks.
 template <class Value, class Add, class Join>
 Value over_items(std::span<const Item> items, const Value& none, const Add& add, const Join& join) {
   const auto add_all = [&](std::size_t first, std::size_t last, Value value) {
@@ -50,8 +50,8 @@ Value over_items(std::span<const Item> items, const Value& none, const Add& add,
 
 [[nodiscard]] Aabb bounds_of(std::span<const Item> items);
 
-/// Each block has its low items in front, lows[i] of block i, `middle` in all: exchanges those that lie on
-/// the wrong side of `middle`.
+/// Each block has its low items in front: lows[i] in block i, `middle` in total. Exchanges the items that lie
+/// on the wrong side of `middle`.
 void join_blocks(std::span<Item> items, const std::vector<std::size_t>& lows, std::size_t middle);
 
 /// Moves the items for which `is_low` holds to the front; returns how many there are.

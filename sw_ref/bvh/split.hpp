@@ -1,4 +1,4 @@
-// How a builder parts the triangles of one node.
+// How a builder splits the triangles of one node.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace hitpipe::ref {
 struct Splittable {
   std::span<Item> items;
   Aabb bounds;        ///< of the items
-  int axis;           ///< whose turn it is
-  float least_width;  ///< an axis along which the bounds are narrower is not split
+  int axis;           ///< the axis whose turn it is
+  float least_width;  ///< an axis is not split if the bounds are narrower along it
 
   [[nodiscard]] bool is_narrow(int along) const {
     return bounds.max[along] - bounds.min[along] < least_width;
@@ -23,16 +23,16 @@ struct Splittable {
 };
 
 struct Split {
-  std::size_t middle;  ///< items of child 0, which are the first ones now; both children have some
+  std::size_t middle;  ///< number of items of child 0, which are now in front; no child is empty
   int axis;
 };
 
-/// Section 4.3: at the middle of the box, starting with the axis whose turn it is; by halving the list where
-/// every axis leaves a child empty.
+/// Section 4.3: splits at the middle of the box, starting with the axis whose turn it is. If every axis
+/// leaves a child empty, it halves the list.
 [[nodiscard]] Split split_at_middle(const Splittable& node);
 
-/// Wald (2007): at the cheapest boundary of up to 32 bins along each axis. Nothing when a leaf is as cheap
-/// and `max_triangles` allows it.
+/// Wald (2007): splits at the cheapest boundary of up to 32 bins along each axis. Returns nothing if a leaf
+/// is as cheap and `max_triangles` allows it.
 [[nodiscard]] std::optional<Split> split_by_cost(const Splittable& node, int max_triangles);
 
 }  // namespace hitpipe::ref

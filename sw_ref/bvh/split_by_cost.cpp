@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_bins = 32;
 
-/// Few triangles are parted by few bins as well.
+/// Few triangles need only few bins.
 std::size_t bins_for(std::size_t items) {
   return std::min(items + 2, most_bins);
 }
@@ -40,7 +40,7 @@ struct Scale {
   }
 };
 
-/// The scale is 0 along an axis that cannot be split: a narrow one, or one that does not part the centres.
+/// The scale is 0 along an axis that cannot be split: a narrow one, or one along which all centres are equal.
 std::array<Scale, 3> scales_of(const Splittable& node) {
   const Aabb centres = over_items(
       std::span<const Item>(node.items), Aabb{},
@@ -76,12 +76,12 @@ std::array<Bins, 3> fill_bins(std::span<const Item> items, const std::array<Scal
 
 /// The bins below `bin` become child 0.
 struct Candidate {
-  float cost = std::numeric_limits<float>::infinity();  ///< of both children's triangles, times the area
+  float cost = std::numeric_limits<float>::infinity();  ///< cost of both children's triangles, times the area
   std::size_t axis = 0;
   std::size_t bin = 0;
 };
 
-/// Keeps the cheapest; of equals the first.
+/// Keeps the cheapest; among equals the first.
 void try_boundaries(const Bins& bins, std::size_t count, std::size_t axis, Candidate& best) {
   std::array<float, most_bins> above{};
   Bin high;

@@ -9,7 +9,7 @@ double area_of(const Aabb& box) {
   return half_area(BasicAabb<double>{box.min, box.max});
 }
 
-/// Of what both boxes cover; 0 when they do not touch.
+/// Half the surface of the overlap of both boxes; 0 if they do not touch.
 double common_area(const Aabb& a, const Aabb& b) {
   const Aabb common{glm::max(a.min, b.min), glm::min(a.max, b.max)};
   for (int axis = 0; axis < 3; ++axis)
@@ -41,7 +41,7 @@ BvhStatistics statistics(const Bvh& bvh) {
     ++result.leaves_of[count];
     leaf_tests += area_of(node.box) * static_cast<double>(count);
   }
-  // A root without surface is met by no line; its cost is that of a line that meets nothing.
+  // No line meets a root without surface; its cost is that of a line that meets nothing.
   const double root = area_of(bvh.nodes[0].box);
   if (root > 0.0)
     result.sah_cost = (branches * double{traversal_cost} + leaf_tests * double{intersection_cost}) / root;

@@ -1,4 +1,4 @@
-// What a hierarchy is like, before any ray is traced.
+// Statistics of a hierarchy that need no rays.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,11 @@ struct BvhStatistics {
   std::size_t nodes = 0;
   std::size_t leaves = 0;
   std::size_t triangles = 0;
-  int depth = 0;                       ///< levels, the root is level 1
-  std::vector<std::size_t> leaves_of;  ///< leaves_of[n]: those with n triangles; the last is not 0
-  double sah_cost = 0;  ///< of a random line that meets the root (cost.hpp); boxes as stored, padded
-  /// Of the branches that random lines meet: the share in which they meet what both children's boxes cover.
+  int depth = 0;                       ///< levels; the root is level 1
+  std::vector<std::size_t> leaves_of;  ///< leaves_of[n]: leaves with n triangles; the last is not 0
+  double sah_cost = 0;  ///< cost for a random line that meets the root (cost.hpp), with the padded boxes
+  /// The share of branches, among those that random lines meet, in which the line meets the overlap of the
+  /// children's boxes.
   double child_overlap = 0;
   std::size_t node_bytes = 0;   ///< 32 a node
   std::size_t order_bytes = 0;  ///< 4 a triangle

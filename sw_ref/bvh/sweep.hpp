@@ -1,4 +1,5 @@
-// Appendix B: one mesh, hierarchies of ever larger leaves. What is measured on each is the caller's.
+// Appendix B: hierarchies of one mesh with larger and larger leaves. The caller decides what to measure on
+// each.
 #pragma once
 
 #include <array>
@@ -16,11 +17,11 @@ constexpr std::array<int, 23> appendix_b_sizes{1,  2,  3,  4,  5,  6,  7,  8,  9
 struct SweepStep {
   int max_triangles;
   double build_seconds;
-  const Bvh& bvh;  ///< until the visit ends
+  const Bvh& bvh;  ///< valid until the visit ends
 };
 
-/// Builds once for each size, in order, with `options` otherwise, and lets `visit` look at the result. Only
-/// one hierarchy is kept at a time. Throws as build_bvh does.
+/// Builds a hierarchy for each size, in order, with the other `options`, and calls `visit` with it. Only one
+/// hierarchy exists at a time. Throws as build_bvh does.
 void sweep_max_triangles(const Mesh& mesh, BuildOptions options,
                          const std::function<void(const SweepStep&)>& visit);
 

@@ -17,7 +17,7 @@ constexpr const char* name_of(RayKind kind) {
   throw std::out_of_range("outside the demands that the unit was fitted to: " + reason);
 }
 
-/// What of `inner` lies outside `outer`; empty when nothing does. NaN lies outside.
+/// Describes a coordinate of `inner` that lies outside `outer`; empty if there is none. NaN lies outside.
 std::string outside(const Aabb& outer, const Aabb& inner, const char* what) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const float x : {inner.min[axis], inner.max[axis]}) {
@@ -29,9 +29,10 @@ std::string outside(const Aabb& outer, const Aabb& inner, const char* what) {
   return {};
 }
 
-/// Some demanded family of the kind holds all these rays; else why the last did not.
+/// Throws unless one demanded family of this kind contains all these rays. The message is about the last
+/// family.
 void check_family(const SceneDemands& demands, RayKind kind, const Aabb& origin, const Aabb& direction) {
-  std::string reason = fmt::format("{} rays, of which there were to be none", name_of(kind));
+  std::string reason = fmt::format("{} rays; the demands allow none", name_of(kind));
   for (const RayFamily& family : demands.rays) {
     if (family.kind != kind) continue;
     reason = outside(family.origin, origin, "origin");
@@ -44,7 +45,7 @@ void check_family(const SceneDemands& demands, RayKind kind, const Aabb& origin,
 
 }  // namespace
 
-void check_ray(const SceneDemands& demands, RayKind kind, const Ray& ray) {
+void check_ray_against(const SceneDemands& demands, RayKind kind, const Ray& ray) {
   if (ray.is_infinite() ? !demands.infinite : !demands.finite)
     fail(fmt::format("a ray {} an end", ray.is_infinite() ? "without" : "with"));
   check_family(demands, kind, {ray.origin, ray.origin}, {ray.direction, ray.direction});

@@ -11,7 +11,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// Covers what double arithmetic and one rounding to binary32 can add to numbers of at most 1 or so.
+/// A margin for the errors of double arithmetic and one rounding to binary32, for numbers of about 1 at most.
 constexpr double slack = 0x1p-22;
 
 float below(double x) {
@@ -42,7 +42,8 @@ Aabb primary_directions(const Camera& camera, const ViewOptions& view) {
   return box;
 }
 
-/// Where rays leave surfaces: shadow_offset beside a triangle's point, moved onto the cube (origin_beside).
+/// Where rays leave surfaces: shadow_offset away from a point of a triangle, moved onto the cube
+/// (origin_beside).
 Aabb surface_origins(const Mesh& mesh) {
   const Bounds bounds = mesh_bounds(mesh);
   Aabb box;

@@ -1,5 +1,5 @@
-// Rays of one kind and source, bounded: what a camera's frustum, a light and the surfaces say of all of them,
-// by intervals, whichever pixels are asked for.
+// Bounds of all rays of one kind and source, as intervals. They follow from the camera's frustum, the lights
+// and the surfaces, and hold for any pixels of the image.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace hitpipe::ref {
 
-/// Every ray of the family has its origin in one box and its direction, as computed, in the other.
+/// Every ray of the family has its origin in one box and its computed direction in the other.
 struct RayFamily {
   RayKind kind = RayKind::primary;
   Aabb origin;
   Aabb direction;
-  std::string why;  ///< the evidence
+  std::string why;  ///< what the bounds follow from
 
   [[nodiscard]] bool has_one_origin() const { return origin.min == origin.max; }
 };
 
-/// What bounds the image: any of its pixels lies within.
+/// The image that the bounds cover: any of its pixels.
 struct ViewOptions {
   int width = 256;  ///< only the ratio of the two matters
   int height = 256;

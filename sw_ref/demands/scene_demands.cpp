@@ -12,7 +12,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// 1: may be positive (or +0), 2: may be negative (or -0). A zero's sign is not bounded.
+/// 1: may be positive (or +0), 2: may be negative (or -0). The sign of a zero is not bounded.
 unsigned signs(const RayFamily& family, int axis) {
   return (family.direction.max[axis] >= 0.0F ? 1U : 0U) | (family.direction.min[axis] <= 0.0F ? 2U : 0U);
 }

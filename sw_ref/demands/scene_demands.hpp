@@ -1,6 +1,6 @@
-// What a scene can ever ask of a box-test unit: its rays, bounded by intervals, and its boxes, all of which
-// are known. Conservative: a unit that meets the demands answers right for every image of the scene with this
-// camera and no wider a view.
+// What a scene can ever demand of a box-test unit: its rays, bounded by intervals, and its boxes, which are
+// all known. The bounds are conservative: a unit that meets the demands answers correctly for every image of
+// the scene with this camera and a view that is no wider.
 #pragma once
 
 #include <string>
@@ -15,32 +15,32 @@ namespace hitpipe::ref {
 struct Evidence {
   std::string demand;
   std::string why;
-  bool bounds = true;  ///< else it says what cannot be bounded, and is kept whole
+  bool bounds = true;  ///< false: it says what cannot be bounded and is kept whole
 };
 
 struct SceneDemands {
   std::vector<RayFamily> rays;
-  Aabb boxes;                    ///< holds all nodes' boxes, as padded
+  Aabb boxes;                    ///< contains the padded boxes of all nodes
   glm::vec3 smallest_extent{0};  ///< of any box, by axis
-  int deepest = 0;               ///< levels of the hierarchy: what a stack must hold
+  int deepest = 0;               ///< levels of the hierarchy, which a stack must hold
   int most_in_leaf = 0;          ///< triangles
   bool infinite = true;          ///< rays without an end are tested
-  bool finite = true;            ///< rays with one are
+  bool finite = true;            ///< rays with an end are tested
 
   [[nodiscard]] bool has(RayKind kind) const;
   /// Bit c: rays of class c (direction_class(), child_order.hpp) may come.
   [[nodiscard]] unsigned classes() const;
   [[nodiscard]] bool can_be_zero(int axis) const;
-  /// Of all rays.
+  /// The bounds of all origins.
   [[nodiscard]] Aabb origins() const;
-  /// Of a ray's direction, the largest component's magnitude over the smallest's is at most this; infinite
-  /// where a component can be 0.
+  /// The largest possible ratio of the magnitudes of a direction's largest and smallest component; infinite
+  /// if a component can be 0.
   [[nodiscard]] double spread() const;
-  /// Every demand in words, also what could not be bounded.
+  /// Every demand in words, and what could not be bounded.
   [[nodiscard]] std::vector<Evidence> evidence() const;
 };
 
-/// The hierarchy is of the scene's mesh.
+/// The hierarchy must be that of the scene's mesh.
 [[nodiscard]] SceneDemands scene_demands(const Scene& scene, const Bvh& bvh, const ViewOptions& view);
 
 }  // namespace hitpipe::ref

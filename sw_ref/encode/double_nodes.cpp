@@ -1,6 +1,6 @@
 #include "sw_ref/encode/double_nodes.hpp"
 
-#include "sw_ref/traverse/node_store.hpp"
+#include "sw_ref/encode/node_store.hpp"
 
 namespace hitpipe::ref {
 

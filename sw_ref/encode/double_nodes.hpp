@@ -1,5 +1,5 @@
-// Nodes in binary64 (section 5.7): 56 bytes, the box an exact copy of the padded binary32 box, so that
-// whatever holds for the plain nodes holds for these. A NodeStore (sw_ref/traverse/node_store.hpp).
+// Nodes in binary64 (section 5.7): 56 bytes. The box is an exact copy of the padded binary32 box, so whatever
+// holds for the plain nodes holds for these. A NodeStore (sw_ref/encode/node_store.hpp).
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ class DoubleNodes {
   using Node = std::uint32_t;  ///< index as in Bvh::nodes
   static constexpr std::size_t bytes_per_node = sizeof(DoubleNode);
 
-  /// Needs at least one node. Copies what it needs of `bvh`.
+  /// `bvh` needs at least one node; its data is copied.
   explicit DoubleNodes(const Bvh& bvh);
 
   [[nodiscard]] Node root() const { return 0; }

@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "sw_ref/traverse/node_store.hpp"
+#include "sw_ref/encode/node_store.hpp"
 
 namespace hitpipe::ref {
 namespace {
 
-/// Codes of one axis whose decoded coordinates contain [min, max]. Decoding is monotone in the code, code 0
-/// decodes to the frame's origin and the top code to its far end at least: there are such codes. The first
-/// guess is at most a few off.
+/// Codes of one axis whose decoded coordinates contain [min, max]. Such codes exist: decoding is monotone in
+/// the code, code 0 decodes to the frame's origin, and the top code to at least its far end. The first guess
+/// is at most a few codes off.
 template <int bits>
 class AxisCodes {
  public:
@@ -47,7 +47,7 @@ class AxisCodes {
   int axis_;
 };
 
-/// False also for what is not a number.
+/// False also for NaN.
 bool contains(const Aabb& outer, const Aabb& inner) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!(outer.min[axis] <= inner.min[axis] && inner.min[axis] <= inner.max[axis] &&

@@ -1,8 +1,8 @@
-// Nodes whose boxes are stored in a few bits relative to the parent's decoded box (sections 5.2 to 5.4):
-// 8 bytes a node with 4 bits, 12 with 8, 16 with 12, 20 with 16. A NodeStore
-// (sw_ref/traverse/node_store.hpp): a node carries its decoded box, from which its children are decoded. Each
-// decoded box contains the plain one, checked for every node when it is encoded. With `lut` codes become
-// floats by table (section 5.4). The root's parent is the cube of hierarchical_frame; no decoded coordinate
+// Nodes whose boxes are stored in a few bits relative to the parent's decoded box (sections 5.2 to 5.4): 8
+// bytes a node with 4 bits, 12 with 8, 16 with 12, 20 with 16. This is a NodeStore
+// (sw_ref/encode/node_store.hpp). A node carries its decoded box, and its children are decoded from it. Each
+// decoded box contains the plain one; encoding checks that for every node. With `lut` a table turns codes
+// into floats (section 5.4). The parent of the root is the cube of hierarchical_frame. No decoded coordinate
 // is beyond +-(1 + 2^-13).
 #pragma once
 
@@ -20,11 +20,11 @@
 
 namespace hitpipe::ref {
 
-/// The cube that the root is encoded in reaches to +-(1 + 2^-20): boxes of a scene in [-1, 1] stay inside
-/// when padded by 5e-7 (section 4.3).
+/// The root is encoded in a cube that reaches to +-(1 + 2^-20). So the boxes of a scene in [-1, 1] stay
+/// inside it when they are padded by 5e-7 (section 4.3).
 inline constexpr float hierarchical_frame = 1.0F + 0x1p-20F;
 
-/// The count: what the codes leave of whole words (section 5.2).
+/// The count has the bits that the codes leave free in whole words (section 5.2).
 template <int bits>
 struct HierarchicalCount;
 template <>
@@ -62,8 +62,8 @@ class HierarchicalNodes {
   static_assert(std::endian::native == std::endian::little, "codes are read as words of memory");
 
  public:
-  /// Two vector registers, written and read as such: a vector read from what was written piece by piece
-  /// stalls a processor.
+  /// Two vector registers, written and read as such. A processor stalls when it reads a vector that was
+  /// written in pieces.
   struct alignas(16) Node {
     Aabb box;
     std::uint32_t index;  ///< as in Bvh::nodes
@@ -73,9 +73,9 @@ class HierarchicalNodes {
   using Stored = HierarchicalNode<bits>;
   static constexpr std::size_t bytes_per_node = sizeof(Stored);
 
-  /// Needs at least one node; copies what it needs of `bvh`. Throws std::invalid_argument, one line, when a
-  /// leaf has more triangles than the count holds, when the root leaves the cube of hierarchical_frame, and
-  /// when a box leaves its parent's.
+  /// `bvh` needs at least one node; its data is copied. Throws std::invalid_argument, one line, when a leaf
+  /// has more triangles than the count holds, when the root leaves the cube of hierarchical_frame, or when a
+  /// box leaves its parent's.
   explicit HierarchicalNodes(const Bvh& bvh);
 
   [[nodiscard]] Node root() const { return decoded(frame_of_root(), 0); }
@@ -121,7 +121,8 @@ class HierarchicalNodes {
     return std::bit_cast<Node>(Lanes{low, reinterpret_cast<Four>(tail)});
   }
 
-  /// Of one axis. At most four bytes, and four bytes from where it starts are still of the node.
+  /// The codes of one axis have at most four bytes. Four bytes can be read from their start without leaving
+  /// the node.
   [[nodiscard]] std::uint32_t codes_of(std::uint32_t index, std::size_t axis) const {
     const auto* const stored = reinterpret_cast<const std::byte*>(&nodes_[index]);
     std::uint32_t codes;

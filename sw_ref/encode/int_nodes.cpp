@@ -1,6 +1,6 @@
 #include "sw_ref/encode/int_nodes.hpp"
 
-#include "sw_ref/traverse/node_store.hpp"
+#include "sw_ref/encode/node_store.hpp"
 
 namespace hitpipe::ref {
 
@@ -8,7 +8,7 @@ static_assert(NodeStore<IntNodes>);
 
 IntNodes::IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse)
     : bytes_per_node(box_bytes(coord_bits, coarse) + tail_bytes), coord_bits_(coord_bits) {
-  // Also the check of coord_bits, before anything is allocated by it.
+  // This also checks coord_bits before memory is allocated for it.
   (void)quantise_box({glm::vec3(0), glm::vec3(0)}, coord_bits);
   check_coarse(coarse, coord_bits, "IntNodes");
   int bit = 0;
@@ -35,7 +35,7 @@ std::size_t IntNodes::box_bytes(int coord_bits, const CoarseAxes& coarse) {
   return (static_cast<std::size_t>(bits) + 7) / 8;
 }
 
-/// Into zeroed bytes.
+/// The bytes must be zero.
 void IntNodes::write(std::byte* node, const IntBox& box) const {
   for (std::size_t i = 0; i < 6; ++i) {
     const auto value = static_cast<std::uint64_t>(i < 3 ? box.min[i] : box.max[i - 3]);

@@ -1,8 +1,9 @@
-// Nodes of the integer hierarchy (chapter 6): boxes on the n-bit grid (sw_ref/quantise/int_box.hpp), packed
-// without a gap as Table 6.1 counts them: six n-bit coordinates, then count and pointer of 4 bytes each.
-// 20, 23, 26 bytes with n = 16, 20, 24; ceil(6n / 8) + 8 with any n of 6..32. A coarse axis's coordinates
-// take n - k bits each. A NodeStore (sw_ref/traverse/node_store.hpp). Coordinates lie in a row, least
-// significant bit first: x, y, z of min, then of max, two's complement.
+// Nodes of the integer hierarchy (chapter 6). Boxes on the n-bit grid (sw_ref/quantise/int_box.hpp) are
+// packed without a gap, as Table 6.1 counts them: six n-bit coordinates, then count and pointer of 4 bytes
+// each. That is 20, 23, 26 bytes with n = 16, 20, 24, and ceil(6n / 8) + 8 with any n of 6..32. The
+// coordinates of a coarse axis take n - k bits each. Coordinates follow one another, least significant bit
+// first, in two's complement: x, y, z of min, then of max. This is a NodeStore
+// (sw_ref/encode/node_store.hpp).
 #pragma once
 
 #include <array>
@@ -26,8 +27,8 @@ class IntNodes {
   using Node = std::uint32_t;  ///< index as in Bvh::nodes
   const std::size_t bytes_per_node;
 
-  /// Needs at least one node; copies what it needs of `bvh`. Throws as quantise_box() and coarse_box() do:
-  /// for n outside 6..32, and for boxes that leave the grid.
+  /// `bvh` needs at least one node; its data is copied. Throws as quantise_box() and coarse_box() do, for n
+  /// outside 6..32 and for boxes that leave the grid.
   IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse = {});
 
   [[nodiscard]] Node root() const { return 0; }
@@ -46,9 +47,9 @@ class IntNodes {
   [[nodiscard]] int coord_bits() const { return coord_bits_; }
 
  private:
-  /// Where a coordinate lies: within 8 bytes from `byte`, `above` bits of which lie above it. They are all of
-  /// the node: the last one starts in a byte of the coordinates, and 8 bytes follow these. Read as n bits, it
-  /// has the dropped ones below it, which are no part of it.
+  /// Where a coordinate lies: in the 8 bytes from `byte` on, below the top `above` bits. These 8 bytes never
+  /// leave the node, because they start in a coordinate's byte, and 8 bytes follow the coordinates. A read
+  /// takes n bits; those below the kept ones belong to something else and are masked.
   struct Place {
     std::uint32_t byte;
     int above;

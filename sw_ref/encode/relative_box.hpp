@@ -1,6 +1,6 @@
-// How a box is read from codes relative to its parent's box (section 5.3), in binary32: coordinate = min of
-// the parent + code * step, with steps of 1 / (2^bits - 1) of the parent's side. Encoder and traversal decode
-// with these same functions, so what the encoder has checked holds for the traversal bit for bit.
+// Decodes a box from codes relative to its parent's box (section 5.3), in binary32: coordinate = min of the
+// parent + code * step. A step is 1 / (2^bits - 1) of the parent's side. Encoder and traversal use the same
+// functions, so what the encoder checks holds for the traversal bit for bit.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ inline constexpr std::uint32_t top_code = (std::uint32_t{1} << bits) - 1;
 using Four = float __attribute__((vector_size(16)));
 using FourWords = std::int32_t __attribute__((vector_size(16)));
 
-/// start + a * b. Where fused multiply-add is fast a compiler may or may not use it, and so it is asked for;
-/// elsewhere two statements keep it two roundings. Lanes get the bits that single floats get.
+/// start + a * b. If fused multiply-add is fast, a compiler may or may not use it, so the code asks for it.
+/// Otherwise two statements ensure two roundings. Lanes and single floats give the same bits.
 [[nodiscard]] inline float sum_of_product(float start, float a, float b) {
 #ifdef __FP_FAST_FMAF
   return std::fma(a, b, start);
@@ -53,15 +53,15 @@ inline constexpr float step_share = (1.0F + 0x1p-21F) / static_cast<float>(top_c
 template <int bits>
 class RelativeFrame {
  public:
-  /// Code 0 is exactly the parent's min, and the top code N = 2^bits - 1 reaches its max: let u = 2^-24 and
-  /// w = max - min. The difference, the product with the share and the sum are rounded once each; that the
-  /// product may underflow, by 2^-150, the added 2^-126 more than pays for:
+  /// Code 0 is exactly the parent's min, and the top code N = 2^bits - 1 reaches its max. Proof: let u =
+  /// 2^-24 and w = max - min. The difference, the product with the share and the sum are rounded once each.
+  /// The product may underflow by 2^-150; the added 2^-126 more than covers that:
   ///     step >= w (1 - u)^3 share,   share >= (1 + 8 u) (1 - u) / N,   and step >= 2^-126 (w >= 0).
-  /// So no product code * step underflows, N step rounded is >= w (1 - u)^5 (1 + 8 u) >= w, the sum min +
-  /// N step before its rounding >= max, and as rounding is monotone and max a float, the sum is >= max. A
-  /// side of zero width has steps of 2^-126: every code still decodes to min or beyond. With w = 0 all this
-  /// holds too. Beyond max the top code lands by at most 13 u w + 2 u, a chain of 60 levels that all end
-  /// there by less than 2^-13.
+  /// So no product code * step underflows, and N step rounded is >= w (1 - u)^5 (1 + 8 u) >= w. The sum min +
+  /// N step is >= max before rounding, and also after it, because rounding is monotone and max is a float.
+  /// All this holds for w = 0 too: the steps are then 2^-126, and every code decodes to min or beyond. The
+  /// top code ends at most 13 u w + 2 u beyond max; a chain of 60 levels that all do so ends less than 2^-13
+  /// beyond.
   explicit RelativeFrame(const Aabb& parent)
       : origin_(parent.min),
         step_(step_of(parent.max.x - parent.min.x), step_of(parent.max.y - parent.min.y),
@@ -81,7 +81,7 @@ class RelativeFrame {
   glm::vec3 origin_;
   glm::vec3 step_;
 };
-/// The floats of a byte's 8 bits, its lower 4 and its upper 4 (section 5.4).
+/// Tables that turn a byte into a float: all 8 bits, its lower 4 bits, and its upper 4 bits (section 5.4).
 struct CodeTables {
   std::array<float, 256> whole{};
   std::array<float, 256> low{};

@@ -1,5 +1,5 @@
-// A finite binary32 taken apart: |x| = mantissa * 2^exponent, both integers. Every finite binary32 is a
-// multiple of 2^-149 and less than 2^128 in magnitude; all exact arithmetic of sw_ref rests on this.
+// The parts of a finite binary32: |x| = mantissa * 2^exponent, both integers. Every finite binary32 is a
+// multiple of 2^-149 and less than 2^128 in magnitude; all exact arithmetic of sw_ref uses this.
 #pragma once
 
 #include <bit>
@@ -9,12 +9,11 @@ namespace hitpipe::ref {
 
 struct Binary32 {
   std::uint32_t mantissa;  ///< < 2^24
-  int exponent;            ///< -149..104, and no smaller for a larger |x|
-  bool negative;           ///< the sign bit, of zeros too
+  int exponent;            ///< -149..104; it never falls as |x| grows
+  bool negative;           ///< the sign bit, also for zeros
 };
 
-/// Takes a finite `x` apart. The mantissa is below 2^23 only for subnormals and zeros, which have exponent
-/// -149.
+/// Splits a finite `x`. The mantissa is below 2^23 only for subnormals and zeros, which have exponent -149.
 [[nodiscard]] inline Binary32 decode(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
   const std::uint32_t fraction = bits & 0x7FFFFFU;

@@ -16,14 +16,14 @@ namespace {
 /// Two computed slab distances that differ by this factor are certainly in the computed order. u = 2^-53.
 ///
 /// A distance is q * (1 / d) with q = b - o. b and o are multiples of 2^-149 below 2^128, so q is exactly
-/// zero or 2^-149 <= |q| < 2^129, and rounding it to double errs by a factor 1 + u at most. 2^-149 <= |d| <
-/// 2^128 puts 1/d in (2^-128, 2^149] and the product, unless zero, in [2^-277, 2^278]: no overflow, no
-/// underflow, and one more such factor for each. The computed distance is t (1 + e), |e| <= (1 + u)^3 - 1,
-/// less than 4 u, and has the exact sign; max and min keep that bound, and 0 and length enter without error.
-/// Hence the computed near <= far (1 - 16 u), with its own rounding, implies
+/// zero or 2^-149 <= |q| < 2^129. Rounding q to double errs by a factor of at most 1 + u. As 2^-149 <= |d| <
+/// 2^128, 1/d is in (2^-128, 2^149] and the product, unless zero, in [2^-277, 2^278]. Neither overflows or
+/// underflows, and each adds one more such factor. So the computed distance is t (1 + e) with |e| <= (1 +
+/// u)^3 - 1 < 4 u, and it has the exact sign. max and min keep that bound; 0 and length have no error. Hence
+/// the computed near <= far (1 - 16 u), with its own rounding, implies
 ///   near_exact <= near / (1 - 4 u) <= far (1 - 15 u) / (1 - 4 u)
 ///              <= far_exact (1 + 4 u) (1 - 15 u) / (1 - 4 u) <= far_exact,
-/// and so with the names exchanged.
+/// and the same with near and far exchanged.
 constexpr double order_margin = 1.0 - 0x1p-49;
 
 /// hi + lo exactly, hi their sum rounded to nearest.
@@ -38,15 +38,15 @@ Sum exact_sum(double a, double b) {
   return {hi, (a - (hi - rest)) + (b - rest)};
 }
 
-/// a * b exactly: factors are 0 or between 2^-149 and 2^129 in magnitude, with bits no lower than 2^-149. So
+/// a * b exactly. Factors are 0 or between 2^-149 and 2^129 in magnitude, with no bits below 2^-149. So
 /// nothing overflows, and the error, a multiple of 2^-298, does not underflow.
 Sum exact_product(double a, double b) {
   const double hi = a * b;
   return {hi, std::fma(a, b, -hi)};
 }
 
-/// The sum of doubles, exactly, as an expansion: doubles of growing magnitude that do not overlap, of which
-/// the largest that is not zero has the sign of the sum (Shewchuk 1997, theorem 10).
+/// The exact sum of doubles as an expansion: doubles of growing magnitude that do not overlap. The largest
+/// one that is not zero has the sign of the sum (Shewchuk 1997, theorem 10).
 template <std::size_t N>
 bool sum_is_positive(const std::array<double, N>& terms) {
   std::array<double, N> expansion{};
@@ -65,9 +65,9 @@ bool sum_is_positive(const std::array<double, N>& terms) {
   return false;
 }
 
-/// (a.hi + a.lo) * b > (c.hi + c.lo) * d, exactly. A rounded sum times a factor, rounded, errs by less than
-/// 2.1 * 2^-53 of itself, two of them by less than 2^-51 of the larger. And rounding is monotone: when
-/// nothing is below the high parts, unequal rounded products have the exact order.
+/// (a.hi + a.lo) * b > (c.hi + c.lo) * d, exactly. A rounded product of a rounded sum and a factor errs by
+/// less than 2.1 * 2^-53 of itself; two of them err by less than 2^-51 of the larger. Rounding is monotone:
+/// if both low parts are 0, unequal rounded products have the exact order.
 bool greater_product(const Sum& a, double b, const Sum& c, double d) {
   const double about_left = a.hi * b;
   const double about_right = c.hi * d;
@@ -116,7 +116,8 @@ bool acceptable(const Aabb& box) {
 
 BoxReferee::BoxReferee(const Ray& ray) : ray_(ray), origin_(ray.origin), length_(ray.length) {
   for (int axis = 0; axis < 3; ++axis) {
-    // Of a zero an infinity: a plane is then infinitely far on one side, or no number where it holds the ray.
+    // The inverse of zero is an infinity. A plane is then infinitely far on one side, or its distance is NaN
+    // if it contains the ray.
     inverse_[axis] = 1.0 / static_cast<double>(ray.direction[axis]);
     const bool backward = std::signbit(ray.direction[axis]);
     near_face_[static_cast<std::size_t>(axis)] = static_cast<unsigned>(axis + (backward ? 3 : 0));
@@ -131,11 +132,11 @@ BoxReferee::Verdict BoxReferee::judged(const Aabb& box) const {
     const auto opposite = static_cast<unsigned>(2 * axis + 3) - face;
     const double at_near = (box.plane(face) - origin_[axis]) * inverse_[axis];
     const double at_far = (box.plane(opposite) - origin_[axis]) * inverse_[axis];
-    near = at_near > near ? at_near : near;  // what is no number says nothing
+    near = at_near > near ? at_near : near;  // a NaN is ignored
     far = at_far < far ? at_far : far;
   }
-  // near >= 0, and signs are exact: far < 0 is a box behind the origin, near = 0 <= far one that is met. far
-  // is not +infinity: one component is not zero.
+  // near >= 0, and signs are exact: far < 0 means a box behind the origin, near = 0 <= far a box that is met.
+  // far is not +infinity, because one component is not zero.
   return {near <= far * order_margin, near * order_margin > far};
 }
 
@@ -168,7 +169,8 @@ bool ray_meets_box_by_products(const Ray& ray, const Aabb& box) {
   for (std::size_t i = 0; i < axes; ++i) {
     apart = apart || slabs[i].far.hi < 0;
     if (!ray.is_infinite()) {
-      // 48 bits, exact: above it lies the rounded sum, or the sum is rounded to it and its error decides.
+      // This product has 48 bits and is exact. The rounded sum is above it, or equal to it, and then the
+      // error of the sum decides.
       const double end = length * slabs[i].speed;
       apart = apart || slabs[i].near.hi > end || (slabs[i].near.hi == end && slabs[i].near.lo > 0);
     }

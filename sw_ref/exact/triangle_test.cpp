@@ -7,8 +7,8 @@
 namespace hitpipe::ref {
 namespace {
 
-/// t = numerator / denominator; the denominator is 0 if the line misses the triangle or is parallel to it,
-/// else > 0.
+/// t = numerator / denominator. The denominator is 0 if the line misses the triangle or is parallel to it;
+/// otherwise it is > 0.
 struct ExactTime {
   WideInt numerator;
   WideInt denominator;
@@ -36,13 +36,13 @@ ExactTime exact_time(const Mesh::Corners& corners, const Ray& ray) {
   return right ? ExactTime{-height, -determinant} : ExactTime{height, determinant};
 }
 
-/// The neighbouring doubles around a quotient >= 0, or the quotient itself. It is 0 or in [2^-600, 2^500]:
+/// The neighbouring doubles around a quotient >= 0, or the quotient itself. It is 0 or in [2^-600, 2^500], so
 /// ldexp is exact.
 triangle_filter::Enclosure enclose_quotient(const ExactTime& t) {
   if (t.numerator == 0) {
     return {0, 0};
   }
-  // Scale so that the integer quotient has 53 or 54 bits: one more bit than that could be lost below.
+  // Scale so that the integer quotient has 53 or 54 bits. With 55 bits a bit could be lost below.
   const int shift = 53 - (static_cast<int>(msb(t.numerator)) - static_cast<int>(msb(t.denominator)));
   WideInt numerator = t.numerator;
   WideInt denominator = t.denominator;
@@ -96,13 +96,13 @@ float cull_length(const Hit& hit) {
   if (nearest >= hit.t_high) {
     return nearest;
   }
-  // The next binary32 upwards, as t >= 0.
+  // As t >= 0, this is the next larger binary32.
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) + 1U);
 }
 
 bool has_area(const Mesh::Corners& corners) {
   // A component of (b - a) x (c - a) errs by at most 4 u times the sum of its |products|: 2 roundings of
-  // entries, 1 of the product, 1 of the difference. 8 u pays for rounding the bound.
+  // entries, 1 of the product, 1 of the difference. 8 u covers the rounding of the bound.
   const glm::dvec3 b = glm::dvec3(corners.b) - glm::dvec3(corners.a);
   const glm::dvec3 c = glm::dvec3(corners.c) - glm::dvec3(corners.a);
   for (int i = 0; i < 3; ++i) {

@@ -1,9 +1,9 @@
-// The exact ray-triangle test: one answer for every traversal, whatever order it visits triangles in.
-// A ray hits the closed triangle from either side when the exact parameter t of its line in the triangle's
-// plane has 0 <= t <= length and the point lies in the triangle; a ray parallel to the plane (determinant 0)
-// never hits. The smaller exact t wins, exact ties go to the lower index. Signs of triple products decide, as
-// in Pluecker tests (section 2.2), so triangles that share an edge leave no gap. A double filter with proven
-// bounds in the manner of Shewchuk (1997) answers nearly always; integers answer the rest.
+// The exact ray-triangle test: one answer for every traversal, whatever order it visits triangles in. A ray
+// hits the closed triangle from either side when the exact parameter t of its line in the triangle's plane
+// has 0 <= t <= length and the point lies in the triangle; a ray parallel to the plane (determinant 0) never
+// hits. The smaller exact t wins; exact ties go to the lower index. Signs of triple products decide, as in
+// Pluecker tests (section 2.2), so triangles that share an edge leave no gap. A filter in double, with proven
+// bounds after Shewchuk (1997), answers nearly always; integers answer the rest.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 
 namespace hitpipe::ref {
 
-/// The closest hit so far. [t_low, t_high] encloses the exact t and depends on ray and triangle alone.
+/// The closest hit so far. [t_low, t_high] contains the exact t and depends only on ray and triangle.
 struct Hit {
   static constexpr std::uint32_t none = ~0U;
 
@@ -34,8 +34,8 @@ struct Hit {
   [[nodiscard]] bool found() const { return triangle != none; }
 };
 
-/// Tests one triangle against an acceptable ray and keeps the better hit in `best`, which must stem from the
-/// same mesh and ray; true if `best` changed. Corners and ray are finite binary32 values.
+/// Tests one triangle against an acceptable ray and keeps the better hit in `best`. `best` must come from the
+/// same mesh and ray. True if `best` changed. Corners and ray are finite binary32 values.
 bool intersect_triangle(const Mesh& mesh, std::uint32_t triangle, const Ray& ray, Hit& best);
 
 /// A ray length for culling boxes: binary32, never below the exact t; infinite without a hit.
@@ -52,21 +52,22 @@ namespace triangle_filter {
 /// triple products is a multiple of 2^-447 below 2^390.
 constexpr double unit_roundoff = 0x1p-53;
 
-/// Triple product with one row exact and two rows of rounded differences: each of its six terms passes 2
-/// roundings of entries, 1 of the inner product, 1 of the minor, 1 of the outer product and 2 of the sum. So
-/// the error is at most ((1 + u)^7 - 1) * (sum of |terms|), and that sum at most
-/// 2 |row 1|_1 |row 2|_max |row 3|_max. The factor 16 in place of 14 pays for the rounded norms and for the
-/// products that form the bound itself.
+/// Error bound of a triple product with one exact row and two rows of rounded differences. Each of its six
+/// terms has 7 roundings: 2 of entries, 1 of the inner product, 1 of the minor, 1 of the outer product and 2
+/// of the sum. So the error is at most ((1 + u)^7 - 1) * (sum of |terms|), and that sum at most 2 |row 1|_1
+/// |row 2|_max |row 3|_max. The factor is 16 instead of 14 to cover the rounding of the norms and of the
+/// bound itself.
 constexpr double exact_row_bound = 16 * unit_roundoff;
 
-/// The same with three rounded rows: 8 roundings a term, 18 in place of 16.
+/// The same with three rounded rows: 8 roundings a term, so 18 instead of 16.
 constexpr double rounded_rows_bound = 18 * unit_roundoff;
 
-/// A determinant closer to zero than 2^20 of its error bounds is left to integers: t would be loose.
+/// If a determinant is closer to zero than 2^20 times its error bound, integers decide, because t would be
+/// imprecise.
 constexpr double loose_determinant = 0x1p20;
 
-/// Makes a nonnegative quotient a lower or an upper bound after its sum, difference and division (3 u) and
-/// this product (1 u) were rounded: 8 u.
+/// Factors that make a nonnegative quotient a lower or an upper bound, although its sum, difference and
+/// division (3 u) and this product (1 u) were rounded: 8 u.
 constexpr double round_down = 1.0 - 0x1p-50;
 constexpr double round_up = 1.0 + 0x1p-50;
 
@@ -77,22 +78,21 @@ inline double norm_one(const glm::dvec3& v) {
   return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-/// An enclosure of the exact t of a hit.
+/// An interval that contains the exact t of a hit.
 struct Enclosure {
   double low;
   double high;
 };
 enum class Verdict { miss, hit, doubt };
 
-/// Decides hit or miss by integers, and for a hit encloses t as tightly as doubles can.
+/// Decides hit or miss by integers. For a hit it bounds t as tightly as doubles can.
 bool enclose_exactly(const Mesh::Corners& corners, const Ray& ray, Enclosure& t);
 
 /// Whether triangle `left` comes before `right`, both hit by the ray: smaller exact t, or equal and lower
 /// index.
 bool before_exactly(const Mesh& mesh, std::uint32_t left, std::uint32_t right, const Ray& ray);
 
-/// Encloses the t of a hit whose edge signs are certain; in doubt where t might be negative or its bound
-/// loose.
+/// Bounds the t of a hit whose edge signs are certain. In doubt if t might be negative or its bound is loose.
 inline Verdict enclose(const Mesh::Corners& corners, const glm::dvec3& direction, const glm::dvec3& to_a,
                        Enclosure& t) {
   const glm::dvec3 a(corners.a);
@@ -117,14 +117,15 @@ inline Verdict enclose(const Mesh::Corners& corners, const glm::dvec3& direction
   return Verdict::hit;
 }
 
-/// Hit or miss of the ray's line with t >= 0, by double arithmetic alone; encloses t for a hit.
+/// Hit or miss of the ray's line with t >= 0, by double arithmetic alone; bounds t for a hit.
 inline Verdict classify(const Mesh::Corners& corners, const Ray& ray, Enclosure& t) {
   const glm::dvec3 origin(ray.origin);
   const glm::dvec3 direction(ray.direction);
   const glm::dvec3 a = glm::dvec3(corners.a) - origin;
   const glm::dvec3 b = glm::dvec3(corners.b) - origin;
   const glm::dvec3 c = glm::dvec3(corners.c) - origin;
-  // On which side the line passes each edge: direction . (b x c), direction . (c x a), direction . (a x b).
+  // The side on which the line passes each edge: direction . (b x c), direction . (c x a), direction . (a x
+  // b).
   const glm::dvec3 moment = glm::cross(direction, a);
   const double edge_bc = glm::dot(direction, glm::cross(b, c));
   const double edge_ca = -glm::dot(moment, c);
@@ -152,15 +153,15 @@ inline bool intersect_triangle(const Mesh& mesh, std::uint32_t triangle, const R
   if (verdict == Verdict::miss) {
     return false;
   }
-  // Which path encloses t must not depend on `best`: the interval of a hit would depend on the order of the
-  // tests.
+  // The choice of path must not depend on `best`: otherwise the interval of a hit would depend on the order
+  // of the tests.
   const double length = ray.length;
   const bool certain = verdict == Verdict::hit && (t.high <= length || t.low > length);
   if (certain ? t.low > length : !triangle_filter::enclose_exactly(corners, ray, t)) {
     return false;
   }
   if (t.low > best.t_high || triangle == best.triangle) {
-    return false;  // farther, or the same triangle met in another leaf
+    return false;  // farther, or the same triangle in another leaf
   }
   if (t.high >= best.t_low && !triangle_filter::before_exactly(mesh, triangle, best.triangle, ray)) {
     return false;

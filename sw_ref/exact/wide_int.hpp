@@ -1,5 +1,5 @@
-// The slow exact path's integers: binary32 values counted in units of 2^-149. For the .cpp files of exact/
-// only. Width: a coordinate difference is below 2^278 units and a direction component below 2^277, so a
+// Integers for the slow exact path: binary32 values in units of 2^-149. Only the .cpp files of exact/ include
+// this. Width: a coordinate difference is below 2^278 units and a direction component below 2^277, so a
 // triple product is below 6 * 2^834 < 2^837 and the product of two of them below 2^1674.
 #pragma once
 

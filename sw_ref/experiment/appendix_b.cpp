@@ -1,4 +1,4 @@
-// Tables B.1 to B.8: what the largest number of triangles in a leaf does to time and memory.
+// Tables B.1 to B.8: how the largest number of triangles in a leaf affects time and memory.
 #include <array>
 #include <map>
 #include <string>

@@ -1,4 +1,4 @@
-// Tables 3.1 and 3.2: eleven box tests, and Woo's beside them, on pairs of which 0, 50 and 100 % hit.
+// Tables 3.1 and 3.2: eleven box tests and also Woo's, on pairs with 0, 50 and 100 % hits.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -16,7 +16,7 @@ namespace hitpipe::ref {
 namespace {
 
 constexpr std::size_t pairs = 100'000;  // the thesis has 500,000; neither fits a cache
-constexpr int rounds = 5;               // of all pairs, in one timed run
+constexpr int rounds = 5;               // over all pairs, in one timed run
 constexpr std::array hit_percents{0, 50, 100};
 constexpr std::array<std::string_view, 3> printed_columns{"time_hit0M_miss50M_s", "time_hit25M_miss25M_s",
                                                           "time_hit50M_miss0M_s"};

@@ -17,7 +17,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// What one encoding took for one scene.
+/// The work and time of one encoding for one scene.
 struct Encoded {
   RenderCounts counts;
   double seconds = 0;
@@ -63,8 +63,8 @@ SceneResult run(const Scene& scene, int bundle, const ExperimentOptions& options
   return result;
 }
 
-/// A printed metric's value in our run: per ray of the metric's kind, bytes or seconds. Nothing when the
-/// scene has no such rays.
+/// The value of a printed metric in our run: per ray of the metric's kind, in bytes or in seconds. Nothing if
+/// the scene has no such rays.
 std::optional<double> value(const Encoded& encoded, const std::string& metric) {
   if (metric == "bvh_memory") return encoded.bytes;
   if (metric == "time") return encoded.seconds;
@@ -72,8 +72,8 @@ std::optional<double> value(const Encoded& encoded, const std::string& metric) {
   return per_ray(encoded.counts, metric);
 }
 
-/// The float value, then memory as it is and everything else as an increase in percent. Times have no float
-/// value but 1.
+/// The float value, then memory as a value and everything else as an increase in percent. For times the float
+/// value is 1.
 std::vector<std::optional<double>> our_figures(const SceneResult& scene, const std::string& metric) {
   const std::optional<double> plain = value(scene[0], metric);
   if (!plain) return std::vector<std::optional<double>>(encodings.size());

@@ -92,7 +92,8 @@ std::vector<std::optional<double>> printed_figures(const PrintedRow& row) {
   return figures;
 }
 
-/// Whether no row falls by more than `slack` percent points from one format to the next coarser one.
+/// Whether in no row the figure falls by more than `slack` percentage points from one format to the next
+/// coarser one.
 Finding monotone(const ResultTable& table) {
   constexpr double slack = 0.5;  // the thesis prints whole percents
   std::size_t rows = 0;

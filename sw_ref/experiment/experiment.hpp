@@ -14,17 +14,17 @@
 namespace hitpipe::ref {
 
 struct ExperimentOptions {
-  /// For the thesis's scene of that name ("Bunny"): a mesh or scene file, or a built-in scene, in place of
-  /// the stand-in. A scene without either has no figures of ours.
+  /// Maps a name of the thesis's scenes ("Bunny") to a mesh or scene file or a built-in scene that replaces
+  /// the stand-in. A scene with neither has no figures of ours.
   std::map<std::string, std::string> scenes;
   /// Only these of the table's scenes; empty: all.
   std::vector<std::string> only;
   int width = 256;  ///< the thesis: 2048 x 2048
   int height = 256;
-  std::optional<std::uint64_t> triangles;  ///< of stand-ins that scale; nothing: their default sizes
-  int repeats = 3;                         ///< timed runs, the fastest counts
-  int threads = 1;                         ///< of what is only counted; timed runs have one thread
-  /// Told the finished share, 0..1, from any thread.
+  std::optional<std::uint64_t> triangles;  ///< size of stand-ins that scale; nothing: their default sizes
+  int repeats = 3;                         ///< timed runs; the fastest counts
+  int threads = 1;                         ///< for runs that only count; timed runs have one thread
+  /// Called from any thread with the finished share, 0..1.
   std::function<void(double)> progress = [](double) {};
 };
 
@@ -36,7 +36,7 @@ struct Experiment {
 /// In the thesis's order.
 [[nodiscard]] std::span<const Experiment> experiments();
 
-/// Throws std::runtime_error, one line with the numbers that exist, for another number.
+/// Throws std::runtime_error for an unknown number, with one line that lists the known ones.
 [[nodiscard]] const Experiment& find_experiment(std::string_view number);
 
 }  // namespace hitpipe::ref

@@ -1,4 +1,4 @@
-// The metrics of chapter 5's tables, as their data files call them.
+// The metrics of chapter 5's tables, by their names in the data files.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 namespace hitpipe::ref {
 
 /// "ray_tri_tests_", "ray_node_tests_", "tris_loaded_" or "nodes_loaded_" with "primary", "secondary" or
-/// "shadow": per ray of that kind; nothing when there is none.
+/// "shadow": per ray of that kind; nothing if there is no such ray.
 [[nodiscard]] inline std::optional<double> per_ray(const RenderCounts& counts, const std::string& metric) {
   const TraceCounts& kind = metric.ends_with("_primary")     ? counts.primary
                             : metric.ends_with("_secondary") ? counts.secondary

@@ -9,37 +9,37 @@
 #include <fmt/format.h>
 
 #include "sw_ref/encode/hierarchical_nodes.hpp"
+#include "sw_ref/encode/plain_nodes.hpp"
 #include "sw_ref/experiment/metric.hpp"
 #include "sw_ref/experiment/paging.hpp"
 #include "sw_ref/experiment/printed.hpp"
 #include "sw_ref/experiment/recording.hpp"
 #include "sw_ref/experiment/tables.hpp"
 #include "sw_ref/experiment/test_scene.hpp"
-#include "sw_ref/traverse/plain_nodes.hpp"
 #include "sw_ref/traverse/plucker.hpp"
 #include "sw_ref/traverse/store_tracer.hpp"
 
 namespace hitpipe::ref {
 namespace {
 
-/// Memory as a share of all that the binary32 form takes. The thesis's machine held the 8-bit form and not
-/// the other.
+/// Memory as a share of what the binary32 form needs. The memory of the thesis's machine held the 8-bit form
+/// but not the binary32 form.
 constexpr std::array memory_percents{95, 90, 80, 60, 40};
 
 struct Paged {
   RenderCounts counts;
   std::array<std::uint64_t, memory_percents.size()> faults{};
   std::uint64_t bytes = 0;  ///< of the nodes
-  std::uint64_t pages = 0;  ///< that were read from
+  std::uint64_t pages = 0;  ///< pages that were read
 };
 
-/// unit_pages: what memory_percents are shares of; 0: the pages that this store reads from.
+/// memory_percents are shares of unit_pages; 0 means the pages that this store reads.
 template <class Store>
 Paged run(const Scene& scene, const Bvh& bvh, const Store& store, const std::vector<RecordedBatch>& batches,
           int bundle, std::uint64_t unit_pages, const std::function<void()>& step) {
-  using SetUp = SetUpTest<Plucker<float>>;
-  const SetUp set_up;
-  const TraceWith<Store, SetUp> with{store, set_up,
+  using Maker = TestMaker<Plucker<float>>;
+  const Maker make_test;
+  const TraceWith<Store, Maker> with{store, make_test,
                                      Leaves{scene.mesh, bvh.order, leaf_test(TriangleTest::binary32)},
                                      ChildOrder::by_direction, bundle};
   Paged result;

@@ -1,5 +1,6 @@
-// A model of paging (section 5.8): arrays larger than memory, whose pages are loaded when they are touched
-// and the least recently used one leaves. It counts faults, on the addresses that a traversal really reads.
+// A model of paging (section 5.8) for arrays larger than memory. A page is loaded when it is touched, and the
+// least recently used page leaves. The model counts page faults on the addresses that a traversal really
+// reads.
 #pragma once
 
 #include <cstddef>
@@ -18,10 +19,10 @@ class PagedMemory {
   /// Room for budget / page_bytes pages, at least one.
   explicit PagedMemory(std::uint64_t budget_bytes);
 
-  /// Address of a new array, at the start of a page. Nothing of it is in memory.
+  /// Address of a new array, at the start of a page. None of its pages is in memory.
   [[nodiscard]] std::uint64_t add_array(std::uint64_t bytes);
 
-  /// Reads `bytes` >= 1 from the address, which lie in one array.
+  /// Reads `bytes` >= 1 from the address; they must lie in one array.
   void read(std::uint64_t address, std::uint64_t bytes);
 
   [[nodiscard]] std::uint64_t faults() const { return faults_; }
@@ -46,10 +47,10 @@ class PagedMemory {
   std::uint32_t oldest_ = none;
 };
 
-/// The arrays of a hierarchy with its triangles in paged memory, as an observer of a traversal's loads.
+/// The arrays of a hierarchy and its triangles in paged memory. It observes the loads of a traversal.
 class PagedScene {
  public:
-  /// Both must outlive it.
+  /// Mesh and hierarchy must outlive it.
   PagedScene(const Mesh& mesh, const Bvh& bvh, std::size_t bytes_per_node, std::uint64_t budget_bytes);
 
   void node_loaded(std::uint32_t node) { memory_.read(nodes_ + node * bytes_per_node_, bytes_per_node_); }

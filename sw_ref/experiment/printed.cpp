@@ -11,7 +11,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// Cuts at every `mark`; what follows the last one is a part too.
+/// Cuts at every `mark`; the text after the last one is a part too.
 std::vector<std::string> split(std::string_view text, char mark) {
   std::vector<std::string> parts;
   for (;;) {

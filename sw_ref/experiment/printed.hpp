@@ -1,5 +1,5 @@
-// The figures that the thesis prints, as data: printed/*.csv, compiled in. Times were measured on its
-// author's machine (Pentium 4, 3.0 GHz).
+// The figures that the thesis prints, as data: printed/*.csv, compiled in. Its author measured the times on a
+// Pentium 4, 3.0 GHz.
 #pragma once
 
 #include <memory>
@@ -16,9 +16,9 @@ class PrintedRow {
   using Columns = std::shared_ptr<const std::vector<std::string>>;
   PrintedRow(Columns columns, std::vector<std::string> cells);
 
-  /// The cell as text, "" where nothing is printed. Throws std::out_of_range for a column that is not there.
+  /// The cell as text, "" if nothing is printed. Throws std::out_of_range for an unknown column.
   [[nodiscard]] const std::string& text(std::string_view column) const;
-  /// The cell as a number; nothing where nothing is printed. Throws as text() does.
+  /// The cell as a number; nothing if nothing is printed. Throws as text() does.
   [[nodiscard]] std::optional<double> number(std::string_view column) const;
 
  private:
@@ -28,7 +28,8 @@ class PrintedRow {
 
 class PrintedTable {
  public:
-  /// A header line, then a row a line; no quotes. Throws std::logic_error for a row that is cut short.
+  /// Text with a header line, then one row a line, without quotes. Throws std::logic_error for a row that is
+  /// cut short.
   explicit PrintedTable(std::string_view csv);
 
   [[nodiscard]] const std::vector<std::string>& columns() const { return *columns_; }

@@ -1,4 +1,4 @@
-// The rays of one image, kept, so that many tracers can be measured on the same work without the shading.
+// The recorded rays of one image, so that many tracers can be measured on the same work without shading.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace hitpipe::ref {
 
-/// Rays that were traced together: of one tile, kind and light.
+/// Rays that were traced together: they have one tile, kind and light.
 struct RecordedBatch {
   RayKind kind;
   Query query;
@@ -16,15 +16,15 @@ struct RecordedBatch {
   std::vector<std::uint32_t> triangles;  ///< the exact answers
 };
 
-/// Every batch of an image, tile by tile. The batches depend on the tile side alone (see tile_side_for()).
+/// Every batch of an image, tile by tile. The batches depend only on the tile side (see tile_side_for()).
 [[nodiscard]] std::vector<RecordedBatch> record_rays(const Scene& scene, const Bvh& bvh, int width,
                                                      int height, int bundle);
 
-/// What a tracer took for a recording.
+/// The work and time of a tracer for a recording.
 struct Measurement {
   RenderCounts counts;
-  double seconds = 0;           ///< of the fastest run, processor time of one thread
-  std::uint64_t different = 0;  ///< rays whose answer is not the recorded one
+  double seconds = 0;           ///< processor time of the fastest run, on one thread
+  std::uint64_t different = 0;  ///< rays whose answer differs from the recorded one
 };
 
 /// Traces all batches `repeats` times, >= 1, on one thread.

@@ -1,5 +1,5 @@
-// What an experiment of the thesis gives when it is run again: our figures beside the printed ones, and what
-// the thesis found, agreeing or not.
+// The result of repeating an experiment of the thesis: our figures and the printed ones, and whether the
+// thesis's findings hold in this run.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace hitpipe::ref {
 /// A column of figures.
 struct ResultColumn {
   std::string name;
-  int decimals = 0;  ///< for people; csv and json keep all digits
+  int decimals = 0;  ///< in text; csv and json keep all digits
 };
 
 struct ResultRow {
@@ -20,17 +20,17 @@ struct ResultRow {
   std::vector<std::optional<double>> printed;  ///< one a column; nothing: not printed
 };
 
-/// A statement of the thesis held against this run.
+/// A statement of the thesis, compared with this run.
 struct Finding {
   std::string claim;
   bool agrees;
-  std::string figures;  ///< what the verdict rests on
+  std::string figures;  ///< the figures that decide
 };
 
 struct ResultTable {
   std::string number;               ///< "5.1"
   std::string title;                ///< one line, with units
-  std::vector<std::string> labels;  ///< names of the label columns; the first is what rows are grouped by
+  std::vector<std::string> labels;  ///< names of the label columns; rows are grouped by the first
   std::vector<ResultColumn> columns;
   std::vector<ResultRow> rows;
   std::vector<Finding> findings;

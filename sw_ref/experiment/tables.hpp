@@ -1,11 +1,11 @@
-// The functions behind the registry of experiments, one file a chapter.
+// The functions in the registry of experiments, one file for each chapter.
 #pragma once
 
 #include "sw_ref/experiment/experiment.hpp"
 
 namespace hitpipe::ref {
 
-/// Tables 3.1 (binary32) and 3.2 (binary64): box tests on their own.
+/// Tables 3.1 (binary32) and 3.2 (binary64): box tests alone.
 [[nodiscard]] ResultTable box_test_times(std::string_view number, const ExperimentOptions& options);
 
 /// Tables 4.1, 4.3 and 4.4: traversal algorithms.
@@ -14,7 +14,7 @@ namespace hitpipe::ref {
 /// Tables 5.1 to 5.7: hierarchically encoded nodes; single rays, bundles of 64 and of 256.
 [[nodiscard]] ResultTable hierarchical_encoding(std::string_view number, const ExperimentOptions& options);
 
-/// Tables 5.8 and 5.9: the same where memory does not hold the float hierarchy, by the paging model.
+/// Tables 5.8 and 5.9: the same when the float hierarchy does not fit into memory, by the paging model.
 [[nodiscard]] ResultTable out_of_core(std::string_view number, const ExperimentOptions& options);
 
 /// Table 6.1: sizes of integer hierarchies.

@@ -25,8 +25,8 @@ struct BasicAabb {
     max = glm::max(max, box.max);
   }
 
-  /// Coordinate of face 0..5: min x, y, z, max x, y, z. A ray set-up picks near and far faces once by number,
-  /// so that the test itself has no branch on the signs of the direction.
+  /// Coordinate of face 0..5: min x, y, z, max x, y, z. A ray set-up picks the numbers of the near and far
+  /// faces once, so the test has no branch on the signs of the direction.
   [[nodiscard]] T plane(unsigned face) const {
     static_assert(sizeof(BasicAabb) == 6 * sizeof(T), "six coordinates in a row");
     T value;

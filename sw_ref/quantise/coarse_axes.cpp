@@ -12,12 +12,12 @@ namespace hitpipe::ref {
 //   io' = u floor(io / u),  a' = u floor((a - (u - 1)) / u),  b' = u ceil(b / u).
 // Then io' = io - r with 0 <= r <= u - 1, a' <= a - (u - 1) and b' >= b, so
 //   a' - io' <= a - (u - 1) - io + r <= a - io   and   b' - io' >= b - io + r >= b - io:
-// seen from the cut origin, the grown box holds what the box holds seen from the rounded one. What
-// int_ray.cpp and int_plucker_ray.cpp prove takes from origin and box only that
+// seen from the cut origin, the grown box contains the box as seen from the rounded origin. The proofs in
+// int_slabs_ray.cpp and int_plucker_ray.cpp use only these facts about origin and box:
 //   both differences bound x, d0 <= x <= d1            they still do: d0 sinks, d1 rises
-//   no difference is beyond M = 2^(n-1) - 1            |a'|, |b'| <= 2^(n-2) and |io'| <= G are asked for
+//   no difference is beyond M                         we require |a'|, |b'| <= G + 1 and |io'| <= G
 //   below Pluecker: ixmin lies below, ixmax above the box    a' <= a, b' >= b
-// and nothing else in them changes.
+// The rest of the proofs does not change.
 
 namespace {
 

@@ -11,16 +11,16 @@
 namespace hitpipe::ref {
 namespace {
 
-/// The least binary32 >= o + step, infinite beyond the largest. o a binary32, step a product of two: 48 bits
-/// in [2^-298, 2^256] or 0, exact as a double.
+/// The least binary32 >= o + step; infinite beyond the largest. o is a binary32. step is a product of two: 48
+/// bits in [2^-298, 2^256] or 0, so exact as a double.
 float sum_up(double o, double step) {
-  // Knuth's two-sum: sum + error = o + step exactly; nothing overflows, and sums do not underflow.
+  // Knuth's two-sum: sum + error = o + step exactly. Nothing overflows, and sums do not underflow.
   const double sum = o + step;
   const double rest = sum - o;
   const double error = (o - (sum - rest)) + (step - rest);
   const auto nearest = static_cast<float>(sum);
-  // A binary32 on one side of `sum` is on that side of the exact sum too, as rounding is monotone and keeps
-  // a binary32 as it is.
+  // A binary32 on one side of `sum` is on the same side of the exact sum, because rounding is monotone and
+  // does not change a binary32.
   const bool below = nearest < sum || (nearest == sum && error > 0);
   return below ? std::nextafter(nearest, Ray::infinite) : nearest;
 }

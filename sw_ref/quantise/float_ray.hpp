@@ -1,5 +1,5 @@
 // Ray set-up for the float units in binary32 (sections 2.3.1 and 3.3): inverse direction for slabs, endpoint
-// for Pluecker. As a program would compute it: no proof follows from rounded numbers.
+// for Pluecker. Computed as a program would, in rounded numbers, so it proves nothing.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -19,8 +19,8 @@ struct FloatEndpoint {
   friend bool operator==(const FloatEndpoint&, const FloatEndpoint&) = default;
 };
 
-/// origin + length * direction from the exact sum, each component rounded outward along the ray: up where
-/// the direction is positive, down where it is negative. For acceptable rays (box_referee.hpp); throws
+/// origin + length * direction. Each component is rounded once from the exact sum, outward along the ray: up
+/// if the direction is positive, down if it is negative. For acceptable rays (box_referee.hpp). Throws
 /// std::invalid_argument unless length >= 0 or infinite.
 [[nodiscard]] FloatEndpoint float_endpoint(const Ray& ray, float length);
 

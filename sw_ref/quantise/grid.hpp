@@ -1,6 +1,6 @@
-// The integer grid of n-bit coordinates (section 6.2.1): [-1, 1] is mapped to [-G, G], G = 2^(n-2) - 1, so
-// that the difference of two coordinates still fits n bits. Exact: integers from the binary32's mantissa and
-// exponent.
+// The integer grid of n-bit coordinates (section 6.2.1), and its limits G and M. [-1, 1] is mapped to [-G,
+// G], so that the difference of two coordinates still fits n bits. All rounding is exact: it uses integers
+// made of the binary32's mantissa and exponent.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace hitpipe::ref {
 
-/// G = 2^(n-2) - 1: the integer coordinate of 1. n in 6..32.
+/// G = 2^(n-2) - 1: the integer coordinate of 1. n is in 6..32.
 [[nodiscard]] constexpr std::int64_t grid_scale(int coord_bits) {
   return (std::int64_t{1} << (coord_bits - 2)) - 1;
 }
@@ -23,15 +23,20 @@ namespace hitpipe::ref {
   return std::int64_t{1} << (coord_bits - 2);
 }
 
+/// M = 2^(n-1) - 1 = G + (G + 1): the largest n-bit word. No difference between a box coordinate and a ray
+/// origin exceeds it, and the set-ups scale directions and inverse directions to it.
+[[nodiscard]] constexpr std::int64_t direction_limit(int coord_bits) {
+  return (std::int64_t{1} << (coord_bits - 1)) - 1;
+}
+
 enum class Half : int { down = -1, up = 1 };
 
-/// Up to this n, G x has 29 + 24 bits at most: an exact double.
+/// Up to this n, G x has at most 29 + 24 bits and is exact in a double.
 inline constexpr int exact_in_double = 31;
 
-/// floor(s * x + 1/2) with s = G or -G, exact for |x| <= 2 and n <= exact_in_double. Without a branch, so
-/// that loops over it vectorise. Let s x = k + f, k an integer nearest to it: the result is k, or k + 1 if f
-/// = 1/2. Beside 1.5 * 2^52 a double has no bits below 1: the sum rounds s x to k, and both differences are
-/// exact.
+/// floor(s * x + 1/2) with s = G or -G, exact for |x| <= 2 and n <= exact_in_double. There is no branch, so
+/// loops over it vectorise. Let s x = k + f, with k a nearest integer: the result is k, or k + 1 if f = 1/2.
+/// A double near 1.5 * 2^52 has no bits below 1. So the sum rounds s x to k, and both differences are exact.
 [[nodiscard]] inline double grid_nearest(float x, double scale) {
   constexpr double without_fraction = 0x1.8p52;
   const double scaled = scale * static_cast<double>(x);

@@ -13,10 +13,10 @@
 namespace hitpipe::ref {
 namespace {
 
-// Range. For |x| <= 1, whatever n: G |x| + 1/2 <= G + 1/2, so the outward rounded coordinate is at most
-// G + 1 = 2^(n-2) in magnitude. A scene inside +-(1 - 2^-10) keeps its boxes below 1 - 2^-10 + 5e-7 < 1 when
-// padded (section 4.3), so they always pass. Ray origins lie in [-G, G], so a difference is at most 2^(n-2) +
-// G = 2^(n-1) - 1: it fits n bits.
+// Range. For |x| <= 1 and every n, G |x| + 1/2 <= G + 1/2, so the outward rounded coordinate is at most G + 1
+// in magnitude. The padded boxes of a scene inside +-(1 - 2^-10) stay below 1 - 2^-10 + 5e-7 < 1 (section
+// 4.3), so they always pass. Ray origins lie in [-G, G], so a difference is at most (G + 1) + G = M and fits
+// n bits.
 std::int64_t lower(float x, int coord_bits) {
   return grid_floor(x, coord_bits, Half::down);
 }
@@ -28,7 +28,7 @@ static_assert(sizeof(Aabb) == 6 * sizeof(float) && sizeof(IntBox) == 6 * sizeof(
               "boxes in a row are planes in a row");
 
 constexpr std::size_t boxes_at_a_time = 16;
-/// The planes of that many boxes, as they lie in memory: what is done to all alike vectorises.
+/// The planes of that many boxes, as they lie in memory. A loop that treats all planes alike vectorises.
 template <class T>
 using Planes = std::array<T, 6 * boxes_at_a_time>;
 
@@ -40,12 +40,13 @@ constexpr Planes<double> signs = [] {
 }();
 
 bool within_cube(const Planes<float>& planes, std::size_t count) {
-  int beyond = 0;  // a NaN is
+  int beyond = 0;  // 1 also for a NaN
   for (std::size_t i = 0; i < count; ++i) beyond |= std::abs(planes[i]) <= 1.0F ? 0 : 1;
   return beyond == 0;
 }
 
-/// For planes in the cube and n <= exact_in_double. ceil(y) = -floor(-y): one rounding for both corners.
+/// For planes in the cube and n <= exact_in_double. As ceil(y) = -floor(-y), one rounding serves both
+/// corners.
 void round_outward(const Planes<float>& planes, std::size_t count, int coord_bits,
                    Planes<std::int32_t>& rounded) {
   const auto unit = static_cast<double>(grid_scale(coord_bits));

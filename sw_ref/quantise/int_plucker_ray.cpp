@@ -10,45 +10,41 @@
 
 namespace hitpipe::ref {
 
-// Why the integer test never misses. G, M as in the header; o and d are the ray's origin and direction, io
-// and id the rounded ones, e = M d / max |d_i| the direction before rounding, so that |id - e| <= 1/2 and
-// |e| <= M on every axis, with equality on one.
+// Why the integer test never misses. G and M are those of grid.hpp. o and d are the ray's origin and
+// direction, io and id the rounded ones. e = M d / max |d_i| is the direction before rounding. So |id - e| <=
+// 1/2 and |e| <= M on every axis, and |e| = M on one.
 //
-// The ray that the unit sees. Let ray and box share a point, G o + s e in grid units, s >= 0. Moved by io -
-// G o, at most 1/2 on every axis, the point is io + s e and lies in the box grown by half a unit, hence in
-// the outward box: a <= x <= b with x = s e and the integers a = ixmin - io, b = ixmax - io, which are at
-// most M in magnitude (int_box.cpp). On the axis with |e| = M this says s M <= M: s <= 1.
+// The ray that the unit sees. Let ray and box share a point, which is G o + s e in grid units, s >= 0. Move
+// it by io - G o, at most 1/2 on every axis: it is then io + s e, and lies in the box grown by half a unit,
+// hence in the outward box. So a <= x <= b, where x = s e, and a = ixmin - io and b = ixmax - io are integers
+// of at most M in magnitude (int_box.cpp). On the axis with |e| = M this means s M <= M, so s <= 1.
 //
-// Six edges. Take axes i and j. The unit computes q - p = id_j I - id_i J, where I is the upper plane b_i if
-// id_j >= 0 and the lower a_i if not, so that id_j (I - x_i) >= 0, and J the other way round, so that
-// id_i (x_j - J) >= 0; the other edge exchanges i and j. Hence, as e_j x_i = e_i x_j,
+// Six edges. Take axes i and j. The unit computes q - p = id_j I - id_i J. I is the upper plane b_i if id_j
+// >= 0, otherwise the lower plane a_i, so id_j (I - x_i) >= 0. J is chosen the other way round, so id_i (x_j
+// - J) >= 0. For the other edge i and j are exchanged. Hence, as e_j x_i = e_i x_j,
 //   q - p >= id_j x_i - id_i x_j = (id_j - e_j) x_i - (id_i - e_i) x_j >= -(|x_i| + |x_j|) / 2 >= -M.
-// Equality would need |x_i| = |x_j| = M, thus |e_i| = |e_j| = M, and those are rounded without error: the
-// integer q - p is at least -(M - 1), as section 6.3.2 says. Nothing was asked of the true signs: the classes
-// may be those of the rounded components.
+// Equality would need |x_i| = |x_j| = M and thus |e_i| = |e_j| = M, but those are rounded without error. So
+// the integer q - p is at least -(M - 1), as section 6.3.2 says. The proof does not use the true signs, so
+// the classes may be those of the rounded components.
 //
 // Trimming. floor(q / 2^k) - floor(p / 2^k) >= (q - p - (2^k - 1)) / 2^k >= -(M - 1 + 2^k - 1) / 2^k, and as
 // an integer >= -ceil((M - 1) / 2^k): EBND.
 //
-// Behind. In class plus the unit asks for b >= 0. If e >= 0, b >= x >= 0. If e < 0 was rounded to 0, -1/2 <
-// e, so x = s e > -1/2 and the integer b >= 0. Class minus has e < 0, so a <= x <= 0.
+// Behind. In class plus the unit requires b >= 0. If e >= 0, then b >= x >= 0. If e < 0 was rounded to 0,
+// then -1/2 < e, so x = s e > -1/2 and the integer b >= 0. In class minus e < 0, so a <= x <= 0.
 //
-// Beyond. In class plus it asks for endpoint >= ixmin, and ixmin < G min <= the ray's coordinate at the
-// common point, which lies between origin and end: the larger of the two, rounded up, will do. It is the end
-// if d >= 0 and the origin if d < 0 was rounded to 0. Likewise in class minus, with the end rounded down.
-// Past the cube the endpoint is ignored, which only adds hits: a coordinate far beyond G does not fit n bits,
-// and clamping one to -G in class plus, where a negative d was rounded to 0, could be a miss.
+// Beyond. In class plus the unit requires endpoint >= ixmin. At the common point the ray's coordinate is >= G
+// min > ixmin, and the point lies between origin and end. So the larger of the two, rounded up, is large
+// enough. That is the end if d >= 0, and the origin if d < 0 was rounded to 0. Class minus is the same with
+// the end rounded down. An endpoint outside the cube is ignored, which only adds hits. A coordinate far
+// beyond G does not fit n bits, and clamping one to -G in class plus, where a negative d was rounded to 0,
+// could cause a miss.
 
 namespace {
 
 __extension__ using Int128 = __int128;
 
-constexpr std::string_view who = "IntPluckerSetup";
-
-/// M = 2^(n-1) - 1.
-constexpr std::uint64_t direction_limit(int coord_bits) {
-  return (std::uint64_t{1} << (coord_bits - 1)) - 1;
-}
+constexpr std::string_view who = "IntPluckerRaySetup";
 
 /// mantissa * 2^exponent in units of 2^-90, rounded down; exact unless exponent < -90.
 Int128 fixed_point(Int128 mantissa, int exponent) {
@@ -56,7 +52,7 @@ Int128 fixed_point(Int128 mantissa, int exponent) {
   return shift >= 0 ? mantissa * (Int128{1} << shift) : mantissa >> std::min(-shift, 127);
 }
 
-/// floor(G (o + t d)), or with `negate` of the negated sum; exact for |o| <= 1, |t d| <= 2.
+/// floor(G (o + t d)), or floor(-G (o + t d)) with `negate`; exact for |o| <= 1, |t d| <= 2.
 std::int64_t grid_floor_of_sum(float o, float t, float d, int coord_bits, bool negate) {
   // G o and G t d are integers below 2^54 and 2^78 times powers of two; in units of 2^-90 both stay below
   // 2^121.
@@ -68,12 +64,12 @@ std::int64_t grid_floor_of_sum(float o, float t, float d, int coord_bits, bool n
   const Int128 start = Int128{scale} * from.mantissa;
   const Int128 step = Int128{scale} * by.mantissa * times.mantissa;
   if (from.exponent < -90 && step_exponent < -90) {
-    // Both may have lost bits, and |sum| < 2^-36 + 2^-12: the sign decides. A double holds t d exactly: 48
-    // bits, and no less than 2^-298.
+    // Both may have lost bits, and |sum| < 2^-36 + 2^-12, so the sign decides. A double holds t d exactly: it
+    // has 48 bits and is no less than 2^-298.
     const double sum_of = static_cast<double>(t) * (negate ? -d : d);
     return sum_of < -static_cast<double>(negate ? -o : o) ? -1 : 0;
   }
-  // At most one of the two was rounded down, by less than a unit: the sum's floor is not affected.
+  // At most one of the two was rounded down, by less than a unit. That does not change the floor of the sum.
   const Int128 sum = fixed_point(from.negative ? -start : start, from.exponent) +
                      fixed_point(by.negative ? -step : step, step_exponent);
   return static_cast<std::int64_t>(sum >> 90);
@@ -81,11 +77,12 @@ std::int64_t grid_floor_of_sum(float o, float t, float d, int coord_bits, bool n
 
 }  // namespace
 
-IntPluckerSetup::IntPluckerSetup(const Ray& ray, hls::IntBits bits) : exact_(ray), coord_bits_(bits.coord) {
+IntPluckerRaySetup::IntPluckerRaySetup(const Ray& ray, hls::IntBits bits)
+    : exact_(ray), coord_bits_(bits.coord) {
   check_format(bits, who);
   check_ray(ray, who);
   for (int axis = 0; axis < 3; ++axis) {
-    // To nearest, ties upwards: the error is at most 1/2 exactly, which the box's half unit covers.
+    // To nearest, ties upwards. The error is at most exactly 1/2, which the half unit of the box covers.
     ray_.origin[static_cast<std::size_t>(axis)] =
         static_cast<std::int32_t>(grid_floor(ray.origin[axis], coord_bits_, Half::up));
   }
@@ -93,17 +90,19 @@ IntPluckerSetup::IntPluckerSetup(const Ray& ray, hls::IntBits bits) : exact_(ray
   ray_.end = endpoint(ray.length);
 }
 
-void IntPluckerSetup::set_direction() {
+void IntPluckerRaySetup::set_direction() {
   const glm::vec3& d = exact_.direction;
+  const auto limit = static_cast<std::uint64_t>(direction_limit(coord_bits_));
   const Binary32 largest = decode(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}));
   for (int axis = 0; axis < 3; ++axis) {
-    // |e| = M m / (m_largest 2^k), to nearest, ties away from zero: mirrored rays have mirrored directions.
+    // |e| = M m / (m_largest 2^k), to nearest, ties away from zero, so mirrored rays have mirrored
+    // directions.
     const Binary32 parts = decode(d[axis]);
     const int k = largest.exponent - parts.exponent;
     std::uint64_t magnitude = 0;
     if (k < 33) {
-      const std::uint64_t twice = 2 * direction_limit(coord_bits_) * parts.mantissa;  // < 2^56
-      const std::uint64_t denominator = std::uint64_t{largest.mantissa} << k;         // < 2^57
+      const std::uint64_t twice = 2 * limit * parts.mantissa;                  // < 2^56
+      const std::uint64_t denominator = std::uint64_t{largest.mantissa} << k;  // < 2^57
       magnitude = (twice + denominator) / (2 * denominator);
     }
     // From k = 33 on the largest is normal, its mantissa >= 2^23 and the denominator >= 2^56: |e| < 1/2.
@@ -112,7 +111,7 @@ void IntPluckerSetup::set_direction() {
   }
 }
 
-IntEndpoint IntPluckerSetup::endpoint(float length) const {
+IntEndpoint IntPluckerRaySetup::endpoint(float length) const {
   check_length(length, who);
   const IntEndpoint nowhere{ray_.origin, true};
   if (std::isinf(length)) {

@@ -1,4 +1,4 @@
-// What every ray set-up asks of its input, and the one-line errors that say so. `who` opens the message.
+// Checks that every ray set-up makes on its input. Errors are one line, which starts with `who`.
 #pragma once
 
 #include <string_view>
@@ -12,8 +12,8 @@ namespace hitpipe::ref {
 /// not finite or all zero.
 void check_ray(const Ray& ray, std::string_view who);
 
-/// Throws std::invalid_argument for a format that is no integer unit's; those of IntBits::min_proved, below
-/// the range that the message names, pass for the exhaustive tests.
+/// Throws std::invalid_argument unless an integer unit can have the format. Formats from IntBits::min_proved
+/// on pass too, for the exhaustive tests, although the message does not name them.
 void check_format(hls::IntBits bits, std::string_view who);
 
 /// Throws std::invalid_argument unless length >= 0 or infinite.

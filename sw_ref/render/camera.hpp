@@ -10,7 +10,7 @@
 namespace hitpipe::ref {
 
 /// The infinite ray through pixel (x, y) of a width x height image; (0, 0) is at the upper left. Pixels are
-/// square and the vertical field of view is the camera's. The direction has length 1 but for its rounding to
+/// square and the vertical field of view is the camera's. The direction has length 1, apart from rounding to
 /// binary32.
 [[nodiscard]] inline Ray primary_ray(const Camera& camera, int x, int y, int width, int height) {
   const double pixel = 2.0 * camera.tan_half_height / height;

@@ -1,5 +1,5 @@
-// False colours for heat maps and depth: nine anchors of viridis (S. van der Walt and N. Smith, CC0), even
-// steps of a map that is perceptually uniform and readable by the colour-blind, with straight lines between.
+// False colours for heat maps and depth: nine anchors at even steps of viridis (S. van der Walt and N. Smith,
+// CC0), linearly interpolated. The map is perceptually uniform and readable for the colour-blind.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace hitpipe::ref {
 /// sRGB codes.
 using Srgb = std::array<std::uint8_t, 3>;
 
-/// 0 is dark violet, 1 is yellow; outside of [0, 1] the nearer end; NaN is black, which no number is.
+/// 0 is dark violet and 1 is yellow. Outside [0, 1] it is the nearer end. NaN is black, which no number maps
+/// to.
 [[nodiscard]] inline Srgb viridis(float x) {
   constexpr std::array<Srgb, 9> anchors{{{0x44, 0x01, 0x54},
                                          {0x47, 0x2D, 0x7B},

@@ -26,7 +26,7 @@ class OpenImageIoCodec final : public ImageCodec {
     spec.attribute("oiio:ColorSpace", is_png ? "sRGB" : "Linear");
     if (!is_png) {
       spec.attribute("compression", "zip");
-      spec.attribute("DateTime", "");  // else the time of writing: equal images must be equal files
+      spec.attribute("DateTime", "");  // otherwise the current time; equal images must be equal files
     }
     const std::string name = "image." + format;
     if (!output->open(name, spec) ||

@@ -1,5 +1,5 @@
-// What reads and writes image files, kept out of the program until one is read or written: OpenImageIO brings
-// hundreds of libraries, whose loading takes longer than most commands.
+// Reads and writes image files. It is a module that the program loads only when it needs one: OpenImageIO
+// brings hundreds of libraries, and loading them takes longer than most commands.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class ImageCodec {
   [[nodiscard]] virtual StoredImage read(const std::filesystem::path& file) const = 0;
 };
 
-/// Loaded when first asked for. Throws std::runtime_error when it cannot be.
+/// Loads the module at the first call. Throws std::runtime_error if it cannot be loaded.
 [[nodiscard]] const ImageCodec& image_codec();
 
 /// The entry point of the module.

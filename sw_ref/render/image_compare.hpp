@@ -1,4 +1,4 @@
-// How far two images are apart.
+// How much two images differ.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace hitpipe::ref {
 
-/// Over all channels, in the images' own values. Equal values differ by 0, infinite ones and NaN too; a
-/// number and a NaN, or a number and an infinity, differ by infinity.
+/// Differences over all channels, in the images' own values. Equal values differ by 0, also infinities and
+/// NaN. A number and a NaN, or a number and an infinity, differ by infinity.
 struct ImageDifference {
   std::uint64_t pixels = 0;
-  std::uint64_t different_pixels = 0;  ///< by more than the tolerance in some channel
+  std::uint64_t different_pixels = 0;  ///< they differ by more than the tolerance in some channel
   double largest = 0.0;
   double mean = 0.0;
   double psnr_db = 0.0;          ///< peak 1 over the root of the mean square; infinite for equal images

@@ -1,5 +1,5 @@
-// Light of a pixel, summed in fixed point: the sum does not depend on the order in which rays end, so images
-// of tracers that end them in different orders are equal bit for bit.
+// The light of a pixel, summed in fixed point. The sum does not depend on the order of the terms, so tracers
+// that finish rays in different orders give the same image, bit for bit.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace hitpipe::ref {
 
-/// Linear red, green and blue in units of 2^-32, from 0 to 2^32 - 2^-32, where sums stay.
+/// Linear red, green and blue in units of 2^-32. A sum that reaches 2^32 - 2^-32 stays there.
 class LightSum {
  public:
   /// Each component is cut to [0, 2^31] (NaN: 0) and rounded down to a unit.
@@ -24,7 +24,7 @@ class LightSum {
     }
   }
 
-  /// Each component rounded to binary32 once.
+  /// The sum, with each component rounded to binary32 once.
   [[nodiscard]] glm::vec3 value() const {
     const auto linear = [](std::uint64_t sum) { return static_cast<float>(sum) / static_cast<float>(unit); };
     return {linear(sums_[0]), linear(sums_[1]), linear(sums_[2])};

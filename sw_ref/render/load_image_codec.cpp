@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside an installed program, else where it was built.
+/// In the folder of an installed program, otherwise where it was built.
 fs::path module_file() {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);

@@ -7,7 +7,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// An interpolated normal may be turned away from the ray although the triangle is not.
+/// An interpolated normal can face away from the ray although the triangle does not.
 glm::dvec3 bending_normal(const SurfacePoint& point, const glm::dvec3& arriving) {
   return glm::dot(arriving, point.shading_normal) < 0.0 ? point.shading_normal : point.normal;
 }

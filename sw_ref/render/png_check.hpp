@@ -1,5 +1,5 @@
-// Whether a PNG file is whole, before libpng reads it: libpng writes about a damaged one to standard error
-// itself.
+// Checks that a PNG file is whole before libpng reads it, because libpng itself writes to standard error
+// about a damaged one.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,8 @@
 namespace hitpipe::ref {
 
 /// Checks signature, length and checksum of each chunk up to IEND (ISO/IEC 15948, 5). Throws
-/// std::runtime_error, one line, for what is wrong. A file without the signature is left to other readers.
+/// std::runtime_error, one line that says what is wrong. Ignores a file without the signature; other readers
+/// check it.
 void check_png(const std::filesystem::path& file);
 
 }  // namespace hitpipe::ref

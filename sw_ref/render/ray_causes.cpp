@@ -13,7 +13,7 @@ bool any(const glm::vec3& part) {
   return part.x > 0.0F || part.y > 0.0F || part.z > 0.0F;
 }
 
-/// Some colour of the light is one that the surface scatters.
+/// Whether the surface scatters some colour of the light.
 bool any_of(const glm::vec3& albedo, const glm::vec3& light) {
   return any(glm::vec3(glm::greaterThan(albedo, glm::vec3(0.0F))) * light);
 }

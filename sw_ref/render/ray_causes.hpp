@@ -1,5 +1,5 @@
-// What the surfaces and lights of a scene can cause, found once for all its rays: what is not listed here
-// never happens, whichever pixels are asked for, so that whoever traces it needs neither test nor memory.
+// The kinds of rays that the surfaces and lights of a scene can cause, found once for the scene. What is not
+// listed here never happens in any pixel, so a renderer needs no test and no memory for it.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@ namespace hitpipe::ref {
 
 struct RayCauses {
   bool scatters = false;              ///< some surface is not black
-  bool mirrors = false;               ///< some surface mirrors, if only by total reflection
-  bool refracts = false;              ///< some surface passes rays on; it mirrors, too
-  std::vector<std::uint32_t> lights;  ///< indices of those that some surface scatters light of
+  bool mirrors = false;               ///< some surface mirrors, perhaps only by total reflection
+  bool refracts = false;              ///< some surface transmits rays; then it also mirrors
+  std::vector<std::uint32_t> lights;  ///< indices of the lights whose light some surface scatters
   bool smooth = false;                ///< surfaces have shading normals of their own
 
   [[nodiscard]] bool secondary() const { return mirrors; }
   [[nodiscard]] bool shadow() const { return !lights.empty(); }
 };
 
-/// By the materials that triangles use. Without bounces nothing mirrors or refracts.
+/// Considers the materials that triangles use. Without bounces nothing mirrors or refracts.
 [[nodiscard]] RayCauses ray_causes(const Scene& scene, int bounces);
 
 }  // namespace hitpipe::ref

@@ -28,7 +28,7 @@ struct Frame {
   int rows;
 };
 
-/// Renders one tile after the other; its buffers are kept from tile to tile.
+/// Renders one tile after the other and reuses its buffers.
 class TileRenderer {
  public:
   TileRenderer(const Frame& frame, RenderResult& result)
@@ -68,7 +68,7 @@ class TileRenderer {
     for (std::size_t i = 0; i < light_.size(); ++i) result_.image[place(i)] = light_[i].value();
   }
 
-  /// Of all tiles so far.
+  /// The result of all tiles so far.
   [[nodiscard]] const RenderCounts& counts() const { return counts_; }
   [[nodiscard]] const ShadingCounts& shading() const { return shading_; }
 
@@ -88,7 +88,7 @@ class TileRenderer {
     return tasks;
   }
 
-  /// Where the result keeps the tile's pixel.
+  /// The index in the result of a pixel of the tile.
   [[nodiscard]] std::size_t place(std::size_t pixel) const {
     const int x = left_ + static_cast<int>(pixel) % width_;
     const int y = top_ + static_cast<int>(pixel) / width_;
@@ -96,7 +96,7 @@ class TileRenderer {
            static_cast<std::size_t>(x);
   }
 
-  /// Traces tasks of one kind and sorts what follows into shadows_ and secondary_.
+  /// Traces tasks of one kind, and sorts the tasks that follow into shadows_ and secondary_.
   void trace(const Queue& batch) {
     if (batch.empty()) return;
     rays_.clear();
@@ -130,7 +130,7 @@ class TileRenderer {
     }
   }
 
-  /// Right after trace(batch_).
+  /// To be called directly after trace(batch_).
   void keep_primary_hits() {
     for (std::size_t i = 0; i < batch_.size(); ++i) {
       const std::uint32_t triangle = triangles_[i];
@@ -152,7 +152,7 @@ class TileRenderer {
   std::vector<LightSum> light_;  // by pixel of the tile
   Queue batch_;
   std::vector<Queue> shadows_;     // by light of RayCauses
-  std::vector<Queue> secondary_;   // mirrored and refracted, as far as the scene causes them
+  std::vector<Queue> secondary_;   // mirrored and refracted, if the scene causes them
   std::vector<Queue> generation_;  // the secondary rays that are being traced
   Queue next_;
   std::vector<Ray> rays_;
@@ -224,9 +224,9 @@ RenderResult render(const Scene& scene, const Tracer& tracer, const RenderOption
   const auto count = static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows);
   std::mutex counting;
   std::atomic<std::size_t> finished = 0;
-  // Tiles are small: a thousand steps are enough to watch.
+  // Tiles are small; a thousand steps of progress are enough.
   const auto steps = [&](std::size_t done) { return 1000 * done / count; };
-  // More workers than cores would only make TBB complain.
+  // With more workers than cores TBB prints a warning.
   tbb::task_arena arena(std::min(options.threads, tbb::info::default_concurrency()));
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {

@@ -8,7 +8,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// x cut to [0, most]; 0 where x is no number.
+/// x cut to [0, most]; 0 if x is NaN.
 double part(double x, double most) {
   return x > 0.0 ? std::min(x, most) : 0.0;
 }
@@ -24,13 +24,13 @@ SurfacePoint point_of(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) 
   const glm::dvec3 from_a = glm::dvec3(ray.origin) - a;
   const glm::dvec3 moment = glm::cross(direction, from_a);
   const double determinant = glm::dot(direction, normal);
-  // Barycentric coordinates of b and c. A ray that grazes the plane makes them rough, but clamped they still
-  // name a point of the triangle: nothing that is computed from it leaves the cube.
+  // Barycentric coordinates of b and c. They are imprecise if the ray grazes the plane. Clamped, they still
+  // give a point of the triangle, so nothing that is computed from it leaves the cube.
   const double v = part(glm::dot(moment, ac) / determinant, 1.0);
   const double w = part(-glm::dot(moment, ab) / determinant, 1.0 - v);
   SurfacePoint point;
   point.position = a + v * ab + w * ac;
-  // The normal of a sliver may vanish in double although its exact area does not.
+  // The normal of a sliver can be zero in double although its exact area is not.
   const glm::dvec3 facing = determinant > 0.0 ? -normal : normal;
   point.normal = glm::normalize(facing == glm::dvec3(0.0) ? -direction : facing);
   point.shading_normal = point.normal;

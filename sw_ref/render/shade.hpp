@@ -1,6 +1,6 @@
-// What is seen where a ray ends: Lambert's law for point lights with shadows, ambient light, a sky.
-// All of it depends on ray, triangle and scene alone, so every traversal that finds the same triangles sends
-// the same shadow rays and computes the same image, bit for bit.
+// The light at the end of a ray: Lambert's law for point lights with shadows, ambient light, a sky. It
+// depends only on ray, triangle and scene. So every traversal that finds the same triangles sends the same
+// shadow rays and computes the same image, bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -13,31 +13,31 @@
 
 namespace hitpipe::ref {
 
-/// Distance from a surface to the origin of the rays that leave it, along the normal, in the [-1, 1] cube:
-/// 128 units of the last place of binary32 near 1, so that rounding the origin cannot take it through the
-/// surface, and yet below the width of a pixel.
+/// Distance from a surface to the origin of the rays that leave it, along the normal, in the [-1, 1] cube. It
+/// is 128 units of the last place of binary32 near 1, so rounding cannot move the origin through the surface.
+/// It is still below the width of a pixel.
 constexpr double shadow_offset = 0x1p-17;
 
 /// Where a ray meets a triangle. Both normals are unit vectors on the ray's side of the surface.
 struct SurfacePoint {
   glm::dvec3 position;
   glm::dvec3 normal;          ///< of the triangle's plane
-  glm::dvec3 shading_normal;  ///< interpolated where the mesh has normals
+  glm::dvec3 shading_normal;  ///< interpolated if the mesh has normals
   bool front = true;          ///< the ray meets the side whose corners run counterclockwise
 };
 
 /// The point of `triangle` that the ray hits, computed in double and kept on the triangle.
 [[nodiscard]] SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray);
-/// The same of a mesh without normals, and of one with.
+/// The same for a mesh without normals, and for one with normals.
 [[nodiscard]] SurfacePoint flat_surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray);
 [[nodiscard]] SurfacePoint smooth_surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray);
 
-/// The point `offset` above the surface, on the ray's side of it for offset > 0. It is moved onto the [-1, 1]
-/// cube, as a float, where the offset leaves it.
+/// The point `offset` above the surface, on the ray's side for offset > 0. If that is outside the [-1, 1]
+/// cube, it is moved onto the cube, as a float.
 [[nodiscard]] glm::vec3 origin_beside(const SurfacePoint& point, double offset);
 
-/// The ray from a surface to a light: t = 1 is the light. Nothing when the light is behind the surface, which
-/// is dark without a test.
+/// The ray from a surface to a light; the light is at t = 1. Nothing if the light is behind the surface,
+/// which is then dark without a test.
 [[nodiscard]] std::optional<Ray> shadow_ray(const SurfacePoint& point, const Light& light);
 
 /// Linear radiance of the background.
@@ -46,7 +46,7 @@ struct SurfacePoint {
 /// Light that comes from everywhere and casts no shadow.
 [[nodiscard]] glm::vec3 ambient(const SurfacePoint& point);
 
-/// Light that an unblocked light sends to the point, by Lambert's law.
+/// The light that the point gets from an unblocked light, by Lambert's law.
 [[nodiscard]] glm::vec3 direct(const SurfacePoint& point, const Light& light);
 
 }  // namespace hitpipe::ref

@@ -1,7 +1,8 @@
-// Which rays a pixel needs and what light they bring, after Whitted (1980): a shadow ray to each light, a
-// mirrored and a refracted ray from each surface that reflects and transmits. The caller traces the rays, in
-// any order and by any means. All of it depends on ray, triangle and scene alone and light is summed in fixed
-// point, so callers that find the same triangles send the same rays and compute the same image, bit for bit.
+// The rays that a pixel needs and the light that they bring, after Whitted (1980): a shadow ray to each
+// light, and a mirrored and a refracted ray from each surface that reflects and transmits. The caller traces
+// the rays in any order and by any means. Everything depends only on ray, triangle and scene, and light is
+// summed in fixed point. So callers that find the same triangles send the same rays and compute the same
+// image, bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -30,11 +31,12 @@ struct RayTask {
   static constexpr std::uint8_t refracted = 1;
 
   Ray ray;
-  glm::vec3 weight{1.0F};    ///< its share of the pixel's light; of a shadow ray: the light that it brings
-  std::uint32_t pixel = 0;   ///< the caller's number
-  std::uint16_t source = 0;  ///< of a shadow ray an index of RayCauses::lights, else mirrored or refracted
+  glm::vec3 weight{1.0F};   ///< its share of the pixel's light; for a shadow ray: the light that it brings
+  std::uint32_t pixel = 0;  ///< the caller's number
+  std::uint16_t source =
+      0;  ///< for a shadow ray an index of RayCauses::lights, otherwise mirrored or refracted
   RayKind kind = RayKind::primary;
-  std::uint8_t depth = 0;  ///< secondary rays between the eye and its origin, itself counted
+  std::uint8_t depth = 0;  ///< number of secondary rays from the eye to this ray, including this one
 
   [[nodiscard]] Query query() const { return kind == RayKind::shadow ? Query::any : Query::closest; }
 };
@@ -42,14 +44,15 @@ struct RayTask {
 struct WhittedOptions {
   static constexpr int most_bounces = 64;
 
-  /// Secondary rays in a row, 0..most_bounces: what more would bring is dark.
+  /// The most secondary rays in a row, 0..most_bounces. Further ones would bring no light.
   int bounces = 5;
-  /// Secondary rays whose weight is below it in each component are not sent: what they would bring is dark.
-  /// The parts of a material add up to 1 at most, so a pixel has at most 3 / cutoff rays of equal depth.
+  /// A secondary ray is not sent if each component of its weight is below the cutoff. Its light counts as
+  /// dark. The parts of a material add up to 1 at most, so a pixel has at most 3 / cutoff rays of equal
+  /// depth.
   float cutoff = 1.0F / 256.0F;
 };
 
-/// What came of the end of a ray.
+/// The work done at the end of a ray.
 struct ShadeWork {
   std::uint32_t surface_points = 0;     ///< computed
   std::uint32_t light_evaluations = 0;  ///< of direct light
@@ -66,9 +69,9 @@ class Whitted {
   /// The task of pixel (x, y), called `number`, of a width x height image.
   [[nodiscard]] RayTask primary(int x, int y, int width, int height, std::uint32_t number) const;
 
-  /// Goes on after the task's ray ended at `triangle`, Hit::none if at none: adds light to the task's pixel
-  /// and appends the tasks that follow. A shadow ray is appended when the light is in front of the surface
-  /// and would bring more than 0. With the eye in the cube the rays of all tasks are acceptable().
+  /// To be called when the task's ray has ended at `triangle`, or Hit::none. Adds light to the task's pixel
+  /// and appends the tasks that follow. A shadow ray is appended if the light is in front of the surface and
+  /// would bring more than 0. If the eye is in the cube, the rays of all tasks are acceptable().
   ShadeWork end(const RayTask& task, std::uint32_t triangle, LightSum& pixel,
                 std::vector<RayTask>& next) const {
     return end_(*this, task, triangle, pixel, next);
@@ -77,13 +80,13 @@ class Whitted {
  private:
   using End = ShadeWork (*)(const Whitted&, const RayTask&, std::uint32_t, LightSum&, std::vector<RayTask>&);
 
-  /// end() for scenes that cause no more than these; chosen once.
+  /// end() for scenes that cause no other rays than these; chosen once.
   template <bool scatters, bool shadow, bool secondary>
   static ShadeWork end_where(const Whitted& whitted, const RayTask& task, std::uint32_t triangle,
                              LightSum& pixel, std::vector<RayTask>& next);
   [[nodiscard]] static End end_for(const RayCauses& causes);
 
-  /// How many lights were asked.
+  /// Returns how many times direct light was computed.
   std::uint32_t add_shadow_rays(const RayTask& task, const SurfacePoint& point, const glm::vec3& diffuse,
                                 std::vector<RayTask>& next) const;
   void add_secondary_rays(const RayTask& task, const SurfacePoint& point, const Material& material,

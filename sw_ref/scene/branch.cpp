@@ -16,7 +16,7 @@ namespace {
 
 enum Colour : std::uint8_t { paper, bark, old_needle, needle, young_needle, cone_scale };
 
-constexpr double golden_angle = 2.39996323;  // between a needle and the next, as in real twigs
+constexpr double golden_angle = 2.39996323;  // between successive needles, as in real twigs
 
 struct Twig {
   glm::dvec3 from;
@@ -101,7 +101,7 @@ class Spruce {
 
   void needles(const Twig& twig, const std::vector<glm::dvec3>& path, const std::vector<double>& radii) {
     const int count = scaled(165.0 * twig.length, detail_, 3);
-    // Its own dice: how many needles there are must not change how the next twig grows.
+    // A twig has its own dice, so that its number of needles does not change how the next twig grows.
     Dice dice(needled_twigs_++);
     for (int i = 0; i < count; ++i) {
       const double t = (i + dice.next()) / count;
@@ -115,7 +115,7 @@ class Spruce {
           glm::normalize(along(path, std::min(1.0, t + 0.04)) - along(path, std::max(0.0, t - 0.04)));
       const Frame frame = Frame::along(way);
       const glm::dvec3 out = frame.x * std::cos(roll) + frame.y * std::sin(roll);
-      // Needles below the twig bend to the sides, those above stand up.
+      // Needles below the twig bend to the sides; those above stand up.
       const glm::dvec3 direction =
           glm::normalize(out * (out.y < -0.3 ? 0.75 : 1.0) + way * lean + glm::dvec3(0, 0.12, 0));
       const glm::dvec3 root =

@@ -7,7 +7,8 @@
 
 namespace hitpipe::ref {
 
-/// A spruce branch with two cones: some thousand bent needles, tiny against the gaps between them.
+/// A spruce branch with two cones. It has thousands of bent needles, which are tiny compared with the gaps
+/// between them.
 [[nodiscard]] SceneDescription branch(std::size_t triangles);
 
 }  // namespace hitpipe::ref

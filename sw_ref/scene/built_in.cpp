@@ -19,7 +19,7 @@ SceneDescription only_spheres(std::size_t /*triangles*/) {
   return spheres();
 }
 
-// The thesis's sizes, except where a scene would take a minute: those default to a million triangles.
+// Default sizes are the thesis's. Scenes that would take a minute default to a million triangles.
 constexpr std::array<BuiltInScene, 11> scenes{{
     {"spheres", "Spheres", 24'578, 24'578, 24'578, 2, "balls, some mirrors, some of glass", only_spheres},
     {"branch", "Branch", 312'706, 80'000, 10'000'000, 2, "a spruce branch with cones", branch},

@@ -65,7 +65,7 @@ void EvenSurface::append(Mesh& mesh, double edge, std::uint8_t material) const {
     const std::uint32_t count = around(v, edge);
     for (std::uint32_t k = 0; k < count; ++k)
       mesh.vertices.emplace_back(point_(static_cast<double>(k) / count, v));
-    // The next triangle stands on the row that is less far around.
+    // The next triangle starts from the row that has advanced less far around.
     const auto join = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       mesh.triangles.emplace_back(a, b, c);
       mesh.materials.push_back(material);

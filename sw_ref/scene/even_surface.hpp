@@ -1,5 +1,6 @@
-// A closed surface cut into triangles of about one size. Rows run around it from pole to pole; a row has as
-// many vertices as its length asks for, so neighbouring rows are sewn together.
+// A closed surface cut into triangles of about one size. Rows of vertices run around it, from pole to pole.
+// The number of vertices of a row depends on its length, so neighbouring rows can differ; triangles join
+// them.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ class EvenSurface {
   explicit EvenSurface(std::function<glm::dvec3(double, double)> point);
 
   [[nodiscard]] double area() const { return area_; }
-  /// With edges of about this length.
+  /// Triangles with edges of about this length.
   [[nodiscard]] std::size_t triangles(double edge) const;
   void append(Mesh& mesh, double edge, std::uint8_t material) const;
 

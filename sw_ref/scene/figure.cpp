@@ -38,7 +38,7 @@ struct Slice {
   double x, z;   ///< centre
 };
 
-/// Smoothly between the two slices around y, as Catmull and Rom do.
+/// A Catmull-Rom interpolation between the slices around y.
 Slice slice_at(std::span<const Slice> slices, double t) {
   const double place = t * static_cast<double>(slices.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(place), slices.size() - 2);
@@ -80,7 +80,7 @@ glm::dvec3 robe(double u, double v) {
   const Slice s = slice_at(robe_slices, v);
   const double angle = 2.0 * pi * u;
   const glm::dvec3 out(std::cos(angle), 0.0, std::sin(angle));
-  // Folds hang from the girdle, deeper and fewer towards the hem, and wander as cloth does.
+  // Folds hang from the girdle. They become deeper and fewer towards the hem, and wander as in cloth.
   const double hang = rise(1.16, 0.25, s.y);
   const double wander = 0.55 * layered_noise({3.0 * out.x, 2.2 * s.y, 3.0 * out.z}, 3);
   const double wide = std::sin(9.0 * angle + 3.0 * wander + 1.7 * s.y);
@@ -107,7 +107,7 @@ glm::dvec3 head(double u, double v) {
   glm::dvec3 p = d * glm::dvec3(0.082, 0.118, 0.098);
   if (d.y < 0.0) p.x *= 1.0 + 0.32 * d.y;  // towards the chin
   const double face = rise(0.35, 0.7, d.z);
-  // In the face's own coordinates x and y of about +-0.07 and +-0.1.
+  // The face has its own coordinates; x and y are about +-0.07 and +-0.1.
   double relief = 0.026 * bump(p.x, 0.0, 0.010 + 0.008 * rise(0.01, -0.035, p.y)) * bump(p.y, -0.014, 0.026);
   relief -= 0.010 * (bump(p.x, 0.030, 0.014) + bump(p.x, -0.030, 0.014)) * bump(p.y, 0.013, 0.012);
   relief += 0.008 * (bump(p.x, 0.031, 0.011) + bump(p.x, -0.031, 0.011)) * bump(p.y, 0.011, 0.006);
@@ -138,7 +138,7 @@ glm::dvec3 bezier(const std::array<glm::dvec3, 4>& c, double t) {
 }
 
 glm::dvec3 limb(const Limb& limb, double u, double v) {
-  // The last twentieth at either end closes round.
+  // The last twentieth at either end closes in a round end.
   constexpr double round = 0.05;
   const double t = std::clamp((v - 0.5 * round) / (1.0 - round), 0.0, 1.0);
   const double end = std::min({1.0, v / round, (1.0 - v) / round});
@@ -153,14 +153,14 @@ glm::dvec3 limb(const Limb& limb, double u, double v) {
   return carved(p + out * (limb.folds * fold * end), out, 0.0018 * end);
 }
 
-/// side is -1 or 1. The wing is a closed sheet along its leading edge; feathers lie in three rows.
+/// side is -1 or 1. The wing is a closed sheet along its leading edge, with feathers in three rows.
 glm::dvec3 wing(double side, double u, double v) {
   const std::array<glm::dvec3, 4> edge{{{0.05 * side, 1.36, -0.10},
                                         {0.30 * side, 1.98, -0.34},
                                         {0.66 * side, 1.98, -0.40},
                                         {0.62 * side, 1.12, -0.34}}};
   const double t = v;
-  // Around the edge in the same sense for both wings, as they are mirrored.
+  // Both wings go around the edge in the same sense, because one is the mirror image of the other.
   const double turn = side < 0.0 ? u : 1.0 - u;
   const bool front = turn < 0.5;
   const double across = front ? 2.0 * turn : 2.0 - 2.0 * turn;

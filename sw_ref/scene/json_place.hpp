@@ -1,5 +1,5 @@
-// JSON read with care: every value is reached through a Place, which knows the way to it and names it when it
-// is not what is allowed. All that is wrong is thrown as std::runtime_error with one line.
+// Reads JSON through Places. A Place is a value and the path to it; errors name that path. All errors are
+// std::runtime_error with one line.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +14,21 @@
 
 namespace hitpipe::ref {
 
-/// Of a whole file; no object may have a key twice.
+/// Parses a whole file; no object may have a key twice.
 [[nodiscard]] nlohmann::json parse_json(const std::filesystem::path& file);
 
 class Place {
  public:
-  /// `way` as "lights[0].position"; empty: the file's top. `value` must outlive the place.
+  /// `way` is a path such as "lights[0].position"; empty for the top of the file. `value` must outlive the
+  /// place.
   explicit Place(const nlohmann::json& value, std::string way = "") : value_(&value), way_(std::move(way)) {}
 
   [[noreturn]] void fail(const std::string& reason) const;
-  /// Fails unless this is an object all of whose keys are among these.
+  /// Fails unless this is an object and each of its keys is in the list.
   void expect_object(std::initializer_list<const char*> keys) const;
   [[nodiscard]] bool has(const char* key) const { return value_->contains(key); }
   [[nodiscard]] Place at(const std::string& key) const;
-  /// Of an object whose keys the user chooses.
+  /// The members of an object whose keys the user chooses.
   [[nodiscard]] std::vector<std::pair<std::string, Place>> members() const;
   [[nodiscard]] std::vector<Place> elements() const;
   [[nodiscard]] std::string word() const;
@@ -35,7 +36,7 @@ class Place {
   [[nodiscard]] std::uint64_t count(std::uint64_t most) const;
   [[nodiscard]] double number() const;
   [[nodiscard]] glm::dvec3 vector() const;
-  /// One number for all three components, or three; each in 0 to `most`, which may be infinite.
+  /// One number for all three components, or three numbers; each from 0 to `most`, which may be infinite.
   [[nodiscard]] glm::dvec3 colour(double most) const;
 
  private:

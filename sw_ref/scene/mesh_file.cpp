@@ -1,5 +1,5 @@
-// A file is checked before, during and after Assimp reads it; its copy is freed before equal positions are
-// joined.
+// The file is checked before, during and after Assimp reads it. Assimp's copy is freed before equal positions
+// are joined.
 #include "sw_ref/scene/mesh_file.hpp"
 
 #include <algorithm>
@@ -44,8 +44,8 @@ std::string lower_extension(const std::filesystem::path& file) {
   return extension;
 }
 
-/// Assimp takes a text STL that ends between two facets for a whole one. A binary file has the size that its
-/// facet count at byte 80 asks for, which Assimp does check.
+/// Assimp accepts a text STL that ends between two facets. For a binary file the facet count at byte 80 gives
+/// the size, and Assimp checks that.
 void check_stl(const std::filesystem::path& file, std::uintmax_t size) {
   std::ifstream in(file, std::ios::binary);
   std::array<char, 84> head{};
@@ -63,7 +63,7 @@ void check_stl(const std::filesystem::path& file, std::uintmax_t size) {
     reject("is cut short; a text STL must end with \"endsolid\"");
 }
 
-/// Assimp makes room for the bytes that a chunk of a GLB announces before it looks whether the file has them.
+/// Assimp allocates the bytes that a chunk of a GLB announces before it checks that the file has them.
 void check_glb(const std::filesystem::path& file, std::uintmax_t size) {
   std::ifstream in(file, std::ios::binary);
   const auto word = [&] {
@@ -108,7 +108,7 @@ void check_file(const std::filesystem::path& file) {
   if (extension == ".glb") check_glb(file, size);
 }
 
-/// Every index that a face holds names a vertex. Assimp promises this for none of its formats.
+/// Checks that every index of a face is that of a vertex. Assimp does not guarantee this for any format.
 void check_indices(const aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[m];
@@ -171,7 +171,7 @@ std::string material_name(const aiScene& scene, const aiMesh& mesh) {
                                                    : "";
 }
 
-/// All meshes of the node tree, each under the product of the transforms above it.
+/// Adds all meshes of the node tree, each moved by the product of the transforms above it.
 Mesh flatten(const aiScene& scene, std::vector<MeshGroup>& groups) {
   Mesh out;
   std::size_t faces = 0;
@@ -194,7 +194,8 @@ Mesh flatten(const aiScene& scene, std::vector<MeshGroup>& groups) {
   return out;
 }
 
-/// What the reader of a file's extension does not recognise, Assimp would give to all its other readers.
+/// If the reader for the file's extension does not recognise the file, Assimp would try all its other
+/// readers.
 void keep_readers_of(Assimp::Importer& importer, const std::string& extension) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     std::istringstream extensions(importer.GetImporterInfo(i)->mFileExtensions);
@@ -246,7 +247,7 @@ std::uint64_t hash(const glm::vec3& p) {
   return h ^ h >> 32U;
 }
 
-/// Leaves each position that a triangle uses once, in the order of first appearance.
+/// Keeps each position that a triangle uses once, in the order of first appearance.
 void join_positions(Mesh& mesh) {
   constexpr std::uint32_t none = ~0U;
   constexpr std::uint32_t used = none - 1;
@@ -271,7 +272,8 @@ void join_positions(Mesh& mesh) {
   for (glm::uvec3& t : mesh.triangles) t = {renumbered[t.x], renumbered[t.y], renumbered[t.z]};
 }
 
-/// Words quoted from a broken file, by this reader or by Assimp, may hold line breaks and worse.
+/// Text that this reader or Assimp quotes from a broken file can contain line breaks and other control
+/// characters.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');

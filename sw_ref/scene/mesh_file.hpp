@@ -12,12 +12,12 @@ namespace hitpipe::ref {
 
 /// All triangles of a file in its own units: node transforms applied, polygons triangulated, points and lines
 /// left out, equal positions joined, triangles without area dropped and counted. At least one triangle
-/// remains. Throws std::runtime_error with one line that names the file and what is allowed, when the file is
-/// missing, is no regular file, is empty, cut short or malformed, has an unknown extension, a coordinate that
-/// is not finite, an index out of range, or no triangle with area.
+/// remains. Throws std::runtime_error, one line that names the file and what is allowed, if the file is
+/// missing, not a regular file, empty, cut short or malformed, or if it has an unknown extension, a
+/// coordinate that is not finite, an index out of range, or no triangle with area.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
 
-/// Triangles that stand together in a file and have one name and one material there; names may be empty.
+/// Consecutive triangles of a file that have one name and one material there; names may be empty.
 struct MeshGroup {
   std::string name;
   std::string material;
@@ -25,7 +25,7 @@ struct MeshGroup {
   std::uint32_t count = 0;
 };
 
-/// The same, and which triangle is of which group: the groups follow one another and cover the mesh.
+/// The same, and also the groups of the triangles. The groups follow one another and cover the mesh.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file, std::vector<MeshGroup>& groups);
 
 }  // namespace hitpipe::ref

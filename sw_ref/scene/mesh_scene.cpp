@@ -13,7 +13,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// From inside a room towards what stands in it, and lit from below its ceiling.
+/// The view from inside a room towards its contents, lit from below the ceiling.
 void move_inside(SceneDescription& scene, const Bounds& walls, const Bounds& contents) {
   constexpr double margin = 0.05;  // of the room, kept between the walls and camera or lights
   const glm::dvec3 low = walls.min + margin * (walls.max - walls.min);
@@ -24,7 +24,7 @@ void move_inside(SceneDescription& scene, const Bounds& walls, const Bounds& con
   constexpr double widest = 75.0;  // degrees; a wider view looks distorted
   const double away = radius / std::sin(glm::radians(50.0 / 2.0));
   scene.eye = glm::clamp(scene.target + back * away, low, high);
-  // Where the room leaves less than that distance, the view is as wide as the contents ask.
+  // If the room is too small for that distance, the view is as wide as the contents need.
   const double sine = std::min(1.0, radius / glm::length(scene.eye - scene.target));
   scene.fov_degrees = std::min(widest, glm::degrees(2.0 * std::asin(sine)));
   scene.lights[0].position = glm::mix(low, high, glm::dvec3(0.2, 1.0, 0.8));

@@ -1,4 +1,4 @@
-// Camera, lights and a material for a mesh that comes without.
+// Camera, lights and a material for a mesh file, which has none.
 #pragma once
 
 #include <string>

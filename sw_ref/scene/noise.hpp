@@ -1,5 +1,5 @@
-// Chance that is the same on every machine: integer hashes, no distribution of the standard library. Noise is
-// a sum of smoothly joined random values at integer points.
+// Random numbers that are the same on every machine: integer hashes, no distribution of the standard library.
+// Noise is a sum of random values at integer points, smoothly interpolated.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace hitpipe::ref {
   return x ^ x >> 31U;
 }
 
-/// Two throws in one expression come in an order that compilers choose: they belong into two statements.
+/// Write two throws as two statements: in one expression the compiler chooses their order.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(mixed(seed)) {}

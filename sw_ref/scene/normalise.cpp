@@ -38,8 +38,8 @@ Normalisation fit_to_cube(Bounds box, std::span<const glm::dvec3> points) {
 
 glm::vec3 normalised(const glm::dvec3& own, const Normalisation& normalisation) {
   const glm::vec3 p(normalisation.to_cube(own));
-  // The extreme points land on the bound but for a few units of the last place of a double; it is a binary32
-  // number, and rounding to the nearest takes them onto it.
+  // The extreme points end within a few units of the last place of a double from the bound. The bound is a
+  // binary32 number, so rounding to nearest moves them onto it.
   constexpr auto bound = static_cast<float>(cube_bound);
   if (!(std::abs(p.x) <= bound && std::abs(p.y) <= bound && std::abs(p.z) <= bound))
     throw std::logic_error("normalised: the transform does not take the point into the cube");

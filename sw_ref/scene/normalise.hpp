@@ -9,15 +9,16 @@
 
 namespace hitpipe::ref {
 
-/// Largest |coordinate| of the mesh, the eye and the lights. What is left to 1 takes the padding of the boxes
+/// Largest |coordinate| of the mesh, the eye and the lights. The rest up to 1 is for the padding of the boxes
 /// (5e-7) and the rounding of computed points.
 constexpr double cube_bound = 1.0 - 0x1p-10;
 
-/// The mesh's longest side must be at least this part of the cube's, else too few grid units of an integer
-/// unit are left for it: at 16 bits 2^-10 of the cube is 32 of 2^15 units.
+/// The mesh's longest side must be at least this part of the cube's. Otherwise the grid of an integer unit
+/// has too few steps for it: at 16 bits 2^-10 of the cube is 32 of 2^15 steps.
 constexpr double smallest_mesh_part = 0x1p-10;
 
-/// cube = (own - offset) * scale. Power-of-two changes of the own units change no bit of the result.
+/// cube = (own - offset) * scale. Multiplying the scene's own units by a power of two changes no bit of the
+/// result.
 struct Normalisation {
   glm::dvec3 offset{0.0};  ///< the centre, in own units
   double scale = 1.0;      ///< > 0
@@ -37,19 +38,18 @@ struct Bounds {
   void grow(const glm::dvec3& point);
 };
 
-/// Of the vertices that triangles use; the mesh has at least one triangle.
+/// The bounds of the vertices that triangles use; the mesh must have a triangle.
 [[nodiscard]] Bounds mesh_bounds(const Mesh& mesh);
 
-/// Fits the box and the points, which are finite, into +-cube_bound; at least one side of the union has
-/// length.
+/// Fits the box and the points into +-cube_bound. They must be finite, and their union must have some extent.
 [[nodiscard]] Normalisation fit_to_cube(Bounds box, std::span<const glm::dvec3> points);
 
-/// Moves the vertices, each computed in double and rounded to binary32 once, and drops and counts the
-/// triangles that lose their area by it. Vertices that no triangle uses are left where they are, cut to the
-/// cube. Throws std::runtime_error when no triangle is left.
+/// Moves the vertices; each is computed in double and rounded to binary32 once. Triangles that lose their
+/// area are dropped and counted. Vertices that no triangle uses are not moved, only cut to the cube. Throws
+/// std::runtime_error if no triangle is left.
 void normalise(Mesh& mesh, const Normalisation& normalisation);
 
-/// A point moved and rounded in the same way. Throws std::logic_error when it is not within +-cube_bound.
+/// A point, moved and rounded in the same way. Throws std::logic_error if it is not within +-cube_bound.
 [[nodiscard]] glm::vec3 normalised(const glm::dvec3& own, const Normalisation& normalisation);
 
 }  // namespace hitpipe::ref

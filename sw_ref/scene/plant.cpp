@@ -23,7 +23,7 @@ SceneDescription whole_plant(std::size_t triangles) {
   SceneDescription scene;
   scene.mesh.triangles.reserve(triangles);
   scene.mesh.materials.reserve(triangles);
-  scene.mesh.vertices.reserve(triangles * 2 / 3);  // of a box 8 for 12, of a rod 1 for 1
+  scene.mesh.vertices.reserve(triangles * 2 / 3);  // a box has 8 vertices for 12 triangles, a rod 1 for 1
   Shapes shapes(scene.mesh, Shapes::Normals::flat);
   build(shapes, detail_for(triangles, build));
   scene.materials = {{.albedo = {0.30F, 0.30F, 0.30F}, .reflect = glm::vec3(0.18F)},
@@ -42,7 +42,7 @@ SceneDescription whole_plant(std::size_t triangles) {
   return scene;
 }
 
-/// Leaves the triangles whose corners all lie within `reach` of the plane z = `middle`, and their vertices.
+/// Keeps the triangles whose corners all lie within `reach` of the plane z = `middle`, and their vertices.
 void cut_to_slab(Mesh& mesh, double middle, double reach) {
   constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
   const Mesh whole = std::exchange(mesh, {});

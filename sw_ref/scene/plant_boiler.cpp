@@ -7,7 +7,7 @@
 namespace hitpipe::ref::plant {
 namespace {
 
-// Inside of the walls.
+// The inner faces of the walls.
 constexpr double left = boiler_x * bay + 0.9;
 constexpr double right = (boiler_x + boiler_bays_x) * bay - 0.9;
 constexpr double back = boiler_z * bay + 0.9;
@@ -15,7 +15,7 @@ constexpr double front = (boiler_z + boiler_bays_z) * bay - 0.9;
 constexpr double hopper = 4.0;
 constexpr double roof = storey * storeys + 5.0;
 
-/// Upright tubes side by side, with fins between them, and headers above and below.
+/// Upright tubes next to each other, with fins between them, and headers above and below.
 void add_wall(Shapes& shapes, const glm::dvec3& from, const glm::dvec3& to, double detail) {
   const int tubes = scaled(110, std::sqrt(detail), 24);
   const int sides = scaled(9, std::sqrt(detail), 6);
@@ -33,7 +33,7 @@ void add_wall(Shapes& shapes, const glm::dvec3& from, const glm::dvec3& to, doub
     shapes.rod(from + glm::dvec3(0, y, 0), to + glm::dvec3(0, y, 0), 0.28, 20, Ends::closed);
 }
 
-/// A tube that goes up and down within a plane of constant x, several nested in one another.
+/// Nested tubes that go up and down in a plane of constant x.
 void add_platen(Shapes& shapes, double x, double low, double high, double near, double far, int tubes,
                 int sides, int bend_steps, int passes) {
   for (int i = 0; i < tubes; ++i) {

@@ -1,4 +1,4 @@
-// The trades that build the plant, in metres, y up. Each adds its share; `detail` is that of shapes.hpp.
+// The parts of the plant, in metres, y up. Each function adds its part; `detail` is that of shapes.hpp.
 #pragma once
 
 #include <cstdint>
@@ -30,16 +30,16 @@ constexpr int bays_x = 8;
 constexpr int bays_z = 5;
 constexpr int storeys = 5;
 
-/// The boiler takes these bays, from the ground to above the roof.
+/// The boiler fills these bays, from the ground to above the roof.
 constexpr int boiler_x = 3, boiler_bays_x = 2;
 constexpr int boiler_z = 1, boiler_bays_z = 2;
 [[nodiscard]] constexpr bool is_boiler(int x, int z) {
   return x >= boiler_x && x < boiler_x + boiler_bays_x && z >= boiler_z && z < boiler_z + boiler_bays_z;
 }
 
-/// Whether a box with these corners in plan reaches into the boiler.
+/// Whether a box with these corners, seen from above, reaches into the boiler.
 [[nodiscard]] constexpr bool enters_boiler(double low_x, double high_x, double low_z, double high_z) {
-  constexpr double wall = 0.3;  // the tubes stand this far within the bays' edges
+  constexpr double wall = 0.3;  // the tubes are this far inside the edges of the bays
   return high_x > boiler_x * bay + wall && low_x < (boiler_x + boiler_bays_x) * bay - wall &&
          high_z > boiler_z * bay + wall && low_z < (boiler_z + boiler_bays_z) * bay - wall;
 }
@@ -48,12 +48,12 @@ constexpr int boiler_z = 1, boiler_bays_z = 2;
 void add_steelwork(Shapes& shapes, double detail);
 /// Pipes that run along the axes with elbows, flanges and valves; racks of straight pipes.
 void add_pipework(Shapes& shapes, double detail);
-/// Tanks, vessels, pumps on the floors, chimneys and storage tanks beside the frame.
+/// Tanks, vessels, pumps on the floors, and chimneys and storage tanks next to the frame.
 void add_vessels(Shapes& shapes, double detail);
 /// Walls of tubes, burners, hanging platens of bent tubes, economiser.
 void add_boiler(Shapes& shapes, double detail);
 
-/// A tube that turns the corners of a path of axis-parallel legs in bends of radius `bend`.
+/// A tube along a path of axis-parallel legs, with bends of radius `bend` at the corners.
 void add_bent_tube(Shapes& shapes, std::span<const glm::dvec3> corners, double radius, double bend, int sides,
                    int bend_steps);
 

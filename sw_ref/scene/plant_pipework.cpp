@@ -56,7 +56,7 @@ void add_valve(Shapes& shapes, const glm::dvec3& centre, const glm::dvec3& way, 
 
 constexpr std::array<glm::dvec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// Wanders along the axes within the frame.
+/// A random route along the axes, inside the frame.
 void add_route(Shapes& shapes, Dice& dice, double detail) {
   const double radius = 0.035 + 0.22 * std::pow(dice.next(), 3.0);
   const glm::dvec3 low(0.6, 0.8, 0.6);
@@ -71,7 +71,7 @@ void add_route(Shapes& shapes, Dice& dice, double detail) {
     const double there = dice.chance(0.5) ? 1.0 : -1.0;
     const double length = there * dice.between(1.5, axis == 1 ? 6.0 : 14.0);
     glm::dvec3 next = at + axes[static_cast<std::size_t>(axis)] * length;
-    // A leg that would leave turns back.
+    // A leg that would leave the frame turns back.
     if (next[axis] < low[axis] || next[axis] > high[axis])
       next = at - axes[static_cast<std::size_t>(axis)] * length;
     const bool leaves = next[axis] < low[axis] || next[axis] > high[axis];
@@ -161,7 +161,7 @@ void add_pipework(Shapes& shapes, double detail) {
   const int routes = scaled(420, detail, 20);
   for (int i = 0; i < routes; ++i) {
     Dice route(static_cast<std::uint64_t>(i) +
-               1000);  // its own dice: more routes leave the first as they are
+               1000);  // its own dice, so that more routes do not change the first ones
     add_route(shapes, route, detail);
   }
   for (int level = 1; level <= storeys; ++level) {

@@ -73,7 +73,7 @@ void add_stair(Shapes& shapes, const glm::dvec3& foot, double run, double rise, 
   }
 }
 
-/// With hoops around whoever climbs.
+/// A ladder with safety hoops.
 void add_ladder(Shapes& shapes, const glm::dvec3& foot, double height) {
   shapes.material(yellow);
   for (const double side : {-0.22, 0.22})
@@ -145,7 +145,7 @@ void add_steelwork(Shapes& shapes, double detail) {
   }
   for (int level = 0; level < storeys; ++level) {
     const double y = level * storey;
-    // Bracing of the outer bays, and a stair tower before the frame.
+    // Bracing of the outer bays, and a stair tower in front of the frame.
     shapes.material(steel);
     for (const int x : {0, 5, bays_x - 1}) {
       for (const double z : {0.0, bays_z * bay}) {

@@ -62,8 +62,7 @@ struct Header {
   std::vector<Element> elements;
 };
 
-/// One header line without the blanks at its end. A header longer than this is none: the file is something
-/// else.
+/// One header line without the blanks at its end. If a line is longer than this, the file is not PLY.
 std::string header_line(std::istream& in) {
   constexpr std::size_t longest = 4096;
   std::string line;
@@ -166,8 +165,8 @@ bool has_vertex_list(const Element& element) {
                      [&](const Property& p) { return is_vertex_list(element, p) && p.count; });
 }
 
-/// Vertices with x, y, z come once, before faces with their vertex list, once; returns how many vertices
-/// there are.
+/// There must be one element of vertices with x, y, z, followed by one element of faces with a vertex list.
+/// Returns the number of vertices.
 std::uint64_t check_elements(const Header& header) {
   std::string order;
   std::uint64_t vertices = 0;
@@ -246,7 +245,8 @@ class TextBody {
     if (at_ == end) return false;
     const char* const word_end = std::find_if(at_, end, is_blank);
     const auto [stop, error] = std::from_chars(*at_ == '+' ? at_ + 1 : at_, word_end, value);
-    // Out of range is still a number: Assimp makes it zero or infinite, and infinite is rejected as such.
+    // A number out of range is still a number. Assimp makes it zero or infinite, and infinity is rejected
+    // later.
     if (stop != word_end || error == std::errc::invalid_argument)
       reject(fmt::format("\"{}\" is not a number",
                          std::string_view(at_, static_cast<std::size_t>(word_end - at_))));

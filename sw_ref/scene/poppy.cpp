@@ -28,7 +28,7 @@ class Poppies {
     glm::dvec3 direction;  ///< unit, at its top
   };
 
-  /// From the ground to `top`, arriving in the direction `arrival`.
+  /// A stem from the ground to `top`, with the direction `arrival` at its top.
   Stem stem(const glm::dvec3& root, const glm::dvec3& top, const glm::dvec3& arrival, double radius) {
     const int steps = scaled(44, finer_, 8);
     const glm::dvec3 low = root + glm::dvec3(0, 0.45 * top.y, 0);
@@ -81,7 +81,7 @@ class Poppies {
     shapes_.turned(base, axis, scaled_profile, scaled(24, finer_, 6));
   }
 
-  /// Hangs at the end of its stem.
+  /// A bud that hangs at the end of its stem.
   void bud(const Stem& stem, double size) {
     shapes_.material(leaf_green);
     std::vector<glm::dvec2> profile;
@@ -98,7 +98,7 @@ class Poppies {
     hairs(path, radii, scaled(420, detail_, 5), 0.034);
   }
 
-  /// Cut deeply, as a feather.
+  /// A deeply cut leaf, like a feather.
   void leaf(const glm::dvec3& root, double heading, double length, double lift) {
     shapes_.material(leaf_green);
     const glm::dvec3 ahead(std::cos(heading), 0.0, std::sin(heading));
@@ -191,7 +191,7 @@ class Poppies {
   double detail_;
   double finer_;  ///< of sheets, in each of their two directions
   Dice dice_{0x90B7};
-  std::uint64_t parts_ = 0;  ///< seeds of what there is more of the greater the detail
+  std::uint64_t parts_ = 0;  ///< for the seeds of parts whose number grows with the detail
 };
 
 void build(Shapes& shapes, double detail) {

@@ -7,8 +7,7 @@
 
 namespace hitpipe::ref {
 
-/// A clump of poppies: thin curved petals, stamens, seed pods, buds, and hair
-/// on every stem.
+/// A clump of poppies: thin curved petals, stamens, seed pods, buds, and hair on every stem.
 [[nodiscard]] SceneDescription poppy(std::size_t triangles);
 
 }  // namespace hitpipe::ref

@@ -1,5 +1,5 @@
-// A mesh that its own bounding box encloses: seen from outside it is a closed box, so its camera belongs
-// inside.
+// A room is a mesh whose triangles cover its own bounding box. From outside it looks like a closed box, so
+// its camera must be inside.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,8 @@
 
 namespace hitpipe::ref {
 
-/// The bounds of what stands in the room; nothing when the mesh is no room or the room is empty. A room has
-/// triangles that lie in each of the six planes of the bounding box whose areas add up to at least 99 % of
-/// that side.
+/// The bounds of the room's contents; nothing if the mesh is not a room or the room is empty. In a room the
+/// triangles in each of the six planes of the bounding box have a total area of at least 99 % of that side.
 [[nodiscard]] std::optional<Bounds> room_contents(const Mesh& mesh, const Bounds& walls);
 
 }  // namespace hitpipe::ref

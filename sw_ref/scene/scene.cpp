@@ -31,7 +31,8 @@ double largest(const glm::dvec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Of length 1; scaled first, so that no square leaves the range of a double. v is finite and not zero.
+/// v with length 1. It is scaled first, so that no square leaves the range of a double. v is finite and not
+/// zero.
 glm::dvec3 unit(const glm::dvec3& v) {
   return glm::normalize(v / largest(v));
 }
@@ -78,7 +79,7 @@ void check_light(const LightSource& light, std::size_t number) {
     reject(fmt::format("light {}: intensity {} must be finite and not negative", number, text(i)));
 }
 
-/// The mesh vanishes when one point drags the cube's size along; the farthest one is to blame.
+/// One far point makes the cube so large that the mesh vanishes in it. The message names the farthest point.
 void check_distances(const SceneDescription& scene, const Bounds& box, const Normalisation& fit) {
   const double part = box.longest() * fit.scale / 2.0;
   if (part >= smallest_mesh_part) return;
@@ -101,7 +102,7 @@ Camera camera(const SceneDescription& scene, const Normalisation& fit) {
   out.forward = unit(scene.target - scene.eye);
   const glm::dvec3 up = unit(scene.up);
   const glm::dvec3 across = glm::cross(out.forward, up);
-  constexpr double smallest_sine = 1e-6;  // below, the image's upright would be made of rounding errors
+  constexpr double smallest_sine = 1e-6;  // below this, rounding errors would decide which way is up
   if (glm::length(across) < smallest_sine)
     reject(fmt::format("camera: up {} is parallel to the view from {} to {}; choose another up",
                        text(scene.up), text(scene.eye), text(scene.target)));
@@ -114,7 +115,7 @@ Camera camera(const SceneDescription& scene, const Normalisation& fit) {
 SceneDescription describe(const std::string& name_or_path, std::optional<std::size_t> triangles) {
   if (find_built_in(name_or_path)) return make_built_in(name_or_path, triangles);
   const std::filesystem::path path(name_or_path);
-  // A bare word was meant as a name; whatever looks like a path gets the file readers' message.
+  // A bare word is meant as a name. If the word looks like a path, the file reader's message is better.
   if (!path.has_extension() && !path.has_parent_path() && !std::filesystem::exists(path))
     reject(fmt::format("scene \"{}\": no built-in scene and no file of that name; built-in are: {}",
                        name_or_path, built_in_names()));

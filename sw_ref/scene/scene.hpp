@@ -1,4 +1,4 @@
-// A scene as every later stage sees it: mesh, materials, camera and lights, moved into the cube.
+// A scene as every later stage sees it: mesh, materials, camera and lights, all moved into the cube.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace hitpipe::ref {
 
-/// What a surface sends back, after Whitted (1980): linear parts, each component in [0, 1], their sum at
-/// most 1.
+/// What a surface does with light, after Whitted (1980). The parts are linear, each component is in [0, 1],
+/// and their sum is at most 1.
 struct Material {
   glm::vec3 albedo{0.7F};         ///< diffuse, lit by the lights
   glm::vec3 reflect{0.0F};        ///< mirrored
-  glm::vec3 transmit{0.0F};       ///< passed on, refracted; what cannot leave is mirrored (total reflection)
+  glm::vec3 transmit{0.0F};       ///< refracted; mirrored in total reflection
   float refractive_index = 1.0F;  ///< of the inside, > 0; the normals of a closed mesh point out of it
 };
 
@@ -44,7 +44,7 @@ struct Scene {
   Camera camera;
   std::vector<Light> lights;
   Normalisation to_cube;     ///< from the scene's own units, for reports
-  std::string stand_in_for;  ///< the thesis's scene that it stands in for, for reports; empty: none
+  std::string stand_in_for;  ///< for reports: the thesis's scene that it stands in for; empty: none
 };
 
 /// In the scene's own units.
@@ -53,14 +53,14 @@ struct LightSource {
   glm::dvec3 intensity{1.0};
 };
 
-/// What to place differently from the scene's own choice; own units.
+/// Placings that replace the scene's own, in its own units.
 struct SceneOptions {
   std::optional<glm::dvec3> eye;
   std::optional<glm::dvec3> target;      ///< point in the middle of the image
   std::optional<glm::dvec3> up;          ///< direction, not parallel to the view
   std::optional<double> fov_degrees;     ///< vertical field of view, 0 < fov < 180
-  std::vector<LightSource> lights;       ///< in place of the scene's own, if any
-  std::optional<std::size_t> triangles;  ///< about so many, of a built-in scene that scales
+  std::vector<LightSource> lights;       ///< if any, they replace the scene's own
+  std::optional<std::size_t> triangles;  ///< about how many, for a built-in scene that scales
 };
 
 /// A mesh with its placing, before it is moved into the cube.
@@ -76,20 +76,20 @@ struct SceneDescription {
   std::string stand_in_for = {};  ///< as of Scene
 };
 
-/// The built-in scene "spheres": 12 spheres of 2,048 triangles on a floor of 2, 24,578 in all; some mirror,
-/// some are of glass; two lights.
+/// The built-in scene "spheres": 12 spheres of 2,048 triangles on a floor of 2, 24,578 in total. Some mirror,
+/// and some are glass. There are two lights.
 [[nodiscard]] SceneDescription spheres();
 
-/// Checks materials and placing and moves everything into the cube.
-/// Throws std::runtime_error, one line, for a material with a part out of range, for a camera or light that
-/// cannot be placed: a coordinate that is not finite, eye equal to target, up parallel to the view, a field
-/// of view or intensity out of range, a point so far away that less than smallest_mesh_part of the cube would
-/// be left for the mesh.
+/// Checks materials and placing and moves everything into the cube. Throws std::runtime_error, one line, for
+/// a material with a part out of range, and for a camera or light that cannot be placed. That is one with a
+/// coordinate that is not finite, eye equal to target, up parallel to the view, a field of view or intensity
+/// out of range, or a point so far away that less than smallest_mesh_part of the cube would be left for the
+/// mesh.
 [[nodiscard]] Scene place(SceneDescription description);
 
-/// What place() is given for a scene: a built-in one by name, a scene file (.json) or a mesh file by path,
-/// the latter with a camera and two lights chosen from its bounds. Throws std::runtime_error, one line: for a
-/// name that is none of these, a number of triangles that it cannot have, and as load_mesh() and
+/// Reads the input of place(): a built-in scene by name, or a scene file (.json) or mesh file by path. A mesh
+/// file gets a camera and two lights chosen from its bounds. Throws std::runtime_error, one line, for an
+/// unknown name, for a number of triangles that the scene cannot have, and as load_mesh() and
 /// read_scene_file() do.
 [[nodiscard]] SceneDescription describe_scene(const std::string& name_or_path,
                                               const SceneOptions& options = {});

@@ -24,7 +24,7 @@ namespace {
 Material read_material(const Place& place) {
   place.expect_object({"albedo", "reflect", "transmit", "refractive_index"});
   Material material;
-  // Who names any part means the others to be absent.
+  // If a material names any part, the other parts are absent.
   if (place.has("reflect") || place.has("transmit")) material.albedo = glm::vec3(0.0F);
   if (place.has("albedo")) material.albedo = place.at("albedo").colour(1.0);
   if (place.has("reflect")) material.reflect = place.at("reflect").colour(1.0);
@@ -61,14 +61,14 @@ LightSource read_light(const Place& place) {
   return light;
 }
 
-/// Materials by name, and which triangles have them.
+/// Materials by name, and the triangles that have them.
 class Surfaces {
  public:
   Surfaces(SceneDescription& scene, const std::vector<MeshGroup>& groups)
       : scene_(&scene), groups_(&groups) {}
 
   void read_materials(const Place& place) {
-    constexpr std::size_t most = 256;  // a triangle's is one byte
+    constexpr std::size_t most = 256;  // the index of a triangle's material is one byte
     for (const auto& [name, value] : place.members()) {
       if (scene_->materials.size() == most)
         place.fail(fmt::format("{} materials with those of the scene are the most allowed", most));
@@ -140,7 +140,7 @@ class Surfaces {
   std::map<std::string, std::uint8_t> numbers_;
 };
 
-/// The mesh with all that is its own.
+/// The mesh or built-in scene, with its own camera, lights and materials.
 SceneDescription read_base(const Place& top, const std::filesystem::path& file,
                            std::optional<std::size_t> triangles, std::vector<MeshGroup>& groups) {
   if (top.has("mesh") == top.has("built_in")) top.fail("needs exactly one of the keys: mesh, built_in");
@@ -181,7 +181,7 @@ SceneDescription read(const std::filesystem::path& file, std::optional<std::size
   return scene;
 }
 
-/// Words quoted from the file may hold line breaks and worse.
+/// Text quoted from the file can contain line breaks and other control characters.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');

@@ -10,13 +10,13 @@
 
 namespace hitpipe::ref {
 
-/// By its extension.
+/// Whether the path is a scene file, by its extension.
 [[nodiscard]] bool is_scene_file(const std::filesystem::path& file);
 
-/// `triangles` replaces the number that the file asks of a built-in scene. What the file leaves out is as the
-/// scene or mesh has it alone. Throws std::runtime_error, one line that names the file, the place in it and
-/// what is allowed: for a file that is missing or no JSON, an unknown, doubled or missing key, a value of the
-/// wrong kind or out of range, a name that nothing has; and as load_mesh() and make_built_in() do.
+/// `triangles` replaces the file's number for a built-in scene. Settings that the file omits are those of the
+/// scene or mesh alone. Throws std::runtime_error, one line that names the file, the place in it and what is
+/// allowed, for a file that is missing or not JSON, an unknown, doubled or missing key, a value of the wrong
+/// kind or out of range, and an unknown name; also as load_mesh() and make_built_in() do.
 [[nodiscard]] SceneDescription read_scene_file(const std::filesystem::path& file,
                                                std::optional<std::size_t> triangles = {});
 

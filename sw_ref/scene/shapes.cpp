@@ -218,7 +218,7 @@ double detail_for(std::size_t wanted, const std::function<void(Shapes&, double)>
     build(counter, detail);
     return counter.triangles();
   };
-  // 24 halvings of a factor of 10^6 leave one of 1 + 10^-6; a large detail is never counted in vain.
+  // 24 halvings reduce a factor of 10^6 to one of 1 + 10^-6. A large detail is counted only if it is needed.
   while (high > 2.0 && count(std::sqrt(low * high)) > wanted) high = std::sqrt(low * high);
   for (int i = 0; i < 24; ++i) {
     const double middle = std::sqrt(low * high);

@@ -1,5 +1,5 @@
-// The parts that built-in scenes are put together from. A scene is first only counted at several details,
-// until its triangles are as many as wanted, and then built: both run the same code.
+// The shapes that built-in scenes are made of. First the triangles of a scene are only counted, at several
+// details, until their number is the wanted one. Then the scene is built; both steps run the same code.
 #pragma once
 
 #include <cstddef>
@@ -30,16 +30,16 @@ class Shapes {
  public:
   enum class Normals : std::uint8_t { flat, smooth };
 
-  /// Only counts.
+  /// This constructor makes it only count.
   Shapes() = default;
-  /// Adds to `mesh`, whose materials are then all set.
+  /// Adds triangles to `mesh`, each with a material.
   Shapes(Mesh& mesh, Normals normals) : mesh_(&mesh), smooth_(normals == Normals::smooth) {}
 
   [[nodiscard]] std::size_t triangles() const { return triangles_; }
-  /// Of what is added from now on.
+  /// The material of what is added from now on.
   void material(std::uint8_t index) { material_ = index; }
 
-  /// Four corners in a plane, in order around; counter-clockwise seen from outside.
+  /// Four corners in a plane, in order; counter-clockwise seen from outside.
   void quad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
   void box(const glm::dvec3& low, const glm::dvec3& high);
   /// A box along from-to; `across` is its full width to the side and upward.
@@ -47,7 +47,7 @@ class Shapes {
   /// A tube along a path of at least two points; a radius of 0 at an end makes it a point.
   void tube(std::span<const glm::dvec3> path, std::span<const double> radii, int sides, Ends ends);
   void rod(const glm::dvec3& from, const glm::dvec3& to, double radius, int sides, Ends ends = Ends::open);
-  /// Profile points (radius, height) turned about a line; a radius of 0 may only stand at the ends.
+  /// Profile points (radius, height) turned about a line; only the ends may have a radius of 0.
   void turned(const glm::dvec3& base, const glm::dvec3& axis, std::span<const glm::dvec2> profile, int sides);
   /// A sheet over columns x rows cells; point(u, v), u and v in [0, 1].
   void sheet(int columns, int rows, const std::function<glm::dvec3(double, double)>& point);
@@ -65,8 +65,8 @@ class Shapes {
   std::size_t triangles_ = 0;
 };
 
-/// The detail, 1/1000 to 1000, at which a scene has about `wanted` triangles; build(shapes, detail) adds it,
-/// the more triangles the greater the detail.
+/// The detail, 1/1000 to 1000, at which a scene has about `wanted` triangles. build(shapes, detail) adds the
+/// scene; a greater detail has more triangles.
 [[nodiscard]] double detail_for(std::size_t wanted, const std::function<void(Shapes&, double)>& build);
 
 /// round(count * detail), at least `least`.

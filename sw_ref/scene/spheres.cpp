@@ -51,7 +51,7 @@ struct Ball {
 
 constexpr double half_floor = 9.0;
 
-/// y is up, the floor lies at y = 0. Nine balls rest on it, three on others.
+/// y is up, and the floor is at y = 0. Nine balls rest on the floor and three on other balls.
 constexpr std::array<Ball, 12> balls{{{{-0.15, 1.30, -0.60}, 1.30},
                                       {{2.15, 0.95, -0.35}, 0.95},
                                       {{-2.35, 0.80, 0.10}, 0.80},
@@ -69,12 +69,12 @@ Material solid(const glm::vec3& albedo) {
   return {.albedo = albedo};
 }
 
-/// Some of what it mirrors takes its colour; the rest of the light is lost.
+/// It mirrors light in its own colour and loses the rest.
 Material mirror(const glm::vec3& colour) {
   return {.albedo = 0.06F * colour, .reflect = 0.84F * colour};
 }
 
-/// Mirrors nothing from outside, so that no ray becomes two.
+/// It does not mirror from outside, so that no ray becomes two.
 Material glass(const glm::vec3& colour) {
   return {.albedo = glm::vec3(0.0F), .transmit = 0.92F * colour, .refractive_index = 1.5F};
 }

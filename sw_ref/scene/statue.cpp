@@ -13,7 +13,7 @@ constexpr std::uint8_t wall_material = 1;
 constexpr std::uint8_t marble = 2;
 constexpr std::size_t hall_triangles = 4;  // floor and wall
 
-/// The edge with which the parts together come closest below `wanted` triangles.
+/// The edge length at which all parts together have just under `wanted` triangles.
 double edge_for(const std::vector<EvenSurface>& parts, std::size_t wanted) {
   double low = 1e-5;
   double high = 1.0;
@@ -26,7 +26,7 @@ double edge_for(const std::vector<EvenSurface>& parts, std::size_t wanted) {
   return high;
 }
 
-/// Mirrored left to right where asked, then moved along x.
+/// Adds the figure, mirrored left to right if `mirrored`, and moved along x.
 void append_figure(Mesh& mesh, std::size_t wanted, float x, bool mirrored) {
   const std::vector<EvenSurface> parts = winged_figure();
   const double edge = edge_for(parts, wanted);

@@ -7,11 +7,11 @@
 
 namespace hitpipe::ref {
 
-/// A winged figure that holds up a torch, its closed surfaces displaced by folds, feathers and noise, on a
-/// floor that mirrors a little. The triangles are tiny and of one size.
+/// A winged figure that holds up a torch, on a floor that mirrors a little. Its closed surfaces are displaced
+/// by folds, feathers and noise. The triangles are tiny and of one size.
 [[nodiscard]] SceneDescription statue(std::size_t triangles);
 
-/// Two of them; the second has 15 of 43 parts of the triangles, as in figure 5.4.
+/// Two of these figures; the second has 15/43 of the triangles, as in figure 5.4.
 [[nodiscard]] SceneDescription two_statues(std::size_t triangles);
 
 }  // namespace hitpipe::ref

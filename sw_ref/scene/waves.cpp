@@ -47,7 +47,7 @@ SceneDescription waves(std::size_t triangles) {
   const int columns = static_cast<int>(std::sqrt(cells * half_width / half_length));
   shapes.sheet(columns, static_cast<int>(cells / columns), point);
   scene.materials = {{.albedo = {0.42F, 0.56F, 0.62F}}};
-  // Both ways slant by 25 degrees to the plane, so that waves shade others.
+  // View and light meet the plane at 25 degrees, so that waves shade other waves.
   scene.eye = {-1.5, -1.5, 4.5};
   scene.fov_degrees = 22.0;
   scene.lights = {{{1.8, 5.4, -1.8}, {1.0, 0.95, 0.86}}};

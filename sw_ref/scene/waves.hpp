@@ -1,4 +1,4 @@
-// The built-in scene of a sea on a slope: all its rays can be bounded to one direction class.
+// The built-in scene of a sea on a slope. All its rays are of one direction class.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace hitpipe::ref {
 
-/// Waves on a plane that leans towards eye and light, both so placed that all rays go towards +x, +y, -z.
-/// Matt.
+/// Matt waves on a plane that leans towards eye and light. Both are placed so that all rays go towards +x,
+/// +y, -z.
 [[nodiscard]] SceneDescription waves(std::size_t triangles);
 
 }  // namespace hitpipe::ref

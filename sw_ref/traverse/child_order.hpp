@@ -1,4 +1,4 @@
-// Which child of a branch a ray visits first by direction and split axis (DSA, section 4.5, Table 4.2).
+// Which child of a branch a ray visits first, by direction and split axis (DSA, section 4.5, Table 4.2).
 #pragma once
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "hls/pipelines/int_plucker.hpp"
 #include "sw_ref/quantise/ray_check.hpp"
-#include "sw_ref/traverse/node_store.hpp"
+#include "sw_ref/traverse/box_test.hpp"
 
 namespace hitpipe::ref {
 
@@ -29,9 +29,10 @@ void IntPluckerTest::set_end(const IntEndpoint& end) {
   }
 }
 
-IntPluckerSetUp::IntPluckerSetUp(hls::IntBits bits, const CoarseAxes& coarse) : bits_(bits), coarse_(coarse) {
-  check_format(bits, "IntPluckerSetUp");
-  check_coarse(coarse, bits.coord, "IntPluckerSetUp");
+IntPluckerTestMaker::IntPluckerTestMaker(hls::IntBits bits, const CoarseAxes& coarse)
+    : bits_(bits), coarse_(coarse) {
+  check_format(bits, "IntPluckerTestMaker");
+  check_coarse(coarse, bits.coord, "IntPluckerTestMaker");
 }
 
 }  // namespace hitpipe::ref

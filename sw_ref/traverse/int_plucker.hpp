@@ -1,6 +1,6 @@
-// The integer Pluecker box test (section 6.3.2) for any n/t of run time, in 64-bit words: the same HIT as the
-// datapath of hls/pipelines/int_plucker.hpp. Takes boxes of the n-bit grid (sw_ref/quantise/int_box.hpp); a
-// BoxTest (sw_ref/traverse/node_store.hpp).
+// The integer Pluecker box test (section 6.3.2) in 64-bit words, for any n/t chosen at run time. It gives the
+// same HIT as the datapath of hls/pipelines/int_plucker.hpp. It takes boxes of the n-bit grid
+// (sw_ref/quantise/int_box.hpp), and is a BoxTest (sw_ref/traverse/box_test.hpp).
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@
 
 namespace hitpipe::ref {
 
-/// Differences have n - 1 bits and a sign, n <= 32, as have directions: products stay below 2^62.
+/// Differences and directions have n - 1 bits and a sign, and n <= 32, so products stay below 2^62.
 class IntPluckerTest {
  public:
-  /// Throws as IntPluckerSetup and coarse_origin() do.
+  /// Throws as IntPluckerRaySetup and coarse_origin() do.
   IntPluckerTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse = {});
 
-  /// `length` >= 0, or infinite.
+  /// `length` must be >= 0 or infinite.
   void cut(float length);
 
   [[nodiscard]] bool operator()(const IntBox& box) const {
@@ -36,16 +36,16 @@ class IntPluckerTest {
   struct Axis {
     std::int64_t origin, direction;
     std::int64_t end;  ///< beyond every plane if the ray has no end in the cube
-    bool minus;        ///< class of the rounded direction
+    bool minus;        ///< the class of the rounded direction is minus
   };
 
-  /// An axis as seen from the ray: direction, and the planes less the origin.
+  /// An axis as seen from the ray: the direction, and the planes minus the origin.
   struct View {
     std::int64_t direction, lower, upper;
     bool minus;
   };
 
-  /// On this axis the box is neither behind the origin nor beyond the end.
+  /// True if on this axis the box is neither behind the origin nor beyond the end.
   [[nodiscard]] bool reaches(std::size_t i, const IntBox& box) const {
     const Axis& axis = axes_[i];
     const std::int64_t first = axis.minus ? axis.end : axis.origin;
@@ -62,7 +62,7 @@ class IntPluckerTest {
     return direction * plane >> trimmed_;
   }
 
-  /// Of both silhouette edges that are parallel to the third axis.
+  /// True if the ray passes on the inner side of both silhouette edges that are parallel to the third axis.
   [[nodiscard]] bool inside(const View& i, const View& j) const {
     const std::int64_t first =
         term(j.direction, j.minus ? i.lower : i.upper) - term(i.direction, i.minus ? j.upper : j.lower);
@@ -73,17 +73,17 @@ class IntPluckerTest {
 
   void set_end(const IntEndpoint& end);
 
-  IntPluckerSetup set_up_;
+  IntPluckerRaySetup set_up_;
   std::array<Axis, 3> axes_{};
   int trimmed_;
   std::int64_t edge_bound_;
 };
 
-/// A functor that sets a test up for a ray.
-class IntPluckerSetUp {
+/// Makes the box test of a ray: a functor of (const Ray&).
+class IntPluckerTestMaker {
  public:
-  /// Throws std::invalid_argument for a format that is no integer unit's, or more dropped bits than it has.
-  explicit IntPluckerSetUp(hls::IntBits bits, const CoarseAxes& coarse = {});
+  /// Throws std::invalid_argument unless an integer unit can have the format and these dropped bits.
+  explicit IntPluckerTestMaker(hls::IntBits bits, const CoarseAxes& coarse = {});
 
   [[nodiscard]] IntPluckerTest operator()(const Ray& ray) const { return {ray, bits_, coarse_}; }
 

@@ -1,6 +1,6 @@
-// The integer slabs box test (section 6.2.2) for any n/t of run time, in 64-bit words: the same HIT as the
-// datapath of hls/pipelines/int_slabs.hpp. Takes boxes of the n-bit grid (sw_ref/quantise/int_box.hpp); a
-// BoxTest (sw_ref/traverse/node_store.hpp).
+// The integer slabs box test (section 6.2.2) in 64-bit words, for any n/t chosen at run time. It gives the
+// same HIT as the datapath of hls/pipelines/int_slabs.hpp. It takes boxes of the n-bit grid
+// (sw_ref/quantise/int_box.hpp), and is a BoxTest (sw_ref/traverse/box_test.hpp).
 #pragma once
 
 #include <array>
@@ -11,22 +11,22 @@
 #include "sw_ref/geometry/ray.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 
 namespace hitpipe::ref {
 
-/// Differences have n - 1 bits and a sign, n <= 32, as have IRDVCs: products stay below 2^62.
+/// Differences and IRDVCs have n - 1 bits and a sign, and n <= 32, so products stay below 2^62.
 class IntSlabsTest {
  public:
-  /// Throws as IntRaySetup and coarse_origin() do.
+  /// Throws as IntSlabsRaySetup and coarse_origin() do.
   IntSlabsTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse = {});
 
-  /// `length` >= 0, or infinite.
+  /// `length` must be >= 0 or infinite.
   void cut(float length);
 
   [[nodiscard]] bool operator()(const IntBox& box) const {
-    std::int64_t near =
-        0;  // near > length >= 0 and near > far >= 0 are both misses: starting at 0 is no loss
+    // Starting at 0 changes nothing: near > length >= 0 and near > far >= 0 are misses either way.
+    std::int64_t near = 0;
     std::int64_t far = length_;
     for (std::size_t i = 0; i < 3; ++i) {
       const Axis& axis = axes_[i];
@@ -48,17 +48,17 @@ class IntSlabsTest {
     bool backward;  ///< the floor bound is negative
   };
 
-  IntRaySetup set_up_;
+  IntSlabsRaySetup set_up_;
   std::array<Axis, 3> axes_{};
   int trimmed_;
   std::int64_t length_ = 0;
 };
 
-/// A functor that sets a test up for a ray.
-class IntSlabsSetUp {
+/// Makes the box test of a ray: a functor of (const Ray&).
+class IntSlabsTestMaker {
  public:
-  /// Throws std::invalid_argument for a format that is no integer unit's, or more dropped bits than it has.
-  explicit IntSlabsSetUp(hls::IntBits bits, const CoarseAxes& coarse = {});
+  /// Throws std::invalid_argument unless an integer unit can have the format and these dropped bits.
+  explicit IntSlabsTestMaker(hls::IntBits bits, const CoarseAxes& coarse = {});
 
   [[nodiscard]] IntSlabsTest operator()(const Ray& ray) const { return {ray, bits_, coarse_}; }
 

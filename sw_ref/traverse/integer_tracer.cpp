@@ -6,19 +6,20 @@
 namespace hitpipe::ref {
 namespace {
 
-template <class SetUp>
+template <class Maker>
 std::unique_ptr<Tracer> tracer(const TracerParts& parts) {
   const hls::IntBits bits = parts.options.bits;
   const CoarseAxes& coarse = parts.options.coarse;
-  SetUp set_up(bits, coarse);  // first: it checks both
-  return std::make_unique<StoreTracer<IntNodes, SetUp>>(IntNodes(parts.bvh, bits.coord, coarse), set_up,
+  Maker make_test(bits, coarse);  // first: it checks both
+  return std::make_unique<StoreTracer<IntNodes, Maker>>(IntNodes(parts.bvh, bits.coord, coarse), make_test,
                                                         parts);
 }
 
 }  // namespace
 
 std::unique_ptr<Tracer> make_integer_tracer(const TracerParts& parts) {
-  return is_plucker(parts.options.algorithm) ? tracer<IntPluckerSetUp>(parts) : tracer<IntSlabsSetUp>(parts);
+  return is_plucker(parts.options.algorithm) ? tracer<IntPluckerTestMaker>(parts)
+                                             : tracer<IntSlabsTestMaker>(parts);
 }
 
 }  // namespace hitpipe::ref

@@ -1,5 +1,5 @@
-// Four numbers side by side, x, y, z and one more, so that a compiler works on all axes at once: one SSE2
-// register of binary32, two of binary64, in the vector extension of GCC and Clang.
+// Four numbers in a vector, x, y, z and one more, so that the compiler works on all axes at once: one SSE2
+// register of binary32 or two of binary64, in the vector extension of GCC and Clang.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ constexpr std::size_t lanes_per_pack = 16 / sizeof(T);
 template <class T>
 constexpr std::size_t pack_count = sizeof(T) / sizeof(float);
 
-/// Bits of four lanes. A comparison sets all bits of a lane where it holds, else none.
+/// The bits of four lanes. A comparison sets all bits of a lane if it holds there, and otherwise none.
 template <class T>
 struct LaneMask {
   using Pack = typename PackOf<T>::Mask;
@@ -147,7 +147,7 @@ V next_axis(const V& v) {
   return result;
 }
 
-/// In some lane the comparison holds.
+/// Whether the comparison holds in some lane.
 inline bool any(const LaneMask<float>& holds) {
 #ifdef __SSE2__
   return _mm_movemask_ps(reinterpret_cast<__m128>(holds.packs[0])) != 0;

@@ -5,7 +5,7 @@
 namespace hitpipe::ref {
 namespace {
 
-/// The exact test in the form of the others: it has no set-up that rays could share.
+/// The exact test with the interface of the others. It has no set-up that rays could share.
 class ExactTriangle {
  public:
   ExactTriangle(const Mesh& mesh, std::uint32_t triangle) : mesh_(mesh), index_(triangle) {}
@@ -28,9 +28,9 @@ std::uint32_t test_ray(const Mesh& mesh, std::span<const std::uint32_t> triangle
 }
 
 template <class Triangle>
-LeafTests test_bundle(const Mesh& mesh, std::span<const std::uint32_t> triangles, BundledRay* rays,
-                      RayNumbers numbers, Query query) {
-  LeafTests sum;
+LeafCounts test_bundle(const Mesh& mesh, std::span<const std::uint32_t> triangles, BundledRay* rays,
+                       RayNumbers numbers, Query query) {
+  LeafCounts sum;
   for (const std::uint32_t index : triangles) {
     if (numbers.empty()) break;
     const Triangle triangle(mesh, index);

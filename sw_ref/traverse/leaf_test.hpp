@@ -1,5 +1,5 @@
-// The triangles of a leaf against one ray or the rays of a bundle, by any of the triangle tests. A table of
-// two functions, so that the traversal loops are compiled once for all triangle tests.
+// Tests the triangles of a leaf with one ray or the rays of a bundle, by any of the triangle tests. It is a
+// table of two functions, so the traversal loops are compiled only once.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace hitpipe::ref {
 
-/// A ray of a bundle, and what was found for it so far.
+/// A ray of a bundle, and its result so far.
 struct BundledRay {
   Ray ray;
   Hit hit;
@@ -27,19 +27,19 @@ struct BundledRay {
 /// Numbers of rays of a bundle.
 using RayNumbers = std::span<std::uint16_t>;
 
-struct LeafTests {
+struct LeafCounts {
   std::uint64_t tests = 0;
-  std::uint32_t loaded = 0;  ///< of the leaf's triangles, the first so many
+  std::uint32_t loaded = 0;  ///< the first so many triangles of the leaf
 };
 
 struct LeafTest {
-  /// Tests the triangles in order; with Query::any, up to the first that is hit. Returns how many.
+  /// Tests the triangles in order, with Query::any up to the first hit. Returns how many were tested.
   std::uint32_t (*ray)(const Mesh& mesh, std::span<const std::uint32_t> triangles, const Ray& ray,
                        Query query, Hit& best);
-  /// Each triangle is loaded once and tested with all rays named in `numbers`; with Query::any a ray drops
-  /// out of them when it is hit.
-  LeafTests (*bundle)(const Mesh& mesh, std::span<const std::uint32_t> triangles, BundledRay* rays,
-                      RayNumbers numbers, Query query);
+  /// Each triangle is loaded once and tested with all rays in `numbers`. With Query::any a ray leaves
+  /// `numbers` when it hits a triangle.
+  LeafCounts (*bundle)(const Mesh& mesh, std::span<const std::uint32_t> triangles, BundledRay* rays,
+                       RayNumbers numbers, Query query);
 };
 
 [[nodiscard]] const LeafTest& leaf_test(TriangleTest test);

@@ -1,5 +1,6 @@
-// Mirrors rays and boxes so that the direction is (+, +, +), which is exact: one body serves the eight ray
-// classes of section 3.3. Rays of one class share the mirror, so a bundle uses it once per box.
+// Mirrors rays and boxes so that the direction is (+, +, +). Mirroring is exact, so one body of code serves
+// the eight ray classes of section 3.3. Rays of one class have the same mirror, so a bundle uses it once per
+// box.
 #pragma once
 
 #include <bit>
@@ -15,7 +16,7 @@
 
 namespace hitpipe::ref {
 
-/// Mirrored planes of a box, near ones first met. The fourth lanes are 0 and 1.
+/// The mirrored planes of a box. The ray meets the near ones first. The fourth lanes are 0 and 1.
 template <class T>
 struct NearFar {
   Lanes<T> near, far;
@@ -27,7 +28,7 @@ class Mirror {
     for (int axis = 0; axis < 3; ++axis) minus_[axis] = std::signbit(direction[axis]) ? -1 : 0;
   }
 
-  /// The planes of a box, where minus swaps min and max and changes their signs.
+  /// The planes of a box. A minus on an axis swaps min and max and changes their signs.
   template <class T>
   [[nodiscard]] NearFar<T> operator()(const BasicAabb<T>& box) const {
     static_assert(sizeof box == 6 * sizeof(T), "six coordinates in a row");
@@ -36,7 +37,8 @@ class Mirror {
     LaneMask<T> max;
     std::memcpy(&min, at, sizeof min);
     if constexpr (sizeof(T) == sizeof(float)) {
-      // y and z of max apart: a load across the two halves of a box just decoded would wait for both stores.
+      // y and z of max are loaded separately: a load across the two halves of a box just decoded would wait
+      // for both stores.
       using Words = std::int64_t __attribute__((vector_size(16)));
       std::int64_t rest;
       std::memcpy(&rest, at + 4 * sizeof(T), sizeof rest);

@@ -1,6 +1,6 @@
-// The ray-triangle test of Moeller and Trumbore (1997), two-sided, in binary32 or binary64: what the thesis
-// times. Its roundings let it accept points outside the triangle and lose some on shared edges; the test
-// whose answer holds is sw_ref/exact/triangle_test.hpp.
+// The two-sided ray-triangle test of Moeller and Trumbore (1997), in binary32 or binary64, which the thesis
+// times. Because of rounding it accepts some points outside the triangle and loses some on shared edges. The
+// exact test is sw_ref/exact/triangle_test.hpp.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@
 
 namespace hitpipe::ref {
 
-/// One triangle, loaded and set up for however many rays.
+/// One triangle, loaded and set up for any number of rays.
 template <class T>
 class MoellerTrumbore {
  public:
@@ -27,8 +27,8 @@ class MoellerTrumbore {
   }
 
   /// Keeps the hit with 0 <= t <= length if t is less than the best so far, or equal with a lower index. In
-  /// `best` both bounds of t are the t that was computed. Nothing is divided before the point is known to be
-  /// inside. Each refusal is the negation of what must hold, so that a NaN is refused.
+  /// `best` both bounds of t are the computed t. The division comes after the point is known to be inside.
+  /// Each condition is written as the negation of what must hold, so that a NaN is refused.
   bool operator()(const Ray& ray, Hit& best) const {
     const Vec direction(ray.direction);
     const Vec p = glm::cross(direction, side_c_);

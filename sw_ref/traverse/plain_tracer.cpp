@@ -1,4 +1,4 @@
-#include "sw_ref/traverse/plain_nodes.hpp"
+#include "sw_ref/encode/plain_nodes.hpp"
 #include "sw_ref/traverse/store_tracer.hpp"
 
 namespace hitpipe::ref {

@@ -1,6 +1,7 @@
-// The Pluecker box test (Plu-AABB, section 3.3), set up once per ray: the ray passes inside the six edges of
-// the box's silhouette, and the box lies between its ends. No division. On boxes padded by 5e-7 it never
-// misses a triangle; like Slabs it can miss a box that a ray only grazes.
+// The Pluecker box test (Plu-AABB, section 3.3), set up once per ray. It asks whether the ray passes inside
+// the six edges of the box's silhouette, and whether the box lies between the ends of the ray. It has no
+// division. On boxes padded by 5e-7 it never misses a triangle; like Slabs it can miss a box that a ray only
+// grazes.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +20,8 @@
 namespace hitpipe::ref {
 
 /// The direction, scaled by a power of two so that products of its components with coordinates do not
-/// underflow: the largest component gets to [2^-23, 4), and one below 2^-60 of it becomes 0. Inside the cube
-/// that moves a point of the ray by less than 2^-58.
+/// underflow. The largest component ends in [2^-23, 4), and a component below 2^-60 of it becomes 0. Inside
+/// the cube that moves a point of the ray by less than 2^-58.
 [[nodiscard]] inline glm::vec3 unstiffened(const glm::vec3& d) {
   const float largest = std::max(std::max(std::fabs(d.x), std::fabs(d.y)), std::fabs(d.z));
   const std::uint32_t exponent = std::bit_cast<std::uint32_t>(largest) >> 23U;
@@ -32,14 +33,15 @@ namespace hitpipe::ref {
   return {scaled(d.x), scaled(d.y), scaled(d.z)};
 }
 
-/// Everything is mirrored to where the direction d is (+, +, +). Let n and f be a box's near and far planes
-/// less the origin. The silhouette edge between near face i and far face j is passed on the inner side when
-/// d_j n_i <= d_i f_j; the box is ahead of the origin when f >= 0, and reached when n <= length d.
+/// Everything is mirrored so that the direction d is (+, +, +). Let n and f be a box's near and far planes
+/// minus the origin. The ray passes the silhouette edge between near face i and far face j on the inner side
+/// if d_j n_i <= d_i f_j. The box is ahead of the origin if f >= 0, and the ray reaches it if n <= length d.
 ///
-/// Rounding, with the unpadded box met by the exact ray: padding moves n and f outward by at least 4.7e-7
-/// each, so d_i f_j - d_j n_i >= 4.7e-7 (d_i + d_j). Each product has two roundings (difference, product) and
-/// |x - o| < 2 + 10^-6: they err by 2.4e-7 (d_i + d_j), and the sign of their difference is exact. Underflow
-/// and the dropped components of unstiffened() are far below the rest. Smaller paddings are not covered.
+/// Rounding. Let the exact ray meet the unpadded box. Padding moves n and f outward by at least 4.7e-7 each,
+/// so d_i f_j - d_j n_i >= 4.7e-7 (d_i + d_j). Each product has two roundings (difference, product) and |x -
+/// o| < 2 + 10^-6, so the products err by 2.4e-7 (d_i + d_j), and the sign of their difference is exact.
+/// Underflow and the dropped components of unstiffened() are far smaller. The proof does not cover smaller
+/// paddings.
 template <class T>
 class Plucker {
  public:
@@ -51,9 +53,9 @@ class Plucker {
     cut(ray.length);
   }
 
-  /// Keeps the end of the ray, less its origin, mirrored. Rounded outward: the product of binary32 is exact
-  /// in binary64, 1 + 2^-22 pays for its rounding to T and for that of the plane's difference, the addend
-  /// for underflow. No plane is beyond an infinite end.
+  /// Keeps the end of the ray minus its origin, mirrored and rounded outward. The product of binary32 values
+  /// is exact in binary64. The factor 1 + 2^-22 covers its rounding to T and the rounding of the plane's
+  /// difference; the addend covers underflow. No plane is beyond an infinite end.
   void cut(float length) {
     constexpr double largest{std::numeric_limits<float>::max()};
     constexpr double least{std::numeric_limits<float>::min()};

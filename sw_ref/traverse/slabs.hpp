@@ -2,7 +2,7 @@
 //   Slabs<T>     as the thesis computes it, in binary32 or binary64: rounding makes it miss boxes that a ray
 //                only grazes, but never the triangles in a padded box
 //   RobustSlabs  binary32 widened by a proven bound: never misses a closed box that the exact ray meets
-// All take ray and box of the [-1, 1] cube, and the length at which the ray is cut, >= 0 or infinite.
+// Both take a ray and boxes of the [-1, 1] cube, and the length at which the ray is cut, >= 0 or infinite.
 #pragma once
 
 #include <cmath>
@@ -18,12 +18,12 @@
 
 namespace hitpipe::ref {
 
-/// Distances at which a ray enters and leaves the slabs. The fourth lanes are 0 and the ray's length.
+/// The distances at which a ray enters and leaves the slabs. The fourth lanes are 0 and the ray's length.
 template <class T>
 struct SlabDistances {
   Lanes<T> near, far;
 
-  /// No distance of entry is above one of exit. A NaN is above nothing: its slab is no constraint.
+  /// True if no distance of entry is above one of exit. A NaN is above nothing, so its slab is no constraint.
   [[nodiscard]] bool overlap() const {
     const Lanes<T> far_1 = rotated(far);
     return !any((near > far) | (near > far_1) | (near > rotated_twice(far)) | (near > rotated_twice(far_1)));
@@ -36,7 +36,7 @@ struct SlabDistances {
   }
 };
 
-/// A ray as both tests take it, mirrored.
+/// The mirrored ray that both tests use.
 template <class T>
 class SlabRay {
  public:
@@ -50,7 +50,8 @@ class SlabRay {
 
   [[nodiscard]] const Mirror& mirror() const { return mirror_; }
 
-  /// Infinity times the box's fourth lane, 0, would be NaN.
+  /// An infinite length is cut to the largest finite number, because infinity times 0 (the box's fourth lane)
+  /// is NaN.
   void cut(float length) {
     constexpr T longest = std::numeric_limits<T>::max();
     irdvc_.set(3, length < longest ? length : longest);
@@ -62,8 +63,8 @@ class SlabRay {
   }
 
  private:
-  /// IRDVC, >= 0. 1/0 is infinite, and infinity times 0 NaN. A component in binary32 that is neither 0 nor in
-  /// [2^-100, 2^100] is given up: NaN, its slab is no constraint. In binary64 no inverse leaves the range.
+  /// The IRDVC, >= 0. 1/0 is infinite, and infinity times 0 is NaN. In binary32 a component that is neither 0
+  /// nor in [2^-100, 2^100] gets NaN, so its slab is no constraint. In binary64 no inverse leaves the range.
   static T inverse(float d) {
     const float size = std::fabs(d);
     const bool bounded = sizeof(T) > sizeof(float) || size == 0.0F || (size >= 0x1p-100F && size <= 0x1p100F);
@@ -75,13 +76,13 @@ class SlabRay {
   Lanes<T> irdvc_;  ///< and the length
 };
 
-/// Multiplies by IRDVCs. On boxes padded by 5e-7 it never misses a triangle: let the exact ray meet a
+/// Multiplies by IRDVCs. On boxes padded by 5e-7 it never misses a triangle. Proof: let the exact ray meet a
 /// triangle of the unpadded box at t*. In the cube |x - o| < 2 + 10^-6, and a distance has three roundings
-/// (difference, inverse, product), so it errs by less than 3.6e-7 / |d|; underflow adds 2^-150, nothing
-/// beside 1e-8 / |d| for |d| <= 2^100. A padded face, rounded to binary32, lies at least 5e-7 - 3e-8 outside
-/// the unpadded one, its distance at least 4.7e-7 / |d|. So every computed near stays below t*, every
-/// computed far above, and with length >= t* the box is a hit. A zero d compares exactly. Smaller paddings
-/// are not covered: take RobustSlabs for those.
+/// (difference, inverse, product), so it errs by less than 3.6e-7 / |d|. Underflow adds 2^-150, which is
+/// negligible against 1e-8 / |d| for |d| <= 2^100. A padded face, rounded to binary32, lies at least 5e-7 -
+/// 3e-8 outside the unpadded one, so its distance differs by at least 4.7e-7 / |d|. So every computed near is
+/// below t* and every computed far above it, and with length >= t* the box is a hit. A zero d compares
+/// exactly. The proof does not cover smaller paddings; use RobustSlabs for those.
 template <class T>
 class Slabs {
  public:
@@ -100,7 +101,7 @@ class Slabs {
   [[nodiscard]] bool meets(const NearFar<U>& box) const {
     return ray_.distances(box).overlap();
   }
-  /// With the distance at which the ray enters the box, for the order of children.
+  /// Also gives the distance at which the ray enters the box, for the order of children.
   template <class U>
   [[nodiscard]] bool enters(const BasicAabb<U>& box, T& distance) const {
     const SlabDistances<T> t = ray_.distances(mirror()(box));
@@ -125,7 +126,7 @@ class RobustSlabs {
 
   [[nodiscard]] bool operator()(const Aabb& box) const { return meets(mirror()(box)); }
   [[nodiscard]] bool meets(const NearFar<float>& box) const { return widened(box).overlap(); }
-  /// With a distance not above that at which the ray enters the box.
+  /// Also gives a distance that is not above that at which the ray enters the box.
   [[nodiscard]] bool enters(const Aabb& box, float& distance) const {
     const SlabDistances<float> t = widened(mirror()(box));
     distance = t.entry();
@@ -134,7 +135,7 @@ class RobustSlabs {
 
  private:
   /// Let u = 2^-24. For 2^-100 <= |d| <= 2^100 the exact distance t = (x - o) / d is computed with three
-  /// roundings (difference, inverse, product). A difference of floats never underflows inexactly, |x - o| <=
+  /// roundings (difference, inverse, product). A difference of floats never underflows inexactly. |x - o| <=
   /// 4 and the inverse lies in [2^-100, 2^100], so nothing overflows and only the product can underflow:
   ///     |computed - t| <= g |t| + e,   g = (1 + u)^3 - 1 < 4 u,   e = 2^-150,   and computed has the sign of
   ///     t or is 0.
@@ -147,11 +148,11 @@ class RobustSlabs {
   /// near stays negative. Likewise far (1 + c), rounded, plus 2^-126 is an exact value above t*. The last
   /// rounding is monotone: exact near' <= t* <= far' gives rounded near' <= rounded far', and near' <= t* <=
   /// length with length a float gives rounded near' <= length. The fourth lanes, 0 and length, are not
-  /// widened: 0 <= length, and 0 <= t* <= far'. (A fused multiply-add has one rounding fewer; the argument
-  /// stands.) A zero d gives an infinite inverse: both distances are infinite with the side's sign, which is
-  /// exact, or NaN when o lies in the face, where the slab is no constraint either. Cutting an infinite
-  /// length to the largest finite float makes near = +infinity a miss; no finite near exceeds 2^103. Any
-  /// other d makes its slab no constraint.
+  /// widened: 0 <= length, and 0 <= t* <= far'. (A fused multiply-add has one rounding fewer; the proof still
+  /// holds.) A zero d gives an infinite inverse. Both distances are then infinite with the sign of the side,
+  /// which is exact, or NaN if o lies in the face, and then the slab is no constraint. Cutting an infinite
+  /// length to the largest finite float makes near = +infinity a miss; no finite near exceeds 2^103. For any
+  /// other d the slab is no constraint.
   [[nodiscard]] SlabDistances<float> widened(const NearFar<float>& box) const {
     constexpr float c = 0x1p-20F;
     constexpr float least = std::numeric_limits<float>::min();

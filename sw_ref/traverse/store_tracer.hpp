@@ -31,18 +31,18 @@ namespace hitpipe::ref {
   return algorithm == Algorithm::plu || algorithm == Algorithm::plu_dsa;
 }
 
-/// Makes a box test that needs nothing but the ray.
+/// Makes a box test from the ray alone.
 template <class Test>
-struct SetUpTest {
+struct TestMaker {
   [[nodiscard]] Test operator()(const Ray& ray) const { return Test(ray); }
 };
 
-template <class Store, class SetUp>
+template <class Store, class Maker>
 class StoreTracer final : public Tracer {
  public:
-  StoreTracer(Store store, SetUp set_up, const TracerParts& parts)
+  StoreTracer(Store store, Maker make_test, const TracerParts& parts)
       : store_(std::move(store)),
-        set_up_(std::move(set_up)),
+        make_test_(std::move(make_test)),
         leaves_{parts.mesh, parts.bvh.order, leaf_test(parts.options.triangle_test)},
         order_(child_order(parts.options.algorithm)),
         bundle_(parts.options.bundle),
@@ -54,7 +54,7 @@ class StoreTracer final : public Tracer {
       throw std::invalid_argument("tracer: places for answers and work must be as many as the rays");
     }
     NoObserver observer;
-    trace_batch(TraceWith<Store, SetUp>{store_, set_up_, leaves_, order_, bundle_, ends_}, job, counts,
+    trace_batch(TraceWith<Store, Maker>{store_, make_test_, leaves_, order_, bundle_, ends_}, job, counts,
                 observer);
   }
 
@@ -63,27 +63,27 @@ class StoreTracer final : public Tracer {
 
  private:
   Store store_;
-  SetUp set_up_;
+  Maker make_test_;
   Leaves leaves_;
   ChildOrder order_;
   int bundle_;
   bool ends_;
 };
 
-/// With a box test that needs nothing but the ray.
+/// A tracer with a box test that is made from the ray alone.
 template <class Test, class Store>
 [[nodiscard]] std::unique_ptr<Tracer> store_tracer(Store store, const TracerParts& parts) {
-  return std::make_unique<StoreTracer<Store, SetUpTest<Test>>>(std::move(store), SetUpTest<Test>{}, parts);
+  return std::make_unique<StoreTracer<Store, TestMaker<Test>>>(std::move(store), TestMaker<Test>{}, parts);
 }
 
-/// With slabs or Pluecker in T.
+/// A tracer with slabs or Pluecker in T.
 template <class T, class Store>
 [[nodiscard]] std::unique_ptr<Tracer> float_tracer(Store store, const TracerParts& parts) {
   if (is_plucker(parts.options.algorithm)) return store_tracer<Plucker<T>>(std::move(store), parts);
   return store_tracer<Slabs<T>>(std::move(store), parts);
 }
 
-/// Over binary32 boxes with whichever arithmetic is asked for.
+/// A tracer over binary32 boxes, with the arithmetic of the options.
 template <class Store>
 [[nodiscard]] std::unique_ptr<Tracer> any_float_tracer(Store store, const TracerParts& parts) {
   switch (parts.options.arithmetic) {

@@ -1,5 +1,6 @@
-// A batch of rays, one by one or in bundles, over a store of nodes with a box test. A template over all
-// parts: who wants to watch the loads (out-of-core model, section 5.8) calls it with an observer of his own.
+// Traces a batch of rays, one by one or in bundles, over a store of nodes with a box test. It is a template
+// over all parts. To watch the loads, as the out-of-core model does (section 5.8), call it with an observer
+// of your own.
 #pragma once
 
 #include <algorithm>
@@ -18,43 +19,44 @@ namespace hitpipe::ref {
 
 enum class ChildOrder : std::uint8_t { fixed, by_direction, by_distance };
 
-/// `set_up(ray)` makes the box test of a ray. Bundles are for tests that allow them and not for by_distance.
-template <class Store, class SetUp>
+/// `make_test(ray)` makes the box test of a ray. Bundles need a test that allows them, and an order other
+/// than by_distance.
+template <class Store, class Maker>
 struct TraceWith {
   const Store& store;
-  const SetUp& set_up;
+  const Maker& make_test;
   Leaves leaves;
   ChildOrder order;
   int bundle;
-  bool ends = true;  ///< as TracerOptions
+  bool ends = true;  ///< as in TracerOptions
 };
 
-template <class Store, class SetUp>
-using BoxTestOf = std::invoke_result_t<const SetUp&, const Ray&>;
+template <class Maker>
+using BoxTestOf = std::invoke_result_t<const Maker&, const Ray&>;
 
-/// Box tests that tell the distance at which a ray enters a box.
+/// Box tests that give the distance at which a ray enters a box.
 template <class Test, class Box>
 concept HasDistance = requires(const Test& test, const Box& box, typename Test::Distance& distance) {
   { test.enters(box, distance) } -> std::same_as<bool>;
 };
 
-template <class Store, class SetUp, class Observer>
-RayWork trace_one(const TraceWith<Store, SetUp>& with, const Ray& ray, Query query, Hit& hit,
+template <class Store, class Maker, class Observer>
+RayWork trace_one(const TraceWith<Store, Maker>& with, const Ray& ray, Query query, Hit& hit,
                   Observer& observer) {
-  using Test = BoxTestOf<Store, SetUp>;
+  using Test = BoxTestOf<Maker>;
   if constexpr (HasDistance<Test, typename Store::Box>) {
     if (with.order == ChildOrder::by_distance) {
-      return trace_by_distance(with.store, with.leaves, with.set_up(ray), ray, query, hit, observer);
+      return trace_by_distance(with.store, with.leaves, with.make_test(ray), ray, query, hit, observer);
     }
   }
   const unsigned order_class = with.order == ChildOrder::fixed ? 0 : direction_class(ray.direction);
   const Ray tested{ray.origin, ray.direction, with.ends ? ray.length : Ray::infinite};
-  return trace_ray(with.store, with.leaves, with.set_up(tested), ray, query, order_class, with.ends, hit,
+  return trace_ray(with.store, with.leaves, with.make_test(tested), ray, query, order_class, with.ends, hit,
                    observer);
 }
 
-template <class Store, class SetUp, class Observer>
-void trace_singly(const TraceWith<Store, SetUp>& with, const TraceJob& job, TraceCounts& counts,
+template <class Store, class Maker, class Observer>
+void trace_singly(const TraceWith<Store, Maker>& with, const TraceJob& job, TraceCounts& counts,
                   Observer& observer) {
   for (std::size_t i = 0; i < job.rays.size(); ++i) {
     Hit hit;
@@ -68,11 +70,11 @@ void trace_singly(const TraceWith<Store, SetUp>& with, const TraceJob& job, Trac
   }
 }
 
-/// Rays first..first + count of the job, which become one bundle per direction class among them.
-template <class Store, class SetUp, class Observer>
-void trace_bundles(const TraceWith<Store, SetUp>& with, const TraceJob& job, std::size_t first,
+/// Traces the rays first..first + count of the job, as one bundle for each direction class that they have.
+template <class Store, class Maker, class Observer>
+void trace_bundles(const TraceWith<Store, Maker>& with, const TraceJob& job, std::size_t first,
                    std::size_t count, TraceCounts& counts, Observer& observer) {
-  using Test = BoxTestOf<Store, SetUp>;
+  using Test = BoxTestOf<Maker>;
   static_assert(std::is_trivially_destructible_v<Test> && std::is_trivially_destructible_v<BundledRay>);
   std::array<unsigned char, largest_bundle> classes;
   unsigned present = 0;
@@ -81,7 +83,7 @@ void trace_bundles(const TraceWith<Store, SetUp>& with, const TraceJob& job, std
     classes[i] = static_cast<unsigned char>(ray_class);
     present |= 1U << ray_class;
   }
-  // Not initialised: only as many as there are rays.
+  // The memory is not initialised; only as many elements are made as there are rays.
   alignas(Test) std::array<std::byte, sizeof(Test) * largest_bundle> test_memory;
   alignas(BundledRay) std::array<std::byte, sizeof(BundledRay) * largest_bundle> ray_memory;
   Test* const tests = reinterpret_cast<Test*>(test_memory.data());
@@ -93,7 +95,7 @@ void trace_bundles(const TraceWith<Store, SetUp>& with, const TraceJob& job, std
     for (std::size_t i = 0; i < count; ++i) {
       if (classes[i] != ray_class) continue;
       const Ray& ray = job.rays[first + i];
-      std::construct_at(tests + members, with.set_up(ray));
+      std::construct_at(tests + members, with.make_test(ray));
       std::construct_at(rays + members, ray);
       places[members++] = first + i;
     }
@@ -108,11 +110,11 @@ void trace_bundles(const TraceWith<Store, SetUp>& with, const TraceJob& job, std
 }
 
 /// Adds to `counts`; tells `observer` each load.
-template <class Store, class SetUp, class Observer>
-void trace_batch(const TraceWith<Store, SetUp>& with, const TraceJob& job, TraceCounts& counts,
+template <class Store, class Maker, class Observer>
+void trace_batch(const TraceWith<Store, Maker>& with, const TraceJob& job, TraceCounts& counts,
                  Observer& observer) {
   counts.rays += job.rays.size();
-  if constexpr (BundleBoxTest<BoxTestOf<Store, SetUp>, typename Store::Box>) {
+  if constexpr (BundleBoxTest<BoxTestOf<Maker>, typename Store::Box>) {
     if (with.bundle > 1) {
       const auto most = static_cast<std::size_t>(with.bundle);
       for (std::size_t first = 0; first < job.rays.size(); first += most) {

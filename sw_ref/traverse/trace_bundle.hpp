@@ -1,6 +1,6 @@
-// Rays of one direction class traced together (section 5.5): a node is loaded once and its box tested with
-// all rays that hit its parent, a leaf's triangles once with all rays that hit its box. A ray is tested as
-// often as if it were traced alone.
+// Traces rays of one direction class together (section 5.5). A node is loaded once, and its box is tested
+// with all rays that hit its parent. A leaf's triangles are loaded once and tested with all rays that hit its
+// box. Each ray has as many tests as if it were traced alone.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace hitpipe::ref {
 
 constexpr int largest_bundle = 256;
 
-/// Box tests that mirror the box, which is the same for all rays of a direction class.
+/// Box tests that mirror the box. The mirrored box is the same for all rays of a direction class.
 template <class Test, class Box>
 concept BundleBoxTest = requires(const Test& test, const Box& box) {
   { test.meets(test.mirror()(box)) } -> std::same_as<bool>;
@@ -24,8 +24,8 @@ concept BundleBoxTest = requires(const Test& test, const Box& box) {
 template <class Store, class Test, class Observer>
 class BundleTrace {
  public:
-  /// `tests` was set up for `rays`, at least one and at most largest_bundle, all of one class. Box tests are
-  /// counted in each ray's work only if somebody asks.
+  /// `tests[i]` is the test of `rays[i]`. There are 1 to largest_bundle rays, all of one class. Each ray's
+  /// own work counts box tests only with `count_work`.
   BundleTrace(const Store& store, const Leaves& leaves, Query query, std::span<BundledRay> rays, Test* tests,
               bool count_work, Observer& observer)
       : store_(store),
@@ -96,7 +96,7 @@ class BundleTrace {
                  TraceCounts& counts) {
     const auto triangles = leaves_.triangles(first_triangle, count);
     const std::span<std::uint16_t> numbers(&numbers_[first], last - first);
-    const LeafTests tests = leaves_.test.bundle(leaves_.mesh, triangles, rays_.data(), numbers, query_);
+    const LeafCounts tests = leaves_.test.bundle(leaves_.mesh, triangles, rays_.data(), numbers, query_);
     tell_loads(observer_, triangles.first(tests.loaded));
     counts.triangles_loaded += tests.loaded;
     counts.triangle_tests += tests.tests;
@@ -109,7 +109,7 @@ class BundleTrace {
     }
   }
 
-  /// Each list is read last when the second child takes it: blocked rays can leave it for good.
+  /// The second child is the last to read a list, so blocked rays can leave it for good.
   std::uint32_t drop_blocked(std::uint32_t first, std::uint32_t last) {
     std::uint32_t end = first;
     for (std::uint32_t i = first; i < last; ++i) {
@@ -127,8 +127,8 @@ class BundleTrace {
   Test* tests_;
   bool count_work_;
   Observer& observer_;
-  // The rays that hit each node on the path to the one at work, one list after the other. Not set: a list is
-  // written before it is read.
+  // For each node on the path to the current one, the list of rays that hit it, one list after the other. The
+  // array is not initialised, because a list is written before it is read.
   std::array<std::uint16_t, std::size_t{BuildOptions::deepest + 1} * largest_bundle> numbers_;
 };
 

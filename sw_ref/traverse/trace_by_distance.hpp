@@ -1,6 +1,6 @@
-// One ray from root to answer by the distance of boxes (BVH-Slabs-Dist, section 4.5): both children of a
-// branch are tested, the nearer is entered first, the farther waits with its distance and is skipped when a
-// closer hit was found meanwhile.
+// Traces one ray by the distance of boxes (BVH-Slabs-Dist, section 4.5). Both children of a branch are
+// tested. The nearer is entered first; the farther waits with its distance and is skipped if a closer hit was
+// found meanwhile.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace hitpipe::ref {
 
-/// As trace_ray(). test.enters() tells the distance of a box, never above that of a triangle in it.
+/// As trace_ray(). test.enters() gives the distance of a box, which is never above that of a triangle in it.
 template <class Store, class Test, class Observer>
 RayWork trace_by_distance(const Store& store, const Leaves& leaves, Test&& test, const Ray& ray, Query query,
                           Hit& hit, Observer& observer) {

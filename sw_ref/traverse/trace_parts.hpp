@@ -1,4 +1,4 @@
-// What the traversal loops share: the scene, and an observer of loads.
+// What the traversal loops share: the triangles, and an observer of loads.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace hitpipe::ref {
 
-/// Told of each load of a node (index in the hierarchy) or triangle (index in the mesh), in order. This one
-/// does not listen; a paging model may.
+/// An observer is told of each load of a node (index in the hierarchy) or triangle (index in the mesh), in
+/// order. This one ignores them; a paging model counts them.
 struct NoObserver {
   void node_loaded(std::uint32_t) {}
   void triangle_loaded(std::uint32_t) {}
 };
 
-/// Triangles, leaf by leaf, and how to test them.
+/// The triangles, leaf by leaf, and how to test them.
 struct Leaves {
   const Mesh& mesh;
   std::span<const std::uint32_t> order;

@@ -1,4 +1,4 @@
-// One ray from root to answer, children in a fixed order or by direction and split axis (chapter 4).
+// Traces one ray, with children in a fixed order or by direction and split axis (chapter 4).
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace hitpipe::ref {
 
-/// `order_class` chooses the near child; `test` was set up for `ray` and, with `ends`, is cut with it.
-/// Returns the work: loads equal tests.
+/// `order_class` chooses the near child. `test` is the box test of `ray`; with `ends` it is cut at each hit.
+/// Returns the work; loads equal tests.
 template <class Store, class Test, class Observer>
 RayWork trace_ray(const Store& store, const Leaves& leaves, Test&& test, const Ray& ray, Query query,
                   unsigned order_class, bool ends, Hit& hit, Observer& observer) {

@@ -1,7 +1,6 @@
-// Rays in, triangles out: the one seam between those who make rays (renderer, experiments) and those who
-// trace them. Which box test, node encoding, child order, precision and bundle size a tracer stands for is
-// chosen when it is made; with the exact triangle test all of them give the same answers
-// (docs/one_answer.md).
+// Rays in, triangles out: the interface between code that makes rays (renderer, experiments) and code that
+// traces them. Box test, node encoding, child order, precision and bundle size are chosen when a tracer is
+// made. With the exact triangle test all tracers give the same answers (docs/one_answer.md).
 #pragma once
 
 #include <cstddef>
@@ -18,8 +17,8 @@
 
 namespace hitpipe::ref {
 
-/// What tracing took. A load is one fetch of a node or triangle, for however many rays it serves: for single
-/// rays loads equal tests, for bundles they are fewer (section 5.6).
+/// The work of tracing. A load is one fetch of a node or triangle, for any number of rays. For single rays
+/// loads equal tests; for bundles there are fewer loads (section 5.6).
 struct TraceCounts {
   std::uint64_t rays = 0;
   std::uint64_t box_tests = 0;
@@ -44,22 +43,23 @@ struct RayWork {
   std::uint32_t triangle_tests = 0;
 };
 
-/// Rays to trace and the places for the answers.
+/// Rays to trace, and places for the answers.
 struct TraceJob {
   std::span<const Ray> rays;
   Query query = Query::closest;
-  /// As long as `rays`: the triangle that a ray hits, Hit::none if none. With Query::any, some triangle.
+  /// One for each ray: the triangle that the ray hits, or Hit::none. With Query::any it is some triangle that
+  /// the ray hits.
   std::span<std::uint32_t> triangles;
-  /// As long as `rays`, or empty when nobody asks.
+  /// One for each ray, or empty if the work is not needed.
   std::span<RayWork> work = {};
 };
 
-/// Thread-safe; hierarchy and mesh that it was made for must outlive it unchanged.
+/// Thread-safe. Its hierarchy and mesh must outlive it and not change.
 class Tracer {
  public:
   virtual ~Tracer() = default;
 
-  /// Adds to `counts`. Rays must be acceptable() (sw_ref/quantise/ray_check.hpp).
+  /// Adds to `counts`. Rays must be acceptable() (sw_ref/exact/box_referee.hpp).
   virtual void trace(const TraceJob& job, TraceCounts& counts) const = 0;
 
   [[nodiscard]] virtual std::size_t bytes_per_node() const = 0;
@@ -76,14 +76,14 @@ enum class Algorithm : std::uint8_t {
 };
 
 enum class Arithmetic : std::uint8_t {
-  binary32,  ///< as the thesis computes; on padded boxes never misses a triangle
+  binary32,  ///< as the thesis computes; never misses a triangle in a padded box
   binary64,  ///< section 5.7
   robust,    ///< binary32 slabs widened by a proven bound: never misses a box, padded or not. Not for plu
-  integer,   ///< chapter 6, n/t bits: integer slabs or integer Pluecker, by the algorithm; not slabs_dist
+  integer,   ///< chapter 6, n/t bits: integer slabs or Pluecker as the algorithm says; not slabs_dist
 };
 
 enum class Encoding : std::uint8_t {
-  plain,           ///< 32 bytes a node; 56 with binary64; 20, 23, 26 with integer 16, 20, 24 bits (Table 6.1)
+  plain,  ///< 32 bytes a node; 56 with binary64; 20, 23, 26 with integers of 16, 20, 24 bits (Table 6.1)
   hierarchical_4,  ///< 8 bytes a node, relative to the quantised parent (section 5.2)
   hierarchical_8,  ///< 12 bytes
   hierarchical_12,
@@ -92,7 +92,7 @@ enum class Encoding : std::uint8_t {
 
 enum class TriangleTest : std::uint8_t {
   exact,     ///< sw_ref/exact: one answer for every traversal
-  binary32,  ///< Moeller and Trumbore (1997), as the thesis; for its timings
+  binary32,  ///< Moeller and Trumbore (1997), as in the thesis, for its timings
   binary64,
 };
 
@@ -101,15 +101,15 @@ struct TracerOptions {
   Arithmetic arithmetic = Arithmetic::robust;
   Encoding encoding = Encoding::plain;
   bool look_up_table = false;  ///< integer-to-float conversion by table; hierarchical 4 and 8 bits only
-  int bundle = 1;  ///< rays traced together at most: 1, 64 or 256 (section 5.5); 1 with integer, slabs_dist
+  int bundle = 1;  ///< the most rays traced together: 1, 64 or 256 (section 5.5); 1 with integer, slabs_dist
   hls::IntBits bits{24, 24};  ///< of integer arithmetic
   TriangleTest triangle_test = TriangleTest::exact;
   CoarseAxes coarse{};  ///< of integer arithmetic; rays and boxes must fit the coarser grid
-  bool ends = true;     ///< box tests hear where rays end; without, all but slabs_dist and only single rays
+  bool ends = true;     ///< box tests know where rays end; if not, single rays only and not slabs_dist
 };
 
-/// Encodes the nodes and picks the loop. Throws std::invalid_argument, one line, for a combination that does
-/// not exist (see the comments above), std::out_of_range for boxes that leave the grid.
+/// Encodes the nodes and picks the traversal loop. Throws std::invalid_argument, one line, for a combination
+/// that does not exist (see the comments above), and std::out_of_range for boxes that leave the grid.
 [[nodiscard]] std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh,
                                                   const TracerOptions& options);
 

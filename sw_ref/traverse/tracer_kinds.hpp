@@ -1,4 +1,5 @@
-// The tracers of each node encoding: a file of template instances per encoding keeps compile times apart.
+// The tracers of each node encoding. Each encoding has a file of template instances, so that they compile
+// separately.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,6 @@
-// Depth-first traversal of one ray through a BVH, near child first by direction and split axis (DSA,
-// section 4.5). It can be left and taken up again between box tests: it names the node whose box it wants
-// tested, and continues when it is told the answer. So a loop in software and a pipeline that answers many
-// cycles later share one traversal.
+// Depth-first traversal of one ray through a BVH, near child first by direction and split axis (DSA, section
+// 4.5). It pauses at each box test: it names the node whose box is to be tested, and continues when it gets
+// the answer. So a software loop and a pipeline that answers many cycles later use the same traversal.
 #pragma once
 
 #include <array>
@@ -30,7 +29,7 @@ struct TraversalCounts {
   friend bool operator==(const TraversalCounts&, const TraversalCounts&) = default;
 };
 
-/// Hierarchy and mesh must outlive the traversal and stay unchanged. The hierarchy has at least one node.
+/// Hierarchy and mesh must outlive the traversal and not change. The hierarchy has at least one node.
 class Traversal {
  public:
   Traversal(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query)
@@ -47,15 +46,15 @@ class Traversal {
   [[nodiscard]] bool done() const { return node_ == finished; }
   /// The node whose box is to be tested now. Only while !done().
   [[nodiscard]] std::uint32_t node() const { return node_; }
-  /// Boxes entered beyond this t need not be visited: the ray's length, or the exact t of the best hit
-  /// rounded up.
+  /// A box that the ray enters beyond this t need not be visited. It is the ray's length, or the exact t of
+  /// the best hit rounded up.
   [[nodiscard]] float length() const { return length_; }
   [[nodiscard]] const Ray& ray() const { return ray_; }
   /// The best hit so far; final when done().
   [[nodiscard]] const Hit& hit() const { return hit_; }
   [[nodiscard]] TraversalCounts counts() const { return {box_tests_, triangle_tests_}; }
 
-  /// Continues with the result of the test of node(): true when the ray, cut at length(), may meet its box.
+  /// Continues with the result of the box test of node(): true if the ray, cut at length(), may meet its box.
   void answer(bool box_hit) {
     ++box_tests_;
     if (box_hit) {
@@ -76,7 +75,7 @@ class Traversal {
 
  private:
   static constexpr std::uint32_t finished = ~0U;
-  /// `finished` at the bottom, above it at most one waiting sibling per level below the root.
+  /// `finished` is at the bottom. Above it there is at most one waiting sibling per level below the root.
   static constexpr std::size_t stack_size = 64;
   static_assert(stack_size >= std::size_t{BuildOptions::deepest});
 
@@ -104,13 +103,13 @@ class Traversal {
   std::uint32_t box_tests_ = 0;
   std::uint32_t triangle_tests_ = 0;
   Query query_;
-  std::array<std::uint32_t, stack_size> stack_;  // only [0, top_] is ever read, and so only that is set
+  std::array<std::uint32_t, stack_size> stack_;  // only [0, top_] is read, so the rest is not set
 };
 
-/// One ray from root to answer with a box test set up for it: BoxTest(ray), see node_store.hpp.
-template <class BoxTest>
+/// Traces one ray with the box test Test(ray), see box_test.hpp.
+template <class Test>
 Hit trace(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query, TraversalCounts& counts) {
-  BoxTest test(ray);
+  Test test(ray);
   Traversal traversal(bvh, mesh, ray, query);
   float length = traversal.length();
   while (!traversal.done()) {

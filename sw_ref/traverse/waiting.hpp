@@ -1,18 +1,17 @@
-// A child that waits on a traversal's stack.
+// A child that waits on the stack of a traversal.
 #pragma once
 
 #include <cstdint>
 
 #include "sw_ref/bvh/bvh.hpp"
-#include "sw_ref/traverse/node_store.hpp"
+#include "sw_ref/encode/node_store.hpp"
 
 namespace hitpipe::ref {
 
 /// At most one sibling waits per level below the root.
 constexpr int deepest_stack = BuildOptions::deepest;
 
-/// Stores decode a child when it is loaded, which is when its turn comes: until then its parent stands for
-/// it.
+/// A child is loaded, and so decoded, when its turn comes. Until then its parent represents it.
 template <NodeStore Store>
 struct Waiting {
   typename Store::Node parent;
@@ -23,7 +22,7 @@ struct Waiting {
   [[nodiscard]] typename Store::Node load(const Store& store) const { return store.child(parent, which); }
 };
 
-/// A node that is no more than a name costs nothing to find: it waits itself.
+/// A small Node is only an index or pointer and costs nothing to compute, so the child itself waits.
 template <NodeStore Store>
 requires(sizeof(typename Store::Node) <= sizeof(void*)) struct Waiting<Store> {
   typename Store::Node node;

@@ -18,7 +18,7 @@
 #include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 
 namespace hitpipe::ref::exhaustive {
 
@@ -39,7 +39,7 @@ struct NarrowUnit {
 };
 
 inline void slabs_ray(const Ray& exact, hls::IntBits bits, std::int64_t* out) {
-  const IntRay ray = IntRaySetup(exact, bits).ray();
+  const IntSlabsRay ray = IntSlabsRaySetup(exact, bits).ray();
   for (const auto coordinate : ray.origin) *out++ = coordinate;
   *out++ = ray.length;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -50,7 +50,7 @@ inline void slabs_ray(const Ray& exact, hls::IntBits bits, std::int64_t* out) {
 }
 
 inline void plucker_ray(const Ray& exact, hls::IntBits bits, std::int64_t* out) {
-  const IntPluckerRay ray = IntPluckerSetup(exact, bits).ray();
+  const IntPluckerRay ray = IntPluckerRaySetup(exact, bits).ray();
   for (const auto& vector : {ray.origin, ray.end.at, ray.direction}) {
     for (const auto component : vector) *out++ = component;
   }

@@ -14,7 +14,7 @@
 #include "sw_ref/quantise/float_ray.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sw_ref/adversary/halved.hpp"
@@ -50,8 +50,8 @@ Operands float_box(const ref::Aabb& box) {
 }
 
 Operands int_slabs_ray(const ref::Ray& ray, hls::IntBits bits, float length) {
-  const ref::IntRaySetup setup(ray, bits);
-  const ref::IntRay& r = setup.ray();
+  const ref::IntSlabsRaySetup setup(ray, bits);
+  const ref::IntSlabsRay& r = setup.ray();
   return {{"irx", r.origin[0]},
           {"iry", r.origin[1]},
           {"irz", r.origin[2]},
@@ -66,7 +66,7 @@ Operands int_slabs_ray(const ref::Ray& ray, hls::IntBits bits, float length) {
 }
 
 Operands int_plucker_ray(const ref::Ray& ray, hls::IntBits bits, float length) {
-  const ref::IntPluckerSetup setup(ray, bits);
+  const ref::IntPluckerRaySetup setup(ray, bits);
   const ref::IntPluckerRay& r = setup.ray();
   const ref::IntEndpoint end = setup.endpoint(length);
   return {{"irx", r.origin[0]},          {"iry", r.origin[1]},    {"irz", r.origin[2]},

@@ -17,7 +17,7 @@
 #include "sw_ref/quantise/float_ray.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sw_ref/demands/demand_scenes.hpp"
 
 namespace hitpipe::sim {
@@ -76,8 +76,8 @@ TEST(PortRanges, HoldRandomDirectionsThroughTheSetUp) {
       for (int i = 0; i < 8; ++i) {
         const ref::Ray ray{family.origin.min, random_direction(family, random), ref::Ray::infinite};
         if (ray.direction == glm::vec3(0.0F)) continue;
-        const ref::IntRaySetup slabs(ray, bits);
-        const ref::IntPluckerSetup plucker(ray, bits);
+        const ref::IntSlabsRaySetup slabs(ray, bits);
+        const ref::IntPluckerRaySetup plucker(ray, bits);
         for (int axis = 0; axis < 3; ++axis) {
           const auto a = static_cast<std::size_t>(axis);
           const std::string where =
@@ -190,7 +190,7 @@ TEST(PortRanges, HoldOriginsAndBoxesOnCoarseAxes) {
       scene.boxes.grow({p, p});
     }
     for (const glm::vec3& p : points) {
-      const ref::IntRay ray = ref::IntRaySetup({p, glm::vec3(1), 1.0F}, {n, 2 * n - 1}).ray();
+      const ref::IntSlabsRay ray = ref::IntSlabsRaySetup({p, glm::vec3(1), 1.0F}, {n, 2 * n - 1}).ray();
       const ref::IntOrigin origin = ref::coarse_origin(ray.origin, coarse, n);
       const ref::IntBox box = ref::coarse_box(ref::quantise_box({p, p}, n), coarse, n);
       for (int axis = 0; axis < 3; ++axis) {

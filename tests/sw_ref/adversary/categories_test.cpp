@@ -1,4 +1,4 @@
-// Each category is what its name says, is accepted by the referee, and comes again from the same seed.
+// Each category does what its name says, the referee accepts it, and the same seed gives the same cases.
 #include "sw_ref/adversary/categories.hpp"
 
 #include <algorithm>
@@ -115,7 +115,7 @@ TEST(Adversary, EveryCaseIsOfItsCategory) {
   EXPECT_EQ(run, static_cast<int>(always.size()) * cases_per_category);
 }
 
-/// A category whose cases all hit, or all miss, would judge nothing.
+/// A category whose cases all hit, or all miss, would test nothing.
 TEST(Adversary, EveryCategoryHitsAndMisses) {
   Random random(seed + 2);
   std::printf("%8s %8s %8s  category\n", "hits", "doubt", "finite");
@@ -141,7 +141,7 @@ TEST(Adversary, EveryCategoryHitsAndMisses) {
   }
 }
 
-/// What binary32 or double arithmetic cannot decide is there.
+/// There are cases that binary32 or double arithmetic cannot decide.
 TEST(Adversary, AimedCategoriesNeedExactArithmetic) {
   Random random(seed + 3);
   for (const Category& category : categories()) {

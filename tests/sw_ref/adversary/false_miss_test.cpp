@@ -1,5 +1,5 @@
-// The integer units, as their C++ computes them, never miss what the exact referee hits: every category,
-// format and both kinds of ray, also on coarser axes.
+// The C++ of the integer units never misses a box that the exact referee hits, in every category and format,
+// with finite and infinite rays, also on coarser axes.
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -17,7 +17,7 @@
 #include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sw_ref/adversary/halved.hpp"
 
 namespace hitpipe::ref {
@@ -30,7 +30,7 @@ using hls::IntFormat;
 
 constexpr std::uint64_t seed = 20072;
 
-/// |difference of a box coordinate and the origin| <= 2^(n-1) - 1, or it wraps in n bits.
+/// |difference of a box coordinate and the origin| <= M; otherwise it wraps in n bits.
 bool fits(const IntBox& box, const std::array<std::int32_t, 3>& origin, int coord_bits) {
   const std::int64_t largest = (std::int64_t{1} << (coord_bits - 1)) - 1;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -54,7 +54,7 @@ void set_box(Operands& in, const IntBox& box) {
 template <class F>
 struct Slabs {
   static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
-    const IntRay ray = IntRaySetup(exact, F::bits).ray();
+    const IntSlabsRay ray = IntSlabsRaySetup(exact, F::bits).ray();
     const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
     EXPECT_TRUE(fits(box, origin, F::coord)) << to_text(exact);
     hls::IntSlabsOperands<hls::Native, F> in;
@@ -77,7 +77,7 @@ struct Slabs {
 template <class F>
 struct Plucker {
   static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
-    const IntPluckerRay ray = IntPluckerSetup(exact, F::bits).ray();
+    const IntPluckerRay ray = IntPluckerRaySetup(exact, F::bits).ray();
     const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
     EXPECT_TRUE(fits(box, origin, F::coord)) << to_text(exact);
     hls::IntPluckerOperands<hls::Native, F> in;
@@ -99,7 +99,7 @@ struct Plucker {
 struct Unit {
   hls::IntBits bits;
   bool (*hit)(const Ray&, const IntBox&, const CoarseAxes&);
-  int most_false_hits_pct;  ///< of random cases: a unit that always hits would never miss
+  int most_false_hits_pct;  ///< limit for random cases; a unit that always hits would never miss
   CoarseAxes coarse{};
 };
 
@@ -131,7 +131,7 @@ struct Judged {
 };
 
 bool fits(const Case& c, const Unit& unit) {
-  const IntOrigin origin = IntRaySetup(c.ray, unit.bits).ray().origin;
+  const IntOrigin origin = IntSlabsRaySetup(c.ray, unit.bits).ray().origin;
   return fits_grid(origin, quantise_box(c.box, unit.bits.coord), unit.coarse, unit.bits.coord);
 }
 
@@ -156,7 +156,7 @@ Judged judge(const Unit& unit, const std::vector<Case>& cases, const std::vector
   return judged;
 }
 
-/// Every ray as it comes and without an end, one after the other.
+/// Every ray, first as it is and then without an end.
 std::vector<Case> cases_of(const Category& category, int cases_per_category) {
   adversary::Random random(seed);
   std::vector<Case> cases;

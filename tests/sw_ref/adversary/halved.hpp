@@ -1,11 +1,11 @@
-// A case drawn towards the middle of the cube, where coarser axes stay on the grid.
+// A case moved towards the middle of the cube, where coarser axes stay on the grid.
 #pragma once
 
 #include "sw_ref/adversary/case.hpp"
 
 namespace hitpipe::ref::adversary {
 
-/// Half as large, but for the direction, which may be the smallest there is.
+/// The case at half its size. The direction stays, because it may be the smallest possible.
 [[nodiscard]] inline Case halved(Case c) {
   c.ray.origin *= 0.5F;
   c.ray.length *= 0.5F;

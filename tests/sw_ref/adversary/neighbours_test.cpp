@@ -1,4 +1,4 @@
-// Boxes beside a box: one face moved, by ulps or a distance, and always a box that the referee accepts.
+// Neighbours of a box: one face is moved, by ulps or a distance, and the referee accepts every box.
 #include "sw_ref/adversary/neighbours.hpp"
 
 #include <algorithm>
@@ -36,8 +36,8 @@ int ulps_between(float a, float b) {
   return -1;
 }
 
-/// A face lies where it may after a move: up to 4 ulps or a power of two away, or at the cube's end before
-/// that.
+/// Whether a moved face lies in a permitted place: up to 4 ulps or a power of two away, or at the end of the
+/// cube.
 bool is_a_move(float from, float to) {
   if (ulps_between(from, to) >= 0) return true;
   for (int exponent = -30; exponent <= -3; ++exponent) {
@@ -95,7 +95,7 @@ TEST(Neighbours, MoveEveryFaceByEverySize) {
     }
   }
   // 4 numbers of ulps and 28 powers of two, both ways. 2^-26 is one ulp of 1/4 inwards, 2^-25 one outwards:
-  // these and their doubles coincide, and what is below half an ulp moves nothing.
+  // these and their doubles coincide, and a move below half an ulp changes nothing.
   for (unsigned face = 0; face < 6; ++face) {
     for (const float way : {1.0F, -1.0F}) {
       for (int exponent = -25; exponent <= -3; ++exponent) {

@@ -1,4 +1,4 @@
-// Cases as text: what is written is read back to the bit, and what cannot be read is named.
+// Cases as text: they are read back bit for bit, and an error names the word that cannot be read.
 #include "sw_ref/adversary/replay.hpp"
 
 #include <cmath>
@@ -31,7 +31,7 @@ void unreadable(const std::string& text, const std::string& word, const std::str
                      " is wanted; the form is: origin X Y Z direction X Y Z length L box X Y Z to X Y Z");
 }
 
-/// The first occurrence of `was` in the good case replaced.
+/// The good case with the first occurrence of `was` replaced.
 std::string with(const std::string& was, const std::string& is) {
   std::string text = good;
   return text.replace(text.find(was), was.size(), is);

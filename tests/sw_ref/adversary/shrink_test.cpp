@@ -1,4 +1,4 @@
-// The case a person reads: still fails, is acceptable, and has nothing left to take away.
+// A shrunk case still fails, is acceptable, and cannot be made simpler.
 #include "sw_ref/adversary/shrink.hpp"
 
 #include <cmath>
@@ -40,7 +40,7 @@ TEST(Shrink, OfWhatAlwaysFailsLeavesNothingToRead) {
   EXPECT_TRUE(simple.ray.is_infinite());
 }
 
-/// One number alone decides: it keeps just the bits that do.
+/// If one number alone decides, it keeps only the bits that matter.
 TEST(Shrink, KeepsTheOneNumberThatFails) {
   const Case simple = shrink(
       odd, [](const Case& c) { return c.ray.direction.x > 0x1.abp+3F && c.ray.direction.x < 0x1.bp+3F; });
@@ -58,7 +58,7 @@ TEST(Shrink, StopsAtWhatIsSimpleAlready) {
   EXPECT_EQ(to_text(shrink(simple, [](const Case&) { return true; })), to_text(simple));
 }
 
-/// Wherever it stops the case fails and no step was taken through one that does not or is refused.
+/// The last case fails, and so does every case on the way; none is refused.
 TEST(Shrink, AsksOnlyAboutAcceptableCasesAndEndsAtOneThatFails) {
   fmt::print("seed {}\n", seed);
   Random random(seed);

@@ -1,5 +1,5 @@
-// The box tests of chapter 3 against the exact referee: the same answers where a box keeps its distance from
-// the ray, and where it does not, none that is wrong by more than rounding.
+// The box tests of chapter 3 against the exact referee. They give the same answers if the box keeps its
+// distance from the ray. Otherwise no answer is wrong by more than rounding.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -67,7 +67,7 @@ long double entry_of(const BoxPair& pair) {
 }
 
 /// Difference, inverse and quotient or product are rounded once each: less than four half units in the last
-/// place. Which plane is met last may be mistaken only for one as far away within that error.
+/// place. The plane that is met last may be confused only with one at the same distance within that error.
 TYPED_TEST(BoxTests, EntryDistancesErrByAtMostFourRoundings) {
   const std::vector<BoxPair> workload = make_box_workload(pairs, 100, seed + 1);
   const long double bound = 2 * static_cast<long double>(std::numeric_limits<TypeParam>::epsilon());
@@ -97,7 +97,7 @@ TYPED_TEST(BoxTests, EntryDistancesErrByAtMostFourRoundings) {
   EXPECT_EQ(with_distance, 9);
 }
 
-/// Every face moved outward; nothing is left of a box that is too thin for a move inward.
+/// The box with every face moved outward; empty if it is too thin for a move inward.
 bool meets_moved(const BoxPair& pair, double outward) {
   Aabb moved;
   for (int axis = 0; axis < 3; ++axis) {

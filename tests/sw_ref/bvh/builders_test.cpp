@@ -1,4 +1,4 @@
-// What every hierarchy must be, whichever builder, mesh and number of threads; what tells the builders apart.
+// What holds for every hierarchy with any builder, mesh and number of threads, and how the builders differ.
 #include <algorithm>
 #include <cstring>
 
@@ -20,7 +20,8 @@ struct NamedMesh {
   friend void PrintTo(const NamedMesh& mesh, std::ostream* out) { *out << mesh.name; }
 };
 
-/// The hills and Spheres are more than one thread's share, the hills also more than one block of a pass.
+/// The hills and Spheres are larger than one thread's subtree, and the hills also larger than one block of a
+/// pass.
 const std::vector<NamedMesh> meshes{
     {"spheres", [] { return load_scene("spheres").mesh; }},
     {"hills", [] { return hills(240, 0.2F); }},
@@ -40,7 +41,7 @@ Aabb triangle_box(const Mesh& mesh, std::uint32_t triangle) {
   return box;
 }
 
-/// Of each node, from its triangles alone.
+/// The bounds of each node, computed from its triangles.
 struct Below {
   std::size_t triangles = 0;
   Aabb box;
@@ -137,7 +138,7 @@ TEST_P(Builders, CentresOfChild0AreBelowThoseOfChild1) {
     const Aabb& low = below[node.first].centres;
     const Aabb& high = below[node.first + 1].centres;
     const int axis = node.split_axis();
-    // Where no axis parts the centres the list was halved.
+    // If no axis separates the centres, the list was halved.
     if (low.min == high.min && low.max == high.max && low.min == low.max) continue;
     ASSERT_LT(low.max[axis], high.min[axis]);
   }
@@ -182,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(OfAllKinds, Meshes, testing::ValuesIn(meshes),
                          [](const auto& parameter) { return std::string(parameter.param.name); });
 
 TEST(Sah, SplitsWhereItIsCheapestNotInTheMiddle) {
-  // Seven close together, one far away: the middle of the box would part the seven.
+  // Seven close together, one far away: the middle of the box would separate the seven.
   std::vector<glm::vec3> centres{{0.9F, 0.0F, 0.0F}};
   for (int i = 0; i < 7; ++i) centres.emplace_back(-0.1F + 0.02F * static_cast<float>(i), 0.0F, 0.0F);
   centres.emplace_back(-0.9F, 0.0F, 0.0F);
@@ -195,20 +196,20 @@ TEST(Sah, SplitsWhereItIsCheapestNotInTheMiddle) {
 }
 
 TEST(Sah, LeafIsMadeWhereItIsCheaper) {
-  // Large triangles, all but on top of each other: either child would be as large as the node.
+  // Large triangles that nearly coincide: each child would be as large as the node.
   std::vector<glm::vec3> centres;
   for (int i = 0; i < 6; ++i) centres.emplace_back(0.001F * static_cast<float>(i), 0.0F, 0.0F);
   const Mesh mesh = triangles_at(centres, 0.5F);
   EXPECT_EQ(build_bvh(mesh, {.builder = Builder::sah, .max_triangles = 6}).nodes.size(), 1U);
   const Bvh forced = build_bvh(mesh, {.builder = Builder::sah, .max_triangles = 5});
   EXPECT_EQ(forced.nodes.size(), 3U);
-  // Small ones, far apart, are not kept together, though one leaf could hold them.
+  // Small triangles far apart are separated, although one leaf could hold them.
   const Mesh apart = triangles_at({{-0.9F, 0, 0}, {-0.8F, 0, 0}, {0.9F, 0.9F, 0}, {0.8F, 0.9F, 0}});
   EXPECT_EQ(build_bvh(apart, {.builder = Builder::sah, .max_triangles = 6}).nodes.size(), 7U);
 }
 
 TEST(Sah, NarrowAxisIsNotSplit) {
-  // Parted alike along x and y; the box is 0.06 wide along x, 0.41 along y.
+  // Separated equally well along x and y; the box is 0.06 wide along x, 0.41 along y.
   const Mesh mesh = triangles_at({{0.0F, -0.2F, 0.0F}, {0.05F, 0.2F, 0.0F}});
   BuildOptions options{.builder = Builder::sah, .max_triangles = 1};
   EXPECT_EQ(build_bvh(mesh, options).nodes[0].split_axis(), 0);
@@ -232,7 +233,7 @@ TEST_P(Grid, MakesLeavesOfNodesNoWiderThanAUnit) {
       const BvhNode& node = bvh.nodes[i];
       const glm::vec3 extent = below[i].box.max - below[i].box.min;
       if (!node.is_leaf()) {
-        // A list that no wide axis parts is halved; its axis is a mere name.
+        // If no wide axis separates a list, it is halved, and its axis has no meaning.
         const bool halved = below[node.first].triangles == below[i].triangles / 2;
         ASSERT_TRUE(halved || extent[node.split_axis()] >= unit);
       } else if (node.count > 1) {

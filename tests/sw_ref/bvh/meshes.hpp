@@ -29,7 +29,7 @@ inline float random_coordinate(std::mt19937& random) {
   return static_cast<float>(random() >> 8U) * 0x1p-23F - 1.0F;
 }
 
-/// Random triangles, `size` large at most, all over the cube.
+/// Random triangles of at most `size`, all over the cube.
 inline Mesh soup(std::uint32_t triangles, float size) {
   std::mt19937 random(soup_seed);
   Mesh mesh;
@@ -67,7 +67,7 @@ inline Mesh hills(std::uint32_t side, float height) {
   return mesh;
 }
 
-/// The same triangle over and over.
+/// Copies of one triangle.
 inline Mesh coincident(std::uint32_t triangles) {
   Mesh mesh;
   mesh.vertices = {{-0.5F, 0.1F, 0.2F}, {0.6F, 0.1F, 0.3F}, {0.1F, 0.7F, -0.4F}};

@@ -1,4 +1,4 @@
-// Figures of a hierarchy, worked out by hand; and those of Appendix B's sweep.
+// The statistics of a hierarchy, computed by hand, and those of Appendix B's sweep.
 #include "sw_ref/bvh/statistics.hpp"
 
 #include <gtest/gtest.h>

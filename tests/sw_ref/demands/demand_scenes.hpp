@@ -8,14 +8,14 @@
 
 namespace hitpipe::ref {
 
-/// Primary rays alone.
+/// A scene with primary rays only.
 inline Scene unlit_hills() {
   Scene scene = sim::hills();
   scene.lights.clear();
   return scene;
 }
 
-/// Stairs between an eye and a light, so far apart and so placed that all rays go towards +x, +y, -z.
+/// Stairs between an eye and a light, placed so that all rays go towards +x, +y, -z.
 inline Scene stairs_along_one_class() {
   SceneDescription scene;
   scene.name = "stairs";
@@ -44,7 +44,7 @@ inline Scene stairs_along_one_class() {
   return place(std::move(scene));
 }
 
-/// The octahedron |x| + |y| + |z| = 1, of mirrors that also scatter, from inside its box.
+/// The octahedron |x| + |y| + |z| = 1, with mirrors that also scatter, seen from inside its box.
 inline Scene demanding_octahedron() {
   SceneDescription scene;
   scene.name = "octahedron";
@@ -62,7 +62,7 @@ inline Scene demanding_octahedron() {
   return place(std::move(scene));
 }
 
-/// A square: every shadow ray starts as far above its bounds as rays start beside surfaces.
+/// A square. Every shadow ray starts above its bounds, by the offset at which rays leave surfaces.
 inline Scene table_top() {
   SceneDescription scene;
   scene.name = "table";
@@ -75,7 +75,7 @@ inline Scene table_top() {
   return place(std::move(scene));
 }
 
-/// Hills pressed flat, seen and lit from within their own slab.
+/// Flattened hills, seen and lit from inside their own slab.
 inline Scene flat_hills() {
   Scene scene = sim::hills();
   for (glm::vec3& vertex : scene.mesh.vertices) vertex.y *= 0x1p-3F;

@@ -1,4 +1,4 @@
-// Every kind of violated demand is seen, and named in one line.
+// Every kind of violated demand is found and named in one line.
 #include "sw_ref/demands/guard.hpp"
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// What is said; empty when nothing is thrown.
+/// The message; empty if nothing is thrown.
 std::string said(const std::function<void()>& check) {
   try {
     check();
@@ -35,7 +35,7 @@ SceneDemands demands_by_view(const Scene& scene) {
 class GuardOfStairs : public testing::Test {
  protected:
   [[nodiscard]] std::string ray(RayKind kind, const Ray& ray) const {
-    return said([&] { check_ray(demands_, kind, ray); });
+    return said([&] { check_ray_against(demands_, kind, ray); });
   }
 
   Scene scene_ = stairs_along_one_class();
@@ -48,7 +48,7 @@ TEST_F(GuardOfStairs, TakesWhatIsDemanded) {
 }
 
 TEST_F(GuardOfStairs, SeesAKindOfRayThatWasNotToCome) {
-  EXPECT_THAT(ray(RayKind::secondary, good_), HasSubstr("secondary rays, of which there were to be none"));
+  EXPECT_THAT(ray(RayKind::secondary, good_), HasSubstr("secondary rays; the demands allow none"));
   demands_.rays.pop_back();
   EXPECT_THAT(ray(RayKind::shadow, good_), HasSubstr("shadow rays, of which there were to be none"));
 }

@@ -1,4 +1,4 @@
-// What a scene demands: nothing that its rays and boxes are not, and less where the scene has less.
+// What a scene demands: its rays and boxes meet the demands, and a scene with less demands less.
 #include "sw_ref/demands/scene_demands.hpp"
 
 #include <bit>
@@ -45,7 +45,7 @@ TEST_P(Demanded, AreAllRaysOfTheImage) {
   std::uint64_t checked = 0;
   options.traced = [&](RayKind kind, const TraceJob& job) {
     for (const Ray& ray : job.rays) {
-      EXPECT_NO_THROW(check_ray(demands, kind, ray))
+      EXPECT_NO_THROW(check_ray_against(demands, kind, ray))
           << std::hexfloat << ray.direction.x << ' ' << ray.direction.y << ' ' << ray.direction.z;
       EXPECT_NE(demands.classes() >> direction_class(ray.direction) & 1U, 0U);
       ++checked;
@@ -120,7 +120,7 @@ TEST(DirectionClasses, OfWavesIsOneAndTheyShadeEachOther) {
   std::size_t shaded = 0;
   options.traced = [&](RayKind kind, const TraceJob& job) {
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
-      EXPECT_NO_THROW(check_ray(demands, kind, job.rays[i]));
+      EXPECT_NO_THROW(check_ray_against(demands, kind, job.rays[i]));
       if (kind != RayKind::shadow) continue;
       ++rays;
       shaded += job.triangles[i] != Hit::none ? 1 : 0;

@@ -1,5 +1,5 @@
-// Encoded nodes against the plain ones they stand for: decoded boxes contain the plain boxes, nodes have the
-// sizes of Tables 5.1 and 6.1, and what cannot be encoded is refused.
+// Encoded nodes against the plain nodes: decoded boxes contain the plain boxes, nodes have the sizes of
+// Tables 5.1 and 6.1, and a hierarchy that cannot be encoded is refused.
 #include <cstdint>
 #include <cstdio>
 #include <functional>
@@ -61,7 +61,8 @@ Mesh flat(Random& random) {
   return mesh;
 }
 
-/// Each triangle half as far from a corner of the cube as the one before: levels as deep as they get.
+/// Each triangle is half as far from a corner of the cube as the one before, so the hierarchy is as deep as
+/// possible.
 Mesh deep(Random& random) {
   Mesh mesh;
   for (int i = 0; i < 120; ++i) {
@@ -133,7 +134,7 @@ void walk(const Store& store, const std::function<void(const typename Store::Nod
   }
 }
 
-/// Every node is there once, with its count and pointer; returns how many.
+/// Checks that every node occurs once, with its count and pointer; returns the number of nodes.
 template <class Store>
 std::size_t expect_same_tree(const Store& store, const Bvh& bvh) {
   std::vector<bool> seen(bvh.nodes.size());
@@ -187,7 +188,7 @@ TYPED_TEST(HierarchicalBits, DecodedBoxesContainThePlainBoxes) {
                 static_cast<unsigned long long>(seed), sample.name, bvh.nodes.size(), bvh.depth,
                 growth / with_surface);
     if (sample.make == spheres) {
-      // A side grows by a step of the parent at most, twice; few bits show, many do not.
+      // A side grows by at most two steps of the parent. With few bits that shows, with many it does not.
       const double most = 1 + 40 * std::ldexp(1.0, -TypeParam::bits);
       EXPECT_LT(growth / with_surface, most);
       EXPECT_GT(growth / with_surface, 1 + std::ldexp(1.0, -TypeParam::bits));
@@ -232,7 +233,7 @@ TEST(Hierarchical, TablesDecodeTheSameBoxes) {
   expect_equal(HierarchicalNodes<8, false>(bvh), HierarchicalNodes<8, true>(bvh));
 }
 
-/// Levels that all have the same box, as wide as padded boxes may be: each takes the top code of the one
+/// Levels that all have the same box, as wide as a padded box can be. Each takes the top code of the level
 /// above.
 TYPED_TEST(HierarchicalBits, ChainOfEqualBoxesHardlyGrows) {
   using Store = typename TypeParam::Store;
@@ -263,7 +264,7 @@ TEST(Hierarchical, NodesHaveTheSizesOfTable5_1) {
   EXPECT_EQ(DoubleNodes::bytes_per_node, 56U);
 }
 
-/// The message of what is thrown.
+/// The message of the exception.
 template <class Exception>
 std::string refusal(const std::function<void()>& encode) {
   try {

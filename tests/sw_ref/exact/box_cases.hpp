@@ -1,6 +1,6 @@
-// Rays and boxes where ray-box tests break, by named category, shared by the tests of the exact referee and
-// of the integer quantisation. "Exactly aimed" cases use coarse coordinates, so that the ray passes through
-// its target exactly.
+// Rays and boxes that are likely to break ray-box tests, by named category. The tests of the exact referee
+// and of the integer quantisation share them. "Exactly aimed" cases use coarse coordinates, so that the ray
+// passes through its target exactly.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ class Random : public adversary::Random {
 
   std::size_t axis() { return below(3); }
   float coordinate() { return signed_unit() * scene_limit; }
-  /// Of nearly any exponent.
+  /// A number of nearly any exponent.
   float any_finite() { return of_exponent(-150, 127); }
 };
 
@@ -47,8 +47,8 @@ inline Aabb coarse_box(Random& random) {
   return box;
 }
 
-/// An infinite ray that reaches a corner, edge, face or inner point of a coarse box at t = 2^-k exactly; its
-/// k.
+/// Aims an infinite ray at a corner, edge, face or inner point of a coarse box. It gets there at exactly t =
+/// 2^-k. Returns k.
 inline int aim(Random& random, Case& c) {
   const int k = random.between(-8, 8);
   c.ray.origin = vector_of([&] { return random.coarse(); });

@@ -1,4 +1,4 @@
-// The tests' own exact arithmetic: rational numbers, and the definition of meeting a box written out in them.
+// The tests' own exact arithmetic: rational numbers, and the definition of meeting a box in them.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Rays and triangles where ray-triangle tests break, by named category, and the definition of a hit written
-// out in rational numbers.
+// Rays and triangles that are likely to break ray-triangle tests, by named category, and the definition of a
+// hit in rational numbers.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ inline RationalVec cross(const RationalVec& p, const RationalVec& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-/// The definition: intersect the plane, then ask on which side of each edge the point lies.
+/// The definition: intersect the plane, then find the side of each edge on which the point lies.
 inline std::optional<Rational> time_of_hit(const Mesh::Corners& corners, const Ray& ray) {
   const std::array corner{exact(corners.a), exact(corners.b), exact(corners.c)};
   const RationalVec normal = cross(minus(corner[1], corner[0]), minus(corner[2], corner[0]));
@@ -132,7 +132,7 @@ inline Shot length_shot(Random& random) {
   return s;
 }
 
-/// The plane lies one hair before or behind the end of the ray: nearer than a double can tell.
+/// The plane lies just before or behind the end of the ray, closer than a double can resolve.
 inline Shot length_within_a_hair(Random& random) {
   const std::size_t up = random.axis();
   Shot s{coarse_triangle(random), {}};

@@ -1,4 +1,4 @@
-// The triangle test on whole meshes: no gaps between neighbours, one closest hit whatever the order of the
+// The triangle test on whole meshes: no gaps between neighbours, and one closest hit in any order of the
 // tests.
 #include <algorithm>
 #include <array>
@@ -25,8 +25,8 @@ using cases::Rational;
 
 constexpr std::uint64_t seed = 20056;
 
-/// A fan of triangles around one vertex, with random winding: every pair of neighbours shares an edge. Flat
-/// enough that no edge is a silhouette for the rays below.
+/// A fan of triangles around one vertex, with random winding. Every pair of neighbours shares an edge. The
+/// fan is so flat that no edge is a silhouette for the rays below.
 Mesh fan(Random& random, bool coarse) {
   Mesh mesh;
   constexpr std::uint32_t rim = 6;
@@ -157,7 +157,7 @@ TEST(TriangleMesh, ClosestHitIsTheRationalOne) {
   int ties = 0;
   for (int i = 0; i < 600; ++i) {
     Mesh mesh = fan(random, true);
-    mesh.triangles.push_back(mesh.triangles.front());  // a copy: every hit of it is a tie
+    mesh.triangles.push_back(mesh.triangles.front());  // a copy, so every hit of it is a tie
     std::vector<std::uint32_t> order(mesh.triangles.size());
     std::iota(order.begin(), order.end(), 0U);
     Ray ray;
@@ -178,7 +178,7 @@ TEST(TriangleMesh, OrderOfTestsDoesNotMatter) {
   int run = 0;
   for (int surface = 0; surface < 40; ++surface) {
     Mesh mesh = star(random, 1);
-    // Copies of every triangle, some rotated: exact ties that the filter cannot settle.
+    // Copies of every triangle, some rotated: exact ties that the filter cannot decide.
     const std::vector<glm::uvec3> once = mesh.triangles;
     for (const glm::uvec3& t : once) mesh.triangles.emplace_back(t.y, t.z, t.x);
     std::vector<std::uint32_t> order(mesh.triangles.size());

@@ -1,4 +1,4 @@
-// The experiments run, have the printed tables' rows, and print what was counted.
+// The experiments run, have the rows of the printed tables, and print the counted figures.
 #include "sw_ref/experiment/experiment.hpp"
 
 #include <gmock/gmock.h>
@@ -108,7 +108,7 @@ TEST(HierarchicalExperiment, MemoryRowsAreExactAndTestsGrow) {
     const ResultRow& tests = row_of(table, {"Spheres", metric});
     EXPECT_GT(*tests.ours[1], *tests.ours[2]) << metric;
     EXPECT_GE(*tests.ours[2], 0.0) << metric;
-    // For closest hits a bundle tests what its rays would test alone.
+    // For closest hits a bundle makes the same tests as its rays alone.
     EXPECT_EQ(tests.ours, row_of(single, {"Spheres", metric}).ours) << metric;
   }
   EXPECT_LT(*row_of(table, {"Spheres", "nodes_loaded_primary"}).ours[0],

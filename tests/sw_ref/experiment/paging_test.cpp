@@ -18,7 +18,7 @@ std::uint64_t faults_of(const std::vector<std::uint64_t>& addresses, std::uint64
   return memory.faults();
 }
 
-/// Least recently used out first, as slowly and plainly as it can be written.
+/// The simplest form of a least recently used cache.
 std::uint64_t plain_faults(const std::vector<std::uint64_t>& addresses, std::uint64_t pages_of_room) {
   std::list<std::uint64_t> newest_first;
   std::uint64_t faults = 0;

@@ -1,4 +1,4 @@
-// Coarser axes: every origin and plane of narrow grids, and what does not fit them.
+// Coarser axes: every origin and plane of narrow grids, and coordinates that do not fit.
 #include "sw_ref/quantise/coarse_axes.hpp"
 
 #include <stdexcept>
@@ -15,7 +15,7 @@ IntOrigin all(std::int64_t coordinate) {
   return {c, c, c};
 }
 
-/// Of one axis: what becomes of an origin, of a lower and an upper plane.
+/// The results for an origin, a lower plane and an upper plane of one axis.
 struct Axis {
   int coord_bits;
   CoarseAxes coarse;
@@ -44,7 +44,7 @@ TEST(CoarseAxes, HoldFromTheCutOriginWhatIsHeldFromTheRoundedOne) {
         const std::int64_t max = box.max[1];
         EXPECT_TRUE(min % unit == 0 && max % unit == 0);
         EXPECT_TRUE(min >= -limit && max <= limit);
-        // The next multiple inside would not do for some origin.
+        // The next multiple inside would be wrong for some origin.
         EXPECT_GT(min + unit + unit - 1, at);
         EXPECT_LT(max - unit, at);
         for (std::int64_t io = -scale / unit * unit; io <= scale; ++io) {

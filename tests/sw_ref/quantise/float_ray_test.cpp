@@ -1,4 +1,4 @@
-// Float set-up: the endpoint is the exact sum rounded outward along the ray, by rational arithmetic.
+// Float set-up against rational arithmetic: the endpoint is the exact sum, rounded outward along the ray.
 #include "sw_ref/quantise/float_ray.hpp"
 
 #include <bit>
@@ -24,7 +24,7 @@ constexpr std::uint64_t seed = 20075;
 constexpr float largest = std::numeric_limits<float>::max();
 constexpr float smallest = 0x1p-149F;
 
-/// The end is not before the exact one, and the binary32 next to it on the ray's side is.
+/// The end is not before the exact end, but the neighbouring binary32 towards the origin is.
 void expect_tight(const Ray& ray, float length, int& ends) {
   const FloatEndpoint end = float_endpoint(ray, length);
   bool holds = !std::isinf(length);

@@ -144,7 +144,7 @@ TEST(QuantiseBox, CoordinateOutsideTheCubeIsRejected) {
   box.min.z = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(message_of<std::out_of_range>(box, 32),
             "quantise_box: min.z = nan leaves the 32-bit grid; boxes must lie within [-1, 1]");
-  // A padded box on the very border would overflow from n = 24 on: this is what the margin 2^-10 is for.
+  // A padded box on the very border would overflow from n = 24 on. The margin of 2^-10 prevents that.
   box = good;
   box.max.x = 1.0F + cases::padding;
   EXPECT_EQ(message_of<std::out_of_range>(box, 24),
@@ -153,7 +153,7 @@ TEST(QuantiseBox, CoordinateOutsideTheCubeIsRejected) {
   EXPECT_EQ(message_of<std::out_of_range>(box, 32), "no error");
 }
 
-/// Many at once take another path, up to 16 boxes at a time.
+/// Many boxes at once are rounded by other code, up to 16 boxes at a time.
 TEST(QuantiseBoxes, AreEachBoxRoundedForAnyNumberOfThem) {
   std::printf("seed %llu\n", static_cast<unsigned long long>(seed + 2));
   Random random(seed + 2);

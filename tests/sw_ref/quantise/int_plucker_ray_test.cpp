@@ -41,7 +41,7 @@ oracle::Integer expected_direction(const Ray& ray, int axis, int n) {
   return ray.direction[axis] < 0 ? oracle::Integer(-magnitude) : magnitude;
 }
 
-/// Section 6.3.1 written out; `rounded` is the set-up's direction.
+/// Section 6.3.1 in rational numbers; `rounded` is the direction of the set-up.
 IntEndpoint expected_end(const Ray& ray, float length, int n, const IntPluckerRay& set_up) {
   const IntEndpoint nowhere{set_up.origin, true};
   if (std::isinf(length)) return nowhere;
@@ -60,7 +60,7 @@ IntEndpoint expected_end(const Ray& ray, float length, int n, const IntPluckerRa
 }
 
 void expect_exact(const Ray& ray, IntBits bits) {
-  const IntPluckerRay result = IntPluckerSetup(ray, bits).ray();
+  const IntPluckerRay result = IntPluckerRaySetup(ray, bits).ray();
   const int n = bits.coord;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
@@ -71,7 +71,7 @@ void expect_exact(const Ray& ray, IntBits bits) {
   ASSERT_EQ(result.end, expected_end(ray, ray.length, n, result)) << n << " " << to_text(ray);
 }
 
-TEST(IntPluckerSetup, IsTheRationalForEveryWidthAndCategory) {
+TEST(IntPluckerRaySetup, IsTheRationalForEveryWidthAndCategory) {
   std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
   Random random(seed);
   int run = 0;
@@ -82,7 +82,7 @@ TEST(IntPluckerSetup, IsTheRationalForEveryWidthAndCategory) {
         const IntBits bits{n, random.between(IntBits::min_interval, 2 * n - 1)};
         const Ray ray = category.make(random).ray;
         ASSERT_NO_FATAL_FAILURE(expect_exact(ray, bits)) << category.name;
-        ends += IntPluckerSetup(ray, bits).ray().end.infinite ? 0 : 1;
+        ends += IntPluckerRaySetup(ray, bits).ray().end.infinite ? 0 : 1;
         ++run;
       }
     }
@@ -92,8 +92,9 @@ TEST(IntPluckerSetup, IsTheRationalForEveryWidthAndCategory) {
   EXPECT_GT(ends, run / 4);
 }
 
-TEST(IntPluckerSetup, EndpointIsTheRationalForAnyExponents) {
-  // Where the sum's terms lie far apart, cancel, or both lie below the fixed point's last bit.
+TEST(IntPluckerRaySetup, EndpointIsTheRationalForAnyExponents) {
+  // Cases in which the terms of the sum lie far apart, cancel, or are both below the last bit of the fixed
+  // point.
   Random random(seed + 1);
   int run = 0;
   int ends = 0;
@@ -107,7 +108,7 @@ TEST(IntPluckerSetup, EndpointIsTheRationalForAnyExponents) {
     }
     ray.length = std::abs(random.coin() ? random.signed_unit() : random.of_exponent(-149, low));
     if (random.below(3) == 0) {
-      // Ends at the axis' zero, or an ulp beside it.
+      // The ray ends where the axis is 0, or an ulp from there.
       const int axis = random.axis();
       ray.length = std::ldexp(1.0F, -random.between(0, 20));
       ray.direction[axis] = -ray.origin[axis] / ray.length;
@@ -117,53 +118,54 @@ TEST(IntPluckerSetup, EndpointIsTheRationalForAnyExponents) {
       continue;
     const IntBits bits{random.between(6, 32), 6};
     ASSERT_NO_FATAL_FAILURE(expect_exact(ray, bits));
-    ends += IntPluckerSetup(ray, bits).ray().end.infinite ? 0 : 1;
+    ends += IntPluckerRaySetup(ray, bits).ray().end.infinite ? 0 : 1;
     ++run;
   }
   EXPECT_EQ(run, 60'000);
   EXPECT_GT(ends, run / 2);
 }
 
-TEST(IntPluckerSetup, LargestComponentIsTheLargestInteger) {
-  const IntPluckerRay ray = IntPluckerSetup({{}, {0x1p-149F, -0x1p-148F, 0x1p-148F}, 1}, {16, 16}).ray();
+TEST(IntPluckerRaySetup, LargestComponentIsTheLargestInteger) {
+  const IntPluckerRay ray = IntPluckerRaySetup({{}, {0x1p-149F, -0x1p-148F, 0x1p-148F}, 1}, {16, 16}).ray();
   EXPECT_EQ(ray.direction, (Triple{16384, -32767, 32767}));  // 16383.5 is a tie
 }
 
-TEST(IntPluckerSetup, TiesRoundAwayFromZeroSoThatMirroredRaysAreMirrored) {
+TEST(IntPluckerRaySetup, TiesRoundAwayFromZeroSoThatMirroredRaysAreMirrored) {
   // n = 6, M = 31: a component of 1/2 is 15.5, one of 1/62 is 0.5.
-  const auto direction = [](glm::vec3 d) { return IntPluckerSetup({{}, d, 1}, {6, 6}).ray().direction; };
+  const auto direction = [](glm::vec3 d) { return IntPluckerRaySetup({{}, d, 1}, {6, 6}).ray().direction; };
   EXPECT_EQ(direction({62, 31, 1}), (Triple{31, 16, 1}));
   EXPECT_EQ(direction({-62, -31, -1}), (Triple{-31, -16, -1}));
   EXPECT_EQ(direction({-62, -31, std::nextafter(-1.0F, 0.0F)}), (Triple{-31, -16, 0}));
 }
 
-TEST(IntPluckerSetup, OriginTiesRoundUpwards) {
-  const IntPluckerRay ray = IntPluckerSetup({{0.5F, -0.5F, 0.1F}, {1, 1, 1}, 1}, {6, 6}).ray();
+TEST(IntPluckerRaySetup, OriginTiesRoundUpwards) {
+  const IntPluckerRay ray = IntPluckerRaySetup({{0.5F, -0.5F, 0.1F}, {1, 1, 1}, 1}, {6, 6}).ray();
   EXPECT_EQ(ray.origin, (Triple{8, -7, 2}));
 }
 
-TEST(IntPluckerSetup, EndpointIsRoundedOutwardAlongTheRay) {
+TEST(IntPluckerRaySetup, EndpointIsRoundedOutwardAlongTheRay) {
   // n = 6, G = 15: from 0 to +-0.1, which is +-1.5.
-  const IntEndpoint end = IntPluckerSetup({{}, {0.1F, -0.1F, 0}, 1}, {6, 6}).ray().end;
+  const IntEndpoint end = IntPluckerRaySetup({{}, {0.1F, -0.1F, 0}, 1}, {6, 6}).ray().end;
   EXPECT_EQ(end.at, (Triple{2, -2, 0}));
   EXPECT_FALSE(end.infinite);
 }
 
-TEST(IntPluckerSetup, NegativeComponentRoundedToZeroEndsWhereItStarts) {
-  // The class is plus, the ray goes down from 1.5 to 1.0 in x: what the unit compares must not be below 1.5.
+TEST(IntPluckerRaySetup, NegativeComponentRoundedToZeroEndsWhereItStarts) {
+  // The class is plus, but the ray goes down from 1.5 to 1.0 in x. The end that the unit compares must not be
+  // below 1.5.
   const Ray ray{{0.1F, 0, 0}, {-0.0333F, 0, 1}, 1};
-  const IntPluckerRay steep = IntPluckerSetup(ray, {6, 6}).ray();
+  const IntPluckerRay steep = IntPluckerRaySetup(ray, {6, 6}).ray();
   EXPECT_EQ(steep.direction, (Triple{-1, 0, 31}));
   EXPECT_EQ(steep.end.at, (Triple{1, 0, 15}));
   const Ray flat{{0.1F, 0, 0}, {-0.015F, 0, 1}, 1};
-  const IntPluckerRay rounded = IntPluckerSetup(flat, {6, 6}).ray();
+  const IntPluckerRay rounded = IntPluckerRaySetup(flat, {6, 6}).ray();
   EXPECT_EQ(rounded.direction, (Triple{0, 0, 31}));
   EXPECT_EQ(rounded.end.at, (Triple{2, 0, 15}));
 }
 
-TEST(IntPluckerSetup, EndpointOutsideTheCubeIsNoEnd) {
+TEST(IntPluckerRaySetup, EndpointOutsideTheCubeIsNoEnd) {
   const auto end = [](float length) {
-    return IntPluckerSetup({{0.5F, 0, 0}, {0.5F, 0.25F, 0}, length}, {16, 16}).ray().end;
+    return IntPluckerRaySetup({{0.5F, 0, 0}, {0.5F, 0.25F, 0}, length}, {16, 16}).ray().end;
   };
   EXPECT_EQ(end(1.0F), (IntEndpoint{{16383, 4096, 0}, false}));
   EXPECT_EQ(end(std::nextafter(1.0F, 2.0F)), (IntEndpoint{{8192, 0, 0}, true}));
@@ -172,21 +174,21 @@ TEST(IntPluckerSetup, EndpointOutsideTheCubeIsNoEnd) {
   EXPECT_TRUE(end(Ray::infinite).infinite);
 }
 
-TEST(IntPluckerSetup, RayOfNoLengthEndsAtItsOriginRoundedOutward) {
+TEST(IntPluckerRaySetup, RayOfNoLengthEndsAtItsOriginRoundedOutward) {
   const Ray ray{{0.1F, 0.1F, -0.1F}, {1, -1, 0}, 0};
-  EXPECT_EQ(IntPluckerSetup(ray, {6, 6}).ray().end, (IntEndpoint{{2, 1, -1}, false}));
+  EXPECT_EQ(IntPluckerRaySetup(ray, {6, 6}).ray().end, (IntEndpoint{{2, 1, -1}, false}));
 }
 
-TEST(IntPluckerSetup, ShortenedRayIsThatOfAFreshSetup) {
+TEST(IntPluckerRaySetup, ShortenedRayIsThatOfAFreshSetup) {
   Random random(seed + 2);
   int run = 0;
   for (const Category& category : adversary::categories()) {
     for (int i = 0; i < 2'000; ++i) {
       Ray ray = category.make(random).ray;
       const IntBits bits{random.between(6, 32), 6};
-      const IntPluckerSetup setup(ray, bits);
+      const IntPluckerRaySetup setup(ray, bits);
       ray.length = std::abs(random.coin() ? random.signed_unit() : random.of_exponent(-149, 127));
-      ASSERT_EQ(setup.endpoint(ray.length), IntPluckerSetup(ray, bits).ray().end) << to_text(ray);
+      ASSERT_EQ(setup.endpoint(ray.length), IntPluckerRaySetup(ray, bits).ray().end) << to_text(ray);
       ++run;
     }
   }
@@ -196,33 +198,33 @@ TEST(IntPluckerSetup, ShortenedRayIsThatOfAFreshSetup) {
 template <class Error>
 std::string message_of(const Ray& ray, IntBits bits = {16, 16}) {
   try {
-    const IntPluckerSetup setup(ray, bits);
+    const IntPluckerRaySetup setup(ray, bits);
   } catch (const Error& error) {
     return error.what();
   }
   return "no error";
 }
 
-TEST(IntPluckerSetup, OriginOutsideTheCubeIsRejected) {
+TEST(IntPluckerRaySetup, OriginOutsideTheCubeIsRejected) {
   EXPECT_EQ(message_of<std::out_of_range>({{0, std::nextafter(1.0F, 2.0F), 0}, {1, 0, 0}, 1}),
-            "IntPluckerSetup: origin.y = 1.0000001 is outside the cube; allowed is [-1, 1]");
+            "IntPluckerRaySetup: origin.y = 1.0000001 is outside the cube; allowed is [-1, 1]");
 }
 
-TEST(IntPluckerSetup, DirectionWithoutDirectionIsRejected) {
+TEST(IntPluckerRaySetup, DirectionWithoutDirectionIsRejected) {
   EXPECT_EQ(message_of<std::invalid_argument>({{}, {0.0F, -0.0F, 0.0F}, 1}),
-            "IntPluckerSetup: direction is (0, 0, 0); one component must differ from 0");
+            "IntPluckerRaySetup: direction is (0, 0, 0); one component must differ from 0");
   EXPECT_EQ(message_of<std::invalid_argument>({{}, {0, 0, -Ray::infinite}, 1}),
-            "IntPluckerSetup: direction.z = -inf; components must be finite");
+            "IntPluckerRaySetup: direction.z = -inf; components must be finite");
 }
 
-TEST(IntPluckerSetup, NegativeLengthIsRejected) {
+TEST(IntPluckerRaySetup, NegativeLengthIsRejected) {
   EXPECT_EQ(message_of<std::invalid_argument>({{}, {1, 1, 1}, -0.5F}),
-            "IntPluckerSetup: length = -0.5; it must be >= 0 or infinite");
+            "IntPluckerRaySetup: length = -0.5; it must be >= 0 or infinite");
 }
 
-TEST(IntPluckerSetup, FormatOutsideTheRangeIsRejected) {
+TEST(IntPluckerRaySetup, FormatOutsideTheRangeIsRejected) {
   EXPECT_EQ(message_of<std::invalid_argument>({{}, {1, 1, 1}, 1}, {33, 24}),
-            "IntPluckerSetup: format 33/24; n must be 6 to 32 and t 6 to 2n-1");
+            "IntPluckerRaySetup: format 33/24; n must be 6 to 32 and t 6 to 2n-1");
 }
 
 }  // namespace

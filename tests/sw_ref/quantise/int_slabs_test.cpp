@@ -1,5 +1,5 @@
-// Quantisation judged by its purpose: an integer slabs test of plain words (section 6.2.2) on quantised rays
-// and boxes never misses what the exact referee calls a hit, in any category and format.
+// Tests the purpose of quantisation: an integer slabs test in plain words (section 6.2.2) on quantised rays
+// and boxes never misses a hit of the exact referee, in any category and format.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include "hls/box/int_format.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 #include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sw_ref/exact/box_cases.hpp"
 
 namespace hitpipe::ref {
@@ -26,7 +26,7 @@ struct SlabsResult {
   bool fits;  ///< every difference in n bits, every interval end and the length in t bits
 };
 
-SlabsResult int_slabs(const IntRay& ray, const IntBox& box, IntBits bits) {
+SlabsResult int_slabs(const IntSlabsRay& ray, const IntBox& box, IntBits bits) {
   const std::int64_t largest_difference = (std::int64_t{1} << (bits.coord - 1)) - 1;
   const std::int64_t interval_end = std::int64_t{1} << (bits.interval - 1);
   std::array<std::int64_t, 3> near{};
@@ -71,7 +71,7 @@ TEST_P(IntSlabs, NeverMissesWhatTheRefereeHits) {
       if (random.coin() && category.make != cases::at_cube_border) c.box = padded(c.box);
       ASSERT_TRUE(acceptable(c.ray) && acceptable(c.box)) << cases::describe(c);
       const SlabsResult result =
-          int_slabs(IntRaySetup(c.ray, bits).ray(), quantise_box(c.box, bits.coord), bits);
+          int_slabs(IntSlabsRaySetup(c.ray, bits).ray(), quantise_box(c.box, bits.coord), bits);
       const bool exact = ray_meets_box(c.ray, c.box);
       ASSERT_TRUE(result.fits) << category.name << ": " << cases::describe(c);
       ASSERT_TRUE(result.hit || !exact) << "false miss, " << category.name << ": " << cases::describe(c);
@@ -82,7 +82,8 @@ TEST_P(IntSlabs, NeverMissesWhatTheRefereeHits) {
     std::printf("%9d %9d %9d  %s\n", run, hits, false_hits, category.name);
     EXPECT_EQ(run, cases_per_category);
     EXPECT_GT(hits, cases_per_category / 50) << category.name;
-    // An always-hit unit would pass the above: with 12 bits and more few random misses may pass as hits.
+    // A unit that always hits would pass the checks above. So with 12 bits and more only few random misses
+    // may count as hits.
     if (category.make == cases::random_case && bits.coord >= 12 && bits.interval >= 12) {
       EXPECT_LT(false_hits, cases_per_category / 100);
     }
@@ -101,11 +102,11 @@ TEST(IntSlabs, ZeroComponentLeavesAOneAxisTest) {
   const IntBits bits{24, 24};
   const Ray ray{{0, 0, 0}, {0.0F, 1, 0.5F}, 1};
   const auto hit = [&](const Aabb& box) {
-    return int_slabs(IntRaySetup(ray, bits).ray(), quantise_box(box, bits.coord), bits).hit;
+    return int_slabs(IntSlabsRaySetup(ray, bits).ray(), quantise_box(box, bits.coord), bits).hit;
   };
   EXPECT_TRUE(hit({{-0.1F, 0.2F, 0.1F}, {0.1F, 0.4F, 0.2F}}));      // hit
   EXPECT_TRUE(hit({{-0.1F, -0.9F, -0.9F}, {0.1F, -0.8F, -0.8F}}));  // behind the origin, but in the slab of x
-  EXPECT_FALSE(hit({{0.05F, 0.2F, 0.1F}, {0.1F, 0.4F, 0.2F}}));     // beside the slab of x
+  EXPECT_FALSE(hit({{0.05F, 0.2F, 0.1F}, {0.1F, 0.4F, 0.2F}}));     // outside the slab of x
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How far images are apart, what is read from files and what is refused, and the colours of maps.
+// Differences of images, files that are read or refused, and the colours of maps.
 #include "sw_ref/render/image_compare.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Image files: what is written reads back, and nothing half-written is left when writing fails.
+// Image files: they can be read back, and no half-written file is left if writing fails.
 #include "sw_ref/render/image_file.hpp"
 
 #include <array>
@@ -126,8 +126,8 @@ TEST_F(ImageFile, FullDiskLeavesTheOldFileAndNoPart) {
   for (const char* const name : {"a.png", "a.exr"}) {
     const std::filesystem::path file = folder_ / name;
     std::ofstream(file) << "old";
-    // A limit on the size of files stands in for a full disk. Noise, so that the image does not compress
-    // below it.
+    // A limit on the size of files replaces a full disk. The image is noise, so that it does not compress
+    // below the limit.
     std::vector<glm::vec3> noise(256 * 256);
     unsigned state = 1;
     for (glm::vec3& colour : noise)

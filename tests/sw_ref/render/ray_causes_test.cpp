@@ -1,5 +1,5 @@
-// What a scene can cause, by its materials and lights, and the renderer that leaves out the rest: the same
-// picture with less work.
+// The rays that a scene can cause, by its materials and lights. The renderer leaves out the rest and makes
+// the same picture with less work.
 #include "sw_ref/render/ray_causes.hpp"
 
 #include <cstring>
@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 constexpr glm::vec3 none(0.0F);
 const Material black{none};
-const Material matt{glm::vec3(0.6F, 0.4F, 0.0F)};  // nothing of blue light
+const Material matt{glm::vec3(0.6F, 0.4F, 0.0F)};  // scatters no blue light
 const Material mirror{none, glm::vec3(0.8F)};
 const Material glass{none, none, glm::vec3(0.8F), 1.5F};
 const Material everything{glm::vec3(0.3F), glm::vec3(0.3F), glm::vec3(0.3F), 1.2F};
@@ -73,7 +73,7 @@ TEST(RayCausesOf, MaterialsThatNoTriangleUsesAreNone) {
   EXPECT_TRUE(ray_causes(scene, 5).shadow());
 }
 
-/// The balls of "spheres" in given materials, by turns.
+/// The balls of "spheres", with the given materials in turn.
 Scene balls(const std::vector<Material>& materials) {
   Scene scene = load_scene("spheres");
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
@@ -86,8 +86,8 @@ RenderResult rendered(const Scene& scene, int threads = 2) {
   return render(scene, *make_tracer(scene.mesh, bvh, {}), {.width = 70, .height = 60, .threads = threads});
 }
 
-/// Adds to a scene what causes every kind of ray, where no ray comes: a triangle under the floor, and a light
-/// of which only that triangle scatters any.
+/// Adds what causes every kind of ray to a place that no ray reaches: a triangle under the floor, and a light
+/// that only this triangle scatters.
 Scene with_everything_unseen(Scene scene) {
   const float below = static_cast<float>(mesh_bounds(scene.mesh).min.y) - 0.01F;
   const auto first = static_cast<std::uint32_t>(scene.mesh.vertices.size());
@@ -162,7 +162,7 @@ TEST(ShadingCounters, AreZeroForWhatTheSceneLacksAndGrowWithIt) {
     EXPECT_EQ(shading.surface_points, seen);
     EXPECT_EQ(shading.light_evaluations, n * seen);
     EXPECT_EQ(shading.queue_bytes_of(RayKind::secondary), 0U);
-    // A tile of nothing but lit surface is within what its pixels can send.
+    // A tile that shows only lit surface stays within what its pixels can send.
     EXPECT_GT(shading.queue_bytes_of(RayKind::shadow), (n - 1) * shading.queue_bytes_of(RayKind::primary));
     EXPECT_LE(shading.queue_bytes_of(RayKind::shadow), n * shading.queue_bytes_of(RayKind::primary));
   }

@@ -1,4 +1,5 @@
-// The renderer: independent of threads, tracer and tiles, counts add up, shadows fall where they should.
+// The renderer does not depend on threads, tracer and tiles, its counts add up, and its shadows are in the
+// right places.
 #include "sw_ref/render/render.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ bool same_bits(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b)
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec3)) == 0;
 }
 
-/// The balls of "spheres", of which three are mirrors and three glass.
+/// The balls of "spheres"; three are mirrors and three are glass.
 Scene shiny_spheres() {
   Scene scene = load_scene("spheres");
   for (std::size_t i = 1; i < scene.materials.size(); ++i) {
@@ -92,7 +93,7 @@ TEST_F(Render, CountsAddUp) {
   EXPECT_EQ(total.box_tests, counts.primary.box_tests + counts.secondary.box_tests + counts.shadow.box_tests);
   EXPECT_GT(total.box_tests, total.rays);
   EXPECT_GT(total.triangle_tests, seen);
-  // Every test is of some pixel.
+  // Every test belongs to some pixel.
   const auto sum = [](const std::vector<float>& map) { return std::accumulate(map.begin(), map.end(), 0.0); };
   EXPECT_EQ(sum(result.box_tests), static_cast<double>(total.box_tests));
   EXPECT_EQ(sum(result.triangle_tests), static_cast<double>(total.triangle_tests));
@@ -105,7 +106,7 @@ TEST_F(Render, MapsAreMadeOnlyWhereAsked) {
   EXPECT_TRUE(result.triangle_tests.empty());
 }
 
-/// The renderer's batches against Whitted's tasks one at a time, over all triangles.
+/// Compares the renderer's batches with Whitted's tasks, done one at a time with all triangles.
 TEST_F(Render, PixelsShowTheClosestTriangleAndTheLightOfItsRays) {
   const RenderResult result = run({.width = 10, .height = 8, .maps = true});
   const Whitted whitted(scene_, {});

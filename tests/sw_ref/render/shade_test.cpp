@@ -65,7 +65,7 @@ TEST(SurfacePoint, StaysOnTheTriangleWhenTheRayGrazesIt) {
 }
 
 TEST(SurfacePoint, RoughCoordinatesAreCutToTheTriangle) {
-  // Rays that pass it stand for rays whose barycentric coordinates are mostly rounding error.
+  // Rays that miss it represent rays whose barycentric coordinates are mostly rounding errors.
   for (const glm::vec3& past : {glm::vec3(0.8F, 0.5F, -0.8F), {-0.99F, 0.5F, 0.0F}, {0.0F, 0.5F, 0.99F}}) {
     const SurfacePoint point = surface_point(floor_triangle(), 0, {past, {0.0F, -1.0F, 0.0F}});
     EXPECT_GE(point.position.x, -0.9F);

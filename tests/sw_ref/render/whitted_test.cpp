@@ -1,4 +1,5 @@
-// Mirrored and refracted rays by hand, which rays follow from a hit and what light they bring.
+// Mirrored and refracted rays computed by hand, the rays that follow from a hit, and the light that they
+// bring.
 #include "sw_ref/render/whitted.hpp"
 
 #include <algorithm>
@@ -137,7 +138,7 @@ TEST(LightSum, StaysAtTheEndsOfItsRange) {
   EXPECT_EQ(light.value(), glm::vec3(0x1p32F, 3 * 0x1p-32F, 0.0F));
 }
 
-/// Two triangles a rectangle, corners counterclockwise as seen from where its normal points.
+/// A rectangle of two triangles, with corners counterclockwise as seen from the side of its normal.
 void add_rectangle(Scene& scene, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v,
                    std::uint8_t material) {
   const auto base = static_cast<std::uint32_t>(scene.mesh.vertices.size());
@@ -192,7 +193,7 @@ Followed follow(const Scene& scene, const Ray& ray, const WhittedOptions& option
   return follow(scene, ray, options, [](std::size_t) { return std::size_t{0}; });
 }
 
-/// Slanting to the middle of a mirror on the floor, which shows a matt wall.
+/// A slanting ray to the middle of a mirror on the floor, in which a matt wall is seen.
 Scene mirror_and_wall() {
   Scene scene;
   scene.materials = {mirror_with(0.5F), matt_with(0.8F)};
@@ -212,7 +213,7 @@ TEST(Whitted, MirrorShowsTheWallAndTheShadowOnIt) {
   EXPECT_EQ(lit.tasks[1].depth, 1);
   EXPECT_EQ(lit.tasks[2].kind, RayKind::shadow);
   expect_near(lit.tasks[2].ray.origin, {0.5, 0.5, 0.0}, 2e-5);
-  // The wall is seen at height 0.5, straight before the light.
+  // The wall is seen at height 0.5, directly in front of the light.
   SurfacePoint seen = on_floor;
   seen.shading_normal = {-1.0, 0.0, 0.0};
   const float ambient_light = 0.5F * 0.8F * ambient(seen).x;
@@ -241,7 +242,7 @@ TEST(Whitted, LightThatBringsNothingIsNotAskedFor) {
   EXPECT_EQ(shadow_rays(scene), 0U);
 }
 
-/// A slab of glass, |y| <= 0.1, wide enough for what follows.
+/// A slab of glass, |y| <= 0.1, wide enough for the rays below.
 Scene slab(const Material& material) {
   Scene scene;
   scene.materials = {material};
@@ -285,7 +286,7 @@ TEST(Whitted, GlassSendsBothRaysAndTheirNumberIsLimited) {
   };
   EXPECT_EQ(secondary({.bounces = 0}), 0U);
   EXPECT_EQ(secondary({.bounces = 1}), 2U);
-  // The mirrored one has left; the refracted one splits at each face, and one half stays in.
+  // The mirrored ray has left. The refracted ray splits at each face, and one half stays inside.
   EXPECT_EQ(secondary({.bounces = 2}), 4U);
   EXPECT_EQ(secondary({.bounces = 5}), 10U);
   EXPECT_EQ(secondary({.bounces = 5, .cutoff = 0.25F}), 4U);  // weights 1/2, 1/4

@@ -1,4 +1,5 @@
-// The built-in scenes at their smallest: what their table promises, and the same bits every time.
+// The built-in scenes at their smallest: they keep the promises of their table and have the same bits every
+// time.
 #include "sw_ref/scene/built_in.hpp"
 
 #include <algorithm>
@@ -94,7 +95,7 @@ TEST(BuiltInScenes, DefaultsAreWithinTheirRangesAndNamesDiffer) {
   }
 }
 
-/// Each side of a triangle belongs to one other, which runs along it the other way.
+/// Each side of a triangle is also a side of exactly one other, in the opposite direction.
 TEST(Statue, PartsAreClosedWithTheirOutsidesOut) {
   for (const EvenSurface& part : winged_figure()) {
     Mesh mesh;

@@ -1,4 +1,4 @@
-// Mesh files: what each format yields, and one message for each way in which a file can be bad.
+// Mesh files: the mesh from each format, and one message for each way in which a file can be bad.
 #include "sw_ref/scene/mesh_file.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class MeshFile : public testing::Test {
   }
   Mesh load(const std::string& name, const std::string& bytes) const { return load_mesh(write(name, bytes)); }
 
-  /// The reason for which the file is refused, after checking that the message begins with the file's name.
+  /// The reason why the file is refused. Also checks that the message begins with the file's name.
   std::string reason(const std::string& name, const std::string& bytes) const {
     const std::filesystem::path file = write(name, bytes);
     return reason(file);
@@ -320,7 +320,7 @@ TEST_F(MeshFile, BrokenGltfIsRejected) {
 }
 
 TEST_F(MeshFile, OtherFormatUnderAKnownNameIsNotGuessed) {
-  // Assimp has a reader for each of these texts, of no format that is offered.
+  // Assimp has a reader for each of these texts, but hitpipe offers none of their formats.
   const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   for (const char* const name : {"a.gltf", "b.glb"})
     EXPECT_THAT(reason(name, off), testing::HasSubstr("(its beginning is not that of one)")) << name;

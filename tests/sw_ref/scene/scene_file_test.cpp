@@ -1,4 +1,4 @@
-// Scene files: what they may say, and one message for each way to say it wrongly.
+// Scene files: their contents, and one message for each kind of error.
 #include "sw_ref/scene/scene_file.hpp"
 
 #include <string>

@@ -236,7 +236,7 @@ TEST(LoadScene, MeshFileGetsACameraThatSeesItAndTwoLights) {
 }
 
 TEST(LoadScene, RoomIsSeenFromInside) {
-  // A tetrahedron in a box of twelve triangles; without the ceiling it is no room.
+  // A tetrahedron in a box of twelve triangles; without the ceiling it is not a room.
   const std::string room =
       "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv 0 0 5\nv 4 0 5\nv 4 3 5\nv 0 3 5\n"
       "v 1 1 1\nv 2 1 1\nv 1 2 1\nv 1 1 2\nf 9 10 11\nf 9 10 12\nf 9 11 12\nf 10 11 12\n"

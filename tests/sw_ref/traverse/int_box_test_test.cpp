@@ -1,5 +1,5 @@
-// The integer box tests of run-time n/t say what the datapaths of hls/ say: on every category of the
-// adversary, on boxes drawn near the ray on the grid, and after a cut; on coarser axes too.
+// The integer box tests with run-time n/t answer as the datapaths of hls/ do: on every category of the
+// adversary, on random boxes near the ray on the grid, after a cut, and on coarser axes.
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -30,7 +30,8 @@ using hls::IntFormat;
 
 constexpr std::uint64_t seed = 20046;
 constexpr int rays_per_category = 500;
-constexpr int boxes_per_ray = 8;  ///< the first is the case's own, for the ray as it comes and cut
+constexpr int boxes_per_ray =
+    8;  ///< the first is the case's own, tested with the original ray and the cut ray
 constexpr int vectors = 27 * rays_per_category * boxes_per_ray * 2;
 
 template <class Operands>
@@ -46,7 +47,7 @@ void set_box(Operands& in, const IntBox& box) {
 template <class F>
 struct Slabs {
   static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
-    const IntRay ray = IntRaySetup(exact, F::bits).ray();
+    const IntSlabsRay ray = IntSlabsRaySetup(exact, F::bits).ray();
     const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
     hls::IntSlabsOperands<hls::Native, F> in;
     in.irx = origin[0];
@@ -68,7 +69,7 @@ struct Slabs {
 template <class F>
 struct Plucker {
   static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
-    const IntPluckerRay ray = IntPluckerSetup(exact, F::bits).ray();
+    const IntPluckerRay ray = IntPluckerRaySetup(exact, F::bits).ray();
     const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
     hls::IntPluckerOperands<hls::Native, F> in;
     in.irx = origin[0];
@@ -180,11 +181,11 @@ void compare_with(std::span<const Unit> units) {
 static_assert(vectors >= 100'000);
 
 TEST(IntBoxTest, SlabsSayWhatTheDatapathSays) {
-  compare_with<IntSlabsSetUp>(units_of<Slabs>);
+  compare_with<IntSlabsTestMaker>(units_of<Slabs>);
 }
 
 TEST(IntBoxTest, PluckerSaysWhatTheDatapathSays) {
-  compare_with<IntPluckerSetUp>(units_of<Plucker>);
+  compare_with<IntPluckerTestMaker>(units_of<Plucker>);
 }
 
 template <class SetUp>
@@ -198,18 +199,18 @@ std::string refusal(IntBits bits, const CoarseAxes& coarse = {}) {
 }
 
 TEST(IntBoxTest, FormatsThatNoUnitHasAreRejected) {
-  EXPECT_EQ(refusal<IntSlabsSetUp>({33, 24}),
-            "IntSlabsSetUp: format 33/24; n must be 6 to 32 and t 6 to 2n-1");
-  EXPECT_EQ(refusal<IntPluckerSetUp>({16, 32}),
-            "IntPluckerSetUp: format 16/32; n must be 6 to 32 and t 6 to 2n-1");
-  EXPECT_EQ(refusal<IntPluckerSetUp>({16, 31}), "accepted");
+  EXPECT_EQ(refusal<IntSlabsTestMaker>({33, 24}),
+            "IntSlabsTestMaker: format 33/24; n must be 6 to 32 and t 6 to 2n-1");
+  EXPECT_EQ(refusal<IntPluckerTestMaker>({16, 32}),
+            "IntPluckerTestMaker: format 16/32; n must be 6 to 32 and t 6 to 2n-1");
+  EXPECT_EQ(refusal<IntPluckerTestMaker>({16, 31}), "accepted");
 }
 
 TEST(IntBoxTest, MoreDroppedBitsThanACoordinateHasAreRejected) {
-  EXPECT_EQ(refusal<IntSlabsSetUp>({16, 16}, {{0, 15, 0}}),
-            "IntSlabsSetUp: 15 dropped bits of y; of 16 bits 0 to 14 can be dropped");
-  EXPECT_EQ(refusal<IntPluckerSetUp>({16, 16}, {{0, 0, -1}}),
-            "IntPluckerSetUp: -1 dropped bits of z; of 16 bits 0 to 14 can be dropped");
+  EXPECT_EQ(refusal<IntSlabsTestMaker>({16, 16}, {{0, 15, 0}}),
+            "IntSlabsTestMaker: 15 dropped bits of y; of 16 bits 0 to 14 can be dropped");
+  EXPECT_EQ(refusal<IntPluckerTestMaker>({16, 16}, {{0, 0, -1}}),
+            "IntPluckerTestMaker: -1 dropped bits of z; of 16 bits 0 to 14 can be dropped");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The box tests against exact rational arithmetic, on rays chosen to graze a box: RobustSlabs never misses
-// one that the ray meets; Slabs and Pluecker miss some, which shows that the rays are hard enough, but none
-// that is padded.
+// The box tests against exact rational arithmetic, on rays chosen to graze a box. RobustSlabs never misses a
+// box that the ray meets. Slabs and Pluecker miss some, which shows that the rays are hard enough, but they
+// miss no padded box.
 #include "sw_ref/traverse/slabs.hpp"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ Aabb any_box(Random& random) {
   return box;
 }
 
-/// A point of the box whose coordinates are those of a corner, but free along `free_axis` (3: none).
+/// A point of the box with the coordinates of a corner, except along `free_axis` (3: none).
 glm::vec3 point_on_edge(Random& random, const Aabb& box, int free_axis) {
   glm::vec3 p;
   for (int k = 0; k < 3; ++k)
@@ -98,7 +98,7 @@ Case corner(Random& random) {
   return aimed_at(random, box, point_on_edge(random, box, 3));
 }
 
-/// Along one axis, in the plane of a face; now and then one unit of the last place beside it.
+/// A ray along one axis, in the plane of a face or sometimes one unit of the last place away from it.
 Case parallel_in_face(Random& random) {
   const Aabb box = any_box(random);
   const int axis = below(random, 3);
@@ -120,7 +120,7 @@ Case zero_component(Random& random) {
   return c;
 }
 
-/// Components from subnormal to about 2^100: on both sides of the limits within which an inverse is trusted.
+/// Components from subnormal to about 2^100, on both sides of the limits within which inverses are used.
 Case stiff(Random& random) {
   Case c = below(random, 2) ? edge(random) : corner(random);
   constexpr int exponents[] = {-140, -127, -101, -100, -99, -60, -30, 60, 95};
@@ -140,7 +140,7 @@ Case origin_on_box(Random& random) {
   return {{origin, point(random), length}, box};
 }
 
-/// Ends where it enters, give or take one unit of the last place.
+/// The ray ends where it enters, plus or minus one unit of the last place.
 Case length_at_entry(Random& random) {
   Case c = edge(random);
   float entry = 0.0F;
@@ -155,7 +155,7 @@ Case length_at_entry(Random& random) {
   return c;
 }
 
-/// On a grid of 2^-3 the exact quotients are often representable: touching is exact, not nearly so.
+/// On a grid of 2^-3 the exact quotients are often representable, so touching is exact.
 Case on_coarse_grid(Random& random) {
   const auto grid = [&] { return static_cast<float>(below(random, 17) - 8) / 8.0F; };
   Case c;
@@ -177,7 +177,7 @@ Case flat_box(Random& random) {
 }
 
 /// Coordinates near zero and a direction that makes the distances subnormal: their products underflow. At
-/// some 2^17 subnormal units the other roundings shift a product by part of a unit and a relative margin is
+/// about 2^17 subnormal units the other roundings shift a product by part of a unit, and a relative margin is
 /// lost in rounding.
 Case subnormal_distance(Random& random) {
   Case c = below(random, 2) ? edge(random) : corner(random);
@@ -189,7 +189,7 @@ Case subnormal_distance(Random& random) {
   return c;
 }
 
-/// So slow that the box lies at distances beyond the range of binary32, along one axis or two.
+/// Rays so slow along one or two axes that the distances of the box are beyond the range of binary32.
 Case crawling(Random& random) {
   Case c;
   c.box = any_box(random);
@@ -231,7 +231,7 @@ std::string in_hex(const Case& c) {
                      bits(c.box.max));
 }
 
-/// The first form that misses the box, which the ray meets, when it is padded as section 4.3 has it; or none.
+/// The first form that misses a box that the ray meets, when the box is padded as in section 4.3; or none.
 const char* misses_padded(const Case& c) {
   constexpr float padding = 5e-7F;
   const Aabb padded{c.box.min - padding, c.box.max + padding};
@@ -306,7 +306,7 @@ TYPED_TEST_SUITE(EveryBoxTest, All);
 
 constexpr Aabb cube{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}};
 
-/// The ray, cut at `length`, by a test that was set up for the whole ray.
+/// Tests the ray cut at `length`, with a test that was set up for the whole ray.
 template <class Test>
 bool meets(const Ray& ray, float length) {
   Test test(ray);

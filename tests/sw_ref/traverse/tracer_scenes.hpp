@@ -1,5 +1,6 @@
-// Meshes and rays on which traversals might disagree: shared vertices and edges, doubled triangles, triangles
-// in coordinate planes, and rays through all of that, parallel to axes and planes, cut where they hit.
+// Meshes and rays on which traversals might disagree. The meshes have shared vertices and edges, doubled
+// triangles, and triangles in coordinate planes. The rays go through all of these, are parallel to axes and
+// planes, or are cut where they hit.
 #pragma once
 
 #include <cmath>
@@ -89,7 +90,7 @@ inline Hit test_every_triangle(const Mesh& mesh, const Ray& ray) {
   return best;
 }
 
-/// One ray; `kind` counts through what is special about it.
+/// One ray; `kind` selects what is special about it.
 inline Ray special_ray(Random& random, const Mesh& mesh, int kind) {
   const auto vertex = [&] {
     return mesh.vertices[static_cast<std::size_t>(below(random, static_cast<int>(mesh.vertices.size())))];

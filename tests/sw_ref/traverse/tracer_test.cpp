@@ -1,5 +1,5 @@
-// Every tracer that there is: the triangles that testing all of them finds, counts that bundles do not
-// change, and one line for a combination that does not exist.
+// Every possible tracer: it finds the same triangles as testing all of them, bundles do not change the
+// counts, and a combination that does not exist gets one line.
 #include "sw_ref/traverse/tracer.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/traverse/plain_nodes.hpp"
+#include "sw_ref/encode/plain_nodes.hpp"
 #include "sw_ref/traverse/slabs.hpp"
 #include "sw_ref/traverse/trace_batch.hpp"
 #include "sw_ref/traverse/traversal.hpp"
@@ -40,7 +40,7 @@ std::string name(const TracerOptions& options) {
       options.bits.interval, to_text(options.coarse), options.ends);
 }
 
-/// Written without a look at what make_tracer() checks.
+/// Written independently of the checks in make_tracer().
 bool exists(const TracerOptions& options) {
   const bool plucker = options.algorithm == Algorithm::plu || options.algorithm == Algorithm::plu_dsa;
   const bool by_distance = options.algorithm == Algorithm::slabs_dist;
@@ -55,8 +55,8 @@ bool exists(const TracerOptions& options) {
          options.encoding == Encoding::hierarchical_8;
 }
 
-/// Every combination, with three formats of integers and two with coarser axes; some without the ends of
-/// rays; with the exact triangle test.
+/// Every combination with the exact triangle test: three formats of integers, two with coarser axes, and some
+/// without the ends of rays.
 std::vector<TracerOptions> all_combinations() {
   std::vector<TracerOptions> all;
   for (const Algorithm algorithm : algorithms)
@@ -303,7 +303,7 @@ TEST_F(TracersOnHills, MoellerTrumboreNearlyAgreesWithTheExactTest) {
       const Traced result = traced(*make_tracer(mesh_, bvh_, options), rays_, Query::closest);
       for (std::size_t i = 0; i < rays_.size(); ++i) different += result.triangles[i] != exact[i] ? 1 : 0;
     }
-    // The special rays aim at vertices, where roundings choose a neighbour or none.
+    // The special rays aim at vertices, where rounding decides between a neighbour and no triangle.
     EXPECT_LT(different, algorithms.size() * 100);
   }
 }

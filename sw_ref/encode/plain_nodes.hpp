@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "sw_ref/bvh/bvh.hpp"
-#include "sw_ref/traverse/node_store.hpp"
+#include "sw_ref/encode/node_store.hpp"
 
 namespace hitpipe::ref {
 

@@ -1,4 +1,4 @@
-#include "sw_ref/quantise/int_ray.hpp"
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,39 +10,37 @@
 
 namespace hitpipe::ref {
 
-// Why the integer test never misses. G, M as in the header, r the direction, io the rounded origin.
+// Why the integer test never misses. G and M are those of grid.hpp, r is the direction, io the rounded
+// origin.
 //
-// Non-zero components. Let scale = M min|r_i| and c_i = scale / r_i: floor_i <= c_i <= ceil_i, |c_i| <= M.
-// Take a common point of ray and box, at parameter t, and T = t * scale * G >= 0. On every axis T = x c_i
-// with x = G t r_i between G (min - o) and G (max - o). As |io - G o| <= 1/2, the outward box has
+// Non-zero components. Let scale = M min|r_i| and c_i = scale / r_i. Then floor_i <= c_i <= ceil_i and |c_i|
+// <= M. Take a common point of ray and box at parameter t, and let T = t * scale * G >= 0. On every axis T =
+// x c_i, where x = G t r_i lies between G (min - o) and G (max - o). As |io - G o| <= 1/2, the outward box
+// has
 //   d0 = floor(G min - 1/2) - io <= G (min - o)   and   d1 = ceil(G max + 1/2) - io >= G (max - o),
-// so d0 <= x <= d1. The unit picks the near end by the sign of floor_i, which is that of r_i (the floor of a
-// negative number is negative), and multiplies it by the bound of c_i that makes the product smaller, the far
-// end by the one that makes it larger: near_i <= T <= far_i. Hence max near <= min far, min far >= 0, and
-// max near, an integer, is at most floor(length * scale * G). Cutting that to 2^(2n-2) - 1 loses nothing, as
-// near <= M^2 < 2^(2n-2) - 1. Trimming, x -> floor(x / 2^k), is monotone and keeps x >= 0.
+// so d0 <= x <= d1. The unit picks the near end by the sign of floor_i, which is the sign of r_i (the floor
+// of a negative number is negative). It multiplies the near end by the bound of c_i that makes the product
+// smaller, and the far end by the bound that makes it larger. So near_i <= T <= far_i. Hence max near <= min
+// far and min far >= 0, and max near, an integer, is at most floor(length * scale * G). Cutting that number
+// to 2^(2n-2) - 1 loses nothing, because near <= M^2 < 2^(2n-2) - 1. Trimming, x -> floor(x / 2^k), is
+// monotone and keeps x >= 0.
 //
-// Zero components. The ray stays in the slab: d0 <= 0 <= d1, and with +-M as both bounds near_i <= 0 <=
-// far_i. A non-zero axis has the bounds 0 and 1, or -1 and 0: its near end is <= 0 and its far end >= 0,
-// wherever the box lies. So near <= 0 <= far and near <= 0 = length: no miss, but the non-zero axes tell
+// Zero components. The ray stays in the slab, so d0 <= 0 <= d1. Both bounds are +-M, so near_i <= 0 <= far_i.
+// A non-zero axis has the bounds 0 and 1, or -1 and 0, so its near end is <= 0 and its far end >= 0 wherever
+// the box lies. Then near <= 0 <= far and near <= 0 = length. There is no miss, but the non-zero axes decide
 // nothing.
 
 namespace {
 
-/// M = 2^(n-1) - 1: the IRDVC of the smallest direction component.
-constexpr std::int64_t irdvc_limit(int coord_bits) {
-  return (std::int64_t{1} << (coord_bits - 1)) - 1;
-}
-
-constexpr std::string_view set_up_name = "IntRaySetup";
+constexpr std::string_view set_up_name = "IntSlabsRaySetup";
 
 }  // namespace
 
-IntRaySetup::IntRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bits) {
+IntSlabsRaySetup::IntSlabsRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bits) {
   check_format(bits, set_up_name);
   check_ray(ray, set_up_name);
   for (int axis = 0; axis < 3; ++axis) {
-    // To nearest, ties upwards: the error is at most 1/2 exactly, which the box's half unit covers.
+    // To nearest, ties upwards. The error is at most exactly 1/2, which the half unit of the box covers.
     ray_.origin[static_cast<std::size_t>(axis)] =
         static_cast<std::int32_t>(grid_floor(ray.origin[axis], bits.coord, Half::up));
   }
@@ -51,14 +49,15 @@ IntRaySetup::IntRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bits) {
   ray_.length = length(ray.length);
 }
 
-void IntRaySetup::set_irdvcs(const Ray& ray) {
-  const std::int64_t limit = irdvc_limit(bits_.coord);
+void IntSlabsRaySetup::set_irdvcs(const Ray& ray) {
+  const std::int64_t limit = direction_limit(bits_.coord);
   const float smallest =
       std::min({std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z)});
   const bool infinitesimal_scale = smallest == 0.0F;
   const Binary32 least = infinitesimal_scale ? Binary32{} : decode(smallest);
   // |c_i| = M m_min / (m_i 2^k). k >= 0, and the numerator is below 2^55. From k = 32 on the component is
-  // normal, m_i >= 2^23, and the quotient 0. Neither it nor its ceiling ever exceeds M, an integer.
+  // normal, m_i >= 2^23, and the quotient is 0. Neither the quotient nor its ceiling ever exceeds the integer
+  // M.
   const std::uint64_t numerator = static_cast<std::uint64_t>(limit) * least.mantissa;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
@@ -84,7 +83,7 @@ void IntRaySetup::set_irdvcs(const Ray& ray) {
   length_exponent_ = least.exponent;
 }
 
-std::int64_t IntRaySetup::length(float length) const {
+std::int64_t IntSlabsRaySetup::length(float length) const {
   check_length(length, set_up_name);
   const Uint128 largest = (Uint128{1} << (2 * bits_.coord - 2)) - 1;
   Uint128 full = largest;
@@ -97,8 +96,8 @@ std::int64_t IntRaySetup::length(float length) const {
     } else if (exponent < 0) {
       full = std::min(product >> -exponent, largest);
     }
-    // Otherwise both exponents are >= -104, both mantissas thus normal: the product is at least 2^46 M G,
-    // beyond the largest.
+    // Otherwise both exponents are >= -104, so both mantissas are normal. The product is then at least 2^46 M
+    // G, which is more than the largest.
   }
   return static_cast<std::int64_t>(full >> bits_.trimmed());
 }

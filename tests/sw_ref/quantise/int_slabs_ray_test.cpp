@@ -1,5 +1,5 @@
-// Integer ray set-up against rational arithmetic for every n, and each trap of a careless set-up by name.
-#include "sw_ref/quantise/int_ray.hpp"
+// Integer ray set-up against rational arithmetic for every n, with a test for each trap of a careless set-up.
+#include "sw_ref/quantise/int_slabs_ray.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -46,7 +46,7 @@ Integer expected_length(const Ray& ray, IntBits bits) {
 }
 
 void expect_bounds(const Ray& ray, IntBits bits) {
-  const IntRay result = IntRaySetup(ray, bits).ray();
+  const IntSlabsRay result = IntSlabsRaySetup(ray, bits).ray();
   const Rational scale = scale_of(ray, bits.coord);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Rational direction = exact(cases::at(ray.direction, axis));
@@ -63,7 +63,7 @@ void expect_bounds(const Ray& ray, IntBits bits) {
   ASSERT_EQ(result.infinite, ray.is_infinite());
 }
 
-TEST(IntRaySetup, IsTheRationalForEveryWidthAndCategory) {
+TEST(IntSlabsRaySetup, IsTheRationalForEveryWidthAndCategory) {
   std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
   Random random(seed);
   int run = 0;
@@ -79,7 +79,7 @@ TEST(IntRaySetup, IsTheRationalForEveryWidthAndCategory) {
   EXPECT_EQ(run, 27 * 120 * static_cast<int>(cases::categories.size()));
 }
 
-TEST(IntRaySetup, IsTheRationalForAnyFiniteDirectionAndLength) {
+TEST(IntSlabsRaySetup, IsTheRationalForAnyFiniteDirectionAndLength) {
   Random random(seed + 1);
   int run = 0;
   for (int i = 0; i < 20'000; ++i) {
@@ -95,19 +95,19 @@ TEST(IntRaySetup, IsTheRationalForAnyFiniteDirectionAndLength) {
   EXPECT_EQ(run, 20'000);
 }
 
-TEST(IntRaySetup, OriginTiesRoundUpwards) {
+TEST(IntSlabsRaySetup, OriginTiesRoundUpwards) {
   // n = 6, G = 15: +-0.5 is +-7.5, 0.1 rounds down.
-  const IntRay ray = IntRaySetup({{0.5F, -0.5F, 0.1F}, {1, 1, 1}, 1}, {6, 6}).ray();
+  const IntSlabsRay ray = IntSlabsRaySetup({{0.5F, -0.5F, 0.1F}, {1, 1, 1}, 1}, {6, 6}).ray();
   EXPECT_EQ(ray.origin, (Triple{8, -7, 2}));
 }
 
-TEST(IntRaySetup, SmallestComponentGivesTheLargestIrdvcExactly) {
+TEST(IntSlabsRaySetup, SmallestComponentGivesTheLargestIrdvcExactly) {
   Random random(seed + 2);
   for (int i = 0; i < 20'000; ++i) {
     const cases::Case c = cases::random_case(random);
     const glm::vec3& d = c.ray.direction;
     const int n = random.between(6, 32);
-    const IntRay ray = IntRaySetup(c.ray, {n, 6}).ray();
+    const IntSlabsRay ray = IntSlabsRaySetup(c.ray, {n, 6}).ray();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (std::abs(cases::at(d, axis)) > std::min({std::abs(d.x), std::abs(d.y), std::abs(d.z)})) continue;
       const std::int64_t expected = cases::at(d, axis) < 0 ? -irdvc_max(n) : irdvc_max(n);
@@ -117,55 +117,56 @@ TEST(IntRaySetup, SmallestComponentGivesTheLargestIrdvcExactly) {
   }
 }
 
-TEST(IntRaySetup, SubnormalComponentsKeepTheirRatio) {
-  const IntRay ray = IntRaySetup({{}, {0x1p-149F, -0x1p-148F, 0x3p-149F}, 1}, {16, 16}).ray();
+TEST(IntSlabsRaySetup, SubnormalComponentsKeepTheirRatio) {
+  const IntSlabsRay ray = IntSlabsRaySetup({{}, {0x1p-149F, -0x1p-148F, 0x3p-149F}, 1}, {16, 16}).ray();
   EXPECT_EQ(ray.irdvc_floor, (Triple{32767, -16384, 10922}));
   EXPECT_EQ(ray.irdvc_ceil, (Triple{32767, -16383, 10923}));
 }
 
-TEST(IntRaySetup, ZeroIsAnInfinitesimalOfItsSign) {
-  const IntRay one = IntRaySetup({{}, {0.0F, 1, -2}, Ray::infinite}, {16, 16}).ray();
+TEST(IntSlabsRaySetup, ZeroIsAnInfinitesimalOfItsSign) {
+  const IntSlabsRay one = IntSlabsRaySetup({{}, {0.0F, 1, -2}, Ray::infinite}, {16, 16}).ray();
   EXPECT_EQ(one.irdvc_floor, (Triple{32767, 0, -1}));
   EXPECT_EQ(one.irdvc_ceil, (Triple{32767, 1, 0}));
-  const IntRay two = IntRaySetup({{}, {-0.0F, 0x1p-149F, 0.0F}, Ray::infinite}, {16, 16}).ray();
+  const IntSlabsRay two = IntSlabsRaySetup({{}, {-0.0F, 0x1p-149F, 0.0F}, Ray::infinite}, {16, 16}).ray();
   EXPECT_EQ(two.irdvc_floor, (Triple{-32767, 0, 32767}));
   EXPECT_EQ(two.irdvc_ceil, (Triple{-32767, 1, 32767}));
 }
 
-TEST(IntRaySetup, ZeroComponentMakesAFiniteLengthZero) {
-  const IntRaySetup setup({{}, {0.0F, 1, 1}, 0x1p127F}, {16, 31});
+TEST(IntSlabsRaySetup, ZeroComponentMakesAFiniteLengthZero) {
+  const IntSlabsRaySetup setup({{}, {0.0F, 1, 1}, 0x1p127F}, {16, 31});
   EXPECT_EQ(setup.ray().length, 0);
   EXPECT_FALSE(setup.ray().infinite);
   EXPECT_EQ(setup.length(Ray::infinite), (1 << 30) - 1);
 }
 
-TEST(IntRaySetup, FloorOfATinyNegativeIsMinusOneAndCeilOfATinyPositiveIsOne) {
+TEST(IntSlabsRaySetup, FloorOfATinyNegativeIsMinusOneAndCeilOfATinyPositiveIsOne) {
   // Ratio 2^-60: floor(-0.0) and ceil(+0.0) of the C library would give 0 once the quotient underflows.
-  const IntRay ray = IntRaySetup({{}, {0x1p-60F, 1, -1}, 1}, {32, 32}).ray();
+  const IntSlabsRay ray = IntSlabsRaySetup({{}, {0x1p-60F, 1, -1}, 1}, {32, 32}).ray();
   EXPECT_EQ(ray.irdvc_floor, (Triple{0x7FFFFFFF, 0, -1}));
   EXPECT_EQ(ray.irdvc_ceil, (Triple{0x7FFFFFFF, 1, 0}));
   EXPECT_EQ(std::floor(-0.0), 0.0);
   EXPECT_EQ(std::ceil(+0.0), 0.0);
 }
 
-TEST(IntRaySetup, LongOrStiffRaySaturatesInsteadOfOverflowing) {
+TEST(IntSlabsRaySetup, LongOrStiffRaySaturatesInsteadOfOverflowing) {
   const std::int64_t largest = (std::int64_t{1} << 30) - 1;
-  EXPECT_EQ(IntRaySetup({{}, {1, 1, 1}, 3.0F}, {16, 31}).ray().length, largest);
-  EXPECT_EQ(IntRaySetup({{}, {0x1p127F, 0x1p127F, 0x1p127F}, 0x1p127F}, {16, 31}).ray().length, largest);
-  EXPECT_EQ(IntRaySetup({{}, {1, 1, 1}, 1.0F}, {16, 31}).ray().length, 32767 * 16383);
-  EXPECT_EQ(IntRaySetup({{}, {1, 1, 1}, 1.0F}, {16, 16}).ray().length, (32767 * 16383) >> 15);
-  EXPECT_EQ(IntRaySetup({{}, {1, 1, 0x1p-149F}, 0x1p127F}, {16, 31}).ray().length, (32767 * 16383) >> 22);
-  EXPECT_EQ(IntRaySetup({{}, {1, 1, 0x1p-149F}, 0x1p-149F}, {16, 31}).ray().length, 0);
+  EXPECT_EQ(IntSlabsRaySetup({{}, {1, 1, 1}, 3.0F}, {16, 31}).ray().length, largest);
+  EXPECT_EQ(IntSlabsRaySetup({{}, {0x1p127F, 0x1p127F, 0x1p127F}, 0x1p127F}, {16, 31}).ray().length, largest);
+  EXPECT_EQ(IntSlabsRaySetup({{}, {1, 1, 1}, 1.0F}, {16, 31}).ray().length, 32767 * 16383);
+  EXPECT_EQ(IntSlabsRaySetup({{}, {1, 1, 1}, 1.0F}, {16, 16}).ray().length, (32767 * 16383) >> 15);
+  EXPECT_EQ(IntSlabsRaySetup({{}, {1, 1, 0x1p-149F}, 0x1p127F}, {16, 31}).ray().length,
+            (32767 * 16383) >> 22);
+  EXPECT_EQ(IntSlabsRaySetup({{}, {1, 1, 0x1p-149F}, 0x1p-149F}, {16, 31}).ray().length, 0);
 }
 
-TEST(IntRaySetup, InfiniteRayHasTheLargestTrimmedLength) {
-  const IntRay ray = IntRaySetup({{}, {1, 1, 1}, Ray::infinite}, {32, 63}).ray();
+TEST(IntSlabsRaySetup, InfiniteRayHasTheLargestTrimmedLength) {
+  const IntSlabsRay ray = IntSlabsRaySetup({{}, {1, 1, 1}, Ray::infinite}, {32, 63}).ray();
   EXPECT_TRUE(ray.infinite);
   EXPECT_EQ(ray.length, (std::int64_t{1} << 62) - 1);
-  EXPECT_EQ(IntRaySetup({{}, {1, 1, 1}, Ray::infinite}, {20, 24}).ray().length, (1 << 23) - 1);
+  EXPECT_EQ(IntSlabsRaySetup({{}, {1, 1, 1}, Ray::infinite}, {20, 24}).ray().length, (1 << 23) - 1);
 }
 
-TEST(IntRaySetup, ShortenedLengthIsThatOfAFreshSetup) {
+TEST(IntSlabsRaySetup, ShortenedLengthIsThatOfAFreshSetup) {
   Random random(seed + 3);
   int run = 0;
   for (const cases::Category& category : cases::categories) {
@@ -173,16 +174,16 @@ TEST(IntRaySetup, ShortenedLengthIsThatOfAFreshSetup) {
       Ray ray = category.make(random).ray;
       const int n = random.between(6, 32);
       const IntBits bits{n, random.between(6, 2 * n - 1)};
-      const IntRaySetup setup(ray, bits);
+      const IntSlabsRaySetup setup(ray, bits);
       ray.length = std::abs(random.coin() ? random.signed_unit() : random.any_finite());
-      ASSERT_EQ(setup.length(ray.length), IntRaySetup(ray, bits).ray().length) << cases::describe(ray);
+      ASSERT_EQ(setup.length(ray.length), IntSlabsRaySetup(ray, bits).ray().length) << cases::describe(ray);
       ++run;
     }
   }
   EXPECT_EQ(run, 2'000 * static_cast<int>(cases::categories.size()));
 }
 
-// What plain binary32 code would give, to show that the exact set-up is needed and not only neat.
+// The results of plain binary32 code, which show that the exact set-up is needed.
 
 struct Bounds {
   std::array<std::int64_t, 3> low;
@@ -216,11 +217,11 @@ bool bound_some_scale(const Bounds& bounds, const glm::vec3& direction) {
   return from <= to && to > 0;
 }
 
-TEST(IntRaySetup, Binary32SetupIsNoBoundWhereOursIs) {
+TEST(IntSlabsRaySetup, Binary32SetupIsNoBoundWhereOursIs) {
   constexpr int count = 100'000;
   struct Row {
     int n;
-    int at_least;  // of `count`: half of what was measured first, 0.15 %, 2.4 %, 35 %
+    int at_least;  // of `count`: half of the first measurements, 0.15 %, 2.4 %, 35 %
   };
   for (const Row& row : {Row{16, 75}, Row{20, 1'200}, Row{24, 17'500}}) {
     Random random(seed + 4);
@@ -229,7 +230,7 @@ TEST(IntRaySetup, Binary32SetupIsNoBoundWhereOursIs) {
       Ray ray;
       ray.direction = cases::vector_of([&] { return random.signed_unit(); });
       loose += bound_some_scale(binary32_setup(ray.direction, row.n), ray.direction) ? 0 : 1;
-      const IntRay ours = IntRaySetup(ray, {row.n, row.n}).ray();
+      const IntSlabsRay ours = IntSlabsRaySetup(ray, {row.n, row.n}).ray();
       Bounds bounds{};
       std::copy(ours.irdvc_floor.begin(), ours.irdvc_floor.end(), bounds.low.begin());
       std::copy(ours.irdvc_ceil.begin(), ours.irdvc_ceil.end(), bounds.high.begin());
@@ -241,7 +242,7 @@ TEST(IntRaySetup, Binary32SetupIsNoBoundWhereOursIs) {
   }
 }
 
-TEST(IntRaySetup, Binary32CeilingRunsPastTheWidthWhereOursDoesNot) {
+TEST(IntSlabsRaySetup, Binary32CeilingRunsPastTheWidthWhereOursDoesNot) {
   constexpr int count = 100'000;
   for (const int n : {16, 20, 24}) {
     Random random(seed + 5);
@@ -250,7 +251,7 @@ TEST(IntRaySetup, Binary32CeilingRunsPastTheWidthWhereOursDoesNot) {
       Ray ray;
       ray.direction = cases::vector_of([&] { return random.signed_unit(); });
       const Bounds naive = binary32_setup(ray.direction, n);
-      const IntRay ours = IntRaySetup(ray, {n, n}).ray();
+      const IntSlabsRay ours = IntSlabsRaySetup(ray, {n, n}).ray();
       bool beyond = false;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         beyond = beyond || naive.high[axis] > irdvc_max(n) || naive.low[axis] < -irdvc_max(n);
@@ -268,39 +269,39 @@ TEST(IntRaySetup, Binary32CeilingRunsPastTheWidthWhereOursDoesNot) {
 template <class Error>
 std::string message_of(const Ray& ray, IntBits bits = {16, 16}) {
   try {
-    const IntRaySetup setup(ray, bits);
+    const IntSlabsRaySetup setup(ray, bits);
   } catch (const Error& error) {
     return error.what();
   }
   return "no error";
 }
 
-TEST(IntRaySetup, OriginOutsideTheCubeIsRejected) {
+TEST(IntSlabsRaySetup, OriginOutsideTheCubeIsRejected) {
   EXPECT_EQ(message_of<std::out_of_range>({{0, std::nextafter(1.0F, 2.0F), 0}, {1, 0, 0}, 1}),
-            "IntRaySetup: origin.y = 1.0000001 is outside the cube; allowed is [-1, 1]");
+            "IntSlabsRaySetup: origin.y = 1.0000001 is outside the cube; allowed is [-1, 1]");
   EXPECT_EQ(message_of<std::out_of_range>({{0, 0, nan}, {1, 0, 0}, 1}),
-            "IntRaySetup: origin.z = nan is outside the cube; allowed is [-1, 1]");
+            "IntSlabsRaySetup: origin.z = nan is outside the cube; allowed is [-1, 1]");
 }
 
-TEST(IntRaySetup, DirectionWithoutDirectionIsRejected) {
+TEST(IntSlabsRaySetup, DirectionWithoutDirectionIsRejected) {
   EXPECT_EQ(message_of<std::invalid_argument>({{}, {0.0F, -0.0F, 0.0F}, 1}),
-            "IntRaySetup: direction is (0, 0, 0); one component must differ from 0");
+            "IntSlabsRaySetup: direction is (0, 0, 0); one component must differ from 0");
   EXPECT_EQ(message_of<std::invalid_argument>({{}, {0, 0, -Ray::infinite}, 1}),
-            "IntRaySetup: direction.z = -inf; components must be finite");
+            "IntSlabsRaySetup: direction.z = -inf; components must be finite");
 }
 
-TEST(IntRaySetup, NegativeLengthIsRejected) {
+TEST(IntSlabsRaySetup, NegativeLengthIsRejected) {
   EXPECT_EQ(message_of<std::invalid_argument>({{}, {1, 1, 1}, -0.5F}),
-            "IntRaySetup: length = -0.5; it must be >= 0 or infinite");
+            "IntSlabsRaySetup: length = -0.5; it must be >= 0 or infinite");
   EXPECT_EQ(message_of<std::invalid_argument>({{}, {1, 1, 1}, nan}),
-            "IntRaySetup: length = nan; it must be >= 0 or infinite");
+            "IntSlabsRaySetup: length = nan; it must be >= 0 or infinite");
 }
 
-TEST(IntRaySetup, FormatOutsideTheRangeIsRejected) {
+TEST(IntSlabsRaySetup, FormatOutsideTheRangeIsRejected) {
   EXPECT_EQ(message_of<std::invalid_argument>({{}, {1, 1, 1}, 1}, {33, 24}),
-            "IntRaySetup: format 33/24; n must be 6 to 32 and t 6 to 2n-1");
+            "IntSlabsRaySetup: format 33/24; n must be 6 to 32 and t 6 to 2n-1");
   EXPECT_EQ(message_of<std::invalid_argument>({{}, {1, 1, 1}, 1}, {6, 12}),
-            "IntRaySetup: format 6/12; n must be 6 to 32 and t 6 to 2n-1");
+            "IntSlabsRaySetup: format 6/12; n must be 6 to 32 and t 6 to 2n-1");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the traversal loops ask of a store of nodes, whatever its encoding, and of a box test.
+// What the traversal loops require of a store of nodes in any encoding.
 #pragma once
 
 #include <concepts>
@@ -7,8 +7,9 @@
 
 namespace hitpipe::ref {
 
-/// Node names a node and carries what its children need to be decoded: an index for plain nodes, the decoded
-/// box too for nodes that are stored relative to their parent. Each child() is one load from memory.
+/// Node identifies a node and carries what is needed to decode its children: an index for plain nodes, and
+/// also the decoded box for nodes that are stored relative to their parent. Each child() is one load from
+/// memory.
 template <class S>
 concept NodeStore = requires(const S& store, const typename S::Node& node, unsigned which) {
   typename S::Box;  // what a box test takes
@@ -20,14 +21,6 @@ concept NodeStore = requires(const S& store, const typename S::Node& node, unsig
   { store.index(node) } -> std::same_as<std::uint32_t>;  // of the node, 0 is the root
   { store.size() } -> std::same_as<std::size_t>;
   { S::bytes_per_node } -> std::convertible_to<std::size_t>;
-};
-
-/// Set up for one ray by a functor of (const Ray&). cut(length): from now on a box that the ray only enters
-/// beyond t = length need not be a hit.
-template <class T, class Box>
-concept BoxTest = requires(T test, const T& asked, const Box& box, float length) {
-  test.cut(length);
-  { asked(box) } -> std::same_as<bool>;
 };
 
 }  // namespace hitpipe::ref
