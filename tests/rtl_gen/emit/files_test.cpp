@@ -10,8 +10,8 @@
 #include <sys/resource.h>
 
 #include "rtl_gen/schematic/dot.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
-#include "tests/rtl_gen/message_of.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::rtl {

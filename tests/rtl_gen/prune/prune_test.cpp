@@ -9,9 +9,9 @@
 #include "rtl_gen/graph/canonical.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
 #include "rtl_gen/verilog/module.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/graph/recipe.hpp"
-#include "tests/rtl_gen/message_of.hpp"
 #include "tests/rtl_gen/prune/compare.hpp"
 #include "tests/rtl_gen/prune/random_demands.hpp"
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/adversary/categories.hpp"
+#include "tests/message_of.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
 namespace hitpipe::ref {
@@ -195,12 +196,7 @@ TEST(IntPluckerSetup, ShortenedRayIsThatOfAFreshSetup) {
 
 template <class Error>
 std::string message_of(const Ray& ray, IntBits bits = {16, 16}) {
-  try {
-    const IntPluckerSetup setup(ray, bits);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return hitpipe::message_of<Error>([&] { const IntPluckerSetup setup(ray, bits); });
 }
 
 TEST(IntPluckerSetup, OriginOutsideTheCubeIsRejected) {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/message_of.hpp"
 #include "tests/sw_ref/exact/box_cases.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
@@ -267,12 +268,7 @@ TEST(IntRaySetup, Binary32CeilingRunsPastTheWidthWhereOursDoesNot) {
 
 template <class Error>
 std::string message_of(const Ray& ray, IntBits bits = {16, 16}) {
-  try {
-    const IntRaySetup setup(ray, bits);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return hitpipe::message_of<Error>([&] { const IntRaySetup setup(ray, bits); });
 }
 
 TEST(IntRaySetup, OriginOutsideTheCubeIsRejected) {
