@@ -40,7 +40,7 @@ test: build
 sanitize: packages
 	@cmake --preset sanitize
 	@cmake --build --preset sanitize -j $(JOBS) --target $(SANITIZED)
-	@ctest --preset sanitize -j $(JOBS) $(if $(filter all,$(SANITIZED)),,-R '^($(subst $(eval ) ,|,$(SANITIZED)))\.')
+	@ctest --preset sanitize -j $(JOBS) $(if $(filter all,$(SANITIZED)),,-R '^($(subst $(eval ) ,|,$(SANITIZED)))(\.|$$)')
 
 fuzz: SECONDS ?= 60
 fuzz: packages
@@ -59,7 +59,7 @@ lint: packages
 	@clang-format --dry-run --Werror $(CXX_FILES)
 	@cmake --preset lint >build.log 2>&1 || { cat build.log; exit 1; }
 	@run-clang-tidy -quiet -j $(JOBS) -p build/lint -checks=-bugprone-suspicious-include \
-	  '^$(CURDIR)/(build/lint/)?(rtl_gen|sw_ref|sim|cli)/' >build/tidy.log 2>/dev/null \
+	  '^$(CURDIR)/(build/lint/)?(rtl_gen|area_model|sw_ref|sim|cli)/' >build/tidy.log 2>/dev/null \
 	  || { grep -E 'warning|error' build/tidy.log; exit 1; }
 	@echo 'lint: clean'
 

@@ -19,8 +19,8 @@ Line line_of(const Part& part, int n, const rtl::Library& library) {
   rtl::Cell cell = library.cell(part.component, part.bits);
   if (part.by != 0) {
     // An array has one row of partial products for each bit of the narrower operand.
-    cell.area_um2 =
-        static_cast<int>((2 * std::int64_t{cell.area_um2} * part.by + part.bits) / (2 * part.bits));
+    cell.area_um2 = static_cast<int>((2 * std::int64_t{cell.area_um2} * part.by + part.bits) /
+                                     (std::int64_t{2} * part.bits));
     cell.estimated = true;
   }
   return {.part = part, .n = n, .area_um2 = std::int64_t{n} * cell.area_um2, .estimated = cell.estimated};

@@ -170,11 +170,11 @@ std::string with_check_block(const std::string& verilog, const std::string& bloc
 std::string check_module(const std::string& name, const Demands& demands, const std::vector<Port>& original) {
   std::vector<std::string> ports;
   for (const Port& port : original) {
-    const auto names = [&](const std::string& each) { return each == port.name; };
+    const auto is_port = [&](const std::string& each) { return each == port.name; };
     const bool asked = std::any_of(demands.ports.begin(), demands.ports.end(),
-                                   [&](const auto& d) { return names(d.port); }) ||
+                                   [&](const auto& d) { return is_port(d.port); }) ||
                        std::any_of(demands.orders.begin(), demands.orders.end(),
-                                   [&](const auto& d) { return names(d.lesser) || names(d.greater); });
+                                   [&](const auto& d) { return is_port(d.lesser) || is_port(d.greater); });
     if (asked) ports.push_back(fmt::format("input  wire {}{}", vector_range(port.width), port.name));
   }
   ports.push_back("output wire error");

@@ -18,7 +18,7 @@ namespace {
 constexpr int unit_size = 6;  // the thesis's choice; its times are 1
 
 /// The order of the thesis's appendix.
-constexpr std::array<std::string_view, 8> scenes{
+constexpr std::array<std::string_view, 8> scenes_of_appendix{
     "Spheres",           "Bunny", "Branch", "Poppy", "Powerplant-Front", "Powerplant-North",
     "Powerplant-Boiler", "Lucy"};
 
@@ -57,7 +57,7 @@ std::optional<double> ratio(std::optional<double> value, std::optional<double> u
 
 ResultTable leaf_sizes(std::string_view number, const ExperimentOptions& options) {
   const PrintedTable& printed = printed_table(number);
-  const std::string name(scenes.at(static_cast<std::size_t>(number.back() - '1')));
+  const std::string name(scenes_of_appendix.at(static_cast<std::size_t>(number.back() - '1')));
   const std::optional<Scene> scene = test_scene(name, options);
   std::map<int, Step> steps;
   if (scene) steps = measured(*scene, options);

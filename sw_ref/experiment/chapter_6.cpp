@@ -135,14 +135,14 @@ std::vector<Finding> chapter_6_findings(const ResultTable& table) {
 }  // namespace
 
 ResultTable integer_traversal(std::string_view number, const ExperimentOptions& options) {
-  const bool slabs = number < std::string_view("6.5");
-  const Algorithm algorithm = slabs ? Algorithm::slabs_dsa : Algorithm::plu_dsa;
+  const bool of_slabs = number < std::string_view("6.5");
+  const Algorithm algorithm = of_slabs ? Algorithm::slabs_dsa : Algorithm::plu_dsa;
   const PrintedTable& printed = printed_table(number);
   const std::vector<std::string> scenes = scenes_of_table(number, options);
   ResultTable table;
   table.number = number;
   table.title =
-      fmt::format("Integer {}: tests per ray, then change in % at n/t bits", slabs ? "slabs" : "Pluecker");
+      fmt::format("Integer {}: tests per ray, then change in % at n/t bits", of_slabs ? "slabs" : "Pluecker");
   table.labels = {"scene", "tests", "ray"};
   table.columns = {{"fp32", 1}};
   for (const hls::IntBits& bits : formats)

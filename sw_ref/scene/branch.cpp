@@ -138,7 +138,7 @@ class Spruce {
   std::uint64_t needled_twigs_ = 0;
 };
 
-void build(Shapes& shapes, double detail) {
+void build_branch(Shapes& shapes, double detail) {
   constexpr double half = 4.0;
   shapes.material(paper);
   shapes.quad({-half, -0.42, half}, {half, -0.42, half}, {half, -0.42, -half}, {-half, -0.42, -half});
@@ -154,7 +154,7 @@ SceneDescription branch(std::size_t triangles) {
   SceneDescription scene;
   scene.mesh.triangles.reserve(triangles);
   Shapes shapes(scene.mesh, Shapes::Normals::smooth);
-  build(shapes, detail_for(triangles, build));
+  build_branch(shapes, detail_for(triangles, build_branch));
   scene.materials = {{.albedo = {0.80F, 0.76F, 0.69F}}, {.albedo = {0.36F, 0.25F, 0.17F}},
                      {.albedo = {0.12F, 0.25F, 0.15F}}, {.albedo = {0.17F, 0.36F, 0.19F}},
                      {.albedo = {0.38F, 0.55F, 0.24F}}, {.albedo = {0.50F, 0.33F, 0.20F}}};

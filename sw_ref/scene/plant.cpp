@@ -10,7 +10,7 @@
 namespace hitpipe::ref {
 namespace {
 
-void build(Shapes& shapes, double detail) {
+void build_plant(Shapes& shapes, double detail) {
   shapes.material(plant::yard);
   shapes.quad({-40, 0, 80}, {100, 0, 80}, {100, 0, -40}, {-40, 0, -40});
   plant::add_steelwork(shapes, detail);
@@ -25,7 +25,7 @@ SceneDescription whole_plant(std::size_t triangles) {
   scene.mesh.materials.reserve(triangles);
   scene.mesh.vertices.reserve(triangles * 2 / 3);  // a box has 8 vertices for 12 triangles, a rod 1 for 1
   Shapes shapes(scene.mesh, Shapes::Normals::flat);
-  build(shapes, detail_for(triangles, build));
+  build_plant(shapes, detail_for(triangles, build_plant));
   scene.materials = {{.albedo = {0.30F, 0.30F, 0.30F}, .reflect = glm::vec3(0.18F)},
                      {.albedo = {0.62F, 0.60F, 0.57F}},
                      {.albedo = {0.44F, 0.32F, 0.27F}},

@@ -194,7 +194,7 @@ class Poppies {
   std::uint64_t parts_ = 0;  ///< for the seeds of parts whose number grows with the detail
 };
 
-void build(Shapes& shapes, double detail) {
+void build_poppy(Shapes& shapes, double detail) {
   Poppies poppies(shapes, detail);
   poppies.ground();
   struct Bloom {
@@ -241,7 +241,7 @@ SceneDescription poppy(std::size_t triangles) {
   SceneDescription scene;
   scene.mesh.triangles.reserve(triangles);
   Shapes shapes(scene.mesh, Shapes::Normals::smooth);
-  build(shapes, detail_for(triangles, build));
+  build_poppy(shapes, detail_for(triangles, build_poppy));
   scene.materials = {{.albedo = {0.42F, 0.33F, 0.25F}}, {.albedo = {0.34F, 0.47F, 0.22F}},
                      {.albedo = {0.27F, 0.44F, 0.24F}}, {.albedo = {0.86F, 0.13F, 0.06F}},
                      {.albedo = {0.74F, 0.08F, 0.05F}}, {.albedo = {0.07F, 0.05F, 0.08F}},

@@ -8,9 +8,9 @@
 
 #include "area_model/figure.hpp"
 #include "rtl_gen/prune/prune.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
-#include "tests/rtl_gen/message_of.hpp"
 
 namespace hitpipe::area {
 namespace {

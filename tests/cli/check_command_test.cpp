@@ -141,16 +141,7 @@ TEST(CheckCommand, LetsTheVerilogAnswerToo) {
 
 TEST(CheckCommand, WrongVerilogFails) {
   const sim::TemporaryFolder folder;
-  const std::string verilator = folder
-                                    .write_program("verilator", R"script(#!/bin/sh
-if [ "$1" = --version ]; then echo 'check: always misses'; exit; fi
-if [ "$1" = --cc ]; then
-  for file; do :; done
-  sed -i 's/assign hit = .*;/assign hit = 0;/' "$file"
-fi
-exec verilator "$@"
-)script")
-                                    .string();
+  const std::string verilator = always_missing_verilator(folder);
   const Variables variables{{"VERILATOR", verilator}};
   const Outcome run = check(
       {"int_slabs", "--bits", "12/12", "--tests", "1", "--category", "edge", "--rtl", "--format", "json"},

@@ -165,16 +165,7 @@ TEST(CosimCommand, CountsDoNotDependOnThreadsOrRaysInFlight) {
 /// Verilog that always misses: the counts are printed, then one line and a code that is not 0.
 TEST(CosimCommand, WrongVerilogFails) {
   const sim::TemporaryFolder folder;
-  const std::string verilator = folder
-                                    .write_program("verilator", R"script(#!/bin/sh
-if [ "$1" = --version ]; then echo 'always misses'; exit; fi
-if [ "$1" = --cc ]; then
-  for file; do :; done
-  sed -i 's/assign hit = .*;/assign hit = 0;/' "$file"
-fi
-exec verilator "$@"
-)script")
-                                    .string();
+  const std::string verilator = always_missing_verilator(folder);
   const Outcome outcome = run_hitpipe({"cosim", "int_slabs", "--bits", "12/12", "--scene", "spheres",
                                        "--width", "4", "--height", "4", "--referee", "--format", "json"},
                                       {{"VERILATOR", verilator}});

@@ -8,14 +8,11 @@
 #include <string_view>
 #include <thread>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
-#include <signal.h>
 #include <sys/inotify.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "tests/cli/program.hpp"
@@ -25,31 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-/// The program as a process that can be killed, in a group with what it starts.
-pid_t start(const std::vector<std::string>& arguments) {
-  std::vector<char*> words{const_cast<char*>(HITPIPE_PROGRAM)};
-  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
-  words.push_back(nullptr);
-  const pid_t child = fork();
-  if (child == 0) {
-    setpgid(0, 0);
-    const int nowhere = open("/dev/null", O_RDWR);
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
-    execv(words.front(), words.data());
-    _exit(127);
-  }
-  setpgid(child, child);  // whoever is first: the group is there when this returns
-  return child;
-}
-
-/// True if the kill ended it; false if it had come to its end.
-bool kill_and_wait(pid_t child) {
-  kill(-child, SIGKILL);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFSIGNALED(status);
-}
 
 /// Makes, renames and closings of files in a folder.
 class FolderEvents {
@@ -129,7 +101,7 @@ class KilledRun : public testing::Test {
     const std::size_t last = 12 * step;
     for (std::size_t count = 1; count <= last; count += step) {
       const FolderEvents events(folder / below);
-      const pid_t child = start(into(folder));
+      const pid_t child = start_hitpipe(into(folder));
       events.wait_for(count, word, 4 * length_);
       if (!kill_and_wait(child)) break;
       ++killed;
@@ -147,7 +119,7 @@ class KilledRun : public testing::Test {
     int killed = 0;
     for (int run = 0; run < runs; ++run) {
       const auto moment = length_ * static_cast<int>(random() % 1000) / 1000;
-      const pid_t child = start(into(folder));
+      const pid_t child = start_hitpipe(into(folder));
       std::this_thread::sleep_for(moment);
       killed += kill_and_wait(child) ? 1 : 0;
       const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(moment).count();

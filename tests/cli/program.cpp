@@ -6,18 +6,29 @@
 #include <sstream>
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace hitpipe::cli {
 
+namespace {
+
+/// Ends the process when the program cannot be run.
+[[noreturn]] void become_hitpipe(const std::vector<std::string>& arguments) {
+  std::vector<char*> words{const_cast<char*>(HITPIPE_PROGRAM)};
+  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+  words.push_back(nullptr);
+  execv(words.front(), words.data());
+  _exit(127);
+}
+
+}  // namespace
+
 Outcome run_hitpipe(const std::vector<std::string>& arguments, const Variables& variables) {
   const sim::TemporaryFolder folder;
   const std::filesystem::path out = folder.path() / "out";
   const std::filesystem::path err = folder.path() / "err";
-  std::vector<char*> words{const_cast<char*>(HITPIPE_PROGRAM)};
-  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
-  words.push_back(nullptr);
   const pid_t child = fork();
   if (child == 0) {
     for (const auto& [name, value] : variables) setenv(name.c_str(), value.c_str(), 1);
@@ -25,12 +36,42 @@ Outcome run_hitpipe(const std::vector<std::string>& arguments, const Variables& 
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(open(out.c_str(), flags, 0600), STDOUT_FILENO);
     dup2(open(err.c_str(), flags, 0600), STDERR_FILENO);
-    execv(words.front(), words.data());
-    _exit(127);
+    become_hitpipe(arguments);
   }
   int status = 0;
   waitpid(child, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(out), contents_of(err)};
+}
+
+pid_t start_hitpipe(const std::vector<std::string>& arguments) {
+  const pid_t child = fork();
+  if (child == 0) {
+    setpgid(0, 0);
+    const int nowhere = open("/dev/null", O_RDWR);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
+    become_hitpipe(arguments);
+  }
+  setpgid(child, child);  // whoever is first: the group is there when this returns
+  return child;
+}
+
+bool kill_and_wait(pid_t child) {
+  kill(-child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status);
+}
+
+std::string always_missing_verilator(const sim::TemporaryFolder& folder) {
+  const auto program = folder.write_program("verilator", R"script(#!/bin/sh
+if [ "$1" = --version ]; then echo 'always misses'; exit; fi
+if [ "$1" = --cc ]; then
+  for file; do :; done
+  sed -i 's/assign hit = .*;/assign hit = 0;/' "$file"
+fi
+exec verilator "$@"
+)script");
+  return program.string();
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

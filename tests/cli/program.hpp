@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <sys/types.h>
+
 #include "tests/sim/temporary_folder.hpp"
 
 namespace hitpipe::cli {
@@ -20,6 +22,15 @@ struct Outcome {
 using Variables = std::vector<std::pair<std::string, std::string>>;
 
 [[nodiscard]] Outcome run_hitpipe(const std::vector<std::string>& arguments, const Variables& variables = {});
+
+/// The program as a process that can be killed, in a group with what it starts; it prints nowhere.
+[[nodiscard]] pid_t start_hitpipe(const std::vector<std::string>& arguments);
+
+/// Kills what start_hitpipe() started. True if the kill ended it, false if it had come to its end.
+bool kill_and_wait(pid_t child);
+
+/// A program to run as Verilator, for the variable VERILATOR: the model of an integer design never hits.
+[[nodiscard]] std::string always_missing_verilator(const sim::TemporaryFolder& folder);
 
 /// The lines of a text; the last must have ended.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);

@@ -7,14 +7,11 @@
 #include <random>
 #include <thread>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <signal.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "sim/sweep/rows_file.hpp"
 #include "tests/cli/program.hpp"
@@ -140,35 +137,10 @@ TEST_F(SweepCommand, RunsUnderMpirun) {
   EXPECT_EQ(untimed(file("mpi.csv")), untimed(whole()));
 }
 
-/// The program in a group of its own with all that it starts.
-pid_t start(const std::vector<std::string>& arguments) {
-  std::vector<char*> words{const_cast<char*>(HITPIPE_PROGRAM)};
-  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
-  words.push_back(nullptr);
-  const pid_t child = fork();
-  if (child == 0) {
-    setpgid(0, 0);
-    const int nowhere = open("/dev/null", O_RDWR);
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
-    execv(words.front(), words.data());
-    _exit(127);
-  }
-  setpgid(child, child);
-  return child;
-}
-
 bool has_ended(pid_t child) {
   siginfo_t info{};
   waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT);
   return info.si_pid == child;
-}
-
-/// False if it had ended before.
-bool kill_and_wait(pid_t child) {
-  kill(-child, SIGKILL);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFSIGNALED(status);
 }
 
 /// Each run is killed within 40 ms after it has finished a row; the first within 40 ms after its start.
@@ -183,7 +155,7 @@ TEST_F(SweepCommand, KilledAtRandomMomentsComesToTheSameEnd) {
   int killed = 0;
   std::string history;
   for (int run = 0; rows < all_rows && run < 10; ++run) {
-    const pid_t child = start(sweep(out));
+    const pid_t child = start_hitpipe(sweep(out));
     while (run > 0 && finished() == rows && !has_ended(child))
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 40'000));

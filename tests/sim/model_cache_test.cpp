@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/message_of.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/stub_verilator.hpp"
 
@@ -30,12 +31,7 @@ void build_in(const fs::path& cache) {
 
 /// The one line that a build ends with.
 std::string error_of_build(const fs::path& cache) {
-  try {
-    build_in(cache);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no error";
+  return message_of<std::runtime_error>([&] { build_in(cache); });
 }
 
 std::vector<std::string> names_in(const fs::path& folder) {
@@ -64,7 +60,7 @@ pid_t start_build(const fs::path& cache) {
   const pid_t child = fork();
   if (child == 0) {
     setpgid(0, 0);
-    _exit(error_of_build(cache) == "no error" ? 0 : 1);
+    _exit(error_of_build(cache) == "no exception" ? 0 : 1);
   }
   return child;
 }

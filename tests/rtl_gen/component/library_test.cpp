@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
-#include "tests/rtl_gen/message_of.hpp"
 
 namespace hitpipe::rtl {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/schematic/dot.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
-#include "tests/rtl_gen/message_of.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::rtl {

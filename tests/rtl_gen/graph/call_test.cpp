@@ -7,7 +7,7 @@
 
 #include "rtl_gen/graph/canonical.hpp"
 #include "rtl_gen/graph/sources.hpp"
-#include "tests/rtl_gen/message_of.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::rtl {
 namespace {

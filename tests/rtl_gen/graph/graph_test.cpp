@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/graph/recipe.hpp"
-#include "tests/rtl_gen/message_of.hpp"
 
 namespace hitpipe::rtl {
 namespace {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "hls/num/domain.hpp"
-#include "tests/rtl_gen/message_of.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
 namespace hitpipe::rtl {

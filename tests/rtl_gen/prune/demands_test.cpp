@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/prune/promises.hpp"
-#include "tests/rtl_gen/message_of.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::rtl {
 namespace {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/schedule/registers.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
-#include "tests/rtl_gen/message_of.hpp"
 
 namespace hitpipe::rtl {
 namespace {

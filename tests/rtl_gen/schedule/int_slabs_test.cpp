@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
-#include "tests/rtl_gen/message_of.hpp"
 #include "tests/rtl_gen/schedule/figures.hpp"
 
 namespace hitpipe::rtl {

@@ -7,9 +7,9 @@
 
 #include "rtl_gen/graph/canonical.hpp"
 #include "rtl_gen/schedule/schedule.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
 #include "tests/rtl_gen/graph/recipe.hpp"
-#include "tests/rtl_gen/message_of.hpp"
 #include "tests/rtl_gen/schedule/random_schedule.hpp"
 
 namespace hitpipe::rtl {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/files.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
@@ -82,12 +83,9 @@ TEST_F(LintOfADamagedDesign, IcarusSeesAnUnknownName) {
 
 TEST(RunTool, AMissingProgramIsToldItsPackage) {
   const ScratchFolder folder;
-  try {
-    run_tool(folder.path(), "some-package", "hitpipe-no-such-program", "");
-    ADD_FAILURE() << "no exception";
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "hitpipe-no-such-program was not found; install the package some-package");
-  }
+  EXPECT_EQ(message_of<std::runtime_error>(
+                [&] { run_tool(folder.path(), "some-package", "hitpipe-no-such-program", ""); }),
+            "hitpipe-no-such-program was not found; install the package some-package");
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/scene/scene.hpp"
+#include "tests/message_of.hpp"
 #include "tests/sw_ref/bvh/meshes.hpp"
-#include "tests/sw_ref/scene/error_message.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -147,9 +147,9 @@ TEST(Build, OptionsOutOfRangeAreRejected) {
   const auto error = [&](auto change) {
     BuildOptions options;
     change(options);
-    return error_message([&] { return build_bvh(mesh, options); });
+    return message_of<std::exception>([&] { return build_bvh(mesh, options); });
   };
-  EXPECT_EQ(error_message([] { return build_bvh(Mesh{}); }),
+  EXPECT_EQ(message_of<std::exception>([] { return build_bvh(Mesh{}); }),
             "BVH: the mesh has no triangle; at least 1 is needed");
   EXPECT_EQ(error([](BuildOptions& o) { o.max_triangles = 0; }),
             "BVH: 0 triangles per leaf; at least 1 is needed");

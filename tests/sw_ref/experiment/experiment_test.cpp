@@ -6,6 +6,7 @@
 
 #include "sw_ref/experiment/printed.hpp"
 #include "sw_ref/experiment/recording.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -49,14 +50,7 @@ TEST(Experiments, HaveAPrintedTableEach) {
 }
 
 TEST(Experiments, UnknownNumberOrSceneRejected) {
-  const auto message = [](auto run) {
-    try {
-      run();
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
-  };
+  const auto message = [](auto run) { return message_of<std::runtime_error>(run); };
   EXPECT_THAT(message([] { (void)find_experiment("4.2"); }),
               AllOf(HasSubstr("4.2: no experiment"), HasSubstr("3.1, 3.2, 4.1, 4.3")));
   EXPECT_EQ(message([] {

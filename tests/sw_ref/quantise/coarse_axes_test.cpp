@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/quantise/grid.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -90,16 +91,6 @@ TEST(CoarseAxes, FitTheGridJustWhenNothingIsThrown) {
   EXPECT_LT(fitting, 5 * 31 * 33);
 }
 
-template <class Error>
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(CoarseAxes, ThatLeaveTheGridAreRejected) {
   const CoarseAxes coarse{{0, 0, 3}};
   EXPECT_EQ(message_of<std::out_of_range>([&] { (void)coarse_origin(all(-4095), coarse, 14); }),
@@ -118,7 +109,7 @@ TEST(CoarseAxes, OfMoreBitsThanThereAreAreRejected) {
   const auto check = [](int k, int n) {
     return message_of<std::invalid_argument>([&] { check_coarse({{0, k, 0}}, n, "check"); });
   };
-  EXPECT_EQ(check(12, 14), "no error");
+  EXPECT_EQ(check(12, 14), "no exception");
   EXPECT_EQ(check(13, 14), "check: 13 dropped bits of y; of 14 bits 0 to 12 can be dropped");
   EXPECT_EQ(check(-1, 14), "check: -1 dropped bits of y; of 14 bits 0 to 12 can be dropped");
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/quantise/grid.hpp"
+#include "tests/message_of.hpp"
 #include "tests/sw_ref/exact/box_cases.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
@@ -123,12 +124,7 @@ TEST(QuantiseBox, DifferenceToAnyOriginInTheCubeFitsTheWidth) {
 
 template <class Error>
 std::string message_of(const Aabb& box, int n) {
-  try {
-    static_cast<void>(quantise_box(box, n));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return hitpipe::message_of<Error>([&] { static_cast<void>(quantise_box(box, n)); });
 }
 
 TEST(QuantiseBox, CoordinateOutsideTheCubeIsRejected) {
@@ -150,7 +146,7 @@ TEST(QuantiseBox, CoordinateOutsideTheCubeIsRejected) {
   EXPECT_EQ(message_of<std::out_of_range>(box, 24),
             "quantise_box: max.x = 1.0000005 leaves the 24-bit grid; boxes must lie within [-1, 1]");
   box.max.x = cases::scene_limit + cases::padding;
-  EXPECT_EQ(message_of<std::out_of_range>(box, 32), "no error");
+  EXPECT_EQ(message_of<std::out_of_range>(box, 32), "no exception");
 }
 
 /// Many boxes at once are rounded by other code, up to 16 boxes at a time.

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/adversary/categories.hpp"
+#include "tests/message_of.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
 namespace hitpipe::ref {
@@ -197,12 +198,7 @@ TEST(IntPluckerRaySetup, ShortenedRayIsThatOfAFreshSetup) {
 
 template <class Error>
 std::string message_of(const Ray& ray, IntBits bits = {16, 16}) {
-  try {
-    const IntPluckerRaySetup setup(ray, bits);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return hitpipe::message_of<Error>([&] { const IntPluckerRaySetup setup(ray, bits); });
 }
 
 TEST(IntPluckerRaySetup, OriginOutsideTheCubeIsRejected) {

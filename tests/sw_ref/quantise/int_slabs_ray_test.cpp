@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/message_of.hpp"
 #include "tests/sw_ref/exact/box_cases.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
@@ -268,12 +269,7 @@ TEST(IntSlabsRaySetup, Binary32CeilingRunsPastTheWidthWhereOursDoesNot) {
 
 template <class Error>
 std::string message_of(const Ray& ray, IntBits bits = {16, 16}) {
-  try {
-    const IntSlabsRaySetup setup(ray, bits);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return hitpipe::message_of<Error>([&] { const IntSlabsRaySetup setup(ray, bits); });
 }
 
 TEST(IntSlabsRaySetup, OriginOutsideTheCubeIsRejected) {

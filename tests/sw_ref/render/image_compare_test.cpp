@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "sw_ref/render/colour_map.hpp"
-#include "tests/sw_ref/scene/error_message.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -59,11 +59,11 @@ TEST(CompareImages, NumbersAreInfinitelyFarFromWhatIsNone) {
 
 TEST(CompareImages, ImagesOfOtherSizesRejected) {
   const StoredImage a = image({0.0F, 0.0F});
-  EXPECT_EQ(error_message([&] {
+  EXPECT_EQ(message_of<std::exception>([&] {
               (void)compare_images(a, image({0.0F, 0.0F, 0.0F, 0.0F}), 0.0);
             }),
             "2 x 1 pixels of 1 channels and 2 x 1 of 2; images must be alike in all three");
-  EXPECT_EQ(error_message([&] {
+  EXPECT_EQ(message_of<std::exception>([&] {
               (void)compare_images(a, {1, 2, 1, {0.0F, 0.0F}}, 0.0);
             }),
             "2 x 1 pixels of 1 channels and 1 x 2 of 1; images must be alike in all three");
@@ -102,7 +102,7 @@ class ImageOnDisk : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   static std::string error(const std::filesystem::path& file) {
-    return error_message([&] { (void)read_image(file); });
+    return message_of<std::exception>([&] { (void)read_image(file); });
   }
 
   std::filesystem::path folder_ =
@@ -173,10 +173,12 @@ TEST_F(ImageOnDisk, WhatIsNoImageRejected) {
             fmt::format("image file \"{}\": is a folder; give the name of a file", folder_.string()));
   std::ofstream(folder_ / "text.txt") << "no image\n";
   EXPECT_THAT(error(folder_ / "text.txt"), testing::HasSubstr("OpenImageIO cannot read it"));
-  EXPECT_THAT(error_message([&] { write_map(folder_ / "a.jpg", 1, 1, std::vector<float>{1.0F}, {}); }),
-              testing::EndsWith("unknown extension \".jpg\"; allowed are .png and .exr"));
-  EXPECT_THAT(error_message([&] { write_map(folder_ / "a.png", 2, 1, std::vector<float>{1.0F}, {}); }),
-              testing::HasSubstr("1 pixels do not fill 2 x 1"));
+  EXPECT_THAT(
+      message_of<std::exception>([&] { write_map(folder_ / "a.jpg", 1, 1, std::vector<float>{1.0F}, {}); }),
+      testing::EndsWith("unknown extension \".jpg\"; allowed are .png and .exr"));
+  EXPECT_THAT(
+      message_of<std::exception>([&] { write_map(folder_ / "a.png", 2, 1, std::vector<float>{1.0F}, {}); }),
+      testing::HasSubstr("1 pixels do not fill 2 x 1"));
 }
 
 }  // namespace

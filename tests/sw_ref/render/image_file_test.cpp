@@ -17,7 +17,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "tests/sw_ref/scene/error_message.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -38,7 +38,8 @@ class ImageFile : public testing::Test {
   }
   static std::string error(const std::filesystem::path& file, int width = 1, int height = 1,
                            std::size_t pixels = 1) {
-    return error_message([&] { write_image(file, width, height, std::vector<glm::vec3>(pixels)); });
+    return message_of<std::exception>(
+        [&] { write_image(file, width, height, std::vector<glm::vec3>(pixels)); });
   }
 
   std::filesystem::path folder_;
@@ -138,7 +139,7 @@ TEST_F(ImageFile, FullDiskLeavesTheOldFileAndNoPart) {
     const rlimit small{4096, before.rlim_max};
     auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
     ::setrlimit(RLIMIT_FSIZE, &small);
-    const std::string message = error_message([&] { write_image(file, 256, 256, noise); });
+    const std::string message = message_of<std::exception>([&] { write_image(file, 256, 256, noise); });
     ::setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
     EXPECT_THAT(

@@ -13,7 +13,7 @@
 
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/render/shade.hpp"
-#include "tests/sw_ref/scene/error_message.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -228,7 +228,9 @@ TEST(RenderShadow, FallsBehindTheBlocker) {
 }
 
 TEST_F(Render, OptionsOutOfRangeRejected) {
-  const auto error = [&](const RenderOptions& options) { return error_message([&] { (void)run(options); }); };
+  const auto error = [&](const RenderOptions& options) {
+    return message_of<std::exception>([&] { (void)run(options); });
+  };
   EXPECT_EQ(error({.width = 0, .height = 5}), "image of 0 x 5 pixels; at least 1 x 1 is needed");
   EXPECT_EQ(error({.width = 5, .height = -1}), "image of 5 x -1 pixels; at least 1 x 1 is needed");
   EXPECT_EQ(error({.threads = 0}), "0 threads; at least 1 is needed");

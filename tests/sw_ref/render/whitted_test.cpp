@@ -13,7 +13,7 @@
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/render/optics.hpp"
 #include "sw_ref/render/shade.hpp"
-#include "tests/sw_ref/scene/error_message.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -322,7 +322,7 @@ TEST(Whitted, LightDoesNotDependOnTheOrderInWhichRaysEnd) {
 TEST(Whitted, OptionsOutOfRangeRejected) {
   const Scene scene;
   const auto error = [&](const WhittedOptions& options) {
-    return error_message([&] { (void)Whitted(scene, options); });
+    return message_of<std::exception>([&] { (void)Whitted(scene, options); });
   };
   EXPECT_EQ(error({.bounces = -1}), "-1 bounces; allowed are 0 to 64");
   EXPECT_EQ(error({.bounces = 65}), "65 bounces; allowed are 0 to 64");
@@ -330,7 +330,8 @@ TEST(Whitted, OptionsOutOfRangeRejected) {
   EXPECT_EQ(error({.cutoff = NAN}), "cutoff nan; allowed is 0 or more");
   Scene bright;
   bright.lights.resize(65537);
-  EXPECT_EQ(error_message([&] { (void)Whitted(bright, {}); }), "65537 lights; at most 65536 are allowed");
+  EXPECT_EQ(message_of<std::exception>([&] { (void)Whitted(bright, {}); }),
+            "65537 lights; at most 65536 are allowed");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/scene/figure.hpp"
-#include "tests/sw_ref/scene/error_message.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -140,11 +140,11 @@ TEST(PlantSlice, IsNarrowWithItsEyeAndLight) {
 }
 
 TEST(BuiltInScenes, NumbersOfTrianglesTheyCannotHaveRejected) {
-  EXPECT_EQ(error_message([] { return make_built_in("branch", 79'999); }),
+  EXPECT_EQ(message_of<std::exception>([] { return make_built_in("branch", 79'999); }),
             "scene \"branch\": 79999 triangles; allowed are 80000 to 10000000");
-  EXPECT_EQ(error_message([] { return make_built_in("statue", 50'000'001); }),
+  EXPECT_EQ(message_of<std::exception>([] { return make_built_in("statue", 50'000'001); }),
             "scene \"statue\": 50000001 triangles; allowed are 10000 to 50000000");
-  EXPECT_EQ(error_message([] { return make_built_in("spheres", 24'578); }),
+  EXPECT_EQ(message_of<std::exception>([] { return make_built_in("spheres", 24'578); }),
             "scene \"spheres\": has 24578 triangles; their number can be chosen for: " + scaling_names());
 }
 

@@ -16,7 +16,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "tests/sw_ref/scene/error_message.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -44,7 +44,7 @@ class MeshFile : public testing::Test {
     return reason(file);
   }
   static std::string reason(const std::filesystem::path& file) {
-    const std::string message = error_message([&] { return load_mesh(file); });
+    const std::string message = message_of<std::exception>([&] { return load_mesh(file); });
     const std::string prefix = fmt::format("mesh file \"{}\": ", file.string());
     EXPECT_THAT(message, testing::StartsWith(prefix));
     EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0);
@@ -232,7 +232,7 @@ TEST_F(MeshFile, PlyCutShortIsRejectedAtEveryLength) {
   std::size_t rejected = 0;
   for (const std::string& whole : {text.substr(0, text.size() - 2), binary}) {
     for (std::size_t length = 1; length < whole.size(); ++length) {
-      EXPECT_NE(reason("m.ply", whole.substr(0, length)), "no error") << length << " bytes";
+      EXPECT_NE(reason("m.ply", whole.substr(0, length)), "no exception") << length << " bytes";
       ++rejected;
     }
   }

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/scene/built_in.hpp"
+#include "tests/message_of.hpp"
 #include "tests/sim/temporary_folder.hpp"
-#include "tests/sw_ref/scene/error_message.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -29,7 +29,7 @@ class SceneFile : public testing::Test {
   [[nodiscard]] SceneDescription read(const std::string& text) const { return read_scene_file(write(text)); }
   void rejected(const std::string& text, const std::string& message) const {
     const std::string file = write(text);
-    EXPECT_EQ(error_message([&] { return read_scene_file(file); }),
+    EXPECT_EQ(message_of<std::exception>([&] { return read_scene_file(file); }),
               "scene file \"" + file + "\": " + message);
   }
 
@@ -154,12 +154,13 @@ TEST_F(SceneFile, WithAnythingWrongRejected) {
 
 TEST_F(SceneFile, ThatIsNoJsonOrNoFileRejected) {
   const std::string file = write("{\"mesh\": \n}");
-  const std::string message = error_message([&] { return read_scene_file(file); });
+  const std::string message = message_of<std::exception>([&] { return read_scene_file(file); });
   EXPECT_EQ(message.find("scene file \"" + file + "\": is no JSON: parse error at line 2, column 1"), 0U)
       << message;
   EXPECT_EQ(message.find('\n'), std::string::npos);
   const std::string none = (folder_.path() / "none.json").string();
-  EXPECT_EQ(error_message([&] { return load_scene(none); }), "scene file \"" + none + "\": no such file");
+  EXPECT_EQ(message_of<std::exception>([&] { return load_scene(none); }),
+            "scene file \"" + none + "\": no such file");
   const std::string mesh = (folder_.path() / "none.obj").string();
   rejected(R"({"mesh": "none.obj"})",
            "mesh file \"" + mesh + "\": no such file; give a .obj, .ply, .stl, .gltf or .glb file");

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include "sw_ref/scene/built_in.hpp"
-#include "tests/sw_ref/scene/error_message.hpp"
+#include "tests/message_of.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -38,7 +38,7 @@ SceneDescription tetrahedron(double unit = 1.0) {
 }
 
 std::string placing_error(SceneDescription scene) {
-  return error_message([&] { return place(std::move(scene)); });
+  return message_of<std::exception>([&] { return place(std::move(scene)); });
 }
 
 TEST(Placing, EveryCoordinateLiesWithinTheBoundAndTheExtremesOnIt) {
@@ -174,7 +174,7 @@ TEST(Placing, MaterialsOutOfRangeAreRejected) {
   SceneDescription scene = tetrahedron();
   scene.materials = {{},
                      {.albedo = {0.5F, 0.5F, 0.5F}, .reflect = {0.5F, 0.25F, 0.5F}, .transmit = {0, 0, 0}}};
-  EXPECT_EQ(placing_error(scene), "no error");
+  EXPECT_EQ(placing_error(scene), "no exception");
   scene.materials[1].transmit.y = 0.5F;
   EXPECT_EQ(placing_error(scene),
             "material 1: albedo, reflect and transmit add up to (1, 1.25, 1); at most 1 is allowed");
@@ -204,7 +204,7 @@ TEST(Placing, PointsThatMakeTheMeshVanishAreRejected) {
             "left for it; "
             "at least 0.0009765625 is needed");
   scene.lights[1].position = {2000.0, 0.0, 0.0};
-  EXPECT_EQ(placing_error(scene), "no error");
+  EXPECT_EQ(placing_error(scene), "no exception");
 }
 
 TEST(LoadScene, MeshFileGetsACameraThatSeesItAndTwoLights) {
@@ -263,15 +263,15 @@ TEST(LoadScene, RoomIsSeenFromInside) {
 
 TEST(LoadScene, UnknownNameIsRejectedWithTheBuiltInOnes) {
   EXPECT_EQ(
-      error_message([] { return load_scene("teapot"); }),
+      message_of<std::exception>([] { return load_scene("teapot"); }),
       "scene \"teapot\": no built-in scene and no file of that name; built-in are: " + built_in_names());
   SceneOptions options;
   options.triangles = 1000;
   EXPECT_EQ(
-      error_message([&] { return load_scene("none/teapot.obj", options); }),
+      message_of<std::exception>([&] { return load_scene("none/teapot.obj", options); }),
       "scene \"none/teapot.obj\": a mesh file has the triangles it has; their number can be chosen for: " +
           scaling_names());
-  EXPECT_EQ(error_message([] { return load_scene("none/teapot.obj"); }),
+  EXPECT_EQ(message_of<std::exception>([] { return load_scene("none/teapot.obj"); }),
             "mesh file \"none/teapot.obj\": no such file; give a .obj, .ply, .stl, .gltf or .glb file");
 }
 

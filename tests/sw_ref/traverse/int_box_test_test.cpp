@@ -10,9 +10,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "hls/num/domain.hpp"
-#include "hls/pipelines/int_plucker.hpp"
-#include "hls/pipelines/int_slabs.hpp"
 #include "sw_ref/adversary/categories.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/grid.hpp"
@@ -20,6 +17,7 @@
 #include "sw_ref/traverse/int_plucker.hpp"
 #include "sw_ref/traverse/int_slabs.hpp"
 #include "tests/sw_ref/adversary/halved.hpp"
+#include "tests/sw_ref/quantise/native_units.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -33,59 +31,6 @@ constexpr int rays_per_category = 500;
 constexpr int boxes_per_ray =
     8;  ///< the first is the case's own, tested with the original ray and the cut ray
 constexpr int vectors = 27 * rays_per_category * boxes_per_ray * 2;
-
-template <class Operands>
-void set_box(Operands& in, const IntBox& box) {
-  in.ixmin = box.min[0];
-  in.ixmax = box.max[0];
-  in.iymin = box.min[1];
-  in.iymax = box.max[1];
-  in.izmin = box.min[2];
-  in.izmax = box.max[2];
-}
-
-template <class F>
-struct Slabs {
-  static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
-    const IntSlabsRay ray = IntSlabsRaySetup(exact, F::bits).ray();
-    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
-    hls::IntSlabsOperands<hls::Native, F> in;
-    in.irx = origin[0];
-    in.iry = origin[1];
-    in.irz = origin[2];
-    in.irlen = ray.length;
-    in.iri_floor = ray.irdvc_floor[0];
-    in.iri_ceil = ray.irdvc_ceil[0];
-    in.irj_floor = ray.irdvc_floor[1];
-    in.irj_ceil = ray.irdvc_ceil[1];
-    in.irk_floor = ray.irdvc_floor[2];
-    in.irk_ceil = ray.irdvc_ceil[2];
-    in.rinf = ray.infinite;
-    set_box(in, box);
-    return hls::IntSlabs::hit<hls::Native, F>(in).to_bool();
-  }
-};
-
-template <class F>
-struct Plucker {
-  static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
-    const IntPluckerRay ray = IntPluckerRaySetup(exact, F::bits).ray();
-    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
-    hls::IntPluckerOperands<hls::Native, F> in;
-    in.irx = origin[0];
-    in.iry = origin[1];
-    in.irz = origin[2];
-    in.irex = ray.end.at[0];
-    in.irey = ray.end.at[1];
-    in.irez = ray.end.at[2];
-    in.iri = ray.direction[0];
-    in.irj = ray.direction[1];
-    in.irk = ray.direction[2];
-    in.rinf = ray.end.infinite;
-    set_box(in, box);
-    return hls::IntPlucker::hit<hls::Native, F>(in).to_bool();
-  }
-};
 
 struct Unit {
   IntBits bits;
@@ -181,11 +126,11 @@ void compare_with(std::span<const Unit> units) {
 static_assert(vectors >= 100'000);
 
 TEST(IntBoxTest, SlabsSayWhatTheDatapathSays) {
-  compare_with<IntSlabsTestMaker>(units_of<Slabs>);
+  compare_with<IntSlabsTestMaker>(units_of<NativeSlabs>);
 }
 
 TEST(IntBoxTest, PluckerSaysWhatTheDatapathSays) {
-  compare_with<IntPluckerTestMaker>(units_of<Plucker>);
+  compare_with<IntPluckerTestMaker>(units_of<NativePlucker>);
 }
 
 template <class SetUp>

@@ -17,8 +17,8 @@
 #include "sim/check/check.hpp"
 #include "sw_ref/adversary/replay.hpp"
 #include "sw_ref/exact/box_referee.hpp"
-#include "tests/sim/mutated_datapath.hpp"
-#include "tests/sim/mutated_set_up.hpp"
+#include "tests/sim/check/mutated_datapath.hpp"
+#include "tests/sim/check/mutated_set_up.hpp"
 
 namespace hitpipe::sim {
 namespace {

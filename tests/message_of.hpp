@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace hitpipe::rtl {
+namespace hitpipe {
 
 template <class Error, class Call>
 std::string message_of(Call&& call) {
@@ -19,4 +19,4 @@ std::string message_of(Call&& call) {
   return "no exception";
 }
 
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe

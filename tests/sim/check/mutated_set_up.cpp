@@ -1,4 +1,4 @@
-#include "tests/sim/mutated_set_up.hpp"
+#include "tests/sim/check/mutated_set_up.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tests/sim/mutated_datapath.hpp"
+#include "tests/sim/check/mutated_datapath.hpp"
 
 #include <stdexcept>
 #include <vector>

@@ -13,7 +13,7 @@
 #include "hls/num/domain.hpp"
 #include "hls/pipelines/int_plucker.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::hls {
 namespace {
 
 /// An edge of the silhouette: the direction's integers and the two planes that meet in it, from the origin.
@@ -117,7 +117,7 @@ TEST_P(EdgeBound, IsTheAttainedMinimumForEveryNumberOfDroppedBits) {
   for (int dropped = 0; dropped <= 2 * n - 3; ++dropped) {
     const int attained = found.least[static_cast<std::size_t>(dropped)].side;
     EXPECT_EQ(attained, proven_bound(n, dropped)) << "k = " << dropped;
-    EXPECT_EQ(hls::edge_bound({n, 2 * n - 1 - dropped}), attained) << "k = " << dropped;
+    EXPECT_EQ(edge_bound({n, 2 * n - 1 - dropped}), attained) << "k = " << dropped;
   }
 }
 
@@ -125,20 +125,20 @@ INSTANTIATE_TEST_SUITE_P(Coordinates, EdgeBound, testing::Values(4, 5, 6),
                          [](const auto& n) { return fmt::format("n{}", n.param); });
 
 TEST(EdgeBoundOfTheThesis, IsThePrintedOne) {
-  EXPECT_EQ(hls::edge_bound({24, 24}), -1);
-  EXPECT_EQ(hls::edge_bound({20, 24}), -16);
-  EXPECT_EQ(hls::edge_bound({16, 15}), -1);
+  EXPECT_EQ(edge_bound({24, 24}), -1);
+  EXPECT_EQ(edge_bound({20, 24}), -16);
+  EXPECT_EQ(edge_bound({16, 15}), -1);
   EXPECT_EQ(proven_bound(16, 0), -32766);
 }
 
 /// The unit itself, on a box whose edge shows the least side relation, and on one that shows the next lower.
 template <int T>
 void expect_bound_in_the_unit(const Search& found) {
-  using F = hls::IntFormat<6, T>;
+  using F = IntFormat<6, T>;
   const Edge& worst = found.least[static_cast<std::size_t>(F::trimmed)].edge;
   const auto hit = [](const Edge& edge) {
     // Part of the silhouette: the planes that the edge's side relation reads; the others lie far outside.
-    hls::IntPluckerOperands<hls::Native, F> in;
+    IntPluckerOperands<Native, F> in;
     in.irx = in.iry = in.irz = 0;
     in.irex = in.irey = in.irez = 0;
     in.rinf = true;
@@ -151,17 +151,17 @@ void expect_bound_in_the_unit(const Search& found) {
     in.iymax = edge.di >= 0 ? 31 : edge.plane_j;
     in.izmin = -31;
     in.izmax = 31;
-    return hls::IntPlucker::hit<hls::Native, F>(in).to_bool();
+    return IntPlucker::hit<Native, F>(in).to_bool();
   };
   EXPECT_TRUE(hit(worst)) << "t = " << T;
   // Move the edge over the ray until the relation drops below the bound; the rest of the box stays.
   Edge moved = worst;
-  while (moved.side(F::trimmed) >= hls::edge_bound(F::bits) &&
+  while (moved.side(F::trimmed) >= edge_bound(F::bits) &&
          std::max(std::abs(moved.plane_i), std::abs(moved.plane_j)) < 31) {
     moved.plane_i -= moved.dj > 0 ? 1 : moved.dj < 0 ? -1 : 0;
     moved.plane_j += moved.di > 0 ? 1 : moved.di < 0 ? -1 : 0;
   }
-  ASSERT_LT(moved.side(F::trimmed), hls::edge_bound(F::bits)) << "t = " << T;
+  ASSERT_LT(moved.side(F::trimmed), edge_bound(F::bits)) << "t = " << T;
   EXPECT_FALSE(hit(moved)) << "t = " << T;
 }
 
@@ -176,4 +176,4 @@ TEST(EdgeBoundInTheUnit, SeparatesHitFromMiss) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::hls
