@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
-#include "cli/help.hpp"
+#include "cli/text/help.hpp"
 
 namespace {
 

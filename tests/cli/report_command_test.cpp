@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/report_page.hpp"
-#include "cli/sweep_rows.hpp"
+#include "cli/report/report_page.hpp"
+#include "cli/report/sweep_rows.hpp"
 #include "sim/sweep/rows_file.hpp"
 #include "tests/cli/program.hpp"
 

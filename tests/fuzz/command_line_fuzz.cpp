@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/help.hpp"
+#include "cli/text/help.hpp"
 #include "rtl_gen/catalogue/format.hpp"
 #include "tests/fuzz/expect.hpp"
 

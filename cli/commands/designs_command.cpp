@@ -1,0 +1,25 @@
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/text/table.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+
+namespace hitpipe::cli {
+
+void add_designs_command(CLI::App& program) {
+  CLI::App* const command = program.add_subcommand("designs", "List the designs");
+  const auto format = std::make_shared<Format>(Format::text);
+  add_format_option(*command, *format);
+  command->callback([format] {
+    std::vector<Row> rows;
+    for (const rtl::Design& design : rtl::designs()) {
+      rows.push_back({{"design", design.name}, {"what", design.summary}});
+    }
+    fmt::print("{}", table_text(rows, *format));
+  });
+}
+
+}  // namespace hitpipe::cli

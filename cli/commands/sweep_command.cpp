@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/trace_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "sim/sweep/rows_file.hpp"
+#include "sim/sweep/shard.hpp"
+#include "sim/sweep/sweep.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SweepCommand {
+  SceneChoice scene;
+  std::vector<std::string> designs;
+  std::vector<std::string> bits;
+  std::vector<int> rays_in_flight{32};
+  ref::WhittedOptions light;
+  std::optional<std::string> shard;  ///< as the user wrote it; without: the whole sweep
+  bool merge = false;
+  std::string out;
+  Format format = Format::text;
+};
+
+std::vector<sim::SweepPoint> plan(const SweepCommand& command) {
+  std::vector<const rtl::Design*> designs;
+  for (const std::string& name : command.designs) designs.push_back(&rtl::find_design(name));
+  if (designs.empty()) {
+    for (const rtl::Design& design : rtl::designs()) designs.push_back(&design);
+  }
+  std::vector<hls::IntBits> formats;
+  for (const std::string& bits : command.bits) formats.push_back(rtl::parse_bits(bits));
+  const bool integers = std::any_of(designs.begin(), designs.end(),
+                                    [](const rtl::Design* design) { return !design->is_float(); });
+  if (!formats.empty() && !integers)
+    throw std::runtime_error("--bits: no design named takes it; float designs have fp32 only");
+  if (formats.empty()) formats = sim::sweep_formats();
+  return sim::plan_sweep(designs, formats, command.rays_in_flight);
+}
+
+/// Cells as the file has them; JSON has numbers for numbers.
+Row record(const sim::SweepRow& row) {
+  Row record;
+  const std::vector<std::string> cells = sim::to_cells(row);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string_view column = sim::sweep_columns[i];
+    record[std::string(column)] = sim::is_text_column(column) ? Row(cells[i]) : Row::parse(cells[i]);
+  }
+  return record;
+}
+
+std::string text_of(const std::vector<sim::SweepRow>& rows) {
+  std::string text =
+      "design      bits   rays   area  occ.  false hits  extra box      time  area*time\n"
+      "                           mm2     %   a million  tests/ray        ms     mm2 ms\n";
+  for (const sim::SweepRow& row : rows) {
+    text += fmt::format("{:<11} {:<5} {:>5} {:>6.2f} {:>5.1f} {:>11.4g} {:>10.4g} {:>9.4g} {:>10.4g}\n",
+                        row.design, row.bits, row.rays_in_flight, static_cast<double>(row.area_um2) / 1e6,
+                        row.occupancy_pct(), row.false_hits_per_million(), row.extra_box_tests_per_ray(),
+                        row.run_time_ms(), row.area_run_time_mm2_ms());
+  }
+  return text;
+}
+
+/// Prints the rows; the exit code.
+int report(const sim::RowsFile& rows, Format format) {
+  if (format == Format::csv) {
+    fmt::print("{}", sim::to_text(rows));
+  } else if (format == Format::json) {
+    std::vector<Row> records;
+    for (const sim::SweepRow& row : rows.rows) records.push_back(record(row));
+    fmt::print("{}", table_text(records, format));
+  } else {
+    fmt::print("{}", text_of(rows.rows));
+  }
+  int exit_code = 0;
+  for (const sim::SweepRow& row : rows.rows) {
+    if (row.verified(!rtl::find_design(row.design).is_float())) continue;
+    fmt::print(stderr,
+               "hitpipe: {} {} on {}: {} RTL mismatches, {} different triangles, {} different pixels, {} "
+               "false misses; all must be 0\n",
+               row.design, row.bits, row.scene, row.rtl_mismatches, row.different_triangles,
+               row.different_pixels, row.false_misses);
+    exit_code = 1;
+  }
+  return exit_code;
+}
+
+int merge(const SweepCommand& command) {
+  const sim::RowsFile rows = sim::join_shards(command.out);
+  sim::write_rows(command.out, rows);
+  return report(rows, command.format);
+}
+
+/// Rows by their place in the file, each change of which is written at once.
+class Rows {
+ public:
+  /// Takes over what the file holds. Throws when it holds rows of something else.
+  Rows(fs::path file, std::string about) : file_(std::move(file)), about_(std::move(about)) {
+    if (!fs::exists(file_)) return;
+    const sim::RowsFile found = sim::read_rows(file_);
+    if (found.about != about_) {
+      throw std::runtime_error(
+          fmt::format("{}: holds rows of \"{}\", asked for are \"{}\"; give another --out or remove it",
+                      file_.string(), found.about, about_));
+    }
+    for (const sim::SweepRow& row : found.rows) keep(row);
+  }
+
+  [[nodiscard]] bool has(const sim::SweepPoint& point) const { return rows_.contains(sim::key_of(point)); }
+  void add(const sim::SweepRow& row) {
+    keep(row);
+    write();
+  }
+  void write() const { sim::write_rows(file_, contents()); }
+  [[nodiscard]] sim::RowsFile contents() const {
+    sim::RowsFile file{about_, {}};
+    for (const auto& [key, row] : rows_) file.rows.push_back(row);
+    return file;
+  }
+
+ private:
+  void keep(const sim::SweepRow& row) {
+    rows_.insert_or_assign(sim::key_of(row.design, row.bits, row.rays_in_flight), row);
+  }
+
+  fs::path file_;
+  std::string about_;
+  std::map<sim::RowKey, sim::SweepRow> rows_;
+};
+
+int sweep(const SweepCommand& command) {
+  std::vector<sim::SweepPoint> points = plan(command);
+  std::optional<sim::Shard> shard;
+  if (command.shard) shard = sim::parse_shard(*command.shard);
+  std::optional<Progress> progress("reading the scene");
+  const ref::Scene scene = command.scene.load();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const sim::SweepOptions options{.width = command.scene.width,
+                                  .height = command.scene.height,
+                                  .threads = command.scene.threads,
+                                  .light = command.light,
+                                  .progress = [&](double share) { progress->show(share); }};
+  std::string about = sim::about_sweep("hitpipe " HITPIPE_VERSION, scene, bvh, options);
+  fs::path file = command.out;
+  if (shard) {
+    points = sim::part_of(points, *shard);
+    about = sim::about_shard(about, *shard, points.size());
+    file = sim::shard_file(file, *shard);
+  }
+  Rows rows(file, about);
+  // Before the long run: a file that cannot be written is known at once.
+  rows.write();
+  std::erase_if(points, [&](const sim::SweepPoint& point) { return rows.has(point); });
+  progress.emplace("sweeping");
+  sim::run_sweep(scene, bvh, points, options, [&](const sim::SweepRow& row) { rows.add(row); });
+  progress.reset();
+  return report(rows.contents(), command.format);
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command = program.add_subcommand(
+      "sweep", "Measure error, run time and area of designs in many formats on a scene; resumable");
+  const auto options = std::make_shared<SweepCommand>();
+  add_scene_options(*command, options->scene);
+  CLI::Option* const scene = command->get_option("--scene")->required(false);
+  command->add_option("--designs", options->designs, "Names that `hitpipe designs` lists (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME,...");
+  command
+      ->add_option("--bits", options->bits,
+                   "Number formats of the integer designs (default: n from 8 to 32 in steps of 4, each with "
+                   "t of n, n+4 and n+8)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("n/t,...");
+  command
+      ->add_option("--rays-in-flight", options->rays_in_flight,
+                   "Rays that share one pipeline, a row for each (1 to 65536; default: 32)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1, 65536).description(""))
+      ->type_name("K,...");
+  add_bounces_option(*command, options->light);
+  CLI::Option* const shard =
+      command
+          ->add_option(
+              "--shard", options->shard,
+              "Do only part I of N, into FILE.I-of-N; mpi: rank and size as mpirun or srun tell them")
+          ->type_name("I/N|mpi");
+  CLI::Option* const merge_flag =
+      command->add_flag("--merge", options->merge, "Join the shards of FILE, and measure nothing")
+          ->excludes(shard)
+          ->excludes(scene);
+  command
+      ->add_option("--out", options->out,
+                   "Where the rows are kept, and looked for: what is there is not measured again (.csv)")
+      ->required()
+      ->type_name("FILE");
+  add_format_option(*command, options->format);
+  command->callback([options, scene, merge_flag, &exit_code] {
+    if (merge_flag->count() == 0 && scene->count() == 0) throw CLI::RequiredError("--scene");
+    exit_code = options->merge ? merge(*options) : sweep(*options);
+  });
+}
+
+}  // namespace hitpipe::cli
