@@ -136,7 +136,7 @@ Row record(const sim::FittedUnit& unit, const FitScene& scene, const sim::Vector
           {"box_tests", result.unit.box_tests},
           {"extra_box_tests_pct", result.extra_box_tests_pct()},
           {"different_triangles", result.different_triangles},
-          {"false_misses", unit.design->is_float() ? Row(nullptr) : Row(result.unit.false_misses)},
+          {"false_misses", result.unit.false_misses ? Row(*result.unit.false_misses) : Row(nullptr)},
           {"rtl_mismatches", result.unit.rtl_mismatches},
           {"vectors", vectors.vectors},
           {"vector_hits", vectors.hits},
