@@ -128,7 +128,7 @@ void print_prices(const AreaOptions& options) {
 
 }  // namespace
 
-void add_area_command(CLI::App& program) {
+void add_area_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command = program.add_subcommand(
       "area", "Price designs: components, area, stages, delay; Table 7.2 of the thesis");
   const auto options = std::make_shared<AreaOptions>();
@@ -136,6 +136,7 @@ void add_area_command(CLI::App& program) {
       command
           ->add_option("design", options->designs,
                        "Names that `hitpipe designs` lists; without any, the six designs of Table 7.2")
+          ->delimiter(',')
           ->type_name("NAME");
   command
       ->add_option("--bits", options->bits,

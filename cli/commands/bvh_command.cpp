@@ -105,7 +105,7 @@ void report(BvhCommand command) {
 
 }  // namespace
 
-void add_bvh_command(CLI::App& program) {
+void add_bvh_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command = program.add_subcommand(
       "bvh", "Build a scene's hierarchy of boxes and print what it is like; Appendix B of the thesis");
   const auto options = std::make_shared<BvhCommand>();

@@ -183,19 +183,11 @@ void add_check_command(CLI::App& program, int& exit_code) {
       "check", "Judge a design by exact arithmetic, on rays and boxes made to break it");
   const auto options = std::make_shared<CheckCommand>();
   add_design_options(*command, options->choice);
-  command
-      ->add_option("--category", options->categories,
-                   "Draw from this category only; repeat the option for more. A wrong name lists them all")
-      ->allow_extra_args(false)
-      ->type_name("NAME");
-  command->add_option("--tests", options->tests, "Tests in all, shared by the categories (1 to 10^13)")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10'000'000'000'000}).description(""))
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of the cases; the same seed gives the same cases")
-      ->check(CLI::Number & CLI::NonNegativeNumber)
-      ->type_name("N")
-      ->capture_default_str();
+  add_list_option(*command, "--category", options->categories,
+                  "Draw from these categories only. A wrong name lists them all", "NAME");
+  add_large_count_option(*command, "--tests", options->tests, 1, 10'000'000'000'000,
+                         "Tests in all, shared by the categories (1 to 10^13)");
+  add_seed_option(*command, options->seed);
   add_count_option(*command, "--threads", options->threads, {1, 1024}, "Threads; no result depends on it")
       ->capture_default_str();
   command->add_flag("--rtl", options->rtl, "Let the Verilog answer every test too");

@@ -146,8 +146,8 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
       ->excludes("--bits")
       ->type_name("DIR");
   add_scene_options(*command, options->scene);
-  add_count_option(*command, "--rays-in-flight", options->rays_in_flight, {1, 65536},
-                   "Rays that share one pipeline")
+  add_count_option(*command, "--rays-in-flight", options->rays_in_flight,
+                   {1, sim::RayUnit::most_rays_in_flight}, "Rays that share one pipeline")
       ->capture_default_str();
   add_bounces_option(*command, options->light);
   command->add_flag("--referee", options->referee, "Judge every answer by exact arithmetic too");

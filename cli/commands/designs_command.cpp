@@ -9,7 +9,7 @@
 
 namespace hitpipe::cli {
 
-void add_designs_command(CLI::App& program) {
+void add_designs_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command = program.add_subcommand("designs", "List the designs");
   const auto format = std::make_shared<Format>(Format::text);
   add_format_option(*command, *format);

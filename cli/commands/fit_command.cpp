@@ -256,10 +256,8 @@ void add_fit_command(CLI::App& program, int& exit_code) {
   add_scene_options(*command, options->scene);
   add_bounces_option(*command, options->light);
   command->add_flag("--no-shadows", options->no_shadows, "Switch the lights off: no shadow rays");
-  command->add_option("--designs", options->designs, "Names that `hitpipe designs` lists; all unless given")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAME,...");
+  add_list_option(*command, "--designs", options->designs,
+                  "Names that `hitpipe designs` lists; all unless given", "NAME");
   command
       ->add_option("--overhead", options->overhead_pct,
                    "Most extra box tests that fewer bits, or rays without ends, may cost, in percent")
@@ -271,12 +269,9 @@ void add_fit_command(CLI::App& program, int& exit_code) {
                    "Number format of integer designs before the fit; 24/24 unless given")
       ->type_name("n/t");
   command->add_flag("--keep-bits", options->keep_bits, "Leave the number format as it is");
-  command
-      ->add_option("--vectors", options->vectors,
-                   "Random vectors within the demands that are sent through the Verilog; 0: none")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000}).description(""))
-      ->capture_default_str()
-      ->type_name("N");
+  add_large_count_option(
+      *command, "--vectors", options->vectors, 0, 1'000'000'000,
+      "Random vectors within the demands that are sent through the Verilog (0 to 10^9); 0: none");
   add_folder_option(*command, options->out, "Folder for each design's Verilog, manifest and testbench")
       ->required();
   add_format_option(*command, options->format);

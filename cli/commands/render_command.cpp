@@ -118,7 +118,7 @@ void render_scene(const RenderCommand& command) {
 
 }  // namespace
 
-void add_render_command(CLI::App& program) {
+void add_render_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command = program.add_subcommand(
       "render", "Render a scene in software, by any traversal and encoding of its hierarchy");
   const auto options = std::make_shared<RenderCommand>();

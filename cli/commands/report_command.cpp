@@ -179,13 +179,9 @@ void add_report_command(CLI::App& program, int& exit_code) {
           ->add_option("--rows", options->rows,
                        "CSV of hitpipe sweep, of this scene and size, instead of a new sweep")
           ->type_name("FILE");
-  command
-      ->add_option("--bits", options->bits,
-                   "Number formats of the integer designs to measure (default: as hitpipe sweep)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->excludes(rows)
-      ->type_name("n/t,...");
+  add_list_option(*command, "--bits", options->bits,
+                  "Number formats of the integer designs to measure (default: as hitpipe sweep)", "n/t")
+      ->excludes(rows);
   command
       ->add_option("--image-design", options->image.name,
                    "The integer design whose Verilog renders the image")
@@ -193,13 +189,9 @@ void add_report_command(CLI::App& program, int& exit_code) {
       ->type_name("NAME");
   command->add_option("--image-bits", options->image.bits, "Its number format; 20/24 unless given")
       ->type_name("n/t");
-  command->add_option("--tests", options->tests, "Of each unit's stability (1 to 10^9)")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}).description(""))
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of these tests; the same seed gives the same")
-      ->type_name("N")
-      ->capture_default_str();
+  add_large_count_option(*command, "--tests", options->tests, 1, 1'000'000'000,
+                         "Of each unit's stability (1 to 10^9)");
+  add_seed_option(*command, options->seed);
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
   add_format_option(*command, options->format);
   command->callback([options, command, &exit_code] { exit_code = report(*options, *command); });

@@ -172,20 +172,17 @@ void add_rescale_command(CLI::App& program, int& exit_code) {
   add_scene_options(*command, options->scene);
   const auto add = [&](const char* name, std::vector<NamedTransform>& list,
                        NamedTransform (*parse)(const std::string&), const char* what) {
-    return command
-        ->add_option_function<std::vector<std::string>>(
-            name,
-            [&list, parse](const std::vector<std::string>& texts) {
-              for (const std::string& text : texts) list.push_back(parse(text));
-            },
-            what)
-        ->allow_extra_args(false);
+    return command->add_option_function<std::vector<std::string>>(
+        name,
+        [&list, parse](const std::vector<std::string>& texts) {
+          for (const std::string& text : texts) list.push_back(parse(text));
+        },
+        what);
   };
-  add("--scale", options->scales, parse_scale,
-      "Multiply mesh, camera and lights; a number or 2^N. Repeat the option for more")
+  add("--scale", options->scales, parse_scale, "Multiply mesh, camera and lights; each a number or 2^N")
+      ->delimiter(',')
       ->type_name("X");
-  add("--offset", options->offsets, parse_offset, "Shift them, in own units. Repeat the option for more")
-      ->type_name("X,Y,Z");
+  add("--offset", options->offsets, parse_offset, "Shift them, in own units")->type_name("X,Y,Z");
   command->add_option("--design", options->design.name, "Let this design's Verilog answer every box test")
       ->type_name("NAME");
   command->add_option("--bits", options->design.bits, "Number format of the design; its own unless given")

@@ -49,7 +49,7 @@ void emit_rtl(const RtlOptions& options) {
 
 }  // namespace
 
-void add_rtl_command(CLI::App& program) {
+void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command = program.add_subcommand(
       "rtl", "Write a design's Verilog, manifest, FuseSoC core, schematic, testbench and vectors");
   const auto options = std::make_shared<RtlOptions>();

@@ -46,6 +46,9 @@ std::vector<rtl::Format> formats_of(const rtl::Design& design, const std::vector
 
 /// A wrong name or format is known here, before the long run.
 std::vector<MeasuredDesign> chosen(const StiffnessCommand& command) {
+  if (command.bits.size() > most_formats)
+    throw CLI::ValidationError(
+        "--bits", fmt::format("{} formats; allowed are {} at most", command.bits.size(), most_formats));
   std::vector<MeasuredDesign> designs;
   for (const std::string& name : command.designs) {
     MeasuredDesign made{&rtl::find_design(name), {}};
@@ -117,28 +120,21 @@ void add_stiffness_command(CLI::App& program, int& exit_code) {
   CLI::App* const command = program.add_subcommand(
       "stiffness", "Measure false hits as the components of a ray's direction grow apart");
   const auto options = std::make_shared<StiffnessCommand>();
-  command->add_option("--designs", options->designs, "Which to measure; of a float design fp32 alone")
-      ->default_str("int_slabs int_plucker")
-      ->type_name("NAME...");
-  command->add_option("--bits", options->bits, "Number formats of the integer designs, 8 at most")
-      ->expected(1, static_cast<int>(most_formats))
-      ->default_str("24/24 20/24 16/16 12/12")
-      ->type_name("n/t...");
+  add_list_option(*command, "--designs", options->designs, "Which to measure; of a float design fp32 alone",
+                  "NAME")
+      ->default_str("int_slabs,int_plucker");
+  add_list_option(*command, "--bits", options->bits, "Number formats of the integer designs, 8 at most",
+                  "n/t")
+      ->default_str("24/24,20/24,16/16,12/12");
   command
       ->add_option("--scene", options->scene,
                    "Also count the box tests of stiff rays through a built-in scene or a mesh file")
       ->type_name("NAME|FILE");
-  const auto count = [&](const char* name, std::uint64_t& value, const char* what) {
-    command->add_option(name, value, fmt::format("{} (1 to 10^9)", what))
-        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}).description(""))
-        ->type_name("N")
-        ->capture_default_str();
-  };
-  count("--tests", options->tests, "Boxes for each ratio");
-  count("--rays", options->rays, "Rays through the scene for each ratio");
-  command->add_option("--seed", options->seed, "Of the cases; the same seed gives the same cases")
-      ->type_name("N")
-      ->capture_default_str();
+  add_large_count_option(*command, "--tests", options->tests, 1, 1'000'000'000,
+                         "Boxes for each ratio (1 to 10^9)");
+  add_large_count_option(*command, "--rays", options->rays, 1, 1'000'000'000,
+                         "Rays through the scene for each ratio (1 to 10^9)");
+  add_seed_option(*command, options->seed);
   add_count_option(*command, "--threads", options->threads, {1, 1024}, "Threads; no result depends on it")
       ->capture_default_str();
   add_folder_option(*command, options->out, "Folder for the rows as CSV and for the plots as SVG");

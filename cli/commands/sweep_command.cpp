@@ -13,6 +13,7 @@
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "sim/ray_unit.hpp"
 #include "sim/sweep/rows_file.hpp"
 #include "sim/sweep/shard.hpp"
 #include "sim/sweep/sweep.hpp"
@@ -179,24 +180,15 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
   const auto options = std::make_shared<SweepCommand>();
   add_scene_options(*command, options->scene);
   CLI::Option* const scene = command->get_option("--scene")->required(false);
-  command->add_option("--designs", options->designs, "Names that `hitpipe designs` lists (default: all)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAME,...");
-  command
-      ->add_option("--bits", options->bits,
-                   "Number formats of the integer designs (default: n from 8 to 32 in steps of 4, each with "
-                   "t of n, n+4 and n+8)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("n/t,...");
-  command
-      ->add_option("--rays-in-flight", options->rays_in_flight,
-                   "Rays that share one pipeline, a row for each (1 to 65536; default: 32)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::Range(1, 65536).description(""))
-      ->type_name("K,...");
+  add_list_option(*command, "--designs", options->designs,
+                  "Names that `hitpipe designs` lists (default: all)", "NAME");
+  add_list_option(*command, "--bits", options->bits,
+                  "Number formats of the integer designs (default: n from 8 to 32 in steps of 4, each with "
+                  "t of n, n+4 and n+8)",
+                  "n/t");
+  add_list_option(*command, "--rays-in-flight", options->rays_in_flight,
+                  "Rays that share one pipeline, a row for each (1 to 65536; default: 32)", "K")
+      ->transform(whole_number(1, sim::RayUnit::most_rays_in_flight));
   add_bounces_option(*command, options->light);
   CLI::Option* const shard =
       command

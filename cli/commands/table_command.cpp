@@ -39,7 +39,7 @@ void run(const TableOptions& options) {
 
 }  // namespace
 
-void add_table_command(CLI::App& program) {
+void add_table_command(CLI::App& program, int& /*exit_code*/) {
   std::string numbers;
   for (const ref::Experiment& experiment : ref::experiments())
     numbers += (numbers.empty() ? "" : ", ") + std::string(experiment.number);
@@ -58,11 +58,7 @@ void add_table_command(CLI::App& program) {
           "A mesh, scene file or built-in scene to use for a scene of the thesis; repeat the option for more")
       ->allow_extra_args(false)
       ->type_name("NAME=SCENE");
-  command
-      ->add_option("--only", options->experiment.only,
-                   "Only this scene of the thesis; repeat the option for more")
-      ->allow_extra_args(false)
-      ->type_name("NAME");
+  add_list_option(*command, "--only", options->experiment.only, "Only these scenes of the thesis", "NAME");
   add_count_option(*command, "--width", options->experiment.width, {1, 16384}, "Pixels across")
       ->capture_default_str();
   add_count_option(*command, "--height", options->experiment.height, {1, 16384}, "Pixels down")
