@@ -13,9 +13,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/emit/files.hpp"
-#include "rtl_gen/verilog/module.hpp"
-#include "sim/cosim.hpp"
-#include "sim/fit/written_unit.hpp"
+#include "sim/fit/unit_cosim.hpp"
 #include "sw_ref/render/image_file.hpp"
 
 namespace hitpipe::cli {
@@ -40,12 +38,7 @@ sim::WrittenUnit unit_of(const CosimCommand& command) {
   const rtl::Design& design = command.choice.design();
   const rtl::Library& library = rtl::Library::thesis();
   if (!command.unit.empty()) return sim::read_unit(command.unit, design, library);
-  const rtl::Format format = command.choice.format();
-  const rtl::Graph traced = design.trace(format);
-  rtl::Pipeline pipeline = rtl::make_pipeline(traced, library);
-  std::string verilog = rtl::to_verilog(
-      pipeline, library, {.module_name = std::string(design.name), .bits = rtl::to_string(format)});
-  return {format, {}, rtl::input_ports(traced), std::move(pipeline), std::move(verilog)};
+  return sim::whole_unit(design, command.choice.format(), library);
 }
 
 Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref::Scene& scene,
@@ -85,7 +78,7 @@ int cosimulate(const CosimCommand& command) {
   const ref::Scene scene = command.scene.load();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   progress.emplace("compiling the Verilog");
-  const sim::VerilatedDesign verilated(design, unit.format, unit.pipeline, unit.verilog);
+  const sim::VerilatedDesign verilated = sim::verilate(design, unit);
   const fs::path folder = command.out;
   const bool emits = !command.out.empty() && command.unit.empty();
   // Before the long run: a folder that cannot be written to is known at once.
@@ -95,19 +88,16 @@ int cosimulate(const CosimCommand& command) {
     for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
     rtl::write_files(folder, files);
   }
-  const sim::OperandGuard guard(unit.demands, unit.ports);
   progress.emplace("co-simulating");
-  const sim::CosimResult result = sim::cosimulate(design, unit.format, verilated, scene, bvh,
-                                                  {.width = command.scene.width,
-                                                   .height = command.scene.height,
-                                                   .rays_in_flight = command.rays_in_flight,
-                                                   .threads = command.scene.threads,
-                                                   .referee = command.referee,
-                                                   .light = command.light,
-                                                   .coarse = unit.coarse(),
-                                                   .ends = unit.ends(),
-                                                   .guard = unit.demands.empty() ? nullptr : &guard,
-                                                   .progress = [&](double share) { progress->show(share); }});
+  const sim::CosimResult result =
+      sim::cosimulate_unit(design, unit, verilated, scene, bvh,
+                           {.width = command.scene.width,
+                            .height = command.scene.height,
+                            .rays_in_flight = command.rays_in_flight,
+                            .threads = command.scene.threads,
+                            .referee = command.referee,
+                            .light = command.light,
+                            .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
   Row row = record(command, unit, scene, bvh, result);

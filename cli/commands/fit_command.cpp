@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -15,14 +14,11 @@
 #include "cli/options/values.hpp"
 #include "cli/text/fit_text.hpp"
 #include "cli/text/progress.hpp"
-#include "sim/cosim.hpp"
-#include "sim/fit/vector_check.hpp"
+#include "sim/fit/fit_scene.hpp"
 
 namespace hitpipe::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 struct FitCommand {
   SceneChoice scene;
@@ -48,21 +44,6 @@ std::string overhead_problem(const std::string& text) {
   const double value = std::strtod(text.c_str(), nullptr);
   if (value >= 0.0 && value <= most_overhead_pct) return "";
   return fmt::format("Value {} not in range 0 to {}", text, most_overhead_pct);
-}
-
-struct FitScene {
-  ref::Scene scene;
-  ref::Bvh bvh;
-  ref::SceneDemands demands;
-};
-
-FitScene load(const FitCommand& command) {
-  ref::Scene scene = command.scene.load();
-  if (command.no_shadows) scene.lights.clear();
-  ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const ref::ViewOptions view{command.scene.width, command.scene.height, command.light.bounces};
-  ref::SceneDemands demands = ref::scene_demands(scene, bvh, view);
-  return {std::move(scene), std::move(bvh), std::move(demands)};
 }
 
 /// Each once. Throws when a name or the number format is none: before the long run.
@@ -106,8 +87,8 @@ Row kept_whole(const sim::FittedUnit& unit) {
   return names;
 }
 
-Row record(const sim::FittedUnit& unit, const FitScene& scene, const sim::VectorResult& vectors,
-           const sim::CosimResult& result) {
+Row record(const sim::FitResult& fitted, const std::string& scene) {
+  const auto& [unit, vectors, result] = fitted;
   Row left_out = Row::array();
   for (const sim::LeftOut& left : unit.left_out)
     left_out.push_back(fmt::format("{} ({}): {:.2f} % of the area", left.what, left.why,
@@ -122,7 +103,7 @@ Row record(const sim::FittedUnit& unit, const FitScene& scene, const sim::Vector
           {"endless_extra_box_tests_pct",
            unit.precision ? Row(unit.precision->endless_extra_box_tests_pct) : Row(nullptr)},
           {"formats_measured", unit.precision ? unit.precision->formats_measured : 0},
-          {"scene", scene.scene.name},
+          {"scene", scene},
           {"area_before_mm2", mm2(unit.price_before.area_um2)},
           {"area_after_mm2", mm2(unit.price.area_um2)},
           {"area_saved_pct", percent_of(unit.saved_um2(), unit.price_before.area_um2)},
@@ -146,96 +127,60 @@ Row record(const sim::FittedUnit& unit, const FitScene& scene, const sim::Vector
           {"left_out", left_out}};
 }
 
-std::string reports_text(const std::vector<FitReport>& reports, const FitScene& scene, Format format) {
+std::string reports_text(const std::vector<FitReport>& reports, const sim::FitScene& scene, Format format) {
   if (format == Format::text) return fit_text(scene.scene.name, scene.demands, reports);
   std::vector<Row> rows;
   for (const FitReport& report : reports) rows.push_back(report.row);
   return table_text(rows, format);
 }
 
-std::optional<sim::Precision> precision_of(const FitCommand& command, const rtl::Design& design,
-                                           const FitScene& scene, const sim::SceneRays& rays) {
-  if (command.keep_bits) return std::nullopt;
-  const rtl::Format before = format_before(command, design);
-  return sim::fewest_bits({.design = &design,
-                           .scene = &scene.scene,
-                           .bvh = &scene.bvh,
-                           .demands = &scene.demands,
-                           .rays = &rays,
-                           .most = before.is_float() ? hls::IntBits{} : before.bits(),
-                           .overhead_pct = command.overhead_pct,
-                           .threads = command.scene.threads});
-}
+/// A line for each step, in turn.
+class Steps {
+ public:
+  void show(const std::string& step, double share) {
+    if (step != step_) {  // which the main thread tells before any other does
+      step_ = step;
+      progress_.emplace(step);
+    }
+    progress_->show(share);
+  }
+  void end() {
+    progress_.reset();
+    step_.clear();
+  }
 
-FitReport fit_design(const FitCommand& command, const rtl::Design& design, const FitScene& scene,
-                     const sim::SceneRays& rays) {
-  const rtl::Library& library = rtl::Library::thesis();
-  const std::string name(design.name);
-  std::optional<Progress> progress(name + ": looking for the fewest bits");
-  const rtl::Format before = format_before(command, design);
-  sim::FittedUnit unit =
-      sim::fit(design, before, precision_of(command, design, scene, rays), scene.demands, library);
-  std::stable_sort(unit.left_out.begin(), unit.left_out.end(),
-                   [](const auto& a, const auto& b) { return a.area_um2 > b.area_um2; });
-  std::vector<rtl::File> files = sim::fitted_files(unit, library);
-  progress.emplace(name + ": compiling the Verilog");
-  const sim::VerilatedDesign verilated(design, unit.format, unit.pipeline, files.front().contents);
-  for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
-  rtl::write_files(fs::path(command.out) / name, files);
-  const auto show = [&](double share) { progress->show(share); };
-  progress.emplace(name + ": sending vectors");
-  const sim::VectorResult vectors = sim::check_vectors({.verilated = &verilated,
-                                                        .evaluate = design.evaluate(unit.format),
-                                                        .ports = &unit.ports,
-                                                        .demands = &unit.demands,
-                                                        .vectors = command.vectors,
-                                                        .progress = show});
-  progress.emplace(name + ": co-simulating");
-  const sim::OperandGuard guard(unit.demands, unit.ports);
-  const sim::CosimResult result = sim::cosimulate(design, unit.format, verilated, scene.scene, scene.bvh,
-                                                  {.width = command.scene.width,
-                                                   .height = command.scene.height,
-                                                   .threads = command.scene.threads,
-                                                   .referee = !design.is_float(),
-                                                   .light = command.light,
-                                                   .coarse = unit.coarse(),
-                                                   .ends = unit.ends(),
-                                                   .scene_demands = &scene.demands,
-                                                   .guard = &guard,
-                                                   .progress = show});
-  return {record(unit, scene, vectors, result), unit.left_out, vectors.first_mismatch};
-}
-
-sim::SceneRays traced_rays(const FitCommand& command, const FitScene& scene) {
-  Progress progress("tracing the scene's rays");
-  sim::SceneRays rays = sim::scene_rays(scene.scene, scene.bvh,
-                                        {.width = command.scene.width,
-                                         .height = command.scene.height,
-                                         .threads = command.scene.threads,
-                                         .light = command.light,
-                                         .progress = [&](double share) { progress.show(share); }});
-  const auto hits = [](const ref::RecordedBatch& batch) {
-    return std::any_of(batch.triangles.begin(), batch.triangles.end(),
-                       [](std::uint32_t triangle) { return triangle != ref::Hit::none; });
-  };
-  if (std::none_of(rays.batches.begin(), rays.batches.end(), hits))
-    throw std::runtime_error(
-        fmt::format("scene {}: no ray of the image meets a triangle; a unit fitted to it "
-                    "would be of no use",
-                    scene.scene.name));
-  return rays;
-}
+ private:
+  std::string step_;
+  std::optional<Progress> progress_;
+};
 
 int fit(const FitCommand& command) {
   const std::vector<const rtl::Design*> designs = chosen_designs(command);
-  std::optional<Progress> progress("reading the scene");
-  const FitScene scene = load(command);
-  progress.reset();
-  const sim::SceneRays rays = traced_rays(command, scene);
+  Steps steps;
+  const sim::FitOptions options{
+      .width = command.scene.width,
+      .height = command.scene.height,
+      .threads = command.scene.threads,
+      .light = command.light,
+      .overhead_pct = command.overhead_pct,
+      .keep_bits = command.keep_bits,
+      .vectors = command.vectors,
+      .folder = command.out,
+      .progress = [&](const std::string& step, double share) { steps.show(step, share); }};
+  steps.show("reading the scene", 0.0);
+  ref::Scene loaded = command.scene.load();
+  if (command.no_shadows) loaded.lights.clear();
+  const sim::FitScene scene = sim::prepare_fit(std::move(loaded), options);
   // Before the long run: a folder that cannot be written to is known at once.
   rtl::make_folder(command.out);
   std::vector<FitReport> reports;
-  for (const rtl::Design* design : designs) reports.push_back(fit_design(command, *design, scene, rays));
+  for (const rtl::Design* design : designs) {
+    const sim::FitResult fitted =
+        sim::fit_to_scene(*design, format_before(command, *design), scene, options, rtl::Library::thesis());
+    reports.push_back(
+        {record(fitted, scene.scene.name), fitted.unit.left_out, fitted.vectors.first_mismatch});
+  }
+  steps.end();
   fmt::print("{}", reports_text(reports, scene, command.format));
   int exit_code = 0;
   for (const FitReport& report : reports) {

@@ -104,10 +104,15 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                 .threads = command.scene.threads,
                                 .progress = [&](double share) { progress->show(share); }};
   progress.emplace("sweeping");
-  const sim::RowsFile rows =
-      command.rows.empty()
-          ? sweep_into(fs::path(command.out) / "rows.csv", program, scene, bvh, points, sweep)
-          : take_rows(command.rows, sim::about_sweep(program, scene, bvh, sweep));
+  const sim::RowsFile rows = command.rows.empty()
+                                 ? sim::resume({.scene = &scene,
+                                                .bvh = &bvh,
+                                                .points = points,
+                                                .options = sweep,
+                                                .program = program,
+                                                .file = fs::path(command.out) / "rows.csv",
+                                                .shard = {}})
+                                 : take_rows(command.rows, sim::about_sweep(program, scene, bvh, sweep));
 
   ReportFacts facts;
   facts.version = program;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -14,15 +13,11 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "sim/ray_unit.hpp"
-#include "sim/sweep/rows_file.hpp"
-#include "sim/sweep/shard.hpp"
-#include "sim/sweep/sweep.hpp"
+#include "sim/sweep/resume.hpp"
 
 namespace hitpipe::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 struct SweepCommand {
   SceneChoice scene;
@@ -106,70 +101,28 @@ int merge(const SweepCommand& command) {
   return report(rows, command.format);
 }
 
-/// Rows by their place in the file, each change of which is written at once.
-class Rows {
- public:
-  /// Takes over what the file holds. Throws when it holds rows of something else.
-  Rows(fs::path file, std::string about) : file_(std::move(file)), about_(std::move(about)) {
-    if (!fs::exists(file_)) return;
-    const sim::RowsFile found = sim::read_rows(file_);
-    if (found.about != about_) {
-      throw std::runtime_error(
-          fmt::format("{}: holds rows of \"{}\", asked for are \"{}\"; give another --out or remove it",
-                      file_.string(), found.about, about_));
-    }
-    for (const sim::SweepRow& row : found.rows) keep(row);
-  }
-
-  [[nodiscard]] bool has(const sim::SweepPoint& point) const { return rows_.contains(sim::key_of(point)); }
-  void add(const sim::SweepRow& row) {
-    keep(row);
-    write();
-  }
-  void write() const { sim::write_rows(file_, contents()); }
-  [[nodiscard]] sim::RowsFile contents() const {
-    sim::RowsFile file{about_, {}};
-    for (const auto& [key, row] : rows_) file.rows.push_back(row);
-    return file;
-  }
-
- private:
-  void keep(const sim::SweepRow& row) {
-    rows_.insert_or_assign(sim::key_of(row.design, row.bits, row.rays_in_flight), row);
-  }
-
-  fs::path file_;
-  std::string about_;
-  std::map<sim::RowKey, sim::SweepRow> rows_;
-};
-
 int sweep(const SweepCommand& command) {
-  std::vector<sim::SweepPoint> points = plan(command);
-  std::optional<sim::Shard> shard;
-  if (command.shard) shard = sim::parse_shard(*command.shard);
+  sim::ResumableSweep sweep{.scene = nullptr,
+                            .bvh = nullptr,
+                            .points = plan(command),
+                            .options = {.width = command.scene.width,
+                                        .height = command.scene.height,
+                                        .threads = command.scene.threads,
+                                        .light = command.light},
+                            .program = "hitpipe " HITPIPE_VERSION,
+                            .file = command.out,
+                            .shard = {}};
+  if (command.shard) sweep.shard = sim::parse_shard(*command.shard);
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const sim::SweepOptions options{.width = command.scene.width,
-                                  .height = command.scene.height,
-                                  .threads = command.scene.threads,
-                                  .light = command.light,
-                                  .progress = [&](double share) { progress->show(share); }};
-  std::string about = sim::about_sweep("hitpipe " HITPIPE_VERSION, scene, bvh, options);
-  fs::path file = command.out;
-  if (shard) {
-    points = sim::part_of(points, *shard);
-    about = sim::about_shard(about, *shard, points.size());
-    file = sim::shard_file(file, *shard);
-  }
-  Rows rows(file, about);
-  // Before the long run: a file that cannot be written is known at once.
-  rows.write();
-  std::erase_if(points, [&](const sim::SweepPoint& point) { return rows.has(point); });
+  sweep.scene = &scene;
+  sweep.bvh = &bvh;
   progress.emplace("sweeping");
-  sim::run_sweep(scene, bvh, points, options, [&](const sim::SweepRow& row) { rows.add(row); });
+  sweep.options.progress = [&](double share) { progress->show(share); };
+  const sim::RowsFile rows = sim::resume(sweep);
   progress.reset();
-  return report(rows.contents(), command.format);
+  return report(rows, command.format);
 }
 
 }  // namespace

@@ -18,27 +18,6 @@ namespace {
 constexpr std::array<int, 1> usual_rays{32};
 constexpr std::array<int, 9> many_rays{1, 2, 4, 8, 16, 32, 64, 128, 256};
 
-using ByKey = std::map<sim::RowKey, sim::SweepRow>;
-
-sim::RowKey key_of(const sim::SweepRow& row) {
-  return sim::key_of(row.design, row.bits, row.rays_in_flight);
-}
-
-sim::RowsFile file_of(const std::string& about, const ByKey& rows) {
-  sim::RowsFile file{about, {}};
-  for (const auto& [key, row] : rows) file.rows.push_back(row);
-  return file;
-}
-
-sim::RowsFile rows_about(const std::filesystem::path& file, const std::string& about) {
-  sim::RowsFile rows = sim::read_rows(file);
-  if (rows.about == about) return rows;
-  throw std::runtime_error(
-      fmt::format("{}: holds rows of \"{}\", asked for are \"{}\"; give rows of the same scene and size, or "
-                  "another folder",
-                  file.string(), rows.about, about));
-}
-
 /// Each once, in their order.
 template <class Value>
 void append_once(std::vector<Value>& values, const Value& value) {
@@ -67,26 +46,8 @@ std::vector<sim::SweepPoint> report_points(std::vector<hls::IntBits> formats) {
   return all;
 }
 
-sim::RowsFile sweep_into(const std::filesystem::path& file, const std::string& program,
-                         const ref::Scene& scene, const ref::Bvh& bvh, std::vector<sim::SweepPoint> points,
-                         const sim::SweepOptions& options) {
-  const std::string about = sim::about_sweep(program, scene, bvh, options);
-  ByKey rows;
-  if (std::filesystem::exists(file)) {
-    for (const sim::SweepRow& row : rows_about(file, about).rows) rows.emplace(key_of(row), row);
-  }
-  std::erase_if(points, [&](const sim::SweepPoint& point) { return rows.contains(sim::key_of(point)); });
-  // Before the long run: a file that cannot be written is known at once.
-  sim::write_rows(file, file_of(about, rows));
-  sim::run_sweep(scene, bvh, points, options, [&](const sim::SweepRow& row) {
-    rows.insert_or_assign(key_of(row), row);
-    sim::write_rows(file, file_of(about, rows));
-  });
-  return file_of(about, rows);
-}
-
 sim::RowsFile take_rows(const std::filesystem::path& file, const std::string& about) {
-  sim::RowsFile rows = rows_about(file, about);
+  sim::RowsFile rows = sim::read_rows_about(file, about);
   if (rows.rows.empty()) throw std::runtime_error(fmt::format("{}: holds no rows", file.string()));
   return rows;
 }

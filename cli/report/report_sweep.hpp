@@ -2,13 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "sim/sweep/rows_file.hpp"
-#include "sim/sweep/sweep.hpp"
+#include "sim/sweep/resume.hpp"
 
 namespace hitpipe::cli {
 
@@ -16,14 +14,7 @@ namespace hitpipe::cli {
 /// thesis's six units with 1, 2, 4 .. 256.
 [[nodiscard]] std::vector<sim::SweepPoint> report_points(std::vector<hls::IntBits> formats);
 
-/// Measures what `file` does not hold yet, each row written as soon as it is known, and returns all that it
-/// holds. Throws as sim::run_sweep() and sim::read_rows() do, and when the file is about something else.
-[[nodiscard]] sim::RowsFile sweep_into(const std::filesystem::path& file, const std::string& program,
-                                       const ref::Scene& scene, const ref::Bvh& bvh,
-                                       std::vector<sim::SweepPoint> points, const sim::SweepOptions& options);
-
-/// The rows of `file`. Throws as sim::read_rows() does, when they are not `about` this, and when there are
-/// none.
+/// The rows of `file`. Throws as sim::read_rows_about() does, and when there are none.
 [[nodiscard]] sim::RowsFile take_rows(const std::filesystem::path& file, const std::string& about);
 
 /// The commands of hitpipe sweep that measure these rows into rows.csv.

@@ -112,7 +112,7 @@ TEST_F(ReportCommand, BadInputRejected) {
   rejected({"--image-design", "fp_slabs"},
            "hitpipe: design fp_slabs: computes in floats; give an integer design\n");
   const std::string rows = (out() / "rows.csv").string();
-  rejected({"--rows", rows, "--fov", "30"}, "give rows of the same scene and size, or another folder\n");
+  rejected({"--rows", rows, "--fov", "30"}, "give another file or remove it\n");
   rejected({"--seed", "-1"},
            "hitpipe: --seed: Value -1 not in range 0 to 18446744073709551615; see hitpipe report --help\n");
   const std::string none = (out() / "none.csv").string();

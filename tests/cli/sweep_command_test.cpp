@@ -226,7 +226,7 @@ TEST_F(SweepCommand, RowsOfSomethingElseRejected) {
   EXPECT_THAT(outcome.err, StartsWith("hitpipe: " + rows.string() + ": holds rows of \"hitpipe "));
   EXPECT_THAT(outcome.err, HasSubstr(" 40 x 30 pixels, 5 bounces\", asked for are \""));
   EXPECT_THAT(outcome.err,
-              testing::EndsWith(" 40 x 30 pixels, 2 bounces\"; give another --out or remove it\n"));
+              testing::EndsWith(" 40 x 30 pixels, 2 bounces\"; give another file or remove it\n"));
   EXPECT_EQ(contents_of(rows), before);
 
   std::ofstream(rows, std::ios::app) << "comb,1,2";
