@@ -1,27 +1,40 @@
-// One function per command: adds it, with its options, to the program. The exit code of the last command that
-// ran is left in `exit_code`; errors are thrown as std::exception with one line of text.
+// The commands, in the order of the help. To add one, add its name here and write commands/NAME_command.cpp.
 #pragma once
 
 namespace CLI {
 class App;
 }
 
+#define HITPIPE_COMMANDS(COMMAND) \
+  COMMAND(designs)                \
+  COMMAND(scenes)                 \
+  COMMAND(rtl)                    \
+  COMMAND(area)                   \
+  COMMAND(bvh)                    \
+  COMMAND(render)                 \
+  COMMAND(compare)                \
+  COMMAND(cosim)                  \
+  COMMAND(sweep)                  \
+  COMMAND(table)                  \
+  COMMAND(check)                  \
+  COMMAND(stiffness)              \
+  COMMAND(rescale)                \
+  COMMAND(fit)                    \
+  COMMAND(report)
+
 namespace hitpipe::cli {
 
-void add_designs_command(CLI::App& program);
-void add_scenes_command(CLI::App& program);
-void add_rtl_command(CLI::App& program);
-void add_area_command(CLI::App& program);
-void add_bvh_command(CLI::App& program);
-void add_render_command(CLI::App& program);
-void add_compare_command(CLI::App& program, int& exit_code);
-void add_cosim_command(CLI::App& program, int& exit_code);
-void add_sweep_command(CLI::App& program, int& exit_code);
-void add_table_command(CLI::App& program);
-void add_check_command(CLI::App& program, int& exit_code);
-void add_stiffness_command(CLI::App& program, int& exit_code);
-void add_rescale_command(CLI::App& program, int& exit_code);
-void add_fit_command(CLI::App& program, int& exit_code);
-void add_report_command(CLI::App& program, int& exit_code);
+/// Each command's own function adds it, with its options, to the program. A command that has run leaves its
+/// exit code in `exit_code`. It throws errors as std::exception, one line of text.
+#define HITPIPE_DECLARE_COMMAND(name) void add_##name##_command(CLI::App& program, int& exit_code);
+HITPIPE_COMMANDS(HITPIPE_DECLARE_COMMAND)
+#undef HITPIPE_DECLARE_COMMAND
+
+/// Adds them all.
+inline void add_commands(CLI::App& program, int& exit_code) {
+#define HITPIPE_ADD_COMMAND(name) add_##name##_command(program, exit_code);
+  HITPIPE_COMMANDS(HITPIPE_ADD_COMMAND)
+#undef HITPIPE_ADD_COMMAND
+}
 
 }  // namespace hitpipe::cli

@@ -3,17 +3,21 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <new>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
-#include "cli/help.hpp"
+#include "cli/text/help.hpp"
+#include "sim/wrong_hardware.hpp"
 
 namespace {
 
-constexpr int failure = 1;
+// Of a command that ran and found the hardware or a picture wrong, it is 1 too.
+constexpr int wrong_hardware = 1;
+constexpr int asked_wrongly = 2;
 
 /// A word of the user's that a message quotes may hold line breaks.
 void print_error(std::string text) {
@@ -44,38 +48,34 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   program.formatter(std::make_shared<hitpipe::cli::HelpFormatter>());
   int exit_code = 0;
-  hitpipe::cli::add_designs_command(program);
-  hitpipe::cli::add_scenes_command(program);
-  hitpipe::cli::add_rtl_command(program);
-  hitpipe::cli::add_area_command(program);
-  hitpipe::cli::add_bvh_command(program);
-  hitpipe::cli::add_render_command(program);
-  hitpipe::cli::add_compare_command(program, exit_code);
-  hitpipe::cli::add_cosim_command(program, exit_code);
-  hitpipe::cli::add_sweep_command(program, exit_code);
-  hitpipe::cli::add_table_command(program);
-  hitpipe::cli::add_check_command(program, exit_code);
-  hitpipe::cli::add_stiffness_command(program, exit_code);
-  hitpipe::cli::add_rescale_command(program, exit_code);
-  hitpipe::cli::add_fit_command(program, exit_code);
-  hitpipe::cli::add_report_command(program, exit_code);
+  hitpipe::cli::add_commands(program, exit_code);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
   program.footer(
       "hitpipe COMMAND --help tells more of each. A first try:\n"
-      "  hitpipe cosim int_slabs --scene spheres --out out");
+      "  hitpipe cosim int_slabs --scene spheres --out out\n"
+      "Exit codes:\n"
+      "  0  good\n"
+      "  1  the hardware or a picture is wrong\n"
+      "  2  asked wrongly, or a file cannot be used");
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // help or version was asked for
     print_error(usage_error(program, error));
-    return error.get_exit_code();
+    return asked_wrongly;
+  } catch (const hitpipe::sim::WrongHardware& error) {
+    print_error(error.what());
+    return wrong_hardware;
+  } catch (const std::bad_alloc&) {
+    print_error("not enough memory; ask for fewer pixels, triangles or rays in flight, or for fewer threads");
+    return asked_wrongly;
   } catch (const std::exception& error) {
     print_error(error.what());
-    return failure;
+    return asked_wrongly;
   }
   if (std::fflush(stdout) != 0) {
     print_error("standard output: cannot be written");
-    return failure;
+    return asked_wrongly;
   }
   return exit_code;
 }

@@ -4,7 +4,9 @@
 #include <atomic>
 #include <deque>
 #include <memory>
+#include <stdexcept>
 
+#include <fmt/format.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
@@ -30,6 +32,10 @@ double thread_seconds() {
 
 double percent_above(std::uint64_t value, std::uint64_t reference) {
   return reference == 0 ? 0.0 : 100.0 * (static_cast<double>(value) / static_cast<double>(reference) - 1.0);
+}
+
+double per_second(std::uint64_t count, double seconds) {
+  return seconds > 0 ? static_cast<double>(count) / seconds : 0.0;
 }
 
 struct Frame {
@@ -72,7 +78,8 @@ class Tile {
                traced_.push_back({job.ray, job.query, traversal.hit().triangle});
                ended(job.id, traversal.hit().triangle);
              });
-    counts.rtl_seconds = thread_seconds() - start;
+    counts.loop_seconds = thread_seconds() - start;
+    counts.rtl_seconds = unit.rtl_seconds();
     counts.unit = unit.counts();
     compare(counts);
     for (std::size_t pixel = 0; pixel < pixels(); ++pixel) {
@@ -192,21 +199,38 @@ double CosimResult::extra_triangle_tests_pct() const {
 }
 
 double CosimResult::rtl_tests_per_s() const {
-  return rtl_seconds > 0 ? static_cast<double>(unit.box_tests) / rtl_seconds : 0.0;
+  return per_second(unit.box_tests, rtl_seconds);
+}
+
+double CosimResult::loop_tests_per_s() const {
+  return per_second(unit.box_tests, loop_seconds);
+}
+
+bool CosimResult::same_as_software() const {
+  return unit.rtl_mismatches == 0 && different_triangles == 0;
+}
+
+std::optional<bool> CosimResult::without_false_miss() const {
+  if (!unit.false_misses) return std::nullopt;
+  return *unit.false_misses == 0;
 }
 
 bool CosimResult::verified(bool conservative) const {
-  return unit.rtl_mismatches == 0 && different_triangles == 0 && (!conservative || unit.false_misses == 0);
+  return same_as_software() && (!conservative || without_false_miss() == true);
 }
 
 CosimResult cosimulate(const rtl::Design& design, rtl::Format format, const VerilatedDesign& verilated,
                        const ref::Scene& scene, const ref::Bvh& bvh, const CosimOptions& options) {
+  if (options.width < 1 || options.height < 1)
+    throw std::invalid_argument(
+        fmt::format("image of {} x {} pixels: allowed is 1 x 1 and more", options.width, options.height));
   std::unique_ptr<SceneFeed> feed = make_feed(design, format, bvh, options.coarse);
   if (!options.ends) feed = with_step(std::move(feed), endless_step(design.ports(format)));
   if (options.guard != nullptr) feed = guarded(std::move(feed), *options.guard, verilated.operand_count());
   const ref::Whitted whitted(scene, options.light);
   const Frame frame{design, format, verilated, scene, bvh, options, *feed, whitted};
   CosimResult result;
+  result.unit = UnitCounts::zeros(options.referee);
   const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   result.image.resize(pixels);
   result.triangles.resize(pixels);
@@ -234,6 +258,7 @@ CosimResult cosimulate(const rtl::Design& design, rtl::Format format, const Veri
     result.unit += part.unit;
     result.reference += part.reference;
     result.rtl_seconds += part.rtl_seconds;
+    result.loop_seconds += part.loop_seconds;
   }
   result.latency = verilated.latency();
   return result;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -19,7 +20,7 @@ namespace hitpipe::sim {
 struct CosimOptions {
   int width = 256;
   int height = 256;
-  int rays_in_flight = 32;
+  int rays_in_flight = 32;  ///< 1..RayUnit::most_rays_in_flight
   int threads = 1;
   bool referee = false;
   ref::WhittedOptions light{};  ///< how far secondary rays are followed
@@ -33,8 +34,9 @@ struct CosimOptions {
   std::function<void(double)> progress = [](double) {};
 };
 
-/// Counts do not depend on the number of threads: the image is cut into tiles, each traced by a unit of its
-/// own.
+/// The image is cut into tiles, and each is traced by a unit of its own. So counts depend on the size of the
+/// image and the number of rays in flight, but not on the number of threads. Only the seconds differ between
+/// runs.
 struct CosimResult {
   std::uint64_t rays_primary = 0;
   std::uint64_t rays_secondary = 0;
@@ -44,19 +46,34 @@ struct CosimResult {
   UnitCounts unit;
   ref::TraversalCounts reference;  ///< of the software traversal of the same rays on the same hierarchy
   int latency = 0;
-  double rtl_seconds = 0;        ///< processor time of the units with their traversals, without the reference
-  std::vector<glm::vec3> image;  ///< linear, row by row from the top
+  /// For the cycles of the Verilog alone, estimated from samples (sim/sampled_time.hpp); 0 when there were
+  /// too few to sample.
+  double rtl_seconds = 0;
+  /// Processor time of the whole loops around the units: the Verilog, the set-up of rays and boxes, the C++
+  /// datapath, traversals, shading, and the referee if there is one. The reference comes later and is not in
+  /// it.
+  double loop_seconds = 0;
+  std::vector<glm::vec3> image;          ///< linear, row by row from the top
   std::vector<std::uint32_t> triangles;  ///< by pixel, found through the Verilog
 
   [[nodiscard]] double occupancy_pct() const;
   [[nodiscard]] double extra_box_tests_pct() const;
   [[nodiscard]] double extra_triangle_tests_pct() const;
+  /// Box tests by rtl_seconds and by loop_seconds; 0 when those are.
   [[nodiscard]] double rtl_tests_per_s() const;
-  /// Nothing that must be zero is more than zero; false misses count when the design is conservative.
+  [[nodiscard]] double loop_tests_per_s() const;
+
+  /// No RTL mismatch and no different triangle. This says nothing of false misses.
+  [[nodiscard]] bool same_as_software() const;
+  /// Nothing when no referee looked for false misses.
+  [[nodiscard]] std::optional<bool> without_false_miss() const;
+  /// The same as software; of a conservative design the referee must also have looked and found no false
+  /// miss.
   [[nodiscard]] bool verified(bool conservative) const;
 };
 
-/// Throws as make_feed() and ref::Whitted do.
+/// Throws as make_feed(), RayUnit and ref::Whitted do, and std::invalid_argument, one line, for an image
+/// without pixels.
 [[nodiscard]] CosimResult cosimulate(const rtl::Design& design, rtl::Format format,
                                      const VerilatedDesign& verilated, const ref::Scene& scene,
                                      const ref::Bvh& bvh, const CosimOptions& options);

@@ -3,27 +3,56 @@
 #include <deque>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
+#include "sim/wrong_hardware.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 
 namespace hitpipe::sim {
+
+namespace {
+
+void add(std::optional<std::uint64_t>& sum, const std::optional<std::uint64_t>& count) {
+  if (sum && count) {
+    *sum += *count;
+  } else {
+    sum.reset();
+  }
+}
+
+const RayUnit::Setup& checked(const RayUnit::Setup& setup) {
+  if (setup.rays_in_flight < 1 || setup.rays_in_flight > RayUnit::most_rays_in_flight)
+    throw std::invalid_argument(fmt::format("{} rays in flight: allowed is 1 to {}", setup.rays_in_flight,
+                                            RayUnit::most_rays_in_flight));
+  return setup;
+}
+
+}  // namespace
+
+UnitCounts UnitCounts::zeros(bool referee) {
+  UnitCounts counts;
+  if (referee) counts.false_misses = counts.false_hits = 0;
+  return counts;
+}
 
 UnitCounts& UnitCounts::operator+=(const UnitCounts& other) {
   box_tests += other.box_tests;
   triangle_tests += other.triangle_tests;
   hits += other.hits;
   rtl_mismatches += other.rtl_mismatches;
-  false_misses += other.false_misses;
-  false_hits += other.false_hits;
+  add(false_misses, other.false_misses);
+  add(false_hits, other.false_hits);
   cycles += other.cycles;
   return *this;
 }
 
 RayUnit::RayUnit(const Setup& setup)
-    : setup_(setup),
+    : setup_(checked(setup)),
       model_(*setup.verilated),
       rays_(setup.feed->unit(static_cast<std::size_t>(setup.rays_in_flight))),
       slots_(static_cast<std::size_t>(setup.rays_in_flight)),
-      operands_(setup.verilated->operand_count()) {}
+      operands_(setup.verilated->operand_count()),
+      counts_(UnitCounts::zeros(setup.referee)) {}
 
 void RayUnit::send(std::size_t slot, Pins& pins) {
   Slot& s = slots_[slot];
@@ -42,8 +71,8 @@ void RayUnit::receive(const Pins& pins, bool in_turn) {
     ref::Ray ray = s.job.ray;
     ray.length = s.traversal->length();
     const bool meets = ref::ray_meets_box(ray, setup_.bvh->nodes[s.traversal->node()].box);
-    counts_.false_misses += meets && !pins.hit ? 1 : 0;
-    counts_.false_hits += !meets && pins.hit ? 1 : 0;
+    *counts_.false_misses += meets && !pins.hit ? 1 : 0;
+    *counts_.false_hits += !meets && pins.hit ? 1 : 0;
   }
   s.traversal->answer(pins.hit);
 }
@@ -78,7 +107,7 @@ void RayUnit::run(const std::function<std::optional<RayJob>()>& next,
     const bool sending = !ready.empty();
     const std::size_t sender = sending ? ready.front() : 0;
     if (sending) send(sender, pins);
-    model_.cycle(operands_.data(), pins);
+    rtl_time_.run([&] { model_.cycle(operands_.data(), pins); });
     ++counts_.cycles;
     if (sending && pins.in_ready) {
       ready.pop_front();
@@ -87,7 +116,7 @@ void RayUnit::run(const std::function<std::optional<RayJob>()>& next,
       ++in_pipeline;
     }
     if (++silent_cycles > setup_.verilated->latency() + 2) {
-      throw std::runtime_error("the Verilog did not answer a box test within its latency");
+      throw WrongHardware("the Verilog did not answer a box test within its latency");
     }
     if (!pins.out_valid) continue;
 

@@ -9,6 +9,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/feed.hpp"
+#include "sim/sampled_time.hpp"
 #include "sim/verilated_design.hpp"
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/scene/mesh.hpp"
@@ -22,10 +23,13 @@ struct UnitCounts {
   std::uint64_t hits = 0;  ///< box tests with HIT
   std::uint64_t rtl_mismatches =
       0;  ///< HIT of the Verilog differs from the C++ datapath, or comes back with another ray's tag
-  std::uint64_t false_misses = 0;  ///< against the exact referee
-  std::uint64_t false_hits = 0;
+  std::optional<std::uint64_t> false_misses;  ///< by the exact referee; nothing where none judged
+  std::optional<std::uint64_t> false_hits;
   std::uint64_t cycles = 0;
 
+  /// Zeros; the referee's too when there is one.
+  [[nodiscard]] static UnitCounts zeros(bool referee);
+  /// The referee's counts of a sum are there when both sides have them.
   UnitCounts& operator+=(const UnitCounts& other);
   friend bool operator==(const UnitCounts&, const UnitCounts&) = default;
 };
@@ -45,17 +49,23 @@ class RayUnit {
     const SceneFeed* feed;
     const ref::Bvh* bvh;
     const ref::Mesh* mesh;
-    int rays_in_flight;  ///< 1..65536
+    int rays_in_flight;  ///< 1..most_rays_in_flight
     bool referee;        ///< judge every answer by exact arithmetic
   };
 
+  static constexpr int most_rays_in_flight = 65'536;  ///< a tag has 16 bits
+
+  /// Throws std::invalid_argument, one line, for a number of rays in flight that is not allowed.
   explicit RayUnit(const Setup& setup);
 
   /// Runs until `next` has no more rays and all have ended. `ended` may make new rays for `next` to hand out.
+  /// Throws WrongHardware when the Verilog loses a box test.
   void run(const std::function<std::optional<RayJob>()>& next,
            const std::function<void(const RayJob&, const ref::Traversal&)>& ended);
 
   [[nodiscard]] const UnitCounts& counts() const { return counts_; }
+  /// For the cycles of the Verilog alone, estimated from samples (sim/sampled_time.hpp).
+  [[nodiscard]] double rtl_seconds() const { return rtl_time_.seconds(); }
 
  private:
   struct Slot {
@@ -74,6 +84,7 @@ class RayUnit {
   std::vector<Slot> slots_;
   std::vector<std::int64_t> operands_;
   UnitCounts counts_;
+  SampledTime<> rtl_time_;
 };
 
 }  // namespace hitpipe::sim

@@ -34,6 +34,11 @@ void add_software(std::string_view design, Software software) {
     throw std::invalid_argument(fmt::format("design {}: its software is known already", design));
 }
 
+std::vector<rtl::Format> stiffness_formats(const rtl::Design& design) {
+  const std::vector<rtl::Format>& own = software_of(design).stiffness_formats;
+  return own.empty() ? std::vector{design.default_format} : own;
+}
+
 std::string missing(const rtl::Design& design, std::string_view part) {
   return fmt::format("design {}: there is no {}", design.name, part);
 }

@@ -57,6 +57,9 @@ struct Software {
 /// For a program with designs of its own, before it uses any.
 void add_software(std::string_view design, Software software);
 
+/// The formats in which `stiffness` studies a design unless told otherwise; its default if it states none.
+[[nodiscard]] std::vector<rtl::Format> stiffness_formats(const rtl::Design& design);
+
 /// "design x: there is no set-up of rays and boxes", for a part that is missing.
 [[nodiscard]] std::string missing(const rtl::Design& design, std::string_view part);
 inline constexpr std::string_view set_up_part = "set-up of rays and boxes for its operands";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <mutex>
 #include <span>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -24,7 +25,7 @@ namespace {
 // A ray is set up once and asked about several boxes: set-up is the slow part.
 constexpr std::size_t boxes_per_ray = 32;
 constexpr std::size_t rays_per_batch = 64;  // a batch fits into a core's own cache
-constexpr std::size_t tests_per_batch = boxes_per_ray * rays_per_batch;
+constexpr std::uint64_t tests_per_batch = boxes_per_ray * rays_per_batch;
 
 /// SplitMix64 of the seed, the category and the batch: unrelated streams.
 std::uint64_t stream(std::uint64_t seed, std::uint64_t category, std::uint64_t batch) {
@@ -75,12 +76,13 @@ void count(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<cons
   }
 }
 
-CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_t seed, Model* model,
-                           int latency) {
+/// The first `tests` of a batch: what is drawn does not depend on how many are judged.
+CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_t seed, std::uint64_t tests,
+                           Model* model, int latency) {
   Random random(seed);
   std::vector<ref::Ray> rays;
   std::vector<ref::Aabb> boxes(tests_per_batch);
-  for (std::size_t i = 0; i < rays_per_batch; ++i) {
+  for (std::size_t i = 0; i * boxes_per_ray < tests; ++i) {
     const Case c = category.make(random);
     rays.push_back(c.ray);
     ref::adversary::neighbours(random, c.box, {boxes.data() + i * boxes_per_ray, boxes_per_ray});
@@ -88,15 +90,19 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
   CategoryResult result;
   result.category = category.name;
   RtlBatch rtl;
-  for (std::size_t i = 0; i < rays_per_batch; ++i) {
-    const std::span<const ref::Aabb> asked(boxes.data() + i * boxes_per_ray, boxes_per_ray);
-    std::array<bool, boxes_per_ray> hits{};
-    std::array<bool, boxes_per_ray> meets{};
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const std::size_t first = i * boxes_per_ray;
+    const std::size_t boxes_of_ray = std::min(boxes_per_ray, static_cast<std::size_t>(tests) - first);
+    const std::span<const ref::Aabb> asked(boxes.data() + first, boxes_of_ray);
+    std::array<bool, boxes_per_ray> hit_by{};
+    std::array<bool, boxes_per_ray> met_by{};
+    const std::span<bool> hits(hit_by.data(), boxes_of_ray);
+    const std::span<bool> meets(met_by.data(), boxes_of_ray);
     test.start(rays[i]);
     if (model == nullptr) {
       test.hits(asked, hits);
     } else {
-      for (std::size_t box = 0; box < boxes_per_ray; ++box) {
+      for (std::size_t box = 0; box < asked.size(); ++box) {
         hits[box] = test.hit(asked[box]);
         rtl.operands.insert(rtl.operands.end(), test.operands().begin(), test.operands().end());
         rtl.expected.push_back(hits[box]);
@@ -108,6 +114,69 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
   if (model != nullptr) result.rtl_mismatches = rtl_mismatches(*model, rtl, latency);
   return result;
 }
+
+/// Where a category's tests lie among all, cut into batches; only a category's last batch is short.
+struct Batch {
+  std::size_t category;
+  std::uint64_t number;  // within its category
+  std::uint64_t tests;
+};
+
+/// Shares all tests among the categories; the first ones take what is left over.
+class Shares {
+ public:
+  Shares(std::uint64_t tests, std::size_t categories)
+      : least_(tests / categories), left_over_(tests % categories), categories_(categories) {}
+
+  [[nodiscard]] std::uint64_t batches() const {
+    return left_over_ * batches_of(least_ + 1) + (categories_ - left_over_) * batches_of(least_);
+  }
+  [[nodiscard]] Batch operator[](std::uint64_t i) const {
+    const std::uint64_t larger = left_over_ * batches_of(least_ + 1);
+    if (i < larger) return batch(0, i, least_ + 1);
+    return batch(left_over_, i - larger, least_);
+  }
+
+ private:
+  static std::uint64_t batches_of(std::uint64_t share) {
+    return (share + tests_per_batch - 1) / tests_per_batch;
+  }
+  static Batch batch(std::uint64_t first_category, std::uint64_t i, std::uint64_t share) {
+    const std::uint64_t number = i % batches_of(share);
+    return {static_cast<std::size_t>(first_category + i / batches_of(share)), number,
+            std::min(tests_per_batch, share - number * tests_per_batch)};
+  }
+
+  std::uint64_t least_;
+  std::uint64_t left_over_;  // categories with a test more
+  std::uint64_t categories_;
+};
+
+/// The results of the batches that have ended, in any order.
+class Sums {
+ public:
+  explicit Sums(const std::vector<Category>& categories)
+      : results_(categories.size()), first_misses_(categories.size()) {
+    for (std::size_t c = 0; c < categories.size(); ++c) results_[c].category = categories[c].name;
+  }
+
+  void add(const Batch& batch, const CategoryResult& result) {
+    const std::scoped_lock lock(adding_);
+    std::uint64_t& first = first_misses_[batch.category];
+    CategoryResult& sum = results_[batch.category];
+    if (result.false_miss && (!sum.false_miss || batch.number < first)) {
+      first = batch.number;
+      sum.false_miss = result.false_miss;
+    }
+    sum += result;
+  }
+  [[nodiscard]] std::vector<CategoryResult> results() const { return results_; }
+
+ private:
+  std::mutex adding_;
+  std::vector<CategoryResult> results_;
+  std::vector<std::uint64_t> first_misses_;  // batches of the false misses that are kept
+};
 
 }  // namespace
 
@@ -124,10 +193,10 @@ CategoryResult& CategoryResult::operator+=(const CategoryResult& later) {
 std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& options) {
   const std::size_t categories = options.categories.size();
   if (categories == 0) return {};
-  const std::uint64_t share = (options.tests + categories - 1) / categories;
-  const std::size_t batches = std::max<std::size_t>(1, (share + tests_per_batch - 1) / tests_per_batch);
-  std::vector<CategoryResult> by_batch(categories * batches);
-  std::atomic<std::size_t> finished = 0;
+  const Shares shares(options.tests, categories);
+  const std::uint64_t batches = shares.batches();
+  Sums sums(options.categories);
+  std::atomic<std::uint64_t> finished = 0;
 
   struct Worker {
     std::unique_ptr<BoxTest> test;
@@ -141,22 +210,17 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
   // TBB warns on standard error of more threads than it has.
   oneapi::tbb::task_arena arena(std::min(options.threads, oneapi::tbb::info::default_concurrency()));
   arena.execute([&] {
-    oneapi::tbb::parallel_for(std::size_t{0}, by_batch.size(), [&](std::size_t i) {
+    oneapi::tbb::parallel_for(std::uint64_t{0}, batches, [&](std::uint64_t i) {
       Worker& worker = workers.local();
-      by_batch[i] = judge_batch(
-          *worker.test, options.categories[i / batches], stream(options.seed, i / batches, i % batches),
-          worker.model ? &*worker.model : nullptr, options.rtl != nullptr ? options.rtl->latency() : 0);
-      options.progress(static_cast<double>(++finished) / static_cast<double>(by_batch.size()));
+      const Batch batch = shares[i];
+      sums.add(batch, judge_batch(*worker.test, options.categories[batch.category],
+                                  stream(options.seed, batch.category, batch.number), batch.tests,
+                                  worker.model ? &*worker.model : nullptr,
+                                  options.rtl != nullptr ? options.rtl->latency() : 0));
+      options.progress(static_cast<double>(++finished) / static_cast<double>(batches));
     });
   });
-
-  std::vector<CategoryResult> results;
-  for (std::size_t c = 0; c < categories; ++c) {
-    CategoryResult& sum = results.emplace_back();
-    sum.category = options.categories[c].name;
-    for (std::size_t b = 0; b < batches; ++b) sum += by_batch[c * batches + b];
-  }
-  return results;
+  return sums.results();
 }
 
 bool is_false_miss(BoxTest& test, const Case& c) {

@@ -1,5 +1,5 @@
-// Judges a box test against the exact referee over the adversary's categories. The cases depend on the seed
-// and the number of tests alone, not on the threads.
+// Judges a box test against the exact referee over the adversary's categories. The cases of a category follow
+// from the seed and its place in the list. More tests go on with the same cases, and threads change nothing.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,10 @@
 namespace hitpipe::sim {
 
 struct CheckOptions {
-  std::vector<ref::adversary::Category> categories;  ///< which to draw from, in equal shares
-  std::uint64_t tests = 1'000'000;                   ///< at least so many in all
+  std::vector<ref::adversary::Category> categories;  ///< which to draw from
+  /// In all. Categories have equal shares; the first ones have a test more where the number cannot be
+  /// divided.
+  std::uint64_t tests = 1'000'000;
   std::uint64_t seed = 1;
   int threads = 1;
   const VerilatedDesign* rtl = nullptr;  ///< answers each test too, when given; the box test has its operands

@@ -127,10 +127,13 @@ std::vector<StiffBoxes> stiff_boxes(const MakeBoxTest& make, const StiffnessOpti
       }
     }
   }
-  const std::uint64_t share = (options.tests + kinds - 1) / kinds;
+  // The first kinds of each stiffness have a test more where the number cannot be divided.
+  const auto share = [&](std::size_t i) {
+    return options.tests / kinds + (i % kinds < options.tests % kinds ? 1 : 0);
+  };
   oneapi::tbb::enumerable_thread_specific<std::unique_ptr<BoxTest>> workers(make);
   in_parallel(sums.size(), options,
-              [&](std::size_t i) { judge(*workers.local(), stream(options.seed, i), share, sums[i]); });
+              [&](std::size_t i) { judge(*workers.local(), stream(options.seed, i), share(i), sums[i]); });
   return sums;
 }
 

@@ -23,7 +23,7 @@ using Stiffness = std::optional<int>;
 [[nodiscard]] std::span<const Stiffness> stiffnesses();
 
 struct StiffnessOptions {
-  std::uint64_t tests = 60'000;  ///< for each stiffness, shared by the kinds of box: at least so many
+  std::uint64_t tests = 60'000;  ///< for each stiffness, shared by the kinds of box
   std::uint64_t rays = 2'000;    ///< through the scene, for each stiffness
   std::uint64_t seed = 1;        ///< of the cases, which depend on nothing else but their number
   int threads = 1;

@@ -39,7 +39,7 @@ struct SweepRow {
   std::uint64_t different_pixels = 0;
   std::uint64_t cycles = 0;
 
-  double rtl_seconds = 0;     ///< measured: processor time of simulating the unit
+  double rtl_seconds = 0;     ///< measured: CosimResult::rtl_seconds, the Verilog alone
   double software_ratio = 0;  ///< measured: time of the design's software traversal, that of fp_slabs is 1
 
   [[nodiscard]] std::uint64_t rays_traced() const;

@@ -30,7 +30,7 @@ std::string printed(const std::vector<std::string>& arguments) {
 
 void rejected(const std::vector<std::string>& arguments, const std::string& message) {
   const Outcome outcome = area(arguments);
-  EXPECT_GT(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
 }

@@ -29,7 +29,7 @@ Json figures(std::vector<std::string> more) {
 void rejected(std::vector<std::string> more, const std::string& message) {
   more.insert(more.begin(), "bvh");
   const Outcome outcome = run_hitpipe(more);
-  EXPECT_GT(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
 }

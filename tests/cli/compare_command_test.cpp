@@ -22,7 +22,7 @@ class CompareCommand : public testing::Test {
   /// Nothing but one line of error.
   static void rejected(const std::vector<std::string>& arguments, const std::string& message) {
     const Outcome outcome = run_hitpipe(arguments);
-    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
   }

@@ -32,8 +32,8 @@ TEST(CosimCommand, PrintsEveryNumberAsJson) {
     EXPECT_TRUE(object.at(key).is_number_unsigned() || object.at(key) >= 0) << key;
     EXPECT_TRUE(object.at(key).is_number_integer()) << key;
   }
-  for (const char* const key :
-       {"extra_box_tests_pct", "extra_triangle_tests_pct", "occupancy_pct", "rtl_tests_per_s"}) {
+  for (const char* const key : {"extra_box_tests_pct", "extra_triangle_tests_pct", "occupancy_pct",
+                                "rtl_tests_per_s", "loop_tests_per_s"}) {
     EXPECT_TRUE(object.at(key).is_number_float()) << key;
   }
   EXPECT_EQ(object.at("design"), "int_slabs");
@@ -55,6 +55,7 @@ TEST(CosimCommand, PrintsEveryNumberAsJson) {
   EXPECT_GE(object.at("extra_box_tests_pct"), 0.0);
   EXPECT_GT(object.at("occupancy_pct"), 90.0);
   EXPECT_GT(object.at("rtl_tests_per_s"), 0.0);
+  EXPECT_GT(object.at("loop_tests_per_s"), 0.0);
   EXPECT_FALSE(object.contains("image"));
 }
 
@@ -95,8 +96,8 @@ TEST(CosimCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
       lines[0],
       "design,bits,scene,triangles,degenerate_dropped,bvh_nodes,rays_primary,rays_secondary,rays_shadow,"
       "rays_rejected,box_tests,hits,rtl_mismatches,false_misses,false_hits,different_triangles,"
-      "extra_box_tests_pct,extra_triangle_tests_pct,cycles,latency,rays_in_flight,occupancy_pct,rtl_tests_"
-      "per_s");
+      "extra_box_tests_pct,extra_triangle_tests_pct,cycles,latency,rays_in_flight,occupancy_pct,"
+      "rtl_tests_per_s,loop_tests_per_s");
   EXPECT_THAT(lines[1], StartsWith("int_slabs,20/24,spheres,24578,0,"));
 }
 
@@ -154,12 +155,57 @@ TEST(CosimCommand, CountsDoNotDependOnThreadsOrRaysInFlight) {
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
     json object = json::parse(outcome.out);
-    for (const char* const key : {"cycles", "occupancy_pct", "rays_in_flight", "rtl_tests_per_s"}) {
+    for (const char* const key :
+         {"cycles", "occupancy_pct", "rays_in_flight", "rtl_tests_per_s", "loop_tests_per_s"}) {
       object.erase(key);
       usual.erase(key);
     }
     EXPECT_EQ(object, usual) << how[0] << " " << how[1];
   }
+}
+
+/// Verilog that never answers is wrong hardware too.
+TEST(CosimCommand, VerilogThatNeverAnswersFails) {
+  const sim::TemporaryFolder folder;
+  const std::string verilator = folder
+                                    .write_program("verilator", R"script(#!/bin/sh
+if [ "$1" = --version ]; then echo 'never answers'; exit; fi
+if [ "$1" = --cc ]; then
+  for file; do :; done
+  sed -i 's/assign out_valid = .*;/assign out_valid = 0;/' "$file"
+fi
+exec verilator "$@"
+)script")
+                                    .string();
+  const Outcome outcome = run_hitpipe(
+      {"cosim", "int_slabs", "--bits", "12/12", "--scene", "spheres", "--width", "4", "--height", "4"},
+      {{"VERILATOR", verilator}});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "hitpipe: the Verilog did not answer a box test within its latency\n");
+}
+
+/// Without a referee nothing is said of false misses.
+TEST(CosimCommand, WrongVerilogFailsWithoutRefereeToo) {
+  const sim::TemporaryFolder folder;
+  const std::string verilator = folder
+                                    .write_program("verilator", R"script(#!/bin/sh
+if [ "$1" = --version ]; then echo 'always misses'; exit; fi
+if [ "$1" = --cc ]; then
+  for file; do :; done
+  sed -i 's/assign hit = .*;/assign hit = 0;/' "$file"
+fi
+exec verilator "$@"
+)script")
+                                    .string();
+  const Outcome outcome = run_hitpipe({"cosim", "int_slabs", "--bits", "12/12", "--scene", "spheres",
+                                       "--width", "4", "--height", "4", "--format", "json"},
+                                      {{"VERILATOR", verilator}});
+  EXPECT_EQ(outcome.exit_code, 1);
+  const json object = json::parse(outcome.out);
+  EXPECT_EQ(outcome.err, "hitpipe: int_slabs 12/12 on spheres: " + object.at("rtl_mismatches").dump() +
+                             " RTL mismatches, " + object.at("different_triangles").dump() +
+                             " different triangles; all must be 0\n");
 }
 
 /// Verilog that always misses: the counts are printed, then one line and a code that is not 0.

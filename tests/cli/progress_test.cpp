@@ -1,5 +1,5 @@
 // Progress is shown on a terminal only, within its line, and leaves nothing behind.
-#include "cli/progress.hpp"
+#include "cli/text/progress.hpp"
 
 #include <chrono>
 #include <cstdio>

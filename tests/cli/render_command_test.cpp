@@ -106,7 +106,7 @@ TEST(RenderCommand, TracesAsItIsTold) {
 TEST(RenderCommand, CombinationsThatDoNotExistRejected) {
   const auto refused = [](const std::vector<std::string>& options, const std::string& message) {
     const Outcome outcome = run_hitpipe(with(small, options));
-    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_THAT(outcome.err, testing::MatchesRegex("hitpipe: " + message + "\n"));
   };

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/report_page.hpp"
-#include "cli/sweep_rows.hpp"
+#include "cli/report/report_page.hpp"
+#include "cli/report/sweep_rows.hpp"
 #include "sim/sweep/rows_file.hpp"
 #include "tests/cli/program.hpp"
 
@@ -103,7 +103,7 @@ TEST_F(ReportCommand, NamesCommandsThatMeasureTheSameRows) {
 TEST_F(ReportCommand, BadInputRejected) {
   const auto rejected = [&](const std::vector<std::string>& more, const std::string& message) {
     const Outcome outcome = run_hitpipe(report(folder_->path() / "none", more));
-    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_THAT(outcome.err, HasSubstr(message));
     EXPECT_EQ(lines_of(outcome.err).size(), 1U);
@@ -112,7 +112,9 @@ TEST_F(ReportCommand, BadInputRejected) {
   rejected({"--image-design", "fp_slabs"},
            "hitpipe: design fp_slabs: computes in floats; give an integer design\n");
   const std::string rows = (out() / "rows.csv").string();
-  rejected({"--rows", rows, "--fov", "30"}, "give rows of the same scene and size, or another folder\n");
+  rejected({"--rows", rows, "--fov", "30"}, "give another file or remove it\n");
+  rejected({"--seed", "-1"},
+           "hitpipe: --seed: Value -1 not in range 0 to 18446744073709551615; see hitpipe report --help\n");
   const std::string none = (out() / "none.csv").string();
   rejected({"--rows", none}, "hitpipe: " + none + ": cannot read the rows\n");
 }
@@ -121,7 +123,7 @@ TEST_F(ReportCommand, MissingGnuplotRejected) {
   const Outcome outcome =
       run_hitpipe(report(folder_->path() / "none", {"--rows", (out() / "rows.csv").string()}),
                   {{"PATH", folder_->path().string()}});
-  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err, "hitpipe: report: gnuplot was not found; install the package gnuplot-nox\n");
 }
 

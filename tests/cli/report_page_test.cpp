@@ -1,10 +1,10 @@
 // The parts of a report's page: text, numbers, pictures and drawings as HTML; places of labels.
-#include "cli/report_page.hpp"
+#include "cli/report/report_page.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/label_places.hpp"
+#include "cli/report/label_places.hpp"
 
 namespace hitpipe::cli {
 namespace {

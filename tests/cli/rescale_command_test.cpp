@@ -103,9 +103,24 @@ TEST(RescaleCommand, MeshFileIsMovedAsLoaded) {
   }
 }
 
+/// Commas, blanks, or the option again; an offset has commas of its own.
+TEST(RescaleCommand, TakesListsInEveryForm) {
+  const auto lists = [](const std::vector<std::string>& how) {
+    std::vector<std::string> arguments = how;
+    arguments.insert(arguments.end(), {"--format", "csv"});
+    const Outcome outcome = run_hitpipe(rescale(arguments));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string again = lists({"--scale", "2", "--scale", "3", "--offset", "1,2,3", "--offset", "4,5,6"});
+  EXPECT_EQ(lines_of(again).size(), 5U);
+  EXPECT_EQ(lists({"--scale", "2,3", "--offset", "1,2,3", "4,5,6"}), again);
+  EXPECT_EQ(lists({"--offset", "1,2,3", "4,5,6", "--scale", "2", "3"}), again);
+}
+
 void expect_error(const std::vector<std::string>& more, const std::string& message) {
   const Outcome outcome = run_hitpipe(rescale(more));
-  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
 }
@@ -129,7 +144,7 @@ TEST(RescaleCommand, BadInputRejected) {
 
 TEST(RescaleCommand, SceneThatDoesNotSurviveRejected) {
   const Outcome outcome = run_hitpipe(rescale({"--scale", "2^127"}));
-  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, StartsWith("hitpipe: transform 2^127: vertex "));
   EXPECT_THAT(outcome.err, testing::EndsWith(" leaves the range of binary32\n"));
   EXPECT_EQ(lines_of(outcome.err).size(), 1U);

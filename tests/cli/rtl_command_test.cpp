@@ -132,7 +132,7 @@ TEST_F(RtlCommand, SlowerClockTakesFewerStages) {
 
 TEST_F(RtlCommand, ClockTooFastRejected) {
   const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--clock-ps", "3175"});
-  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err,
             "hitpipe: int_slabs: a clock of 3175 ps is too short for int_multiply:20; the smallest that can "

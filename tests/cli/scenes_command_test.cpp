@@ -35,7 +35,7 @@ TEST(SceneOptions, TrianglesThatASceneCannotHaveRejected) {
     std::vector<std::string> arguments{"render", "--width", "4", "--height", "4", "--scene"};
     arguments.insert(arguments.end(), scene.begin(), scene.end());
     const Outcome outcome = run_hitpipe(arguments);
-    EXPECT_GT(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
   };

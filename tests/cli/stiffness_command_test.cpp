@@ -120,9 +120,34 @@ TEST(StiffnessCommand, FloatDesignIsMeasuredInItsOneFormat) {
   EXPECT_EQ(lines[1], "ratio  fp32");
 }
 
+/// Commas, blanks, or the option again.
+TEST(StiffnessCommand, TakesListsInEveryForm) {
+  const auto lists = [](const std::vector<std::string>& how) {
+    std::vector<std::string> arguments = how;
+    arguments.insert(arguments.end(), {"--format", "csv"});
+    const Outcome outcome = run_hitpipe(stiffness(arguments));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string blanks = lists({"--designs", "int_slabs", "int_plucker", "--bits", "12/12", "16/16"});
+  EXPECT_EQ(lines_of(blanks).size(), 1 + 4 * ratios * kinds);
+  EXPECT_EQ(lists({"--designs", "int_slabs,int_plucker", "--bits", "12/12,16/16"}), blanks);
+  EXPECT_EQ(
+      lists({"--designs", "int_slabs", "--designs", "int_plucker", "--bits", "12/12", "--bits", "16/16"}),
+      blanks);
+}
+
+TEST(StiffnessCommand, RunsAsManyTestsAsAsked) {
+  const Outcome outcome = run_hitpipe(
+      {"stiffness", "--tests", "20", "--designs", "int_slabs", "--bits", "12/12", "--format", "json"});
+  std::uint64_t tests = 0;
+  for (const json& row : json::parse(outcome.out)) tests += row.at("tests").get<std::uint64_t>();
+  EXPECT_EQ(tests, 20 * ratios);
+}
+
 void expect_error(const std::vector<std::string>& more, const std::string& message) {
   const Outcome outcome = run_hitpipe(stiffness(more));
-  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
 }
@@ -136,6 +161,14 @@ TEST(StiffnessCommand, BadInputRejected) {
                "scene \"cone\": no built-in scene and no file of that name; built-in are: spheres, branch, "
                "poppy, plant, plant_front, plant_north, plant_boiler, statue, two_statues, "
                "plant_slice, waves");
+  expect_error({"--bits", "6/6,7/7,8/8,9/9,10/10,11/11,12/12,13/13,14/14"},
+               "--bits: 9 formats; allowed are 8 at most; see hitpipe stiffness --help");
+  for (const char* const seed : {"-1", "18446744073709551616"}) {
+    expect_error({"--seed", seed}, "--seed: Value " + std::string(seed) +
+                                       " not in range 0 to 18446744073709551615; see hitpipe stiffness "
+                                       "--help");
+  }
+  expect_error({"--rays", "0"}, "--rays: Value 0 not in range 1 to 1000000000; see hitpipe stiffness --help");
   expect_error({"--out", ""}, "--out: is empty; give the name of a folder; see hitpipe stiffness --help");
 }
 
@@ -144,7 +177,7 @@ TEST(StiffnessCommand, MissingGnuplotRejected) {
   const Outcome outcome = run_hitpipe(
       stiffness({"--designs", "int_slabs", "--bits", "12/12", "--out", (folder.path() / "out").string()}),
       {{"PATH", folder.path().string()}});
-  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err, "hitpipe: stiffness: gnuplot was not found; install the package gnuplot-nox\n");
 }
 

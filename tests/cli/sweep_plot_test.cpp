@@ -1,10 +1,10 @@
 // Work-precision diagrams: which units are on the front, where they stand, and axes that no scene moves.
-#include "cli/sweep_plot.hpp"
+#include "cli/report/sweep_plot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/sweep_rows.hpp"
+#include "cli/report/sweep_rows.hpp"
 
 namespace hitpipe::cli {
 namespace {

@@ -59,7 +59,7 @@ TEST(TableCommand, CsvHasALineForEachSource) {
 TEST(TableCommand, BadInputRejected) {
   const auto rejected = [](const std::vector<std::string>& arguments, const std::string& message) {
     const Outcome outcome = run_hitpipe(arguments);
-    EXPECT_GT(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_THAT(outcome.err, testing::StartsWith("hitpipe: " + message));
     EXPECT_EQ(lines_of(outcome.err).size(), 1U);

@@ -1,5 +1,5 @@
 // Rows as text, CSV and JSON.
-#include "cli/table.hpp"
+#include "cli/text/table.hpp"
 
 #include <gtest/gtest.h>
 

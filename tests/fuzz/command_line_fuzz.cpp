@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/help.hpp"
+#include "cli/text/help.hpp"
 #include "rtl_gen/catalogue/format.hpp"
 #include "tests/fuzz/expect.hpp"
 
@@ -36,21 +36,7 @@ int parse(std::vector<std::string> words) {
   program.require_subcommand(1);
   program.formatter(std::make_shared<cli::HelpFormatter>());
   int exit_code = 0;
-  cli::add_designs_command(program);
-  cli::add_scenes_command(program);
-  cli::add_rtl_command(program);
-  cli::add_area_command(program);
-  cli::add_bvh_command(program);
-  cli::add_render_command(program);
-  cli::add_compare_command(program, exit_code);
-  cli::add_cosim_command(program, exit_code);
-  cli::add_sweep_command(program, exit_code);
-  cli::add_table_command(program);
-  cli::add_check_command(program, exit_code);
-  cli::add_stiffness_command(program, exit_code);
-  cli::add_rescale_command(program, exit_code);
-  cli::add_fit_command(program, exit_code);
-  cli::add_report_command(program, exit_code);
+  cli::add_commands(program, exit_code);
   program.parse_complete_callback([] { throw Understood(); });  // comes before the command's own
   try {
     program.parse(std::vector<std::string>(words.rbegin(), words.rend()));

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/table.hpp"
+#include "cli/text/table.hpp"
 #include "tests/fuzz/expect.hpp"
 
 namespace {

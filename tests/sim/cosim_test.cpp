@@ -103,7 +103,11 @@ TEST_P(Cosim, FindsTheTrianglesAndTheImageOfSoftware) {
   EXPECT_GT(result.unit.box_tests, 10'000U);
   EXPECT_GT(result.unit.hits, result.unit.false_hits);
   EXPECT_GT(result.rays_shadow, 1000U);
+  // The Verilog is a part of the loop; a sampled time may err by a little.
+  EXPECT_GT(result.rtl_seconds, 0.0);
+  EXPECT_GT(result.loop_seconds, 0.0);
   EXPECT_GT(result.rtl_tests_per_s(), 0.0);
+  EXPECT_GT(result.loop_tests_per_s(), 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(ScenesAndFormats, Cosim,
@@ -157,8 +161,8 @@ TEST_P(CosimOfUnit, IsVerifiedOnHills) {
                  {.width = 64, .height = 64, .threads = 2, .referee = true});
   std::printf("%llu box tests, %llu false hits, %llu false misses, %llu different triangles\n",
               static_cast<unsigned long long>(result.unit.box_tests),
-              static_cast<unsigned long long>(result.unit.false_hits),
-              static_cast<unsigned long long>(result.unit.false_misses),
+              static_cast<unsigned long long>(result.unit.false_hits.value()),
+              static_cast<unsigned long long>(result.unit.false_misses.value()),
               static_cast<unsigned long long>(result.different_triangles));
   EXPECT_EQ(result.rays_primary, 64U * 64U);
   EXPECT_GT(result.unit.box_tests, 4 * result.rays_primary);
@@ -196,7 +200,7 @@ TEST(CosimCounts, RaysFromOutsideTheCubeAreRejectedAndHitNothing) {
   EXPECT_EQ(result.rejected, 200U);
   EXPECT_EQ(result.rays_secondary, 0U);
   EXPECT_EQ(result.rays_shadow, 0U);
-  EXPECT_EQ(result.unit, UnitCounts{});
+  EXPECT_EQ(result.unit, UnitCounts::zeros(true));
   EXPECT_EQ(result.reference, ref::TraversalCounts{});
   EXPECT_EQ(result.triangles, std::vector<std::uint32_t>(200, ref::Hit::none));
   EXPECT_EQ(result.occupancy_pct(), 0.0);
@@ -233,6 +237,7 @@ TEST(CosimProgress, TellsEveryTileAndEndsAtOne) {
 
 TEST(CosimResultVerdict, NeedsNoMismatchNoDifferenceAndNoFalseMissOfAConservativeDesign) {
   CosimResult result;
+  result.unit = UnitCounts::zeros(true);
   EXPECT_TRUE(result.verified(true));
   result.unit.false_hits = 1;  // allowed
   result.rejected = 1;
@@ -247,21 +252,60 @@ TEST(CosimResultVerdict, NeedsNoMismatchNoDifferenceAndNoFalseMissOfAConservativ
   EXPECT_FALSE(result.verified(false));
 }
 
+TEST(CosimResultVerdict, SaysNothingOfFalseMissesWithoutReferee) {
+  const CosimOfScene cosim("hills");
+  const CosimResult result = cosim.run(usual, {.width = 16, .height = 16});
+  EXPECT_FALSE(result.unit.false_misses);
+  EXPECT_FALSE(result.unit.false_hits);
+  EXPECT_FALSE(result.without_false_miss());
+  EXPECT_TRUE(result.same_as_software());
+  EXPECT_TRUE(result.verified(false));
+  EXPECT_FALSE(result.verified(true));
+  const CosimResult judged = cosim.run(usual, {.width = 16, .height = 16, .referee = true});
+  EXPECT_EQ(judged.without_false_miss(), true);
+  EXPECT_TRUE(judged.verified(true));
+}
+
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Cosim, OfNoRaysOrNoPixelsIsRefused) {
+  const CosimOfScene cosim("hills");
+  for (const int rays : {0, -1, 65'537}) {
+    EXPECT_EQ(refusal([&] { (void)cosim.run(usual, {.width = 8, .height = 8, .rays_in_flight = rays}); }),
+              std::to_string(rays) + " rays in flight: allowed is 1 to 65536");
+  }
+  EXPECT_EQ(refusal([&] { (void)cosim.run(usual, {.width = 0, .height = 8}); }),
+            "image of 0 x 8 pixels: allowed is 1 x 1 and more");
+  EXPECT_EQ(refusal([&] { (void)cosim.run(usual, {.width = 8, .height = 0}); }),
+            "image of 8 x 0 pixels: allowed is 1 x 1 and more");
+}
+
 TEST(CosimResultShares, AreTheirDefinitions) {
   CosimResult result;
   EXPECT_EQ(result.occupancy_pct(), 0.0);
   EXPECT_EQ(result.extra_box_tests_pct(), 0.0);
   EXPECT_EQ(result.extra_triangle_tests_pct(), 0.0);
   EXPECT_EQ(result.rtl_tests_per_s(), 0.0);
+  EXPECT_EQ(result.loop_tests_per_s(), 0.0);
   result.unit.box_tests = 150;
   result.unit.triangle_tests = 30;
   result.unit.cycles = 200;
   result.reference = {.box_tests = 120, .triangle_tests = 40};
   result.rtl_seconds = 0.5;
+  result.loop_seconds = 1.5;
   EXPECT_DOUBLE_EQ(result.occupancy_pct(), 75.0);
   EXPECT_DOUBLE_EQ(result.extra_box_tests_pct(), 25.0);
   EXPECT_DOUBLE_EQ(result.extra_triangle_tests_pct(), -25.0);
   EXPECT_DOUBLE_EQ(result.rtl_tests_per_s(), 300.0);
+  EXPECT_DOUBLE_EQ(result.loop_tests_per_s(), 100.0);
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST_P(RayUnitOnHills, FindsWhatSoftwareFinds) {
 
 /// The same rays steered by the C++ datapath, without cycles, and judged here.
 TEST_P(RayUnitOnHills, CountsWhatTheDatapathSays) {
-  UnitCounts expected;
+  UnitCounts expected = UnitCounts::zeros(true);
   const auto rays = feed_->unit(1);
   std::vector<std::int64_t> operands(verilated(GetParam()).operand_count());
   for (const RayJob& job : jobs_) {
@@ -119,8 +119,8 @@ TEST_P(RayUnitOnHills, CountsWhatTheDatapathSays) {
       const bool meets = ref::ray_meets_box_exact(cut, bvh_.nodes[traversal.node()].box);
       ++expected.box_tests;
       expected.hits += hit ? 1 : 0;
-      expected.false_hits += hit && !meets ? 1 : 0;
-      expected.false_misses += !hit && meets ? 1 : 0;
+      *expected.false_hits += hit && !meets ? 1 : 0;
+      *expected.false_misses += !hit && meets ? 1 : 0;
       traversal.answer(hit);
     }
     expected.triangle_tests += traversal.counts().triangle_tests;
@@ -156,8 +156,10 @@ TEST_P(RayUnitOnHills, OnlyCyclesDependOnRaysInFlight) {
 TEST_P(RayUnitOnHills, RefereeOnlyAddsItsCounts) {
   UnitCounts judged = run(32, datapath(), true).counts;
   const UnitCounts unjudged = run(32, datapath(), false).counts;
-  EXPECT_EQ(unjudged.false_hits, 0U);
-  judged.false_hits = 0;
+  EXPECT_EQ(unjudged.false_hits, std::nullopt);
+  EXPECT_EQ(unjudged.false_misses, std::nullopt);
+  judged.false_hits.reset();
+  judged.false_misses.reset();
   EXPECT_EQ(judged, unjudged);
 }
 
@@ -175,7 +177,13 @@ TEST_P(RayUnitOnHills, EveryAnswerIsComparedWithTheDatapath) {
 TEST_P(RayUnitOnHills, NoRaysTakeNoCycle) {
   jobs_.clear();
   const Outcome outcome = run(32, datapath());
-  EXPECT_EQ(outcome.counts, UnitCounts{});
+  EXPECT_EQ(outcome.counts, UnitCounts::zeros(true));
+}
+
+/// With none it would trace nothing, and nothing would be wrong.
+TEST_P(RayUnitOnHills, NumberOfRaysInFlightThatATagCannotHoldIsRefused) {
+  for (const int rays : {-1, 0, 65'537}) EXPECT_THROW((void)run(rays, datapath()), std::invalid_argument);
+  EXPECT_EQ(run(65'536, datapath()).ended, ray_count);
 }
 
 INSTANTIATE_TEST_SUITE_P(Units, RayUnitOnHills, testing::ValuesIn(conservative_units()),
@@ -185,6 +193,15 @@ TEST(UnitCountsSum, AddsEveryField) {
   UnitCounts sum{1, 2, 3, 4, 5, 6, 7};
   sum += {10, 20, 30, 40, 50, 60, 70};
   EXPECT_EQ(sum, (UnitCounts{11, 22, 33, 44, 55, 66, 77}));
+}
+
+/// What one side did not look for, nobody knows of the sum.
+TEST(UnitCountsSum, IsJudgedOnlyIfBothSidesAre) {
+  UnitCounts sum = UnitCounts::zeros(true);
+  sum += UnitCounts::zeros(false);
+  EXPECT_EQ(sum, UnitCounts::zeros(false));
+  sum += UnitCounts::zeros(true);
+  EXPECT_EQ(sum, UnitCounts::zeros(false));
 }
 
 }  // namespace

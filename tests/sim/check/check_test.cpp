@@ -71,19 +71,52 @@ TEST(Check, ResultsDoNotDependOnThreads) {
   }
 }
 
-TEST(Check, DrawsEveryCategoryInEqualSharesAndNoFewerThanAsked) {
-  for (const std::uint64_t tests : {1U, 55'296U, 55'297U, 300'000U}) {
+TEST(Check, RunsAsManyTestsAsAskedInEqualShares) {
+  // Around a multiple of the 27 categories, of a ray's 32 boxes and of a batch's 2048 tests.
+  for (const std::uint64_t tests :
+       {1U, 26U, 27U, 28U, 20'000U, 27U * 32U + 1U, 55'295U, 55'296U, 55'297U, 300'000U}) {
     const auto results = check([] { return std::make_unique<Constant>(true, nullptr); },
-                               {.categories = all_categories(), .tests = tests, .seed = seed});
+                               {.categories = all_categories(), .tests = tests, .seed = seed, .threads = 2});
     ASSERT_EQ(results.size(), 27U);
     for (std::size_t i = 0; i < results.size(); ++i) {
       EXPECT_EQ(results[i].category, ref::adversary::categories()[i].name);
-      EXPECT_EQ(results[i].tests, results[0].tests);
-      EXPECT_GT(results[i].hits, results[i].tests / 100) << results[i].category;
+      EXPECT_EQ(results[i].tests, tests / 27 + (i < tests % 27 ? 1 : 0)) << tests;
+      if (tests > 50'000) {
+        EXPECT_GT(results[i].hits, results[i].tests / 100) << results[i].category;
+      }
     }
-    EXPECT_GE(sum_of(results).tests, tests);
-    EXPECT_LT(sum_of(results).tests, tests + 27U * 2048U);
+    EXPECT_EQ(sum_of(results).tests, tests);
   }
+}
+
+/// A longer run begins with the cases of a shorter one.
+TEST(Check, MoreTestsGoOnWithTheSameCases) {
+  const auto asked_in = [](std::uint64_t tests) {
+    std::vector<Case> asked;
+    (void)check([&] { return std::make_unique<Constant>(true, &asked); },
+                {.categories = {ref::adversary::categories()[1]}, .tests = tests, .seed = seed});
+    EXPECT_EQ(asked.size(), tests);
+    return asked;
+  };
+  // The batches of one thread come in turn.
+  const std::vector<Case> all = asked_in(2 * 2048);
+  for (const std::uint64_t tests : {1U, 31U, 33U, 2047U, 2049U}) {
+    const std::vector<Case> few = asked_in(tests);
+    for (std::size_t i = 0; i < few.size(); ++i) ASSERT_EQ(to_text(few[i]), to_text(all[i])) << tests;
+  }
+}
+
+/// What no memory could hold batch by batch: the check begins, and ends by an exception of the first test.
+TEST(Check, TakesNoMemoryForTestsThatAreToCome) {
+  struct Enough : std::exception {};
+  class Stops final : public BoxTest {
+   public:
+    void start(const ref::Ray& /*ray*/) override { throw Enough(); }
+    bool hit(const ref::Aabb& /*box*/) override { return true; }
+  };
+  EXPECT_THROW((void)check([] { return std::make_unique<Stops>(); },
+                           {.categories = all_categories(), .tests = 10'000'000'000'000, .seed = seed}),
+               Enough);
 }
 
 TEST(Check, OfNoCategoryIsNothing) {
@@ -95,7 +128,7 @@ TEST(Check, SeedChangesTheCases) {
   for (std::size_t i = 0; i < asked.size(); ++i) {
     (void)check(
         [&] { return std::make_unique<Constant>(true, &asked[i]); },
-        {.categories = {ref::adversary::categories()[0]}, .tests = 1, .seed = i < 2 ? seed : seed + 1});
+        {.categories = {ref::adversary::categories()[0]}, .tests = 2048, .seed = i < 2 ? seed : seed + 1});
     ASSERT_EQ(asked[i].size(), 2048U);
   }
   int different = 0;
@@ -120,7 +153,7 @@ TEST(Check, KeepsTheFirstFalseMiss) {
   for (const Category& category : ref::adversary::categories()) {
     std::vector<Case> asked;
     const CategoryResult r = sum_of(check([&] { return std::make_unique<Constant>(false, &asked); },
-                                          {.categories = {category}, .tests = 1, .seed = seed}));
+                                          {.categories = {category}, .tests = 2048, .seed = seed}));
     EXPECT_EQ(r.false_misses, r.hits) << category.name;
     EXPECT_EQ(r.false_hits, 0U) << category.name;
     std::uint64_t hits = 0;
@@ -200,10 +233,11 @@ exec {} "$@"
   return {unit.design(), unit.format, rtl::Library::thesis()};
 }
 
-CategoryResult judged_with(const Unit& unit, const VerilatedDesign& rtl, int threads) {
+CategoryResult judged_with(const Unit& unit, const VerilatedDesign& rtl, int threads,
+                           std::uint64_t tests = 27U * 2048U) {
   return sum_of(
       check([&] { return make_box_test(unit.design(), unit.format); },
-            {.categories = all_categories(), .tests = 1, .seed = seed, .threads = threads, .rtl = &rtl}));
+            {.categories = all_categories(), .tests = tests, .seed = seed, .threads = threads, .rtl = &rtl}));
 }
 
 TEST(CheckOfTheVerilog, AnswersEveryTestAsTheCpp) {
@@ -223,6 +257,13 @@ TEST(CheckOfTheVerilog, CountsEveryWrongAnswer) {
   EXPECT_EQ(sum.tests, 27U * 2048U);
   EXPECT_EQ(sum.rtl_mismatches, sum.tests);
   EXPECT_EQ(sum.false_misses, 0U);  // of the C++
+}
+
+TEST(CheckOfTheVerilog, CountsEveryWrongAnswerOfAShortBatch) {
+  const Unit unit{"int_slabs", {12, 12}};
+  const CategoryResult sum = judged_with(unit, inverted(unit), 2, 1000);
+  EXPECT_EQ(sum.tests, 1000U);
+  EXPECT_EQ(sum.rtl_mismatches, 1000U);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(StiffBoxes, ShareTheTestsAmongTheKinds) {
   const std::vector<StiffBoxes> kinds = measured(rtl::find_design("int_slabs"), {12, 12}, 601);
   ASSERT_EQ(kinds.size(), 6 * (last + 1));
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    EXPECT_EQ(kinds[i].tests, 101U);
+    EXPECT_EQ(kinds[i].tests, i % 6 == 0 ? 101U : 100U);
     EXPECT_EQ(kinds[i].stiffness, stiffnesses()[i / 6]);
     EXPECT_EQ(kinds[i].aimed, i % 2 == 0);
     if (kinds[i].aimed) {

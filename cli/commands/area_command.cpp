@@ -1,0 +1,153 @@
+#include <memory>
+#include <optional>
+#include <set>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "area_model/figure.hpp"
+#include "area_model/price.hpp"
+#include "cli/commands.hpp"
+#include "cli/options/design_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/area_text.hpp"
+#include "cli/text/table.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+using area::Account;
+using area::Line;
+using area::Price;
+
+struct AreaOptions {
+  DesignsChoice units;
+  Account account = Account::built;
+  std::string library;
+  Format format = Format::text;
+  bool by_stage = false;
+};
+
+/// Those of Table 7.2 unless the user names others.
+std::vector<area::Entry> chosen(const AreaOptions& options) {
+  if (options.units.names.empty()) return area::table_7_2();
+  const auto any = [](const rtl::Design&) { return std::string(); };
+  const auto own = [](const rtl::Design& design) { return std::vector{design.default_format}; };
+  std::vector<area::Entry> entries;
+  for (const sim::DesignFormats& each : options.units.formats(options.units.designs(any), own))
+    for (const rtl::Format& format : each.formats) entries.push_back({each.design->name, format});
+  return entries;
+}
+
+std::set<area::Part> parts_of(const std::vector<Price>& prices) {
+  std::set<area::Part> parts;
+  for (const Price& price : prices) {
+    for (const Line& line : price.lines) parts.insert(line.part);
+  }
+  return parts;
+}
+
+/// Appends a count for every part, 0 where there is none, and the names of the estimated ones.
+void append_parts(Row& row, const std::vector<Line>& lines, const std::set<area::Part>& parts) {
+  for (const area::Part& part : parts) row[area::part_name(part)] = 0;
+  Row estimated = Row::array();
+  for (const Line& line : lines) {
+    row[area::part_name(line.part)] = line.n;
+    if (line.estimated) estimated.push_back(area::part_name(line.part));
+  }
+  row["estimated"] = estimated;
+}
+
+/// A CSV cell keeps the figure's last noughts; in JSON it is a number.
+Row figure(const std::string& digits, Format format) {
+  return format == Format::csv ? Row(digits) : Row::parse(digits);
+}
+
+std::vector<Row> design_rows(const std::vector<Price>& prices, const std::optional<Price>& yardstick,
+                             Format format) {
+  const auto share = [&](std::int64_t part, std::int64_t whole) {
+    return figure(area::percent(part, whole), format);
+  };
+  const std::set<area::Part> parts = parts_of(prices);
+  std::vector<Row> rows;
+  for (const Price& p : prices) {
+    Row row{{"design", p.design},
+            {"bits", rtl::to_string(p.format)},
+            {"stages", p.stages},
+            {"stage_delay_ns", figure(area::delay_ns(p.stage_delay_ps), format)},
+            {"clock_mhz", figure(area::clock_mhz(p), format)},
+            {"latency_ns", figure(area::delay_ns(p.latency_ps()), format)},
+            {"area_mm2", figure(area::area_mm2(p.area_um2), format)},
+            {"area_pct", yardstick ? share(p.area_um2, yardstick->area_um2) : Row(nullptr)},
+            {"adp_mm2_ns", figure(area::adp_mm2_ns(p), format)},
+            {"adp_pct", yardstick ? share(p.area_delay(), yardstick->area_delay()) : Row(nullptr)}};
+    append_parts(row, p.lines, parts);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<Row> stage_rows(const std::vector<Price>& prices, Format format) {
+  const std::set<area::Part> parts = parts_of(prices);
+  std::vector<Row> rows;
+  for (const Price& p : prices) {
+    for (const area::StagePrice& stage : p.by_stage) {
+      Row row{{"design", p.design},
+              {"bits", rtl::to_string(p.format)},
+              {"stage", stage.stage},
+              {"area_mm2", figure(area::area_mm2(stage.area_um2), format)}};
+      append_parts(row, stage.lines, parts);
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+void print_prices(const AreaOptions& options) {
+  const rtl::Library library =
+      options.library.empty() ? rtl::Library::thesis() : rtl::Library::load(options.library);
+  const auto priced = [&](const area::Entry& entry) {
+    return area::price(rtl::find_design(entry.design), entry.format, library, options.account);
+  };
+  std::vector<Price> prices;
+  for (const area::Entry& entry : chosen(options)) prices.push_back(priced(entry));
+  if (options.by_stage) {
+    fmt::print("{}", options.format == Format::text
+                         ? by_stage_text(prices)
+                         : table_text(stage_rows(prices, options.format), options.format));
+    return;
+  }
+  std::optional<Price> yardstick;
+  if (area::can_price_yardstick(library)) yardstick = priced(area::yardstick());
+  fmt::print("{}", options.format == Format::text
+                       ? area_text(prices, yardstick)
+                       : table_text(design_rows(prices, yardstick, options.format), options.format));
+}
+
+}  // namespace
+
+void add_area_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App* const command = program.add_subcommand(
+      "area", "Price designs: components, area, stages, delay; Table 7.2 of the thesis");
+  const auto options = std::make_shared<AreaOptions>();
+  CLI::Option* const designs =
+      command
+          ->add_option("design", options->units.names,
+                       "Names that `hitpipe designs` lists; without any, the six designs of Table 7.2")
+          ->delimiter(',')
+          ->type_name("NAME");
+  add_bits_option(*command, options->units, "each design's own")->needs(designs);
+  add_choice_option<Account>(*command, "--account", options->account,
+                             {{"printed", Account::printed}, {"built", Account::built}},
+                             "built: all that is emitted; printed: counted as the thesis counts");
+  command
+      ->add_option("--library", options->library,
+                   "Component library (JSON) in place of the thesis's Table 7.1")
+      ->type_name("FILE");
+  add_format_option(*command, options->format);
+  command->add_flag("--by-stage", options->by_stage, "Components and area of every pipeline stage");
+  command->callback([options] { print_prices(*options); });
+}
+
+}  // namespace hitpipe::cli

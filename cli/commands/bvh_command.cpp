@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/build_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "sw_ref/bvh/statistics.hpp"
+#include "sw_ref/bvh/sweep.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+struct BvhCommand {
+  SceneChoice scene;
+  ref::BuildOptions build;
+  bool sweep = false;
+  Format format = Format::text;
+};
+
+/// "3:120": 120 leaves have 3 triangles. Beyond 16 triangles ranges that double: "17-32:5".
+Row leaf_sizes(const std::vector<std::size_t>& leaves_of) {
+  constexpr std::size_t last_alone = 16;
+  Row sizes = Row::array();
+  for (std::size_t first = 1; first < leaves_of.size();) {
+    const std::size_t last = first <= last_alone ? first : std::bit_ceil(first);
+    std::size_t leaves = 0;
+    for (std::size_t n = first; n <= std::min(last, leaves_of.size() - 1); ++n) leaves += leaves_of[n];
+    const std::string range = first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+    if (leaves > 0) sizes.push_back(fmt::format("{}:{}", range, leaves));
+    first = last + 1;
+  }
+  return sizes;
+}
+
+Row record(const BvhCommand& command, const ref::Scene& scene, const ref::BvhStatistics& s, double seconds) {
+  return {{"scene", scene.name},
+          {"triangles", s.triangles},
+          {"degenerate_dropped", scene.mesh.degenerate_dropped},
+          {"builder", builder_name(command.build.builder)},
+          {"max_triangles", command.build.max_triangles},
+          {"bvh_nodes", s.nodes},
+          {"leaves", s.leaves},
+          {"depth", s.depth},
+          {"triangles_per_leaf", s.mean_in_leaf()},
+          {"triangles_in_largest_leaf", s.most_in_leaf()},
+          {"leaves_by_triangles", leaf_sizes(s.leaves_of)},
+          {"sah_cost", s.sah_cost},
+          {"child_overlap_pct", 100.0 * s.child_overlap},
+          {"node_bytes", s.node_bytes},
+          {"order_bytes", s.order_bytes},
+          {"build_seconds", seconds}};
+}
+
+void print_one(const BvhCommand& command, const ref::Scene& scene) {
+  std::optional<Progress> progress("building the hierarchy");
+  const auto start = std::chrono::steady_clock::now();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh, command.build);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const ref::BvhStatistics statistics = ref::statistics(bvh);
+  progress.reset();
+  fmt::print("{}", record_text(record(command, scene, statistics, seconds.count()), command.format));
+}
+
+void print_sweep(const BvhCommand& command, const ref::Scene& scene) {
+  std::optional<Progress> progress("building hierarchies");
+  std::vector<Row> rows;
+  ref::sweep_max_triangles(scene.mesh, command.build, [&](const ref::SweepStep& step) {
+    const ref::BvhStatistics s = ref::statistics(step.bvh);
+    rows.push_back({{"max_triangles", step.max_triangles},
+                    {"bvh_nodes", s.nodes},
+                    {"depth", s.depth},
+                    {"sah_cost", s.sah_cost},
+                    {"node_bytes", s.node_bytes},
+                    {"build_seconds", step.build_seconds}});
+    progress->show(static_cast<double>(rows.size()) / static_cast<double>(ref::appendix_b_sizes.size()));
+  });
+  progress.reset();
+  if (command.format == Format::text) {
+    fmt::print("{}: {} triangles, {}\n", scene.name, scene.mesh.triangles.size(),
+               builder_name(command.build.builder));
+  }
+  fmt::print("{}", table_text(rows, command.format));
+}
+
+void report(BvhCommand command) {
+  command.build.threads = command.scene.threads;
+  std::optional<Progress> progress("reading the scene");
+  const ref::Scene scene = command.scene.load();
+  progress.reset();
+  if (command.sweep) {
+    print_sweep(command, scene);
+  } else {
+    print_one(command, scene);
+  }
+}
+
+}  // namespace
+
+void add_bvh_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App* const command = program.add_subcommand(
+      "bvh", "Build a scene's hierarchy of boxes and print what it is like; Appendix B of the thesis");
+  const auto options = std::make_shared<BvhCommand>();
+  add_scene_options(*command, options->scene);
+  for (const char* const of_an_image : {"--width", "--height"}) {
+    command->remove_option(command->get_option(of_an_image));
+  }
+  add_build_options(*command, options->build);
+  command->add_flag("--sweep", options->sweep, "A row for each leaf size of Appendix B, 1 to 512 triangles")
+      ->excludes("--max-triangles");
+  add_format_option(*command, options->format);
+  command->callback([options] { report(*options); });
+}
+
+}  // namespace hitpipe::cli

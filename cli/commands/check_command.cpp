@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/design_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "sim/check/check.hpp"
+#include "sw_ref/adversary/replay.hpp"
+#include "sw_ref/adversary/shrink.hpp"
+#include "sw_ref/exact/box_referee.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+using ref::adversary::Case;
+using ref::adversary::Category;
+
+struct CheckCommand {
+  DesignChoice choice;
+  std::vector<std::string> categories;
+  std::uint64_t tests = 1'000'000;
+  std::uint64_t seed = 1;
+  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  bool rtl = false;
+  std::optional<std::string> replay;
+  Format format = Format::text;
+};
+
+/// The adversary's, and those that are made for the design.
+std::vector<Category> chosen_categories(const rtl::Design& design, const std::vector<std::string>& names) {
+  const auto general = ref::adversary::categories();
+  std::vector<Category> all(general.begin(), general.end());
+  const std::vector<Category>& own = sim::software_of(design).categories;
+  all.insert(all.end(), own.begin(), own.end());
+  if (names.empty()) return all;
+  std::vector<Category> chosen;
+  for (const std::string& name : names) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Category& c) { return c.name == name; });
+    if (found == all.end()) {
+      std::vector<std::string_view> known;
+      for (const Category& c : all) known.push_back(c.name);
+      throw std::runtime_error(
+          fmt::format("category {}: unknown; there are: {}", name, fmt::join(known, ", ")));
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim::CategoryResult* robust) {
+  Row row{{"category", r.category},
+          {"tests", r.tests},
+          {"hits", r.hits},
+          {"false_misses", r.false_misses},
+          {"false_hits", r.false_hits}};
+  if (command.format != Format::text) {
+    row["false_miss_pct"] = percent(r.false_misses, r.hits);
+    row["false_hit_pct"] = percent(r.false_hits, r.tests - r.hits);
+  }
+  if (robust != nullptr) row["robust_misses"] = robust->false_misses;
+  if (robust != nullptr && command.format != Format::text) {
+    row["robust_false_miss_pct"] = percent(robust->false_misses, robust->hits);
+    row["robust_false_hits"] = robust->false_hits;
+  }
+  if (command.rtl) row["rtl_mismatches"] = r.rtl_mismatches;
+  return row;
+}
+
+std::string replay_command(const CheckCommand& command, const Case& c) {
+  const std::string bits = command.choice.design().bits_option(command.choice.format());
+  return fmt::format("hitpipe check {}{} --replay \"{}\"", command.choice.name, bits,
+                     ref::adversary::to_text(c));
+}
+
+/// Exit code of a run that found these.
+int verdict(const rtl::Design& design, std::uint64_t false_misses, std::uint64_t rtl_mismatches) {
+  return (false_misses > 0 && design.conservative) || rtl_mismatches > 0 ? 1 : 0;
+}
+
+int judge(const CheckCommand& command) {
+  const rtl::Design& design = command.choice.design();
+  const rtl::Format format = command.choice.format();
+  const std::vector<Category> categories = chosen_categories(design, command.categories);
+  std::optional<Progress> progress;
+  std::optional<sim::VerilatedDesign> verilated;
+  if (command.rtl) {
+    progress.emplace("compiling the Verilog");
+    verilated.emplace(design, format, rtl::Library::thesis());
+  }
+  progress.emplace("judging");
+  const sim::MakeBoxTest make = [&] { return sim::make_box_test(design, format); };
+  sim::CheckOptions options{.categories = categories,
+                            .tests = command.tests,
+                            .seed = command.seed,
+                            .threads = command.threads,
+                            .rtl = verilated ? &*verilated : nullptr,
+                            .progress = [&](double share) { progress->show(share); }};
+  const std::vector<sim::CategoryResult> results = sim::check(make, options);
+  std::vector<sim::CategoryResult> robust;
+  if (const sim::MakeBoxTest& beside = sim::software_of(design).beside) {
+    options.rtl = nullptr;
+    robust = sim::check(beside, options);
+  }
+  progress.reset();
+
+  std::vector<Row> rows;
+  sim::CategoryResult sum;
+  sim::CategoryResult robust_sum;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const sim::CategoryResult* const beside = robust.empty() ? nullptr : &robust[i];
+    rows.push_back(row_of(command, results[i], beside));
+    sum += results[i];
+    if (beside != nullptr) robust_sum += *beside;
+  }
+  sum.category = "all";
+  rows.push_back(row_of(command, sum, robust.empty() ? nullptr : &robust_sum));
+  if (command.format == Format::text) {
+    fmt::print("{} {}, seed {}\n", design.name, rtl::to_string(format), command.seed);
+  }
+  fmt::print("{}", table_text(rows, command.format));
+  if (sum.false_miss) {
+    const std::unique_ptr<sim::BoxTest> test = make();
+    const Case simple =
+        ref::adversary::shrink(*sum.false_miss, [&](const Case& c) { return sim::is_false_miss(*test, c); });
+    fmt::print(stderr, "hitpipe: {} false misses; the first, made simple: {}\n", sum.false_misses,
+               replay_command(command, simple));
+  }
+  if (sum.rtl_mismatches > 0) {
+    fmt::print(stderr, "hitpipe: {} answers of the Verilog differ from the C++\n", sum.rtl_mismatches);
+  }
+  return verdict(design, sum.false_misses, sum.rtl_mismatches);
+}
+
+int replay(const CheckCommand& command) {
+  const rtl::Design& design = command.choice.design();
+  const rtl::Format format = command.choice.format();
+  const Case c = ref::adversary::parse_case(*command.replay);
+  const auto test = sim::make_box_test(design, format);
+  test->start(c.ray);
+  const bool hit = test->hit(c.box);
+  const bool meets = ref::ray_meets_box(c.ray, c.box);
+  const auto word = [](bool is_hit) { return is_hit ? "HIT" : "MISS"; };
+  Row row{
+      {"design", design.name}, {"bits", rtl::to_string(format)}, {"exact", word(meets)}, {"unit", word(hit)}};
+  bool rtl_differs = false;
+  if (command.rtl) {
+    const sim::VerilatedDesign verilated(design, format, rtl::Library::thesis());
+    sim::Model model(verilated);
+    sim::Pins pins{.in_valid = true};
+    model.cycle(test->operands().data(), pins);
+    for (int i = 0; i <= verilated.latency() && !pins.out_valid; ++i) {
+      pins = {};
+      model.cycle(nullptr, pins);
+    }
+    row["rtl"] = pins.out_valid ? word(pins.hit) : "no answer";
+    rtl_differs = !pins.out_valid || pins.hit != hit;
+  }
+  const std::vector<rtl::Port> ports = design.ports(format);
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    const auto bits =
+        static_cast<std::uint64_t>(test->operands()[i]) & (~std::uint64_t{0} >> (64 - ports[i].width));
+    row[ports[i].name] = fmt::format("0x{:0{}x}", bits, (ports[i].width + 3) / 4);
+  }
+  fmt::print("{}", record_text(row, command.format));
+  return verdict(design, meets && !hit ? 1 : 0, rtl_differs ? 1 : 0);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command = program.add_subcommand(
+      "check", "Judge a design by exact arithmetic, on rays and boxes made to break it");
+  const auto options = std::make_shared<CheckCommand>();
+  add_design_options(*command, options->choice);
+  add_list_option(*command, "--category", options->categories,
+                  "Draw from these categories only. A wrong name lists them all", "NAME");
+  add_large_count_option(*command, "--tests", options->tests, 1, 10'000'000'000'000,
+                         "Tests in all, shared by the categories (1 to 10^13)");
+  add_seed_option(*command, options->seed);
+  add_count_option(*command, "--threads", options->threads, {1, 1024}, "Threads; no result depends on it")
+      ->capture_default_str();
+  command->add_flag("--rtl", options->rtl, "Let the Verilog answer every test too");
+  command->add_option("--replay", options->replay, "Judge one case, as a failed check prints it")
+      ->type_name("CASE");
+  add_format_option(*command, options->format);
+  command->callback(
+      [options, &exit_code] { exit_code = options->replay ? replay(*options) : judge(*options); });
+}
+
+}  // namespace hitpipe::cli

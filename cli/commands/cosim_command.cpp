@@ -1,0 +1,149 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/design_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/trace_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "rtl_gen/emit/files.hpp"
+#include "sim/fit/unit_cosim.hpp"
+#include "sw_ref/render/image_file.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CosimCommand {
+  DesignChoice choice;
+  SceneChoice scene;
+  int rays_in_flight = 32;
+  bool referee = false;
+  std::string unit;
+  ref::WhittedOptions light;
+  std::string out;
+  Format format = Format::text;
+};
+
+/// Made here, or as it was written to a folder.
+sim::WrittenUnit unit_of(const CosimCommand& command) {
+  const rtl::Design& design = command.choice.design();
+  const rtl::Library& library = rtl::Library::thesis();
+  if (!command.unit.empty()) return sim::read_unit(command.unit, design, library);
+  return sim::whole_unit(design, command.choice.format(), library);
+}
+
+Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref::Scene& scene,
+           const ref::Bvh& bvh, const sim::CosimResult& r) {
+  const auto judged = [](std::optional<std::uint64_t> count) { return count ? Row(*count) : Row(nullptr); };
+  return {{"design", command.choice.name},
+          {"bits", rtl::to_string(unit.format)},
+          {"scene", scene.name},
+          {"triangles", scene.mesh.triangles.size()},
+          {"degenerate_dropped", scene.mesh.degenerate_dropped},
+          {"bvh_nodes", bvh.nodes.size()},
+          {"rays_primary", r.rays_primary},
+          {"rays_secondary", r.rays_secondary},
+          {"rays_shadow", r.rays_shadow},
+          {"rays_rejected", r.rejected},
+          {"box_tests", r.unit.box_tests},
+          {"hits", r.unit.hits},
+          {"rtl_mismatches", r.unit.rtl_mismatches},
+          {"false_misses", judged(r.unit.false_misses)},
+          {"false_hits", judged(r.unit.false_hits)},
+          {"different_triangles", r.different_triangles},
+          {"extra_box_tests_pct", r.extra_box_tests_pct()},
+          {"extra_triangle_tests_pct", r.extra_triangle_tests_pct()},
+          {"cycles", r.unit.cycles},
+          {"latency", r.latency},
+          {"rays_in_flight", command.rays_in_flight},
+          {"occupancy_pct", r.occupancy_pct()},
+          {"rtl_tests_per_s", r.rtl_tests_per_s()},
+          {"loop_tests_per_s", r.loop_tests_per_s()}};
+}
+
+int cosimulate(const CosimCommand& command) {
+  const rtl::Design& design = command.choice.design();
+  const sim::WrittenUnit unit = unit_of(command);
+
+  std::optional<Progress> progress("reading the scene");
+  const ref::Scene scene = command.scene.load();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  progress.emplace("compiling the Verilog");
+  const sim::VerilatedDesign verilated = sim::verilate(design, unit);
+  const fs::path folder = command.out;
+  const bool emits = !command.out.empty() && command.unit.empty();
+  // Before the long run: a folder that cannot be written to is known at once.
+  if (!command.out.empty()) rtl::make_folder(folder);
+  if (emits) {
+    std::vector<rtl::File> files = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
+    for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
+    rtl::write_files(folder, files);
+  }
+  progress.emplace("co-simulating");
+  const sim::CosimResult result =
+      sim::cosimulate_unit(design, unit, verilated, scene, bvh,
+                           {.width = command.scene.width,
+                            .height = command.scene.height,
+                            .rays_in_flight = command.rays_in_flight,
+                            .threads = command.scene.threads,
+                            .referee = command.referee,
+                            .light = command.light,
+                            .progress = [&](double share) { progress->show(share); }});
+  progress.reset();
+
+  Row row = record(command, unit, scene, bvh, result);
+  if (!command.out.empty()) {
+    const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
+    ref::write_image(image, command.scene.width, command.scene.height, result.image);
+    row["image"] = image.string();
+  }
+  if (emits) {
+    row["verilog"] = (folder / (command.choice.name + ".v")).string();
+    row["schematic"] = (folder / (command.choice.name + ".svg")).string();
+  }
+  fmt::print("{}", record_text(row, command.format));
+  const bool must_not_miss = design.conservative && command.referee;
+  if (result.verified(must_not_miss)) return 0;
+  const std::string false_misses =
+      result.unit.false_misses ? fmt::format(", {} false misses", *result.unit.false_misses) : "";
+  fmt::print(stderr, "hitpipe: {} {} on {}: {} RTL mismatches, {} different triangles{}; all must be 0\n",
+             command.choice.name, rtl::to_string(unit.format), scene.name, result.unit.rtl_mismatches,
+             result.different_triangles, false_misses);
+  return 1;
+}
+
+}  // namespace
+
+void add_cosim_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command = program.add_subcommand(
+      "cosim",
+      "Render a scene whose every box test is answered by a design's Verilog, and compare with software");
+  const auto options = std::make_shared<CosimCommand>();
+  add_design_options(*command, options->choice);
+  command
+      ->add_option(
+          "--unit", options->unit,
+          "Folder of a unit that `hitpipe fit` or `hitpipe rtl` wrote, edited or not, to run as it is")
+      ->excludes("--bits")
+      ->type_name("DIR");
+  add_scene_options(*command, options->scene);
+  add_count_option(*command, "--rays-in-flight", options->rays_in_flight,
+                   {1, sim::RayUnit::most_rays_in_flight}, "Rays that share one pipeline")
+      ->capture_default_str();
+  add_bounces_option(*command, options->light);
+  command->add_flag("--referee", options->referee, "Judge every answer by exact arithmetic too");
+  add_folder_option(*command, options->out, "Folder for the image, the Verilog and the schematic");
+  add_format_option(*command, options->format);
+  command->callback([options, &exit_code] { exit_code = cosimulate(*options); });
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "area_model/figure.hpp"
+#include "cli/commands.hpp"
+#include "cli/options/design_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/trace_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/fit_text.hpp"
+#include "cli/text/progress.hpp"
+#include "sim/fit/fit_scene.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+struct FitCommand {
+  SceneChoice scene;
+  ref::WhittedOptions light;
+  bool no_shadows = false;
+  DesignsChoice units;
+  double overhead_pct = 2.0;
+  bool keep_bits = false;
+  std::uint64_t vectors = 1'000'000;
+  std::string out;
+  Format format = Format::text;
+};
+
+constexpr double most_overhead_pct = 1000.0;
+
+/// CLI::Range takes NaN for a number.
+std::string overhead_problem(const std::string& text) {
+  const double value = std::strtod(text.c_str(), nullptr);
+  if (value >= 0.0 && value <= most_overhead_pct) return "";
+  return fmt::format("Value {} not in range 0 to {}", text, most_overhead_pct);
+}
+
+/// A design and its format before the fit.
+struct Wanted {
+  const rtl::Design* design;
+  rtl::Format before;
+};
+
+/// Each design once. Throws when a name or a number format is none: before the long run.
+std::vector<Wanted> chosen_designs(const FitCommand& command) {
+  const auto own = [](const rtl::Design& design) { return std::vector{sim::fit_from(design)}; };
+  std::vector<Wanted> wanted;
+  for (const sim::DesignFormats& each :
+       command.units.formats(command.units.designs(sim::why_not_fitted), own)) {
+    if (each.formats.size() > 1)
+      throw std::runtime_error(fmt::format("--bits: {} formats for {}; a fit starts from one",
+                                           each.formats.size(), each.design->name));
+    wanted.push_back({each.design, each.formats.front()});
+  }
+  return wanted;
+}
+
+double percent_of(std::int64_t part, std::int64_t whole) {
+  return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+double mm2(std::int64_t area_um2) {
+  return static_cast<double>(area_um2) * 1e-6;
+}
+
+/// mm2 times ns.
+double area_delay(const area::Price& price) {
+  return static_cast<double>(price.area_delay()) * 1e-9;
+}
+
+/// Of the whole design, those that nothing is demanded of.
+Row kept_whole(const sim::FittedUnit& unit) {
+  Row names = Row::array();
+  for (const rtl::Port& port : unit.ports) {
+    const auto& ports = unit.demands.ports;
+    const auto bounded = [&](const rtl::PortDemand& demand) { return demand.port == port.name; };
+    if (std::none_of(ports.begin(), ports.end(), bounded)) names.push_back(port.name);
+  }
+  return names;
+}
+
+Row record(const sim::FitResult& fitted, const std::string& scene) {
+  const auto& [unit, vectors, result] = fitted;
+  Row left_out = Row::array();
+  for (const sim::LeftOut& left : unit.left_out)
+    left_out.push_back(fmt::format("{} ({}): {:.2f} % of the area", left.what, left.why,
+                                   percent_of(left.area_um2, unit.price_before.area_um2)));
+  Row demands = Row::array();
+  for (std::size_t i = 0; i < unit.demands.count(); ++i) demands.push_back(rtl::demand_text(unit.demands, i));
+  return {{"design", unit.design->name},
+          {"bits", rtl::to_string(unit.format)},
+          {"bits_before", rtl::to_string(unit.before)},
+          {"dropped_bits", unit.coarse().dropped},
+          {"ray_ends", unit.ends()},
+          {"endless_extra_box_tests_pct",
+           unit.precision ? Row(unit.precision->endless_extra_box_tests_pct) : Row(nullptr)},
+          {"formats_measured", unit.precision ? unit.precision->formats_measured : 0},
+          {"scene", scene},
+          {"area_before_mm2", mm2(unit.price_before.area_um2)},
+          {"area_after_mm2", mm2(unit.price.area_um2)},
+          {"area_saved_pct", percent_of(unit.saved_um2(), unit.price_before.area_um2)},
+          {"stages_before", unit.price_before.stages},
+          {"stages", unit.price.stages},
+          {"area_delay_before_mm2_ns", area_delay(unit.price_before)},
+          {"area_delay_mm2_ns", area_delay(unit.price)},
+          {"bytes_per_node_before", sim::bytes_per_node(*unit.design, unit.before)},
+          {"bytes_per_node", sim::bytes_per_node(*unit.design, unit.format, unit.coarse())},
+          {"rays", result.rays_primary + result.rays_secondary + result.rays_shadow},
+          {"box_tests", result.unit.box_tests},
+          {"extra_box_tests_pct", result.extra_box_tests_pct()},
+          {"different_triangles", result.different_triangles},
+          {"false_misses", result.unit.false_misses ? Row(*result.unit.false_misses) : Row(nullptr)},
+          {"rtl_mismatches", result.unit.rtl_mismatches},
+          {"vectors", vectors.vectors},
+          {"vector_hits", vectors.hits},
+          {"vector_mismatches", vectors.mismatches},
+          {"demands", demands},
+          {"kept_whole", kept_whole(unit)},
+          {"left_out", left_out}};
+}
+
+std::string reports_text(const std::vector<FitReport>& reports, const sim::FitScene& scene, Format format) {
+  if (format == Format::text) return fit_text(scene.scene.name, scene.demands, reports);
+  std::vector<Row> rows;
+  for (const FitReport& report : reports) rows.push_back(report.row);
+  return table_text(rows, format);
+}
+
+/// A line for each step, in turn.
+class Steps {
+ public:
+  void show(const std::string& step, double share) {
+    if (step != step_) {  // which the main thread tells before any other does
+      step_ = step;
+      progress_.emplace(step);
+    }
+    progress_->show(share);
+  }
+  void end() {
+    progress_.reset();
+    step_.clear();
+  }
+
+ private:
+  std::string step_;
+  std::optional<Progress> progress_;
+};
+
+int fit(const FitCommand& command) {
+  const std::vector<Wanted> designs = chosen_designs(command);
+  Steps steps;
+  const sim::FitOptions options{
+      .width = command.scene.width,
+      .height = command.scene.height,
+      .threads = command.scene.threads,
+      .light = command.light,
+      .overhead_pct = command.overhead_pct,
+      .keep_bits = command.keep_bits,
+      .vectors = command.vectors,
+      .folder = command.out,
+      .progress = [&](const std::string& step, double share) { steps.show(step, share); }};
+  steps.show("reading the scene", 0.0);
+  ref::Scene loaded = command.scene.load();
+  if (command.no_shadows) loaded.lights.clear();
+  const sim::FitScene scene = sim::prepare_fit(std::move(loaded), options);
+  // Before the long run: a folder that cannot be written to is known at once.
+  rtl::make_folder(command.out);
+  std::vector<FitReport> reports;
+  for (const Wanted& wanted : designs) {
+    const sim::FitResult fitted =
+        sim::fit_to_scene(*wanted.design, wanted.before, scene, options, rtl::Library::thesis());
+    reports.push_back(
+        {record(fitted, scene.scene.name), fitted.unit.left_out, fitted.vectors.first_mismatch});
+  }
+  steps.end();
+  fmt::print("{}", reports_text(reports, scene, command.format));
+  int exit_code = 0;
+  for (const FitReport& report : reports) {
+    const std::string wrong = wrong_text(report);
+    if (wrong.empty()) continue;
+    fmt::print(stderr, "hitpipe: {}\n", wrong);
+    exit_code = 1;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command = program.add_subcommand(
+      "fit", "Leave out of the designs what a scene does not need, and prove that nothing is missed");
+  const auto options = std::make_shared<FitCommand>();
+  add_scene_options(*command, options->scene);
+  add_bounces_option(*command, options->light);
+  command->add_flag("--no-shadows", options->no_shadows, "Switch the lights off: no shadow rays");
+  add_designs_option(*command, options->units);
+  command
+      ->add_option("--overhead", options->overhead_pct,
+                   "Most extra box tests that fewer bits, or rays without ends, may cost, in percent")
+      ->check(overhead_problem)
+      ->capture_default_str()
+      ->type_name("P");
+  add_bits_option(*command, options->units, "24/24 of n/t designs: the formats before the fit");
+  command->add_flag("--keep-bits", options->keep_bits, "Leave the number format as it is");
+  add_large_count_option(
+      *command, "--vectors", options->vectors, 0, 1'000'000'000,
+      "Random vectors within the demands that are sent through the Verilog (0 to 10^9); 0: none");
+  add_folder_option(*command, options->out, "Folder for each design's Verilog, manifest and testbench")
+      ->required();
+  add_format_option(*command, options->format);
+  command->callback([options, &exit_code] { exit_code = fit(*options); });
+}
+
+}  // namespace hitpipe::cli

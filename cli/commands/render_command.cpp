@@ -1,0 +1,143 @@
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/build_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/trace_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/render/image_file.hpp"
+#include "sw_ref/render/render.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+struct RenderCommand {
+  SceneChoice scene;
+  ref::BuildOptions build;
+  TraceChoice trace;
+  ref::WhittedOptions light;
+  std::string out;
+  std::string depth_map;
+  std::string box_map;
+  std::string triangle_map;
+  Format format = Format::text;
+
+  [[nodiscard]] bool maps() const { return !depth_map.empty() || !box_map.empty() || !triangle_map.empty(); }
+};
+
+/// All rays together, then a ray of each kind: "box_tests", "box_tests_per_ray", "box_tests_per_primary", ...
+void add_work(Row& row, const ref::RenderCounts& counts, const std::string& what,
+              std::uint64_t ref::TraceCounts::*work) {
+  const ref::TraceCounts total = counts.total();
+  const auto per_ray = [&](const char* kind, const ref::TraceCounts& of) {
+    row[what + "_per_" + kind] =
+        of.rays == 0 ? 0.0 : static_cast<double>(of.*work) / static_cast<double>(of.rays);
+  };
+  row[what] = total.*work;
+  per_ray("ray", total);
+  per_ray("primary", counts.primary);
+  per_ray("secondary", counts.secondary);
+  per_ray("shadow", counts.shadow);
+}
+
+/// Draws the map, if it is wanted, from zero or from its least value on; the row says what its ends stand
+/// for.
+void add_map(Row& row, const ref::RenderResult& result, const std::string& name, const std::string& file,
+             std::span<const float> values, bool from_zero) {
+  if (file.empty()) return;
+  ref::MapScale scale = ref::scale_of(values);
+  if (from_zero) scale.low = 0.0F;
+  ref::write_map(file, result.width, result.height, values, scale);
+  row[name] = file;
+  row[name + "_low"] = scale.low;
+  row[name + "_high"] = scale.high;
+}
+
+void render_scene(const RenderCommand& command) {
+  const ref::TracerOptions tracing = command.trace.options();
+  std::optional<Progress> progress("reading the scene");
+  const ref::Scene scene = command.scene.load();
+  progress.emplace("building the hierarchy");
+  ref::BuildOptions build = command.build;
+  build.threads = command.scene.threads;
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh, build);
+  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, bvh, tracing);
+  progress.emplace("rendering");
+  const auto start = std::chrono::steady_clock::now();
+  const ref::RenderResult result = ref::render(scene, *tracer,
+                                               {.width = command.scene.width,
+                                                .height = command.scene.height,
+                                                .threads = command.scene.threads,
+                                                .tile_side = ref::tile_side_for(tracing.bundle),
+                                                .light = command.light,
+                                                .maps = command.maps(),
+                                                .progress = [&](double share) { progress->show(share); }});
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  progress.reset();
+
+  const ref::RenderCounts& counts = result.counts;
+  Row row{{"scene", scene.name},
+          {"stands_for", scene.stand_in_for},
+          {"triangles", scene.mesh.triangles.size()},
+          {"degenerate_dropped", scene.mesh.degenerate_dropped},
+          {"bvh_nodes", tracer->node_count()},
+          {"bytes_per_node", tracer->bytes_per_node()},
+          {"node_bytes", tracer->node_count() * tracer->bytes_per_node()},
+          {"rays_primary", counts.primary.rays},
+          {"rays_secondary", counts.secondary.rays},
+          {"rays_shadow", counts.shadow.rays},
+          {"surface_points", result.shading.surface_points},
+          {"light_evaluations", result.shading.light_evaluations},
+          {"queue_bytes_primary", result.shading.queue_bytes_of(ref::RayKind::primary)},
+          {"queue_bytes_secondary", result.shading.queue_bytes_of(ref::RayKind::secondary)},
+          {"queue_bytes_shadow", result.shading.queue_bytes_of(ref::RayKind::shadow)}};
+  add_work(row, counts, "box_tests", &ref::TraceCounts::box_tests);
+  add_work(row, counts, "triangle_tests", &ref::TraceCounts::triangle_tests);
+  add_work(row, counts, "nodes_loaded", &ref::TraceCounts::nodes_loaded);
+  add_work(row, counts, "triangles_loaded", &ref::TraceCounts::triangles_loaded);
+  row["seconds"] = seconds.count();
+  if (!command.out.empty()) {
+    ref::write_image(command.out, result.width, result.height, result.image);
+    row["image"] = command.out;
+  }
+  add_map(row, result, "depth_map", command.depth_map, result.depth, false);
+  add_map(row, result, "box_map", command.box_map, result.box_tests, true);
+  add_map(row, result, "triangle_map", command.triangle_map, result.triangle_tests, true);
+  fmt::print("{}", record_text(row, command.format));
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App* const command = program.add_subcommand(
+      "render", "Render a scene in software, by any traversal and encoding of its hierarchy");
+  const auto options = std::make_shared<RenderCommand>();
+  add_scene_options(*command, options->scene);
+  add_bounces_option(*command, options->light);
+  add_build_options(*command, options->build);
+  add_trace_options(*command, options->trace);
+  const auto file = [&](const char* name, std::string& value, const char* what) {
+    command->add_option(name, value, what)->type_name("FILE");
+  };
+  file("--out", options->out, "Image to write: .png or .exr");
+  file("--depth-map", options->depth_map,
+       "Map of the distances from the eye, in the cube: .exr as they are, .png in colours from nearest to "
+       "farthest, the sky black");
+  file("--box-map", options->box_map,
+       "Map of the box tests of all rays of a pixel: .exr as they are, .png in colours from none to most");
+  file("--triangle-map", options->triangle_map, "The same of the triangle tests");
+  add_format_option(*command, options->format);
+  command->callback([options] { render_scene(*options); });
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/design_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/report/report_sections.hpp"
+#include "cli/report/report_sweep.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportCommand {
+  SceneChoice scene;
+  DesignChoice image;
+  DesignsChoice swept;
+  std::string rows;
+  std::uint64_t tests = 20'000;
+  std::uint64_t seed = 1;
+  std::string out;
+  Format format = Format::text;
+};
+
+/// As a shell takes it.
+std::string quoted(const std::string& word) {
+  const bool plain = !word.empty() && word.find_first_not_of(
+                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                          "0123456789_-+=./,:") == std::string::npos;
+  if (plain) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// The options that the user gave, as given; only those of the scene and of the picture, if so wanted.
+std::string options_given(const CLI::App& command, bool scene_only) {
+  std::string text;
+  for (const CLI::Option* const option : command.get_options()) {
+    const std::string name = option->get_name();
+    const bool of_scene = name != "--out" && name != "--rows" && name != "--bits" &&
+                          !name.starts_with("--image-") && name != "--tests" && name != "--seed" &&
+                          name != "--threads" && name != "--format";
+    if (option->count() == 0 || (scene_only && !of_scene)) continue;
+    for (const std::string& result : option->results())
+      text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, quoted(result));
+  }
+  return text;
+}
+
+/// The format with the least numbers among the rows of a design; else the format that it has.
+rtl::Format coarsest(std::span<const sim::SweepRow> rows, const DesignChoice& unit) {
+  rtl::Format least = unit.format();
+  for (const sim::SweepRow& row : rows) {
+    if (row.design != unit.name) continue;
+    const rtl::Format format = unit.design().parse_format(row.bits);
+    if (format.numbers() < least.numbers()) least = format;
+  }
+  return least;
+}
+
+/// The first design that never misses and can be traced.
+std::string image_design() {
+  for (const rtl::Design& design : rtl::designs())
+    if (design.conservative && sim::why_not_swept(design).empty()) return std::string(design.name);
+  return "";
+}
+
+std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& command, const ref::Scene& scene,
+                                                       const ref::Bvh& bvh,
+                                                       std::span<const sim::SweepRow> rows) {
+  const auto sum = [&](const char* column) { return readable_number(cell(rows.front(), column)); };
+  return {{"Scene", scene.name},
+          {"Triangles", readable_number(std::to_string(scene.mesh.triangles.size()))},
+          {"Nodes of the hierarchy", readable_number(std::to_string(bvh.nodes.size()))},
+          {"Image", fmt::format("{} x {} pixels", command.scene.width, command.scene.height)},
+          {"Rays",
+           fmt::format("{} primary, {} secondary, {} shadow; {} outside the cube, which no unit takes",
+                       sum("rays_primary"), sum("rays_secondary"), sum("rays_shadow"), sum("rays_rejected"))},
+          {"Files beside this page",
+           "rows.csv, pictures.csv, pipelines.csv, stability.csv, the diagrams as SVG and "
+           "the pictures as PNG; the page itself needs none of them"}};
+}
+
+int report(const ReportCommand& command, const CLI::App& options) {
+  if (!command.image.design().conservative)
+    throw std::runtime_error(
+        fmt::format("design {}: can miss boxes; give a design that never does", command.image.name));
+  if (const std::string why = sim::why_not_swept(command.image.design()); !why.empty())
+    throw std::runtime_error(why);
+  const rtl::Format image_format = command.image.format();
+  std::vector<sim::SweepPoint> points;
+  if (command.rows.empty()) {
+    const std::vector<const rtl::Design*> designs = command.swept.designs(sim::why_not_swept);
+    points = report_points(command.swept.formats(designs, sim::sweep_formats));
+  }
+  std::optional<Progress> progress("reading the scene");
+  const ref::Scene scene = command.scene.load();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const std::string program = options.get_parent()->version();
+  const sim::SweepOptions sweep{.width = command.scene.width,
+                                .height = command.scene.height,
+                                .threads = command.scene.threads,
+                                .progress = [&](double share) { progress->show(share); }};
+  progress.emplace("sweeping");
+  const sim::RowsFile rows = command.rows.empty()
+                                 ? sim::resume({.scene = &scene,
+                                                .bvh = &bvh,
+                                                .points = points,
+                                                .options = sweep,
+                                                .program = program,
+                                                .file = fs::path(command.out) / "rows.csv",
+                                                .shard = {}})
+                                 : take_rows(command.rows, sim::about_sweep(program, scene, bvh, sweep));
+
+  ReportFacts facts;
+  facts.version = program;
+  facts.command = "hitpipe report " + options_given(options, false);
+
+  facts.scene = scene.name;
+  facts.asked = asked(command, scene, bvh, rows.rows);
+  facts.rows = rows.rows;
+  facts.row_commands = sweep_commands(facts.rows, options_given(options, true));
+  facts.seed = command.seed;
+  progress.emplace("drawing");
+  facts.diagrams = draw_diagrams(facts.rows);
+  facts.schematics = draw_schematics();
+  for (const area::Entry& entry : area::table_7_2())
+    facts.prices.push_back(area::price(rtl::find_design(entry.design), entry.format, rtl::Library::thesis(),
+                                       area::Account::built));
+  progress.emplace("judging");
+  facts.stability =
+      measure_stability({.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
+  progress.emplace("rendering");
+  facts.pictures = make_pictures(scene, bvh,
+                                 {.design = &command.image.design(),
+                                  .format = image_format,
+                                  .coarse = coarsest(facts.rows, command.image),
+                                  .scene_options = options_given(options, true),
+                                  .width = command.scene.width,
+                                  .height = command.scene.height,
+                                  .threads = command.scene.threads,
+                                  .light = {},
+                                  .progress = [&](double share) { progress->show(share); }});
+  progress.reset();
+
+  std::vector<rtl::File> files{{"rows.csv", sim::to_text(rows)},
+                               {"pictures.csv", table_text(facts.pictures.rows, Format::csv)},
+                               {"pipelines.csv", table_text(pipeline_rows(facts), Format::csv)},
+                               {"stability.csv", table_text(stability_rows(facts), Format::csv)}};
+  for (const Drawing& d : facts.diagrams) files.push_back({d.file, d.svg});
+  files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());
+  files.push_back({"index.html", report_html(facts)});
+  rtl::write_files(command.out, files);
+
+  Wrong wrong = wrong_in(facts.rows);
+  wrong.rtl_mismatches += facts.pictures.rtl_mismatches;
+  wrong.different_triangles += facts.pictures.different_triangles;
+  wrong.different_pixels += facts.pictures.different_pixels;
+  for (const Stability& s : facts.stability) 
+    wrong.false_misses += rtl::find_design(s.design).conservative ? s.false_misses : 0;
+  const std::string page = (fs::path(command.out) / "index.html").string();
+  fmt::print("{}", record_text({{"page", page},
+                                {"rows", facts.rows.size()},
+                                {"false_misses", wrong.false_misses},
+                                {"rtl_mismatches", wrong.rtl_mismatches},
+                                {"different_triangles", wrong.different_triangles},
+                                {"different_pixels", wrong.different_pixels}},
+                               command.format));
+  if (!wrong.any()) return 0;
+  fmt::print(stderr, "hitpipe: what must be 0 is not; see {}\n", page);
+  return 1;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command = program.add_subcommand(
+      "report", "Measure every unit on a scene and show error against cost on one page of HTML");
+  const auto options = std::make_shared<ReportCommand>();
+  add_scene_options(*command, options->scene);
+  CLI::Option* const rows =
+      command
+          ->add_option("--rows", options->rows,
+                       "CSV of hitpipe sweep, of this scene and size, instead of a new sweep")
+          ->type_name("FILE");
+  add_bits_option(*command, options->swept, "those that hitpipe sweep takes")->excludes(rows);
+  options->image.name = image_design();
+  command
+      ->add_option("--image-design", options->image.name,
+                   "The design whose Verilog renders the image; one that never misses")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command->add_option("--image-bits", options->image.bits, "Its number format")
+      ->type_name("FORMAT");
+  add_large_count_option(*command, "--tests", options->tests, 1, 1'000'000'000,
+                         "Of each unit's stability (1 to 10^9)");
+  add_seed_option(*command, options->seed);
+  add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
+  add_format_option(*command, options->format);
+  command->callback([options, command, &exit_code] { exit_code = report(*options, *command); });
+}
+
+}  // namespace hitpipe::cli

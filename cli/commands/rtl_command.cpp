@@ -1,0 +1,69 @@
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/design_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/table.hpp"
+#include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/pipeline.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+struct RtlOptions {
+  DesignChoice choice;
+  std::string out;
+  std::string library;
+  std::optional<int> clock_ps;
+  bool axi_stream = false;
+  Format format = Format::text;
+};
+
+void emit_rtl(const RtlOptions& options) {
+  const rtl::Design& design = options.choice.design();
+  const rtl::Format format = options.choice.format();
+  const rtl::Library library =
+      options.library.empty() ? rtl::Library::thesis() : rtl::Library::load(options.library);
+  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
+  const std::vector<rtl::File> files = rtl::files_and_drawings(
+      rtl::emit(design, format, library, pipeline, {.axi_stream = options.axi_stream}));
+  rtl::write_files(options.out, files);
+
+  std::vector<std::string> names;
+  for (const rtl::File& file : files)
+    names.push_back((std::filesystem::path(options.out) / file.name).string());
+  const Row row{{"design", design.name},
+                {"bits", rtl::to_string(format)},
+                {"stages", pipeline.schedule.stages},
+                {"latency", pipeline.latency()},
+                {"clock_ps", pipeline.schedule.clock_ps},
+                {"files", names}};
+  fmt::print("{}", record_text(row, options.format));
+}
+
+}  // namespace
+
+void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App* const command = program.add_subcommand(
+      "rtl", "Write a design's Verilog, manifest, FuseSoC core, schematic, testbench and vectors");
+  const auto options = std::make_shared<RtlOptions>();
+  add_design_options(*command, options->choice);
+  add_folder_option(*command, options->out, "Folder to write to; made if it is not there")->required();
+  command
+      ->add_option("--library", options->library,
+                   "Component library (JSON) in place of the thesis's Table 7.1")
+      ->type_name("FILE");
+  add_count_option(*command, "--clock-ps", options->clock_ps, {1, 1'000'000'000},
+                   "Clock period in picoseconds; by default what the slowest component needs");
+  command->add_flag("--axi-stream", options->axi_stream,
+                    "Also write an AXI4-Stream wrapper of the design, <design>_axis.v");
+  add_format_option(*command, options->format);
+  command->callback([options] { emit_rtl(*options); });
+}
+
+}  // namespace hitpipe::cli

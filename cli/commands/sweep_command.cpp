@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/design_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/trace_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "sim/ray_unit.hpp"
+#include "sim/sweep/resume.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+struct SweepCommand {
+  SceneChoice scene;
+  DesignsChoice units;
+  std::vector<int> rays_in_flight{32};
+  ref::WhittedOptions light;
+  std::optional<std::string> shard;  ///< as the user wrote it; without: the whole sweep
+  bool merge = false;
+  std::string out;
+  Format format = Format::text;
+};
+
+std::vector<sim::SweepPoint> plan(const SweepCommand& command) {
+  const std::vector<const rtl::Design*> designs = command.units.designs(sim::why_not_swept);
+  return sim::plan_sweep(command.units.formats(designs, sim::sweep_formats), command.rays_in_flight);
+}
+
+/// Cells as the file has them; JSON has numbers for numbers.
+Row record(const sim::SweepRow& row) {
+  Row record;
+  const std::vector<std::string> cells = sim::to_cells(row);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string_view column = sim::sweep_columns[i];
+    record[std::string(column)] = sim::is_text_column(column) ? Row(cells[i]) : Row::parse(cells[i]);
+  }
+  return record;
+}
+
+std::string text_of(const std::vector<sim::SweepRow>& rows) {
+  std::string text =
+      "design      bits   rays   area  occ.  false hits  extra box      time  area*time\n"
+      "                           mm2     %   a million  tests/ray        ms     mm2 ms\n";
+  for (const sim::SweepRow& row : rows) {
+    text += fmt::format("{:<11} {:<5} {:>5} {:>6.2f} {:>5.1f} {:>11.4g} {:>10.4g} {:>9.4g} {:>10.4g}\n",
+                        row.design, row.bits, row.rays_in_flight, static_cast<double>(row.area_um2) / 1e6,
+                        row.occupancy_pct(), row.false_hits_per_million(), row.extra_box_tests_per_ray(),
+                        row.run_time_ms(), row.area_run_time_mm2_ms());
+  }
+  return text;
+}
+
+/// Prints the rows; the exit code.
+int report(const sim::RowsFile& rows, Format format) {
+  if (format == Format::csv) {
+    fmt::print("{}", sim::to_text(rows));
+  } else if (format == Format::json) {
+    std::vector<Row> records;
+    for (const sim::SweepRow& row : rows.rows) records.push_back(record(row));
+    fmt::print("{}", table_text(records, format));
+  } else {
+    fmt::print("{}", text_of(rows.rows));
+  }
+  int exit_code = 0;
+  for (const sim::SweepRow& row : rows.rows) {
+    if (row.verified(rtl::find_design(row.design).conservative)) continue;
+    fmt::print(stderr,
+               "hitpipe: {} {} on {}: {} RTL mismatches, {} different triangles, {} different pixels, {} "
+               "false misses; all must be 0\n",
+               row.design, row.bits, row.scene, row.rtl_mismatches, row.different_triangles,
+               row.different_pixels, row.false_misses);
+    exit_code = 1;
+  }
+  return exit_code;
+}
+
+int merge(const SweepCommand& command) {
+  const sim::RowsFile rows = sim::join_shards(command.out);
+  sim::write_rows(command.out, rows);
+  return report(rows, command.format);
+}
+
+int sweep(const SweepCommand& command) {
+  sim::ResumableSweep sweep{.scene = nullptr,
+                            .bvh = nullptr,
+                            .points = plan(command),
+                            .options = {.width = command.scene.width,
+                                        .height = command.scene.height,
+                                        .threads = command.scene.threads,
+                                        .light = command.light},
+                            .program = "hitpipe " HITPIPE_VERSION,
+                            .file = command.out,
+                            .shard = {}};
+  if (command.shard) sweep.shard = sim::parse_shard(*command.shard);
+  std::optional<Progress> progress("reading the scene");
+  const ref::Scene scene = command.scene.load();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  sweep.scene = &scene;
+  sweep.bvh = &bvh;
+  progress.emplace("sweeping");
+  sweep.options.progress = [&](double share) { progress->show(share); };
+  const sim::RowsFile rows = sim::resume(sweep);
+  progress.reset();
+  return report(rows, command.format);
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command = program.add_subcommand(
+      "sweep", "Measure error, run time and area of designs in many formats on a scene; resumable");
+  const auto options = std::make_shared<SweepCommand>();
+  add_scene_options(*command, options->scene);
+  CLI::Option* const scene = command->get_option("--scene")->required(false);
+  add_designs_option(*command, options->units);
+  add_bits_option(*command, options->units,
+                  "of n/t designs n from 8 to 32 in steps of 4, each with t of n, n+4 and n+8");
+  add_list_option(*command, "--rays-in-flight", options->rays_in_flight,
+                  "Rays that share one pipeline, a row for each (1 to 65536; default: 32)", "K")
+      ->transform(whole_number(1, sim::RayUnit::most_rays_in_flight));
+  add_bounces_option(*command, options->light);
+  CLI::Option* const shard =
+      command
+          ->add_option(
+              "--shard", options->shard,
+              "Do only part I of N, into FILE.I-of-N; mpi: rank and size as mpirun or srun tell them")
+          ->type_name("I/N|mpi");
+  CLI::Option* const merge_flag =
+      command->add_flag("--merge", options->merge, "Join the shards of FILE, and measure nothing")
+          ->excludes(shard)
+          ->excludes(scene);
+  command
+      ->add_option("--out", options->out,
+                   "Where the rows are kept, and looked for: what is there is not measured again (.csv)")
+      ->required()
+      ->type_name("FILE");
+  add_format_option(*command, options->format);
+  command->callback([options, scene, merge_flag, &exit_code] {
+    if (merge_flag->count() == 0 && scene->count() == 0) throw CLI::RequiredError("--scene");
+    exit_code = options->merge ? merge(*options) : sweep(*options);
+  });
+}
+
+}  // namespace hitpipe::cli

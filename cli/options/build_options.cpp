@@ -1,0 +1,59 @@
+#include "cli/options/build_options.hpp"
+
+#include <charconv>
+#include <limits>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/options/values.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+const Choices<ref::Builder> builders{{"median", ref::Builder::median}, {"sah", ref::Builder::sah}};
+
+/// What the scene's place in the cube leaves around it: padded boxes stay in the cube.
+constexpr double most_padding = 0x1p-10;
+
+std::string padding_error(const std::string& text) {
+  double padding = -1;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), padding);
+  const bool whole = error == std::errc{} && stop == text.data() + text.size();
+  if (whole && padding >= 0.0 && padding <= most_padding) return {};
+  return fmt::format("{} is no padding; allowed is 0 to 2^-10 = {:.6f}", text, most_padding);
+}
+
+}  // namespace
+
+std::string builder_name(ref::Builder builder) {
+  for (const auto& [name, value] : builders)
+    if (value == builder) return name;
+  return {};
+}
+
+void add_build_options(CLI::App& command, ref::BuildOptions& options) {
+  add_choice_option<ref::Builder>(
+      command, "--builder", options.builder, builders,
+      "median: boxes are halved, as in the thesis; sah: split where it is cheapest by surface area");
+  add_count_option(command, "--max-triangles", options.max_triangles,
+                   {1, std::numeric_limits<std::int32_t>::max()}, "Most triangles of a leaf")
+      ->capture_default_str();
+  add_count_option(command, "--max-depth", options.max_depth, {1, ref::BuildOptions::deepest},
+                   "Levels of the hierarchy at most")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--padding", options.padding,
+          "Added to each side of a box, in units of the cube of side 2 (0 to 2^-10); below 5e-7 float "
+          "traversals may miss triangles")
+      ->check(padding_error)
+      ->capture_default_str()
+      ->type_name("P");
+  add_count_option(command, "--grid-bits", options.grid_bits, {6, 32},
+                   "Split no node along an axis where it is narrower than a unit of the n-bit integer grid")
+      ->type_name("n");
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,108 @@
+#include "cli/options/design_options.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/options/values.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+void append_once(std::vector<rtl::Format>& formats, const rtl::Format& format) {
+  if (std::find(formats.begin(), formats.end(), format) == formats.end()) formats.push_back(format);
+}
+
+/// "n/t, as in 20/24, for int_slabs, int_plucker; eEmM, as in fp32, for fp_slabs".
+std::string spellings(const std::vector<const rtl::Design*>& designs) {
+  std::vector<std::pair<const rtl::FormatFamily*, std::vector<std::string_view>>> users;
+  for (const rtl::Design* const design : designs) {
+    const rtl::FormatFamily* const family = &design->default_format.family();
+    auto found = std::find_if(users.begin(), users.end(), [&](const auto& u) { return u.first == family; });
+    if (found == users.end()) found = users.insert(users.end(), {family, {}});
+    found->second.push_back(design->name);
+  }
+  std::vector<std::string> parts;
+  for (const auto& [family, names] : users)
+    parts.push_back(fmt::format("{} for {}", family->allowed, fmt::join(names, ", ")));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+}  // namespace
+
+void add_design_options(CLI::App& command, DesignChoice& choice) {
+  command.add_option("design", choice.name, "A name that `hitpipe designs` lists")
+      ->required()
+      ->type_name("NAME");
+  command
+      .add_option("--bits", choice.bits,
+                  "Number format; `hitpipe designs` lists what each design allows and what it has "
+                  "unless told otherwise. n/t: n bits of a coordinate, t bits kept of a product")
+      ->type_name("FORMAT");
+}
+
+std::vector<const rtl::Design*> DesignsChoice::designs(WhyNot why_not) const {
+  std::vector<const rtl::Design*> chosen;
+  for (const std::string& name : names) {
+    const rtl::Design& design = rtl::find_design(name);
+    if (const std::string why = why_not(design); !why.empty()) throw std::runtime_error(why);
+    if (std::find(chosen.begin(), chosen.end(), &design) == chosen.end()) chosen.push_back(&design);
+  }
+  if (!names.empty()) return chosen;
+  for (const rtl::Design& design : rtl::designs()) {
+    const std::string why = why_not(design);
+    if (why.empty()) {
+      chosen.push_back(&design);
+    } else {
+      fmt::print(stderr, "hitpipe: {}; left out\n", why);
+    }
+  }
+  return chosen;
+}
+
+std::vector<sim::DesignFormats> DesignsChoice::formats(const std::vector<const rtl::Design*>& designs,
+                                                       const Formats& otherwise) const {
+  std::vector<sim::DesignFormats> all;
+  for (const rtl::Design* const design : designs) all.push_back({design, {}});
+  for (const std::string& text : bits) {
+    const std::size_t equals = text.find('=');
+    const std::string name = equals == std::string::npos ? "" : text.substr(0, equals);
+    const std::string format = equals == std::string::npos ? text : text.substr(equals + 1);
+    bool taken = false;
+    for (sim::DesignFormats& each : all) {
+      if (!name.empty() && each.design->name != name) continue;
+      const rtl::FormatFamily& family = each.design->default_format.family();
+      if (name.empty() && !family.parse(format)) continue;
+      append_once(each.formats, each.design->parse_format(format));
+      taken = true;
+    }
+    if (taken) continue;
+    if (!name.empty())
+      throw std::runtime_error(fmt::format("bits {}: design {} is not among those asked for", text, name));
+    throw std::runtime_error(fmt::format("bits {}: allowed is {}", text, spellings(designs)));
+  }
+  for (sim::DesignFormats& each : all)
+    if (each.formats.empty()) each.formats = otherwise(*each.design);
+  return all;
+}
+
+CLI::Option* add_designs_option(CLI::App& command, DesignsChoice& choice) {
+  return add_list_option(command, "--designs", choice.names,
+                         "Names that `hitpipe designs` lists; all unless given", "NAME");
+}
+
+CLI::Option* add_bits_option(CLI::App& command, DesignsChoice& choice, const std::string& otherwise) {
+  return add_list_option(command, "--bits", choice.bits,
+                         fmt::format("Number formats, for every design that has them, or DESIGN=FORMAT "
+                                     "for one; unless given {}",
+                                     otherwise),
+                         "FORMAT");
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,76 @@
+#include "cli/options/scene_options.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/options/values.hpp"
+#include "sw_ref/scene/built_in.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+/// "1,0.5,-2".
+glm::dvec3 parse_vector(const std::string& option, const std::string& text) {
+  glm::dvec3 xyz(0.0);
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  bool good = true;
+  for (int axis = 0; axis < 3 && good; ++axis) {
+    const auto [stop, error] = std::from_chars(at, end, xyz[axis]);
+    const bool last = axis == 2;
+    good = error == std::errc{} && (last ? stop == end : stop != end && *stop == ',');
+    at = stop + 1;
+  }
+  if (!good) {
+    throw CLI::ValidationError(
+        option, fmt::format("{} is not X,Y,Z; give three numbers, for example 1,0.5,-2", text));
+  }
+  return xyz;
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneChoice& choice) {
+  choice.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto point = [&](const std::string& name, std::optional<glm::dvec3>& value, const char* what) {
+    command
+        .add_option_function<std::string>(
+            name, [name, &value](const std::string& text) { value = parse_vector(name, text); }, what)
+        ->type_name("X,Y,Z");
+  };
+  command
+      .add_option("--scene", choice.name,
+                  fmt::format("A built-in scene ({}), a scene file (.json) or a mesh file (.obj, .ply, .stl, "
+                              ".gltf, .glb)",
+                              ref::built_in_names()))
+      ->required()
+      ->type_name("NAME|FILE");
+  add_count_option(command, "--triangles", choice.placing.triangles, {1, 100'000'000},
+                   "About so many, of a built-in scene that scales; see hitpipe scenes");
+  point("--eye", choice.placing.eye, "Where the camera is, in the scene's own units");
+  point("--target", choice.placing.target, "The point in the middle of the image");
+  point("--up", choice.placing.up, "Which way is up");
+  command.add_option("--fov", choice.placing.fov_degrees, "Vertical field of view, between 0 and 180")
+      ->type_name("DEGREES");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--light",
+          [&choice](const std::vector<std::string>& lights) {
+            for (const std::string& light : lights)
+              choice.placing.lights.push_back({.position = parse_vector("--light", light)});
+          },
+          "A point light in place of the scene's own; repeat the option for more")
+      ->allow_extra_args(false)
+      ->type_name("X,Y,Z");
+  add_count_option(command, "--width", choice.width, {1, 16384}, "Pixels across")->capture_default_str();
+  add_count_option(command, "--height", choice.height, {1, 16384}, "Pixels down")->capture_default_str();
+  add_count_option(command, "--threads", choice.threads, {1, 1024}, "Threads; no result depends on it")
+      ->capture_default_str();
+}
+
+}  // namespace hitpipe::cli

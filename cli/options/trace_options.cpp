@@ -1,0 +1,87 @@
+#include "cli/options/trace_options.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options/values.hpp"
+#include "rtl_gen/catalogue/int_formats.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+using ref::Algorithm;
+using ref::Arithmetic;
+
+const Choices<Algorithm> algorithms{{"slabs", Algorithm::slabs},
+                                    {"plu", Algorithm::plu},
+                                    {"slabs-dist", Algorithm::slabs_dist},
+                                    {"slabs-dsa", Algorithm::slabs_dsa},
+                                    {"plu-dsa", Algorithm::plu_dsa}};
+const Choices<Arithmetic> arithmetics{{"float", Arithmetic::binary32},
+                                      {"double", Arithmetic::binary64},
+                                      {"robust", Arithmetic::robust},
+                                      {"integer", Arithmetic::integer}};
+
+template <class Value>
+std::string word_for(const Choices<Value>& choices, Value value) {
+  const auto found =
+      std::find_if(choices.begin(), choices.end(), [&](const auto& each) { return each.second == value; });
+  return found == choices.end() ? "?" : found->first;
+}
+
+}  // namespace
+
+std::string trace_options_text(const ref::TracerOptions& options) {
+  const std::string bits =
+      options.arithmetic == Arithmetic::integer ? " --bits " + to_string(rtl::Format(options.bits)) : "";
+  return fmt::format("--traversal {} --arithmetic {}{}", word_for(algorithms, options.algorithm),
+                     word_for(arithmetics, options.arithmetic), bits);
+}
+
+void add_bounces_option(CLI::App& command, ref::WhittedOptions& options) {
+  add_count_option(command, "--bounces", options.bounces, {0, ref::WhittedOptions::most_bounces},
+                   "Mirrored and refracted rays in a row that are followed")
+      ->capture_default_str();
+}
+
+ref::TracerOptions TraceChoice::options() const {
+  ref::TracerOptions chosen = tracer;
+  if (!bits) return chosen;
+  if (chosen.arithmetic != ref::Arithmetic::integer)
+    throw std::runtime_error("--bits " + *bits + ": only --arithmetic integer has them; leave --bits out");
+  chosen.bits = rtl::parse_bits(*bits);
+  return chosen;
+}
+
+void add_trace_options(CLI::App& command, TraceChoice& choice) {
+  using ref::Encoding;
+  using ref::TriangleTest;
+  ref::TracerOptions& tracer = choice.tracer;
+  add_choice_option<Algorithm>(
+      command, "--traversal", tracer.algorithm, algorithms,
+      "Box test, and which child comes first: always the same, the nearer box (dist), or "
+      "by direction and split axis (dsa)");
+  add_choice_option<Arithmetic>(command, "--arithmetic", tracer.arithmetic, arithmetics,
+                                "Of the box test; robust: floats with a proven bound, slabs only");
+  command.add_option("--bits", choice.bits, "Number format of integer arithmetic, 24/24 unless given")
+      ->type_name("n/t");
+  add_choice_option<Encoding>(command, "--encoding", tracer.encoding,
+                              {{"plain", Encoding::plain},
+                               {"h4", Encoding::hierarchical_4},
+                               {"h8", Encoding::hierarchical_8},
+                               {"h12", Encoding::hierarchical_12},
+                               {"h16", Encoding::hierarchical_16}},
+                              "Of the nodes; h: that many bits relative to the parent");
+  command.add_flag("--lut", tracer.look_up_table, "Decode h4 and h8 by table");
+  add_choice_option<int>(command, "--bundle", tracer.bundle, {{"1", 1}, {"64", 64}, {"256", 256}},
+                         "Rays traced together at most");
+  add_choice_option<TriangleTest>(
+      command, "--triangle-test", tracer.triangle_test,
+      {{"exact", TriangleTest::exact}, {"float", TriangleTest::binary32}, {"double", TriangleTest::binary64}},
+      "exact: one answer for every traversal; others: Moeller and Trumbore's");
+}
+
+}  // namespace hitpipe::cli

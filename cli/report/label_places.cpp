@@ -1,0 +1,97 @@
+#include "cli/report/label_places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace hitpipe::cli {
+
+namespace {
+
+constexpr double letter_width = 8.0;  // of 15-pixel sans-serif, generously
+constexpr double line_height = 18.0;
+constexpr double mark_radius = 10.0;
+constexpr double gap = 13.0;  // between mark and label
+constexpr int line_points = 24;
+constexpr int steps_off = 9;  // lines above and below to try
+constexpr std::array<double, 4> steps_out{0, 24, 60, 110};
+
+struct Rectangle {
+  double left, right, low, high;
+
+  [[nodiscard]] bool meets(const Rectangle& other) const {
+    return left < other.right && other.left < right && low < other.high && other.low < high;
+  }
+};
+
+}  // namespace
+
+std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<const std::string> texts,
+                                     Mark plot_size) {
+  std::vector<Rectangle> taken;
+  for (const Mark& m : marks)
+    taken.push_back({m.x - mark_radius, m.x + mark_radius, m.y - mark_radius, m.y + mark_radius});
+  const auto free = [&](const Rectangle& r) {
+    return r.left >= 0 && r.right <= plot_size.x && r.low >= 0 && r.high <= plot_size.y &&
+           std::none_of(taken.begin(), taken.end(), [&](const Rectangle& t) { return r.meets(t); });
+  };
+  // Points of a line between mark and label, without its ends.
+  const auto along = [](const Mark& from, const LabelPlace& to) {
+    std::vector<Rectangle> points;
+    for (int i = 3; i < line_points - 1; ++i) {
+      const double share = static_cast<double>(i) / line_points;
+      const double x = std::lerp(from.x, to.line_x, share);
+      const double y = std::lerp(from.y, to.middle, share);
+      points.push_back({x - 1, x + 1, y - 1, y + 1});
+    }
+    return points;
+  };
+  const auto clear = [&](const Mark& from, const LabelPlace& to) {
+    const auto points = along(from, to);
+    return std::none_of(points.begin(), points.end(), [&](const Rectangle& point) {
+      const bool at_mark = std::abs((point.left + point.right) / 2 - from.x) <= 1.5 * mark_radius &&
+                           std::abs((point.low + point.high) / 2 - from.y) <= 1.5 * mark_radius;
+      return !at_mark && !free(point);
+    });
+  };
+  std::vector<LabelPlace> places;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const Mark& m = marks[i];
+    const double width = letter_width * static_cast<double>(texts[i].size());
+    const auto at = [&](bool to_right, int lines_up, double farther) {
+      const double left = to_right ? m.x + gap + farther : m.x - gap - farther - width;
+      return LabelPlace{left, m.y + line_height * lines_up, lines_up != 0 || farther > 0,
+                        to_right ? left - 2 : left + width};
+    };
+    const auto box = [&](const LabelPlace& p) {
+      return Rectangle{p.left, p.left + width, p.middle - line_height / 2, p.middle + line_height / 2};
+    };
+    // Beside the mark, to the right, to the left; then higher or lower, and farther out.
+    const auto find = [&](bool with_clear_line) {
+      for (int step = 0; step <= 2 * steps_off; ++step) {
+        const int up = step % 2 == 1 ? (step + 1) / 2 : -step / 2;
+        for (const double farther : steps_out) {
+          for (const bool to_right : {true, false}) {
+            const LabelPlace place = at(to_right, up, up == 0 ? farther : farther + line_height);
+            if (free(box(place)) && (!with_clear_line || !place.line || clear(m, place)))
+              return std::optional(place);
+          }
+        }
+      }
+      return std::optional<LabelPlace>();
+    };
+    std::optional<LabelPlace> found = find(true);
+    if (!found) found = find(false);
+    const LabelPlace chosen = found.value_or(at(true, 0, 0));
+    taken.push_back(box(chosen));
+    if (chosen.line) {
+      const auto points = along(m, chosen);
+      taken.insert(taken.end(), points.begin(), points.end());
+    }
+    places.push_back(chosen);
+  }
+  return places;
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,125 @@
+#include "cli/report/report_facts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "cli/report/gnuplot.hpp"
+#include "cli/report/sweep_plot.hpp"
+#include "rtl_gen/emit/files.hpp"
+#include "sim/check/check.hpp"
+#include "sw_ref/adversary/categories.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+/// The first line that a command prints, to either stream.
+std::string first_line(const std::string& command) {
+  std::FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return "not found";
+  std::array<char, 256> buffer{};
+  std::string line = std::fgets(buffer.data(), buffer.size(), pipe) == nullptr ? "" : buffer.data();
+  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) continue;
+  const bool failed = pclose(pipe) != 0;
+  line.erase(std::min(line.find('\n'), line.size()));
+  return failed || line.empty() ? "not found" : line;
+}
+
+std::string program(const char* variable, const char* otherwise) {
+  const char* const given = std::getenv(variable);
+  return given == nullptr || *given == '\0' ? otherwise : given;
+}
+
+}  // namespace
+
+std::vector<Stability> measure_stability(const StabilityOptions& options) {
+  const auto categories = ref::adversary::categories();
+  std::vector<Stability> measured;
+  for (const area::Entry& entry : area::table_7_2()) {
+    const rtl::Design& design = rtl::find_design(entry.design);
+    const std::string bits = rtl::to_string(entry.format);
+    Stability sum{.design = std::string(entry.design), .bits = bits, .command = {}};
+    for (const sim::CategoryResult& r : sim::check([&] { return sim::make_box_test(design, entry.format); },
+                                                   {.categories = {categories.begin(), categories.end()},
+                                                   .tests = options.tests,
+                                                   .seed = options.seed,
+                                                   .threads = options.threads})) {
+      sum.tests += r.tests;
+      sum.hits += r.hits;
+      sum.false_misses += r.false_misses;
+      sum.false_hits += r.false_hits;
+    }
+    sum.command = fmt::format("hitpipe check {}{} --tests {} --seed {}", design.name,
+                              design.bits_option(entry.format), options.tests, options.seed);
+    measured.push_back(std::move(sum));
+  }
+  return measured;
+}
+
+std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows) {
+  const std::string& scene = rows.front().scene;
+  const int rays = usual_rays_in_flight(rows);
+  std::vector<sim::SweepRow> usual;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(usual),
+               [&](const sim::SweepRow& row) { return row.rays_in_flight == rays; });
+  std::vector<Drawing> drawings;
+  for (const Cost cost : costs) {
+    std::string words = axis_of(cost).name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    drawings.push_back({fmt::format("error_{}.svg", axis_of(cost).name),
+                        run_gnuplot("report", work_precision_script(scene, usual, cost)),
+                        fmt::format("Extra box tests of each unit on {} against {}", scene, words),
+                        fmt::format("{} rays in flight. Across: {}, {} to {}.", rays, axis_of(cost).label,
+                                    axis_of(cost).least, axis_of(cost).most)});
+  }
+  if (usual.size() < rows.size()) {
+    drawings.push_back(
+        {"occupancy.svg", run_gnuplot("report", occupancy_script(scene, rows)),
+         "Occupancy of each pipeline on " + scene + " against the number of rays in flight",
+         "The share of cycles in which a box test begins. A pipeline is full when as many rays are "
+         "in flight as it has stages, and some more to bridge the ends of rays."});
+  }
+  return drawings;
+}
+
+std::vector<Schematic> draw_schematics() {
+  std::vector<Schematic> schematics;
+  const rtl::Library& library = rtl::Library::thesis();
+  for (const rtl::Design& design : rtl::designs()) {
+    const rtl::Format format = design.default_format();
+    const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
+    const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline);
+    // The whole is too wide to be read on a page.
+    const std::vector<rtl::File> groups =
+        emitted.stage_schematics.empty() ? emitted.schematics() : emitted.stage_schematics;
+    Schematic schematic{
+        fmt::format("{} {}: {} stages", design.name, rtl::to_string(format), pipeline.schedule.stages), {}};
+    for (rtl::File& file : rtl::draw(groups)) {
+      std::string words = file.name.substr(0, file.name.rfind('.'));
+      std::replace(words.begin(), words.end(), '_', ' ');
+      schematic.drawings.push_back({file.name, std::move(file.contents), "Schematic of " + words, words});
+    }
+    schematics.push_back(std::move(schematic));
+  }
+  return schematics;
+}
+
+std::vector<std::pair<std::string, std::string>> versions() {
+#ifdef __clang__
+  const std::string compiler = __VERSION__;
+#else
+  const std::string compiler = "g++ " __VERSION__;
+#endif
+  return {{"Built by", compiler},
+          {"Verilator", first_line(program("VERILATOR", "verilator") + " --version")},
+          {"Models compiled by", first_line(program("CXX", "c++") + " --version")},
+          {"gnuplot", first_line("gnuplot --version")},
+          {"Graphviz", first_line("dot -V")}};
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,70 @@
+// What a report tells, measured before the page is written, and what can be measured in a few lines.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "area_model/price.hpp"
+#include "cli/report/report_pictures.hpp"
+#include "cli/report/sweep_rows.hpp"
+
+namespace hitpipe::cli {
+
+/// A unit against the exact referee over the adversary's cases, as hitpipe check judges it.
+struct Stability {
+  std::string design;
+  std::string bits;
+  std::uint64_t tests = 0;
+  std::uint64_t hits = 0;
+  std::uint64_t false_misses = 0;
+  std::uint64_t false_hits = 0;
+  std::string command;
+};
+struct StabilityOptions {
+  std::uint64_t tests = 20'000;
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+/// Of the thesis's six units.
+[[nodiscard]] std::vector<Stability> measure_stability(const StabilityOptions& options);
+
+struct Drawing {
+  std::string file;
+  std::string svg;
+  std::string alternative;
+  std::string caption;
+};
+/// The work-precision diagrams, and occupancy when it was measured for more than one number of rays in
+/// flight.
+[[nodiscard]] std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows);
+
+/// The stages of a design, group by group.
+struct Schematic {
+  std::string title;
+  std::vector<Drawing> drawings;
+};
+/// Of each design, the integer ones at 20/24.
+[[nodiscard]] std::vector<Schematic> draw_schematics();
+
+/// Of the compiler that built this program, and of the programs that it calls.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> versions();
+
+struct ReportFacts {
+  std::string version;                    ///< of this program
+  std::string command;                    ///< what was asked
+  std::vector<std::string> row_commands;  ///< what makes the rows
+  std::string scene;
+  std::vector<std::pair<std::string, std::string>> asked;
+  std::vector<sim::SweepRow> rows;
+  std::vector<Drawing> diagrams;
+  ReportPictures pictures;
+  std::vector<area::Price> prices;
+  std::vector<Stability> stability;
+  std::uint64_t seed = 1;
+  std::vector<Schematic> schematics;
+};
+
+}  // namespace hitpipe::cli

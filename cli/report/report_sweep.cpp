@@ -1,0 +1,75 @@
+#include "cli/report/report_sweep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "area_model/price.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+constexpr std::array<int, 1> usual_rays{32};
+constexpr std::array<int, 9> many_rays{1, 2, 4, 8, 16, 32, 64, 128, 256};
+
+/// Each once, in their order.
+template <class Value>
+void append_once(std::vector<Value>& values, const Value& value) {
+  if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+}
+
+}  // namespace
+
+std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats) {
+  std::map<sim::RowKey, sim::SweepPoint> points;
+  const auto add = [&](const std::vector<sim::SweepPoint>& more) {
+    for (const sim::SweepPoint& point : more) points.emplace(sim::key_of(point), point);
+  };
+  add(sim::plan_sweep(formats, usual_rays));
+  for (const area::Entry& entry : area::table_7_2()) {
+    const sim::DesignFormats unit{&rtl::find_design(entry.design), {entry.format}};
+    add(sim::plan_sweep({&unit, 1}, many_rays));
+  }
+  std::vector<sim::SweepPoint> all;
+  for (const auto& [key, point] : points) all.push_back(point);
+  return all;
+}
+
+sim::RowsFile take_rows(const std::filesystem::path& file, const std::string& about) {
+  sim::RowsFile rows = sim::read_rows_about(file, about);
+  if (rows.rows.empty()) throw std::runtime_error(fmt::format("{}: holds no rows", file.string()));
+  return rows;
+}
+
+std::vector<std::string> sweep_commands(std::span<const sim::SweepRow> rows,
+                                        const std::string& scene_options) {
+  // Units that were measured with the same numbers of rays are one sweep.
+  std::map<std::pair<std::string, std::string>, std::set<int>> rays_of;
+  for (const sim::SweepRow& row : rows) rays_of[{row.design, row.bits}].insert(row.rays_in_flight);
+  struct Sweep {
+    std::vector<std::string> designs;
+    std::vector<std::string> bits;
+  };
+  std::map<std::set<int>, Sweep> sweeps;
+  for (const sim::SweepRow& row : rows) {
+    Sweep& sweep = sweeps[rays_of[{row.design, row.bits}]];
+    append_once(sweep.designs, row.design);
+    const rtl::Design& design = rtl::find_design(row.design);
+    if (!design.default_format.family().single) append_once(sweep.bits, row.bits);
+  }
+  std::vector<std::string> commands;
+  for (const auto& [rays, sweep] : sweeps) {
+    const std::string bits = sweep.bits.empty() ? "" : fmt::format(" --bits {}", fmt::join(sweep.bits, ","));
+    commands.push_back(fmt::format("hitpipe sweep {} --designs {}{} --rays-in-flight {} --out rows.csv",
+                                   scene_options, fmt::join(sweep.designs, ","), bits, fmt::join(rays, ",")));
+  }
+  return commands;
+}
+
+}  // namespace hitpipe::cli

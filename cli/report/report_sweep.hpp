@@ -1,0 +1,23 @@
+// The rows of a report: measured for it, or taken from a file of hitpipe sweep.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/sweep/resume.hpp"
+
+namespace hitpipe::cli {
+
+/// Every design in its formats with 32 rays in flight, and the thesis's six units with 1, 2, 4 .. 256.
+[[nodiscard]] std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats);
+
+/// The rows of `file`. Throws as sim::read_rows_about() does, and when there are none.
+[[nodiscard]] sim::RowsFile take_rows(const std::filesystem::path& file, const std::string& about);
+
+/// The commands of hitpipe sweep that measure these rows into rows.csv.
+[[nodiscard]] std::vector<std::string> sweep_commands(std::span<const sim::SweepRow> rows,
+                                                      const std::string& scene_options);
+
+}  // namespace hitpipe::cli

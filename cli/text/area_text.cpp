@@ -1,0 +1,151 @@
+#include "cli/text/area_text.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "area_model/figure.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+using area::Line;
+using area::Price;
+using Cells = std::vector<std::string>;
+
+constexpr std::size_t page_width = 80;
+constexpr std::size_t gap = 2;
+
+std::size_t column_width(const std::vector<Cells>& rows, std::size_t column) {
+  std::size_t width = 0;
+  for (const Cells& row : rows) width = std::max(width, row[column].size());
+  return width;
+}
+
+/// The first columns to the left, all others to the right.
+std::string aligned(const std::vector<Cells>& rows, std::size_t left_columns) {
+  std::string text;
+  for (const Cells& row : rows) {
+    std::string line;
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      const std::size_t width = column_width(rows, column);
+      if (column > 0) line += std::string(gap, ' ');
+      line += column < left_columns ? fmt::format("{:<{}}", row[column], width)
+                                    : fmt::format("{:>{}}", row[column], width);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string summary(const std::vector<Price>& prices, const std::optional<Price>& yardstick) {
+  std::vector<Cells> rows{{"design", "bits", "stages", "delay", "clock", "latency", "area", "", "ADP", ""},
+                          {"", "", "", "ns", "MHz", "ns", "mm2", "", "mm2 ns", ""}};
+  const auto share = [&](std::int64_t part, std::int64_t whole) { return area::percent(part, whole) + "%"; };
+  for (const Price& p : prices) {
+    rows.push_back({std::string(p.design), rtl::to_string(p.format), fmt::format("{}", p.stages),
+                    area::delay_ns(p.stage_delay_ps), area::clock_mhz(p), area::delay_ns(p.latency_ps()),
+                    area::area_mm2(p.area_um2), yardstick ? share(p.area_um2, yardstick->area_um2) : "",
+                    area::adp_mm2_ns(p), yardstick ? share(p.area_delay(), yardstick->area_delay()) : ""});
+  }
+  return aligned(rows, 2);
+}
+
+/// "int", "plucker", "24/24": three short lines at the head of a column.
+Cells column_head(const Price& price) {
+  const std::string name(price.design);
+  const std::size_t split = std::min(name.find('_'), name.size());
+  return {name.substr(0, split), name.substr(std::min(split + 1, name.size())), rtl::to_string(price.format)};
+}
+
+using Show = std::function<std::string(const Line&)>;
+
+/// A row a part, a column a design; as many blocks as the page's width asks for.
+std::string part_columns(const std::string& title, std::span<const Price> prices, const Show& show,
+                         bool total) {
+  std::map<area::Part, std::map<const Price*, std::string>> parts;
+  std::map<area::Part, std::string> names;
+  for (const Price& price : prices) {
+    for (const Line& line : price.lines) {
+      parts[line.part][&price] = show(line);
+      names[line.part] = area::part_name(line.part) + (line.estimated ? " est." : "");
+    }
+  }
+  std::vector<Cells> rows{{""}, {""}, {title}};
+  for (const auto& [part, cells] : parts) rows.push_back({names[part]});
+  if (total) rows.push_back({"total"});
+
+  std::size_t width = column_width(rows, 0);
+  std::size_t taken = 0;
+  for (const Price& price : prices) {
+    Cells column = column_head(price);
+    for (const auto& [part, cells] : parts) column.push_back(cells.contains(&price) ? cells.at(&price) : "-");
+    if (total) column.push_back(area::area_mm2(price.area_um2));
+    std::size_t needed = 0;
+    for (const std::string& cell : column) needed = std::max(needed, cell.size());
+    width += gap + needed;
+    if (taken > 0 && width > page_width) break;
+    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back(column[row]);
+    ++taken;
+  }
+  const std::string block = fmt::format("\n{}", aligned(rows, 1));
+  return taken < prices.size() ? block + part_columns(title, prices.subspan(taken), show, total) : block;
+}
+
+/// Items with commas between them, in lines that begin at `indent`; the first is begun already.
+std::string listed(const Cells& items, std::size_t indent) {
+  std::string text;
+  std::size_t column = indent;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string item = items[i] + (i + 1 < items.size() ? "," : "");
+    if (column > indent && column + 1 + item.size() > page_width) {
+      text += fmt::format("\n{:{}}", "", indent);
+      column = indent;
+    } else if (column > indent) {
+      text += ' ';
+      ++column;
+    }
+    text += item;
+    column += item.size();
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string area_text(const std::vector<Price>& prices, const std::optional<Price>& yardstick) {
+  return summary(prices, yardstick) +
+         part_columns(
+             "count", prices, [](const Line& line) { return fmt::format("{}", line.n); }, false) +
+         part_columns(
+             "area mm2", prices, [](const Line& line) { return area::area_mm2(line.area_um2); }, true);
+}
+
+std::string by_stage_text(const std::vector<Price>& prices) {
+  std::string text;
+  for (const Price& price : prices) {
+    text += fmt::format("{}{} {}, {} stages of {} ns\n", text.empty() ? "" : "\n", price.design,
+                        rtl::to_string(price.format), price.stages, area::delay_ns(price.stage_delay_ps));
+    text += "stage  area mm2  components\n";
+    for (const area::StagePrice& stage : price.by_stage) {
+      Cells items;
+      for (const Line& line : stage.lines) {
+        items.push_back(
+            fmt::format("{} {}{}", line.n, area::part_name(line.part), line.estimated ? " est." : ""));
+      }
+      const std::string head = fmt::format("{:>5}  {:>8}  ", stage.stage, area::area_mm2(stage.area_um2));
+      std::string line = head + listed(items, head.size());
+      line.erase(line.find_last_not_of(' ') + 1);
+      text += line + "\n";
+    }
+    text += fmt::format("total  {:>8}\n", area::area_mm2(price.area_um2));
+  }
+  return text;
+}
+
+}  // namespace hitpipe::cli

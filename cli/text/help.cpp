@@ -1,0 +1,44 @@
+#include "cli/text/help.hpp"
+
+#include <sstream>
+
+#include "cli/text/wrap.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+constexpr std::size_t name_width = 33;  // the longest name with its value: --format text|csv|json=text
+
+/// Without the end of the last line, which CLI adds.
+std::string in_lines(const std::string& text, std::size_t width) {
+  std::string lines = wrapped(text, 0, 0, width);
+  lines.pop_back();
+  return lines;
+}
+
+}  // namespace
+
+HelpFormatter::HelpFormatter() {
+  column_width(name_width);
+  label("Positionals", "Arguments");
+  label("SUBCOMMAND", "COMMAND");
+  label("OPTIONS", "OPTION...");
+}
+
+std::string HelpFormatter::make_description(const CLI::App* app) const {
+  return wrapped(app->get_description(), 0);
+}
+
+std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
+  std::ostringstream out;
+  CLI::detail::format_help(out, command->get_name(),
+                           in_lines(command->get_description(), line_width - name_width), name_width);
+  return out.str();
+}
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+  return in_lines(option->get_description(), line_width - name_width);
+}
+
+}  // namespace hitpipe::cli

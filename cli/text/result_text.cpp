@@ -1,0 +1,140 @@
+#include "cli/text/result_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cli/text/wrap.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+using Figures = std::vector<std::optional<double>>;
+
+Row json_figures(const ref::ResultTable& table, const Figures& figures) {
+  Row row = Row::object();
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    row[table.columns[i].name] = figures[i] ? Row(*figures[i]) : Row();
+  return row;
+}
+
+std::string json(const ref::ResultTable& table) {
+  Row all{{"number", table.number}, {"title", table.title}, {"rows", Row::array()}};
+  for (const ref::ResultRow& row : table.rows) {
+    Row entry = Row::object();
+    for (std::size_t i = 0; i < table.labels.size(); ++i) entry[table.labels[i]] = row.labels[i];
+    entry["ours"] = json_figures(table, row.ours);
+    entry["thesis"] = json_figures(table, row.printed);
+    all["rows"].push_back(std::move(entry));
+  }
+  all["findings"] = Row::array();
+  for (const ref::Finding& finding : table.findings)
+    all["findings"].push_back(
+        {{"claim", finding.claim}, {"agrees", finding.agrees}, {"figures", finding.figures}});
+  all["notes"] = table.notes;
+  return record_text(all, Format::json);
+}
+
+std::string csv(const ref::ResultTable& table) {
+  std::vector<Row> rows;
+  for (const ref::ResultRow& row : table.rows) {
+    for (const bool ours : {true, false}) {
+      Row& line = rows.emplace_back(Row::object());
+      for (std::size_t i = 0; i < table.labels.size(); ++i) line[table.labels[i]] = row.labels[i];
+      line["source"] = ours ? "ours" : "thesis";
+      line.update(json_figures(table, ours ? row.ours : row.printed));
+    }
+  }
+  return table_text(rows, Format::csv);
+}
+
+class TextTable {
+ public:
+  explicit TextTable(const ref::ResultTable& table)
+      : table_(table),
+        grouped_(table.labels.size() > 1),
+        gap_(table.columns.size() > 6 ? " " : "  "),
+        label_widths_(table.labels.size()) {
+    for (std::size_t i = 0; i < table.labels.size(); ++i) {
+      label_widths_[i] = table.labels[i].size();
+      for (const ref::ResultRow& row : table.rows)
+        label_widths_[i] = std::max(label_widths_[i], row.labels[i].size());
+    }
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      std::size_t width = table.columns[i].name.size();
+      for (const ref::ResultRow& row : table.rows)
+        width = std::max({width, cell(row.ours, i).size(), cell(row.printed, i).size()});
+      widths_.push_back(width);
+    }
+  }
+
+  [[nodiscard]] std::string text() const {
+    std::string text = fmt::format("Table {}: {}\n\n", table_.number, table_.title);
+    std::string header = grouped_ ? "" : fmt::format("{:<{}}", table_.labels.front(), label_widths_.front());
+    for (std::size_t i = 1; i < table_.labels.size(); ++i) header += column(table_.labels[i], i);
+    header += fmt::format("  {:6}", "");
+    for (std::size_t i = 0; i < widths_.size(); ++i)
+      header += fmt::format("{}{:>{}}", gap_, table_.columns[i].name, widths_[i]);
+    text += header + "\n";
+    const std::string* group = nullptr;
+    for (const ref::ResultRow& row : table_.rows) {
+      if (grouped_ && (group == nullptr || *group != row.labels.front())) text += row.labels.front() + "\n";
+      group = &row.labels.front();
+      text += lines(row);
+    }
+    return text + below();
+  }
+
+ private:
+  [[nodiscard]] std::string cell(const Figures& figures, std::size_t i) const {
+    if (!figures[i]) return "-";
+    // Beyond a thousand decimals say nothing.
+    return fmt::format("{:.{}f}", *figures[i],
+                       std::abs(*figures[i]) < 1000.0 ? table_.columns[i].decimals : 0);
+  }
+
+  [[nodiscard]] std::string column(const std::string& label, std::size_t i) const {
+    return fmt::format("  {:<{}}", label, label_widths_[i]);
+  }
+
+  [[nodiscard]] std::string lines(const ref::ResultRow& row) const {
+    std::string labels = grouped_ ? "" : fmt::format("{:<{}}", row.labels.front(), label_widths_.front());
+    for (std::size_t i = 1; i < row.labels.size(); ++i) labels += column(row.labels[i], i);
+    std::string ours = fmt::format("{}  {:6}", labels, "ours");
+    std::string printed = fmt::format("{:{}}  {:6}", "", labels.size(), "thesis");
+    for (std::size_t i = 0; i < widths_.size(); ++i) {
+      ours += fmt::format("{}{:>{}}", gap_, cell(row.ours, i), widths_[i]);
+      printed += fmt::format("{}{:>{}}", gap_, cell(row.printed, i), widths_[i]);
+    }
+    return ours + "\n" + printed + "\n";
+  }
+
+  [[nodiscard]] std::string below() const {
+    std::string text;
+    if (!table_.findings.empty()) text += "\n";
+    for (const ref::Finding& finding : table_.findings)
+      text += (finding.agrees ? "agrees   " : "differs  ") +
+              wrapped(finding.claim + ": " + finding.figures, 9, 9);
+    if (!table_.notes.empty()) text += "\n";
+    for (const std::string& note : table_.notes) text += wrapped(note, 2);
+    return text;
+  }
+
+  const ref::ResultTable& table_;
+  bool grouped_;
+  std::string_view gap_;  // between columns
+  std::vector<std::size_t> label_widths_;
+  std::vector<std::size_t> widths_;
+};
+
+}  // namespace
+
+std::string result_text(const ref::ResultTable& table, Format format) {
+  if (format == Format::json) return json(table);
+  if (format == Format::csv) return csv(table);
+  return TextTable(table).text();
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,132 @@
+#include "cli/text/stiffness_report.hpp"
+
+#include <fmt/format.h>
+
+namespace hitpipe::cli {
+
+namespace {
+
+std::string ratio_text(sim::Stiffness stiffness) {
+  return stiffness ? fmt::format("2^{}", *stiffness) : "zero";
+}
+
+Row row_of(const MeasuredDesign& d, const Measured& m, sim::Stiffness stiffness, const std::string& boxes) {
+  return {{"design", d.design->name},
+          {"bits", rtl::to_string(m.format)},
+          {"ratio", ratio_text(stiffness)},
+          {"boxes", boxes}};
+}
+
+double boxes_pct(const Measured& m, std::size_t i) {
+  return m.all_boxes[i].false_hit_pct();
+}
+double traversals_pct(const Measured& m, std::size_t i) {
+  return m.traversals[i].extra_box_tests_pct();
+}
+using Percent = double (*)(const Measured&, std::size_t);
+
+/// One table: a row for each ratio, a column for each format.
+std::string text_of(const MeasuredDesign& d, Percent percent, int decimals, const std::string& what) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < sim::stiffnesses().size(); ++i) {
+    Row row{{"ratio", ratio_text(sim::stiffnesses()[i])}};
+    for (const Measured& m : d.formats) {
+      row[rtl::to_string(m.format)] = fmt::format("{:>7.{}f}", percent(m, i), decimals);
+    }
+    rows.push_back(std::move(row));
+  }
+  return fmt::format("{}: {}\n{}", d.design->name, what, table_text(rows, Format::text));
+}
+
+Plot plot_of(const std::vector<MeasuredDesign>& designs, Percent percent, std::string title,
+             std::string counted) {
+  Plot plot{
+      .title = std::move(title), .counted = std::move(counted), .exponents = {}, .panels = {}, .least = 0.01};
+  for (const sim::Stiffness stiffness : sim::stiffnesses()) {
+    if (stiffness) plot.exponents.push_back(*stiffness);
+  }
+  const auto line_of = [&](const Measured& m) {
+    PlotLine line{rtl::to_string(m.format), {}};
+    for (std::size_t i = 0; i < sim::stiffnesses().size(); ++i) line.percent.push_back(percent(m, i));
+    return line;
+  };
+  for (const MeasuredDesign& d : designs) {
+    PlotPanel panel{std::string(d.design->name), {}};
+    for (const Measured& m : d.formats) panel.lines.push_back(line_of(m));
+    plot.panels.push_back(std::move(panel));
+  }
+  return plot;
+}
+
+}  // namespace
+
+std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs, const std::string& scene) {
+  std::vector<Row> rows;
+  for (const MeasuredDesign& d : designs) {
+    for (const Measured& m : d.formats) {
+      for (const sim::StiffBoxes& b : m.boxes) {
+        Row row =
+            row_of(d, m, b.stiffness, fmt::format("{} 2^-{}", b.aimed ? "aimed" : "anywhere", b.half_side));
+        row.update({{"tests", b.tests},
+                    {"hits", b.hits},
+                    {"false_misses", b.false_misses},
+                    {"false_hits", b.false_hits},
+                    {"false_hit_pct", b.false_hit_pct()},
+                    {"reference_tests", nullptr},
+                    {"extra_box_tests_pct", nullptr},
+                    {"different_triangles", nullptr}});
+        rows.push_back(std::move(row));
+      }
+      for (const sim::StiffTraversals& t : m.traversals) {
+        Row row = row_of(d, m, t.stiffness, scene);
+        row.update({{"tests", t.box_tests},
+                    {"hits", nullptr},
+                    {"false_misses", nullptr},
+                    {"false_hits", nullptr},
+                    {"false_hit_pct", nullptr},
+                    {"reference_tests", t.reference_box_tests},
+                    {"extra_box_tests_pct", t.extra_box_tests_pct()},
+                    {"different_triangles", t.different_triangles}});
+        rows.push_back(std::move(row));
+      }
+    }
+  }
+  return rows;
+}
+
+std::string stiffness_text(const std::vector<MeasuredDesign>& designs, const std::string& scene) {
+  std::string text;
+  for (const MeasuredDesign& d : designs) {
+    if (!text.empty()) text += '\n';
+    text += text_of(d, boxes_pct, 4, "false hits, % of the boxes that the ray misses");
+    if (!scene.empty()) {
+      text += '\n' + text_of(d, traversals_pct, 2,
+                             fmt::format("extra box tests on {}, % above robust float slabs", scene));
+    }
+  }
+  return text;
+}
+
+Plot boxes_plot(const std::vector<MeasuredDesign>& designs) {
+  return plot_of(designs, boxes_pct, "False hits on stiff rays, of the boxes that they miss", "false hits");
+}
+
+Plot traversals_plot(const std::vector<MeasuredDesign>& designs, const std::string& scene) {
+  return plot_of(designs, traversals_pct,
+                 fmt::format("Box tests of stiff rays on {}, above robust float slabs", scene),
+                 "extra box tests");
+}
+
+std::uint64_t wrong_answers(const std::vector<MeasuredDesign>& designs) {
+  std::uint64_t wrong = 0;
+  for (const MeasuredDesign& d : designs) {
+    if (!d.design->conservative) continue;
+    for (const Measured& m : d.formats) {
+      for (const sim::StiffBoxes& b : m.boxes) wrong += b.false_misses;
+      for (const sim::StiffTraversals& t : m.traversals) wrong += t.different_triangles;
+    }
+  }
+  return wrong;
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,42 @@
+// What a stiffness report prints and draws of its measurements: rows for CSV and JSON, tables of eighty
+// columns, plots.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/report/stiffness_plot.hpp"
+#include "cli/text/table.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+#include "sim/check/stiffness.hpp"
+
+namespace hitpipe::cli {
+
+struct Measured {
+  rtl::Format format;
+  std::vector<sim::StiffBoxes> boxes;
+  std::vector<sim::StiffBoxes> all_boxes;
+  std::vector<sim::StiffTraversals> traversals;  ///< empty without a scene
+};
+
+struct MeasuredDesign {
+  const rtl::Design* design;
+  std::vector<Measured> formats;
+};
+
+/// A row for each kind of box, and one for the scene, if any was traversed.
+[[nodiscard]] std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs,
+                                              const std::string& scene);
+
+/// A table for each design, and one for the scene: a row for each ratio, a column for each format.
+[[nodiscard]] std::string stiffness_text(const std::vector<MeasuredDesign>& designs,
+                                         const std::string& scene);
+
+[[nodiscard]] Plot boxes_plot(const std::vector<MeasuredDesign>& designs);
+[[nodiscard]] Plot traversals_plot(const std::vector<MeasuredDesign>& designs, const std::string& scene);
+
+/// False misses and other triangles of the integer designs, which must have none.
+[[nodiscard]] std::uint64_t wrong_answers(const std::vector<MeasuredDesign>& designs);
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,123 @@
+#include "cli/text/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/options/values.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::string digits) {
+  for (std::size_t at = digits.size(); at > 3 && digits[at - 4] != '-';) digits.insert(at -= 3, ",");
+  return digits;
+}
+
+/// The name of a file may be no UTF-8, which JSON must be. Without an indent: one line.
+std::string dump(const Row& value, int indent = -1) {
+  return value.dump(indent, ' ', false, Row::error_handler_t::replace);
+}
+
+std::string readable(const Row& value) {
+  if (value.is_null()) return "not judged";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) {
+    const double number = value.get<double>();
+    return std::abs(number) >= 1e5 ? grouped(fmt::format("{:.0f}", number)) : fmt::format("{:.2f}", number);
+  }
+  return value.is_number() ? grouped(dump(value)) : dump(value);
+}
+
+std::string csv_cell(const Row& value) {
+  if (value.is_null()) return "";
+  if (value.is_array()) {
+    std::string words;
+    for (const Row& entry : value)
+      words += (words.empty() ? "" : " ") + (entry.is_string() ? entry.get<std::string>() : dump(entry));
+    return csv_cell(words);
+  }
+  if (!value.is_string()) return dump(value);
+  const auto text = value.get<std::string>();
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
+std::string csv(const std::vector<Row>& rows) {
+  std::string text;
+  if (rows.empty()) return text;
+  std::vector<std::string> cells;
+  for (const auto& [key, value] : rows.front().items()) cells.push_back(key);
+  text += fmt::format("{}\n", fmt::join(cells, ","));
+  for (const Row& row : rows) {
+    cells.clear();
+    for (const auto& [key, value] : row.items()) cells.push_back(csv_cell(value));
+    text += fmt::format("{}\n", fmt::join(cells, ","));
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_format_option(CLI::App& command, Format& format) {
+  add_choice_option<Format>(command, "--format", format,
+                            {{"text", Format::text}, {"csv", Format::csv}, {"json", Format::json}},
+                            "How to print: text, csv or json");
+}
+
+std::string table_text(const std::vector<Row>& rows, Format format) {
+  if (format == Format::json) return dump(rows, 2) + "\n";
+  if (format == Format::csv) return csv(rows);
+  std::string text;
+  if (rows.empty()) return text;
+  std::vector<std::size_t> widths;
+  for (const auto& [key, value] : rows.front().items()) widths.push_back(key.size());
+  for (const Row& row : rows) {
+    std::size_t column = 0;
+    for (const auto& [key, value] : row.items()) {
+      widths[column] = std::max(widths[column], readable(value).size());
+      ++column;
+    }
+  }
+  const auto line = [&](const Row& row, bool header) {
+    std::string cells;
+    std::size_t column = 0;
+    for (const auto& [key, value] : row.items()) {
+      const std::string cell = header ? key : readable(value);
+      const bool right = value.is_number();
+      cells += right ? fmt::format("{:>{}}  ", cell, widths[column])
+                     : fmt::format("{:<{}}  ", cell, widths[column]);
+      ++column;
+    }
+    cells.erase(cells.find_last_not_of(' ') + 1);
+    return cells + "\n";
+  };
+  text += line(rows.front(), true);
+  for (const Row& row : rows) text += line(row, false);
+  return text;
+}
+
+std::string record_text(const Row& row, Format format) {
+  if (format == Format::json) return dump(row, 2) + "\n";
+  if (format == Format::csv) return csv({row});
+  std::size_t width = 0;
+  for (const auto& [key, value] : row.items()) width = std::max(width, key.size());
+  std::string text;
+  const auto line = [&](const std::string& key, const Row& value) {
+    text += fmt::format("{:<{}}  {}\n", key, width, readable(value));
+  };
+  for (const auto& [key, value] : row.items()) {
+    if (!value.is_array()) line(key, value);
+    for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) line(i == 0 ? key : "", value[i]);
+  }
+  return text;
+}
+
+}  // namespace hitpipe::cli

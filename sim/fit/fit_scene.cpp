@@ -1,0 +1,110 @@
+#include "sim/fit/fit_scene.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/software.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+bool meets_a_triangle(const SceneRays& rays) {
+  return std::any_of(rays.batches.begin(), rays.batches.end(), [](const ref::RecordedBatch& batch) {
+    return std::any_of(batch.triangles.begin(), batch.triangles.end(),
+                       [](std::uint32_t triangle) { return triangle != ref::Hit::none; });
+  });
+}
+
+/// Tells the step's beginning now, and its share whenever it is called.
+std::function<void(double)> start_step(const FitOptions& options, const std::string& step) {
+  options.progress(step, 0.0);
+  return [&options, step](double share) { options.progress(step, share); };
+}
+
+std::optional<Precision> precision_of(const rtl::Design& design, const rtl::Format& before,
+                                      const FitScene& scene, const FitOptions& options) {
+  if (options.keep_bits) return std::nullopt;
+  return fewest_bits({.design = &design,
+                      .scene = &scene.scene,
+                      .bvh = &scene.bvh,
+                      .demands = &scene.demands,
+                      .rays = &scene.rays,
+                      .most = before,
+                      .overhead_pct = options.overhead_pct,
+                      .threads = options.threads});
+}
+
+}  // namespace
+
+std::string why_not_fitted(const rtl::Design& design) {
+  const Software& software = software_of(design);
+  if (const std::string why = why_not_traced(design); !why.empty()) return why;
+  if (software.traversal == nullptr) return missing(design, traversal_part);
+  return software.promise == nullptr ? missing(design, promise_part) : "";
+}
+
+rtl::Format fit_from(const rtl::Design& design) {
+  return software_of(design).fit_from.value_or(design.default_format);
+}
+
+FitScene prepare_fit(ref::Scene scene, const FitOptions& options) {
+  start_step(options, "building the hierarchy");
+  ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const ref::ViewOptions view{options.width, options.height, options.light.bounces};
+  ref::SceneDemands demands = ref::scene_demands(scene, bvh, view);
+  SceneRays rays = scene_rays(scene, bvh,
+                              {.width = options.width,
+                               .height = options.height,
+                               .threads = options.threads,
+                               .light = options.light,
+                               .progress = start_step(options, "tracing the scene's rays")});
+  if (!meets_a_triangle(rays))
+    throw std::runtime_error(
+        fmt::format("scene {}: no ray of the image meets a triangle; a unit fitted to it would be of no use",
+                    scene.name));
+  return {std::move(scene), std::move(bvh), std::move(demands), std::move(rays)};
+}
+
+bool FitResult::verified() const {
+  return vectors.mismatches == 0 && image.verified(unit.design->conservative);
+}
+
+FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, const FitScene& scene,
+                       const FitOptions& options, const rtl::Library& library) {
+  const std::string name(design.name);
+  start_step(options, name + ": looking for the fewest bits");
+  FittedUnit unit = fit(design, before, precision_of(design, before, scene, options), scene.demands, library);
+  std::stable_sort(unit.left_out.begin(), unit.left_out.end(),
+                   [](const LeftOut& a, const LeftOut& b) { return a.area_um2 > b.area_um2; });
+  const rtl::EmittedDesign emitted = fitted_files(unit, library);
+  start_step(options, name + ": compiling the Verilog");
+  const VerilatedDesign verilated(design, unit.format, unit.pipeline, emitted.verilog.contents);
+  if (!options.folder.empty())
+    rtl::write_files(options.folder / name, rtl::files_and_drawings(emitted));
+  const VectorResult vectors = check_vectors({.verilated = &verilated,
+                                              .evaluate = design.evaluate(unit.format),
+                                              .ports = &unit.ports,
+                                              .demands = &unit.demands,
+                                              .vectors = options.vectors,
+                                              .progress = start_step(options, name + ": sending vectors")});
+  const OperandGuard guard(unit.demands, unit.ports);
+  CosimResult image = cosimulate(design, unit.format, verilated, scene.scene, scene.bvh,
+                                 {.width = options.width,
+                                  .height = options.height,
+                                  .threads = options.threads,
+                                  .referee = design.conservative,
+                                  .light = options.light,
+                                  .coarse = unit.coarse(),
+                                  .ends = unit.ends(),
+                                  .scene_demands = &scene.demands,
+                                  .guard = &guard,
+                                  .progress = start_step(options, name + ": co-simulating")});
+  return {std::move(unit), vectors, std::move(image)};
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,32 @@
+#include "sim/fit/unit_cosim.hpp"
+
+#include <utility>
+
+#include "rtl_gen/verilog/module.hpp"
+
+namespace hitpipe::sim {
+
+WrittenUnit whole_unit(const rtl::Design& design, rtl::Format format, const rtl::Library& library) {
+  const rtl::Graph traced = design.trace(format);
+  rtl::Pipeline pipeline = rtl::make_pipeline(traced, library);
+  std::string verilog = rtl::to_verilog(
+      pipeline, library, {.module_name = std::string(design.name), .bits = rtl::to_string(format)});
+  return {format, {}, rtl::input_ports(traced), std::move(pipeline), std::move(verilog)};
+}
+
+VerilatedDesign verilate(const rtl::Design& design, const WrittenUnit& unit) {
+  return {design, unit.format, unit.pipeline, unit.verilog};
+}
+
+CosimResult cosimulate_unit(const rtl::Design& design, const WrittenUnit& unit,
+                            const VerilatedDesign& verilated, const ref::Scene& scene, const ref::Bvh& bvh,
+                            const CosimOptions& options) {
+  const OperandGuard guard(unit.demands, unit.ports);
+  CosimOptions of_unit = options;
+  of_unit.coarse = unit.coarse();
+  of_unit.ends = unit.ends();
+  of_unit.guard = unit.demands.empty() ? nullptr : &guard;
+  return cosimulate(design, unit.format, verilated, scene, bvh, of_unit);
+}
+
+}  // namespace hitpipe::sim

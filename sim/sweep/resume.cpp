@@ -1,0 +1,70 @@
+#include "sim/sweep/resume.hpp"
+
+#include <map>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace hitpipe::sim {
+
+namespace {
+
+/// Rows by their place in the file; each new one is written at once.
+class KeptRows {
+ public:
+  /// Takes over what the file holds.
+  KeptRows(std::filesystem::path file, std::string about) : file_(std::move(file)), about_(std::move(about)) {
+    if (std::filesystem::exists(file_)) {
+      for (const SweepRow& row : read_rows_about(file_, about_).rows) keep(row);
+    }
+    // Before the long run: a file that cannot be written is known at once.
+    write_rows(file_, contents());
+  }
+
+  [[nodiscard]] bool has(const SweepPoint& point) const { return rows_.contains(key_of(point)); }
+  void add(const SweepRow& row) {
+    keep(row);
+    write_rows(file_, contents());
+  }
+  [[nodiscard]] RowsFile contents() const {
+    RowsFile file{about_, {}};
+    for (const auto& [key, row] : rows_) file.rows.push_back(row);
+    return file;
+  }
+
+ private:
+  void keep(const SweepRow& row) {
+    rows_.insert_or_assign(key_of(row.design, row.bits, row.rays_in_flight), row);
+  }
+
+  std::filesystem::path file_;
+  std::string about_;
+  std::map<RowKey, SweepRow> rows_;
+};
+
+}  // namespace
+
+RowsFile resume(const ResumableSweep& sweep) {
+  std::vector<SweepPoint> points = sweep.points;
+  std::string about = about_sweep(sweep.program, *sweep.scene, *sweep.bvh, sweep.options);
+  std::filesystem::path file = sweep.file;
+  if (sweep.shard) {
+    points = part_of(points, *sweep.shard);
+    about = about_shard(about, *sweep.shard, points.size());
+    file = shard_file(file, *sweep.shard);
+  }
+  KeptRows rows(file, about);
+  std::erase_if(points, [&](const SweepPoint& point) { return rows.has(point); });
+  run_sweep(*sweep.scene, *sweep.bvh, points, sweep.options, [&](const SweepRow& row) { rows.add(row); });
+  return rows.contents();
+}
+
+RowsFile read_rows_about(const std::filesystem::path& file, const std::string& about) {
+  RowsFile rows = read_rows(file);
+  if (rows.about == about) return rows;
+  throw std::runtime_error(
+      fmt::format("{}: holds rows of \"{}\", asked for are \"{}\"; give another file or remove it",
+                  file.string(), rows.about, about));
+}
+
+}  // namespace hitpipe::sim

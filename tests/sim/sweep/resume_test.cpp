@@ -1,0 +1,102 @@
+// A sweep goes on where its file ends, whoever calls it.
+#include "sim/sweep/resume.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/environment.hpp"
+#include "tests/sim/small_scene.hpp"
+#include "tests/sim/temporary_folder.hpp"
+
+namespace hitpipe::sim {
+namespace {
+
+class Resume : public testing::Test {
+ protected:
+  /// Two rows of one unit.
+  [[nodiscard]] ResumableSweep sweep() const {
+    const std::vector<const rtl::Design*> designs{&rtl::find_design("int_slabs")};
+    return {.scene = &scene_,
+            .bvh = &bvh_,
+            .points = plan_sweep(designs, std::vector<hls::IntBits>{{6, 6}}, std::vector<int>{1, 8}),
+            .options = {.width = 12, .height = 8},
+            .program = "a test 1",
+            .file = folder_.path() / "rows.csv",
+            .shard = {}};
+  }
+  [[nodiscard]] std::string text() const { return to_text(read_rows(folder_.path() / "rows.csv")); }
+
+  const TemporaryFolder folder_;
+
+ private:
+  const ref::Scene scene_ = hills();
+  const ref::Bvh bvh_ = ref::build_bvh(scene_.mesh);
+};
+
+TEST_F(Resume, ReturnsWhatTheFileHolds) {
+  const RowsFile rows = resume(sweep());
+  ASSERT_EQ(rows.rows.size(), 2U);
+  EXPECT_THAT(rows.about, testing::StartsWith("a test 1 sweep: "));
+  EXPECT_EQ(rows.rows[0].rays_in_flight, 1);
+  EXPECT_EQ(rows.rows[1].rays_in_flight, 8);
+  EXPECT_EQ(to_text(rows), text());
+}
+
+TEST_F(Resume, MeasuresOnlyWhatIsMissing) {
+  RowsFile rows = resume(sweep());
+  const RowsFile whole = rows;
+  // Without Verilator no row can be measured; none is missing.
+  {
+    const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
+    EXPECT_EQ(to_text(resume(sweep())), to_text(whole));
+    rows.rows.pop_back();
+    write_rows(sweep().file, rows);
+    EXPECT_THROW((void)resume(sweep()), std::runtime_error);
+  }
+  const RowsFile again = resume(sweep());
+  ASSERT_EQ(again.rows.size(), 2U);
+  EXPECT_EQ(again.rows[0], whole.rows[0]);
+  EXPECT_EQ(again.rows[1].cycles, whole.rows[1].cycles);
+}
+
+TEST_F(Resume, KeepsAShardInAFileOfItsOwn) {
+  ResumableSweep part = sweep();
+  part.shard = Shard{1, 1};
+  const RowsFile rows = resume(part);
+  EXPECT_EQ(rows.rows.size(), 2U);
+  EXPECT_THAT(rows.about, testing::EndsWith("; shard 1/1 of 2 rows"));
+  EXPECT_FALSE(std::filesystem::exists(part.file));
+  EXPECT_EQ(join_shards(part.file).rows, rows.rows);
+}
+
+TEST_F(Resume, RowsOfSomethingElseAreRefusedAndKept) {
+  (void)resume(sweep());
+  const std::string before = text();
+  ResumableSweep other = sweep();
+  other.options.width = 13;
+  try {
+    (void)resume(other);
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(),
+                testing::StartsWith(other.file.string() + ": holds rows of \"a test 1 sweep: "));
+    EXPECT_THAT(error.what(), testing::EndsWith("\"; give another file or remove it"));
+  }
+  EXPECT_EQ(text(), before);
+}
+
+/// Before anything is measured.
+TEST_F(Resume, FileThatCannotBeWrittenIsRefusedAtOnce) {
+  const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
+  ResumableSweep nowhere = sweep();
+  nowhere.file = folder_.write("file", "") / "rows.csv";
+  try {
+    (void)resume(nowhere);
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("cannot create the folder"));
+  }
+}
+
+}  // namespace
+}  // namespace hitpipe::sim
