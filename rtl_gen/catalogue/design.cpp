@@ -38,13 +38,13 @@ Format Design::parse_format(std::string_view text) const {
 }
 
 Graph Design::trace(Format format) const {
-  Graph (*const found)() = traced(format);
+  const MakeGraph found = traced(format);
   if (found == nullptr) no_such_format(*this, format);
   return found();
 }
 
 Evaluate Design::evaluate(Format format) const {
-  const Evaluate found = native(format);
+  Evaluate found = native(format);
   if (found == nullptr) no_such_format(*this, format);
   return found;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,13 +17,14 @@ namespace hitpipe::rtl {
 
 /// The pipeline's C++ on the host: HIT for operands in port order, each sign-extended when its port is
 /// signed.
-using Evaluate = bool (*)(const std::int64_t* operands);
+using Evaluate = std::function<bool(const std::int64_t* operands)>;
+using MakeGraph = std::function<Graph()>;
 
 struct Design {
   std::string_view name;         ///< also the Verilog module's
   std::string_view summary;      ///< one line, with its figures in the thesis
   hls::Arithmetic arithmetic;    ///< decides the formats it has
-  Graph (*(*traced)(Format))();  ///< null for a format it does not have
+  MakeGraph (*traced)(Format);   ///< null for a format it does not have
   Evaluate (*native)(Format);    ///< likewise
 
   [[nodiscard]] bool is_float() const { return arithmetic == hls::Arithmetic::floating; }

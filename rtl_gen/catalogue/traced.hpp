@@ -1,33 +1,50 @@
-// A pipeline as a graph: its template run in the trace domain.
+// A pipeline as a graph: its template run in the trace domain, in any format.
 #pragma once
 
-#include "rtl_gen/catalogue/instantiate.hpp"
+#include "hls/box/operand.hpp"
 #include "rtl_gen/graph/trace.hpp"
 #include "rtl_gen/graph/trace_fp.hpp"
 
 namespace hitpipe::rtl {
 
-template <class Pipeline, class F>
-Graph traced() {
-  Graph graph(Pipeline::name);
-  const Tracer tracer(graph);
-  using Operands = typename Pipeline::template Operands<Trace, F>;
-  Operands in;
-  Operands::for_each(in, [&]<int W, bool S>(const hls::Operand& port, Signal<W, S>& field) {
-    field = Signal<W, S>::from(graph.input(port.name, W, S));
-  });
-  graph.output("hit", Pipeline::template hit<Trace, F>(in).id());
-  return graph;
-}
+namespace detail {
+
+/// Makes a port of each operand and each result.
+template <class Bits>
+struct TracedPorts {
+  template <bool S>
+  void operator()(const hls::Operand& port, Signal<S>& field) const {
+    field = Signal<S>(graph.input(port.name, port.width, S));
+  }
+  template <class F>
+  void operator()(const hls::Operand& port, hls::Fp<Trace, F>& field) const {
+    field.format = format;
+    (*this)(port, field.bits);
+  }
+  template <bool S>
+  void operator()(const hls::Result& port, const Signal<S>& field) const {
+    graph.output(port.name, field.id());
+  }
+
+  Graph& graph;
+  const Bits& format;
+};
+
+}  // namespace detail
 
 template <class Pipeline>
-struct MakeTraced {
-  static constexpr hls::Arithmetic arithmetic = Pipeline::arithmetic;
-  using Entry = Graph (*)();
-  template <class F>
-  static constexpr Entry entry() {
-    return traced<Pipeline, F>;
-  }
-};
+Graph traced(const typename Pipeline::Bits& format) {
+  using Bits = typename Pipeline::Bits;
+  using Operands = typename Pipeline::template Operands<Trace, Bits>;
+  using Results = typename Pipeline::template Results<Trace, Bits>;
+  Graph graph(Pipeline::name);
+  const Tracer tracer(graph);
+  const detail::TracedPorts<Bits> ports{graph, format};
+  Operands in;
+  Operands::for_each(format, in, ports);
+  const Results out = Pipeline::template test<Trace>(format, in);
+  Results::for_each(format, out, ports);
+  return graph;
+}
 
 }  // namespace hitpipe::rtl
