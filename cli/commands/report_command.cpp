@@ -168,7 +168,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   wrong.rtl_mismatches += facts.pictures.rtl_mismatches;
   wrong.different_triangles += facts.pictures.different_triangles;
   wrong.different_pixels += facts.pictures.different_pixels;
-  for (const Stability& s : facts.stability) 
+  for (const Stability& s : facts.stability)
     wrong.false_misses += rtl::find_design(s.design).conservative ? s.false_misses : 0;
   const std::string page = (fs::path(command.out) / "index.html").string();
   fmt::print("{}", record_text({{"page", page},
@@ -202,8 +202,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
                    "The design whose Verilog renders the image; one that never misses")
       ->capture_default_str()
       ->type_name("NAME");
-  command->add_option("--image-bits", options->image.bits, "Its number format")
-      ->type_name("FORMAT");
+  command->add_option("--image-bits", options->image.bits, "Its number format")->type_name("FORMAT");
   add_large_count_option(*command, "--tests", options->tests, 1, 1'000'000'000,
                          "Of each unit's stability (1 to 10^9)");
   add_seed_option(*command, options->seed);

@@ -38,8 +38,8 @@ struct LoadedScene {
   ref::Bvh bvh;
 };
 
-/// Unless the user names designs, those that never miss. A wrong name or format is known here, before the long
-/// run.
+/// Unless the user names designs, those that never miss. A wrong name or format is known here, before the
+/// long run.
 std::vector<MeasuredDesign> chosen(const StiffnessCommand& command) {
   const auto own = [](const rtl::Design& design) { return sim::stiffness_formats(design); };
   std::vector<const rtl::Design*> designs = command.units.designs(sim::why_not_traced);
@@ -106,7 +106,8 @@ int report(const StiffnessCommand& command) {
                                                   : table_text(rows, command.format));
   const std::uint64_t wrong = wrong_answers(designs);
   if (wrong == 0) return 0;
-  fmt::print(stderr, "hitpipe: {} false misses or different triangles of designs that never miss; all must be 0\n",
+  fmt::print(stderr,
+             "hitpipe: {} false misses or different triangles of designs that never miss; all must be 0\n",
              wrong);
   return 1;
 }

@@ -10,8 +10,8 @@ struct BoxHit {
   Bit hit;
 
   /// Calls visit(Result, field) for every result port. `Self` may be const.
-  template <class Self, class Visit>
-  static constexpr void for_each(Self& self, Visit&& visit) {
+  template <class Format, class Self, class Visit>
+  static constexpr void for_each(const Format& /*format*/, Self& self, Visit&& visit) {
     visit(Result{"hit", Meaning::hit, 0, 1, false}, self.hit);
   }
 };

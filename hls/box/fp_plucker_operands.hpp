@@ -1,8 +1,8 @@
 // What the float Pluecker unit receives: figure 7.1's input latches.
-//   F  an FpFormat<E, M>;  D  a value domain
+//   D  a value domain;  F  the format, an FpFormat<E, M> or FpBits
 #pragma once
 
-#include "hls/box/operand.hpp"
+#include "hls/box/fp_format.hpp"
 #include "hls/num/fp.hpp"
 
 namespace hitpipe::hls {
@@ -10,7 +10,7 @@ namespace hitpipe::hls {
 /// for_each calls visit(Operand, field) for every port, in the order of figure 7.1. `Self` may be const.
 template <class D, class F>
 struct FpPluckerOperands {
-  using real = Fp<D, F::exponent, F::mantissa>;
+  using real = Fp<D, F>;
   using bit = typename D::bit;
 
   real rx, ry, rz;     ///< ray origin
@@ -22,23 +22,23 @@ struct FpPluckerOperands {
   real zmin, zmax;
 
   template <class Self, class Visit>
-  static constexpr void for_each(Self& self, Visit&& visit) {
-    visit(F::number("rx", Role::origin, Axis::x), self.rx.bits);
-    visit(F::number("ry", Role::origin, Axis::y), self.ry.bits);
-    visit(F::number("rz", Role::origin, Axis::z), self.rz.bits);
-    visit(F::number("rex", Role::endpoint, Axis::x), self.rex.bits);
-    visit(F::number("rey", Role::endpoint, Axis::y), self.rey.bits);
-    visit(F::number("rez", Role::endpoint, Axis::z), self.rez.bits);
-    visit(F::number("ri", Role::direction, Axis::x), self.ri.bits);
-    visit(F::number("rj", Role::direction, Axis::y), self.rj.bits);
-    visit(F::number("rk", Role::direction, Axis::z), self.rk.bits);
+  static constexpr void for_each(const FpBits& format, Self& self, Visit&& visit) {
+    visit(format.number("rx", Role::origin, Axis::x), self.rx);
+    visit(format.number("ry", Role::origin, Axis::y), self.ry);
+    visit(format.number("rz", Role::origin, Axis::z), self.rz);
+    visit(format.number("rex", Role::endpoint, Axis::x), self.rex);
+    visit(format.number("rey", Role::endpoint, Axis::y), self.rey);
+    visit(format.number("rez", Role::endpoint, Axis::z), self.rez);
+    visit(format.number("ri", Role::direction, Axis::x), self.ri);
+    visit(format.number("rj", Role::direction, Axis::y), self.rj);
+    visit(format.number("rk", Role::direction, Axis::z), self.rk);
     visit(flag_operand("rinf", Role::endless), self.rinf);
-    visit(F::number("xmin", Role::plane_low, Axis::x), self.xmin.bits);
-    visit(F::number("xmax", Role::plane_high, Axis::x), self.xmax.bits);
-    visit(F::number("ymin", Role::plane_low, Axis::y), self.ymin.bits);
-    visit(F::number("ymax", Role::plane_high, Axis::y), self.ymax.bits);
-    visit(F::number("zmin", Role::plane_low, Axis::z), self.zmin.bits);
-    visit(F::number("zmax", Role::plane_high, Axis::z), self.zmax.bits);
+    visit(format.number("xmin", Role::plane_low, Axis::x), self.xmin);
+    visit(format.number("xmax", Role::plane_high, Axis::x), self.xmax);
+    visit(format.number("ymin", Role::plane_low, Axis::y), self.ymin);
+    visit(format.number("ymax", Role::plane_high, Axis::y), self.ymax);
+    visit(format.number("zmin", Role::plane_low, Axis::z), self.zmin);
+    visit(format.number("zmax", Role::plane_high, Axis::z), self.zmax);
   }
 };
 

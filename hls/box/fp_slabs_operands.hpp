@@ -1,8 +1,8 @@
 // What the float slabs unit receives: figure 7.1's input latches.
-//   F  an FpFormat<E, M>;  D  a value domain
+//   D  a value domain;  F  the format, an FpFormat<E, M> or FpBits
 #pragma once
 
-#include "hls/box/operand.hpp"
+#include "hls/box/fp_format.hpp"
 #include "hls/num/fp.hpp"
 
 namespace hitpipe::hls {
@@ -10,7 +10,7 @@ namespace hitpipe::hls {
 /// for_each calls visit(Operand, field) for every port, in the order of figure 7.1. `Self` may be const.
 template <class D, class F>
 struct FpSlabsOperands {
-  using real = Fp<D, F::exponent, F::mantissa>;
+  using real = Fp<D, F>;
   using bit = typename D::bit;
 
   real rx, ry, rz;              ///< ray origin
@@ -22,21 +22,21 @@ struct FpSlabsOperands {
   real zmin, zmax;
 
   template <class Self, class Visit>
-  static constexpr void for_each(Self& self, Visit&& visit) {
-    visit(F::number("rx", Role::origin, Axis::x), self.rx.bits);
-    visit(F::number("ry", Role::origin, Axis::y), self.ry.bits);
-    visit(F::number("rz", Role::origin, Axis::z), self.rz.bits);
-    visit(F::number("rlen", Role::length), self.rlen.bits);
-    visit(F::number("ri_inv", Role::inverse, Axis::x), self.ri_inv.bits);
-    visit(F::number("rj_inv", Role::inverse, Axis::y), self.rj_inv.bits);
-    visit(F::number("rk_inv", Role::inverse, Axis::z), self.rk_inv.bits);
+  static constexpr void for_each(const FpBits& format, Self& self, Visit&& visit) {
+    visit(format.number("rx", Role::origin, Axis::x), self.rx);
+    visit(format.number("ry", Role::origin, Axis::y), self.ry);
+    visit(format.number("rz", Role::origin, Axis::z), self.rz);
+    visit(format.number("rlen", Role::length), self.rlen);
+    visit(format.number("ri_inv", Role::inverse, Axis::x), self.ri_inv);
+    visit(format.number("rj_inv", Role::inverse, Axis::y), self.rj_inv);
+    visit(format.number("rk_inv", Role::inverse, Axis::z), self.rk_inv);
     visit(flag_operand("rinf", Role::endless), self.rinf);
-    visit(F::number("xmin", Role::plane_low, Axis::x), self.xmin.bits);
-    visit(F::number("xmax", Role::plane_high, Axis::x), self.xmax.bits);
-    visit(F::number("ymin", Role::plane_low, Axis::y), self.ymin.bits);
-    visit(F::number("ymax", Role::plane_high, Axis::y), self.ymax.bits);
-    visit(F::number("zmin", Role::plane_low, Axis::z), self.zmin.bits);
-    visit(F::number("zmax", Role::plane_high, Axis::z), self.zmax.bits);
+    visit(format.number("xmin", Role::plane_low, Axis::x), self.xmin);
+    visit(format.number("xmax", Role::plane_high, Axis::x), self.xmax);
+    visit(format.number("ymin", Role::plane_low, Axis::y), self.ymin);
+    visit(format.number("ymax", Role::plane_high, Axis::y), self.ymax);
+    visit(format.number("zmin", Role::plane_low, Axis::z), self.zmin);
+    visit(format.number("zmax", Role::plane_high, Axis::z), self.zmax);
   }
 };
 

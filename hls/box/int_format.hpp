@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "hls/box/operand.hpp"
+#include "hls/num/width.hpp"
 
 namespace hitpipe::hls {
 
@@ -20,50 +21,62 @@ struct IntBits {
   int coord = 20;     ///< n
   int interval = 24;  ///< t
 
+  /// Types of a coordinate and of a trimmed product, in a domain whose values carry their widths.
+  template <class D>
+  using Coord = typename D::sint;
+  template <class D>
+  using Interval = typename D::sint;
+
   /// Width of a product of a coordinate difference and an IRDVC: |product| <= (2^(n-1)-1)^2 < 2^(2n-2).
-  [[nodiscard]] constexpr int product() const { return 2 * coord - 1; }
+  constexpr int product() const { return 2 * coord - 1; }
   /// Low product bits that are dropped before distances are compared.
-  [[nodiscard]] constexpr int trimmed() const { return product() - interval; }
+  constexpr int trimmed() const { return product() - interval; }
   /// G, the grid of coordinates: origins and endpoints of rays lie in -G..G.
-  [[nodiscard]] constexpr std::int64_t largest_point() const { return (std::int64_t{1} << (coord - 2)) - 1; }
+  constexpr std::int64_t largest_point() const { return (std::int64_t{1} << (coord - 2)) - 1; }
   /// Boxes are rounded outward, one further.
-  [[nodiscard]] constexpr std::int64_t largest_plane() const { return std::int64_t{1} << (coord - 2); }
+  constexpr std::int64_t largest_plane() const { return std::int64_t{1} << (coord - 2); }
   /// M, the largest magnitude of a direction component and of an IRDVC.
-  [[nodiscard]] constexpr std::int64_t largest_component() const {
-    return (std::int64_t{1} << (coord - 1)) - 1;
-  }
+  constexpr std::int64_t largest_component() const { return (std::int64_t{1} << (coord - 1)) - 1; }
   /// The operands of units in this format.
-  [[nodiscard]] constexpr Operand point(const char* name, Role role, Axis axis) const {
+  constexpr Operand point(const char* name, Role role, Axis axis) const {
     return integer_operand(name, role, axis, coord, largest_point());
   }
-  [[nodiscard]] constexpr Operand plane(const char* name, Role role, Axis axis) const {
+  constexpr Operand plane(const char* name, Role role, Axis axis) const {
     return integer_operand(name, role, axis, coord, largest_plane());
   }
-  [[nodiscard]] constexpr Operand component(const char* name, Role role, Axis axis) const {
+  constexpr Operand component(const char* name, Role role, Axis axis) const {
     return integer_operand(name, role, axis, coord, largest_component());
   }
-  [[nodiscard]] constexpr Operand length(const char* name) const { return length_operand(name, interval); }
+  constexpr Operand length(const char* name) const { return length_operand(name, interval); }
 
   /// A format of the program.
-  [[nodiscard]] constexpr bool valid() const {
-    return proved() && coord >= min_coord && interval >= min_interval;
-  }
+  constexpr bool valid() const { return proved() && coord >= min_coord && interval >= min_interval; }
   /// A format of the pipelines and the ray set-up.
-  [[nodiscard]] constexpr bool proved() const {
+  constexpr bool proved() const {
     return coord >= min_proved && coord <= max_coord && interval >= min_proved && interval <= product();
   }
-  friend constexpr bool operator==(const IntBits&, const IntBits&) = default;
+  friend constexpr bool operator==(const IntBits& a, const IntBits& b) {
+    return a.coord == b.coord && a.interval == b.interval;
+  }
 };
 
-/// The same as a type, for the pipelines: IntFormat<24, 24> is the thesis's "24/24".
+/// The same with widths known when the code is compiled: IntFormat<24, 24> is the thesis's "24/24".
 template <int N, int T>
 struct IntFormat {
   static constexpr IntBits bits{N, T};
   static_assert(bits.proved(), "n/t must have n in 4..32 and t in 4..2n-1");
-  static constexpr int coord = N;
-  static constexpr int interval = T;
-  static constexpr int product = bits.product();
-  static constexpr int trimmed = bits.trimmed();
+
+  Width<N> coord{};
+  Width<T> interval{};
+
+  template <class D>
+  using Coord = typename D::template sint<N>;
+  template <class D>
+  using Interval = typename D::template sint<T>;
+
+  constexpr Width<bits.product()> product() const { return {}; }
+  constexpr Width<bits.trimmed()> trimmed() const { return {}; }
+  constexpr operator IntBits() const { return bits; }
 };
 
 }  // namespace hitpipe::hls

@@ -1,15 +1,15 @@
 // What the integer Pluecker unit receives: figure 7.1's input latches, prepared as section 6.3.1 says.
-//   F  an IntFormat<n, t>;  D  a value domain
+//   D  a value domain;  F  the format, an IntFormat<n, t> or IntBits
 #pragma once
 
-#include "hls/box/operand.hpp"
+#include "hls/box/int_format.hpp"
 
 namespace hitpipe::hls {
 
 /// for_each calls visit(Operand, field) for every port, in the order of figure 7.1. `Self` may be const.
 template <class D, class F>
 struct IntPluckerOperands {
-  using coord = typename D::template sint<F::coord>;
+  using coord = typename F::template Coord<D>;
   using bit = typename D::bit;
 
   coord irx, iry, irz;     ///< ray origin on the grid, |value| <= 2^(n-2)-1
@@ -21,23 +21,23 @@ struct IntPluckerOperands {
   coord izmin, izmax;
 
   template <class Self, class Visit>
-  static constexpr void for_each(Self& self, Visit&& visit) {
-    visit(F::bits.point("irx", Role::origin, Axis::x), self.irx);
-    visit(F::bits.point("iry", Role::origin, Axis::y), self.iry);
-    visit(F::bits.point("irz", Role::origin, Axis::z), self.irz);
-    visit(F::bits.point("irex", Role::endpoint, Axis::x), self.irex);
-    visit(F::bits.point("irey", Role::endpoint, Axis::y), self.irey);
-    visit(F::bits.point("irez", Role::endpoint, Axis::z), self.irez);
-    visit(F::bits.component("iri", Role::direction, Axis::x), self.iri);
-    visit(F::bits.component("irj", Role::direction, Axis::y), self.irj);
-    visit(F::bits.component("irk", Role::direction, Axis::z), self.irk);
+  static constexpr void for_each(const IntBits& format, Self& self, Visit&& visit) {
+    visit(format.point("irx", Role::origin, Axis::x), self.irx);
+    visit(format.point("iry", Role::origin, Axis::y), self.iry);
+    visit(format.point("irz", Role::origin, Axis::z), self.irz);
+    visit(format.point("irex", Role::endpoint, Axis::x), self.irex);
+    visit(format.point("irey", Role::endpoint, Axis::y), self.irey);
+    visit(format.point("irez", Role::endpoint, Axis::z), self.irez);
+    visit(format.component("iri", Role::direction, Axis::x), self.iri);
+    visit(format.component("irj", Role::direction, Axis::y), self.irj);
+    visit(format.component("irk", Role::direction, Axis::z), self.irk);
     visit(flag_operand("rinf", Role::endless), self.rinf);
-    visit(F::bits.plane("ixmin", Role::plane_low, Axis::x), self.ixmin);
-    visit(F::bits.plane("ixmax", Role::plane_high, Axis::x), self.ixmax);
-    visit(F::bits.plane("iymin", Role::plane_low, Axis::y), self.iymin);
-    visit(F::bits.plane("iymax", Role::plane_high, Axis::y), self.iymax);
-    visit(F::bits.plane("izmin", Role::plane_low, Axis::z), self.izmin);
-    visit(F::bits.plane("izmax", Role::plane_high, Axis::z), self.izmax);
+    visit(format.plane("ixmin", Role::plane_low, Axis::x), self.ixmin);
+    visit(format.plane("ixmax", Role::plane_high, Axis::x), self.ixmax);
+    visit(format.plane("iymin", Role::plane_low, Axis::y), self.iymin);
+    visit(format.plane("iymax", Role::plane_high, Axis::y), self.iymax);
+    visit(format.plane("izmin", Role::plane_low, Axis::z), self.izmin);
+    visit(format.plane("izmax", Role::plane_high, Axis::z), self.izmax);
   }
 };
 

@@ -1,16 +1,16 @@
 // What the integer slabs unit receives: figure 7.1's input latches, prepared as section 6.2.1 says.
-//   F  an IntFormat<n, t>;  D  a value domain
+//   D  a value domain;  F  the format, an IntFormat<n, t> or IntBits
 #pragma once
 
-#include "hls/box/operand.hpp"
+#include "hls/box/int_format.hpp"
 
 namespace hitpipe::hls {
 
 /// Calls visit(Operand, field) for every port, in the order of figure 7.1. `Self` may be const.
 template <class D, class F>
 struct IntSlabsOperands {
-  using coord = typename D::template sint<F::coord>;
-  using interval = typename D::template sint<F::interval>;
+  using coord = typename F::template Coord<D>;
+  using interval = typename F::template Interval<D>;
   using bit = typename D::bit;
 
   coord irx, iry, irz;        ///< ray origin on the grid, |value| <= 2^(n-2)-1
@@ -24,24 +24,24 @@ struct IntSlabsOperands {
   coord izmin, izmax;
 
   template <class Self, class Visit>
-  static constexpr void for_each(Self& self, Visit&& visit) {
-    visit(F::bits.point("irx", Role::origin, Axis::x), self.irx);
-    visit(F::bits.point("iry", Role::origin, Axis::y), self.iry);
-    visit(F::bits.point("irz", Role::origin, Axis::z), self.irz);
-    visit(F::bits.length("irlen"), self.irlen);
-    visit(F::bits.component("iri_floor", Role::inverse_low, Axis::x), self.iri_floor);
-    visit(F::bits.component("iri_ceil", Role::inverse_high, Axis::x), self.iri_ceil);
-    visit(F::bits.component("irj_floor", Role::inverse_low, Axis::y), self.irj_floor);
-    visit(F::bits.component("irj_ceil", Role::inverse_high, Axis::y), self.irj_ceil);
-    visit(F::bits.component("irk_floor", Role::inverse_low, Axis::z), self.irk_floor);
-    visit(F::bits.component("irk_ceil", Role::inverse_high, Axis::z), self.irk_ceil);
+  static constexpr void for_each(const IntBits& format, Self& self, Visit&& visit) {
+    visit(format.point("irx", Role::origin, Axis::x), self.irx);
+    visit(format.point("iry", Role::origin, Axis::y), self.iry);
+    visit(format.point("irz", Role::origin, Axis::z), self.irz);
+    visit(format.length("irlen"), self.irlen);
+    visit(format.component("iri_floor", Role::inverse_low, Axis::x), self.iri_floor);
+    visit(format.component("iri_ceil", Role::inverse_high, Axis::x), self.iri_ceil);
+    visit(format.component("irj_floor", Role::inverse_low, Axis::y), self.irj_floor);
+    visit(format.component("irj_ceil", Role::inverse_high, Axis::y), self.irj_ceil);
+    visit(format.component("irk_floor", Role::inverse_low, Axis::z), self.irk_floor);
+    visit(format.component("irk_ceil", Role::inverse_high, Axis::z), self.irk_ceil);
     visit(flag_operand("rinf", Role::endless), self.rinf);
-    visit(F::bits.plane("ixmin", Role::plane_low, Axis::x), self.ixmin);
-    visit(F::bits.plane("ixmax", Role::plane_high, Axis::x), self.ixmax);
-    visit(F::bits.plane("iymin", Role::plane_low, Axis::y), self.iymin);
-    visit(F::bits.plane("iymax", Role::plane_high, Axis::y), self.iymax);
-    visit(F::bits.plane("izmin", Role::plane_low, Axis::z), self.izmin);
-    visit(F::bits.plane("izmax", Role::plane_high, Axis::z), self.izmax);
+    visit(format.plane("ixmin", Role::plane_low, Axis::x), self.ixmin);
+    visit(format.plane("ixmax", Role::plane_high, Axis::x), self.ixmax);
+    visit(format.plane("iymin", Role::plane_low, Axis::y), self.iymin);
+    visit(format.plane("iymax", Role::plane_high, Axis::y), self.iymax);
+    visit(format.plane("izmin", Role::plane_low, Axis::z), self.izmin);
+    visit(format.plane("izmax", Role::plane_high, Axis::z), self.izmax);
   }
 };
 

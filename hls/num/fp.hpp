@@ -1,28 +1,29 @@
 // Binary floating point of any width, as a datapath sees it: a pattern of bits (IEEE 754: sign, E bits of
 // biased exponent, M bits of fraction) and the operators that a pipeline calls. The operators' logic is
 // bit-level code (fp_logic.hpp): rounding to nearest even, subnormals, infinities, NaN, signed zeros.
-// Natively they run that logic; the trace domain has its own overloads, which record each as one component
-// with that logic inside.
+// On the host they run that logic. The trace domain has its own overloads, which record each operator as one
+// component with that logic inside.
 #pragma once
 
-#include "hls/num/domain.hpp"
+#include "hls/num/bits.hpp"
 #include "hls/num/fp_logic.hpp"
 
 namespace hitpipe::hls {
 
-/// E 2..8 exponent bits, M 1..23 fraction bits; binary32 is E = 8, M = 23.
-template <class D, int E, int M>
+/// A number of domain D in format F: its widths are F's `exponent` (E) and `fraction` (M), Width<N> or int.
+template <class D, class F>
 struct Fp {
-  static_assert(E >= 2 && E <= 8 && M >= 1 && M <= 23, "a float has 2..8 exponent and 1..23 fraction bits");
-  static constexpr int width = 1 + E + M;
-  using Bits = typename D::template uint<width>;
   using Bit = typename D::bit;
 
-  Bits bits;
-
-  /// 1 for negative numbers, -0 included; NaN results have it 0.
-  [[nodiscard]] constexpr Bit sign() const { return slice<width - 1, width - 1>(bits); }
+  typename F::template Pattern<D> bits;
+  F format{};
 };
+
+/// 1 for negative numbers, -0 included; NaN results have it 0.
+template <class D, class F>
+constexpr typename D::bit sign(const Fp<D, F>& x) {
+  return sign(x.bits);
+}
 
 /// What a magnitude comparator tells of two numbers; both bits 0: equal, or one of them is NaN.
 template <class Bit>
@@ -31,43 +32,47 @@ struct Order {
 };
 
 /// a - b, rounded to nearest even; every NaN result is the positive quiet one with no other fraction bit.
-template <class D, int E, int M>
-constexpr Fp<D, E, M> fp_sub(const Fp<D, E, M>& a, const Fp<D, E, M>& b) {
-  return {fp_logic::subtract<D, E, M>(a.bits, b.bits)};
+template <class D, class F>
+constexpr Fp<D, F> fp_sub(const Fp<D, F>& a, const Fp<D, F>& b) {
+  return {fp_logic::subtract<D>(a.format, a.bits, b.bits), a.format};
 }
 
 /// a * b, rounded likewise.
-template <class D, int E, int M>
-constexpr Fp<D, E, M> fp_mul(const Fp<D, E, M>& a, const Fp<D, E, M>& b) {
-  return {fp_logic::multiply<D, E, M>(a.bits, b.bits)};
+template <class D, class F>
+constexpr Fp<D, F> fp_mul(const Fp<D, F>& a, const Fp<D, F>& b) {
+  return {fp_logic::multiply<D>(a.format, a.bits, b.bits), a.format};
 }
 
 /// Both orders from one comparator; -0 equals +0.
-template <class D, int E, int M>
-constexpr Order<typename D::bit> fp_compare(const Fp<D, E, M>& a, const Fp<D, E, M>& b) {
-  using Bit = typename D::bit;
-  const auto order = fp_logic::compare<D, E, M>(a.bits, b.bits);
-  return {Bit(slice<0, 0>(order)), Bit(slice<1, 1>(order))};
+template <class D, class F>
+constexpr Order<typename D::bit> fp_compare(const Fp<D, F>& a, const Fp<D, F>& b) {
+  const auto order = fp_logic::compare<D>(a.format, a.bits, b.bits);
+  return {bit_at(order, 0_w), bit_at(order, 1_w)};
 }
 
 /// a < b; false when either is NaN.
-template <class D, int E, int M>
-constexpr typename D::bit fp_less(const Fp<D, E, M>& a, const Fp<D, E, M>& b) {
+template <class D, class F>
+constexpr typename D::bit fp_less(const Fp<D, F>& a, const Fp<D, F>& b) {
   return fp_compare(a, b).less;
 }
 
-template <class Bit, class D, int E, int M>
-constexpr Fp<D, E, M> select(const Bit& bit, const Fp<D, E, M>& a, const Fp<D, E, M>& b) {
-  return {select(bit, a.bits, b.bits)};
+/// +0 in the format of x.
+template <class D, class F>
+constexpr Fp<D, F> fp_zero(const Fp<D, F>& x) {
+  return {D::lit(0, width_of(x.bits)), x.format};
 }
 
-/// Names a value in a traced graph; elsewhere x itself.
-template <class D, int E, int M>
-constexpr Fp<D, E, M> as(const char* /*name*/, const Fp<D, E, M>& x) {
+template <class Bit, class D, class F>
+constexpr Fp<D, F> select(const Bit& bit, const Fp<D, F>& a, const Fp<D, F>& b) {
+  return {select(bit, a.bits, b.bits), a.format};
+}
+
+template <class D, class F>
+constexpr Fp<D, F> as(const char* /*name*/, const Fp<D, F>& x) {
   return x;
 }
-template <class D, int E, int M>
-constexpr Fp<D, E, M> as(const char* /*name*/, char /*axis*/, const Fp<D, E, M>& x) {
+template <class D, class F>
+constexpr Fp<D, F> as(const char* /*name*/, char /*axis*/, const Fp<D, F>& x) {
   return x;
 }
 

@@ -2,93 +2,64 @@
 // log2 levels of multiplexers, so that it can be cut into pipeline stages at any level.
 #pragma once
 
-#include "hls/num/domain.hpp"
+#include "hls/num/bits.hpp"
+#include "hls/num/levels.hpp"
 
 namespace hitpipe::hls::fp_logic {
 
-template <class D, int W>
-using Word = typename D::template uint<W>;
-
-/// The bits that count 0 .. values-1.
-constexpr int count_bits(int values) {
-  int bits = 0;
-  while ((1 << bits) < values) ++bits;
-  return bits;
+/// x times 2^(2^s - 1 - amount) for an amount of s bits, exactly: shifts right without losing a bit. Level by
+/// level it gains 1, 2, 4, ... bits.
+template <class D, class X, class Amount>
+constexpr auto shift_right(const X& x, const Amount& amount) {
+  return for_each_level(width_of(amount), x, [&](const auto& so_far, const auto& level) {
+    const auto zeros = D::lit(0, power_of_two(level));
+    return select(bit_at(amount, level), cat(zeros, so_far), cat(so_far, zeros));
+  });
 }
 
-/// W copies of a bit.
-template <class D, int W>
-constexpr Word<D, W> spread(const typename D::bit& bit) {
-  return Word<D, W>(typename D::template sint<1>(bit));
-}
-
-template <class D, int W>
-constexpr typename D::bit any(const Word<D, W>& x) {
-  return typename D::bit(x != hls::lit<W, D>(0));
-}
-
-/// x times 2^(2^S - 1 - amount), exactly: shifts right without losing a bit. A level doubles the bits gained.
-template <class D, int W, int S, int Level = 0>
-constexpr Word<D, W + (1 << S) - (1 << Level)> shift_right(const Word<D, W>& x, const Word<D, S>& amount) {
-  if constexpr (Level == S) {
-    return x;
-  } else {
-    constexpr int by = 1 << Level;
-    const auto zeros = hls::lit<by, D>(0);
-    const Word<D, W + by> shifted = select(slice<Level, Level>(amount), cat(zeros, x), cat(x, zeros));
-    return shift_right<D, W + by, S, Level + 1>(shifted, amount);
-  }
-}
-
-/// x times 2^amount, modulo 2^W; 2^(S-1) < W.
-template <class D, int W, int S, int Level = S - 1>
-constexpr Word<D, W> shift_left(const Word<D, W>& x, const Word<D, S>& amount) {
-  if constexpr (Level < 0) {
-    return x;
-  } else {
-    constexpr int by = 1 << Level;
-    const Word<D, W> moved = cat(slice<W - 1 - by, 0>(x), hls::lit<by, D>(0));
-    const Word<D, W> shifted = select(slice<Level, Level>(amount), moved, x);
-    return shift_left<D, W, S, Level - 1>(shifted, amount);
-  }
+/// x times 2^amount for an amount of s bits, modulo 2^w; 2^(s-1) < w, the width of x.
+template <class D, class X, class Amount>
+constexpr X shift_left(const X& x, const Amount& amount) {
+  const auto last = width_of(amount) - 1_w;
+  return for_each_level(width_of(amount), x, [&](const auto& so_far, const auto& level) {
+    const auto by = power_of_two(last - level);
+    const auto moved = cat(slice(so_far, width_of(x) - 1_w - by, 0_w), D::lit(0, by));
+    return select(bit_at(amount, last - level), moved, so_far);
+  });
 }
 
 /// Each bit or'd with all above it: below the leading one all bits are 1.
-template <class D, int W, int By = 1>
-constexpr Word<D, W> smear(const Word<D, W>& x) {
-  if constexpr (By >= W) {
-    return x;
-  } else {
-    const Word<D, W> above = cat(hls::lit<By, D>(0), slice<W - 1, By>(x));
-    return smear<D, W, 2 * By>(Word<D, W>(x | above));
-  }
+template <class D, class X>
+constexpr X smear(const X& x) {
+  return for_each_level(count_bits(width_of(x)), x, [&](const auto& so_far, const auto& level) {
+    const auto by = power_of_two(level);
+    return so_far | cat(D::lit(0, by), slice(so_far, width_of(x) - 1_w, by));
+  });
 }
 
-/// How many ones a word of ones above zeros has: a binary search, a multiplexer a step.
-template <class D, int S>
-constexpr Word<D, S> count_ones_above(const Word<D, (1 << S) - 1>& ones) {
-  if constexpr (S == 1) {
-    return ones;
-  } else {
-    constexpr int half = 1 << (S - 1);
-    const typename D::bit many = slice<half - 1, half - 1>(ones);
-    const Word<D, half - 1> rest = select(many, slice<half - 2, 0>(ones), slice<2 * half - 2, half>(ones));
-    return cat(many, count_ones_above<D, S - 1>(rest));
-  }
+/// How many ones a word of ones above zeros has, in s bits for a word of 2^s - 1: a binary search, a
+/// multiplexer a step.
+template <class D, class S, class Ones>
+constexpr Word<D, S> count_ones_above(const S& s, const Ones& ones) {
+  return change_if(1_w < s, ones, [&](const auto& word) {
+    const auto half = power_of_two(s - 1_w);
+    const auto many = bit_at(word, half - 1_w);
+    const auto rest = select(many, slice(word, half - 2_w, 0_w), slice(word, half + half - 2_w, half));
+    return cat(many, count_ones_above<D>(s - 1_w, rest));
+  });
 }
 
-/// Zeros above the leading one; W - 1 when only the lowest bit is set, or none is.
-template <class D, int W>
-constexpr Word<D, count_bits(W)> leading_zeros(const Word<D, W>& x) {
-  constexpr int count_width = count_bits(W);
-  constexpr int all = (1 << count_width) - 1;
-  const Word<D, W - 1> upper = slice<W - 1, 1>(x);
-  const Word<D, W - 1> zeros(~smear<D, W - 1>(upper));
-  if constexpr (all == W - 1) {
-    return count_ones_above<D, count_width>(zeros);
-  } else {
-    return count_ones_above<D, count_width>(cat(zeros, hls::lit<all - (W - 1), D>(0)));
-  }
+/// Zeros above the leading one; w - 1, w being the width of x, when only the lowest bit is set, or none is.
+template <class D, class X>
+constexpr auto leading_zeros(const X& x) {
+  const auto w = width_of(x);
+  const auto count_width = count_bits(w);
+  const auto counted = power_of_two(count_width) - 1_w;
+  const auto zeros = ~smear<D>(slice(x, w - 1_w, 1_w));
+  const auto filled = change_if(w - 1_w < counted, zeros, [&](const auto& upper) {
+    return cat(upper, D::lit(0, counted - (w - 1_w)));
+  });
+  return count_ones_above<D>(count_width, filled);
 }
 
 }  // namespace hitpipe::hls::fp_logic

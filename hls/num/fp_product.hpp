@@ -7,84 +7,87 @@
 namespace hitpipe::hls::fp_logic {
 
 /// a * b by the two halves of b: bits of weight 2^1 down to 2^-2M.
-template <class D, int M>
-constexpr Word<D, 2 * M + 2> significand_product(const Word<D, M + 1>& a, const Word<D, M + 1>& b) {
-  constexpr int half = (M + 1) / 2;
-  const Word<D, M + 1 + half> low = as("product_low", Word<D, M + 1 + half>(a * slice<half - 1, 0>(b)));
-  using High = Word<D, 2 * M + 2 - half>;
-  const High high = as("product_high", High(a * slice<M, half>(b)));
-  const High upper = as("product_upper", High(high + slice<M + half, half>(low)));
-  return cat(upper, slice<half - 1, 0>(low));
+template <class F, class Significand>
+constexpr auto significand_product(const F& format, const Significand& a, const Significand& b) {
+  const auto m = format.fraction;
+  const auto half = (m + 1_w) / 2_w;
+  const auto low = as("product_low", a * slice(b, half - 1_w, 0_w));
+  const auto high = as("product_high", a * slice(b, m, half));
+  const auto upper =
+      as("product_upper", resize(high + slice(low, m + half, half), m + 1_w + (m + 1_w - half)));
+  return cat(upper, slice(low, half - 1_w, 0_w));
 }
 
-/// How far to shift: left by 0 .. 2^S - 1, or, with `right`, that less 2^S.
-template <class D, int S>
+/// How far to shift: left by amount, or, with `right`, by amount less 2^s, s being the amount's width.
+template <class Amount, class Bit>
 struct ProductShift {
-  Word<D, S> amount;
-  typename D::bit right;
+  Amount amount;
+  Bit right;
 };
+template <class Amount, class Bit>
+constexpr ProductShift<Amount, Bit> product_shift(const Amount& amount, const Bit& right) {
+  return {amount, right};
+}
 
-/// product, shifted, in 2^S + M + 2 bits with the same top; its lowest M + 1 bits count as one of them once
+/// product, shifted, in 2^s + M + 2 bits with the same top; its lowest M + 1 bits count as one of them once
 /// it goes to the right.
-template <class D, int M, int S>
-constexpr Word<D, (1 << S) + M + 2> shift_product(const Word<D, 2 * M + 2>& product,
-                                                  const ProductShift<D, S>& shift) {
-  constexpr int span = 1 << S;
-  constexpr int width = span + M + 2;
-  const typename D::bit below = any<D, M + 1>(slice<M, 0>(product));
-  const Word<D, M + 2> kept = cat(slice<2 * M + 1, M + 1>(product), below);
-  const Word<D, width> from_right = cat(hls::lit<span, D>(0), kept);
-  const Word<D, width> from_top = cat(product, hls::lit<width - (2 * M + 2), D>(0));
-  const Word<D, width> start = select(shift.right, from_right, from_top);
-  return as("shifted", shift_left<D, width, S>(start, shift.amount));
+template <class D, class F, class Product, class Amount, class Bit>
+constexpr auto shift_product(const F& format, const Product& product,
+                             const ProductShift<Amount, Bit>& shift) {
+  const auto m = format.fraction;
+  const auto span = power_of_two(width_of(shift.amount));
+  const auto width = span + m + 2_w;
+  const Bit below = any<D>(slice(product, m, 0_w));
+  const auto kept = cat(slice(product, m + m + 1_w, m + 1_w), below);
+  const auto from_right = cat(D::lit(0, span), kept);
+  const auto from_top = cat(product, D::lit(0, width - (m + m + 2_w)));
+  const auto start = select(shift.right, from_right, from_top);
+  return as("shifted", shift_left<D>(start, shift.amount));
 }
 
 /// a * b of finite numbers other than zero.
-template <class D, int E, int M>
-constexpr Raw<D, E, M> raw_product(const Unpacked<D, E, M>& a, const Unpacked<D, E, M>& b) {
+template <class D, class F>
+constexpr Raw<D, F> raw_product(const F& format, const Unpacked<D, F>& a, const Unpacked<D, F>& b) {
   using Bit = typename D::bit;
-  constexpr int bias = (1 << (E - 1)) - 1;
-  constexpr int shift_bits = count_bits(M + 2);
-  constexpr int span = 1 << shift_bits;
-  constexpr int width = span + M + 2;
-  using Shift = Word<D, shift_bits>;
+  const auto e = format.exponent;
+  const auto m = format.fraction;
+  const auto bias = power_of_two(e - 1_w) - 1_w;
+  const auto shift_bits = count_bits(m + 2_w);
+  const auto span = power_of_two(shift_bits);
   // Biased, for a leading one of weight 1: bit 2M of the product.
-  using Exponent = typename D::template sint<E + 2>;
-  const Word<D, E + 1> biased_twice(a.exponent + b.exponent);
-  const Exponent exponent = as("exponent", Exponent(biased_twice - hls::lit<E + 1, D>(bias)));
+  const auto exponent = as("exponent", (a.exponent + b.exponent) - D::lit(bias, e + 1_w));
 
   // Two subnormal numbers' product reaches the subnormal exponent within one operand's zeros.
-  const Word<D, M + 1> weaker = select(a.normal, b.significand, a.significand);
-  const Shift zeros = as("leading_zeros", Shift(leading_zeros<D, M + 1>(weaker)));
+  const auto weaker = select(a.normal, b.significand, a.significand);
+  const auto zeros = as("leading_zeros", resize(leading_zeros<D>(weaker), shift_bits));
   const Bit reaches(zeros < exponent);
-  Shift limit(exponent);
-  if constexpr (bias - 2 > span) {
+  const auto low_exponent = as_unsigned(resize(exponent, shift_bits));
+  const auto limit = change_if(span < bias - 2_w, low_exponent, [&](const auto& limited) {
     // All of the product lies below the guard bit after `span` places to the right.
-    const Bit near(~Bit(exponent < Exponent(-span)));
-    limit = Shift(limit & spread<D, shift_bits>(near));
-  }
-  ProductShift<D, shift_bits> shift;
-  shift.amount = as("shift", select(reaches, zeros, limit));
-  shift.right = slice<E + 1, E + 1>(exponent);
-  const auto product = significand_product<D, M>(a.significand, b.significand);
-  const Word<D, width> shifted = shift_product<D, M, shift_bits>(product, shift);
+    const Bit far(exponent < as_signed(D::lit(-span, e + 2_w)));
+    return limited & spread(~far, shift_bits);
+  });
+  const auto shift = product_shift(as("shift", select(reaches, zeros, limit)), sign(exponent));
+  const auto product = significand_product(format, a.significand, b.significand);
+  const auto shifted = shift_product<D>(format, product, shift);
 
   // The leading one of two normal significands' product is in either of the top bits.
-  const Bit top = slice<width - 1, width - 1>(shifted);
-  const Bit lower(reaches & Bit(~top));
-  const Word<D, M + 2> high_part = slice<width - 1, width - M - 2>(shifted);
-  const Word<D, M + 2> next_part = slice<width - 2, width - M - 3>(shifted);
-  const Word<D, M + 2> normalised = as("normalised", select(lower, next_part, high_part));
-  const Bit passed(slice<width - M - 3, width - M - 3>(shifted) & Bit(~lower));
-  const Word<D, E + 1> lowered(exponent - zeros);
+  const auto highest = width_of(shifted) - 1_w;
+  const Bit top = bit_at(shifted, highest);
+  const Bit lower = reaches & ~top;
+  const auto high_part = slice(shifted, highest, highest - m - 1_w);
+  const auto next_part = slice(shifted, highest - 1_w, highest - m - 2_w);
+  const auto normalised = as("normalised", select(lower, next_part, high_part));
+  const Bit passed = bit_at(shifted, highest - m - 2_w) & ~lower;
+  const auto lowered = as_unsigned(resize(exponent - zeros, e + 1_w));
 
-  Raw<D, E, M> raw;
-  raw.sign = Bit(a.sign ^ b.sign);
-  raw.exponent = select(reaches, lowered, hls::lit<E + 1, D>(0));
+  Raw<D, F> raw;
+  raw.sign = a.sign ^ b.sign;
+  raw.exponent = select(reaches, lowered, D::lit(0, e + 1_w));
   raw.carry = top;
-  raw.fraction = slice<M, 1>(normalised);
-  raw.guard = slice<0, 0>(normalised);
-  raw.sticky = Bit(passed | any<D, width - M - 3>(slice<width - M - 4, 0>(shifted)));
+  raw.fraction = slice(normalised, m, 1_w);
+  raw.guard = bit_at(normalised, 0_w);
+  raw.sticky = passed | any<D>(slice(shifted, highest - m - 3_w, 0_w));
   return raw;
 }
 

@@ -8,82 +8,85 @@
 namespace hitpipe::hls::fp_logic {
 
 /// At most one of nan, infinite and zero is set.
-template <class D, int E, int M>
+template <class D, class F>
 struct Unpacked {
   typename D::bit sign;
-  Word<D, E> exponent;         ///< biased, at least 1
-  Word<D, M + 1> significand;  ///< with the implicit one
+  Word<D, decltype(F::exponent)> exponent;           ///< biased, at least 1
+  Word<D, decltype(F::fraction + 1_w)> significand;  ///< with the implicit one
   typename D::bit nan, infinite, zero, normal;
 };
 
-template <class D, int E, int M>
-constexpr Unpacked<D, E, M> unpack(const Word<D, 1 + E + M>& x) {
+template <class D, class F, class X>
+constexpr Unpacked<D, F> unpack(const F& format, const X& x) {
   using Bit = typename D::bit;
-  const Word<D, E> field = slice<E + M - 1, M>(x);
-  const Word<D, M> fraction = slice<M - 1, 0>(x);
-  const Bit normal = any<D, E>(field);
-  const Bit beyond(field == hls::lit<E, D>((1 << E) - 1));
-  const Bit fractional = any<D, M>(fraction);
+  const auto e = format.exponent;
+  const auto m = format.fraction;
+  const auto field = slice(x, e + m - 1_w, m);
+  const auto fraction = slice(x, m - 1_w, 0_w);
+  const Bit normal = any<D>(field);
+  const Bit beyond(field == D::lit((1 << e) - 1, e));
+  const Bit fractional = any<D>(fraction);
 
-  Unpacked<D, E, M> u;
-  u.sign = slice<E + M, E + M>(x);
-  u.exponent = Word<D, E>(field | Word<D, E>(Bit(~normal)));
+  Unpacked<D, F> u;
+  u.sign = sign(x);
+  u.exponent = field | resize(~normal, e);
   u.significand = cat(normal, fraction);
-  u.nan = Bit(beyond & fractional);
-  u.infinite = Bit(beyond & Bit(~fractional));
-  u.zero = Bit(Bit(~normal) & Bit(~fractional));
+  u.nan = beyond & fractional;
+  u.infinite = beyond & ~fractional;
+  u.zero = ~normal & ~fractional;
   u.normal = normal;
   return u;
 }
 
 /// A finite result before rounding: its exponent field is exponent + carry, its fraction is followed by a
 /// guard bit, and sticky tells of any one below that.
-template <class D, int E, int M>
+template <class D, class F>
 struct Raw {
   typename D::bit sign;
-  Word<D, E + 1> exponent;
+  Word<D, decltype(F::exponent + 1_w)> exponent;
   typename D::bit carry;
-  Word<D, M> fraction;
+  Word<D, decltype(F::fraction)> fraction;
   typename D::bit guard, sticky;
 };
 
 /// A result that the operands decide without arithmetic, or none (any = 0).
-template <class D, int E, int M>
+template <class D, class F>
 struct Special {
   typename D::bit any;
-  Word<D, 1 + E + M> bits;
+  typename F::template Pattern<D> bits;
 };
 
 /// The canonical NaN, or with nan = 0 an infinity, or with both 0 a zero.
-template <class D, int E, int M>
-constexpr Word<D, 1 + E + M> special_bits(const typename D::bit& sign, const typename D::bit& nan,
-                                          const typename D::bit& infinite) {
-  using Bit = typename D::bit;
-  const Word<D, M> quiet = select(nan, hls::lit<M, D>(1 << (M - 1)), hls::lit<M, D>(0));
-  return cat(Bit(sign & Bit(~nan)), cat(spread<D, E>(Bit(nan | infinite)), quiet));
+template <class D, class F, class Bit>
+constexpr auto special_bits(const F& format, const Bit& negative, const Bit& nan, const Bit& infinite) {
+  const auto e = format.exponent;
+  const auto m = format.fraction;
+  const auto quiet = select(nan, D::lit(1 << (m - 1), m), D::lit(0, m));
+  return cat(negative & ~nan, cat(spread(nan | infinite, e), quiet));
 }
 
 /// The nearest number, of two the even one; half an ulp beyond the largest, infinity. Or what is special.
-template <class D, int E, int M>
-constexpr Word<D, 1 + E + M> round_and_pack(const Raw<D, E, M>& raw, const Special<D, E, M>& special) {
+template <class D, class F>
+constexpr auto round_and_pack(const F& format, const Raw<D, F>& raw, const Special<D, F>& special) {
   using Bit = typename D::bit;
-  using Bits = Word<D, 1 + E + M>;
-  using Magnitude = Word<D, E + M>;
-  const Bit odd = slice<0, 0>(raw.fraction);
-  const Bit up = as("round_up", Bit(raw.guard & Bit(raw.sticky | odd)));
+  const auto e = format.exponent;
+  const auto m = format.fraction;
+  const Bit odd = bit_at(raw.fraction, 0_w);
+  const Bit up = as("round_up", raw.guard & (raw.sticky | odd));
   // One sum: the carry goes to the exponent, and so does that of a fraction rounded up from all ones, which
   // makes the smallest normal number of the largest subnormal one and infinity of the largest normal one.
-  const Magnitude cut = cat(slice<E - 1, 0>(raw.exponent), raw.fraction);
-  const Word<D, M + 1> increment = cat(raw.carry, Word<D, M>(up));
-  const Magnitude rounded = as("rounded", Magnitude(cut + increment));
+  const auto cut = cat(slice(raw.exponent, e - 1_w, 0_w), raw.fraction);
+  const auto increment = cat(raw.carry, resize(up, m));
+  const auto rounded = as("rounded", resize(cut + increment, e + m));
 
-  const auto largest = hls::lit<E + 1, D>((1 << E) - 2);
+  const int all_ones = (1 << e) - 1;
+  const auto largest = D::lit(all_ones - 1, e + 1_w);
   const Bit above(largest < raw.exponent);
   const Bit at(raw.exponent == largest);
-  const Bit overflow = as("overflow", Bit(above | Bit(at & raw.carry)));
-  const Bits infinity = cat(raw.sign, hls::lit<E + M, D>(((1 << E) - 1) << M));
-  const Bits exceptional = as("exceptional", select(special.any, special.bits, infinity));
-  return select(Bit(special.any | overflow), exceptional, Bits(cat(raw.sign, rounded)));
+  const Bit overflow = as("overflow", above | (at & raw.carry));
+  const auto infinity = cat(raw.sign, D::lit(all_ones << m, e + m));
+  const auto exceptional = as("exceptional", select(special.any, special.bits, infinity));
+  return select(special.any | overflow, exceptional, cat(raw.sign, rounded));
 }
 
 }  // namespace hitpipe::hls::fp_logic

@@ -7,68 +7,66 @@
 namespace hitpipe::hls::fp_logic {
 
 /// A significand `distance` places to the right: two more bits, and a lowest one for all ones below them.
-template <class D, int E, int M>
-constexpr Word<D, M + 4> align(const Word<D, M + 1>& significand, const Word<D, E>& distance) {
-  using Bit = typename D::bit;
+template <class D, class F, class Significand, class Distance>
+constexpr auto align(const F& format, const Significand& significand, const Distance& distance) {
+  const auto e = format.exponent;
+  const auto m = format.fraction;
   // Far enough to bring a whole significand below those two bits, unless no distance is that long.
-  constexpr int enough = count_bits(M + 4);
-  constexpr int amount_bits = enough < E ? enough : E;
-  constexpr int width = M + (1 << amount_bits);
-  constexpr int low = width - (M + 3);
-  Word<D, amount_bits> amount = slice<amount_bits - 1, 0>(distance);
-  if constexpr (amount_bits < E) {
-    const Bit far = any<D, E - amount_bits>(slice<E - 1, amount_bits>(distance));
-    amount = Word<D, amount_bits>(amount | spread<D, amount_bits>(far));
-  }
-  const Word<D, width> shifted = as("aligned", shift_right<D, M + 1, amount_bits>(significand, amount));
-  return cat(slice<width - 1, low>(shifted), any<D, low>(slice<low - 1, 0>(shifted)));
+  const auto amount_bits = min(count_bits(m + 4_w), e);
+  const auto near = slice(distance, amount_bits - 1_w, 0_w);
+  const auto amount = change_if(amount_bits < e, near, [&](const auto& low_bits) {
+    const auto far = any<D>(slice(distance, e - 1_w, amount_bits));
+    return low_bits | spread(far, amount_bits);
+  });
+  const auto shifted = as("aligned", shift_right<D>(significand, amount));
+  const auto low = width_of(shifted) - (m + 3_w);
+  return cat(slice(shifted, width_of(shifted) - 1_w, low), any<D>(slice(shifted, low - 1_w, 0_w)));
 }
 
 /// sum, its top bit being one place above that of exponent's significands, as a raw result. The leading one
 /// goes to the top bit, unless the exponent of subnormal numbers is reached before.
-template <class D, int E, int M>
-constexpr Raw<D, E, M> normalise(const typename D::bit& sign, const Word<D, E>& exponent,
-                                 const Word<D, M + 5>& sum) {
-  constexpr int width = M + 5;
-  constexpr int shift_bits = count_bits(width);
-  const Word<D, shift_bits> zeros = as("leading_zeros", leading_zeros<D, width>(sum));
-  const typename D::bit reaches(zeros < exponent);
-  const Word<D, shift_bits> shift = as("shift", select(reaches, zeros, resize<shift_bits>(exponent)));
-  const Word<D, width> normalised = as("normalised", shift_left<D, width, shift_bits>(sum, shift));
-  const Word<D, E> lowered(exponent - zeros);
+template <class D, class F, class Exponent, class Sum>
+constexpr Raw<D, F> normalise(const F& format, const typename D::bit& negative, const Exponent& exponent,
+                              const Sum& sum) {
+  using Bit = typename D::bit;
+  const auto e = format.exponent;
+  const auto m = format.fraction;
+  const auto zeros = as("leading_zeros", leading_zeros<D>(sum));
+  const Bit reaches(zeros < exponent);
+  const auto shift = as("shift", select(reaches, zeros, resize(exponent, width_of(zeros))));
+  const auto normalised = as("normalised", shift_left<D>(sum, shift));
+  const auto lowered = as_unsigned(resize(exponent - zeros, e));
 
-  Raw<D, E, M> raw;
-  raw.sign = sign;
-  raw.exponent = Word<D, E + 1>(select(reaches, lowered, hls::lit<E, D>(0)));
-  raw.carry = slice<width - 1, width - 1>(normalised);
-  raw.fraction = slice<width - 2, 4>(normalised);
-  raw.guard = slice<3, 3>(normalised);
-  raw.sticky = any<D, 3>(slice<2, 0>(normalised));
+  Raw<D, F> raw;
+  raw.sign = negative;
+  raw.exponent = resize(select(reaches, lowered, D::lit(0, e)), e + 1_w);
+  raw.carry = sign(normalised);
+  raw.fraction = slice(normalised, m + 3_w, 4_w);
+  raw.guard = bit_at(normalised, 3_w);
+  raw.sticky = any<D>(slice(normalised, 2_w, 0_w));
   return raw;
 }
 
 /// a - b of finite numbers. swap: b has the larger magnitude; opposite: a and -b differ in sign.
-template <class D, int E, int M>
-constexpr Raw<D, E, M> raw_difference(const Unpacked<D, E, M>& a, const Unpacked<D, E, M>& b,
-                                      const typename D::bit& swap, const typename D::bit& opposite) {
-  using Bit = typename D::bit;
-  using Exponent = Word<D, E>;
-  const Exponent exponent = as("exponent", select(swap, b.exponent, a.exponent));
-  const Exponent ahead(a.exponent - b.exponent);
-  const Exponent behind(b.exponent - a.exponent);
-  const Exponent distance = as("distance", select(swap, behind, ahead));
-  const Word<D, M + 1> larger = as("larger", select(swap, b.significand, a.significand));
-  const Word<D, M + 1> smaller = as("smaller", select(swap, a.significand, b.significand));
-  const Word<D, M + 4> aligned = align<D, E, M>(smaller, distance);
+template <class D, class F>
+constexpr Raw<D, F> raw_difference(const F& format, const Unpacked<D, F>& a, const Unpacked<D, F>& b,
+                                   const typename D::bit& swap, const typename D::bit& opposite) {
+  const auto e = format.exponent;
+  const auto m = format.fraction;
+  const auto exponent = as("exponent", select(swap, b.exponent, a.exponent));
+  const auto ahead = as_unsigned(resize(a.exponent - b.exponent, e));
+  const auto behind = as_unsigned(resize(b.exponent - a.exponent, e));
+  const auto distance = as("distance", select(swap, behind, ahead));
+  const auto larger = as("larger", select(swap, b.significand, a.significand));
+  const auto smaller = as("smaller", select(swap, a.significand, b.significand));
+  const auto aligned = align<D>(format, smaller, distance);
 
   // A bit below both terms brings the one that completes the complement of the second.
-  using Term = Word<D, M + 6>;
-  const Word<D, M + 4> inverted(aligned ^ spread<D, M + 4>(opposite));
-  const Term first = cat(Word<D, M + 2>(larger), cat(hls::lit<3, D>(0), opposite));
-  const Term second = cat(opposite, cat(inverted, opposite));
-  const Term total(first + second);
-  const Word<D, M + 5> sum = as("raw_sum", slice<M + 5, 1>(total));
-  return normalise<D, E, M>(select(swap, Bit(~b.sign), a.sign), exponent, sum);
+  const auto inverted = aligned ^ spread(opposite, m + 4_w);
+  const auto first = cat(resize(larger, m + 2_w), cat(D::lit(0, 3_w), opposite));
+  const auto second = cat(opposite, cat(inverted, opposite));
+  const auto sum = as("raw_sum", slice(first + second, m + 5_w, 1_w));
+  return normalise<D>(format, select(swap, ~b.sign, a.sign), exponent, sum);
 }
 
 }  // namespace hitpipe::hls::fp_logic

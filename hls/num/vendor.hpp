@@ -1,13 +1,15 @@
 // The value domain of a vendor's ap_int: the pipelines compiled against the headers that a user's HLS tool
 // brings. <ap_int.h> comes from the user's folder (CMake HITPIPE_VENDOR_AP_INT); only its documented ap_int
 // and ap_uint are used. The free functions below are global, beside the vendor's types, so that a pipeline's
-// calls find them there. They return plain ap_uint or ap_int: a vendor's range() is a proxy that counts as
-// wide as its parent, and its comma is not a concatenation of two bools.
+// calls find them there; hls/num/bits.hpp describes them. They return plain ap_uint or ap_int: a vendor's
+// range() is a proxy that counts as wide as its parent, and its comma is not a concatenation of two bools.
 #pragma once
 
-#include <concepts>
-
 #include <ap_int.h>
+
+#include <cstdint>
+
+#include "hls/num/bits.hpp"
 
 namespace hitpipe::hls {
 
@@ -17,64 +19,77 @@ struct Vendor {
   template <int W>
   using uint = ::ap_uint<W>;
   using bit = ::ap_uint<1>;
+
+  template <int W>
+  static ::ap_uint<W> lit(std::int64_t value, Width<W> /*width*/) {
+    return value;
+  }
 };
 
-/// Width and signedness of a vendor's integer.
+/// Width and signedness of a vendor's integer. Of other types it says nothing, and so the functions below are
+/// not for them.
 template <class T>
 struct VendorShape;
 template <int W>
 struct VendorShape<::ap_int<W>> {
-  static constexpr int width = W;
-  template <int Width>
-  using resized = ::ap_int<Width>;
+  using Width = hls::Width<W>;
+  template <int To>
+  using resized = ::ap_int<To>;
 };
 template <int W>
 struct VendorShape<::ap_uint<W>> {
-  static constexpr int width = W;
-  template <int Width>
-  using resized = ::ap_uint<Width>;
+  using Width = hls::Width<W>;
+  template <int To>
+  using resized = ::ap_uint<To>;
 };
-
 template <class T>
-concept vendor_integer = requires {
-  VendorShape<T>::width;
-};
+using VendorWidth = typename VendorShape<T>::Width;
 
 }  // namespace hitpipe::hls
 
-/// Bits Hi..Lo of x, unsigned, Hi-Lo+1 bits wide.
-template <int Hi, int Lo, hitpipe::hls::vendor_integer T>
-requires(hitpipe::hls::VendorShape<T>::width > Hi && Hi >= Lo &&
-         Lo >= 0) inline ::ap_uint<Hi - Lo + 1> slice(const T& x) {
+template <class T>
+inline hitpipe::hls::VendorWidth<T> width_of(const T& /*x*/) {
+  return {};
+}
+
+template <int Hi, int Lo, class T, class = hitpipe::hls::VendorWidth<T>>
+inline ::ap_uint<Hi - Lo + 1> slice(const T& x, hitpipe::hls::Width<Hi> /*high*/,
+                                    hitpipe::hls::Width<Lo> /*low*/) {
+  static_assert(Lo >= 0 && Hi >= Lo && Hi < hitpipe::hls::VendorWidth<T>(), "a slice lies inside its word");
   return ::ap_uint<Hi - Lo + 1>(x.range(Hi, Lo));
 }
 
-/// The bits of a above those of b, unsigned, as wide as both.
-template <hitpipe::hls::vendor_integer A, hitpipe::hls::vendor_integer B>
-inline auto cat(const A& a, const B& b) {
-  constexpr int wa = hitpipe::hls::VendorShape<A>::width;
-  constexpr int wb = hitpipe::hls::VendorShape<B>::width;
-  return ::ap_uint<wa + wb>(a.concat(b));
+template <class A, class B, class Width = decltype(hitpipe::hls::VendorWidth<A>() + hitpipe::hls::VendorWidth<B>())>
+inline ::ap_uint<Width()> cat(const A& a, const B& b) {
+  return ::ap_uint<Width()>(a.concat(b));
 }
 
-/// A multiplexer: a where the bit is 1, else b. A bit, not a bool or a wider word; a and b of one type.
-template <std::same_as<::ap_uint<1>> Bit, hitpipe::hls::vendor_integer T>
-inline T select(const Bit& bit, const T& a, const T& b) {
+/// A bit, not a bool or a wider word; a and b of one type.
+template <class T, class = hitpipe::hls::VendorWidth<T>>
+inline T select(const ::ap_uint<1>& bit, const T& a, const T& b) {
   return bit.to_bool() ? a : b;
 }
 
-/// x in W bits, of the same signedness: extended by its own sign, or its low W bits.
-template <int W, hitpipe::hls::vendor_integer T>
-inline auto resize(const T& x) {
+template <int W, class T>
+inline typename hitpipe::hls::VendorShape<T>::template resized<W> resize(const T& x,
+                                                                         hitpipe::hls::Width<W> /*width*/) {
   return typename hitpipe::hls::VendorShape<T>::template resized<W>(x);
 }
 
-/// Names a value in a traced graph; here x itself.
-template <hitpipe::hls::vendor_integer T>
+template <class T>
+inline ::ap_int<hitpipe::hls::VendorWidth<T>()> as_signed(const T& x) {
+  return ::ap_int<hitpipe::hls::VendorWidth<T>()>(x);
+}
+template <class T>
+inline ::ap_uint<hitpipe::hls::VendorWidth<T>()> as_unsigned(const T& x) {
+  return ::ap_uint<hitpipe::hls::VendorWidth<T>()>(x);
+}
+
+template <class T, class = hitpipe::hls::VendorWidth<T>>
 inline T as(const char* /*name*/, const T& x) {
   return x;
 }
-template <hitpipe::hls::vendor_integer T>
+template <class T, class = hitpipe::hls::VendorWidth<T>>
 inline T as(const char* /*name*/, char /*axis*/, const T& x) {
   return x;
 }

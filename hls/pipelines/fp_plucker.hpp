@@ -4,7 +4,8 @@
 #pragma once
 
 #include "hls/box/arithmetic.hpp"
-#include "hls/box/fp_format.hpp"
+#include "hls/box/box_hit.hpp"
+#include "hls/box/format_list.hpp"
 #include "hls/box/fp_plucker_operands.hpp"
 #include "hls/pipelines/plucker_parts.hpp"
 
@@ -16,8 +17,16 @@ constexpr auto fp_axis_view(char axis, const Real& direction, const Real& origin
                             const Real& plane_max) {
   const Real a = as("a", axis, fp_sub(plane_min, origin));
   const Real b = as("b", axis, fp_sub(plane_max, origin));
-  return AxisView<typename Real::Bit, Real>{direction, direction.sign(), a, b};
+  return axis_view(direction, sign(direction), a, b);
 }
+
+/// fp_compare as an object.
+struct FpOrder {
+  template <class Real>
+  constexpr auto operator()(const Real& a, const Real& b) const {
+    return fp_compare(a, b);
+  }
+};
 
 /// The side relation of ray and edge is negative: figures 7.9 and 7.10.
 template <class Real>
@@ -25,7 +34,7 @@ constexpr typename Real::Bit fp_outside(char number, const SilhouetteEdge<Real>&
   const Real q = as("q", number, fp_mul(edge.q.direction, edge.q.plane));
   const Real p = as("p", number, fp_mul(edge.p.direction, edge.p.plane));
   const Real side = as("side", number, fp_sub(q, p));
-  return as("outside", number, fp_less(side, Real{typename Real::Bits(0)}));
+  return as("outside", number, fp_less(side, fp_zero(side)));
 }
 
 struct FpPlucker {
@@ -33,16 +42,18 @@ struct FpPlucker {
   static constexpr const char* summary = "float Pluecker test, figures 7.7-7.10";
   static constexpr Arithmetic arithmetic = Arithmetic::floating;
   static constexpr bool conservative = false;
-  using Bits = FpBits;
 
+  using Bits = FpBits;
+  using BuiltIn = FormatList<Fp32>;
   template <class D, class F>
   using Operands = FpPluckerOperands<D, F>;
+  template <class D, class F>
+  using Results = BoxHit<typename D::bit>;
 
   template <class D, class F>
-  static constexpr typename D::bit hit(const Operands<D, F>& in) {
+  static constexpr Results<D, F> test(const F& /*format*/, const FpPluckerOperands<D, F>& in) {
     using Bit = typename D::bit;
-    using Real = typename Operands<D, F>::real;
-    const auto compare = [](const Real& a, const Real& b) { return fp_compare(a, b); };
+    const FpOrder compare;
     const auto x = fp_axis_view('x', in.ri, in.rx, in.xmin, in.xmax);
     const auto y = fp_axis_view('y', in.rj, in.ry, in.ymin, in.ymax);
     const auto z = fp_axis_view('z', in.rk, in.rz, in.zmin, in.zmax);
@@ -50,13 +61,13 @@ struct FpPlucker {
         within_extent(axis_extent('x', x.minus, in.rx, in.rex, in.xmin, in.xmax, compare),
                       axis_extent('y', y.minus, in.ry, in.rey, in.ymin, in.ymax, compare),
                       axis_extent('z', z.minus, in.rz, in.rez, in.zmin, in.zmax, compare), in.rinf);
-    const EdgePair xy(x, y, '0', '1');
-    const EdgePair zx(z, x, '2', '3');
-    const EdgePair yz(y, z, '4', '5');
-    const Bit hit01 = as("hit01", Bit(~fp_outside('0', xy.first) & ~fp_outside('1', xy.second)));
-    const Bit hit23 = as("hit23", Bit(~fp_outside('2', zx.first) & ~fp_outside('3', zx.second)));
-    const Bit hit45 = as("hit45", Bit(~fp_outside('4', yz.first) & ~fp_outside('5', yz.second)));
-    return as("inside", Bit((hit01 & hit23) & (hit45 & extent)));
+    const auto xy = edge_pair(x, y, '0', '1');
+    const auto zx = edge_pair(z, x, '2', '3');
+    const auto yz = edge_pair(y, z, '4', '5');
+    const Bit hit01 = as("hit01", ~fp_outside('0', xy.first) & ~fp_outside('1', xy.second));
+    const Bit hit23 = as("hit23", ~fp_outside('2', zx.first) & ~fp_outside('3', zx.second));
+    const Bit hit45 = as("hit45", ~fp_outside('4', yz.first) & ~fp_outside('5', yz.second));
+    return {as("inside", (hit01 & hit23) & (hit45 & extent))};
   }
 };
 

@@ -5,7 +5,8 @@
 #pragma once
 
 #include "hls/box/arithmetic.hpp"
-#include "hls/box/fp_format.hpp"
+#include "hls/box/box_hit.hpp"
+#include "hls/box/format_list.hpp"
 #include "hls/box/fp_slabs_operands.hpp"
 
 namespace hitpipe::hls {
@@ -24,7 +25,7 @@ constexpr FpSlabInterval<Real> fp_slab_interval(char axis, const Real& origin, c
   const Real d1 = as("d1", axis, fp_sub(plane_max, origin));
   const Real t0 = as("t0", axis, fp_mul(d0, inverse));
   const Real t1 = as("t1", axis, fp_mul(d1, inverse));
-  const auto backward = inverse.sign();
+  const auto backward = sign(inverse);
   const Real near = as("t_near", axis, select(backward, t1, t0));
   return {near, as("t_far", axis, select(backward, t0, t1))};
 }
@@ -38,10 +39,10 @@ constexpr Bit fp_slabs_overlap(const FpSlabInterval<Real>& x, const FpSlabInterv
   const Real far_xy = as("t_far_xy", select(fp_less(y.far, x.far), y.far, x.far));
   const Real far = as("t_far", select(fp_less(z.far, far_xy), z.far, far_xy));
 
-  const Bit behind = far.sign();
+  const Bit behind = sign(far);
   const Bit apart = as("apart", fp_less(far, near));
   const Bit beyond = as("beyond", fp_less(rlen, near));
-  return as("overlap", Bit((~behind & ~apart) & (~beyond | rinf)));
+  return as("overlap", (~behind & ~apart) & (~beyond | rinf));
 }
 
 struct FpSlabs {
@@ -49,17 +50,20 @@ struct FpSlabs {
   static constexpr const char* summary = "float slabs test, figures 7.2-7.3";
   static constexpr Arithmetic arithmetic = Arithmetic::floating;
   static constexpr bool conservative = false;
-  using Bits = FpBits;
 
+  using Bits = FpBits;
+  using BuiltIn = FormatList<Fp32>;
   template <class D, class F>
   using Operands = FpSlabsOperands<D, F>;
+  template <class D, class F>
+  using Results = BoxHit<typename D::bit>;
 
   template <class D, class F>
-  static constexpr typename D::bit hit(const Operands<D, F>& in) {
+  static constexpr Results<D, F> test(const F& /*format*/, const FpSlabsOperands<D, F>& in) {
     const auto x = fp_slab_interval('x', in.rx, in.xmin, in.xmax, in.ri_inv);
     const auto y = fp_slab_interval('y', in.ry, in.ymin, in.ymax, in.rj_inv);
     const auto z = fp_slab_interval('z', in.rz, in.zmin, in.zmax, in.rk_inv);
-    return fp_slabs_overlap<typename D::bit>(x, y, z, in.rlen, in.rinf);
+    return {fp_slabs_overlap(x, y, z, in.rlen, in.rinf)};
   }
 };
 

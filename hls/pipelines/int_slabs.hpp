@@ -1,13 +1,14 @@
 // The integer slabs test of section 6.2.2, figures 7.4 to 7.6: does a ray meet a box, in n-bit coordinates?
-// Conservative: floor and ceil IRDVCs are chosen so that every interval can only grow, and dropping low
-// product bits (2n-1 down to t) keeps the order of what it compares. Says HIT too often, never too seldom.
+// It is conservative: it may say HIT too often, never too seldom. The floor and ceil IRDVCs are chosen so that
+// every interval can only grow, and dropping low product bits (2n-1 down to t) keeps the order of distances.
 // Widths: differences n bits (the operands' ranges leave room for the sign), products 2n, intervals t.
 #pragma once
 
 #include "hls/box/arithmetic.hpp"
-#include "hls/box/int_format.hpp"
+#include "hls/box/box_hit.hpp"
+#include "hls/box/format_list.hpp"
 #include "hls/box/int_slabs_operands.hpp"
-#include "hls/num/domain.hpp"
+#include "hls/num/bits.hpp"
 
 namespace hitpipe::hls {
 
@@ -18,46 +19,51 @@ struct SlabFactors {
   Coord ir_near, ir_far;  ///< the IRDVC bound that errs outward for each
 };
 
-/// Subtract the origin and choose operands in the three steps of section 6.2.2.
-template <class Coord>
-constexpr SlabFactors<Coord> slab_factors(char axis, const Coord& origin, const Coord& plane_min,
-                                          const Coord& plane_max, const Coord& ir_floor,
-                                          const Coord& ir_ceil) {
-  constexpr int n = Coord::width;
-  const Coord d0 = as("d0", axis, resize<n>(plane_min - origin));
-  const Coord d1 = as("d1", axis, resize<n>(plane_max - origin));
-  const auto backward = slice<n - 1, n - 1>(ir_floor);
+/// Subtracts the origin and chooses operands in the three steps of section 6.2.2.
+template <class F, class Coord>
+constexpr SlabFactors<Coord> slab_factors(const F& format, char axis, const Coord& origin,
+                                          const Coord& plane_min, const Coord& plane_max,
+                                          const Coord& ir_floor, const Coord& ir_ceil) {
+  const Coord d0 = as("d0", axis, resize(plane_min - origin, format.coord));
+  const Coord d1 = as("d1", axis, resize(plane_max - origin, format.coord));
+  const auto backward = sign(ir_floor);
 
   SlabFactors<Coord> f;
   f.d_near = as("d_near", axis, select(backward, d1, d0));
   f.d_far = as("d_far", axis, select(backward, d0, d1));
-  f.ir_near = as("ir_near", axis, select(slice<n - 1, n - 1>(f.d_near), ir_ceil, ir_floor));
-  f.ir_far = as("ir_far", axis, select(slice<n - 1, n - 1>(f.d_far), ir_floor, ir_ceil));
+  f.ir_near = as("ir_near", axis, select(sign(f.d_near), ir_ceil, ir_floor));
+  f.ir_far = as("ir_far", axis, select(sign(f.d_far), ir_floor, ir_ceil));
   return f;
 }
 
-/// A distance, its low bits dropped: bits 2n-2 down to 2n-1-t of the product (bit 2n-1 repeats the sign).
-template <class Interval, class Coord>
-constexpr Interval slab_distance(const char* name, char axis, const Coord& d, const Coord& ir) {
-  constexpr int product = 2 * Coord::width - 1;
-  return as(name, axis, Interval(slice<product - 1, product - Interval::width>(d * ir)));
+/// Distances at which the ray enters and leaves a slab.
+template <class Interval>
+struct IntSlab {
+  Interval near, far;
+};
+
+/// Products without their low bits: bits 2n-2 down to 2n-1-t (bit 2n-1 repeats the sign). Figure 7.5.
+template <class Interval, class F, class Coord>
+constexpr IntSlab<Interval> int_slab(const F& format, char axis, const SlabFactors<Coord>& f) {
+  const auto high = format.product() - 1_w;
+  const auto low = format.trimmed();
+  return {as("it_near", axis, as_signed(slice(f.d_near * f.ir_near, high, low))),
+          as("it_far", axis, as_signed(slice(f.d_far * f.ir_far, high, low)))};
 }
 
 /// Stage 5, figure 7.6: the three intervals and the ray's own [0, irlen] have a point in common.
 template <class Bit, class Interval>
-constexpr Bit slabs_overlap(const Interval& near_x, const Interval& far_x, const Interval& near_y,
-                            const Interval& far_y, const Interval& near_z, const Interval& far_z,
-                            const Interval& irlen, const Bit& rinf) {
-  constexpr int sign = Interval::width - 1;
-  const Interval near_xy = as("it_near_xy", select(Bit(near_x < near_y), near_y, near_x));
-  const Interval near = as("it_near", select(Bit(near_xy < near_z), near_z, near_xy));
-  const Interval far_xy = as("it_far_xy", select(Bit(far_y < far_x), far_y, far_x));
-  const Interval far = as("it_far", select(Bit(far_z < far_xy), far_z, far_xy));
+constexpr Bit slabs_overlap(const IntSlab<Interval>& x, const IntSlab<Interval>& y,
+                            const IntSlab<Interval>& z, const Interval& irlen, const Bit& rinf) {
+  const Interval near_xy = as("it_near_xy", select(Bit(x.near < y.near), y.near, x.near));
+  const Interval near = as("it_near", select(Bit(near_xy < z.near), z.near, near_xy));
+  const Interval far_xy = as("it_far_xy", select(Bit(y.far < x.far), y.far, x.far));
+  const Interval far = as("it_far", select(Bit(z.far < far_xy), z.far, far_xy));
 
-  const Bit behind = slice<sign, sign>(far);
+  const Bit behind = sign(far);
   const Bit apart = as("apart", Bit(far < near));
   const Bit beyond = as("beyond", Bit(irlen < near));
-  return as("overlap", Bit((~behind & ~apart) & (~beyond | rinf)));
+  return as("overlap", (~behind & ~apart) & (~beyond | rinf));
 }
 
 struct IntSlabs {
@@ -65,24 +71,22 @@ struct IntSlabs {
   static constexpr const char* summary = "integer slabs test, figures 7.4-7.6";
   static constexpr Arithmetic arithmetic = Arithmetic::integer;
   static constexpr bool conservative = true;
-  using Bits = IntBits;
 
+  using Bits = IntBits;
+  using BuiltIn = FormatList<IntFormat<24, 24>, IntFormat<20, 24>, IntFormat<16, 16>, IntFormat<12, 12>>;
   template <class D, class F>
   using Operands = IntSlabsOperands<D, F>;
+  template <class D, class F>
+  using Results = BoxHit<typename D::bit>;
 
   template <class D, class F>
-  static constexpr typename D::bit hit(const Operands<D, F>& in) {
-    using Interval = typename Operands<D, F>::interval;
-    const auto x = slab_factors('x', in.irx, in.ixmin, in.ixmax, in.iri_floor, in.iri_ceil);
-    const auto y = slab_factors('y', in.iry, in.iymin, in.iymax, in.irj_floor, in.irj_ceil);
-    const auto z = slab_factors('z', in.irz, in.izmin, in.izmax, in.irk_floor, in.irk_ceil);
-    return slabs_overlap<typename D::bit>(slab_distance<Interval>("it_near", 'x', x.d_near, x.ir_near),
-                                          slab_distance<Interval>("it_far", 'x', x.d_far, x.ir_far),
-                                          slab_distance<Interval>("it_near", 'y', y.d_near, y.ir_near),
-                                          slab_distance<Interval>("it_far", 'y', y.d_far, y.ir_far),
-                                          slab_distance<Interval>("it_near", 'z', z.d_near, z.ir_near),
-                                          slab_distance<Interval>("it_far", 'z', z.d_far, z.ir_far), in.irlen,
-                                          in.rinf);
+  static constexpr Results<D, F> test(const F& format, const IntSlabsOperands<D, F>& in) {
+    using Interval = typename F::template Interval<D>;
+    const auto x = slab_factors(format, 'x', in.irx, in.ixmin, in.ixmax, in.iri_floor, in.iri_ceil);
+    const auto y = slab_factors(format, 'y', in.iry, in.iymin, in.iymax, in.irj_floor, in.irj_ceil);
+    const auto z = slab_factors(format, 'z', in.irz, in.izmin, in.izmax, in.irk_floor, in.irk_ceil);
+    return {slabs_overlap(int_slab<Interval>(format, 'x', x), int_slab<Interval>(format, 'y', y),
+                          int_slab<Interval>(format, 'z', z), in.irlen, in.rinf)};
   }
 };
 

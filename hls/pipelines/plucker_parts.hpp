@@ -1,18 +1,21 @@
 // The two halves of the Pluecker test that float and integer units share (sections 3.3 and 6.3.2): where the
 // ray begins and ends, and which box coordinates each of the six silhouette edges is made of. All eight ray
 // classes go through one set of multiplexers: the class is the three sign bits of the direction, 1 for minus.
-//   Value  a coordinate: D::sint<n> or Fp<D, E, M>;  Bit  D::bit
+//   Value  a coordinate: an integer or an Fp of domain D;  Bit  D::bit
 #pragma once
 
 #include "hls/num/fp.hpp"
 
 namespace hitpipe::hls {
 
-/// Both orders of two integers; for floats there is fp_compare.
-template <class Bit, class Word>
-constexpr Order<Bit> int_compare(const Word& a, const Word& b) {
-  return {Bit(a < b), Bit(a > b)};
-}
+/// Gives both orders of two integers; for floats there is fp_compare.
+template <class Bit>
+struct IntOrder {
+  template <class Value>
+  constexpr Order<Bit> operator()(const Value& a, const Value& b) const {
+    return {Bit(a < b), Bit(a > b)};
+  }
+};
 
 /// Parts A and B of figures 6.3 and 6.4 on one axis, figures 7.7 and 7.11.
 template <class Bit>
@@ -24,11 +27,12 @@ struct AxisExtent {
 /// `compare` gives the Order of two coordinates.
 template <class Bit, class Value, class Compare>
 constexpr AxisExtent<Bit> axis_extent(char axis, const Bit& minus, const Value& origin, const Value& endpoint,
-                                      const Value& plane_min, const Value& plane_max, Compare&& compare) {
-  const Order<Bit> start =
-      compare(origin, Value(as("last_plane", axis, select(minus, plane_min, plane_max))));
-  const Order<Bit> end =
-      compare(endpoint, Value(as("first_plane", axis, select(minus, plane_max, plane_min))));
+                                      const Value& plane_min, const Value& plane_max,
+                                      const Compare& compare) {
+  const Value last_plane = as("last_plane", axis, select(minus, plane_min, plane_max));
+  const Order<Bit> start = compare(origin, last_plane);
+  const Value first_plane = as("first_plane", axis, select(minus, plane_max, plane_min));
+  const Order<Bit> end = compare(endpoint, first_plane);
   return {as("behind", axis, select(minus, start.less, start.greater)),
           as("beyond", axis, select(minus, end.greater, end.less))};
 }
@@ -37,9 +41,9 @@ constexpr AxisExtent<Bit> axis_extent(char axis, const Bit& minus, const Value& 
 template <class Bit>
 constexpr Bit within_extent(const AxisExtent<Bit>& x, const AxisExtent<Bit>& y, const AxisExtent<Bit>& z,
                             const Bit& rinf) {
-  const Bit ahead = as("ahead", Bit(~x.behind & ~y.behind & ~z.behind));
-  const Bit reached = as("reached", Bit(~x.beyond & ~y.beyond & ~z.beyond));
-  return as("extent", Bit(ahead & (reached | rinf)));
+  const Bit ahead = as("ahead", ~x.behind & ~y.behind & ~z.behind);
+  const Bit reached = as("reached", ~x.beyond & ~y.beyond & ~z.beyond);
+  return as("extent", ahead & (reached | rinf));
 }
 
 /// One axis of the box as seen from the ray: its direction there, and the planes less the origin.
@@ -49,6 +53,11 @@ struct AxisView {
   Bit minus;
   Value a, b;  ///< lower and upper plane: xa and xb of figure 6.3
 };
+template <class Bit, class Value>
+constexpr AxisView<Bit, Value> axis_view(const Value& direction, const Bit& minus, const Value& a,
+                                         const Value& b) {
+  return {direction, minus, a, b};
+}
 
 /// Operands of a multiplier: a direction component and a plane.
 template <class Value>
@@ -62,27 +71,28 @@ struct SilhouetteEdge {
   SideFactors<Value> q, p;
 };
 
-/// The plane that a direction component of axis `own` is multiplied by: `if_minus` in classes with minus
-/// there.
+/// A direction component of axis `own` and its plane: `if_minus` in classes with minus on that axis.
 template <class Bit, class Value>
 constexpr SideFactors<Value> side_factors(const char* name, char suffix, const AxisView<Bit, Value>& own,
                                           const Value& if_minus, const Value& if_plus) {
   return {own.direction, as(name, suffix, select(own.minus, if_minus, if_plus))};
 }
 
+template <class Value>
+struct EdgePair {
+  SilhouetteEdge<Value> first, second;
+};
+
 /// The two silhouette edges parallel to the third axis. Reflecting an axis turns its plus class into the
 /// minus class, swaps its planes and changes the sign of both terms: each term's plane depends on its own
 /// component's sign alone, and the comparison stays the same in all classes.
 template <class Bit, class Value>
-struct EdgePair {
-  SilhouetteEdge<Value> first, second;
-
-  constexpr EdgePair(const AxisView<Bit, Value>& i, const AxisView<Bit, Value>& j, char number_first,
-                     char number_second)
-      : first{side_factors("q_plane", number_first, j, i.a, i.b),
-              side_factors("p_plane", number_first, i, j.b, j.a)},
-        second{side_factors("q_plane", number_second, i, j.a, j.b),
-               side_factors("p_plane", number_second, j, i.b, i.a)} {}
-};
+constexpr EdgePair<Value> edge_pair(const AxisView<Bit, Value>& i, const AxisView<Bit, Value>& j,
+                                    char number_first, char number_second) {
+  return {{side_factors("q_plane", number_first, j, i.a, i.b),
+           side_factors("p_plane", number_first, i, j.b, j.a)},
+          {side_factors("q_plane", number_second, i, j.a, j.b),
+           side_factors("p_plane", number_second, j, i.b, i.a)}};
+}
 
 }  // namespace hitpipe::hls

@@ -45,6 +45,11 @@ std::vector<Port> Design::ports(const Format& format) const {
   return ports_at(format);
 }
 
+std::vector<hls::Result> Design::results(const Format& format) const {
+  check(*this, format);
+  return results_at(format);
+}
+
 Graph Design::trace(const Format& format) const {
   check(*this, format);
   return trace_at(format);
@@ -52,12 +57,12 @@ Graph Design::trace(const Format& format) const {
 
 Evaluate Design::evaluate(const Format& format) const {
   check(*this, format);
-  return {run_at(format), format, results};
+  return {run_at(format), format, results_at(format)};
 }
 
 int Design::boxes_per_test() const {
   int last = 0;
-  for (const hls::Result& result : results) last = std::max(last, result.box);
+  for (const hls::Result& result : results_at(default_format)) last = std::max(last, result.box);
   return last + 1;
 }
 

@@ -23,7 +23,7 @@ struct Design {
   std::string_view summary;  ///< one line, with its figures in the thesis
   bool conservative;         ///< HIT whenever the exact ray meets the closed box
   Format default_format;     ///< of the family that all its formats are of
-  std::vector<hls::Result> results;
+  std::vector<hls::Result> (*results_at)(const Format&);
   std::vector<Port> (*ports_at)(const Format&);
   Graph (*trace_at)(const Format&);
   Evaluate::Run (*run_at)(const Format&);
@@ -34,6 +34,7 @@ struct Design {
   [[nodiscard]] Format parse_format(std::string_view text) const;
   /// All throw std::runtime_error, one line, when there is no such format.
   [[nodiscard]] std::vector<Port> ports(const Format& format) const;
+  [[nodiscard]] std::vector<hls::Result> results(const Format& format) const;
   [[nodiscard]] Graph trace(const Format& format) const;
   [[nodiscard]] Evaluate evaluate(const Format& format) const;
   /// Boxes that one test answers for.

@@ -15,10 +15,10 @@ Design design_of() {
           .summary = Pipeline::summary,
           .conservative = Pipeline::conservative,
           .default_format = Bits{},
-          .results = results_of<Pipeline>(),
+          .results_at = [](const Format& format) { return results_of<Pipeline>(format.as<Bits>()); },
           .ports_at = [](const Format& format) { return ports_of<Pipeline>(format.as<Bits>()); },
           .trace_at = [](const Format& format) { return traced<Pipeline>(format.as<Bits>()); },
-          .run_at = [](const Format& format) { return native<Pipeline>(format.as<Bits>()); }};
+          .run_at = [](const Format& format) { return native_function<Pipeline>(format.as<Bits>()); }};
 }
 
 }  // namespace hitpipe::rtl

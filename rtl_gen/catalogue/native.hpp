@@ -1,15 +1,51 @@
-// A pipeline as a host function: its template run in the native domain.
+// A pipeline as a host function, in any format: built-in formats have an instance of their own in the native
+// domain, all others share the one whose widths are known at run time.
 #pragma once
 
 #include <cstdint>
 
+#include "hls/box/format_list.hpp"
+#include "hls/box/operand.hpp"
 #include "hls/num/domain.hpp"
+#include "hls/num/fp.hpp"
+#include "hls/num/sized.hpp"
 #include "rtl_gen/catalogue/evaluate.hpp"
-#include "rtl_gen/catalogue/instantiate.hpp"
 
 namespace hitpipe::rtl {
 
-// Judging a design runs its datapath once a test: flat, its values stay in registers. GCC's sanitizers take
+namespace detail {
+
+/// Reads operands in port order. Bits above a port's width are ignored.
+template <class Format>
+struct OperandReader {
+  template <int W, bool S>
+  void operator()(const hls::Operand& /*port*/, hls::ap_base<W, S>& field) {
+    field = *next++;
+  }
+  template <bool S>
+  void operator()(const hls::Operand& port, hls::SizedInt<S>& field) {
+    field = hls::SizedInt<S>(static_cast<std::uint64_t>(*next++), port.width);
+  }
+  template <class D, class F>
+  void operator()(const hls::Operand& port, hls::Fp<D, F>& field) {
+    field.format = format;
+    (*this)(port, field.bits);
+  }
+
+  const Format& format;
+  const std::int64_t* next;
+};
+
+struct ResultWriter {
+  template <class Field>
+  void operator()(const hls::Result& /*port*/, const Field& field) {
+    *next++ = field.to_int64();
+  }
+
+  std::int64_t* next;
+};
+
+// A function that judges boxes runs once a test: flat, its values stay in registers. GCC's sanitizers take
 // minutes over so large a function.
 #ifdef __SANITIZE_ADDRESS__
 #define HITPIPE_FLATTEN
@@ -17,30 +53,38 @@ namespace hitpipe::rtl {
 #define HITPIPE_FLATTEN [[gnu::flatten]]
 #endif
 
-/// `operands` in port order, each sign-extended when its port is signed; bits above a port's width are
-/// ignored.
-template <class Pipeline, class F>
-HITPIPE_FLATTEN void run_native(const Format&, const std::int64_t* operands, std::int64_t* results) {
-  using Operands = typename Pipeline::template Operands<hls::Native, F>;
+template <class Pipeline, class D, class F>
+HITPIPE_FLATTEN void run(const F& format, const std::int64_t* operands, std::int64_t* results) {
+  using Operands = typename Pipeline::template Operands<D, F>;
+  using Results = typename Pipeline::template Results<D, F>;
   Operands in;
-  Operands::for_each(in, [&](const hls::Operand&, auto& field) { field = *operands++; });
-  results[0] = Pipeline::template hit<hls::Native, F>(in).to_bool() ? 1 : 0;
+  Operands::for_each(format, in, OperandReader<F>{format, operands});
+  const Results out = Pipeline::template test<D>(format, in);
+  Results::for_each(format, out, ResultWriter{results});
 }
 #undef HITPIPE_FLATTEN
 
-template <class Pipeline>
-struct MakeNative {
-  static constexpr hls::Arithmetic arithmetic = Pipeline::arithmetic;
-  using Entry = Evaluate::Run;
-  template <class F>
-  static constexpr Entry entry() {
-    return run_native<Pipeline, F>;
-  }
-};
+template <class Pipeline, class F>
+void run_built_in(const Format& /*its own*/, const std::int64_t* operands, std::int64_t* results) {
+  run<Pipeline, hls::Native>(F(), operands, results);
+}
 
 template <class Pipeline>
-Evaluate::Run native(const typename Pipeline::Bits& bits) {
-  return for_format<MakeNative<Pipeline>>(bits);
+void run_any(const Format& format, const std::int64_t* operands, std::int64_t* results) {
+  run<Pipeline, hls::Sized>(format.as<typename Pipeline::Bits>(), operands, results);
+}
+
+}  // namespace detail
+
+/// The fastest host function for a format; call it with that format.
+template <class Pipeline>
+Evaluate::Run native_function(const typename Pipeline::Bits& format) {
+  Evaluate::Run found = detail::run_any<Pipeline>;
+  const auto choose = [&]<class... F>(hls::FormatList<F...>) {
+    ((format == F::bits ? void(found = detail::run_built_in<Pipeline, F>) : void()), ...);
+  };
+  choose(typename Pipeline::BuiltIn());
+  return found;
 }
 
 }  // namespace hitpipe::rtl

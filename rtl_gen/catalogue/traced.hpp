@@ -1,65 +1,73 @@
-// A pipeline as a graph: its template run in the trace domain.
+// A pipeline as a graph: its template run in the trace domain, in any format.
 #pragma once
 
-#include "rtl_gen/catalogue/instantiate.hpp"
+#include <vector>
+
+#include "hls/box/operand.hpp"
+#include "hls/num/sized.hpp"
 #include "rtl_gen/catalogue/port.hpp"
 #include "rtl_gen/graph/trace.hpp"
 #include "rtl_gen/graph/trace_fp.hpp"
 
 namespace hitpipe::rtl {
 
-template <class Pipeline, class F>
-Graph traced_at() {
+namespace detail {
+
+/// Makes a port of each operand and each result.
+template <class Bits>
+struct TracedPorts {
+  template <bool S>
+  void operator()(const hls::Operand& port, Signal<S>& field) const {
+    field = Signal<S>(graph.input(port.name, port.width, S));
+  }
+  template <class F>
+  void operator()(const hls::Operand& port, hls::Fp<Trace, F>& field) const {
+    field.format = format;
+    (*this)(port, field.bits);
+  }
+  template <bool S>
+  void operator()(const hls::Result& port, const Signal<S>& field) const {
+    graph.output(port.name, field.id());
+  }
+
+  Graph& graph;
+  const Bits& format;
+};
+
+}  // namespace detail
+
+template <class Pipeline>
+Graph traced(const typename Pipeline::Bits& format) {
+  using Bits = typename Pipeline::Bits;
+  using Operands = typename Pipeline::template Operands<Trace, Bits>;
+  using Results = typename Pipeline::template Results<Trace, Bits>;
   Graph graph(Pipeline::name);
   const Tracer tracer(graph);
-  using Operands = typename Pipeline::template Operands<Trace, F>;
+  const detail::TracedPorts<Bits> ports{graph, format};
   Operands in;
-  Operands::for_each(in, [&]<int W, bool S>(const hls::Operand& port, Signal<W, S>& field) {
-    field = Signal<W, S>::from(graph.input(port.name, W, S));
-  });
-  graph.output("hit", Pipeline::template hit<Trace, F>(in).id());
+  Operands::for_each(format, in, ports);
+  const Results out = Pipeline::template test<Trace>(format, in);
+  Results::for_each(format, out, ports);
   return graph;
 }
 
+/// The operand ports of a pipeline, as it states them.
 template <class Pipeline>
-struct MakeTraced {
-  static constexpr hls::Arithmetic arithmetic = Pipeline::arithmetic;
-  using Entry = Graph (*)();
-  template <class F>
-  static constexpr Entry entry() {
-    return traced_at<Pipeline, F>;
-  }
-};
-
-template <class Pipeline, class F>
-std::vector<Port> ports_at() {
+std::vector<Port> ports_of(const typename Pipeline::Bits& format) {
   std::vector<Port> ports;
-  using Operands = typename Pipeline::template Operands<hls::Native, F>;
-  Operands in;
-  Operands::for_each(in, [&](const hls::Operand& operand, auto&) { ports.push_back(port_of(operand)); });
+  typename Pipeline::template Operands<hls::Sized, typename Pipeline::Bits> in;
+  in.for_each(format, in,
+              [&](const hls::Operand& operand, const auto&) { ports.push_back(port_of(operand)); });
   return ports;
 }
-template <class Pipeline>
-struct MakePorts {
-  static constexpr hls::Arithmetic arithmetic = Pipeline::arithmetic;
-  using Entry = std::vector<Port> (*)();
-  template <class F>
-  static constexpr Entry entry() {
-    return ports_at<Pipeline, F>;
-  }
-};
 
+/// The result ports of a pipeline at a format, as it states them.
 template <class Pipeline>
-Graph traced(const typename Pipeline::Bits& bits) {
-  return for_format<MakeTraced<Pipeline>>(bits)();
-}
-template <class Pipeline>
-std::vector<Port> ports_of(const typename Pipeline::Bits& bits) {
-  return for_format<MakePorts<Pipeline>>(bits)();
-}
-template <class Pipeline>
-std::vector<hls::Result> results_of() {
-  return {{"hit", hls::Meaning::hit, 0, 1, false}};
+std::vector<hls::Result> results_of(const typename Pipeline::Bits& format) {
+  std::vector<hls::Result> results;
+  typename Pipeline::template Results<hls::Sized, typename Pipeline::Bits> out;
+  out.for_each(format, out, [&](const hls::Result& result, const auto&) { results.push_back(result); });
+  return results;
 }
 
 }  // namespace hitpipe::rtl

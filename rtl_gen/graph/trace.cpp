@@ -1,5 +1,6 @@
 #include "rtl_gen/graph/trace.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace hitpipe::rtl {
@@ -28,5 +29,42 @@ SourceLine source_line(std::string_view path, unsigned line) {
   const std::string_view of_project = last_components(path, 3);
   return {std::string(of_project.starts_with("hls/") ? of_project : last_components(path, 2)), line};
 }
+
+namespace detail {
+
+namespace {
+
+/// Of a beside b: an unsigned operand beside a signed one needs a zero bit above it.
+int exact_width(Operand a, Operand b) {
+  return Tracer::graph()[a.id].width + (b.is_signed && !a.is_signed ? 1 : 0);
+}
+
+NodeId binary(Op op, Operand a, Operand b, int width, bool is_signed) {
+  Graph& graph = Tracer::graph();
+  const NodeId wide_a = graph.resize(a.id, width, a.is_signed);
+  return graph.binary(op, wide_a, graph.resize(b.id, width, b.is_signed), is_signed);
+}
+
+}  // namespace
+
+NodeId of_one_width(Op op, Operand a, Operand b, int growth) {
+  return binary(op, a, b, std::max(exact_width(a, b), exact_width(b, a)) + growth, false);
+}
+
+NodeId less(Operand a, Operand b) {
+  const int width = std::max(exact_width(a, b), exact_width(b, a));
+  return binary(Op::less, a, b, width, a.is_signed || b.is_signed);
+}
+
+NodeId product(Operand a, Operand b) {
+  Graph& graph = Tracer::graph();
+  const int width = graph[a.id].width + graph[b.id].width;
+  // A multiplier has one sign for both operands; an unsigned one beside a signed one gains a zero bit.
+  const NodeId left = graph.resize(a.id, exact_width(a, b), a.is_signed);
+  const NodeId right = graph.resize(b.id, exact_width(b, a), b.is_signed);
+  return graph.slice(graph.binary(Op::mul, left, right, a.is_signed || b.is_signed), width - 1, 0);
+}
+
+}  // namespace detail
 
 }  // namespace hitpipe::rtl

@@ -1,15 +1,13 @@
-// The trace domain: the values of a pipeline that record what is done to them.
+// The trace domain: the values of a pipeline that record what is done to them. Widths are known at run time.
 // Widths and signs follow the rules of hls/num (a + b grows by a bit, and so on), so that the same C++ means
 // the same bits here and on the host. Values live while a Tracer is in scope on their thread.
 #pragma once
 
-#include <algorithm>
-#include <concepts>
+#include <cstdint>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
-#include "hls/num/domain.hpp"
+#include "hls/num/bits.hpp"
 #include "rtl_gen/graph/graph.hpp"
 
 namespace hitpipe::rtl {
@@ -34,25 +32,14 @@ class Tracer {
 /// other.
 [[nodiscard]] SourceLine source_line(std::string_view path, unsigned line);
 
-template <int W, bool S>
+/// A node of the traced graph, read as two's complement or not. Its width is the node's.
+template <bool S>
 class Signal {
  public:
-  static constexpr int width = W;
   static constexpr bool is_signed = S;
 
   Signal() = default;
-  template <std::integral I>
-  explicit Signal(I value) : id_(Tracer::graph().constant(W, static_cast<std::uint64_t>(value))) {}
-  /// Another width or sign: extended by the source's sign, or wrapped.
-  template <int W2, bool S2>
-  requires(W2 != W || S2 != S) Signal(const Signal<W2, S2>& other)
-      : id_(Tracer::graph().resize(other.id(), W, S2)) {}
-
-  [[nodiscard]] static Signal from(NodeId id) {
-    Signal s;
-    s.id_ = id;
-    return s;
-  }
+  explicit Signal(NodeId id) : id_(id) {}
   [[nodiscard]] NodeId id() const { return id_; }
 
  private:
@@ -60,132 +47,127 @@ class Signal {
 };
 
 struct Trace {
-  template <int W>
-  using sint = Signal<W, true>;
-  template <int W>
-  using uint = Signal<W, false>;
-  using bit = Signal<1, false>;
+  using sint = Signal<true>;
+  using uint = Signal<false>;
+  using bit = uint;
+
+  static uint lit(std::int64_t value, int width) {
+    return uint(Tracer::graph().constant(width, static_cast<std::uint64_t>(value)));
+  }
 };
+
+template <bool S>
+int width_of(const Signal<S>& x) {
+  return Tracer::graph()[x.id()].width;
+}
 
 namespace detail {
 
-/// Both operands of a W1/S1 op W2/S2 at a width that holds either exactly (AP_INT: e1, e2).
-template <int W1, bool S1, int W2, bool S2>
-struct Pair {
-  static constexpr bool is_signed = S1 || S2;
-  static constexpr int width = std::max(W1 + (S2 && !S1 ? 1 : 0), W2 + (S1 && !S2 ? 1 : 0));
+struct Operand {
+  template <bool S>
+  Operand(const Signal<S>& signal) : id(signal.id()), is_signed(S) {}
+  NodeId id;
+  bool is_signed;
 };
 
-template <int W, bool S>
-NodeId widen(const Signal<W, S>& s, int width) {
-  return Tracer::graph().resize(s.id(), width, S);
-}
-
-template <Op O, int Grow, bool R, int W1, bool S1, int W2, bool S2>
-auto same_width(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
-  constexpr int width = Pair<W1, S1, W2, S2>::width + Grow;
-  const NodeId wide_a = widen(a, width);
-  return Signal<width, R>::from(Tracer::graph().binary(O, wide_a, widen(b, width)));
-}
-
-template <Op O, int W1, bool S1, int W2, bool S2>
-Signal<1, false> compare(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
-  using P = Pair<W1, S1, W2, S2>;
-  const NodeId wide_a = widen(a, P::width);
-  const bool reads_sign = O == Op::less && P::is_signed;
-  return Signal<1, false>::from(Tracer::graph().binary(O, wide_a, widen(b, P::width), reads_sign));
-}
+/// Both operands extended to one width: `growth` bits more than what holds either exactly.
+NodeId of_one_width(Op op, Operand a, Operand b, int growth = 0);
+NodeId product(Operand a, Operand b);
+NodeId less(Operand a, Operand b);
 
 }  // namespace detail
 
-template <int W1, bool S1, int W2, bool S2>
-auto operator+(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
-  return detail::same_width < Op::add, 1, S1 || S2 > (a, b);
+template <bool S1, bool S2>
+Signal<S1 || S2> operator+(const Signal<S1>& a, const Signal<S2>& b) {
+  return Signal < S1 || S2 > (detail::of_one_width(Op::add, a, b, 1));
 }
-template <int W1, bool S1, int W2, bool S2>
-auto operator-(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
-  return detail::same_width<Op::sub, 1, true>(a, b);
+template <bool S1, bool S2>
+Signal<true> operator-(const Signal<S1>& a, const Signal<S2>& b) {
+  return Signal<true>(detail::of_one_width(Op::sub, a, b, 1));
 }
-template <int W1, bool S1, int W2, bool S2>
-auto operator*(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
-  // A multiplier has one sign for both operands; an unsigned one beside a signed one gains a zero bit.
-  constexpr bool either = S1 || S2;
-  const NodeId left = detail::widen(a, W1 + (either && !S1 ? 1 : 0));
-  const NodeId right = detail::widen(b, W2 + (either && !S2 ? 1 : 0));
-  const NodeId product = Tracer::graph().binary(Op::mul, left, right, either);
-  return Signal<W1 + W2, either>::from(Tracer::graph().slice(product, W1 + W2 - 1, 0));
+template <bool S1, bool S2>
+Signal<S1 || S2> operator*(const Signal<S1>& a, const Signal<S2>& b) {
+  return Signal < S1 || S2 > (detail::product(a, b));
 }
-template <int W1, bool S1, int W2, bool S2>
-auto operator&(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
-  return detail::same_width < Op::bit_and, 0, S1 || S2 > (a, b);
+template <bool S1, bool S2>
+Signal<S1 || S2> operator&(const Signal<S1>& a, const Signal<S2>& b) {
+  return Signal < S1 || S2 > (detail::of_one_width(Op::bit_and, a, b));
 }
-template <int W1, bool S1, int W2, bool S2>
-auto operator|(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
-  return detail::same_width < Op::bit_or, 0, S1 || S2 > (a, b);
+template <bool S1, bool S2>
+Signal<S1 || S2> operator|(const Signal<S1>& a, const Signal<S2>& b) {
+  return Signal < S1 || S2 > (detail::of_one_width(Op::bit_or, a, b));
 }
-template <int W1, bool S1, int W2, bool S2>
-auto operator^(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
-  return detail::same_width < Op::bit_xor, 0, S1 || S2 > (a, b);
+template <bool S1, bool S2>
+Signal<S1 || S2> operator^(const Signal<S1>& a, const Signal<S2>& b) {
+  return Signal < S1 || S2 > (detail::of_one_width(Op::bit_xor, a, b));
 }
-template <int W, bool S>
-Signal<W, S> operator~(const Signal<W, S>& a) {
-  return Signal<W, S>::from(Tracer::graph().invert(a.id()));
+template <bool S>
+Signal<S> operator~(const Signal<S>& a) {
+  return Signal<S>(Tracer::graph().invert(a.id()));
 }
 
-template <int W1, bool S1, int W2, bool S2>
-Signal<1, false> operator<(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
-  return detail::compare<Op::less>(a, b);
+template <bool S1, bool S2>
+Trace::bit operator<(const Signal<S1>& a, const Signal<S2>& b) {
+  return Trace::bit(detail::less(a, b));
 }
-template <int W1, bool S1, int W2, bool S2>
-Signal<1, false> operator>(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
+template <bool S1, bool S2>
+Trace::bit operator>(const Signal<S1>& a, const Signal<S2>& b) {
   return b < a;
 }
-template <int W1, bool S1, int W2, bool S2>
-Signal<1, false> operator<=(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
+template <bool S1, bool S2>
+Trace::bit operator<=(const Signal<S1>& a, const Signal<S2>& b) {
   return ~(b < a);
 }
-template <int W1, bool S1, int W2, bool S2>
-Signal<1, false> operator>=(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
+template <bool S1, bool S2>
+Trace::bit operator>=(const Signal<S1>& a, const Signal<S2>& b) {
   return ~(a < b);
 }
-template <int W1, bool S1, int W2, bool S2>
-Signal<1, false> operator==(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
-  return detail::compare<Op::equal>(a, b);
+template <bool S1, bool S2>
+Trace::bit operator==(const Signal<S1>& a, const Signal<S2>& b) {
+  return Trace::bit(detail::of_one_width(Op::equal, a, b));
 }
-template <int W1, bool S1, int W2, bool S2>
-Signal<1, false> operator!=(const Signal<W1, S1>& a, const Signal<W2, S2>& b) {
+template <bool S1, bool S2>
+Trace::bit operator!=(const Signal<S1>& a, const Signal<S2>& b) {
   return ~(a == b);
 }
 
-template <int High, int Low, int W, bool S>
-Signal<High - Low + 1, false> slice(const Signal<W, S>& a) {
-  static_assert(Low >= 0 && High >= Low && High < W, "slice<High, Low> lies inside the value");
-  return Signal<High - Low + 1, false>::from(Tracer::graph().slice(a.id(), High, Low));
+template <bool S>
+Trace::uint slice(const Signal<S>& x, int high, int low) {
+  return Trace::uint(Tracer::graph().slice(x.id(), high, low));
 }
-template <int W1, bool S1, int W2, bool S2>
-Signal<W1 + W2, false> cat(const Signal<W1, S1>& high, const Signal<W2, S2>& low) {
-  return Signal<W1 + W2, false>::from(Tracer::graph().concat(high.id(), low.id()));
+template <bool S1, bool S2>
+Trace::uint cat(const Signal<S1>& high, const Signal<S2>& low) {
+  return Trace::uint(Tracer::graph().concat(high.id(), low.id()));
 }
-template <int W, bool S>
-Signal<W, S> select(const Signal<1, false>& choose_a, const Signal<W, S>& a, const Signal<W, S>& b) {
-  return Signal<W, S>::from(Tracer::graph().mux(choose_a.id(), a.id(), b.id()));
+template <bool S>
+Signal<S> select(const Trace::bit& choose_a, const Signal<S>& a, const Signal<S>& b) {
+  return Signal<S>(Tracer::graph().mux(choose_a.id(), a.id(), b.id()));
 }
-template <int N, int W, bool S>
-Signal<N, S> resize(const Signal<W, S>& a) {
-  return Signal<N, S>::from(Tracer::graph().resize(a.id(), N, S));
+template <bool S>
+Signal<S> resize(const Signal<S>& x, int width) {
+  return Signal<S>(Tracer::graph().resize(x.id(), width, S));
 }
+template <bool S>
+Trace::sint as_signed(const Signal<S>& x) {
+  return Trace::sint(x.id());
+}
+template <bool S>
+Trace::uint as_unsigned(const Signal<S>& x) {
+  return Trace::uint(x.id());
+}
+
 // std::source_location is not in clang 14; the compilers' own functions beneath it are.
-template <int W, bool S>
-const Signal<W, S>& as(const char* name, const Signal<W, S>& value, const char* file = __builtin_FILE(),
-                       unsigned line = __builtin_LINE()) {
-  Tracer::graph().annotate(value.id(), name, source_line(file, line));
-  return value;
+template <bool S>
+Signal<S> as(const char* name, const Signal<S>& x, const char* file = __builtin_FILE(),
+             unsigned line = __builtin_LINE()) {
+  Tracer::graph().annotate(x.id(), name, source_line(file, line));
+  return x;
 }
-template <int W, bool S>
-const Signal<W, S>& as(const char* name, char axis, const Signal<W, S>& value,
-                       const char* file = __builtin_FILE(), unsigned line = __builtin_LINE()) {
-  Tracer::graph().annotate(value.id(), std::string(name) + '_' + axis, source_line(file, line));
-  return value;
+template <bool S>
+Signal<S> as(const char* name, char axis, const Signal<S>& x, const char* file = __builtin_FILE(),
+             unsigned line = __builtin_LINE()) {
+  Tracer::graph().annotate(x.id(), std::string(name) + '_' + axis, source_line(file, line));
+  return x;
 }
 
 }  // namespace hitpipe::rtl

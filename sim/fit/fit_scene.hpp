@@ -55,6 +55,7 @@ struct FitResult {
 
 /// Throws as fewest_bits(), fit(), VerilatedDesign, rtl::write_files() and cosimulate() do.
 [[nodiscard]] FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before,
-                                     const FitScene& scene, const FitOptions& options, const rtl::Library& library);
+                                     const FitScene& scene, const FitOptions& options,
+                                     const rtl::Library& library);
 
 }  // namespace hitpipe::sim

@@ -1,0 +1,54 @@
+// The words of a pipeline that are the same in every value domain. The rest of the vocabulary belongs to each
+// domain and is found by the types of its values:
+//   D::lit(v, w)            a constant: the low w bits of v, unsigned
+//   width_of(x)             the width of x
+//   slice(x, high, low)     bits high .. low of x, unsigned
+//   cat(a, b)               the bits of a above those of b, unsigned
+//   resize(x, w)            x in w bits: extended by its own sign, or its low w bits
+//   as_signed(x)            the bits of x as two's complement; as_unsigned(x) the reverse
+//   select(bit, a, b)       a multiplexer: a where the bit is 1, else b; a and b of one width and sign
+//   as(name, x)             x, named in a traced graph; as(name, 'x', x) names it name_x
+// A width is a Width<N> where D's types carry their widths (Native, Vendor), else an int (Sized, Trace).
+#pragma once
+
+#include "hls/num/width.hpp"
+
+namespace hitpipe::hls {
+
+/// The types of domain D for a width of type W: Width<N> or int.
+template <class D, class W>
+struct WordTypes {
+  using Unsigned = typename D::uint;
+};
+template <class D, int N>
+struct WordTypes<D, Width<N>> {
+  using Unsigned = typename D::template uint<N>;
+};
+template <class D, class W>
+using Word = typename WordTypes<D, W>::Unsigned;
+
+/// Bit i of x.
+template <class X, class I>
+constexpr auto bit_at(const X& x, const I& i) {
+  return slice(x, i, i);
+}
+
+/// The top bit of x: of two's complement, whether it is negative.
+template <class X>
+constexpr auto sign(const X& x) {
+  return bit_at(x, width_of(x) - 1_w);
+}
+
+/// Whether any bit of x is 1.
+template <class D, class X>
+constexpr typename D::bit any(const X& x) {
+  return typename D::bit(x != D::lit(0, width_of(x)));
+}
+
+/// A bit repeated w times.
+template <class Bit, class W>
+constexpr auto spread(const Bit& bit, const W& w) {
+  return as_unsigned(resize(as_signed(bit), w));
+}
+
+}  // namespace hitpipe::hls
