@@ -31,7 +31,7 @@ std::vector<Contender> contenders(std::string_view number) {
   return {slabs, slabs_dist, slabs_dsa, plu_dsa};
 }
 
-/// As the thesis traced: binary32 box tests, Moeller-Trumbore.
+/// Traced as in the thesis: binary32 box tests, Moeller-Trumbore.
 Measurement run(const Scene& scene, const Bvh& bvh, const std::vector<RecordedBatch>& rays,
                 Algorithm algorithm, int repeats) {
   TracerOptions options;

@@ -33,7 +33,7 @@ struct Experiment {
   ResultTable (*run)(std::string_view number, const ExperimentOptions& options);
 };
 
-/// In the thesis's order.
+/// All experiments, in the thesis's order.
 [[nodiscard]] std::span<const Experiment> experiments();
 
 /// Throws std::runtime_error for an unknown number, with one line that lists the known ones.

@@ -43,8 +43,8 @@ class PrintedTable {
   std::vector<PrintedRow> rows_;
 };
 
-/// By its number, "3.1" to "6.7" or "B.1" to "B.8", or "scenes" (figures 4.1, 4.2, 5.4).
-/// Throws std::out_of_range for another.
+/// The table of a number, "3.1" to "6.7" or "B.1" to "B.8", or "scenes" (figures 4.1, 4.2, 5.4). Throws
+/// std::out_of_range for any other.
 [[nodiscard]] const PrintedTable& printed_table(std::string_view number);
 
 }  // namespace hitpipe::ref

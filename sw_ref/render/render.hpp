@@ -34,7 +34,7 @@ struct RenderOptions {
 /// otherwise 32.
 [[nodiscard]] int tile_side_for(int bundle);
 
-/// By kind of ray.
+/// Counts by kind of ray.
 struct RenderCounts {
   TraceCounts primary;
   TraceCounts secondary;

@@ -47,7 +47,7 @@ struct Scene {
   std::string stand_in_for;  ///< for reports: the thesis's scene that it stands in for; empty: none
 };
 
-/// In the scene's own units.
+/// A point light in the scene's own units.
 struct LightSource {
   glm::dvec3 position{0.0};
   glm::dvec3 intensity{1.0};

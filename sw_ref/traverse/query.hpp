@@ -1,4 +1,4 @@
-// What is asked of a ray.
+// The question that a ray answers.
 #pragma once
 
 #include <cstdint>
