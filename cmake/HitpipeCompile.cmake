@@ -9,3 +9,14 @@ if(HITPIPE_SANITIZE)
     -fsanitize=${HITPIPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(hitpipe_compile INTERFACE -fsanitize=${HITPIPE_SANITIZE})
 endif()
+
+# The headers that nearly every source reads, compiled once. A target reads them with REUSE_FROM hitpipe_headers.
+if(NOT HITPIPE_TOOLS)
+  return()
+endif()
+find_package(fmt REQUIRED)
+add_library(hitpipe_headers OBJECT ${CMAKE_CURRENT_LIST_DIR}/headers.cpp)
+target_link_libraries(hitpipe_headers PRIVATE hitpipe_compile fmt::fmt)
+target_precompile_headers(hitpipe_headers PRIVATE
+  <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <limits> <map>
+  <memory> <optional> <span> <stdexcept> <string> <utility> <vector>)

@@ -1,23 +1,28 @@
 #!/bin/sh
-# run.sh FOLDER SECONDS: runs every *_fuzz of FOLDER, SECONDS in all, from the seeds beside this script and from what earlier runs
-# found. SEED=n (1) draws other inputs: with one seed a fresh folder sees the same ones each time, as far as the
-# seconds last. One line a target. Fails on a crash, a leak, a time-out, or a target that did not run; the input that did it is kept.
+# run.sh FOLDER SECONDS: runs every *_fuzz of FOLDER, SECONDS in all, from the seeds beside this script, those in FOLDER/seeds
+# and what earlier runs found. SEED=n (1) draws other inputs: with one seed a fresh folder sees the same ones each time, as far as
+# the seconds last. One line a target. Fails on a crash, a leak, a time-out, or a target that did not run; the input that did it
+# is kept.
 set -eu
-seeds=$(cd "$(dirname "$0")" && pwd)/corpus
-cd "$1"
+seeds=$(cd "$(dirname "$0")" && pwd)/seeds
+folder=$1
+seconds=$2
+cd "$folder"
 targets=$(echo *_fuzz)
 count=$(echo "$targets" | wc -w)
-each=$(($2 / count))
+each=$((seconds / count))
 [ "$each" -gt 0 ] || each=1
 failed=0
 printf '%-14s %9s %8s  %s\n' target runs seconds result
 for target in $targets; do
   name=${target%_fuzz}
   mkdir -p "corpus/$name"
+  set -- "corpus/$name"
+  for found in "seeds/$name" "$seeds/$name"; do [ ! -d "$found" ] || set -- "$@" "$found"; done
   begin=$(date +%s)
   result=ok
   "./$target" -seed="${SEED:-1}" -max_total_time="$each" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$name-" \
-    "corpus/$name" "$seeds/$name" >"$name.log" 2>&1 || result="FAILED, see $1/$name.log"
+    "$@" >"$name.log" 2>&1 || result="FAILED, see $folder/$name.log"
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$name.log")
   # Assimp makes the slowest target, mesh_obj, take some 20 ms a run, and 20 times that on a machine busy with other work.
   if [ "$result" = ok ] && [ "${runs:-0}" -lt 5 ]; then

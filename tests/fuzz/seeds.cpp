@@ -1,0 +1,271 @@
+// Writes the seeds of the fuzz targets that follow from what hitpipe ships: seeds SOURCE FOLDER. Rays and
+// boxes of every category of the adversary, component libraries with each value replaced in turn, the
+// commands of the pages.
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sw_ref/adversary/case.hpp"
+#include "sw_ref/adversary/categories.hpp"
+#include "sw_ref/adversary/random.hpp"
+#include "tests/rtl_gen/component/unit_library.hpp"
+
+namespace {
+
+using namespace hitpipe;
+namespace fs = std::filesystem;
+
+class Seeds {
+ public:
+  explicit Seeds(fs::path folder) : folder_(std::move(folder)) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void add(std::string_view seed) {
+    if (!known_.insert(std::string(seed)).second) return;
+    std::ofstream out(folder_ / fmt::format("{:04}", known_.size()), std::ios::binary);
+    if (!(out << seed).flush())
+      throw std::runtime_error(fmt::format("{}: cannot be written", folder_.string()));
+  }
+
+ private:
+  fs::path folder_;
+  std::set<std::string> known_;
+};
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+/// Every category, rays that end and endless ones; then one case with each of its words replaced.
+void add_cases(Seeds seeds) {
+  constexpr int of_each_category = 6;
+  ref::adversary::Random random(1);
+  std::string last;
+  for (const auto& category : ref::adversary::categories()) {
+    for (int i = 0; i < of_each_category; ++i) {
+      const auto made = category.make(random);
+      last = to_text(made);
+      seeds.add(last);
+    }
+  }
+  const auto words = split(last);
+  for (std::size_t replaced = 0; replaced < words.size(); ++replaced) {
+    for (const std::string_view by : {"", "inf", "nan", "-2", "1e-46", "0x"}) {
+      std::string text;
+      for (std::size_t i = 0; i < words.size(); ++i)
+        text += fmt::format("{} ", i == replaced ? by : words[i]);
+      seeds.add(text);
+    }
+  }
+}
+
+/// JSON that may stand in place of a value, one a line; some of it is wrong.
+constexpr std::string_view values = R"json(null
+true
+false
+0
+1
+-1
+-0
+3
+64
+1024
+1025
+100000001
+18446744073709551616
+1.5
+1e2
+1E+2
+2e-1
+1e400
+01
+""
+"two\nlines"
+"\"\\\/\b\f\r\t"
+"\u0041\u00e9\u20ac\ud83d\ude00"
+"\ud83d"
+[]
+{}
+[[1,2],{"bits":[3]}]
+/* a comment */ 1)json";
+
+/// What a reader of JSON must refuse, one a line: words, numbers, strings, lists and objects cut short or
+/// wrong.
+constexpr std::string_view odd_values = R"json(nul
+trux
+fals
+-
+-x
+1.
+1.x
+1e
+1e+
+1e-x
+0.0
+0e1
+-0.5
+123456789012345678
+-9223372036854775809
+"
+"\
+"\x"
+"\u12"
+"\u12g4"
+"\uDC00"
+"\uD800\u0041"
+"\uD800\n"
+"\uD800x"
+"\uabcd\u00FF"
+// to the end of the line
+/* no end
+/
+/x
+[
+]
+[1
+[1,
+[1,]
+[1 2]
+{
+}
+{,
+{1
+{"a"
+{"a" 1}
+{"a":
+{"a":}
+{"a":1
+{"a":1,
+{"a":1,}
+{"a":1 2}
+{"a":1,2}
+:
+,
+1 2
+x
+'x'
+[[[[[[]]]]]]
+{"a":{"a":[{}]}}
+["a",null,true,false,-1,1,1.5,{},[]])json";
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::istringstream in{std::string(text)};
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Strings with a control character, and with UTF-8 of every length, right and wrong.
+std::vector<std::string> odd_strings() {
+  std::vector<std::string> strings;
+  for (char c = 0; c < ' '; ++c) strings.push_back(std::string("\"") + c + '"');
+  for (const char* const lead :
+       {"\x80", "\xc1", "\xc2", "\xe0", "\xe1", "\xed", "\xee", "\xf0", "\xf1", "\xf4", "\xf5"})
+    for (const char* const second : {"x", "\x80", "\x90", "\xa0"})
+      for (const char* const rest : {"", "\x80", "\x80\x80", "\x80x"})
+        strings.push_back(std::string("\"") + lead + second + rest + '"');
+  return strings;
+}
+
+/// `json` as text, with `replacement` in place of the value at `place`.
+std::string with(nlohmann::json json, const nlohmann::json::json_pointer& place,
+                 std::string_view replacement) {
+  const std::string mark = "replaced here";
+  json[place] = mark;
+  std::string text = json.dump();
+  return text.replace(text.find('"' + mark + '"'), mark.size() + 2, replacement);
+}
+
+std::string without(nlohmann::json json, const nlohmann::json::json_pointer& place) {
+  auto& parent = json[place.parent_pointer()];
+  if (parent.is_object()) {
+    parent.erase(place.back());
+  } else {
+    parent.erase(std::stoul(place.back()));
+  }
+  return json.dump();
+}
+
+void add_libraries(Seeds seeds, const fs::path& source) {
+  for (const auto& entry : fs::directory_iterator(source / "area_model/libraries"))
+    seeds.add(text_of(entry.path()));
+  const auto unit = nlohmann::json::parse(rtl::unit_json);
+  seeds.add(rtl::unit_json);
+  for (std::size_t length = 0; length < rtl::unit_json.size(); length += 50)
+    seeds.add(rtl::unit_json.substr(0, length));
+  std::set<std::string> keys;  // one place of each is enough
+  const auto places = unit.flatten();
+  for (const auto& [place, leaf] : places.items()) {
+    for (nlohmann::json::json_pointer at(place); !at.empty(); at.pop_back())
+      if (keys.insert(at.back()).second) {
+        for (const std::string& value : lines_of(values)) seeds.add(with(unit, at, value));
+        seeds.add(without(unit, at));
+      }
+  }
+  for (const std::string& value : lines_of(odd_values)) {
+    seeds.add(value);
+    seeds.add(with(unit, nlohmann::json::json_pointer("/name"), value));
+    seeds.add(with(unit, nlohmann::json::json_pointer("/gate_delay_ps"), value));
+  }
+  for (const std::string& text : odd_strings()) seeds.add(text);
+  for (const std::string_view above : {"same", "tree", "stages"}) {
+    for (const std::string_view area : {"linear", "quadratic"}) {
+      auto lawful = unit;
+      for (auto& component : lawful["components"]) {
+        component["above"] = above;
+        component["area"] = area;
+      }
+      seeds.add(lawful.dump());
+    }
+  }
+}
+
+/// A line of a page that runs hitpipe, as its words: one a line, without a comment.
+void add_commands(Seeds seeds, const fs::path& source) {
+  std::vector<fs::path> pages{source / "README.md"};
+  for (const auto& entry : fs::directory_iterator(source / "docs"))
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  std::set<std::string> commands;
+  for (const fs::path& page : pages) {
+    for (const std::string& line : lines_of(text_of(page))) {
+      const auto words = split(line.substr(0, line.find(" #")));
+      if (words.size() < 2 || (words[0] != "hitpipe" && words[0] != "build/hitpipe")) continue;
+      seeds.add(fmt::format("{}", fmt::join(words.begin() + 1, words.end(), "\n")));
+      commands.insert(words[1]);
+    }
+  }
+  for (const std::string& command : commands) seeds.add(command + "\n--help");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc != 3) throw std::runtime_error("usage: seeds SOURCE FOLDER");
+  const fs::path source = argv[1];
+  const fs::path folder = argv[2];
+  add_cases(Seeds(folder / "case"));
+  add_libraries(Seeds(folder / "library"), source);
+  add_commands(Seeds(folder / "command_line"), source);
+} catch (const std::exception& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return 1;
+}
