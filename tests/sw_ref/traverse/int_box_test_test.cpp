@@ -47,7 +47,7 @@ template <class F>
 struct Slabs {
   static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
     const IntRay ray = IntRaySetup(exact, F::bits).ray();
-    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
+    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::bits.coord);
     hls::IntSlabsOperands<hls::Native, F> in;
     in.irx = origin[0];
     in.iry = origin[1];
@@ -61,7 +61,7 @@ struct Slabs {
     in.irk_ceil = ray.irdvc_ceil[2];
     in.rinf = ray.infinite;
     set_box(in, box);
-    return hls::IntSlabs::hit<hls::Native, F>(in).to_bool();
+    return hls::IntSlabs::test(F(), in).hit.to_bool();
   }
 };
 
@@ -69,7 +69,7 @@ template <class F>
 struct Plucker {
   static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
     const IntPluckerRay ray = IntPluckerSetup(exact, F::bits).ray();
-    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
+    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::bits.coord);
     hls::IntPluckerOperands<hls::Native, F> in;
     in.irx = origin[0];
     in.iry = origin[1];
@@ -82,7 +82,7 @@ struct Plucker {
     in.irk = ray.direction[2];
     in.rinf = ray.end.infinite;
     set_box(in, box);
-    return hls::IntPlucker::hit<hls::Native, F>(in).to_bool();
+    return hls::IntPlucker::test(F(), in).hit.to_bool();
   }
 };
 
