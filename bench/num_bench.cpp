@@ -58,7 +58,7 @@ Result with_ap_int(const std::vector<hls::ap_int<24>>& a, const std::vector<hls:
     const hls::ap_int<48> product = a[i] * b[i];
     const hls::ap_uint<1> nearer{product < least};
     least = hls::select(nearer, product, least);
-    high_sum += hls::slice<47, 24>(product);
+    high_sum += hls::slice(product, hls::Width<47>(), hls::Width<24>());
   }
   return {least.to_int64(), high_sum.to_uint64()};
 }

@@ -13,10 +13,9 @@ constexpr auto align(const F& format, const Significand& significand, const Dist
   const auto m = format.fraction;
   // Far enough to bring a whole significand below those two bits, unless no distance is that long.
   const auto amount_bits = min(count_bits(m + 4_w), e);
-  const auto near = slice(distance, amount_bits - 1_w, 0_w);
-  const auto amount = change_if(amount_bits < e, near, [&](const auto& low_bits) {
-    const auto far = any<D>(slice(distance, e - 1_w, amount_bits));
-    return low_bits | spread(far, amount_bits);
+  const auto amount = change_if(amount_bits < e, distance, [&](const auto& any_distance) {
+    const auto far = any<D>(slice(any_distance, e - 1_w, amount_bits));
+    return slice(any_distance, amount_bits - 1_w, 0_w) | spread(far, amount_bits);
   });
   const auto shifted = as("aligned", shift_right<D>(significand, amount));
   const auto low = width_of(shifted) - (m + 3_w);

@@ -33,7 +33,7 @@ constexpr X for_each_level(int count, X x, const Step& step) {
   return x;
 }
 
-/// change(x) where the condition holds, else x.
+/// change(x) where the condition holds, else x. What may not compile otherwise must depend on change's argument.
 template <class X, class Change>
 constexpr auto change_if(Truth<true> /*condition*/, const X& x, const Change& change) {
   return change(x);

@@ -8,6 +8,7 @@
 #include <ap_int.h>
 
 #include <cstdint>
+#include <type_traits>
 
 #include "hls/num/bits.hpp"
 
@@ -26,70 +27,71 @@ struct Vendor {
   }
 };
 
-/// Width and signedness of a vendor's integer. Of other types it says nothing, and so the functions below are
+/// Width and signedness of a vendor's integer. Other types have no such members, so the functions below are
 /// not for them.
 template <class T>
 struct VendorShape;
 template <int W>
 struct VendorShape<::ap_int<W>> {
-  using Width = hls::Width<W>;
+  static constexpr int width = W;
   template <int To>
   using resized = ::ap_int<To>;
 };
 template <int W>
 struct VendorShape<::ap_uint<W>> {
-  using Width = hls::Width<W>;
+  static constexpr int width = W;
   template <int To>
   using resized = ::ap_uint<To>;
 };
-template <class T>
-using VendorWidth = typename VendorShape<T>::Width;
 
 }  // namespace hitpipe::hls
 
-template <class T>
-inline hitpipe::hls::VendorWidth<T> width_of(const T& /*x*/) {
+template <class T, int W = hitpipe::hls::VendorShape<T>::width>
+inline hitpipe::hls::Width<W> width_of(const T& /*x*/) {
   return {};
 }
 
-template <int Hi, int Lo, class T, class = hitpipe::hls::VendorWidth<T>>
+template <int Hi, int Lo, class T, int W = hitpipe::hls::VendorShape<T>::width>
 inline ::ap_uint<Hi - Lo + 1> slice(const T& x, hitpipe::hls::Width<Hi> /*high*/,
                                     hitpipe::hls::Width<Lo> /*low*/) {
-  static_assert(Lo >= 0 && Hi >= Lo && Hi < hitpipe::hls::VendorWidth<T>(), "a slice lies inside its word");
+  static_assert(Lo >= 0 && Hi >= Lo && Hi < W, "a slice lies inside its word");
   return ::ap_uint<Hi - Lo + 1>(x.range(Hi, Lo));
 }
 
-template <class A, class B, class Width = decltype(hitpipe::hls::VendorWidth<A>() + hitpipe::hls::VendorWidth<B>())>
-inline ::ap_uint<Width()> cat(const A& a, const B& b) {
-  return ::ap_uint<Width()>(a.concat(b));
+template <class A, class B, int Wa = hitpipe::hls::VendorShape<A>::width,
+          int Wb = hitpipe::hls::VendorShape<B>::width>
+inline ::ap_uint<Wa + Wb> cat(const A& a, const B& b) {
+  return ::ap_uint<Wa + Wb>(a.concat(b));
 }
 
 /// A bit, not a bool or a wider word; a and b of one type.
-template <class T, class = hitpipe::hls::VendorWidth<T>>
-inline T select(const ::ap_uint<1>& bit, const T& a, const T& b) {
+template <class Bit, class T, int W = hitpipe::hls::VendorShape<T>::width>
+inline typename std::enable_if<std::is_same<Bit, ::ap_uint<1>>::value, T>::type select(const Bit& bit,
+                                                                                       const T& a,
+                                                                                       const T& b) {
   return bit.to_bool() ? a : b;
 }
 
-template <int W, class T>
-inline typename hitpipe::hls::VendorShape<T>::template resized<W> resize(const T& x,
-                                                                         hitpipe::hls::Width<W> /*width*/) {
-  return typename hitpipe::hls::VendorShape<T>::template resized<W>(x);
+template <int To, class T>
+inline typename hitpipe::hls::VendorShape<T>::template resized<To> resize(
+    const T& x, hitpipe::hls::Width<To> /*width*/) {
+  return typename hitpipe::hls::VendorShape<T>::template resized<To>(x);
 }
 
-template <class T>
-inline ::ap_int<hitpipe::hls::VendorWidth<T>()> as_signed(const T& x) {
-  return ::ap_int<hitpipe::hls::VendorWidth<T>()>(x);
+template <class T, int W = hitpipe::hls::VendorShape<T>::width>
+inline ::ap_int<W> as_signed(const T& x) {
+  return ::ap_int<W>(x);
 }
-template <class T>
-inline ::ap_uint<hitpipe::hls::VendorWidth<T>()> as_unsigned(const T& x) {
-  return ::ap_uint<hitpipe::hls::VendorWidth<T>()>(x);
+template <class T, int W = hitpipe::hls::VendorShape<T>::width>
+inline ::ap_uint<W> as_unsigned(const T& x) {
+  return ::ap_uint<W>(x);
 }
 
-template <class T, class = hitpipe::hls::VendorWidth<T>>
+template <class T, int W = hitpipe::hls::VendorShape<T>::width>
 inline T as(const char* /*name*/, const T& x) {
   return x;
 }
-template <class T, class = hitpipe::hls::VendorWidth<T>>
+template <class T, int W = hitpipe::hls::VendorShape<T>::width>
 inline T as(const char* /*name*/, char /*axis*/, const T& x) {
   return x;
 }

@@ -13,16 +13,18 @@
 #include "hls/box/arithmetic.hpp"
 #include "hls/box/operand.hpp"
 #include "hls/num/domain.hpp"
+#include "hls/num/fp.hpp"
 #include "hls/top/top_domain.hpp"
 
 namespace hitpipe::hls::top {
 
-/// A number of W bits that is small more often than not, or a float of magnitude 2^-8 to 2.
-template <int W>
-std::uint64_t random_word(Arithmetic arithmetic, std::mt19937_64& random) {
+/// An integer that is small more often than not, or a float of magnitude 2^-8 to 2.
+inline std::uint64_t random_word(const Operand& port, std::mt19937_64& random) {
   const std::uint64_t bits = random();
-  if (arithmetic == Arithmetic::integer)
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(bits) >> (64 - W + random() % 6));
+  if (port.kind != Kind::real) {
+    const int dropped = 64 - port.width + static_cast<int>(random() % 6);
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(bits) >> dropped);
+  }
   return (bits & 0x807fffff) | (119 + random() % 9) << 23;
 }
 
@@ -30,18 +32,18 @@ std::uint64_t random_word(Arithmetic arithmetic, std::mt19937_64& random) {
 /// in eight is any pattern of bits, NaN and infinities included.
 template <class Pipeline, class F>
 std::vector<std::uint64_t> random_operands(std::mt19937_64& random) {
+  using Operands = typename Pipeline::template Operands<Native, F>;
   std::vector<std::uint64_t> words;
-  typename Pipeline::template Operands<Native, F> shape{};
   const bool any = random() % 8 == 0;
-  std::remove_cvref_t<decltype(shape)>::for_each(shape, [&](const Operand& port, auto& field) {
-    constexpr int width = std::remove_cvref_t<decltype(field)>::width;
-    std::uint64_t word = any || width == 1 ? random() : random_word<width>(Pipeline::arithmetic, random);
-    constexpr std::uint64_t sign = std::uint64_t{1} << (width - 1);
+  const Operands shape{};
+  Operands::for_each(F(), shape, [&](const Operand& port, const auto& /*field*/) {
+    std::uint64_t word = any || port.kind == Kind::flag ? random() : random_word(port, random);
+    const std::uint64_t sign = std::uint64_t{1} << (port.width - 1);
     if (port.role == Role::length) word &= sign - 1;
     if (port.role == Role::plane_high && !any) {
       std::uint64_t& lower = words.back();
-      const bool negative = (lower & word & sign) != 0 && Pipeline::arithmetic == Arithmetic::floating;
-      const auto order = [](std::uint64_t x) { return static_cast<std::int64_t>(x << (64 - width)); };
+      const bool negative = (lower & word & sign) != 0 && port.kind == Kind::real;
+      const auto order = [&](std::uint64_t x) { return static_cast<std::int64_t>(x << (64 - port.width)); };
       if ((order(word) < order(lower)) != negative) std::swap(word, lower);
     }
     words.push_back(word);
@@ -49,13 +51,27 @@ std::vector<std::uint64_t> random_operands(std::mt19937_64& random) {
   return words;
 }
 
-template <class Pipeline, class F>
-bool native_hit(const std::vector<std::uint64_t>& words) {
-  typename Pipeline::template Operands<Native, F> in;
-  std::size_t next = 0;
-  std::remove_cvref_t<decltype(in)>::for_each(in,
-                                              [&](const Operand&, auto& field) { field = words[next++]; });
-  return Pipeline::template hit<Native, F>(in).to_bool();
+/// Takes words as operands, in port order.
+struct WordReader {
+  template <class Field>
+  void operator()(const Operand& /*port*/, Field& field) {
+    field = *next++;
+  }
+  template <class D, class F>
+  void operator()(const Operand& /*port*/, Fp<D, F>& field) {
+    field.bits = *next++;
+  }
+
+  const std::uint64_t* next;
+};
+
+/// The pipeline's HIT in domain D.
+template <class Pipeline, class D, class F>
+bool pipeline_hit(const std::vector<std::uint64_t>& words) {
+  using Operands = typename Pipeline::template Operands<D, F>;
+  Operands in;
+  Operands::for_each(F(), in, WordReader{words.data()});
+  return Pipeline::template test<D>(F(), in).hit.to_bool();
 }
 
 /// `hit` starts as the opposite of what the native pipeline says: an output that is not written shows.
@@ -85,7 +101,7 @@ Comparison compare(void (*top)(Words...), int tests, std::uint64_t seed) {
   Comparison result;
   for (; result.tests < tests; ++result.tests) {
     const std::vector<std::uint64_t> words = random_operands<Pipeline, F>(random);
-    const bool expected = native_hit<Pipeline, F>(words);
+    const bool expected = pipeline_hit<Pipeline, Native, F>(words);
     result.hits += expected ? 1 : 0;
     if (top_hit(top, words, !expected) == expected) continue;
     if (result.mismatches++ > 0) continue;

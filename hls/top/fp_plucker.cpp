@@ -31,5 +31,5 @@ void hitpipe_fp_plucker(top::Real rx, top::Real ry, top::Real rz, top::Real rex,
 #endif
   const FpPlucker::Operands<top::Domain, Fp32> in{{rx}, {ry}, {rz},   {rex},  {rey},  {rez},  {ri},   {rj},
                                                   {rk}, rinf, {xmin}, {xmax}, {ymin}, {ymax}, {zmin}, {zmax}};
-  hit = FpPlucker::hit<top::Domain, Fp32>(in);
+  hit = FpPlucker::test(Fp32(), in).hit;
 }

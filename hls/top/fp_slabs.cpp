@@ -28,5 +28,5 @@ void hitpipe_fp_slabs(top::Real rx, top::Real ry, top::Real rz, top::Real rlen, 
 #endif
   const FpSlabs::Operands<top::Domain, Fp32> in{{rx}, {ry},   {rz},   {rlen}, {ri_inv}, {rj_inv}, {rk_inv},
                                                 rinf, {xmin}, {xmax}, {ymin}, {ymax},   {zmin},   {zmax}};
-  hit = FpSlabs::hit<top::Domain, Fp32>(in);
+  hit = FpSlabs::test(Fp32(), in).hit;
 }

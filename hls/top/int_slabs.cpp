@@ -34,5 +34,5 @@ void hitpipe_int_slabs(top::Coord irx, top::Coord iry, top::Coord irz, top::Inte
   const IntSlabs::Operands<top::Domain, top::Integers> in{
       irx,      iry,  irz,   irlen, iri_floor, iri_ceil, irj_floor, irj_ceil, irk_floor,
       irk_ceil, rinf, ixmin, ixmax, iymin,     iymax,    izmin,     izmax};
-  hit = IntSlabs::hit<top::Domain, top::Integers>(in);
+  hit = IntSlabs::test(top::Integers(), in).hit;
 }

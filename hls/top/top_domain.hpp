@@ -29,8 +29,8 @@ using Domain = Native;
 using Integers = IntFormat<HITPIPE_COORD_BITS, HITPIPE_INTERVAL_BITS>;
 
 using Bit = Domain::bit;
-using Coord = Domain::sint<Integers::coord>;
-using Interval = Domain::sint<Integers::interval>;
-using Real = Domain::uint<32>;  ///< the bits of a binary32 number
+using Coord = Integers::Coord<Domain>;
+using Interval = Integers::Interval<Domain>;
+using Real = Fp32::Pattern<Domain>;
 
 }  // namespace hitpipe::hls::top

@@ -6,14 +6,12 @@
 #include <array>
 #include <cstdint>
 #include <ostream>
-#include <utility>
 #include <vector>
 
 #include "hls/pipelines/int_plucker.hpp"
 #include "hls/pipelines/int_slabs.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/catalogue/native.hpp"
-#include "rtl_gen/catalogue/traced.hpp"
+#include "rtl_gen/catalogue/entry.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/int_box.hpp"
@@ -82,29 +80,19 @@ inline void put_box(const IntBox& box, std::int64_t* out) {
   }
 }
 
-/// In place of for_format(), which makes the program's formats.
-template <class Make, class F>
-typename Make::Entry entry(rtl::Format format) {
-  return format == rtl::Format(F::bits) ? Make::template entry<F>() : nullptr;
-}
-
-template <class Pipeline, class F>
+template <class Pipeline>
 constexpr rtl::Design design_of{Pipeline::name, Pipeline::summary, Pipeline::arithmetic,
-                                entry<rtl::MakeTraced<Pipeline>, F>, entry<rtl::MakeNative<Pipeline>, F>};
+                                rtl::traced_entry<Pipeline>, rtl::native_entry<Pipeline>};
 
 /// Both units at n and t = 4 .. 2n-1.
-template <int N>
-std::vector<NarrowUnit> units() {
+inline std::vector<NarrowUnit> units(int n) {
   std::vector<NarrowUnit> all;
-  const auto add = [&]<int T>(std::integral_constant<int, T>) {
-    using F = hls::IntFormat<N, T>;
-    all.push_back({design_of<hls::IntSlabs, F>, F::bits, rtl::native<hls::IntSlabs, F>, slabs_ray, 11});
-    all.push_back({design_of<hls::IntPlucker, F>, F::bits, rtl::native<hls::IntPlucker, F>, plucker_ray, 10});
-  };
-  [&]<int... I>(std::integer_sequence<int, I...>) {
-    (add(std::integral_constant<int, hls::IntBits::min_proved + I>{}), ...);
+  for (int t = hls::IntBits::min_proved; t < 2 * n; ++t) {
+    const hls::IntBits bits{n, t};
+    all.push_back({design_of<hls::IntSlabs>, bits, design_of<hls::IntSlabs>.native(bits), slabs_ray, 11});
+    all.push_back(
+        {design_of<hls::IntPlucker>, bits, design_of<hls::IntPlucker>.native(bits), plucker_ray, 10});
   }
-  (std::make_integer_sequence<int, 2 * N - hls::IntBits::min_proved>{});
   return all;
 }
 

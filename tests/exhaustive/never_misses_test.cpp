@@ -78,16 +78,16 @@ constexpr std::uint64_t ended_tests = 4088ULL * 3 * 1000;
 constexpr std::uint64_t leaning_tests = 13816ULL * 8 * 216;
 
 TEST(EveryRayAndBox, FourBitUnitsNeverMissEndlessRays) {
-  expect_no_false_miss(units<4>(), endless, endless_tests, 5'699'544);
+  expect_no_false_miss(units(4), endless, endless_tests, 5'699'544);
 }
 TEST(EveryRayAndBox, FiveBitUnitsNeverMissEndlessRays) {
-  expect_no_false_miss(units<5>(), endless, endless_tests, 5'699'544);
+  expect_no_false_miss(units(5), endless, endless_tests, 5'699'544);
 }
 TEST(EveryRayAndBox, FourBitUnitsNeverMissRaysWithAnEnd) {
-  expect_no_false_miss(units<4>(), ended, ended_tests, 2'796'541);
+  expect_no_false_miss(units(4), ended, ended_tests, 2'796'541);
 }
 TEST(EveryRayAndBox, FiveBitUnitsNeverMissRaysWithAnEnd) {
-  expect_no_false_miss(units<5>(), ended, ended_tests, 2'796'541);
+  expect_no_false_miss(units(5), ended, ended_tests, 2'796'541);
 }
 
 /// Slabs have no bound of side relations.
@@ -96,10 +96,10 @@ std::vector<NarrowUnit> plucker_of(std::vector<NarrowUnit> units) {
   return units;
 }
 TEST(EveryRayAndBox, FourBitPlueckerUnitsNeverMissWhereTheirDirectionLeans) {
-  expect_no_false_miss(plucker_of(units<4>()), leaning_4, leaning_tests, 757'090);
+  expect_no_false_miss(plucker_of(units(4)), leaning_4, leaning_tests, 757'090);
 }
 TEST(EveryRayAndBox, FiveBitPlueckerUnitsNeverMissWhereTheirDirectionLeans) {
-  expect_no_false_miss(plucker_of(units<5>()), leaning_5, leaning_tests, 41'568);
+  expect_no_false_miss(plucker_of(units(5)), leaning_5, leaning_tests, 41'568);
 }
 
 /// The axes know nothing of t: every other one will do.
@@ -110,14 +110,14 @@ std::vector<NarrowUnit> of_even_t(std::vector<NarrowUnit> units) {
 constexpr std::uint64_t inner_tests = 4088ULL * 8 * 2 * 216;
 
 TEST(EveryRayAndBox, FourBitUnitsNeverMissOnCoarseAxes) {
-  expect_no_false_miss(of_even_t(units<4>()), inner, inner_tests, 1'438'133, {{1, 1, 1}});
-  expect_no_false_miss(of_even_t(units<4>()), inner, inner_tests, 1'438'133, {{0, 1, 0}});
+  expect_no_false_miss(of_even_t(units(4)), inner, inner_tests, 1'438'133, {{1, 1, 1}});
+  expect_no_false_miss(of_even_t(units(4)), inner, inner_tests, 1'438'133, {{0, 1, 0}});
 }
 TEST(EveryRayAndBox, FiveBitUnitsNeverMissOnCoarseAxes) {
-  expect_no_false_miss(of_even_t(units<5>()), inner, inner_tests, 1'438'133, {{1, 0, 2}});
+  expect_no_false_miss(of_even_t(units(5)), inner, inner_tests, 1'438'133, {{1, 0, 2}});
 }
 TEST(EveryRayAndBox, FiveBitPlueckerUnitsNeverMissOnCoarseAxesWhereTheirDirectionLeans) {
-  expect_no_false_miss(of_even_t(plucker_of(units<5>())), leaning_5, leaning_tests, 41'568, {{1, 0, 1}});
+  expect_no_false_miss(of_even_t(plucker_of(units(5))), leaning_5, leaning_tests, 41'568, {{1, 0, 1}});
 }
 
 TEST(EveryRayAndBox, BoxesAreRoundedAsForTheProgram) {

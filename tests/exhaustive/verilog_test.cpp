@@ -108,8 +108,8 @@ std::vector<NarrowUnit> ends_of(const std::vector<NarrowUnit>& units) {
   return ends;
 }
 
-INSTANTIATE_TEST_SUITE_P(FourBits, EveryOperandTuple, testing::ValuesIn(ends_of(units<4>())), name_of);
-INSTANTIATE_TEST_SUITE_P(FiveBits, EveryOperandTuple, testing::ValuesIn(widest_of(units<5>())), name_of);
+INSTANTIATE_TEST_SUITE_P(FourBits, EveryOperandTuple, testing::ValuesIn(ends_of(units(4))), name_of);
+INSTANTIATE_TEST_SUITE_P(FiveBits, EveryOperandTuple, testing::ValuesIn(widest_of(units(5))), name_of);
 
 }  // namespace
 }  // namespace hitpipe::ref::exhaustive

@@ -6,8 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "area_model/price.hpp"
-#include "rtl_gen/catalogue/native.hpp"
-#include "rtl_gen/catalogue/traced.hpp"
+#include "rtl_gen/catalogue/entry.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/pipeline.hpp"
@@ -20,16 +19,9 @@ namespace {
 
 constexpr hls::IntBits bits{24, 24};
 
-/// In place of for_format(), which makes hundreds of formats.
-template <class Make>
-typename Make::Entry one_format(rtl::Format format) {
-  return format == rtl::Format(bits) ? Make::template entry<hls::IntFormat<24, 24>>() : nullptr;
-}
-
 // What hitpipe_design(one_axis_slab OneAxisSlab) writes into the catalogue.
 constexpr rtl::Design fifth{hls::OneAxisSlab::name, hls::OneAxisSlab::summary, hls::OneAxisSlab::arithmetic,
-                            one_format<rtl::MakeTraced<hls::OneAxisSlab>>,
-                            one_format<rtl::MakeNative<hls::OneAxisSlab>>};
+                            rtl::traced_entry<hls::OneAxisSlab>, rtl::native_entry<hls::OneAxisSlab>};
 
 TEST(FifthDesign, RunsOnTheHost) {
   const rtl::Evaluate hit = fifth.evaluate(bits);

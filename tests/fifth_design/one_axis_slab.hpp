@@ -3,15 +3,17 @@
 #pragma once
 
 #include "hls/box/arithmetic.hpp"
+#include "hls/box/box_hit.hpp"
+#include "hls/box/format_list.hpp"
 #include "hls/box/int_format.hpp"
-#include "hls/num/domain.hpp"
+#include "hls/num/bits.hpp"
 
 namespace hitpipe::hls {
 
 template <class D, class F>
 struct OneAxisSlabOperands {
-  using coord = typename D::template sint<F::coord>;
-  using interval = typename D::template sint<F::interval>;
+  using coord = typename F::template Coord<D>;
+  using interval = typename F::template Interval<D>;
   using bit = typename D::bit;
 
   coord irx, iri, ixmin, ixmax;
@@ -19,12 +21,12 @@ struct OneAxisSlabOperands {
   bit from_above;
 
   template <class Self, class Visit>
-  static constexpr void for_each(Self& self, Visit&& visit) {
-    visit(F::bits.point("irx", Role::origin, Axis::x), self.irx);
-    visit(F::bits.component("iri", Role::inverse, Axis::x), self.iri);
-    visit(F::bits.plane("ixmin", Role::plane_low, Axis::x), self.ixmin);
-    visit(F::bits.plane("ixmax", Role::plane_high, Axis::x), self.ixmax);
-    visit(F::bits.length("irlen"), self.irlen);
+  static constexpr void for_each(const IntBits& format, Self& self, Visit&& visit) {
+    visit(format.point("irx", Role::origin, Axis::x), self.irx);
+    visit(format.component("iri", Role::inverse, Axis::x), self.iri);
+    visit(format.plane("ixmin", Role::plane_low, Axis::x), self.ixmin);
+    visit(format.plane("ixmax", Role::plane_high, Axis::x), self.ixmax);
+    visit(format.length("irlen"), self.irlen);
     visit(flag_operand("from_above", Role::other), self.from_above);
   }
 };
@@ -34,19 +36,22 @@ struct OneAxisSlab {
   static constexpr const char* summary = "one slab, for a test";
   static constexpr Arithmetic arithmetic = Arithmetic::integer;
 
+  using Bits = IntBits;
+  using BuiltIn = FormatList<>;
   template <class D, class F>
   using Operands = OneAxisSlabOperands<D, F>;
+  template <class D, class F>
+  using Results = BoxHit<typename D::bit>;
 
   template <class D, class F>
-  static constexpr typename D::bit hit(const Operands<D, F>& in) {
+  static constexpr Results<D, F> test(const F& format, const OneAxisSlabOperands<D, F>& in) {
     using Bit = typename D::bit;
-    using Interval = typename Operands<D, F>::interval;
     const auto plane = as("plane", select(in.from_above, in.ixmax, in.ixmin));
-    const auto distance = as("distance", resize<F::coord>(plane - in.irx));
+    const auto distance = as("distance", resize(plane - in.irx, format.coord));
     const auto product = distance * in.iri;
-    const auto t = as("t", Interval(slice<F::product - 1, F::trimmed>(product)));
-    const Bit behind = slice<F::interval - 1, F::interval - 1>(t);
-    return as("meets", Bit(~Bit(in.irlen < t) & ~behind));
+    const auto t = as("t", as_signed(slice(product, format.product() - 1_w, format.trimmed())));
+    const Bit behind = sign(t);
+    return {as("meets", ~Bit(in.irlen < t) & ~behind)};
   }
 };
 

@@ -21,13 +21,13 @@ TEST(NativeDomain, SliceCutsTheNamedBits) {
   const auto cut = []<class A>(const A& a, const exact::Choice& choice) -> ap_uint<128> {
     switch (choice.variant) {
       case 0:
-        return slice<inner_hi<A>, inner_lo<A>>(a);
+        return slice(a, Width<inner_hi<A>>(), Width<inner_lo<A>>());
       case 1:
-        return slice<A::width - 1, A::width - 1>(a);
+        return sign(a);
       case 2:
-        return slice<0, 0>(a);
+        return bit_at(a, 0_w);
       default:
-        return slice<A::width - 1, 0>(a);
+        return slice(a, width_of(a) - 1_w, 0_w);
     }
   };
   run.check_choices(
@@ -58,7 +58,7 @@ TEST(NativeDomain, CatResizeAndSelectKeepBits) {
               return Integer(high + exact::pattern(b, row.b.width));
             });
   run.check("resize",
-            exact::crossed_rows([]<class A, class B>(const A& a, const B&) { return resize<B::width>(a); }),
+            exact::crossed_rows([]<class A, class B>(const A& a, const B&) { return resize(a, Width<B::width>()); }),
             [](const Row& row, const Integer& a, const Integer&) {
               return exact::wrapped(a, row.b.width, row.a.is_signed);
             });
@@ -73,8 +73,8 @@ TEST(NativeDomain, CatResizeAndSelectKeepBits) {
 }
 
 TEST(NativeDomain, LitWrapsAndAsChangesNothing) {
-  EXPECT_EQ((lit<8>(0x1ff)), 0xff);
-  EXPECT_EQ((lit<70, Native>(-1)), ap_uint<70>(-1));
+  EXPECT_EQ(Native::lit(0x1ff, 8_w), 0xff);
+  EXPECT_EQ(Native::lit(-1, 70_w), ap_uint<70>(-1));
   EXPECT_EQ(as("near", ap_int<9>(-200)), -200);
   EXPECT_EQ(as("near", 'y', ap_int<9>(-200)), -200);
 }
@@ -84,7 +84,7 @@ struct ForeignValue {};
 
 template <class T>
 concept sliced = requires(T x) {
-  slice<0, 0>(x);
+  slice(x, 0_w, 0_w);
 };
 template <class T>
 concept named = requires(T x) {

@@ -114,7 +114,7 @@ TEST(ExactFloat, KnowsTheFormatsLandmarks) {
   EXPECT_EQ(f.compare(0xb8, 0x38), 1U);
 }
 
-constexpr Fp<Native, 8, 23> binary32(std::uint32_t bits) {
+constexpr Fp<Native, Fp32> binary32(std::uint32_t bits) {
   return {ap_uint<32>(bits)};
 }
 
@@ -124,7 +124,7 @@ static_assert(fp_mul(binary32(0x7f800000), binary32(0x80000000)).bits == 0x7fc00
 static_assert(fp_compare(binary32(0x3f800000), binary32(0x40400000)).less == 1U);
 static_assert(fp_compare(binary32(0xbf800000), binary32(0xc0400000)).greater == 1U);
 static_assert(fp_less(binary32(0x80000000), binary32(0x00000000)) == 0U);
-static_assert(binary32(0x80000000).sign() == 1U);
+static_assert(sign(binary32(0x80000000)) == 1U);
 
 }  // namespace
 }  // namespace hitpipe::hls

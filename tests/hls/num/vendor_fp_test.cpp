@@ -18,11 +18,11 @@ class Check {
  public:
   void pair(std::uint32_t a, std::uint32_t b) {
     using Bits = Vendor::uint<32>;
-    one("a - b", a, b, fp_logic::subtract<Vendor, 8, 23>(Bits(a), Bits(b)).to_uint64(),
+    one("a - b", a, b, fp_logic::subtract<Vendor>(Fp32(), Bits(a), Bits(b)).to_uint64(),
         exact::subtract_bits<8, 23>(a, b));
-    one("a * b", a, b, fp_logic::multiply<Vendor, 8, 23>(Bits(a), Bits(b)).to_uint64(),
+    one("a * b", a, b, fp_logic::multiply<Vendor>(Fp32(), Bits(a), Bits(b)).to_uint64(),
         exact::multiply_bits<8, 23>(a, b));
-    one("compare(a, b)", a, b, fp_logic::compare<Vendor, 8, 23>(Bits(a), Bits(b)).to_uint64(),
+    one("compare(a, b)", a, b, fp_logic::compare<Vendor>(Fp32(), Bits(a), Bits(b)).to_uint64(),
         exact::compare_bits<8, 23>(a, b));
   }
 

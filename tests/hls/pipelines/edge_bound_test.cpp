@@ -135,7 +135,7 @@ TEST(EdgeBoundOfTheThesis, IsThePrintedOne) {
 template <int T>
 void expect_bound_in_the_unit(const Search& found) {
   using F = IntFormat<6, T>;
-  const Edge& worst = found.least[static_cast<std::size_t>(F::trimmed)].edge;
+  const Edge& worst = found.least[static_cast<std::size_t>(F::bits.trimmed())].edge;
   const auto hit = [](const Edge& edge) {
     // Part of the silhouette: the planes that the edge's side relation reads; the others lie far outside.
     IntPluckerOperands<Native, F> in;
@@ -151,17 +151,17 @@ void expect_bound_in_the_unit(const Search& found) {
     in.iymax = edge.di >= 0 ? 31 : edge.plane_j;
     in.izmin = -31;
     in.izmax = 31;
-    return IntPlucker::hit<Native, F>(in).to_bool();
+    return IntPlucker::test(F(), in).hit.to_bool();
   };
   EXPECT_TRUE(hit(worst)) << "t = " << T;
   // Move the edge over the ray until the relation drops below the bound; the rest of the box stays.
   Edge moved = worst;
-  while (moved.side(F::trimmed) >= edge_bound(F::bits) &&
+  while (moved.side(F::bits.trimmed()) >= edge_bound(F::bits) &&
          std::max(std::abs(moved.plane_i), std::abs(moved.plane_j)) < 31) {
     moved.plane_i -= moved.dj > 0 ? 1 : moved.dj < 0 ? -1 : 0;
     moved.plane_j += moved.di > 0 ? 1 : moved.di < 0 ? -1 : 0;
   }
-  ASSERT_LT(moved.side(F::trimmed), edge_bound(F::bits)) << "t = " << T;
+  ASSERT_LT(moved.side(F::bits.trimmed()), edge_bound(F::bits)) << "t = " << T;
   EXPECT_FALSE(hit(moved)) << "t = " << T;
 }
 

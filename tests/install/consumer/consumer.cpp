@@ -1,5 +1,6 @@
 // A ray along +x from the origin meets the box [100, 200] x [-1, 1] x [-1, 1] at 20/24, and not when it is
 // moved aside.
+#include <hls/num/domain.hpp>
 #include <hls/pipelines/int_slabs.hpp>
 
 namespace hls = hitpipe::hls;
@@ -27,7 +28,7 @@ constexpr Operands aimed_at(int ymin, int ymax) {
 }
 
 int main() {
-  const bool hit = hls::IntSlabs::hit<hls::Native, Format>(aimed_at(-1, 1)).to_bool();
-  const bool miss = hls::IntSlabs::hit<hls::Native, Format>(aimed_at(50, 60)).to_bool();
+  const bool hit = hls::IntSlabs::test(Format(), aimed_at(-1, 1)).hit.to_bool();
+  const bool miss = hls::IntSlabs::test(Format(), aimed_at(50, 60)).hit.to_bool();
   return hit && !miss ? 0 : 1;
 }

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "hls/pipelines/fp_plucker.hpp"
+#include "hls/pipelines/fp_slabs.hpp"
+#include "hls/pipelines/int_plucker.hpp"
+#include "hls/pipelines/int_slabs.hpp"
+#include "rtl_gen/catalogue/traced.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
@@ -92,6 +97,99 @@ TEST(Native, BitsAboveAPortsWidthAreIgnored) {
     ++compared;
   }
   EXPECT_EQ(compared, 2000);
+}
+
+/// A format chosen at run time gives the answer of the instance that knows it when compiled, for any bits.
+template <class Pipeline, class F>
+void expect_equal_answers(std::uint64_t seed) {
+  const typename Pipeline::Bits bits = F::bits;
+  constexpr int vectors = 20000;
+  const auto operands = operand_vectors(input_ports(traced<Pipeline>(bits)), vectors, seed);
+  int hits = 0;
+  for (const auto& v : operands) {
+    std::int64_t built_in = -1;
+    std::int64_t any = -1;
+    detail::run_built_in<Pipeline, F>(bits, v.data(), &built_in);
+    detail::run_any<Pipeline>(bits, v.data(), &any);
+    ASSERT_EQ(any, built_in) << Pipeline::name << ", seed " << seed;
+    hits += any == 1 ? 1 : 0;
+  }
+  EXPECT_EQ(operands.size(), static_cast<std::size_t>(vectors));
+  EXPECT_GT(hits, 0);
+  EXPECT_LT(hits, vectors);
+}
+
+template <class Pipeline>
+void expect_equal_integer_answers() {
+  expect_equal_answers<Pipeline, hls::IntFormat<24, 24>>(301);
+  expect_equal_answers<Pipeline, hls::IntFormat<20, 24>>(302);
+  expect_equal_answers<Pipeline, hls::IntFormat<4, 4>>(303);
+  expect_equal_answers<Pipeline, hls::IntFormat<6, 11>>(304);
+  expect_equal_answers<Pipeline, hls::IntFormat<17, 19>>(305);
+  expect_equal_answers<Pipeline, hls::IntFormat<31, 40>>(306);
+  expect_equal_answers<Pipeline, hls::IntFormat<32, 6>>(307);
+  expect_equal_answers<Pipeline, hls::IntFormat<32, 63>>(308);
+}
+template <class Pipeline>
+void expect_equal_float_answers() {
+  expect_equal_answers<Pipeline, hls::Fp32>(311);
+  expect_equal_answers<Pipeline, hls::FpFormat<3, 2>>(312);
+  expect_equal_answers<Pipeline, hls::FpFormat<5, 10>>(313);
+  expect_equal_answers<Pipeline, hls::FpFormat<8, 1>>(314);
+}
+
+TEST(AnyFormat, AnswersAsTheBuiltInInstance) {
+  expect_equal_integer_answers<hls::IntSlabs>();
+  expect_equal_integer_answers<hls::IntPlucker>();
+  expect_equal_float_answers<hls::FpSlabs>();
+  expect_equal_float_answers<hls::FpPlucker>();
+}
+
+/// Graph and host function of a format chosen at run time.
+template <class Pipeline>
+void expect_graph_agrees(const typename Pipeline::Bits& bits, int vectors, int& hits) {
+  const Graph graph = traced<Pipeline>(bits);
+  for (const auto& v : operand_vectors(input_ports(graph), vectors, 321)) {
+    std::int64_t hit = -1;
+    native<Pipeline>(bits, v.data(), &hit);
+    const std::vector<std::uint64_t> in(v.begin(), v.end());
+    ASSERT_EQ(static_cast<std::uint64_t>(hit), evaluate(graph, in).front());
+    hits += hit == 1 ? 1 : 0;
+  }
+}
+
+TEST(AnyFormat, EveryIntegerFormatHasTheGraphOfItsAnswers) {
+  constexpr int vectors = 60;
+  int formats = 0;
+  int slabs_hits = 0;
+  int plucker_hits = 0;
+  for (int n = hls::IntBits::min_coord; n <= hls::IntBits::max_coord; ++n) {
+    for (int t = hls::IntBits::min_interval; t < 2 * n; ++t, ++formats) {
+      SCOPED_TRACE(to_string(Format(n, t)));
+      ASSERT_NO_FATAL_FAILURE(expect_graph_agrees<hls::IntSlabs>({n, t}, vectors, slabs_hits));
+      ASSERT_NO_FATAL_FAILURE(expect_graph_agrees<hls::IntPlucker>({n, t}, vectors, plucker_hits));
+    }
+  }
+  EXPECT_EQ(formats, 864);
+  EXPECT_GT(slabs_hits, formats * vectors / 200);
+  EXPECT_GT(plucker_hits, formats * vectors / 200);
+}
+
+TEST(AnyFormat, FloatsOfAnyWidthHaveTheGraphOfTheirAnswers) {
+  for (const hls::FpBits bits : {hls::FpBits{3, 2}, hls::FpBits{2, 1}, hls::FpBits{5, 10}, hls::FpBits{8, 7},
+                                 hls::FpBits{2, 23}, hls::FpBits{8, 1}}) {
+    int hits = 0;
+    SCOPED_TRACE(std::to_string(bits.exponent) + "," + std::to_string(bits.fraction));
+    ASSERT_NO_FATAL_FAILURE(expect_graph_agrees<hls::FpSlabs>(bits, 200, hits));
+    ASSERT_NO_FATAL_FAILURE(expect_graph_agrees<hls::FpPlucker>(bits, 200, hits));
+    EXPECT_GT(hits, 0);
+  }
+}
+
+TEST(BuiltInFormat, HasAnInstanceOfItsOwn) {
+  const NativeFunction<hls::IntSlabs> any = detail::run_any<hls::IntSlabs>;
+  EXPECT_NE(native_function<hls::IntSlabs>({20, 24}), any);
+  EXPECT_EQ(native_function<hls::IntSlabs>({20, 23}), any);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hls/box/fp_format.hpp"
 #include "hls/num/fp_logic.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "rtl_gen/graph/trace.hpp"
@@ -25,23 +26,24 @@ struct TracedOperator {
   exact::FloatOperator native;
 };
 
-template <int E, int M, class Logic>
-TracedOperator traced(const char* name, exact::FloatOperator native, Logic logic) {
-  using Bits = Signal<1 + E + M, false>;
+template <class Logic>
+TracedOperator traced(const char* name, hls::FpBits format, exact::FloatOperator native, Logic logic) {
   Graph graph(name);
   const Tracer tracer(graph);
-  const auto a = Bits::from(graph.input("a", Bits::width, false));
-  const auto b = Bits::from(graph.input("b", Bits::width, false));
-  graph.output("result", logic(a, b).id());
+  const Trace::uint a(graph.input("a", format.width(), false));
+  const Trace::uint b(graph.input("b", format.width(), false));
+  graph.output("result", logic(format, a, b).id());
   return {graph, canonical(graph), native};
 }
 
 template <int E, int M>
 std::vector<TracedOperator> traced_operators() {
+  using hls::FpBits;
+  using Bits = Trace::uint;
   return {
-      traced<E, M>("subtract", exact::subtract_bits<E, M>, hls::fp_logic::subtract<Trace, E, M>),
-      traced<E, M>("multiply", exact::multiply_bits<E, M>, hls::fp_logic::multiply<Trace, E, M>),
-      traced<E, M>("compare", exact::compare_bits<E, M>, hls::fp_logic::compare<Trace, E, M>),
+      traced("subtract", {E, M}, exact::subtract_bits<E, M>, hls::fp_logic::subtract<Trace, FpBits, Bits>),
+      traced("multiply", {E, M}, exact::multiply_bits<E, M>, hls::fp_logic::multiply<Trace, FpBits, Bits>),
+      traced("compare", {E, M}, exact::compare_bits<E, M>, hls::fp_logic::compare<Trace, FpBits, Bits>),
   };
 }
 
@@ -86,6 +88,16 @@ TEST(TracedFloats, RandomPairsAreTheNativeOnes) {
     return std::vector<std::uint64_t>{p.a, p.b};
   };
   EXPECT_EQ(compare(traced_operators<8, 23>(), pairs, next), 6 * pairs);
+}
+
+TEST(TracedFloats, EveryPairOfASmallFormatIsTheNativeOne) {
+  constexpr std::size_t patterns = 64;
+  std::size_t at = 0;
+  const auto next = [&] {
+    const std::size_t i = at++;
+    return std::vector<std::uint64_t>{i / patterns, i % patterns};
+  };
+  EXPECT_EQ((compare(traced_operators<3, 2>(), patterns * patterns, next)), 6 * patterns * patterns);
 }
 
 template <int E, int M>

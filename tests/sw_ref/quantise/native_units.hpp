@@ -25,7 +25,7 @@ template <class F>
 struct NativeSlabs {
   [[nodiscard]] static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
     const IntSlabsRay ray = IntSlabsRaySetup(exact, F::bits).ray();
-    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
+    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::bits.coord);
     hls::IntSlabsOperands<hls::Native, F> in;
     in.irx = origin[0];
     in.iry = origin[1];
@@ -39,7 +39,7 @@ struct NativeSlabs {
     in.irk_ceil = ray.irdvc_ceil[2];
     in.rinf = ray.infinite;
     set_box(in, box);
-    return hls::IntSlabs::hit<hls::Native, F>(in).to_bool();
+    return hls::IntSlabs::test(F(), in).hit.to_bool();
   }
 };
 
@@ -47,7 +47,7 @@ template <class F>
 struct NativePlucker {
   [[nodiscard]] static bool hit(const Ray& exact, const IntBox& box, const CoarseAxes& coarse) {
     const IntPluckerRay ray = IntPluckerRaySetup(exact, F::bits).ray();
-    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::coord);
+    const IntOrigin origin = coarse_origin(ray.origin, coarse, F::bits.coord);
     hls::IntPluckerOperands<hls::Native, F> in;
     in.irx = origin[0];
     in.iry = origin[1];
@@ -60,7 +60,7 @@ struct NativePlucker {
     in.irk = ray.direction[2];
     in.rinf = ray.end.infinite;
     set_box(in, box);
-    return hls::IntPlucker::hit<hls::Native, F>(in).to_bool();
+    return hls::IntPlucker::test(F(), in).hit.to_bool();
   }
 };
 
