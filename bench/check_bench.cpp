@@ -27,11 +27,11 @@ void judge(benchmark::State& state, const char* name, rtl::Format format) {
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(tests));
 }
-BENCHMARK_CAPTURE(judge, int_slabs_24_24, "int_slabs", rtl::Format(24, 24))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, int_slabs_20_24, "int_slabs", rtl::Format(20, 24))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, int_plucker_24_24, "int_plucker", rtl::Format(24, 24))
+BENCHMARK_CAPTURE(judge, int_slabs_24_24, "int_slabs", rtl::Format(hls::IntBits{24, 24}))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, int_slabs_20_24, "int_slabs", rtl::Format(hls::IntBits{20, 24}))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, int_plucker_24_24, "int_plucker", rtl::Format(hls::IntBits{24, 24}))
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, int_plucker_20_24, "int_plucker", rtl::Format(20, 24))
+BENCHMARK_CAPTURE(judge, int_plucker_20_24, "int_plucker", rtl::Format(hls::IntBits{20, 24}))
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(judge, fp_slabs, "fp_slabs", rtl::Format::fp32())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(judge, fp_plucker, "fp_plucker", rtl::Format::fp32())->Unit(benchmark::kMillisecond);

@@ -17,7 +17,7 @@ using namespace hitpipe;
 void generate(benchmark::State& state, const std::string& name) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Library& library = rtl::Library::thesis();
-  const rtl::Format format = design.default_format();
+  const rtl::Format format = design.default_format;
   for (auto _ : state) {
     auto files = rtl::files_and_drawings(
         rtl::emit(design, format, library, rtl::make_pipeline(design.trace(format), library)));
@@ -29,7 +29,7 @@ void generate(benchmark::State& state, const std::string& name) {
 /// traversal and triangle tests.
 void cosimulate_spheres(benchmark::State& state, const std::string& name) {
   const rtl::Design& design = rtl::find_design(name);
-  const rtl::Format format = design.default_format();
+  const rtl::Format format = design.default_format;
   const ref::Scene scene = ref::load_scene("spheres");
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const sim::VerilatedDesign verilated(design, format, rtl::Library::thesis());

@@ -1,5 +1,6 @@
 // What is counted, on graphs small enough to count by hand, and each habit of Table 7.2 on its own.
 #include "area_model/count.hpp"
+#include "area_model/price.hpp"
 
 #include <map>
 #include <stdexcept>
@@ -55,13 +56,13 @@ TEST(CountBuilt, CountsEveryRegisterAndComponentWithValidAndTag) {
 
 TEST(CountPrinted, LeavesOutValidAndTagAndTheInputLatchesIfToldSo) {
   const rtl::Pipeline pipeline = make_pipeline(smaller_of_difference(), unit_library());
-  Habits habits{"toy", true, false, false};
-  EXPECT_EQ(lines_of(count_printed(pipeline, {8, 8}, habits)),
+  rtl::Printed habits{.rows = {}, .input_latches = true};
+  EXPECT_EQ(lines_of(count_printed(pipeline, hls::IntBits{8, 8}, habits)),
             (std::vector<std::string>{"0: latch_8 x 3",                           //
                                       "1: int_subtract_8 x 1", "1: latch_8 x 2",  //
                                       "2: int_compare_8 x 1", "2: latch_8 x 1", "2: mux2_8 x 1"}));
   habits.input_latches = false;
-  EXPECT_EQ(total(count_printed(pipeline, {8, 8}, habits), "latch_8"), 3);
+  EXPECT_EQ(total(count_printed(pipeline, hls::IntBits{8, 8}, habits), "latch_8"), 3);
 }
 
 int comparators(const Graph& graph) {
@@ -89,7 +90,7 @@ TEST(Comparator, IsNotSharedByStages) {
   g.begin_stage(2);
   g.output("greater", g.binary(Op::less, b, a, true));
   rtl::Pipeline p{g, schedule_as_stated(g, 2), {}};
-  EXPECT_EQ(lines_of(count_printed(p, {8, 8}, {"toy", true, false, false})),
+  EXPECT_EQ(lines_of(count_printed(p, {8, 8}, {.rows = {}, .input_latches = true})),
             (std::vector<std::string>{"1: int_compare_8 x 1", "2: int_compare_8 x 1"}));
 }
 
@@ -106,31 +107,35 @@ TEST(PrintedWidths, SideRelationsAreKnownByTheirMultipliers) {
   const NodeId side = g.binary(Op::sub, term(plane, a), term(plane, b));
   const NodeId outside = g.binary(Op::less, side, g.constant(9, 511), true);
   const NodeId ahead = g.binary(Op::less, a, b, true);
-  const Habits sides{"toy", false, false, true};
-  const Habits none{"toy", false, false, false};
-  EXPECT_EQ(printed_component_bits(g, side, {9, 8}, sides), 8);
-  EXPECT_EQ(printed_component_bits(g, outside, {9, 8}, sides), 8);
-  EXPECT_EQ(printed_component_bits(g, plane, {9, 8}, sides), 9);
-  EXPECT_EQ(printed_component_bits(g, ahead, {9, 8}, sides), 9);
-  EXPECT_EQ(printed_component_bits(g, side, {9, 8}, none), 9);
-  EXPECT_EQ(printed_component_bits(g, outside, {9, 8}, none), 9);
+  const rtl::Printed sides{.rows = {}, .side_relations_at_t = true};
+  const rtl::Printed none{};
+  EXPECT_EQ(printed_component_bits(g, side, hls::IntBits{9, 8}, sides), 8);
+  EXPECT_EQ(printed_component_bits(g, outside, hls::IntBits{9, 8}, sides), 8);
+  EXPECT_EQ(printed_component_bits(g, plane, hls::IntBits{9, 8}, sides), 9);
+  EXPECT_EQ(printed_component_bits(g, ahead, hls::IntBits{9, 8}, sides), 9);
+  EXPECT_EQ(printed_component_bits(g, side, hls::IntBits{9, 8}, none), 9);
+  EXPECT_EQ(printed_component_bits(g, outside, hls::IntBits{9, 8}, none), 9);
 }
 
 TEST(PrintedWidths, ProductLatchesHaveNoMoreThanNBits) {
   Graph g("toy");
   const NodeId a = g.input("a", 8, true);
   const NodeId product = g.binary(Op::mul, a, a, true);
-  const Habits narrow{"toy", true, true, false};
+  const rtl::Printed narrow{.rows = {}, .input_latches = true, .products_at_n_bits = true};
   const rtl::Register of_product{product, 3, 14, 3};
-  EXPECT_EQ(printed_latch_bits(g, of_product, {8, 12}, narrow), 8);
-  EXPECT_EQ(printed_latch_bits(g, of_product, {8, 12}, {"toy", true, false, false}), 12);
-  EXPECT_EQ(printed_latch_bits(g, {product, 3, 14, 9}, {8, 6}, narrow), 6);
-  EXPECT_EQ(printed_latch_bits(g, {a, 0, 7, 0}, {6, 12}, narrow), 8);
+  EXPECT_EQ(printed_latch_bits(g, of_product, hls::IntBits{8, 12}, narrow), 8);
+  EXPECT_EQ(printed_latch_bits(g, of_product, hls::IntBits{8, 12}, {.rows = {}, .input_latches = true}), 12);
+  EXPECT_EQ(printed_latch_bits(g, {product, 3, 14, 9}, hls::IntBits{8, 6}, narrow), 6);
+  EXPECT_EQ(printed_latch_bits(g, {a, 0, 7, 0}, hls::IntBits{6, 12}, narrow), 8);
 }
 
-TEST(PrintedHabits, AreThoseOfTheFourDesigns) {
-  for (const rtl::Design& design : rtl::designs()) EXPECT_EQ(printed_habits(design.name).design, design.name);
-  EXPECT_EQ(rtl::message_of<std::runtime_error>([] { static_cast<void>(printed_habits("fixed_slabs")); }),
+TEST(PrintedAccount, IsOfTheFourDesignsOfTheThesis) {
+  rtl::Design mine = rtl::find_design("int_slabs");
+  mine.name = "fixed_slabs";
+  mine.printed = {};
+  EXPECT_EQ(message_of<std::runtime_error>([&] {
+              static_cast<void>(price(mine, mine.default_format, rtl::Library::thesis(), Account::printed));
+            }),
             "design fixed_slabs: not in Table 7.2, so there is no printed account of it, only the built one");
 }
 

@@ -125,7 +125,7 @@ TEST(UnitLibrary, MultipliesByNarrowerOperandsInTheirPartOfTheSquare) {
   const rtl::Design& design = rtl::find_design("int_slabs");
   const rtl::Demands narrow{{{"iry", {{-15, 15}}}, {"iymin", {{-15, 15}}}, {"iymax", {{-15, 15}}}}};
   const rtl::Pipeline pipeline =
-      rtl::make_pipeline(rtl::prune(design.trace({12, 12}), narrow).graph, rtl::unit_library());
+      rtl::make_pipeline(rtl::prune(design.trace(hls::IntBits{12, 12}), narrow).graph, rtl::unit_library());
   const Price p = price(pipeline, {design.name, {12, 12}}, rtl::unit_library());
   std::map<std::string, Line> lines;
   for (const Line& line : p.lines) lines.emplace(part_name(line.part), line);
@@ -147,7 +147,7 @@ TEST(UnitLibrary, CoarseAxesCostLess) {
     std::map<std::string, Line> coarse;
     const auto priced = [&](int zeros, std::map<std::string, Line>& lines) {
       const rtl::Pipeline pipeline =
-          rtl::make_pipeline(rtl::prune(design.trace({12, 12}), y(zeros)).graph, rtl::unit_library());
+          rtl::make_pipeline(rtl::prune(design.trace(hls::IntBits{12, 12}), y(zeros)).graph, rtl::unit_library());
       const Price p = price(pipeline, {design.name, {12, 12}}, rtl::unit_library());
       for (const Line& line : p.lines) lines.emplace(part_name(line.part), line);
       return p.area_um2;
@@ -173,7 +173,7 @@ TEST(PriceOfAPipeline, IsThatOfTheDesignItComesFrom) {
 TEST(UnitLibrary, HasNoFloatsToCompareWith) {
   EXPECT_TRUE(can_price_yardstick(Library::thesis()));
   EXPECT_FALSE(can_price_yardstick(rtl::unit_library()));
-  EXPECT_EQ(rtl::message_of<std::runtime_error>([] {
+  EXPECT_EQ(message_of<std::runtime_error>([] {
               static_cast<void>(price_of({"fp_slabs", "fp32"}, Account::built, rtl::unit_library()));
             }),
             "library unit: it has no fp_subtract");

@@ -10,8 +10,7 @@
 
 #include "hls/pipelines/int_plucker.hpp"
 #include "hls/pipelines/int_slabs.hpp"
-#include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/catalogue/entry.hpp"
+#include "rtl_gen/catalogue/design_of.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/int_box.hpp"
@@ -26,6 +25,7 @@ using Operands = std::array<std::int64_t, 17>;
 struct NarrowUnit {
   rtl::Design design;
   hls::IntBits bits;
+  rtl::Format format;
   rtl::Evaluate evaluate;
   void (*set_up)(const Ray&, hls::IntBits, std::int64_t* out);  ///< the ray's operands
   std::size_t ray_operands;
@@ -80,18 +80,31 @@ inline void put_box(const IntBox& box, std::int64_t* out) {
   }
 }
 
+/// Formats n/t down to those that the proofs of sw_ref/quantise hold for.
+inline const rtl::FormatFamily& proved_formats() {
+  static const rtl::FormatFamily family = [] {
+    rtl::FormatFamily wider = rtl::FamilyOf<hls::IntBits>::family;
+    wider.valid = [](const rtl::FormatNumbers& n) { return hls::IntBits{n[0], n[1]}.proved(); };
+    return wider;
+  }();
+  return family;
+}
+
 template <class Pipeline>
-constexpr rtl::Design design_of{Pipeline::name, Pipeline::summary, Pipeline::arithmetic,
-                                rtl::traced_entry<Pipeline>, rtl::native_entry<Pipeline>};
+NarrowUnit narrow_unit(hls::IntBits bits, void (*set_up)(const Ray&, hls::IntBits, std::int64_t*),
+                       std::size_t ray_operands) {
+  rtl::Design design = rtl::design_of<Pipeline>();
+  const rtl::Format format(proved_formats(), rtl::Format(bits).numbers());
+  design.default_format = format;
+  return {design, bits, format, design.evaluate(format), set_up, ray_operands};
+}
 
 /// Both units at n and t = 4 .. 2n-1.
 inline std::vector<NarrowUnit> units(int n) {
   std::vector<NarrowUnit> all;
   for (int t = hls::IntBits::min_proved; t < 2 * n; ++t) {
-    const hls::IntBits bits{n, t};
-    all.push_back({design_of<hls::IntSlabs>, bits, design_of<hls::IntSlabs>.native(bits), slabs_ray, 11});
-    all.push_back(
-        {design_of<hls::IntPlucker>, bits, design_of<hls::IntPlucker>.native(bits), plucker_ray, 10});
+    all.push_back(narrow_unit<hls::IntSlabs>({n, t}, slabs_ray, 11));
+    all.push_back(narrow_unit<hls::IntPlucker>({n, t}, plucker_ray, 10));
   }
   return all;
 }

@@ -76,7 +76,7 @@ TEST(FifthDesign, AnswersInVerilogAsInCpp) {
   const rtl::ScratchFolder cache;
   const sim::VerilatedDesign verilated(fifth, bits, rtl::Library::thesis(), cache.path());
   const rtl::Evaluate evaluate = fifth.evaluate(bits);
-  const auto vectors = rtl::operand_vectors(rtl::input_ports(fifth.trace(bits)), count, 5);
+  const auto vectors = rtl::operand_vectors(fifth.ports(bits), count, 5);
   sim::Model model(verilated);
   std::size_t received = 0;
   std::size_t hits = 0;

@@ -40,14 +40,14 @@ void expect_sane(const rtl::Library& library) {
 
 void schedule(const rtl::Library& library) {
   static const rtl::Design& design = rtl::find_design("int_slabs");
-  static const rtl::Graph graph = design.trace(design.default_format());
+  static const rtl::Graph graph = design.trace(design.default_format);
   const rtl::Pipeline pipeline = rtl::make_pipeline(graph, library);
   expect(pipeline.latency() > 0, "a pipeline has stages");
   // Every line before the module is a comment; what the library says of itself must not leave it.
   const std::string verilog = rtl::to_verilog(pipeline, library, {.module_name = "int_slabs", .bits = {}});
   for (std::size_t at = 0; !verilog.substr(at).starts_with("module "); at = verilog.find('\n', at) + 1)
     expect(verilog.substr(at, 2) == "//", "the library's name stays in its comment");
-  expect(!rtl::manifest(design, design.default_format(), pipeline, library, false).empty(),
+  expect(!rtl::manifest(design, design.default_format, pipeline, library, false).empty(),
          "a manifest is written");
 }
 

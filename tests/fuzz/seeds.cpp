@@ -206,7 +206,7 @@ std::string without(nlohmann::json json, const nlohmann::json::json_pointer& pla
 }
 
 void add_libraries(Seeds seeds, const fs::path& source) {
-  for (const auto& entry : fs::directory_iterator(source / "area_model/libraries"))
+  for (const auto& entry : fs::directory_iterator(source / "rtl_gen/component/libraries"))
     seeds.add(text_of(entry.path()));
   const auto unit = nlohmann::json::parse(rtl::unit_json);
   seeds.add(rtl::unit_json);

@@ -41,7 +41,7 @@ VerilatedDesign damaged(const std::string& sed) {
 }
 
 TestbenchReport driven(const VerilatedDesign& design, const Traffic& with = traffic) {
-  const std::vector<rtl::Port> ports = rtl::input_ports(int_slabs().trace(damaged_bits));
+  const std::vector<rtl::Port> ports = int_slabs().ports(damaged_bits);
   Model model(design);
   return drive(model, ports, int_slabs().evaluate(damaged_bits), rtl::operand_vectors(ports, 20'000, seed),
                with, seed, seed);

@@ -99,9 +99,9 @@ Operands expected(const Unit& unit, const ref::Ray& ray, float length, const ref
   const std::string_view name = unit.name;
   Operands operands = name == "fp_slabs"     ? fp_slabs_ray(ray, length)
                       : name == "fp_plucker" ? fp_plucker_ray(ray, length)
-                      : name == "int_slabs"  ? int_slabs_ray(ray, unit.format.bits(), length)
-                                             : int_plucker_ray(ray, unit.format.bits(), length);
-  operands.merge(unit.format.is_float() ? float_box(box) : int_box(box, unit.format.bits().coord));
+                      : name == "int_slabs"  ? int_slabs_ray(ray, unit.format.as<hls::IntBits>(), length)
+                                             : int_plucker_ray(ray, unit.format.as<hls::IntBits>(), length);
+  operands.merge(unit.format.is<hls::FpBits>() ? float_box(box) : int_box(box, unit.format.as<hls::IntBits>().coord));
   return operands;
 }
 
@@ -157,7 +157,7 @@ TEST_P(CoarseFeed, MovesOriginAndBoxAndNothingElse) {
   const auto rays = feed->unit(1);
   const auto coarse_rays = coarse_feed->unit(1);
   const std::vector<rtl::Port> ports = unit.ports();
-  const int n = unit.format.bits().coord;
+  const int n = unit.format.as<hls::IntBits>().coord;
   ref::adversary::Random random(8);
   const auto categories = ref::adversary::categories();
   std::vector<std::int64_t> operands(ports.size());
@@ -188,23 +188,23 @@ TEST_P(CoarseFeed, MovesOriginAndBoxAndNothingElse) {
 }
 
 INSTANTIATE_TEST_SUITE_P(IntegerUnits, CoarseFeed,
-                         testing::Values(Unit{"int_slabs", {12, 12}}, Unit{"int_plucker", {20, 24}}),
+                         testing::Values(Unit{"int_slabs", hls::IntBits{12, 12}}, Unit{"int_plucker", hls::IntBits{20, 24}}),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 TEST(CoarseFeedOfAFloatDesign, Rejected) {
   try {
-    (void)make_feed(rtl::find_design("fp_slabs"), rtl::Format::fp32(), {}, {{1, 0, 0}});
+    (void)make_feed(rtl::find_design("fp_slabs"), rtl::Format(hls::FpBits{}), {}, {{1, 0, 0}});
     ADD_FAILURE() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "coarse axes: there is no port irx; take an integer design");
+    EXPECT_STREQ(error.what(), "coarse axes: origin or box is no integer; take an integer design");
   }
 }
 
 TEST(CoarseFeedOfABoxAtTheBorder, Rejected) {
   ref::Bvh bvh;
   bvh.nodes.push_back({{glm::vec3(-1.0F), glm::vec3(1.0F)}, 1, 0});
-  const auto feed = make_feed(int_slabs(), {20, 24}, bvh, {{0, 3, 0}});
-  std::vector<std::int64_t> operands(rtl::input_ports(int_slabs().trace({20, 24})).size());
+  const auto feed = make_feed(int_slabs(), hls::IntBits{20, 24}, bvh, {{0, 3, 0}});
+  std::vector<std::int64_t> operands(int_slabs().ports(hls::IntBits{20, 24}).size());
   try {
     feed->unit(1)->operands(0, 0, ref::Ray::infinite, operands.data());
     ADD_FAILURE() << "no error";
@@ -229,7 +229,7 @@ TEST(FeedOfABoxOutsideTheCube, Rejected) {
   ref::Bvh bvh;
   bvh.nodes.push_back({{glm::vec3(-0.5F), {0.5F, 1.5F, 0.5F}}, 1, 0});
   try {
-    (void)make_feed(int_slabs(), {20, 24}, bvh);
+    (void)make_feed(int_slabs(), hls::IntBits{20, 24}, bvh);
     ADD_FAILURE() << "no error";
   } catch (const std::out_of_range& error) {
     EXPECT_STREQ(error.what(),

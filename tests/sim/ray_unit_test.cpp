@@ -30,7 +30,7 @@ struct Outcome {
 std::vector<Unit> conservative_units() {
   std::vector<Unit> integer;
   std::copy_if(units.begin(), units.end(), std::back_inserter(integer),
-               [](const Unit& unit) { return !unit.format.is_float(); });
+               [](const Unit& unit) { return !unit.format.is<hls::FpBits>(); });
   return integer;
 }
 

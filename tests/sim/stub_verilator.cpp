@@ -22,7 +22,7 @@ if [ "$code" != 0 ]; then echo 'stub fails'; exit "$code"; fi
 mkdir obj && cp "$home/Vint_slabs.h" obj/
 )script");
   std::string ports = "clk, rst, in_valid, in_ready, in_tag, out_valid, out_ready, out_tag, hit";
-  for (const rtl::Port& port : rtl::input_ports(int_slabs().trace({20, 24}))) ports += ", " + port.name;
+  for (const rtl::Port& port : int_slabs().ports(hls::IntBits{20, 24})) ports += ", " + port.name;
   folder_.write("Vint_slabs.h", fmt::format(R"header(#include <cstdint>
 #include "verilated.h"
 struct Vint_slabs {{

@@ -2,6 +2,7 @@
 // the widest. Each is built once, and loaded once a program.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <ostream>
@@ -16,32 +17,31 @@ struct Unit {
   rtl::Format format;
 
   [[nodiscard]] const rtl::Design& design() const { return rtl::find_design(name); }
-  [[nodiscard]] std::vector<rtl::Port> ports() const { return rtl::input_ports(design().trace(format)); }
+  [[nodiscard]] std::vector<rtl::Port> ports() const { return design().ports(format); }
   [[nodiscard]] rtl::Evaluate evaluate() const { return design().evaluate(format); }
   /// One of the six rows of Table 7.2.
   [[nodiscard]] bool of_the_thesis() const {
-    return format.is_float() || format == rtl::Format(24, 24) || format == rtl::Format(20, 24);
+    return format.is<hls::FpBits>() || format == rtl::Format(hls::IntBits{24, 24}) || format == rtl::Format(hls::IntBits{20, 24});
   }
 };
 
-inline const std::array units{Unit{"fp_slabs", rtl::Format::fp32()},
-                              Unit{"fp_plucker", rtl::Format::fp32()},
-                              Unit{"int_slabs", {24, 24}},
-                              Unit{"int_slabs", {20, 24}},
-                              Unit{"int_slabs", {16, 16}},
-                              Unit{"int_slabs", {12, 12}},
-                              Unit{"int_slabs", {6, 6}},
-                              Unit{"int_slabs", {32, 63}},
-                              Unit{"int_plucker", {24, 24}},
-                              Unit{"int_plucker", {20, 24}},
-                              Unit{"int_plucker", {6, 6}},
-                              Unit{"int_plucker", {32, 63}}};
+inline const std::array units{Unit{"fp_slabs", rtl::Format(hls::FpBits{})},
+                              Unit{"fp_plucker", rtl::Format(hls::FpBits{})},
+                              Unit{"int_slabs", hls::IntBits{24, 24}},
+                              Unit{"int_slabs", hls::IntBits{20, 24}},
+                              Unit{"int_slabs", hls::IntBits{16, 16}},
+                              Unit{"int_slabs", hls::IntBits{12, 12}},
+                              Unit{"int_slabs", hls::IntBits{6, 6}},
+                              Unit{"int_slabs", hls::IntBits{32, 63}},
+                              Unit{"int_plucker", hls::IntBits{24, 24}},
+                              Unit{"int_plucker", hls::IntBits{20, 24}},
+                              Unit{"int_plucker", hls::IntBits{6, 6}},
+                              Unit{"int_plucker", hls::IntBits{32, 63}}};
 
 /// "int_slabs_24_24", for a test's name.
 inline std::string test_name(const Unit& unit) {
-  const std::string format = unit.format.is_float() ? "fp32"
-                                                    : std::to_string(unit.format.bits().coord) + "_" +
-                                                          std::to_string(unit.format.bits().interval);
+  std::string format = rtl::to_string(unit.format);
+  std::replace(format.begin(), format.end(), '/', '_');
   return std::string(unit.name) + "_" + format;
 }
 

@@ -70,7 +70,7 @@ class VerilatedUnit : public testing::TestWithParam<Unit> {
 
 TEST_P(VerilatedUnit, AgreesOnNamedCorners) {
   const std::vector<CornerVector> corners = corner_vectors(ports_);
-  const std::size_t intended = GetParam().design().is_float() ? 17 * 17 * 2
+  const std::size_t intended = GetParam().design().default_format.is<hls::FpBits>() ? 17 * 17 * 2
                                : ports_.size() == 17          ? 13 * 4
                                                               : 13 * 2;
   EXPECT_EQ(corners.size(), intended);
@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(Units, VerilatedUnit, testing::ValuesIn(units),
 TEST(VerilatedDesignModel, StandsStillWhileItsAnswerIsNotTaken) {
   const hls::IntBits bits{20, 24};
   Model model(verilated(bits));
-  const auto vectors = rtl::operand_vectors(rtl::input_ports(int_slabs().trace(bits)), 100, first_seed);
+  const auto vectors = rtl::operand_vectors(int_slabs().ports(bits), 100, first_seed);
   // Offered without end and never taken: it fills, then takes no more.
   std::size_t taken = 0;
   for (int cycle = 0; cycle < 50; ++cycle) {
@@ -175,7 +175,7 @@ TEST(VerilatedDesignModel, StandsStillWhileItsAnswerIsNotTaken) {
 
 TEST(VerilatedDesignModel, InstancesDoNotShareState) {
   const hls::IntBits bits{20, 24};
-  const std::vector<rtl::Port> ports = rtl::input_ports(int_slabs().trace(bits));
+  const std::vector<rtl::Port> ports = int_slabs().ports(bits);
   const auto vectors = rtl::operand_vectors(ports, 1000, first_seed);
   Model one(verilated(bits));
   Model other(verilated(bits));
@@ -197,7 +197,7 @@ TEST(VerilatedDesignModel, InstancesDoNotShareState) {
 
 TEST(VerilatedDesignModel, OutlivesItsDesignAndMoves) {
   const hls::IntBits bits{20, 24};
-  const std::vector<rtl::Port> ports = rtl::input_ports(int_slabs().trace(bits));
+  const std::vector<rtl::Port> ports = int_slabs().ports(bits);
   const auto vectors = rtl::operand_vectors(ports, 1000, first_seed);
   auto design = std::make_unique<VerilatedDesign>(int_slabs(), bits, rtl::Library::thesis());
   Model first(*design);

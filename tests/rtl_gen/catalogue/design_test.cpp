@@ -47,7 +47,7 @@ TEST(Design, FormatThatIsNotThereRejected) {
   const Design& design = find_design("int_slabs");
   const auto expect_rejected = [&](hls::IntBits bits, const std::string& text) {
     const std::string message =
-        "bits " + text + ": no such format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1";
+        "bits " + text + ": no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
     EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(bits)); }), message);
     EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.evaluate(bits)); }), message);
   };
@@ -59,25 +59,26 @@ TEST(Design, FormatThatIsNotThereRejected) {
 
 TEST(Design, FloatDesignsHaveBinary32Only) {
   const Design& design = find_design("fp_slabs");
-  EXPECT_EQ(to_string(design.default_format()), "fp32");
-  EXPECT_EQ(design.parse_format("fp32"), Format::fp32());
-  const std::string message = "bits 20/24: fp_slabs computes in floats; its only format is fp32";
+  EXPECT_EQ(to_string(design.default_format), "fp32");
+  EXPECT_EQ(design.parse_format("fp32"), Format(hls::FpBits{}));
+  EXPECT_EQ(design.parse_format("e8m23"), design.default_format);
+  const std::string message = "bits 20/24: no format of fp_slabs; allowed is fp32, which is e8m23";
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("20/24")); }),
             message);
-  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace({20, 24})); }), message);
-  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.evaluate({20, 24})); }), message);
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(hls::IntBits{20, 24})); }), message);
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.evaluate(hls::IntBits{20, 24})); }), message);
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("fp64")); }),
-            "bits fp64: allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
+            "bits fp64: no format of fp_slabs; allowed is fp32, which is e8m23");
 }
 
 TEST(Design, IntegerDesignsHaveNoBinary32) {
   const Design& design = find_design("int_plucker");
-  EXPECT_EQ(to_string(design.default_format()), "20/24");
-  EXPECT_EQ(design.parse_format("12/14"), Format(12, 14));
+  EXPECT_EQ(to_string(design.default_format), "20/24");
+  EXPECT_EQ(design.parse_format("12/14"), Format(hls::IntBits{12, 14}));
   const std::string message =
-      "bits fp32: no such format of int_plucker; allowed is n/t with n in 6..32 and t in 6..2n-1";
+      "bits fp32: no format of int_plucker; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("fp32")); }), message);
-  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(Format::fp32())); }),
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(Format(hls::FpBits{}))); }),
             message);
 }
 
@@ -89,9 +90,13 @@ TEST_P(EveryIntegerDesign, HasEveryFormatOfItsRange) {
   int formats = 0;
   for (int n = 0; n <= 40; ++n) {
     for (int t = 0; t <= 80; ++t) {
-      EXPECT_EQ(design.native({n, t}) != nullptr, (hls::IntBits{n, t}.valid())) << n << "/" << t;
-      EXPECT_EQ(design.traced({n, t}) != nullptr, (hls::IntBits{n, t}.valid())) << n << "/" << t;
-      formats += (hls::IntBits{n, t}.valid()) ? 1 : 0;
+      const rtl::Format format = hls::IntBits{n, t};
+      if (!format.valid()) {
+        EXPECT_THROW(static_cast<void>(design.evaluate(format)), std::runtime_error) << n << "/" << t;
+        continue;
+      }
+      EXPECT_EQ(input_ports(design.trace(format)).size(), design.ports(format).size()) << n << "/" << t;
+      ++formats;
     }
   }
   EXPECT_EQ(formats, 864) << "sum over n of 2n-6";
@@ -99,7 +104,7 @@ TEST_P(EveryIntegerDesign, HasEveryFormatOfItsRange) {
 
 TEST(Design, PortsHaveTheWidthsOfTheFormat) {
   for (const hls::IntBits bits : {hls::IntBits{20, 24}, hls::IntBits{24, 24}, hls::IntBits{6, 11}}) {
-    const std::vector<Port> ports = input_ports(find_design("int_slabs").trace(bits));
+    const std::vector<Port> ports = find_design("int_slabs").ports(bits);
     ASSERT_EQ(ports.size(), 17U);
     EXPECT_EQ(ports.front().name, "irx");
     EXPECT_EQ(ports.back().name, "izmax");
@@ -111,6 +116,38 @@ TEST(Design, PortsHaveTheWidthsOfTheFormat) {
       EXPECT_EQ(port.is_signed, port.name != "rinf") << port.name;
     }
   }
+}
+
+TEST(Design, PortsAreThoseOfTheGraph) {
+  for (const Design& design : designs()) {
+    const std::vector<Port> ports = design.ports(design.default_format);
+    const std::vector<Port> traced = input_ports(design.trace(design.default_format));
+    ASSERT_EQ(ports.size(), traced.size()) << design.name;
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+      EXPECT_EQ(ports[i].name, traced[i].name) << design.name;
+      EXPECT_EQ(ports[i].width, traced[i].width) << ports[i].name;
+      EXPECT_EQ(ports[i].is_signed, traced[i].is_signed) << ports[i].name;
+      ASSERT_TRUE(ports[i].range) << ports[i].name;
+    }
+  }
+}
+
+TEST(Design, OriginAndBoxAreFoundByTheirRoles) {
+  using hls::Axis;
+  using hls::Role;
+  for (const Design& design : designs()) {
+    const std::vector<Port> ports = design.ports(design.default_format);
+    for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
+      for (const Role role : {Role::origin, Role::plane_low, Role::plane_high})
+        EXPECT_TRUE(index_of(ports, role, axis)) << design.name;
+    }
+    EXPECT_TRUE(index_of(ports, Role::endless)) << design.name;
+  }
+}
+
+TEST(AddDesign, SecondOfOneNameRejected) {
+  EXPECT_EQ(message_of<std::invalid_argument>([] { add_design(find_design("int_slabs")); }),
+            "design int_slabs: there is one of that name");
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ inline std::vector<DesignFormat> every_design(const std::vector<std::string>& fo
                                                   "32/63"}) {
   std::vector<DesignFormat> all;
   for (const Design& design : designs()) {
-    if (design.is_float()) all.push_back({std::string(design.name), to_string(design.default_format())});
-    if (design.is_float()) continue;
+    if (!design.conservative) all.push_back({std::string(design.name), to_string(design.default_format)});
+    if (!design.conservative) continue;
     for (const std::string& format : formats) all.push_back({std::string(design.name), format});
   }
   return all;

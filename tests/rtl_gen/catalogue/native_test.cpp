@@ -52,10 +52,10 @@ TEST_P(NativeAndTraced, AgreeOnEveryVector) {
   // Corners and any bits, and for integer slabs as many rays and boxes, of which many hit.
   const bool with_rays = design.name == "int_slabs";
   // Float units are graphs inside the graph: slow to walk.
-  const std::size_t vectors = design.is_float() ? 4000 : 50000;
+  const std::size_t vectors = !design.conservative ? 4000 : 50000;
   auto operands = operand_vectors(input_ports(graph), static_cast<int>(vectors), random.bits());
   for (std::size_t i = 0; with_rays && i < vectors; ++i)
-    operands.push_back(ray_and_box(random, format.bits()));
+    operands.push_back(ray_and_box(random, format.as<hls::IntBits>()));
   std::size_t compared = 0;
   std::size_t hits = 0;
   for (const auto& v : operands) {
@@ -83,8 +83,8 @@ INSTANTIATE_TEST_SUITE_P(Designs, NativeAndTraced,
                          design_suffix);
 
 TEST(Native, BitsAboveAPortsWidthAreIgnored) {
-  const Evaluate native = find_design("int_slabs").evaluate({6, 6});
-  const Graph graph = find_design("int_slabs").trace({6, 6});
+  const Evaluate native = find_design("int_slabs").evaluate(hls::IntBits{6, 6});
+  const Graph graph = find_design("int_slabs").trace(hls::IntBits{6, 6});
   Seeded random(163);
   int compared = 0;
   for (const auto& v : operand_vectors(input_ports(graph), 2000, 9)) {

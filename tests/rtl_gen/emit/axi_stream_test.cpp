@@ -63,7 +63,7 @@ TEST_P(AxiStream, LintIsSilent) {
 
 /// What the bench says of the wrapper in a folder.
 std::string streamed(const ScratchFolder& folder, const DesignFormat& d, int mode) {
-  const std::vector<Port> ports = input_ports(d.found().trace(d.parsed()));
+  const std::vector<Port> ports = d.found().ports(d.parsed());
   write_text(folder / "beats.hex",
              stream_beats(ports, d.found().evaluate(d.parsed()), beat_count, beat_seed));
   int bits = 0;

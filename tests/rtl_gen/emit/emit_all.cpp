@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     if (argc != 2) throw std::runtime_error("usage: emit_all FOLDER");
     for (const Design& design : designs()) {
       const std::vector<std::string> formats =
-          design.is_float() ? std::vector<std::string>{to_string(design.default_format())}
+          !design.conservative ? std::vector<std::string>{to_string(design.default_format)}
                             : std::vector<std::string>{"24/24", "20/24", "16/16", "6/11", "32/63"};
       for (std::string folder : formats) {
         const Format format = design.parse_format(folder);

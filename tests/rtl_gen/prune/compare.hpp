@@ -20,7 +20,7 @@ struct Comparison {
 
 inline Comparison compare(const Design& design, Format format, const Demands& demands, const Graph& fitted,
                           std::size_t vectors, Seeded& random) {
-  const std::vector<Port> ports = input_ports(design.trace(format));
+  const std::vector<Port> ports = design.ports(format);
   const Draw draw(ports, demands);
   const Evaluate native = design.evaluate(format);
   Comparison result;

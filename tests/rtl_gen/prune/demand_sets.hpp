@@ -40,8 +40,8 @@ class Scene {
  public:
   Scene(const Design& design, Format format)
       : slabs_(design.name.ends_with("slabs")),
-        floats_(design.is_float()),
-        bits_(floats_ ? hls::IntBits{} : format.bits()),
+        floats_(!design.conservative),
+        bits_(floats_ ? hls::IntBits{} : format.as<hls::IntBits>()),
         grid_(std::int64_t{1} << (bits_.coord - 2)),
         demands_(promises(design, format)) {}
 

@@ -135,8 +135,8 @@ TEST(Demands, OneLeftOut) {
 
 TEST(Promises, AreLegalAndAsHlsBoxSays) {
   for (const Design& design : designs()) {
-    const Format format = design.default_format();
-    check_demands(promises(design, format), input_ports(design.trace(format)));
+    const Format format = design.default_format;
+    check_demands(promises(design, format), design.ports(format));
   }
   const Demands of_slabs = promises(find_design("int_slabs"), {24, 24});
   EXPECT_EQ(of_slabs.ports.size(), 16U) << "all but rinf";

@@ -92,7 +92,7 @@ TEST_P(DrawnVectors, AreAsDemandedAndHitAboutEveryOtherTime) {
   constexpr int count = 4000;
   const Design& design = GetParam().found();
   const Format format = GetParam().parsed();
-  const std::vector<Port> ports = input_ports(design.trace(format));
+  const std::vector<Port> ports = design.ports(format);
   for (const DemandSet& set : demand_sets(design, format)) {
     DrawVectors draw(ports, set.demands, design.evaluate(format), 1);
     DrawVectors again(ports, set.demands, design.evaluate(format), 1);

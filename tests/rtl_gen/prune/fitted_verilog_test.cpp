@@ -37,7 +37,7 @@ class Fitted {
   Fitted(const DesignFormat& d, bool all_ports)
       : design(d.found()),
         format(d.parsed()),
-        ports(input_ports(design.trace(format))),
+        ports(design.ports(format)),
         demands(demand_sets(design, format).back().demands),
         graph(fitted_graph(all_ports)),
         left(input_ports(graph)) {}

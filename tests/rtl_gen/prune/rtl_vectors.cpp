@@ -17,7 +17,7 @@ using namespace hitpipe;
 
 bool run(const char* name, std::uint64_t vectors) {
   const rtl::Design& design = rtl::find_design(name);
-  const rtl::Format format = design.default_format();
+  const rtl::Format format = design.default_format;
   const rtl::Library& library = rtl::Library::thesis();
   const rtl::Graph traced = design.trace(format);
   const rtl::Demands demands = rtl::demand_sets(design, format).back().demands;

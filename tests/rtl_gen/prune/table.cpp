@@ -58,6 +58,6 @@ int main(int argc, char**) {
   const bool cuts = argc > 1;
   print_design("int_slabs", {24, 24}, cuts);
   print_design("int_plucker", {24, 24}, cuts);
-  print_design("fp_slabs", rtl::Format::fp32(), cuts);
-  print_design("fp_plucker", rtl::Format::fp32(), cuts);
+  print_design("fp_slabs", rtl::Format(hls::FpBits{}), cuts);
+  print_design("fp_plucker", rtl::Format(hls::FpBits{}), cuts);
 }

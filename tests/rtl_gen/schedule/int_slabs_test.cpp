@@ -110,14 +110,14 @@ TEST(IntSlabs, OtherFormatsFollowTheLibrary) {
 }
 
 TEST(IntSlabs, ASlowClockTakesFewerStages) {
-  const Graph graph = find_design("int_slabs").trace({24, 24});
+  const Graph graph = find_design("int_slabs").trace(hls::IntBits{24, 24});
   // Stage 1's 1552 ps, a multiplier stage and a latch.
   EXPECT_EQ(make_pipeline(graph, Library::thesis(), 4727).schedule.stages, 5);
   EXPECT_EQ(make_pipeline(graph, Library::thesis(), 4728).schedule.stages, 4);
 }
 
 TEST(IntSlabs, AClockThatIsTooShortIsToldTheShortest) {
-  const Graph graph = find_design("int_slabs").trace({24, 24});
+  const Graph graph = find_design("int_slabs").trace(hls::IntBits{24, 24});
   EXPECT_EQ(message_of<std::invalid_argument>(
                 [&] { static_cast<void>(make_pipeline(graph, Library::thesis(), 3175)); }),
             "int_slabs: a clock of 3175 ps is too short for int_multiply:24; the smallest that can be met is "

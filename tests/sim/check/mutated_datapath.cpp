@@ -58,7 +58,7 @@ class MutatedDatapath final : public BoxTest {
  public:
   MutatedDatapath(const rtl::Design& design, hls::IntBits bits, GraphFault fault)
       : right_(make_box_test(design, bits)),
-        ports_(rtl::input_ports(design.trace(bits))),
+        ports_(design.ports(bits)),
         graph_(mutated(design.trace(bits), fault)),
         inputs_(ports_.size()) {}
 

@@ -233,7 +233,7 @@ TEST_P(TextAsWritten, MissesABoxThatTheRayMeets) {
   const std::vector<std::int64_t> right(unit->operands().begin(), unit->operands().end());
   std::vector<std::int64_t> written = right;
   example.step.set_up(c.ray, c.box, example.bits, written);
-  const std::vector<rtl::Port> ports = rtl::input_ports(design.trace(example.bits));
+  const std::vector<rtl::Port> ports = design.ports(example.bits);
   const auto port =
       std::find_if(ports.begin(), ports.end(), [&](const rtl::Port& p) { return p.name == example.port; });
   ASSERT_NE(port, ports.end());

@@ -84,8 +84,8 @@ TEST_F(FitToScene, OfASceneThatNoRayMeetsIsRefused) {
 
 TEST(FitResultVerdict, NeedsRightVectorsAndAPictureThatARefereeJudged) {
   FitResult result{.unit = {.design = &rtl::find_design("int_slabs"),
-                            .before = {12, 12},
-                            .format = {12, 12},
+                            .before = hls::IntBits{12, 12},
+                            .format = hls::IntBits{12, 12},
                             .precision = {},
                             .price_before = {},
                             .price = {},

@@ -71,7 +71,7 @@ class Fitted : public testing::TestWithParam<Case> {};
 TEST_P(Fitted, IsSmallerAndMissesNothing) {
   const World world(GetParam().scene());
   const rtl::Design& design = rtl::find_design(GetParam().design);
-  const rtl::Format format = design.is_float() ? rtl::Format::fp32() : rtl::Format(12, 12);
+  const rtl::Format format = !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{12, 12});
   const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
   EXPECT_GT(unit.saved_um2(), 0);
   EXPECT_FALSE(unit.demands.empty());
@@ -82,7 +82,7 @@ TEST_P(Fitted, IsSmallerAndMissesNothing) {
   EXPECT_EQ(result.rays_primary, std::uint64_t{World::width} * World::height);
   EXPECT_EQ(result.unit.rtl_mismatches, 0U);
   EXPECT_EQ(result.different_triangles, 0U);
-  if (!design.is_float()) {
+  if (design.conservative) {
     EXPECT_EQ(result.unit.false_misses, 0U);
   }
   EXPECT_GT(result.unit.hits, 0U);
@@ -96,8 +96,8 @@ INSTANTIATE_TEST_SUITE_P(Units, Fitted,
 TEST_P(Fitted, OnCoarseAxesIsSmallerStillAndMissesNothing) {
   const World world(GetParam().scene());
   const rtl::Design& design = rtl::find_design(GetParam().design);
-  const rtl::Format format(12, 12);
-  const Precision precision{.bits = format.bits(), .coarse = GetParam().coarse};
+  const rtl::Format format = hls::IntBits{12, 12};
+  const Precision precision{.format = format, .coarse = GetParam().coarse};
   const FittedUnit fine = fit(design, format, std::nullopt, world.demands, library());
   const FittedUnit unit = fit(design, format, precision, world.demands, library());
   EXPECT_LT(unit.price.area_um2, fine.price.area_um2);
@@ -122,10 +122,10 @@ class Endless : public testing::TestWithParam<const char*> {};
 TEST_P(Endless, UnitIsSmallerAndTracesTheSame) {
   const World world(sim::hills());
   const rtl::Design& design = rtl::find_design(GetParam());
-  const rtl::Format format = design.is_float() ? rtl::Format::fp32() : rtl::Format(12, 12);
+  const rtl::Format format = !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{12, 12});
   const FittedUnit with_ends = fit(design, format, std::nullopt, world.demands, library());
   const FittedUnit unit =
-      fit(design, format, Precision{.bits = {12, 12}, .ends = false}, world.demands, library());
+      fit(design, format, Precision{.format = format, .ends = false}, world.demands, library());
   EXPECT_LT(unit.price.area_um2, with_ends.price.area_um2);
   for (const rtl::Port& port : rtl::input_ports(unit.pipeline.graph)) {
     EXPECT_NE(port.name, "rinf");
@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(Designs, Endless, testing::Values("int_slabs", "int_plu
 TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
   const World world(ref::demanding_octahedron());
   for (const rtl::Design& design : rtl::designs()) {
-    const rtl::Format format = design.is_float() ? rtl::Format::fp32() : rtl::Format(24, 24);
+    const rtl::Format format = !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{24, 24});
     const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
     const auto whole =
         by_name(rtl::emit(design, format, library(), rtl::make_pipeline(design.trace(format), library())));
@@ -161,8 +161,8 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
 
 TEST(FittedFiles, ListTheDemandsAndCheckThem) {
   const World world(ref::flat_hills());
-  const Precision precision{.bits = {12, 12}, .coarse = {{0, 3, 1}}};
-  const FittedUnit unit = fit(rtl::find_design("int_slabs"), {12, 12}, precision, world.demands, library());
+  const Precision precision{.format = hls::IntBits{12, 12}, .coarse = {{0, 3, 1}}};
+  const FittedUnit unit = fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, precision, world.demands, library());
   const rtl::EmittedDesign emitted = fitted_files(unit, library());
   EXPECT_EQ(rtl::demands_of_manifest(emitted.manifest.contents), unit.demands);
   EXPECT_THAT(emitted.verilog.contents, HasSubstr("`ifdef HITPIPE_CHECK"));
@@ -174,8 +174,8 @@ TEST(FittedFiles, ListTheDemandsAndCheckThem) {
 
 TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
   const World world(ref::flat_hills());
-  const Precision precision{.bits = {12, 12}, .coarse = {{0, 3, 1}}};
-  const FittedUnit unit = fit(rtl::find_design("int_slabs"), {12, 12}, precision, world.demands, library());
+  const Precision precision{.format = hls::IntBits{12, 12}, .coarse = {{0, 3, 1}}};
+  const FittedUnit unit = fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, precision, world.demands, library());
   const rtl::ScratchFolder folder;
   rtl::write_files(folder.path(), fitted_files(unit, library()).files());
   const rtl::ToolResult compiled =
@@ -188,16 +188,17 @@ TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
 TEST(FittedUnit, RefusesAnotherScene) {
   const World flat(ref::flat_hills());
   const World hills(sim::hills());
-  const FittedUnit unit = fit(rtl::find_design("int_slabs"), {12, 12}, std::nullopt, flat.demands, library());
+  const FittedUnit unit = fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, std::nullopt, flat.demands, library());
   EXPECT_THROW(run(unit, hills, flat), std::out_of_range);   // its rays
   EXPECT_THROW(run(unit, hills, hills), std::out_of_range);  // its operands
 }
 
 TEST(BytesPerNode, AreThoseOfTable61) {
-  EXPECT_EQ(bytes_per_node(rtl::Format::fp32()), 32U);
-  EXPECT_EQ(bytes_per_node({24, 24}), 26U);
-  EXPECT_EQ(bytes_per_node({16, 24}), 20U);
-  EXPECT_EQ(bytes_per_node({16, 24}, {{0, 3, 1}}), 19U);
+  EXPECT_EQ(bytes_per_node(rtl::find_design("fp_slabs"), hls::FpBits{}), 32U);
+  const rtl::Design& slabs = rtl::find_design("int_slabs");
+  EXPECT_EQ(bytes_per_node(slabs, hls::IntBits{24, 24}), 26U);
+  EXPECT_EQ(bytes_per_node(slabs, hls::IntBits{16, 24}), 20U);
+  EXPECT_EQ(bytes_per_node(slabs, hls::IntBits{16, 24}, {{0, 3, 1}}), 19U);
 }
 
 /// One dropped bit more, of any axis, breaks the limit or leaves the grid.
@@ -206,7 +207,7 @@ bool no_further_bit(const PrecisionSearch& search, const Precision& found) {
     ref::CoarseAxes coarser = found.coarse;
     ++coarser.dropped[axis];
     try {
-      if (extra_box_tests_pct(search, found.bits, coarser) <= search.overhead_pct) return false;
+      if (extra_box_tests_pct(search, found.format, coarser) <= search.overhead_pct) return false;
     } catch (const std::out_of_range&) {
       continue;
     }
@@ -226,18 +227,19 @@ TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
                          .bvh = &world.bvh,
                          .demands = &world.demands,
                          .rays = &rays,
-                         .most = {24, 24},
+                         .most = hls::IntBits{24, 24},
                          .overhead_pct = 3.0};
   const auto found = fewest_bits(search);
   ASSERT_TRUE(found.has_value());
   EXPECT_LE(found->extra_box_tests_pct, search.overhead_pct);
-  EXPECT_EQ(found->extra_box_tests_pct, extra_box_tests_pct(search, found->bits));
+  EXPECT_EQ(found->extra_box_tests_pct, extra_box_tests_pct(search, found->format));
   // Every narrower format that the program has breaks the limit.
   int narrower = 0;
-  for (int n = hls::IntBits::min_coord; n <= found->bits.coord; ++n) {
+  const auto bits = found->format.as<hls::IntBits>();
+  for (int n = hls::IntBits::min_coord; n <= bits.coord; ++n) {
     for (int t = hls::IntBits::min_interval; t <= std::min(24, 2 * n - 1); ++t) {
-      if (design.traced({n, t}) == nullptr || (n == found->bits.coord && t >= found->bits.interval)) continue;
-      EXPECT_GT(extra_box_tests_pct(search, {n, t}), search.overhead_pct) << n << '/' << t;
+      if (n == bits.coord && t >= bits.interval) continue;
+      EXPECT_GT(extra_box_tests_pct(search, hls::IntBits{n, t}), search.overhead_pct) << n << '/' << t;
       ++narrower;
     }
   }
@@ -245,13 +247,13 @@ TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
 
   // Dropped bits stay within the limit.
   EXPECT_LE(found->coarse_extra_box_tests_pct, search.overhead_pct);
-  EXPECT_EQ(found->coarse_extra_box_tests_pct, extra_box_tests_pct(search, found->bits, found->coarse));
+  EXPECT_EQ(found->coarse_extra_box_tests_pct, extra_box_tests_pct(search, found->format, found->coarse));
   EXPECT_TRUE(no_further_bit(search, *found));
 
   // No limit, no bits but those that the grid needs; an impossible one, nothing.
   search.overhead_pct = 1e9;
   const auto coarsest = fewest_bits(search);
-  EXPECT_EQ(coarsest->bits, (hls::IntBits{6, 6}));
+  EXPECT_EQ(coarsest->format, rtl::Format(hls::IntBits{6, 6}));
   EXPECT_TRUE(coarsest->coarse.any());
   EXPECT_TRUE(no_further_bit(search, *coarsest));
   EXPECT_TRUE(found->ends);
@@ -268,9 +270,10 @@ TEST(PrecisionOfFloats, IsWhetherRaysEnd) {
                            .scene = &world.scene,
                            .bvh = &world.bvh,
                            .demands = &world.demands,
-                           .rays = &rays};
+                           .rays = &rays,
+                           .most = hls::FpBits{}};
     const auto found = fewest_bits(search);
-    const double endless = extra_box_tests_pct(search, {}, {}, false);
+    const double endless = extra_box_tests_pct(search, hls::FpBits{}, {}, false);
     EXPECT_GT(endless, search.overhead_pct) << name;
     EXPECT_EQ(found->endless_extra_box_tests_pct, endless) << name;
     EXPECT_TRUE(found->ends) << name;

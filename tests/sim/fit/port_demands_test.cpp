@@ -108,14 +108,14 @@ TEST(PortRanges, HoldRandomDirectionsThroughTheSetUp) {
 TEST(PortDemands, AreNoneOfASceneThatNeedsEverything) {
   const ref::SceneDemands scene = demands_of(ref::demanding_octahedron());
   for (const rtl::Design& design : rtl::designs()) {
-    const rtl::Format format = design.is_float() ? rtl::Format::fp32() : rtl::Format(24, 24);
+    const rtl::Format format = !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{24, 24});
     for (const DemandGroup& group : port_demands(design, format, scene)) ADD_FAILURE() << group.why;
   }
 }
 
 TEST(PortDemands, OfOneDirectionClassGiveEverySign) {
   const ref::SceneDemands scene = demands_of(ref::stairs_along_one_class());
-  const rtl::Demands slabs = all_of(port_demands(rtl::find_design("int_slabs"), {24, 24}, scene));
+  const rtl::Demands slabs = all_of(port_demands(rtl::find_design("int_slabs"), hls::IntBits{24, 24}, scene));
   int signs = 0;
   for (const rtl::PortDemand& demand : slabs.ports)
     if (demand.port.ends_with("_floor"))
@@ -128,7 +128,7 @@ TEST(PortDemands, OfPrimaryRaysAloneFixTheOrigin) {
   for (const char* const name : {"int_slabs", "int_plucker", "fp_slabs", "fp_plucker"}) {
     const rtl::Design& design = rtl::find_design(name);
     int constants = 0;
-    for (const rtl::PortDemand& demand : all_of(port_demands(design, design.default_format(), scene)).ports)
+    for (const rtl::PortDemand& demand : all_of(port_demands(design, design.default_format, scene)).ports)
       constants += rtl::hull(demand).low == rtl::hull(demand).high ? 1 : 0;
     EXPECT_EQ(constants, 3) << name;
   }
@@ -143,12 +143,12 @@ const rtl::PortDemand& of_port(const rtl::Demands& demands, const std::string& p
 
 TEST(PortDemands, OfCoarseAxesAreLowZerosBesideTheRanges) {
   const ref::SceneDemands scene = demands_of(ref::flat_hills());
-  Precision precision{.bits = {12, 12}, .coarse = {{0, 2, 1}}, .coarse_extra_box_tests_pct = 1.5};
+  Precision precision{.format = hls::IntBits{12, 12}, .coarse = {{0, 2, 1}}, .coarse_extra_box_tests_pct = 1.5};
   for (const char* const name : {"int_slabs", "int_plucker"}) {
     const rtl::Design& design = rtl::find_design(name);
-    const auto groups = port_demands(design, {12, 12}, scene, precision);
+    const auto groups = port_demands(design, hls::IntBits{12, 12}, scene, precision);
     const rtl::Demands all = all_of(groups);
-    rtl::check_demands(all, rtl::input_ports(design.trace({12, 12})));
+    rtl::check_demands(all, design.ports(hls::IntBits{12, 12}));
     for (const char* const port : {"iry", "iymin", "iymax"}) {
       // y is narrow too: one demand says both.
       EXPECT_EQ(of_port(all, port).low_zeros, 2) << port;

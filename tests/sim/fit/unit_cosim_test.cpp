@@ -41,7 +41,7 @@ TEST(WholeUnit, IsWhatIsWrittenOfTheDesign) {
   EXPECT_FALSE(unit.coarse().any());
   const TemporaryFolder folder;
   rtl::write_files(folder.path(), rtl::emit(design(), {12, 12}, library,
-                                            rtl::make_pipeline(design().trace({12, 12}), library)));
+                                            rtl::make_pipeline(design().trace(hls::IntBits{12, 12}), library)));
   const WrittenUnit read = read_unit(folder.path(), design(), library);
   EXPECT_EQ(read.verilog, unit.verilog);
   EXPECT_EQ(read.pipeline.latency(), unit.pipeline.latency());

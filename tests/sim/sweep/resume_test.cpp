@@ -15,10 +15,10 @@ class Resume : public testing::Test {
  protected:
   /// Two rows of one unit.
   [[nodiscard]] ResumableSweep sweep() const {
-    const std::vector<const rtl::Design*> designs{&rtl::find_design("int_slabs")};
+    const std::vector<DesignFormats> designs{{&rtl::find_design("int_slabs"), {hls::IntBits{6, 6}}}};
     return {.scene = &scene_,
             .bvh = &bvh_,
-            .points = plan_sweep(designs, std::vector<hls::IntBits>{{6, 6}}, std::vector<int>{1, 8}),
+            .points = plan_sweep(designs, std::vector<int>{1, 8}),
             .options = {.width = 12, .height = 8},
             .program = "a test 1",
             .file = folder_.path() / "rows.csv",

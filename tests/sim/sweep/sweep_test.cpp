@@ -164,22 +164,25 @@ TEST(RowsFile, CutShortRejected) {
 }
 
 TEST(SweepFormats, HoldThoseOfTheThesis) {
-  const std::vector<hls::IntBits> formats = sweep_formats();
+  const std::vector<rtl::Format> formats = sweep_formats(rtl::find_design("int_slabs"));
   for (const int n : {16, 20, 24}) {
-    for (const int t : {n, n + 4, n + 8}) EXPECT_THAT(formats, testing::Contains(hls::IntBits{n, t}));
+    for (const int t : {n, n + 4, n + 8})
+      EXPECT_THAT(formats, testing::Contains(rtl::Format(hls::IntBits{n, t})));
   }
   std::map<int, int> of_n;
-  for (const hls::IntBits bits : formats) {
-    EXPECT_TRUE(bits.valid()) << bits.coord << "/" << bits.interval;
-    ++of_n[bits.coord];
+  for (const rtl::Format& format : formats) {
+    EXPECT_TRUE(format.valid()) << rtl::to_string(format);
+    ++of_n[format.as<hls::IntBits>().coord];
   }
   EXPECT_EQ(of_n, (std::map<int, int>{{8, 3}, {12, 3}, {16, 3}, {20, 3}, {24, 3}, {28, 3}, {32, 3}}));
 }
 
 std::vector<SweepPoint> small_plan() {
-  const std::vector<const rtl::Design*> designs{
-      &rtl::find_design("int_plucker"), &rtl::find_design("fp_slabs"), &rtl::find_design("int_slabs")};
-  return plan_sweep(designs, std::vector<hls::IntBits>{{24, 24}, {6, 6}, {6, 6}}, std::vector<int>{8, 1, 8});
+  const std::vector<rtl::Format> formats{hls::IntBits{24, 24}, hls::IntBits{6, 6}, hls::IntBits{6, 6}};
+  const std::vector<DesignFormats> designs{{&rtl::find_design("int_plucker"), formats},
+                                           {&rtl::find_design("fp_slabs"), {hls::FpBits{}}},
+                                           {&rtl::find_design("int_slabs"), formats}};
+  return plan_sweep(designs, std::vector<int>{8, 1, 8});
 }
 
 std::string text_of(const std::vector<SweepPoint>& points) {
@@ -331,7 +334,7 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     EXPECT_EQ(row.false_hits, counted.unit.false_hits);
     EXPECT_EQ(row.false_misses, counted.unit.false_misses);
     EXPECT_EQ(row.cycles, counted.unit.cycles);
-    EXPECT_TRUE(row.verified(!point.design->is_float()));
+    EXPECT_TRUE(row.verified(point.design->conservative));
     EXPECT_EQ(row.false_hits > 0, row.bits == "6/6");
   }
 }
@@ -347,13 +350,13 @@ TEST(Sweep, RowsDoNotDependOnThreads) {
 TEST(Sweep, OccupancyRisesWithRaysInFlightUpToThePipelinesLength) {
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const std::vector<const rtl::Design*> designs{&rtl::find_design("fp_slabs")};
+  const std::vector<DesignFormats> designs{{&rtl::find_design("fp_slabs"), {hls::FpBits{}}}};
   const std::vector<int> rays{1, 4, 32};
-  const std::vector<SweepRow> rows = swept(scene, bvh, plan_sweep(designs, {}, rays), 2);
+  const std::vector<SweepRow> rows = swept(scene, bvh, plan_sweep(designs, rays), 2);
   ASSERT_EQ(rows.size(), rays.size());
   for (std::size_t i = 1; i < rows.size(); ++i)
     EXPECT_GT(rows[i].occupancy_pct(), rows[i - 1].occupancy_pct());
-  const double alone = 100.0 / verilated({"fp_slabs", rtl::Format::fp32()}).latency();
+  const double alone = 100.0 / verilated({"fp_slabs", rtl::Format(hls::FpBits{})}).latency();
   EXPECT_NEAR(rows.front().occupancy_pct(), alone, 0.15 * alone);
   EXPECT_GT(rows.back().occupancy_pct(), 90.0);
 }
