@@ -12,6 +12,7 @@
 #include "cli/table.hpp"
 #include "cli/trace_options.hpp"
 #include "cli/values.hpp"
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/cosim.hpp"
@@ -88,11 +89,11 @@ int cosimulate(const CosimCommand& command) {
   const fs::path folder = command.out;
   const bool emits = !command.out.empty() && command.unit.empty();
   // Before the long run: a folder that cannot be written to is known at once.
-  if (!command.out.empty()) rtl::make_folder(folder);
+  if (!command.out.empty()) host::make_folder(folder);
   if (emits) {
     std::vector<rtl::File> files = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
     for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
-    rtl::write_files(folder, files);
+    host::write_files(folder, files);
   }
   const sim::OperandGuard guard(unit.demands, unit.ports);
   progress.emplace("co-simulating");

@@ -15,6 +15,7 @@
 #include "cli/scene_options.hpp"
 #include "cli/trace_options.hpp"
 #include "cli/values.hpp"
+#include "host/files.hpp"
 #include "sim/cosim.hpp"
 #include "sim/fit/vector_check.hpp"
 
@@ -181,7 +182,7 @@ FitReport fit_design(const FitCommand& command, const rtl::Design& design, const
   progress.emplace(name + ": compiling the Verilog");
   const sim::VerilatedDesign verilated(design, unit.format, unit.pipeline, files.front().contents);
   for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
-  rtl::write_files(fs::path(command.out) / name, files);
+  host::write_files(fs::path(command.out) / name, files);
   const auto show = [&](double share) { progress->show(share); };
   progress.emplace(name + ": sending vectors");
   const sim::VectorResult vectors = sim::check_vectors({.verilated = &verilated,
@@ -233,7 +234,7 @@ int fit(const FitCommand& command) {
   progress.reset();
   const sim::SceneRays rays = traced_rays(command, scene);
   // Before the long run: a folder that cannot be written to is known at once.
-  rtl::make_folder(command.out);
+  host::make_folder(command.out);
   std::vector<FitReport> reports;
   for (const rtl::Design* design : designs) reports.push_back(fit_design(command, *design, scene, rays));
   fmt::print("{}", reports_text(reports, scene, command.format));

@@ -8,6 +8,7 @@
 #include "cli/design_options.hpp"
 #include "cli/table.hpp"
 #include "cli/values.hpp"
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/pipeline.hpp"
 
@@ -33,7 +34,7 @@ void emit_rtl(const RtlOptions& options) {
   std::vector<rtl::File> files =
       rtl::emit(design, format, library, pipeline, {.axi_stream = options.axi_stream});
   for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
-  rtl::write_files(options.out, files);
+  host::write_files(options.out, files);
 
   std::vector<std::string> names;
   for (const rtl::File& file : files)

@@ -1,10 +1,10 @@
 // A design as files: Verilog, manifest, FuseSoC core, schematic, testbench and its vectors.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "host/files.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/pipeline.hpp"
@@ -12,10 +12,7 @@
 
 namespace hitpipe::rtl {
 
-struct File {
-  std::string name;
-  std::string contents;
-};
+using host::File;
 
 /// What a pipeline that is not the whole design's was made of.
 struct PrunedFrom {
@@ -40,13 +37,5 @@ struct EmitOptions {
 /// An .svg for each .dot among the files, drawn by Graphviz's dot. Throws std::runtime_error when dot is
 /// missing or fails.
 [[nodiscard]] std::vector<File> draw(const std::vector<File>& files);
-
-/// Makes the folder unless it is there. Throws std::runtime_error naming it and the reason when it cannot be
-/// made or written to.
-void make_folder(const std::filesystem::path& folder);
-
-/// Writes all files or none: each to a temporary name first, then renamed. Makes the folders.
-/// Throws std::runtime_error naming the file and the reason.
-void write_files(const std::filesystem::path& folder, const std::vector<File>& files);
 
 }  // namespace hitpipe::rtl

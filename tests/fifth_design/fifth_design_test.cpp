@@ -68,7 +68,7 @@ TEST(FifthDesign, IsEmittedDrawnAndLintClean) {
   const rtl::Pipeline pipeline = rtl::make_pipeline(fifth.trace(bits), rtl::Library::thesis());
   std::vector<rtl::File> files = rtl::emit(fifth, bits, rtl::Library::thesis(), pipeline);
   for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
-  rtl::write_files(folder.path(), files);
+  host::write_files(folder.path(), files);
   EXPECT_TRUE(std::filesystem::exists(folder / "one_axis_slab.svg"));
   const rtl::ToolResult lint =
       rtl::run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall one_axis_slab.v");

@@ -144,9 +144,13 @@ TEST(WriteFile, UnwritableFolderRejected) {
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read);
   const uid_t user = getuid();
   // The superuser may write anywhere: run as nobody meanwhile.
-  if (user == 0) ASSERT_EQ(setreuid(65534, static_cast<uid_t>(-1)), 0);
+  if (user == 0) {
+    ASSERT_EQ(setreuid(65534, static_cast<uid_t>(-1)), 0);
+  }
   const std::string message = message_of<std::runtime_error>([&] { write_file(folder / "a.csv", "text"); });
-  if (user == 0) ASSERT_EQ(setreuid(0, static_cast<uid_t>(-1)), 0);
+  if (user == 0) {
+    ASSERT_EQ(setreuid(0, static_cast<uid_t>(-1)), 0);
+  }
   EXPECT_EQ(message, folder.path().string() + ": cannot write to the folder: Permission denied");
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }

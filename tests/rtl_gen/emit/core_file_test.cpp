@@ -39,7 +39,7 @@ class CoreFile : public testing::TestWithParam<DesignFormat> {
                       make_pipeline(pruned.graph, Library::thesis()), {.pruned_from = &from}));
   }
   void read_core_of(const std::vector<File>& files) {
-    write_files(folder.path(), files);
+    host::write_files(folder.path(), files);
     const std::string file = GetParam().design + ".core";
     const ToolResult result = run_tool(
         folder.path(), "python3-yaml", "python3",

@@ -11,8 +11,8 @@ namespace {
 class Lint : public testing::TestWithParam<DesignFormat> {
  protected:
   void SetUp() override {
-    write_files(folder.path(),
-                emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline()));
+    host::write_files(folder.path(), emit(GetParam().found(), GetParam().parsed(), Library::thesis(),
+                                          GetParam().pipeline()));
   }
   void expect_silence(const std::string& package, const std::string& program, const std::string& arguments) {
     const ToolResult result = run_tool(folder.path(), package, program, arguments);

@@ -14,8 +14,8 @@ class Synth : public testing::TestWithParam<DesignFormat> {};
 TEST_P(Synth, YosysMapsItToGates) {
   const auto& [design, format] = GetParam();
   const ScratchFolder folder;
-  write_files(folder.path(),
-              emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline()));
+  host::write_files(folder.path(),
+                    emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline()));
   const ToolResult result = run_tool(folder.path(), "yosys", "yosys",
                                      "-q -p 'read_verilog " + design + ".v; synth -noabc -top " + design +
                                          "; check -assert; select -assert-none t:$* t:$_* %d; "

@@ -175,7 +175,7 @@ TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
   const Precision precision{.bits = {12, 12}, .coarse = {{0, 3, 1}}};
   const FittedUnit unit = fit(rtl::find_design("int_slabs"), {12, 12}, precision, world.demands, library());
   const rtl::ScratchFolder folder;
-  rtl::write_files(folder.path(), fitted_files(unit, library()));
+  host::write_files(folder.path(), fitted_files(unit, library()));
   const rtl::ToolResult compiled =
       rtl::run_tool(folder / "tb", "iverilog", "iverilog",
                     "-g2001 -Wall -DHITPIPE_CHECK -o tb int_slabs_tb.v ../int_slabs.v ../int_slabs_check.v");
