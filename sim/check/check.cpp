@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <span>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
+#include "host/parallel.hpp"
 #include "sw_ref/adversary/neighbours.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 
@@ -127,7 +124,6 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
   const std::uint64_t share = (options.tests + categories - 1) / categories;
   const std::size_t batches = std::max<std::size_t>(1, (share + tests_per_batch - 1) / tests_per_batch);
   std::vector<CategoryResult> by_batch(categories * batches);
-  std::atomic<std::size_t> finished = 0;
 
   struct Worker {
     std::unique_ptr<BoxTest> test;
@@ -138,17 +134,13 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
     if (options.rtl != nullptr) worker.model.emplace(*options.rtl);
     return worker;
   });
-  // TBB warns on standard error of more threads than it has.
-  oneapi::tbb::task_arena arena(std::min(options.threads, oneapi::tbb::info::default_concurrency()));
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(std::size_t{0}, by_batch.size(), [&](std::size_t i) {
-      Worker& worker = workers.local();
-      by_batch[i] = judge_batch(
-          *worker.test, options.categories[i / batches], stream(options.seed, i / batches, i % batches),
-          worker.model ? &*worker.model : nullptr, options.rtl != nullptr ? options.rtl->latency() : 0);
-      options.progress(static_cast<double>(++finished) / static_cast<double>(by_batch.size()));
-    });
-  });
+  const auto judge = [&](std::size_t i) {
+    Worker& worker = workers.local();
+    by_batch[i] = judge_batch(
+        *worker.test, options.categories[i / batches], stream(options.seed, i / batches, i % batches),
+        worker.model ? &*worker.model : nullptr, options.rtl != nullptr ? options.rtl->latency() : 0);
+  };
+  host::for_each_index(by_batch.size(), options.threads, judge, options.progress);
 
   std::vector<CategoryResult> results;
   for (std::size_t c = 0; c < categories; ++c) {
