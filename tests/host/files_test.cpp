@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "tests/rtl_gen/message_of.hpp"
@@ -108,7 +109,7 @@ TEST(WriteFile, FullDiskKeepsWhatWasThere) {
   write_text(file, "before");
   for (const std::size_t bytes : {std::size_t{5}, std::size_t{1'000'000}}) {
     std::filesystem::create_symlink("/dev/full", folder / (".a.csv." + std::to_string(getpid())));
-    EXPECT_EQ(message_of<std::runtime_error>([&] { write_file(file, std::string(bytes, 'x')); }),
+    ASSERT_EQ(message_of<std::runtime_error>([&] { write_file(file, std::string(bytes, 'x')); }),
               file.string() + ": cannot write the file: No space left on device");
     EXPECT_EQ(read_text(file), "before");
     EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"a.csv"});
@@ -126,11 +127,14 @@ TEST(WriteFile, TakesANameWithoutAFolder) {
   EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"it's a name"});
 }
 
-/// The superuser could rename over a device.
-TEST(WriteFile, DeviceIsNotReplaced) {
-  EXPECT_EQ(message_of<std::runtime_error>([] { write_file("/dev/null", "text"); }),
-            "/dev/null: is no file that can be replaced");
-  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+/// The superuser could rename over /dev/null too.
+TEST(WriteFile, PipesAndDevicesAreNotReplaced) {
+  const ScratchFolder folder;
+  const std::filesystem::path pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(message_of<std::runtime_error>([&] { write_file(pipe, "text"); }),
+            pipe.string() + ": is no file that can be replaced");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
 /// /proc takes no files, not even the superuser's.

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
         std::vector<File> files = emit(design, format, Library::thesis(), pipeline, {.axi_stream = true});
         // As recorded, before canonical() has put it in order: the compilers may differ here.
         files.push_back({"recorded.txt", to_text(design.trace(format))});
-        host::write_files(std::filesystem::path(argv[1]) / std::string(design.name) / folder, files);
+        hitpipe::host::write_files(std::filesystem::path(argv[1]) / std::string(design.name) / folder, files);
       }
     }
   } catch (const std::exception& error) {
