@@ -27,8 +27,10 @@ void judge(benchmark::State& state, const char* name, rtl::Format format) {
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(tests));
 }
-BENCHMARK_CAPTURE(judge, int_slabs_24_24, "int_slabs", rtl::Format(hls::IntBits{24, 24}))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, int_slabs_20_24, "int_slabs", rtl::Format(hls::IntBits{20, 24}))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, int_slabs_24_24, "int_slabs", rtl::Format(hls::IntBits{24, 24}))
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, int_slabs_20_24, "int_slabs", rtl::Format(hls::IntBits{20, 24}))
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(judge, int_plucker_24_24, "int_plucker", rtl::Format(hls::IntBits{24, 24}))
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(judge, int_plucker_20_24, "int_plucker", rtl::Format(hls::IntBits{20, 24}))

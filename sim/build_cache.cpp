@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <span>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "host/files.hpp"
+#include "host/hash.hpp"
+#include "host/scratch_folder.hpp"
 
 namespace hitpipe::sim {
 
@@ -16,23 +21,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// FNV-1a, 64 bits: names an entry. Identities are compared too, so a collision only costs a build.
-std::uint64_t hash_of(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
-}
-
 std::string read_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+constexpr const char* building = "building-";
+
 /// Build folders that nobody has touched for an hour.
 void remove_abandoned(const fs::path& cache) {
   std::error_code ignored;
   for (const auto& each : fs::directory_iterator(cache, ignored)) {
-    if (!each.path().filename().string().starts_with("building-")) continue;
+    if (!each.path().filename().string().starts_with(building)) continue;
     const auto age = fs::file_time_type::clock::now() - fs::last_write_time(each.path(), ignored);
     if (age > std::chrono::hours(1)) fs::remove_all(each.path(), ignored);
   }
@@ -50,41 +50,34 @@ bool holds(const fs::path& folder, const CacheEntry& entry) {
 
 }  // namespace
 
-void write_file(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(fmt::format("{}: cannot write the file", path.string()));
-}
-
 fs::path cached(const CacheEntry& entry, const fs::path& cache) {
-  const fs::path folder = cache / fmt::format("{}-{:016x}", entry.name, hash_of(entry.identity));
+  // Identities are compared too: two of the same hash only cost a build.
+  const std::uint64_t hash = host::fnv1a(std::as_bytes(std::span(entry.identity)));
+  const fs::path folder = cache / fmt::format("{}-{:016x}", entry.name, hash);
   if (holds(folder, entry)) return folder;
 
   const auto refuse = [&] {
     throw std::runtime_error(
         fmt::format("{}: cannot write to the cache; set HITPIPE_CACHE to another folder", cache.string()));
   };
-  std::error_code error;
-  fs::create_directories(cache, error);
-  std::string aside = (cache / "building-XXXXXX").string();
-  if (error || mkdtemp(aside.data()) == nullptr) refuse();
-  remove_abandoned(cache);
+  std::optional<host::ScratchFolder> aside;
   try {
-    entry.build(aside);
-    write_file(fs::path(aside) / "identity", entry.identity);
-    fs::rename(aside, folder, error);
-    if (error && !holds(folder, entry)) {
-      // A damaged entry, or another of the same hash.
-      fs::remove_all(folder, error);
-      fs::rename(aside, folder, error);
-    }
-    if (error && !holds(folder, entry)) refuse();
-    fs::remove_all(aside, error);  // still there when another process was first
-  } catch (...) {
-    fs::remove_all(aside, error);
-    throw;
+    host::make_folder(cache);
+    aside.emplace(cache, building);
+  } catch (const std::runtime_error&) {
+    refuse();
   }
+  remove_abandoned(cache);
+  entry.build(aside->path());
+  host::write_file(*aside / "identity", entry.identity);
+  std::error_code error;
+  fs::rename(aside->path(), folder, error);
+  if (error && !holds(folder, entry)) {
+    // A damaged entry, or another of the same hash.
+    fs::remove_all(folder, error);
+    fs::rename(aside->path(), folder, error);
+  }
+  if (error && !holds(folder, entry)) refuse();
   return folder;
 }
 

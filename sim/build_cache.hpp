@@ -22,7 +22,4 @@ struct CacheEntry {
 /// killed processes left an hour ago or earlier.
 [[nodiscard]] std::filesystem::path cached(const CacheEntry& entry, const std::filesystem::path& cache);
 
-/// Throws std::runtime_error, one line, when the file cannot be written.
-void write_file(const std::filesystem::path& path, const std::string& text);
-
 }  // namespace hitpipe::sim

@@ -1,17 +1,14 @@
 #include "sim/cosim.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <deque>
 #include <memory>
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-#include <time.h>
 
+#include "host/parallel.hpp"
+#include "host/thread_time.hpp"
 #include "sim/feeds/endless.hpp"
 #include "sw_ref/demands/guard.hpp"
 #include "sw_ref/exact/box_referee.hpp"
@@ -23,12 +20,6 @@ namespace hitpipe::sim {
 namespace {
 
 constexpr int tile_side = 64;
-
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double percent_above(std::uint64_t value, std::uint64_t reference) {
   return reference == 0 ? 0.0 : 100.0 * (static_cast<double>(value) / static_cast<double>(reference) - 1.0);
@@ -72,13 +63,13 @@ class Tile {
                   .mesh = &frame_.scene.mesh,
                   .rays_in_flight = frame_.options.rays_in_flight,
                   .referee = frame_.options.referee});
-    const double start = thread_seconds();
+    const double start = host::thread_seconds();
     unit.run([&] { return next(counts); },
              [&](const RayJob& job, const ref::Traversal& traversal) {
                traced_.push_back({job.ray, job.query, traversal.hit().triangle});
                ended(job.id, traversal.hit().triangle);
              });
-    counts.loop_seconds = thread_seconds() - start;
+    counts.loop_seconds = host::thread_seconds() - start;
     counts.rtl_seconds = unit.rtl_seconds();
     counts.unit = unit.counts();
     compare(counts);
@@ -237,18 +228,12 @@ CosimResult cosimulate(const rtl::Design& design, rtl::Format format, const Veri
   const int columns = (options.width + tile_side - 1) / tile_side;
   const int rows = (options.height + tile_side - 1) / tile_side;
   std::vector<CosimResult> parts(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  std::atomic<std::size_t> finished = 0;
-
-  // More workers than cores would only make TBB complain.
-  tbb::task_arena arena(std::min(options.threads, tbb::info::default_concurrency()));
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
-      const int column = static_cast<int>(i) % columns;
-      const int row = static_cast<int>(i) / columns;
-      parts[i] = Tile(frame, column * tile_side, row * tile_side).run(result);
-      options.progress(static_cast<double>(++finished) / static_cast<double>(parts.size()));
-    });
-  });
+  const auto run_tile = [&](std::size_t i) {
+    const int column = static_cast<int>(i) % columns;
+    const int row = static_cast<int>(i) / columns;
+    parts[i] = Tile(frame, column * tile_side, row * tile_side).run(result);
+  };
+  host::for_each_index(parts.size(), options.threads, run_tile, options.progress);
   for (const CosimResult& part : parts) {
     result.rays_primary += part.rays_primary;
     result.rays_secondary += part.rays_secondary;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -9,12 +10,14 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include "host/environment.hpp"
+#include "host/files.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/build_cache.hpp"
 #include "sim/model_source.hpp"
 #include "sim/pins_source.hpp"
-#include "sim/programs.hpp"
+#include "sim/tool.hpp"
 
 namespace hitpipe::sim {
 
@@ -49,7 +52,7 @@ struct Tools {
   Tool compiler = find_tool("CXX", "c++", "g++");
 
   [[nodiscard]] std::string identity() const {
-    return fmt::format("{}\n{}\n{}\n{}", verilator.version, compiler.program, compiler.version,
+    return fmt::format("{}\n{}\n{}\n{}", verilator.version, compiler.name(), compiler.version,
                        compiler_options);
   }
 };
@@ -69,35 +72,40 @@ struct Sources {
 
 /// Runs a tool in the folder, its output into the log there. When it fails, the log stays in the cache, named
 /// after what was to be built, where the user can read it; the rest of the attempt goes.
-void step(const fs::path& folder, const std::string& what, const Tool& tool, const std::string& arguments) {
-  const int code = run("cd " + shell_word(folder.string()) + " && " + shell_word(tool.program) + " " +
-                       arguments + " >>log 2>&1");
-  if (code == 0) return;
+void step(const fs::path& folder, const std::string& what, const Tool& tool,
+          const std::vector<std::string>& arguments) {
+  const host::Outcome outcome = tool.run(arguments, folder);
+  std::ofstream(folder / "log", std::ios::app) << outcome.out << outcome.err;
+  if (outcome.succeeded()) return;
   const fs::path kept = folder.parent_path() / fmt::format("failed-{}.log", what);
   std::error_code ignored;
   fs::rename(folder / "log", kept, ignored);
   throw std::runtime_error(
-      fmt::format("{}: failed with exit code {}; its output is in {}", tool.program, code, kept.string()));
+      fmt::format("{}: {}; its output is in {}", tool.name(), outcome.failure(), kept.string()));
 }
 
-/// -I options and all for what includes Verilator's headers.
-std::string includes(const std::string& root) {
-  return fmt::format("-I{0}/include -I{0}/include/vltstd", shell_word(root));
+/// The compiler's options for what includes Verilator's headers.
+std::vector<std::string> options(const std::string& root) {
+  std::vector<std::string> words = host::words_of(compiler_options);
+  for (const char* const folder : {"/include", "/include/vltstd"}) words.push_back("-I" + root + folder);
+  return words;
+}
+
+void append(std::vector<std::string>& words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
 }
 
 /// The folder of Verilator's code, compiled once for all models: it takes longer than a model.
 fs::path runtime(const Tools& tools, const std::string& root, const fs::path& cache) {
   CacheEntry entry{
       .name = "verilated", .identity = tools.identity() + "\n" + root, .products = {}, .build = {}};
-  std::string files;
+  std::vector<std::string> call = options(root);
+  call.emplace_back("-c");
   for (const char* const file : runtime_files) {
     entry.products.push_back(std::string(file) + ".o");
-    files += fmt::format(" {}/include/{}.cpp", shell_word(root), file);
+    call.push_back(fmt::format("{}/include/{}.cpp", root, file));
   }
-  entry.build = [&](const fs::path& folder) {
-    step(folder, entry.name, tools.compiler,
-         fmt::format("{} {} -c{}", compiler_options, includes(root), files));
-  };
+  entry.build = [&](const fs::path& folder) { step(folder, entry.name, tools.compiler, call); };
   return cached(entry, cache);
 }
 
@@ -115,23 +123,24 @@ std::string unit_of(const fs::path& folder) {
 }
 
 void build(const Sources& sources, const fs::path& folder, const fs::path& cache) {
-  write_file(folder / (sources.module + ".v"), sources.verilog);
-  write_file(folder / "model.cpp", sources.wrapper);
-  write_file(folder / "pins.hpp", std::string(pins_source));
+  host::write_files(folder, {{sources.module + ".v", sources.verilog},
+                             {"model.cpp", sources.wrapper},
+                             {"pins.hpp", std::string(pins_source)}});
   const auto& [verilator, compiler] = sources.tools;
-  step(folder, sources.module, verilator, fmt::format("{} {}.v", verilator_options, sources.module));
-  const std::string root = output_of(shell_word(verilator.program) + " --getenv VERILATOR_ROOT 2>/dev/null");
+  std::vector<std::string> verilate = host::words_of(verilator_options);
+  verilate.push_back(sources.module + ".v");
+  step(folder, sources.module, verilator, verilate);
+  const std::string root = verilator.answer({"--getenv", "VERILATOR_ROOT"});
   if (root.empty())
     throw std::runtime_error(
-        fmt::format("{}: does not say its VERILATOR_ROOT; set it in the environment", verilator.program));
-  std::string objects;
+        fmt::format("{}: does not say its VERILATOR_ROOT; set it in the environment", verilator.name()));
   const fs::path compiled = runtime(sources.tools, root, fs::absolute(cache));
-  for (const char* const file : runtime_files)
-    objects += fmt::format(" {}", shell_word((compiled / file).string() + ".o"));
-  write_file(folder / "unit.cpp", unit_of(folder));
-  step(folder, sources.module, compiler,
-       fmt::format("{} {} -I. -Iobj {} -o model.so unit.cpp{}", compiler_options, link_options,
-                   includes(root), objects));
+  host::write_file(folder / "unit.cpp", unit_of(folder));
+  std::vector<std::string> compile = options(root);
+  append(compile, host::words_of(link_options));
+  append(compile, {"-I.", "-Iobj", "-o", "model.so", "unit.cpp"});
+  for (const char* const file : runtime_files) compile.push_back((compiled / file).string() + ".o");
+  step(folder, sources.module, compiler, compile);
   std::error_code ignored;
   fs::remove_all(folder / "obj", ignored);
 }
@@ -146,8 +155,8 @@ Function entry_point(void* library, const char* name) {
 }  // namespace
 
 fs::path default_cache() {
-  const std::string user = environment("XDG_CACHE_HOME", environment("HOME", "/tmp") + "/.cache");
-  return environment("HITPIPE_CACHE", user + "/hitpipe");
+  const std::string user = host::environment("XDG_CACHE_HOME", host::environment("HOME", "/tmp") + "/.cache");
+  return host::environment("HITPIPE_CACHE", user + "/hitpipe");
 }
 
 VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,

@@ -21,8 +21,8 @@ class VerilatedDesign {
  public:
   /// Emits the design, has Verilator and the C++ compiler build it unless the cache holds just these sources,
   /// and loads it. Two processes may do so at once: each builds aside, the first to finish is kept.
-  /// $VERILATOR and $CXX name other programs than `verilator` and `c++`.
-  /// Throws std::runtime_error, one line: Verilator or the compiler missing or failing (with the log's
+  /// $VERILATOR and $CXX name other programs than `verilator` and `c++`, with arguments if need be: "env
+  /// g++". Throws std::runtime_error, one line: Verilator or the compiler missing or failing (with the log's
   /// place), the cache not writable, an entry that cannot be loaded.
   VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
                   const std::filesystem::path& cache = default_cache());

@@ -12,6 +12,7 @@
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "sim/fit/unit_cosim.hpp"
 #include "sw_ref/render/image_file.hpp"
@@ -82,11 +83,11 @@ int cosimulate(const CosimCommand& command) {
   const fs::path folder = command.out;
   const bool emits = !command.out.empty() && command.unit.empty();
   // Before the long run: a folder that cannot be written to is known at once.
-  if (!command.out.empty()) rtl::make_folder(folder);
+  if (!command.out.empty()) host::make_folder(folder);
   if (emits) {
     std::vector<rtl::File> files = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
     for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
-    rtl::write_files(folder, files);
+    host::write_files(folder, files);
   }
   progress.emplace("co-simulating");
   const sim::CosimResult result =

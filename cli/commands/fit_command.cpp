@@ -15,6 +15,7 @@
 #include "cli/options/values.hpp"
 #include "cli/text/fit_text.hpp"
 #include "cli/text/progress.hpp"
+#include "host/files.hpp"
 #include "sim/fit/fit_scene.hpp"
 
 namespace hitpipe::cli {
@@ -171,7 +172,7 @@ int fit(const FitCommand& command) {
   if (command.no_shadows) loaded.lights.clear();
   const sim::FitScene scene = sim::prepare_fit(std::move(loaded), options);
   // Before the long run: a folder that cannot be written to is known at once.
-  rtl::make_folder(command.out);
+  host::make_folder(command.out);
   std::vector<FitReport> reports;
   for (const Wanted& wanted : designs) {
     const sim::FitResult fitted =

@@ -15,6 +15,7 @@
 #include "cli/report/report_sweep.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "host/files.hpp"
 
 namespace hitpipe::cli {
 
@@ -155,14 +156,14 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                   .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
-  std::vector<rtl::File> files{{"rows.csv", sim::to_text(rows)},
-                               {"pictures.csv", table_text(facts.pictures.rows, Format::csv)},
-                               {"pipelines.csv", table_text(pipeline_rows(facts), Format::csv)},
-                               {"stability.csv", table_text(stability_rows(facts), Format::csv)}};
+  std::vector<host::File> files{{"rows.csv", sim::to_text(rows)},
+                                {"pictures.csv", table_text(facts.pictures.rows, Format::csv)},
+                                {"pipelines.csv", table_text(pipeline_rows(facts), Format::csv)},
+                                {"stability.csv", table_text(stability_rows(facts), Format::csv)}};
   for (const Drawing& d : facts.diagrams) files.push_back({d.file, d.svg});
   files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());
   files.push_back({"index.html", report_html(facts)});
-  rtl::write_files(command.out, files);
+  host::write_files(command.out, files);
 
   Wrong wrong = wrong_in(facts.rows);
   wrong.rtl_mismatches += facts.pictures.rtl_mismatches;

@@ -8,6 +8,7 @@
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/pipeline.hpp"
 
@@ -32,7 +33,7 @@ void emit_rtl(const RtlOptions& options) {
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
   const std::vector<rtl::File> files = rtl::files_and_drawings(
       rtl::emit(design, format, library, pipeline, {.axi_stream = options.axi_stream}));
-  rtl::write_files(options.out, files);
+  host::write_files(options.out, files);
 
   std::vector<std::string> names;
   for (const rtl::File& file : files)

@@ -12,7 +12,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/stiffness_report.hpp"
 #include "cli/text/table.hpp"
-#include "rtl_gen/emit/files.hpp"
+#include "host/files.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/scene/scene.hpp"
 
@@ -82,12 +82,12 @@ void measure(const StiffnessCommand& command, const LoadedScene* loaded,
 
 void write(const StiffnessCommand& command, const std::vector<MeasuredDesign>& designs,
            const std::vector<Row>& rows, const std::string& scene) {
-  std::vector<rtl::File> files{{"stiffness.csv", table_text(rows, Format::csv)},
-                               {"stiffness.svg", draw_plot(boxes_plot(designs))}};
+  std::vector<host::File> files{{"stiffness.csv", table_text(rows, Format::csv)},
+                                {"stiffness.svg", draw_plot(boxes_plot(designs))}};
   if (!scene.empty()) {
     files.push_back({"stiffness_scene.svg", draw_plot(traversals_plot(designs, scene))});
   }
-  rtl::write_files(command.out, files);
+  host::write_files(command.out, files);
 }
 
 int report(const StiffnessCommand& command) {

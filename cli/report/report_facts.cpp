@@ -1,15 +1,14 @@
 #include "cli/report/report_facts.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <iterator>
 
 #include <fmt/format.h>
 
 #include "cli/report/gnuplot.hpp"
 #include "cli/report/sweep_plot.hpp"
+#include "host/environment.hpp"
+#include "host/process.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "sim/check/check.hpp"
 #include "sw_ref/adversary/categories.hpp"
@@ -18,21 +17,13 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// The first line that a command prints, to either stream.
-std::string first_line(const std::string& command) {
-  std::FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) return "not found";
-  std::array<char, 256> buffer{};
-  std::string line = std::fgets(buffer.data(), buffer.size(), pipe) == nullptr ? "" : buffer.data();
-  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) continue;
-  const bool failed = pclose(pipe) != 0;
-  line.erase(std::min(line.find('\n'), line.size()));
-  return failed || line.empty() ? "not found" : line;
-}
-
-std::string program(const char* variable, const char* otherwise) {
-  const char* const given = std::getenv(variable);
-  return given == nullptr || *given == '\0' ? otherwise : given;
+/// The first line that a program prints when it is called with `option`, to either stream.
+std::string version_of(std::vector<std::string> program, const char* option = "--version") {
+  program.emplace_back(option);
+  const host::Outcome said = host::run(program);
+  const std::string text = said.out + said.err;
+  const std::string line = text.substr(0, text.find('\n'));
+  return !said.succeeded() || line.empty() ? "not found" : line;
 }
 
 }  // namespace
@@ -116,10 +107,10 @@ std::vector<std::pair<std::string, std::string>> versions() {
   const std::string compiler = "g++ " __VERSION__;
 #endif
   return {{"Built by", compiler},
-          {"Verilator", first_line(program("VERILATOR", "verilator") + " --version")},
-          {"Models compiled by", first_line(program("CXX", "c++") + " --version")},
-          {"gnuplot", first_line("gnuplot --version")},
-          {"Graphviz", first_line("dot -V")}};
+          {"Verilator", version_of(host::program_of("VERILATOR", "verilator"))},
+          {"Models compiled by", version_of(host::program_of("CXX", "c++"))},
+          {"gnuplot", version_of({"gnuplot"})},
+          {"Graphviz", version_of({"dot"}, "-V")}};
 }
 
 }  // namespace hitpipe::cli

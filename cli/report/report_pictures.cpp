@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/trace_options.hpp"
-#include "rtl_gen/emit/scratch_file.hpp"
+#include "host/scratch_folder.hpp"
 #include "sim/cosim.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/render/image_file.hpp"
@@ -23,15 +23,10 @@ namespace fs = std::filesystem;
 /// The bytes of the PNG that `write` makes of a file's name.
 template <class Write>
 std::string png_of(const Write& write) {
-  const rtl::ScratchFile reserved;  // its name, with the ending that is asked for, is nobody else's
-  fs::path file = reserved.path();
-  file += ".png";
-  write(file);
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(in), {});
-  std::error_code ignored;
-  fs::remove(file, ignored);
-  return bytes;
+  const host::ScratchFolder folder;
+  write(folder / "picture.png");
+  std::ifstream in(folder / "picture.png", std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 class Studio {

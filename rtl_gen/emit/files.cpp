@@ -1,22 +1,16 @@
 #include "rtl_gen/emit/files.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <fstream>
+#include <filesystem>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "host/process.hpp"
 #include "rtl_gen/emit/axi_stream.hpp"
 #include "rtl_gen/emit/core_file.hpp"
 #include "rtl_gen/emit/manifest.hpp"
-#include "rtl_gen/emit/scratch_file.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/prune/check_block.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
@@ -31,29 +25,12 @@ constexpr int vector_count = 1000;
 constexpr std::uint64_t vector_seed = 1;
 
 File drawing_of(const File& dot) {
-  const ScratchFile source;
-  {
-    std::ofstream out(source.path());
-    out << dot.contents;
+  host::Outcome drawn = host::run({"dot", "-Tsvg"}, {.input = dot.contents});
+  if (!drawn.succeeded() || drawn.out.empty()) {
+    throw std::runtime_error(fmt::format("{}: Graphviz's dot {}{}", dot.name, drawn.failure(),
+                                         drawn.not_found() ? "; install the package graphviz" : ""));
   }
-  const std::string command = fmt::format("dot -Tsvg '{}' 2>/dev/null", source.path().string());
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error(fmt::format("{}: cannot start Graphviz's dot", dot.name));
-  std::string svg;
-  std::array<char, 1 << 16> buffer{};
-  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    svg.append(buffer.data(), got);
-  const int status = pclose(pipe);
-  if (status != 0 || svg.empty()) {
-    throw std::runtime_error(fmt::format("{}: Graphviz's dot {}; install the package graphviz", dot.name,
-                                         WEXITSTATUS(status) == 127 ? "was not found" : "failed"));
-  }
-  return {std::filesystem::path(dot.name).replace_extension(".svg").string(), std::move(svg)};
-}
-
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, int error) {
-  throw std::runtime_error(fmt::format("{}: cannot {}: {}", path.string(), what,
-                                       std::error_code(error, std::generic_category()).message()));
+  return {std::filesystem::path(dot.name).replace_extension(".svg").string(), std::move(drawn.out)};
 }
 
 std::vector<Vector> vectors(Evaluate evaluate, const std::vector<Port>& left, const PrunedFrom* from) {
@@ -141,39 +118,6 @@ std::vector<File> files_and_drawings(const EmittedDesign& emitted) {
   std::vector<File> all = emitted.files();
   for (File& drawing : draw(emitted.schematics())) all.push_back(std::move(drawing));
   return all;
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) fail(folder, "create the folder", error.value());
-  if (access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, "write to the folder", errno);
-}
-
-void write_files(const std::filesystem::path& folder, const std::vector<File>& files) {
-  std::vector<std::filesystem::path> temporary;
-  std::error_code error;
-  try {
-    for (const File& file : files) {
-      const std::filesystem::path target = folder / file.name;
-      make_folder(target.parent_path());
-      // The renames below must not fail half-way.
-      if (std::filesystem::is_directory(target, error)) fail(target, "write the file", EISDIR);
-      temporary.push_back(target.parent_path() / fmt::format(".{}.{}", target.filename().string(), getpid()));
-      errno = 0;
-      std::ofstream out(temporary.back(), std::ios::binary);
-      out << file.contents;
-      out.close();
-      if (!out) fail(target, "write the file", errno);
-    }
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      std::filesystem::rename(temporary[i], folder / files[i].name, error);
-      if (error) fail(folder / files[i].name, "write the file", error.value());
-    }
-  } catch (...) {
-    for (const auto& path : temporary) std::filesystem::remove(path, error);
-    throw;
-  }
 }
 
 }  // namespace hitpipe::rtl

@@ -1,11 +1,11 @@
 // A design as files: Verilog, manifest, FuseSoC core, schematics, testbench and its vectors.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "host/files.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/pipeline.hpp"
@@ -13,10 +13,7 @@
 
 namespace hitpipe::rtl {
 
-struct File {
-  std::string name;
-  std::string contents;
-};
+using host::File;
 
 /// What emit() must know of a unit that prune() made smaller.
 struct PrunedFrom {
@@ -59,13 +56,5 @@ struct EmittedDesign {
 
 /// The files of a design and the drawings of its schematics. Throws as draw() does.
 [[nodiscard]] std::vector<File> files_and_drawings(const EmittedDesign& emitted);
-
-/// Makes the folder unless it exists. When it cannot be made or written to, throws std::runtime_error with
-/// its name and the reason.
-void make_folder(const std::filesystem::path& folder);
-
-/// Writes all files or none: it writes each under a temporary name, then renames them all. Makes the folders.
-/// Throws std::runtime_error with the name of the file and the reason.
-void write_files(const std::filesystem::path& folder, const std::vector<File>& files);
 
 }  // namespace hitpipe::rtl

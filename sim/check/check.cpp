@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <mutex>
 #include <span>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
+#include "host/parallel.hpp"
 #include "sw_ref/adversary/neighbours.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 
@@ -194,9 +191,7 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
   const std::size_t categories = options.categories.size();
   if (categories == 0) return {};
   const Shares shares(options.tests, categories);
-  const std::uint64_t batches = shares.batches();
   Sums sums(options.categories);
-  std::atomic<std::uint64_t> finished = 0;
 
   struct Worker {
     std::unique_ptr<BoxTest> test;
@@ -207,19 +202,15 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
     if (options.rtl != nullptr) worker.model.emplace(*options.rtl);
     return worker;
   });
-  // TBB warns on standard error of more threads than it has.
-  oneapi::tbb::task_arena arena(std::min(options.threads, oneapi::tbb::info::default_concurrency()));
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(std::uint64_t{0}, batches, [&](std::uint64_t i) {
-      Worker& worker = workers.local();
-      const Batch batch = shares[i];
-      sums.add(batch, judge_batch(*worker.test, options.categories[batch.category],
-                                  stream(options.seed, batch.category, batch.number), batch.tests,
-                                  worker.model ? &*worker.model : nullptr,
-                                  options.rtl != nullptr ? options.rtl->latency() : 0));
-      options.progress(static_cast<double>(++finished) / static_cast<double>(batches));
-    });
-  });
+  const auto judge = [&](std::size_t i) {
+    Worker& worker = workers.local();
+    const Batch batch = shares[i];
+    sums.add(batch, judge_batch(*worker.test, options.categories[batch.category],
+                                stream(options.seed, batch.category, batch.number), batch.tests,
+                                worker.model ? &*worker.model : nullptr,
+                                options.rtl != nullptr ? options.rtl->latency() : 0));
+  };
+  host::for_each_index(shares.batches(), options.threads, judge, options.progress);
   return sums.results();
 }
 

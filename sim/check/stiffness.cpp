@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
+#include "host/parallel.hpp"
 #include "sim/feed.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 #include "sw_ref/traverse/slabs.hpp"
@@ -78,19 +75,6 @@ void judge(BoxTest& test, Random random, std::uint64_t tests, StiffBoxes& sum) {
   }
 }
 
-/// Calls work(i) for i below count and tells the progress.
-template <class Work>
-void in_parallel(std::size_t count, const StiffnessOptions& options, const Work& work) {
-  std::atomic<std::size_t> finished = 0;
-  oneapi::tbb::task_arena arena(std::min(options.threads, oneapi::tbb::info::default_concurrency()));
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-      work(i);
-      options.progress(static_cast<double>(++finished) / static_cast<double>(count));
-    });
-  });
-}
-
 }  // namespace
 
 std::span<const Stiffness> stiffnesses() {
@@ -132,8 +116,10 @@ std::vector<StiffBoxes> stiff_boxes(const MakeBoxTest& make, const StiffnessOpti
     return options.tests / kinds + (i % kinds < options.tests % kinds ? 1 : 0);
   };
   oneapi::tbb::enumerable_thread_specific<std::unique_ptr<BoxTest>> workers(make);
-  in_parallel(sums.size(), options,
-              [&](std::size_t i) { judge(*workers.local(), stream(options.seed, i), share(i), sums[i]); });
+  const auto judge_kind = [&](std::size_t i) {
+    judge(*workers.local(), stream(options.seed, i), share(i), sums[i]);
+  };
+  host::for_each_index(sums.size(), options.threads, judge_kind, options.progress);
   return sums;
 }
 
@@ -159,7 +145,7 @@ std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Fo
   const std::size_t ports = design.ports(format).size();
   std::vector<StiffTraversals> sums;
   for (const Stiffness stiffness : stiffnesses()) sums.push_back({.stiffness = stiffness});
-  in_parallel(sums.size(), options, [&](std::size_t i) {
+  const auto traverse = [&](std::size_t i) {
     StiffTraversals& sum = sums[i];
     Random random = stream(options.seed, i);
     const std::unique_ptr<RayFeed> unit = feed->unit(1);
@@ -179,7 +165,8 @@ std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Fo
       sum.different_triangles += hit.triangle == traversal.hit().triangle ? 0 : 1;
     }
     sum.reference_box_tests = reference.box_tests;
-  });
+  };
+  host::for_each_index(sums.size(), options.threads, traverse, options.progress);
   return sums;
 }
 

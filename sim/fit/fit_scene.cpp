@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "host/files.hpp"
 #include "sim/software.hpp"
 
 namespace hitpipe::sim {
@@ -84,7 +85,7 @@ FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, con
   const rtl::EmittedDesign emitted = fitted_files(unit, library);
   start_step(options, name + ": compiling the Verilog");
   const VerilatedDesign verilated(design, unit.format, unit.pipeline, emitted.verilog.contents);
-  if (!options.folder.empty()) rtl::write_files(options.folder / name, rtl::files_and_drawings(emitted));
+  if (!options.folder.empty()) host::write_files(options.folder / name, rtl::files_and_drawings(emitted));
   const VectorResult vectors = check_vectors({.verilated = &verilated,
                                               .evaluate = design.evaluate(unit.format),
                                               .ports = &unit.ports,

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "host/files.hpp"
 #include "sim/cosim.hpp"
 #include "sim/fit/fit.hpp"
 #include "sim/fit/vector_check.hpp"
@@ -53,7 +54,7 @@ struct FitResult {
   [[nodiscard]] bool verified() const;
 };
 
-/// Throws as fewest_bits(), fit(), VerilatedDesign, rtl::write_files() and cosimulate() do.
+/// Throws as fewest_bits(), fit(), VerilatedDesign, host::write_files() and cosimulate() do.
 [[nodiscard]] FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before,
                                      const FitScene& scene, const FitOptions& options,
                                      const rtl::Library& library);

@@ -9,10 +9,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
+#include "host/parallel.hpp"
 #include "sim/software.hpp"
 
 namespace hitpipe::sim {
@@ -34,15 +32,12 @@ std::uint64_t box_tests(const ref::Tracer& tracer, const std::vector<ref::Record
                         int threads) {
   std::mutex counting;
   ref::TraceCounts sum;
-  tbb::task_arena arena(std::min(threads, tbb::info::default_concurrency()));
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t i) {
-      std::vector<std::uint32_t> triangles(batches[i].rays.size());
-      ref::TraceCounts counts;
-      tracer.trace({batches[i].rays, batches[i].query, triangles}, counts);
-      const std::scoped_lock lock(counting);
-      sum += counts;
-    });
+  host::for_each_index(batches.size(), threads, [&](std::size_t i) {
+    std::vector<std::uint32_t> triangles(batches[i].rays.size());
+    ref::TraceCounts counts;
+    tracer.trace({batches[i].rays, batches[i].query, triangles}, counts);
+    const std::scoped_lock lock(counting);
+    sum += counts;
   });
   return sum.box_tests;
 }

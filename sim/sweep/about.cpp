@@ -1,9 +1,9 @@
-#include <array>
-#include <cstring>
+#include <span>
 #include <type_traits>
 
 #include <fmt/format.h>
 
+#include "host/hash.hpp"
 #include "sim/sweep/printable.hpp"
 #include "sim/sweep/sweep.hpp"
 
@@ -11,16 +11,13 @@ namespace hitpipe::sim {
 
 namespace {
 
-/// FNV-1a, 64 bits.
 class Hash {
  public:
   /// Numbers, or structs of numbers of one kind without gaps.
   template <class Value>
   Hash& operator<<(const Value& value) {
     static_assert(std::is_trivially_copyable_v<Value>);
-    std::array<unsigned char, sizeof(Value)> bytes{};
-    std::memcpy(bytes.data(), &value, sizeof(Value));
-    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 0x100000001b3U;
+    hash_ = host::fnv1a(std::as_bytes(std::span(&value, 1)), hash_);
     return *this;
   }
   template <class Value>
@@ -32,7 +29,7 @@ class Hash {
   [[nodiscard]] std::uint64_t value() const { return hash_; }
 
  private:
-  std::uint64_t hash_ = 0xcbf29ce484222325U;
+  std::uint64_t hash_ = host::fnv1a_start;
 };
 
 std::uint64_t content(const ref::Scene& scene, const ref::Bvh& bvh) {

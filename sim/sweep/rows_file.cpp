@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "rtl_gen/emit/files.hpp"
+#include "host/files.hpp"
 
 namespace hitpipe::sim {
 
@@ -86,8 +86,7 @@ RowsFile read_rows(const std::filesystem::path& file) {
 }
 
 void write_rows(const std::filesystem::path& file, const RowsFile& rows) {
-  const std::filesystem::path whole = std::filesystem::absolute(file);
-  rtl::write_files(whole.parent_path(), {{whole.filename().string(), to_text(rows)}});
+  host::write_file(file, to_text(rows));
 }
 
 }  // namespace hitpipe::sim

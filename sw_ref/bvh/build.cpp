@@ -15,10 +15,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_invoke.h>
-#include <oneapi/tbb/task_arena.h>
 
+#include "host/parallel.hpp"
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/bvh/items.hpp"
 #include "sw_ref/bvh/split.hpp"
@@ -191,10 +190,7 @@ Bvh build_bvh(const Mesh& mesh, const BuildOptions& options) {
   check(mesh, options);
   Bvh bvh;
   Subtree tree;
-  // With more workers than cores TBB prints a warning.
-  const int cores = tbb::info::default_concurrency();
-  tbb::task_arena arena(options.threads == 0 ? cores : std::min(options.threads, cores));
-  arena.execute([&] {
+  host::with_threads(options.threads, [&] {
     std::vector<Item> items = make_items(mesh);
     tree = Growth(items, options).grow({0, static_cast<std::uint32_t>(items.size()), 1, 0});
     bvh.order.reserve(items.size());

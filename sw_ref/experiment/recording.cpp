@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <limits>
 
-#include <time.h>
-
+#include "host/thread_time.hpp"
 #include "sw_ref/exact/triangle_test.hpp"
 
 namespace hitpipe::ref {
 namespace {
-
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 bool same(Query query, std::uint32_t a, std::uint32_t b) {
   return query == Query::any ? (a == Hit::none) == (b == Hit::none) : a == b;
@@ -45,10 +38,10 @@ Measurement measure(const Tracer& tracer, const std::vector<RecordedBatch>& batc
   for (std::size_t i = 0; i < batches.size(); ++i) triangles[i].resize(batches[i].rays.size());
   for (int run = 0; run < repeats; ++run) {
     RenderCounts counts;
-    const double start = thread_seconds();
+    const double start = host::thread_seconds();
     for (std::size_t i = 0; i < batches.size(); ++i)
       tracer.trace({batches[i].rays, batches[i].query, triangles[i]}, counts.of(batches[i].kind));
-    result.seconds = std::min(result.seconds, thread_seconds() - start);
+    result.seconds = std::min(result.seconds, host::thread_seconds() - start);
     result.counts = counts;
   }
   for (std::size_t i = 0; i < batches.size(); ++i)

@@ -4,15 +4,13 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include "host/files.hpp"
 #include "sw_ref/reject.hpp"
 #include "sw_ref/render/colour_map.hpp"
 #include "sw_ref/render/image_codec.hpp"
@@ -44,30 +42,23 @@ void check_size(int width, int height, std::size_t pixels) {
                        pixels, width, height));
 }
 
-void write_beside(const std::filesystem::path& file, int width, int height, const EncodedPixels& image) {
+void check_place(const std::filesystem::path& file) {
   const std::filesystem::path folder =
       file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   if (!std::filesystem::is_directory(folder))
     reject(fmt::format("no folder \"{}\"; create it first", folder.string()));
   if (std::filesystem::is_directory(file)) reject("is a folder; give the name of a file");
-  const std::vector<unsigned char> bytes = image_codec().encode(format_of(file), width, height, image);
-  std::filesystem::path partial = file;
-  partial += fmt::format(".{}.partial", ::getpid());
-  try {
-    std::ofstream out(partial, std::ios::binary);
-    if (!out)
-      reject(fmt::format("no file can be made in folder \"{}\"; choose one with write permission",
-                         folder.string()));
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out)
-      reject(fmt::format("its {} bytes cannot be written; make room or choose another folder", bytes.size()));
-    std::filesystem::rename(partial, file);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-    throw;
-  }
+}
+
+/// The file's bytes.
+std::vector<unsigned char> encoded(const std::filesystem::path& file, int width, int height,
+                                   const EncodedPixels& image) {
+  check_place(file);
+  return image_codec().encode(format_of(file), width, height, image);
+}
+
+void write(const std::filesystem::path& file, const std::vector<unsigned char>& bytes) {
+  host::write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 /// Runs `what` and names the file in its errors, in one line.
@@ -91,7 +82,7 @@ StoredImage read(const std::filesystem::path& file) {
 
 void write_image(const std::filesystem::path& file, int width, int height,
                  const std::vector<glm::vec3>& linear) {
-  naming(file, [&] {
+  const std::vector<unsigned char> bytes = naming(file, [&] {
     const bool is_png = format_of(file) == "png";
     check_size(width, height, linear.size());
     EncodedPixels image;
@@ -104,8 +95,9 @@ void write_image(const std::filesystem::path& file, int width, int height,
           image.values.push_back(colour[k]);
       }
     }
-    write_beside(file, width, height, image);
+    return encoded(file, width, height, image);
   });
+  write(file, bytes);
 }
 
 MapScale scale_of(std::span<const float> values) {
@@ -119,7 +111,7 @@ MapScale scale_of(std::span<const float> values) {
 
 void write_map(const std::filesystem::path& file, int width, int height, std::span<const float> values,
                const MapScale& scale) {
-  naming(file, [&] {
+  const std::vector<unsigned char> bytes = naming(file, [&] {
     const bool is_png = format_of(file) == "png";
     check_size(width, height, values.size());
     EncodedPixels image;
@@ -135,8 +127,9 @@ void write_map(const std::filesystem::path& file, int width, int height, std::sp
       image.channels = 1;
       image.full_floats = true;
     }
-    write_beside(file, width, height, image);
+    return encoded(file, width, height, image);
   });
+  write(file, bytes);
 }
 
 StoredImage read_image(const std::filesystem::path& file) {

@@ -9,10 +9,9 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
+#include "host/parallel.hpp"
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/render/shade.hpp"
 
@@ -226,9 +225,7 @@ RenderResult render(const Scene& scene, const Tracer& tracer, const RenderOption
   std::atomic<std::size_t> finished = 0;
   // Tiles are small; a thousand steps of progress are enough.
   const auto steps = [&](std::size_t done) { return 1000 * done / count; };
-  // With more workers than cores TBB prints a warning.
-  tbb::task_arena arena(std::min(options.threads, tbb::info::default_concurrency()));
-  arena.execute([&] {
+  host::with_threads(options.threads, [&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
       TileRenderer renderer(frame, result);
       for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {

@@ -1,6 +1,5 @@
 // What is counted, on graphs small enough to count by hand, and each habit of Table 7.2 on its own.
 #include "area_model/count.hpp"
-#include "area_model/price.hpp"
 
 #include <map>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "area_model/price.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"

@@ -146,8 +146,8 @@ TEST(UnitLibrary, CoarseAxesCostLess) {
     std::map<std::string, Line> fine;
     std::map<std::string, Line> coarse;
     const auto priced = [&](int zeros, std::map<std::string, Line>& lines) {
-      const rtl::Pipeline pipeline =
-          rtl::make_pipeline(rtl::prune(design.trace(hls::IntBits{12, 12}), y(zeros)).graph, rtl::unit_library());
+      const rtl::Pipeline pipeline = rtl::make_pipeline(
+          rtl::prune(design.trace(hls::IntBits{12, 12}), y(zeros)).graph, rtl::unit_library());
       const Price p = price(pipeline, {design.name, {12, 12}}, rtl::unit_library());
       for (const Line& line : p.lines) lines.emplace(part_name(line.part), line);
       return p.area_um2;

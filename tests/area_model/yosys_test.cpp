@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "area_model/price.hpp"
+#include "host/scratch_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -14,7 +15,7 @@ namespace hitpipe::area {
 namespace {
 
 int bits_found_by_yosys(const rtl::Design& design, rtl::Format format) {
-  const rtl::ScratchFolder folder;
+  const host::ScratchFolder folder;
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), rtl::Library::thesis());
   rtl::write_text(folder / "design.v", rtl::to_verilog(pipeline, rtl::Library::thesis()));
   const std::string name(design.name);

@@ -56,7 +56,7 @@ class FolderEvents {
 };
 
 bool is_temporary(const std::string& file) {
-  static const std::regex pattern(R"((.*/)?(\..*\.\d+|.*\.\d+\.partial))");
+  static const std::regex pattern(R"((.*/)?\..*\.\d+)");
   return std::regex_match(file, pattern);
 }
 

@@ -10,6 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "host/process.hpp"
+
 namespace hitpipe::cli {
 
 namespace {
@@ -26,21 +28,12 @@ namespace {
 }  // namespace
 
 Outcome run_hitpipe(const std::vector<std::string>& arguments, const Variables& variables) {
-  const sim::TemporaryFolder folder;
-  const std::filesystem::path out = folder.path() / "out";
-  const std::filesystem::path err = folder.path() / "err";
-  const pid_t child = fork();
-  if (child == 0) {
-    for (const auto& [name, value] : variables) setenv(name.c_str(), value.c_str(), 1);
-    constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
-    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
-    dup2(open(out.c_str(), flags, 0600), STDOUT_FILENO);
-    dup2(open(err.c_str(), flags, 0600), STDERR_FILENO);
-    become_hitpipe(arguments);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(out), contents_of(err)};
+  std::vector<std::string> words{"env"};
+  for (const auto& [name, value] : variables) words.push_back(name + "=" + value);
+  words.emplace_back(HITPIPE_PROGRAM);
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const host::Outcome ended = host::run(words);
+  return {ended.signal == 0 ? ended.exit_code : -1, ended.out, ended.err};
 }
 
 pid_t start_hitpipe(const std::vector<std::string>& arguments) {

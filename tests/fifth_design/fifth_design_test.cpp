@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "area_model/price.hpp"
+#include "host/files.hpp"
+#include "host/scratch_folder.hpp"
 #include "rtl_gen/catalogue/entry.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/emit/testbench.hpp"
@@ -56,10 +58,10 @@ TEST(FifthDesign, IsScheduledAndPriced) {
 }
 
 TEST(FifthDesign, IsEmittedDrawnAndLintClean) {
-  const rtl::ScratchFolder folder;
+  const host::ScratchFolder folder;
   const rtl::Pipeline pipeline = rtl::make_pipeline(fifth.trace(bits), rtl::Library::thesis());
   const rtl::EmittedDesign emitted = rtl::emit(fifth, bits, rtl::Library::thesis(), pipeline);
-  rtl::write_files(folder.path(), rtl::files_and_drawings(emitted));
+  host::write_files(folder.path(), rtl::files_and_drawings(emitted));
   EXPECT_TRUE(std::filesystem::exists(folder / "one_axis_slab.svg"));
   const rtl::ToolResult lint =
       rtl::run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall one_axis_slab.v");
@@ -73,7 +75,7 @@ TEST(FifthDesign, IsEmittedDrawnAndLintClean) {
 
 TEST(FifthDesign, AnswersInVerilogAsInCpp) {
   constexpr int count = 100000;
-  const rtl::ScratchFolder cache;
+  const host::ScratchFolder cache;
   const sim::VerilatedDesign verilated(fifth, bits, rtl::Library::thesis(), cache.path());
   const rtl::Evaluate evaluate = fifth.evaluate(bits);
   const auto vectors = rtl::operand_vectors(fifth.ports(bits), count, 5);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "rtl_gen/prune/analysis.hpp"
@@ -196,7 +197,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& bits
 int main(int argc, char** argv) {
   try {
     if (argc != 5) throw std::runtime_error("usage: emit_fitted DESIGN FORMAT SET FOLDER");
-    rtl::write_files(argv[4], files_of(argv[1], argv[2], argv[3]));
+    host::write_files(argv[4], files_of(argv[1], argv[2], argv[3]));
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/prune/prune.hpp"
 #include "rtl_gen/verilog/combinational.hpp"
@@ -72,7 +73,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& form
 int main(int argc, char** argv) {
   try {
     if (argc != 4 && argc != 5) throw std::runtime_error("usage: emit_formal DESIGN FORMAT FOLDER [SET]");
-    rtl::write_files(argv[3], files_of(argv[1], argv[2], argc == 5 ? argv[4] : ""));
+    host::write_files(argv[3], files_of(argv[1], argv[2], argc == 5 ? argv[4] : ""));
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -23,14 +23,13 @@ if(HITPIPE_OTHER_CXX AND NOT HITPIPE_SANITIZE)
   set(other_emit_all ${other_compiler}/emit_all)
   add_custom_command(OUTPUT ${other_emit_all}
     COMMAND ${HITPIPE_OTHER_CXX} -std=c++20 -O0 -I${PROJECT_SOURCE_DIR} -I${PROJECT_BINARY_DIR}/generated
-            -MD -MF ${other_emit_all}.d -MT ${other_emit_all} ${other_compiler}/all.cpp -lfmt -o ${other_emit_all}
-    DEPENDS ${other_compiler}/all.cpp DEPFILE ${other_emit_all}.d
+            -MD -MF ${other_emit_all}.d -MT ${other_emit_all} ${other_compiler}/all.cpp $<TARGET_FILE:hitpipe_host> -lfmt -ltbb -o ${other_emit_all}
+    DEPENDS ${other_compiler}/all.cpp hitpipe_host DEPFILE ${other_emit_all}.d
     COMMENT "Building emit_all with the other compiler" VERBATIM)
   add_custom_target(rtl_emit_all_other DEPENDS ${other_emit_all})
 
-  hitpipe_test(rtl_compilers_test SOURCES emit/compilers_test.cpp LIBS fmt::fmt)
+  hitpipe_test(rtl_compilers_test SOURCES emit/compilers_test.cpp LIBS hitpipe_host fmt::fmt)
   add_dependencies(rtl_compilers_test rtl_emit_all rtl_emit_all_other)
-  target_include_directories(rtl_compilers_test PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(rtl_compilers_test PRIVATE
     HITPIPE_EMIT_ALL="$<TARGET_FILE:rtl_emit_all>" HITPIPE_EMIT_ALL_OTHER="${other_emit_all}")
 elseif(NOT HITPIPE_OTHER_CXX)

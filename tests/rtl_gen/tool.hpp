@@ -1,16 +1,14 @@
 // Runs other programs: Verilog tools that must take what hitpipe writes.
 #pragma once
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
 
-#include <stdlib.h>
-#include <sys/wait.h>
+#include "host/process.hpp"
+#include "host/scratch_folder.hpp"
 
 namespace hitpipe::rtl {
 
@@ -19,45 +17,18 @@ struct ToolResult {
   std::string output;  ///< standard output and error
 };
 
-/// Runs `arguments` of a program in a folder. Throws when the program is not there: install `package`.
+/// Runs a program in a folder; a shell reads `arguments`. Throws when the program is not there: install
+/// `package`.
 inline ToolResult run_tool(const std::filesystem::path& folder, const std::string& package,
                            const std::string& program, const std::string& arguments) {
-  const std::string command = "cd '" + folder.string() + "' && { " + program + " " + arguments + "; } 2>&1";
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot start a shell");
-  ToolResult result;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    result.output.append(buffer.data(), got);
-  }
-  const int status = pclose(pipe);
-  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-  if (result.status == 127)
+  const host::Outcome ended =
+      host::run({"sh", "-c", "{ " + program + " " + arguments + "; } 2>&1"}, {.folder = folder});
+  if (ended.exit_code == 127)
     throw std::runtime_error(program + " was not found; install the package " + package);
-  return result;
+  return {ended.signal == 0 ? ended.exit_code : 128, ended.out};
 }
 
-/// A folder of a test's own, removed with all that is in it.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "hitpipe-test-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error(pattern + ": cannot create the folder");
-    path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
+using host::ScratchFolder;
 
 inline void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);

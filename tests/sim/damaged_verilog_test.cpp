@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/process.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/verilog/module.hpp"
-#include "sim/programs.hpp"
 #include "sim/ray_unit.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/formats.hpp"
@@ -33,7 +33,7 @@ VerilatedDesign damaged(const std::string& sed) {
   const std::string whole = rtl::to_verilog(pipeline, library, {.module_name = "int_slabs", .bits = "12/12"});
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.write("int_slabs.v", whole);
-  EXPECT_EQ(run(fmt::format("sed -i {} {}", shell_word(sed), shell_word(file.string()))), 0) << sed;
+  EXPECT_TRUE(host::run({"sed", "-i", sed, file.string()}).succeeded()) << sed;
   std::ifstream in(file);
   const std::string edited{std::istreambuf_iterator<char>(in), {}};
   EXPECT_NE(edited, whole) << sed;

@@ -101,7 +101,8 @@ Operands expected(const Unit& unit, const ref::Ray& ray, float length, const ref
                       : name == "fp_plucker" ? fp_plucker_ray(ray, length)
                       : name == "int_slabs"  ? int_slabs_ray(ray, unit.format.as<hls::IntBits>(), length)
                                              : int_plucker_ray(ray, unit.format.as<hls::IntBits>(), length);
-  operands.merge(unit.format.is<hls::FpBits>() ? float_box(box) : int_box(box, unit.format.as<hls::IntBits>().coord));
+  operands.merge(unit.format.is<hls::FpBits>() ? float_box(box)
+                                               : int_box(box, unit.format.as<hls::IntBits>().coord));
   return operands;
 }
 
@@ -188,7 +189,8 @@ TEST_P(CoarseFeed, MovesOriginAndBoxAndNothingElse) {
 }
 
 INSTANTIATE_TEST_SUITE_P(IntegerUnits, CoarseFeed,
-                         testing::Values(Unit{"int_slabs", hls::IntBits{12, 12}}, Unit{"int_plucker", hls::IntBits{20, 24}}),
+                         testing::Values(Unit{"int_slabs", hls::IntBits{12, 12}},
+                                         Unit{"int_plucker", hls::IntBits{20, 24}}),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 TEST(CoarseFeedOfAFloatDesign, Rejected) {

@@ -93,6 +93,27 @@ TEST(ModelCacheOfVerilator, SecondConstructionLeavesTheModelAlone) {
   for (const auto& [model, time] : before) EXPECT_EQ(fs::last_write_time(model), time) << model;
 }
 
+/// No shell reads the names of folders on the way from Verilog to a model.
+TEST(ModelCacheOfVerilator, TakesAnyFolderNames) {
+  const TemporaryFolder folder;
+  const fs::path temporary = folder / "it's temporary";
+  const fs::path cache = folder / "it's a $cache; with \"words\"";
+  fs::create_directory(temporary);
+  fs::create_directory(cache);
+  // Verilator's own code need not be compiled again.
+  build_in(default_cache());
+  for (const std::string& name : names_in(default_cache()))
+    if (name.starts_with("verilated-")) fs::copy(default_cache() / name, cache / name);
+  const EnvironmentValue variable("TMPDIR", temporary.string());
+  const VerilatedDesign design(int_slabs(), {6, 6}, rtl::Library::thesis(), cache);
+  Model model(design);
+  Pins pins{.out_ready = true};
+  model.cycle(nullptr, pins);
+  EXPECT_TRUE(pins.in_ready);
+  EXPECT_EQ(count_in(cache, "int_slabs"), 1);
+  EXPECT_TRUE(fs::is_empty(temporary));
+}
+
 TEST_F(ModelCache, BuildsOnce) {
   build_in(cache_);
   const fs::path entry = only_entry(cache_);
@@ -249,6 +270,31 @@ TEST_F(ModelCache, MissingCompilerRejected) {
   EXPECT_FALSE(fs::exists(cache_));
 }
 
+TEST_F(ModelCache, TakesACompilerWithArguments) {
+  const EnvironmentValue compiler("CXX", "env HITPIPE_TEST=1 c++");
+  build_in(cache_);
+  EXPECT_EQ(stub_.runs(), 1);
+  const EnvironmentValue missing("CXX", "env no-such-compiler");
+  EXPECT_EQ(error_of_build(cache_),
+            "env no-such-compiler: cannot be run; install the package g++ or set CXX to the program");
+}
+
+TEST_F(ModelCache, TakesAPathOfACompilerWithBlanks) {
+  const EnvironmentValue compiler(
+      "CXX", folder_.write_program("it's a compiler", "#!/bin/sh\nexec c++ \"$@\"\n").string());
+  build_in(cache_);
+  EXPECT_EQ(stub_.runs(), 1);
+}
+
+TEST_F(ModelCache, KilledCompilerRejected) {
+  const fs::path compiler = folder_.write_program(
+      "compiler", "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\nkill -9 $$\n");
+  const EnvironmentValue variable("CXX", compiler);
+  EXPECT_EQ(error_of_build(cache_), compiler.string() +
+                                        ": was ended by signal 9 (Killed); its output is in " +
+                                        (cache_ / "failed-verilated.log").string());
+}
+
 TEST_F(ModelCache, FailingVerilatorRejected) {
   stub_.set_exit_code(3);
   const fs::path log = cache_ / "failed-int_slabs.log";
@@ -300,7 +346,8 @@ TEST_F(ModelCache, FullDiskRejected) {
   setrlimit(RLIMIT_FSIZE, &small);
   const std::string error = error_of_build(cache_);
   setrlimit(RLIMIT_FSIZE, &before);
-  EXPECT_THAT(error, MatchesRegex(cache_.string() + "/building-....../int_slabs.v: cannot write the file"));
+  EXPECT_THAT(error, MatchesRegex(cache_.string() +
+                                  "/building-....../int_slabs.v: cannot write the file: File too large"));
   EXPECT_TRUE(fs::is_empty(cache_));
 }
 

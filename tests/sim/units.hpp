@@ -21,22 +21,18 @@ struct Unit {
   [[nodiscard]] rtl::Evaluate evaluate() const { return design().evaluate(format); }
   /// One of the six rows of Table 7.2.
   [[nodiscard]] bool of_the_thesis() const {
-    return format.is<hls::FpBits>() || format == rtl::Format(hls::IntBits{24, 24}) || format == rtl::Format(hls::IntBits{20, 24});
+    return format.is<hls::FpBits>() || format == rtl::Format(hls::IntBits{24, 24}) ||
+           format == rtl::Format(hls::IntBits{20, 24});
   }
 };
 
-inline const std::array units{Unit{"fp_slabs", rtl::Format(hls::FpBits{})},
-                              Unit{"fp_plucker", rtl::Format(hls::FpBits{})},
-                              Unit{"int_slabs", hls::IntBits{24, 24}},
-                              Unit{"int_slabs", hls::IntBits{20, 24}},
-                              Unit{"int_slabs", hls::IntBits{16, 16}},
-                              Unit{"int_slabs", hls::IntBits{12, 12}},
-                              Unit{"int_slabs", hls::IntBits{6, 6}},
-                              Unit{"int_slabs", hls::IntBits{32, 63}},
-                              Unit{"int_plucker", hls::IntBits{24, 24}},
-                              Unit{"int_plucker", hls::IntBits{20, 24}},
-                              Unit{"int_plucker", hls::IntBits{6, 6}},
-                              Unit{"int_plucker", hls::IntBits{32, 63}}};
+inline const std::array units{
+    Unit{"fp_slabs", rtl::Format(hls::FpBits{})}, Unit{"fp_plucker", rtl::Format(hls::FpBits{})},
+    Unit{"int_slabs", hls::IntBits{24, 24}},      Unit{"int_slabs", hls::IntBits{20, 24}},
+    Unit{"int_slabs", hls::IntBits{16, 16}},      Unit{"int_slabs", hls::IntBits{12, 12}},
+    Unit{"int_slabs", hls::IntBits{6, 6}},        Unit{"int_slabs", hls::IntBits{32, 63}},
+    Unit{"int_plucker", hls::IntBits{24, 24}},    Unit{"int_plucker", hls::IntBits{20, 24}},
+    Unit{"int_plucker", hls::IntBits{6, 6}},      Unit{"int_plucker", hls::IntBits{32, 63}}};
 
 /// "int_slabs_24_24", for a test's name.
 inline std::string test_name(const Unit& unit) {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/scratch_folder.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::hls {
@@ -55,7 +56,7 @@ class VitisHls : public testing::Test {
     return run.output + "exit " + std::to_string(run.status);
   }
 
-  rtl::ScratchFolder folder;
+  host::ScratchFolder folder;
 };
 
 TEST_F(VitisHls, GivesTheStepsInOrder) {

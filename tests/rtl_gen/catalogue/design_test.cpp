@@ -47,7 +47,8 @@ TEST(Design, FormatThatIsNotThereRejected) {
   const Design& design = find_design("int_slabs");
   const auto expect_rejected = [&](hls::IntBits bits, const std::string& text) {
     const std::string message =
-        "bits " + text + ": no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
+        "bits " + text +
+        ": no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
     EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(bits)); }), message);
     EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.evaluate(bits)); }), message);
   };
@@ -65,8 +66,14 @@ TEST(Design, FloatDesignsHaveBinary32Only) {
   const std::string message = "bits 20/24: no format of fp_slabs; allowed is fp32, which is e8m23";
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("20/24")); }),
             message);
-  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(hls::IntBits{20, 24})); }), message);
-  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.evaluate(hls::IntBits{20, 24})); }), message);
+  EXPECT_EQ(message_of<std::runtime_error>([&] {
+              static_cast<void>(design.trace(hls::IntBits{20, 24}));
+            }),
+            message);
+  EXPECT_EQ(message_of<std::runtime_error>([&] {
+              static_cast<void>(design.evaluate(hls::IntBits{20, 24}));
+            }),
+            message);
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("fp64")); }),
             "bits fp64: no format of fp_slabs; allowed is fp32, which is e8m23");
 }
@@ -76,7 +83,8 @@ TEST(Design, IntegerDesignsHaveNoBinary32) {
   EXPECT_EQ(to_string(design.default_format), "20/24");
   EXPECT_EQ(design.parse_format("12/14"), Format(hls::IntBits{12, 14}));
   const std::string message =
-      "bits fp32: no format of int_plucker; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
+      "bits fp32: no format of int_plucker; allowed is n/t with n in 6..32 and t in 6..2n-1, for example "
+      "20/24";
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("fp32")); }), message);
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(Format(hls::FpBits{}))); }),
             message);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/emit/axi_stream_bench.hpp"
@@ -41,7 +42,7 @@ TEST(StreamFields, BeginOnByteBoundariesInPortOrder) {
 
 class AxiStream : public testing::TestWithParam<DesignFormat> {
  protected:
-  void SetUp() override { write_files(folder.path(), emitted(GetParam(), true)); }
+  void SetUp() override { host::write_files(folder.path(), emitted(GetParam(), true)); }
   void expect_silence(const ToolResult& result) {
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.output, "");
@@ -154,7 +155,7 @@ TEST(AxiStreamBench, DamagedWrappersFail) {
                  {"m_axis_tid = spare_valid ? spare_tag", "m_axis_tid = spare_valid ? out_tag"}};
   for (const auto& [good, bad] : damages) {
     const ScratchFolder folder;
-    write_files(folder.path(), emitted(d, true));
+    host::write_files(folder.path(), emitted(d, true));
     std::string text = read_text(folder / "int_slabs_axis.v");
     const std::size_t at = text.find(good);
     ASSERT_NE(at, std::string::npos) << good;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/prune/prune.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
@@ -39,7 +40,7 @@ class CoreFile : public testing::TestWithParam<DesignFormat> {
                       make_pipeline(pruned.graph, Library::thesis()), {.pruned_from = &from}));
   }
   void read_core_of(const EmittedDesign& emitted) {
-    write_files(folder.path(), emitted.files());
+    host::write_files(folder.path(), emitted.files());
     const std::string& file = emitted.core.name;
     const ToolResult result = run_tool(
         folder.path(), "python3-yaml", "python3",

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 
 int main(int argc, char** argv) {
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
     for (const Design& design : designs()) {
       const std::vector<std::string> formats =
           !design.conservative ? std::vector<std::string>{to_string(design.default_format)}
-                            : std::vector<std::string>{"24/24", "20/24", "16/16", "6/11", "32/63"};
+                               : std::vector<std::string>{"24/24", "20/24", "16/16", "6/11", "32/63"};
       for (std::string folder : formats) {
         const Format format = design.parse_format(folder);
         std::replace(folder.begin(), folder.end(), '/', '_');
@@ -24,7 +25,7 @@ int main(int argc, char** argv) {
             emit(design, format, Library::thesis(), pipeline, {.axi_stream = true}).files();
         // As recorded, before canonical() has put it in order: the compilers may differ here.
         files.push_back({"recorded.txt", to_text(design.trace(format))});
-        write_files(std::filesystem::path(argv[1]) / std::string(design.name) / folder, files);
+        hitpipe::host::write_files(std::filesystem::path(argv[1]) / std::string(design.name) / folder, files);
       }
     }
   } catch (const std::exception& error) {

@@ -1,36 +1,20 @@
-// Files appear whole or not at all; the schematic is drawn by Graphviz.
+// Which files a design is; its schematics are drawn by Graphviz.
 #include "rtl_gen/emit/files.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <stdlib.h>
-#include <sys/resource.h>
 
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/schematic/dot.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"
+#include "tests/sim/environment.hpp"
 
 namespace hitpipe::rtl {
 namespace {
-
-/// Files below a folder, hidden ones too.
-std::vector<std::string> files_in(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) names.push_back(std::filesystem::relative(entry.path(), folder).string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-std::string told(const std::filesystem::path& folder, const std::vector<File>& files) {
-  return message_of<std::runtime_error>([&] { write_files(folder, files); });
-}
 
 EmittedDesign emitted(const DesignFormat& d, const EmitOptions& options = {}) {
   return emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), options);
@@ -113,72 +97,6 @@ TEST(Emit, FilesAndDrawingsHaveADrawingOfEverySchematic) {
   EXPECT_EQ(names_of(files_and_drawings(made)), expected);
 }
 
-TEST(WriteFiles, CreatesFoldersAndReplacesFiles) {
-  const ScratchFolder folder;
-  const std::filesystem::path out = folder / "new" / "out";
-  write_files(out, {{"a.v", "first\n"}, {"tb/b.v", "second\n"}});
-  EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"new/out/a.v", "new/out/tb/b.v"}));
-  write_files(out, {{"a.v", "third\n"}});
-  EXPECT_EQ(read_text(out / "a.v"), "third\n");
-  EXPECT_EQ(read_text(out / "tb" / "b.v"), "second\n");
-}
-
-TEST(WriteFiles, KeepsEveryByte) {
-  const ScratchFolder folder;
-  const std::string bytes("a\r\nb\0c\n", 7);
-  write_files(folder.path(), {{"x", bytes}});
-  EXPECT_EQ(read_text(folder / "x"), bytes);
-}
-
-TEST(WriteFiles, FolderBelowAFileRejected) {
-  const ScratchFolder folder;
-  write_text(folder / "file", "text");
-  const std::filesystem::path out = folder / "file" / "out";
-  EXPECT_EQ(told(out, {{"a.v", "x"}}), out.string() + ": cannot create the folder: Not a directory");
-  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"file"});
-}
-
-TEST(WriteFiles, NameThatCannotBeWrittenRejectedAndNothingLeftBehind) {
-  const ScratchFolder folder;
-  const std::string name(300, 'x');
-  EXPECT_EQ(told(folder.path(), {{"a.v", "x"}, {name, "x"}}),
-            (folder / name).string() + ": cannot write the file: File name too long");
-  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
-}
-
-/// As on a full disk: the second file is cut short.
-TEST(WriteFiles, FileThatIsCutShortRejectedAndNothingLeftBehind) {
-  const ScratchFolder folder;
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{10'000, before.rlim_max};
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string message = told(folder.path(), {{"a.v", "x"}, {"b.v", std::string(20'000, 'y')}});
-  EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
-  signal(SIGXFSZ, handler);
-  EXPECT_EQ(message, (folder / "b.v").string() + ": cannot write the file: File too large");
-  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
-}
-
-TEST(WriteFiles, FolderInTheWayRejectedAndNothingLeftBehind) {
-  const ScratchFolder folder;
-  std::filesystem::create_directories(folder / "b.v" / "inside");
-  EXPECT_EQ(told(folder.path(), {{"a.v", "x"}, {"b.v", "y"}, {"c.v", "z"}}),
-            (folder / "b.v").string() + ": cannot write the file: Is a directory");
-  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
-}
-
-TEST(WriteFiles, AFailureKeepsWhatWasThere) {
-  const ScratchFolder folder;
-  write_text(folder / "a.v", "before");
-  write_text(folder / "file", "text");
-  EXPECT_EQ(told(folder.path(), {{"a.v", "after"}, {"file/b.v", "x"}}),
-            (folder / "file").string() + ": cannot create the folder: Not a directory");
-  EXPECT_EQ(read_text(folder / "a.v"), "before");
-  EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"a.v", "file"}));
-}
-
 TEST(Draw, MakesAnSvgOfEverySchematic) {
   const auto drawings =
       draw({{"toy.dot", "digraph toy { one -> two }"}, {"toy_stage_1.dot", "digraph toy { three -> four }"}});
@@ -198,17 +116,25 @@ TEST(Draw, TextThatIsNoGraphRejected) {
   EXPECT_EQ(message_of<std::runtime_error>([] {
               static_cast<void>(draw({{"toy.dot", "digraph {"}}));
             }),
-            "toy.dot: Graphviz's dot failed; install the package graphviz");
+            "toy.dot: Graphviz's dot failed with exit code 1");
+}
+
+TEST(Draw, TakesAnyTemporaryFolder) {
+  const ScratchFolder folder;
+  const std::filesystem::path temporary = folder / "it's temporary";
+  std::filesystem::create_directory(temporary);
+  const sim::EnvironmentValue variable("TMPDIR", temporary.string());
+  EXPECT_NE(draw({{"toy.dot", "digraph toy { one }"}}).front().contents.find(">one</text>"),
+            std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_empty(temporary));
 }
 
 TEST(Draw, MissingGraphvizRejected) {
-  const std::string path = getenv("PATH");
-  setenv("PATH", "/nowhere", 1);
-  const std::string message = message_of<std::runtime_error>([] {
-    static_cast<void>(draw({{"toy.dot", "digraph {}"}}));
-  });
-  setenv("PATH", path.c_str(), 1);
-  EXPECT_EQ(message, "toy.dot: Graphviz's dot was not found; install the package graphviz");
+  const sim::EnvironmentValue path("PATH", "/nowhere");
+  EXPECT_EQ(message_of<std::runtime_error>([] {
+              static_cast<void>(draw({{"toy.dot", "digraph {}"}}));
+            }),
+            "toy.dot: Graphviz's dot was not found; install the package graphviz");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
@@ -36,7 +37,7 @@ std::string replayed(const ScratchFolder& folder, const std::string& design) {
 }
 
 void write_design(const ScratchFolder& folder, const DesignFormat& d) {
-  write_files(folder.path(), emit(d.found(), d.parsed(), Library::thesis(), d.pipeline()).files());
+  host::write_files(folder.path(), emit(d.found(), d.parsed(), Library::thesis(), d.pipeline()).files());
 }
 
 void write_int_slabs(const ScratchFolder& folder, hls::IntBits bits) {
@@ -195,9 +196,9 @@ std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library
   const ScratchFolder folder;
   evaluated_graph = &graph;
   const std::vector<Vector> expected = judged(operand_vectors(ports, vectors, 5), evaluate_graph);
-  write_files(folder.path(), {{"toy.v", to_verilog(pipeline, library)},
-                              {"tb/toy_tb.v", testbench(design, ports, vectors)},
-                              {"tb/toy_vectors.hex", vector_file(ports, ports, expected)}});
+  host::write_files(folder.path(), {{"toy.v", to_verilog(pipeline, library)},
+                                    {"tb/toy_tb.v", testbench(design, ports, vectors)},
+                                    {"tb/toy_vectors.hex", vector_file(ports, ports, expected)}});
   evaluated_graph = nullptr;
   return replayed(folder, "toy");
 }

@@ -1,6 +1,7 @@
 // Verilator, Yosys and Icarus take every design's Verilog without a word.
 #include <gtest/gtest.h>
 
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
@@ -12,7 +13,7 @@ namespace {
 class Lint : public testing::TestWithParam<DesignFormat> {
  protected:
   void SetUp() override {
-    write_files(
+    host::write_files(
         folder.path(),
         emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline()).files());
   }

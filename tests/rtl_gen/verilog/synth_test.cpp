@@ -1,6 +1,7 @@
 // Yosys synthesises every design: nothing is left that has no gates, no latch, no wire without a driver.
 #include <gtest/gtest.h>
 
+#include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -14,7 +15,7 @@ class Synth : public testing::TestWithParam<DesignFormat> {};
 TEST_P(Synth, YosysMapsItToGates) {
   const auto& [design, format] = GetParam();
   const ScratchFolder folder;
-  write_files(
+  host::write_files(
       folder.path(),
       emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline()).files());
   const ToolResult result = run_tool(folder.path(), "yosys", "yosys",

@@ -184,8 +184,8 @@ TEST(IsFalseMiss, IsAMissOfABoxThatTheRayMeets) {
 /// The published remedy helps, without being a proof.
 TEST(Check, RobustFloatSlabsMissLessThanTheThesisForm) {
   const CheckOptions options{.categories = all_categories(), .tests = 500'000, .seed = seed};
-  const CategoryResult plain =
-      sum_of(check([] { return make_box_test(rtl::find_design("fp_slabs"), rtl::Format(hls::FpBits{})); }, options));
+  const CategoryResult plain = sum_of(
+      check([] { return make_box_test(rtl::find_design("fp_slabs"), rtl::Format(hls::FpBits{})); }, options));
   const CategoryResult robust = sum_of(check(robust_float_slabs_test, options));
   fmt::print("seed {}: of {} hits the thesis's form misses {}, the robust one {}\n", seed, plain.hits,
              plain.false_misses, robust.false_misses);

@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/files.hpp"
+#include "host/scratch_folder.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
 #include "sim/cosim.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -71,7 +73,8 @@ class Fitted : public testing::TestWithParam<Case> {};
 TEST_P(Fitted, IsSmallerAndMissesNothing) {
   const World world(GetParam().scene());
   const rtl::Design& design = rtl::find_design(GetParam().design);
-  const rtl::Format format = !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{12, 12});
+  const rtl::Format format =
+      !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{12, 12});
   const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
   EXPECT_GT(unit.saved_um2(), 0);
   EXPECT_FALSE(unit.demands.empty());
@@ -122,7 +125,8 @@ class Endless : public testing::TestWithParam<const char*> {};
 TEST_P(Endless, UnitIsSmallerAndTracesTheSame) {
   const World world(sim::hills());
   const rtl::Design& design = rtl::find_design(GetParam());
-  const rtl::Format format = !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{12, 12});
+  const rtl::Format format =
+      !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{12, 12});
   const FittedUnit with_ends = fit(design, format, std::nullopt, world.demands, library());
   const FittedUnit unit =
       fit(design, format, Precision{.format = format, .ends = false}, world.demands, library());
@@ -149,7 +153,8 @@ INSTANTIATE_TEST_SUITE_P(Designs, Endless, testing::Values("int_slabs", "int_plu
 TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
   const World world(ref::demanding_octahedron());
   for (const rtl::Design& design : rtl::designs()) {
-    const rtl::Format format = !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{24, 24});
+    const rtl::Format format =
+        !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{24, 24});
     const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
     const auto whole =
         by_name(rtl::emit(design, format, library(), rtl::make_pipeline(design.trace(format), library())));
@@ -162,7 +167,8 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
 TEST(FittedFiles, ListTheDemandsAndCheckThem) {
   const World world(ref::flat_hills());
   const Precision precision{.format = hls::IntBits{12, 12}, .coarse = {{0, 3, 1}}};
-  const FittedUnit unit = fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, precision, world.demands, library());
+  const FittedUnit unit =
+      fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, precision, world.demands, library());
   const rtl::EmittedDesign emitted = fitted_files(unit, library());
   EXPECT_EQ(rtl::demands_of_manifest(emitted.manifest.contents), unit.demands);
   EXPECT_THAT(emitted.verilog.contents, HasSubstr("`ifdef HITPIPE_CHECK"));
@@ -175,9 +181,10 @@ TEST(FittedFiles, ListTheDemandsAndCheckThem) {
 TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
   const World world(ref::flat_hills());
   const Precision precision{.format = hls::IntBits{12, 12}, .coarse = {{0, 3, 1}}};
-  const FittedUnit unit = fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, precision, world.demands, library());
-  const rtl::ScratchFolder folder;
-  rtl::write_files(folder.path(), fitted_files(unit, library()).files());
+  const FittedUnit unit =
+      fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, precision, world.demands, library());
+  const host::ScratchFolder folder;
+  host::write_files(folder.path(), fitted_files(unit, library()).files());
   const rtl::ToolResult compiled =
       rtl::run_tool(folder / "tb", "iverilog", "iverilog",
                     "-g2001 -Wall -DHITPIPE_CHECK -o tb int_slabs_tb.v ../int_slabs.v ../int_slabs_check.v");
@@ -188,7 +195,8 @@ TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
 TEST(FittedUnit, RefusesAnotherScene) {
   const World flat(ref::flat_hills());
   const World hills(sim::hills());
-  const FittedUnit unit = fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, std::nullopt, flat.demands, library());
+  const FittedUnit unit =
+      fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, std::nullopt, flat.demands, library());
   EXPECT_THROW(run(unit, hills, flat), std::out_of_range);   // its rays
   EXPECT_THROW(run(unit, hills, hills), std::out_of_range);  // its operands
 }

@@ -108,7 +108,8 @@ TEST(PortRanges, HoldRandomDirectionsThroughTheSetUp) {
 TEST(PortDemands, AreNoneOfASceneThatNeedsEverything) {
   const ref::SceneDemands scene = demands_of(ref::demanding_octahedron());
   for (const rtl::Design& design : rtl::designs()) {
-    const rtl::Format format = !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{24, 24});
+    const rtl::Format format =
+        !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{24, 24});
     for (const DemandGroup& group : port_demands(design, format, scene)) ADD_FAILURE() << group.why;
   }
 }
@@ -143,7 +144,8 @@ const rtl::PortDemand& of_port(const rtl::Demands& demands, const std::string& p
 
 TEST(PortDemands, OfCoarseAxesAreLowZerosBesideTheRanges) {
   const ref::SceneDemands scene = demands_of(ref::flat_hills());
-  Precision precision{.format = hls::IntBits{12, 12}, .coarse = {{0, 2, 1}}, .coarse_extra_box_tests_pct = 1.5};
+  Precision precision{
+      .format = hls::IntBits{12, 12}, .coarse = {{0, 2, 1}}, .coarse_extra_box_tests_pct = 1.5};
   for (const char* const name : {"int_slabs", "int_plucker"}) {
     const rtl::Design& design = rtl::find_design(name);
     const auto groups = port_demands(design, hls::IntBits{12, 12}, scene, precision);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/files.hpp"
 #include "sim/fit/fit.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/temporary_folder.hpp"
@@ -28,8 +29,8 @@ WrittenUnit fitted_to(const ref::Scene& scene) {
   const rtl::Library& library = rtl::Library::thesis();
   const ref::SceneDemands demands = ref::scene_demands(scene, ref::build_bvh(scene.mesh), {24, 16});
   const TemporaryFolder folder;
-  rtl::write_files(folder.path(),
-                   fitted_files(fit(design(), {12, 12}, std::nullopt, demands, library), library));
+  host::write_files(folder.path(),
+                    fitted_files(fit(design(), {12, 12}, std::nullopt, demands, library), library));
   return read_unit(folder.path(), design(), library);
 }
 
@@ -40,8 +41,9 @@ TEST(WholeUnit, IsWhatIsWrittenOfTheDesign) {
   EXPECT_TRUE(unit.ends());
   EXPECT_FALSE(unit.coarse().any());
   const TemporaryFolder folder;
-  rtl::write_files(folder.path(), rtl::emit(design(), {12, 12}, library,
-                                            rtl::make_pipeline(design().trace(hls::IntBits{12, 12}), library)));
+  host::write_files(folder.path(),
+                    rtl::emit(design(), {12, 12}, library,
+                              rtl::make_pipeline(design().trace(hls::IntBits{12, 12}), library)));
   const WrittenUnit read = read_unit(folder.path(), design(), library);
   EXPECT_EQ(read.verilog, unit.verilog);
   EXPECT_EQ(read.pipeline.latency(), unit.pipeline.latency());

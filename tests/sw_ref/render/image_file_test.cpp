@@ -118,9 +118,8 @@ TEST_F(ImageFile, BadPlacesAndNamesAreRejected) {
 
 TEST_F(ImageFile, FolderThatTakesNoFilesIsRejected) {
   // Not even root can make a file in /proc.
-  EXPECT_EQ(error("/proc/a.png"),
-            "image file \"/proc/a.png\": no file can be made in folder \"/proc\"; choose one with write "
-            "permission");
+  EXPECT_THAT(error("/proc/a.png"),
+              testing::MatchesRegex("/proc(/a.png)?: cannot write (the file|to the folder): .+"));
 }
 
 TEST_F(ImageFile, FullDiskLeavesTheOldFileAndNoPart) {
@@ -142,11 +141,7 @@ TEST_F(ImageFile, FullDiskLeavesTheOldFileAndNoPart) {
     const std::string message = message_of<std::exception>([&] { write_image(file, 256, 256, noise); });
     ::setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
-    EXPECT_THAT(
-        message,
-        testing::MatchesRegex(fmt::format(
-            "image file \"{}\": its [0-9]+ bytes cannot be written; make room or choose another folder",
-            file.string())));
+    EXPECT_EQ(message, file.string() + ": cannot write the file: File too large");
     EXPECT_EQ(start(file, 3), "old");
   }
   EXPECT_EQ(files(), 2);

@@ -1,0 +1,30 @@
+#include "host/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace hitpipe::host {
+
+void with_threads(int threads, const std::function<void()>& work) {
+  // TBB warns on standard error of more threads than cores.
+  const int cores = tbb::info::default_concurrency();
+  tbb::task_arena arena(threads == 0 ? cores : std::min(threads, cores));
+  arena.execute(work);
+}
+
+void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
+                    const std::function<void(double)>& progress) {
+  std::atomic<std::size_t> done = 0;
+  with_threads(threads, [&] {
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      work(i);
+      progress(static_cast<double>(++done) / static_cast<double>(count));
+    });
+  });
+}
+
+}  // namespace hitpipe::host

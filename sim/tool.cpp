@@ -1,0 +1,40 @@
+#include "sim/tool.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/environment.hpp"
+
+namespace hitpipe::sim {
+
+std::string Tool::name() const {
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+host::Outcome Tool::run(const std::vector<std::string>& arguments,
+                        const std::filesystem::path& folder) const {
+  std::vector<std::string> all = words;
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return host::run(all, {.folder = folder});
+}
+
+std::string Tool::answer(const std::vector<std::string>& arguments) const {
+  const host::Outcome outcome = run(arguments);
+  if (!outcome.succeeded()) return "";
+  return outcome.out.substr(0, outcome.out.find_last_not_of('\n') + 1);
+}
+
+Tool find_tool(const char* variable, const std::string& otherwise, std::string_view package) {
+  Tool tool{host::program_of(variable, otherwise), ""};
+  std::string& program = tool.words.front();
+  if (program.find('/') != std::string::npos) program = std::filesystem::absolute(program).string();
+  tool.version = tool.answer({"--version"});
+  if (tool.version.empty())
+    throw std::runtime_error(fmt::format("{}: cannot be run; install the package {} or set {} to the program",
+                                         tool.name(), package, variable));
+  return tool;
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,163 @@
+// Files appear whole or not at all, and a failure says which file and why.
+#include "host/files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tests/rtl_gen/message_of.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::host {
+namespace {
+
+using rtl::message_of;
+using rtl::read_text;
+using rtl::write_text;
+
+/// Files below a folder, hidden ones too.
+std::vector<std::string> files_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) names.push_back(std::filesystem::relative(entry.path(), folder).string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string told(const std::filesystem::path& folder, const std::vector<File>& files) {
+  return message_of<std::runtime_error>([&] { host::write_files(folder, files); });
+}
+
+TEST(WriteFiles, CreatesFoldersAndReplacesFiles) {
+  const ScratchFolder folder;
+  const std::filesystem::path out = folder / "new" / "out";
+  host::write_files(out, {{"a.v", "first\n"}, {"tb/b.v", "second\n"}});
+  EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"new/out/a.v", "new/out/tb/b.v"}));
+  host::write_files(out, {{"a.v", "third\n"}});
+  EXPECT_EQ(read_text(out / "a.v"), "third\n");
+  EXPECT_EQ(read_text(out / "tb" / "b.v"), "second\n");
+}
+
+TEST(WriteFiles, KeepsEveryByte) {
+  const ScratchFolder folder;
+  const std::string bytes("a\r\nb\0c\n", 7);
+  host::write_files(folder.path(), {{"x", bytes}});
+  EXPECT_EQ(read_text(folder / "x"), bytes);
+}
+
+TEST(WriteFiles, FolderBelowAFileRejected) {
+  const ScratchFolder folder;
+  write_text(folder / "file", "text");
+  const std::filesystem::path out = folder / "file" / "out";
+  EXPECT_EQ(told(out, {{"a.v", "x"}}), out.string() + ": cannot create the folder: Not a directory");
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"file"});
+}
+
+TEST(WriteFiles, NameThatCannotBeWrittenRejectedAndNothingLeftBehind) {
+  const ScratchFolder folder;
+  const std::string name(300, 'x');
+  EXPECT_EQ(told(folder.path(), {{"a.v", "x"}, {name, "x"}}),
+            (folder / name).string() + ": cannot write the file: File name too long");
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
+}
+
+/// As on a full disk: the second file is cut short.
+TEST(WriteFiles, FileThatIsCutShortRejectedAndNothingLeftBehind) {
+  const ScratchFolder folder;
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{10'000, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string message = told(folder.path(), {{"a.v", "x"}, {"b.v", std::string(20'000, 'y')}});
+  EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  signal(SIGXFSZ, handler);
+  EXPECT_EQ(message, (folder / "b.v").string() + ": cannot write the file: File too large");
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
+}
+
+TEST(WriteFiles, FolderInTheWayRejectedAndNothingLeftBehind) {
+  const ScratchFolder folder;
+  std::filesystem::create_directories(folder / "b.v" / "inside");
+  EXPECT_EQ(told(folder.path(), {{"a.v", "x"}, {"b.v", "y"}, {"c.v", "z"}}),
+            (folder / "b.v").string() + ": cannot write the file: Is a directory");
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
+}
+
+TEST(WriteFiles, AFailureKeepsWhatWasThere) {
+  const ScratchFolder folder;
+  write_text(folder / "a.v", "before");
+  write_text(folder / "file", "text");
+  EXPECT_EQ(told(folder.path(), {{"a.v", "after"}, {"file/b.v", "x"}}),
+            (folder / "file").string() + ": cannot create the folder: Not a directory");
+  EXPECT_EQ(read_text(folder / "a.v"), "before");
+  EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"a.v", "file"}));
+}
+
+/// The disk is full: what is written aside lands on a device that takes nothing.
+TEST(WriteFile, FullDiskKeepsWhatWasThere) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "a.csv";
+  write_text(file, "before");
+  for (const std::size_t bytes : {std::size_t{5}, std::size_t{1'000'000}}) {
+    std::filesystem::create_symlink("/dev/full", folder / (".a.csv." + std::to_string(getpid())));
+    ASSERT_EQ(message_of<std::runtime_error>([&] { write_file(file, std::string(bytes, 'x')); }),
+              file.string() + ": cannot write the file: No space left on device");
+    EXPECT_EQ(read_text(file), "before");
+    EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"a.csv"});
+    EXPECT_FALSE(std::filesystem::is_symlink(folder / (".a.csv." + std::to_string(getpid()))));
+  }
+}
+
+TEST(WriteFile, TakesANameWithoutAFolder) {
+  const ScratchFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  write_file("it's a name", "text");
+  std::filesystem::current_path(before);
+  EXPECT_EQ(read_text(folder / "it's a name"), "text");
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"it's a name"});
+}
+
+/// The superuser could rename over /dev/null too.
+TEST(WriteFile, PipesAndDevicesAreNotReplaced) {
+  const ScratchFolder folder;
+  const std::filesystem::path pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(message_of<std::runtime_error>([&] { write_file(pipe, "text"); }),
+            pipe.string() + ": is no file that can be replaced");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+/// /proc takes no files, not even the superuser's.
+TEST(WriteFile, FolderThatTakesNoFilesRejected) {
+  EXPECT_THAT(message_of<std::runtime_error>([] { write_file("/proc/a", "text"); }),
+              testing::MatchesRegex("/proc(/a: cannot write the file|: cannot write to the folder): .+"));
+}
+
+TEST(WriteFile, UnwritableFolderRejected) {
+  const ScratchFolder folder;
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read);
+  const uid_t user = getuid();
+  // The superuser may write anywhere: run as nobody meanwhile.
+  if (user == 0) {
+    ASSERT_EQ(setreuid(65534, static_cast<uid_t>(-1)), 0);
+  }
+  const std::string message = message_of<std::runtime_error>([&] { write_file(folder / "a.csv", "text"); });
+  if (user == 0) {
+    ASSERT_EQ(setreuid(0, static_cast<uid_t>(-1)), 0);
+  }
+  EXPECT_EQ(message, folder.path().string() + ": cannot write to the folder: Permission denied");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace hitpipe::host
