@@ -91,9 +91,9 @@ std::string table_text(const std::vector<Row>& rows, Format format) {
     std::size_t column = 0;
     for (const auto& [key, value] : row.items()) {
       const std::string cell = header ? key : readable(value);
-      const bool right = value.is_number();
-      cells += right ? fmt::format("{:>{}}  ", cell, widths[column])
-                     : fmt::format("{:<{}}  ", cell, widths[column]);
+      const bool number = value.is_number();
+      cells += number ? fmt::format("{:>{}}  ", cell, widths[column])
+                      : fmt::format("{:<{}}  ", cell, widths[column]);
       ++column;
     }
     cells.erase(cells.find_last_not_of(' ') + 1);
