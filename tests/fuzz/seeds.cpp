@@ -55,9 +55,9 @@ std::vector<std::string> split(const std::string& text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-/// Every category, rays that end and endless ones; then one case with each of its words replaced.
+/// Every category; cases that are refused; one case with each of its words replaced.
 void add_cases(Seeds seeds) {
-  constexpr int of_each_category = 6;
+  constexpr int of_each_category = 12;
   ref::adversary::Random random(1);
   std::string last;
   for (const auto& category : ref::adversary::categories()) {
@@ -67,6 +67,11 @@ void add_cases(Seeds seeds) {
       seeds.add(last);
     }
   }
+  for (const std::string_view refused :
+       {"", "origin", "origin 0 0 0 direction 0 -0 0 length 1 box 0 0 0 to 1 1 1",
+        "origin 0 0 0 direction 1 0 0 length 1 box 0.5 0 0 to 0 1 1",
+        "origin 0 0 0 direction 1 0 0 length 1 box 0 0 0 to 1 1 1 more"})
+    seeds.add(refused);
   const auto words = split(last);
   for (std::size_t replaced = 0; replaced < words.size(); ++replaced) {
     for (const std::string_view by : {"", "inf", "nan", "-2", "1e-46", "0x"}) {
