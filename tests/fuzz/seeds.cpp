@@ -179,15 +179,20 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Strings with a control character, and with UTF-8 of every length, right and wrong.
+/// Strings with every character of ASCII, with every first byte of UTF-8 and what must follow it, and with
+/// what must not.
 std::vector<std::string> odd_strings() {
   std::vector<std::string> strings;
-  for (char c = 0; c < ' '; ++c) strings.push_back(std::string("\"") + c + '"');
-  for (const char* const lead :
-       {"\x80", "\xc1", "\xc2", "\xe0", "\xe1", "\xed", "\xee", "\xf0", "\xf1", "\xf4", "\xf5"})
+  const auto add = [&](const std::string& text) { strings.push_back('"' + text + '"'); };
+  for (char c = 0; c < ' '; ++c) add({c});
+  std::string printable;
+  for (char c = ' '; c < '\x7f'; ++c)
+    if (c != '"' && c != '\\') printable += c;
+  add(printable);
+  for (int first = 0x80; first <= 0xff; ++first)
     for (const char* const second : {"x", "\x80", "\x90", "\xa0"})
-      for (const char* const rest : {"", "\x80", "\x80\x80", "\x80x"})
-        strings.push_back(std::string("\"") + lead + second + rest + '"');
+      for (const char* const rest : {"", "\x80x", "\x80\x80"})
+        add(static_cast<char>(first) + (second + std::string(rest)));
   return strings;
 }
 
