@@ -55,9 +55,9 @@ std::vector<std::string> split(const std::string& text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-/// Every category, rays that end and endless ones; then one case with each of its words replaced.
+/// Every category; cases that are refused; one case with each of its words replaced.
 void add_cases(Seeds seeds) {
-  constexpr int of_each_category = 6;
+  constexpr int of_each_category = 12;
   ref::adversary::Random random(1);
   std::string last;
   for (const auto& category : ref::adversary::categories()) {
@@ -67,6 +67,11 @@ void add_cases(Seeds seeds) {
       seeds.add(last);
     }
   }
+  for (const std::string_view refused :
+       {"", "origin", "origin 0 0 0 direction 0 -0 0 length 1 box 0 0 0 to 1 1 1",
+        "origin 0 0 0 direction 1 0 0 length 1 box 0.5 0 0 to 0 1 1",
+        "origin 0 0 0 direction 1 0 0 length 1 box 0 0 0 to 1 1 1 more"})
+    seeds.add(refused);
   const auto words = split(last);
   for (std::size_t replaced = 0; replaced < words.size(); ++replaced) {
     for (const std::string_view by : {"", "inf", "nan", "-2", "1e-46", "0x"}) {
@@ -174,15 +179,20 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Strings with a control character, and with UTF-8 of every length, right and wrong.
+/// Strings with every character of ASCII, with every first byte of UTF-8 and what must follow it, and with
+/// what must not.
 std::vector<std::string> odd_strings() {
   std::vector<std::string> strings;
-  for (char c = 0; c < ' '; ++c) strings.push_back(std::string("\"") + c + '"');
-  for (const char* const lead :
-       {"\x80", "\xc1", "\xc2", "\xe0", "\xe1", "\xed", "\xee", "\xf0", "\xf1", "\xf4", "\xf5"})
+  const auto add = [&](const std::string& text) { strings.push_back('"' + text + '"'); };
+  for (char c = 0; c < ' '; ++c) add({c});
+  std::string printable;
+  for (char c = ' '; c < '\x7f'; ++c)
+    if (c != '"' && c != '\\') printable += c;
+  add(printable);
+  for (int first = 0x80; first <= 0xff; ++first)
     for (const char* const second : {"x", "\x80", "\x90", "\xa0"})
-      for (const char* const rest : {"", "\x80", "\x80\x80", "\x80x"})
-        strings.push_back(std::string("\"") + lead + second + rest + '"');
+      for (const char* const rest : {"", "\x80x", "\x80\x80"})
+        add(static_cast<char>(first) + (second + std::string(rest)));
   return strings;
 }
 
