@@ -13,6 +13,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "sim/check/check.hpp"
+#include "sim/software.hpp"
 #include "sw_ref/adversary/replay.hpp"
 #include "sw_ref/adversary/shrink.hpp"
 #include "sw_ref/exact/box_referee.hpp"

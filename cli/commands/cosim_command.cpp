@@ -85,9 +85,8 @@ int cosimulate(const CosimCommand& command) {
   // Before the long run: a folder that cannot be written to is known at once.
   if (!command.out.empty()) host::make_folder(folder);
   if (emits) {
-    std::vector<rtl::File> files = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
-    for (rtl::File& drawing : rtl::draw(files)) files.push_back(std::move(drawing));
-    host::write_files(folder, files);
+    const rtl::EmittedDesign emitted = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
+    host::write_files(folder, rtl::files_and_drawings(emitted));
   }
   progress.emplace("co-simulating");
   const sim::CosimResult result =

@@ -82,7 +82,7 @@ std::vector<Schematic> draw_schematics() {
   std::vector<Schematic> schematics;
   const rtl::Library& library = rtl::Library::thesis();
   for (const rtl::Design& design : rtl::designs()) {
-    const rtl::Format format = design.default_format();
+    const rtl::Format format = design.default_format;
     const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
     const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline);
     // The whole is too wide to be read on a page.

@@ -166,7 +166,7 @@ std::vector<std::string> commands_of(const ReportFacts& facts) {
 std::vector<Row> pipeline_rows(const ReportFacts& facts) {
   std::vector<Row> rows;
   const auto yardstick = std::find_if(facts.prices.begin(), facts.prices.end(),
-                                      [](const area::Price& p) { return p.design == area::yardstick; });
+                                      [](const area::Price& p) { return p.design == area::yardstick().design; });
   for (const area::Price& p : facts.prices) {
     rows.push_back({{"design", p.design},
                     {"bits", rtl::to_string(p.format)},

@@ -50,7 +50,7 @@ std::string csv_cell(const Row& value) {
   return cell + "\"";
 }
 
-std::string csv(const std::vector<Row>& rows) {
+std::string csv_text(const std::vector<Row>& rows) {
   std::string text;
   if (rows.empty()) return text;
   std::vector<std::string> cells;
@@ -74,7 +74,7 @@ void add_format_option(CLI::App& command, Format& format) {
 
 std::string table_text(const std::vector<Row>& rows, Format format) {
   if (format == Format::json) return dump(rows, 2) + "\n";
-  if (format == Format::csv) return csv(rows);
+  if (format == Format::csv) return csv_text(rows);
   std::string text;
   if (rows.empty()) return text;
   std::vector<std::size_t> widths;
@@ -106,7 +106,7 @@ std::string table_text(const std::vector<Row>& rows, Format format) {
 
 std::string record_text(const Row& row, Format format) {
   if (format == Format::json) return dump(row, 2) + "\n";
-  if (format == Format::csv) return csv({row});
+  if (format == Format::csv) return csv_text({row});
   std::size_t width = 0;
   for (const auto& [key, value] : row.items()) width = std::max(width, key.size());
   std::string text;
