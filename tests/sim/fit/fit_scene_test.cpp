@@ -82,27 +82,17 @@ TEST_F(FitToScene, OfASceneThatNoRayMeetsIsRefused) {
   }
 }
 
-TEST(FitResultVerdict, NeedsRightVectorsAndAPictureThatARefereeJudged) {
-  FitResult result{.unit = {.design = &rtl::find_design("int_slabs"),
-                            .before = {12, 12},
-                            .format = {12, 12},
-                            .precision = {},
-                            .price_before = {},
-                            .price = {},
-                            .demands = {},
-                            .ports = {},
-                            .report = {},
-                            .pipeline = {},
-                            .left_out = {}},
-                   .vectors = {},
-                   .image = {}};
-  EXPECT_FALSE(result.verified());  // nobody looked for false misses
-  result.image.unit = UnitCounts::zeros(true);
+TEST_F(FitToScene, IsVerifiedByRightVectorsAndAPictureThatARefereeJudged) {
+  const FitScene scene = prepare_fit(hills(), options());
+  FitResult result =
+      fit_to_scene(rtl::find_design("int_slabs"), {12, 12}, scene, options(), rtl::Library::thesis());
   EXPECT_TRUE(result.verified());
   result.vectors.mismatches = 1;
   EXPECT_FALSE(result.verified());
   result.vectors.mismatches = 0;
   result.image.unit.false_misses = 1;
+  EXPECT_FALSE(result.verified());
+  result.image.unit.false_misses.reset();  // nobody looked
   EXPECT_FALSE(result.verified());
 }
 
