@@ -45,7 +45,7 @@ TEST_F(FitToScene, ProvesTheUnitAndWritesItsFiles) {
   const rtl::Design& design = rtl::find_design("int_slabs");
   const FitScene scene = prepare_fit(hills(), options());
   EXPECT_GT(scene.rays.count(), 24U * 16U);
-  const FitResult result = fit_to_scene(design, {12, 12}, scene, options(), library);
+  const FitResult result = fit_to_scene(design, hls::IntBits{12, 12}, scene, options(), library);
   EXPECT_TRUE(result.verified());
   EXPECT_EQ(result.vectors.vectors, 500U);
   EXPECT_EQ(result.image.rays_primary, 24U * 16U);
@@ -65,7 +65,7 @@ TEST_F(FitToScene, WritesNothingWithoutAFolder) {
   FitOptions nowhere = options();
   nowhere.folder.clear();
   const FitScene scene = prepare_fit(hills(), nowhere);
-  EXPECT_TRUE(fit_to_scene(rtl::find_design("int_slabs"), {12, 12}, scene, nowhere, rtl::Library::thesis())
+  EXPECT_TRUE(fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, nowhere, rtl::Library::thesis())
                   .verified());
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
@@ -82,27 +82,17 @@ TEST_F(FitToScene, OfASceneThatNoRayMeetsIsRefused) {
   }
 }
 
-TEST(FitResultVerdict, NeedsRightVectorsAndAPictureThatARefereeJudged) {
-  FitResult result{.unit = {.design = &rtl::find_design("int_slabs"),
-                            .before = hls::IntBits{12, 12},
-                            .format = hls::IntBits{12, 12},
-                            .precision = {},
-                            .price_before = {},
-                            .price = {},
-                            .demands = {},
-                            .ports = {},
-                            .report = {},
-                            .pipeline = {},
-                            .left_out = {}},
-                   .vectors = {},
-                   .image = {}};
-  EXPECT_FALSE(result.verified());  // nobody looked for false misses
-  result.image.unit = UnitCounts::zeros(true);
+TEST_F(FitToScene, IsVerifiedByRightVectorsAndAPictureThatARefereeJudged) {
+  const FitScene scene = prepare_fit(hills(), options());
+  FitResult result =
+      fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, options(), rtl::Library::thesis());
   EXPECT_TRUE(result.verified());
   result.vectors.mismatches = 1;
   EXPECT_FALSE(result.verified());
   result.vectors.mismatches = 0;
   result.image.unit.false_misses = 1;
+  EXPECT_FALSE(result.verified());
+  result.image.unit.false_misses.reset();  // nobody looked
   EXPECT_FALSE(result.verified());
 }
 
