@@ -16,9 +16,7 @@ struct FpBits {
   using Pattern = typename D::uint;
 
   constexpr int width() const { return 1 + exponent + fraction; }
-  constexpr bool valid() const {
-    return exponent >= 2 && exponent <= 8 && fraction >= 1 && fraction <= 23;
-  }
+  constexpr bool valid() const { return exponent >= 2 && exponent <= 8 && fraction >= 1 && fraction <= 23; }
   /// An operand of units in this format.
   constexpr Operand number(const char* name, Role role, Axis axis = Axis::none) const {
     return real_operand(name, role, axis, width());

@@ -65,7 +65,7 @@ constexpr int common_width(const SizedInt<S1>& a, const SizedInt<S2>& b) {
 
 template <bool S1, bool S2>
 constexpr SizedInt<S1 || S2> operator+(const SizedInt<S1>& a, const SizedInt<S2>& b) {
-  return SizedInt<S1 || S2>::exact(a.word() + b.word(), common_width(a, b) + 1);
+  return SizedInt < S1 || S2 > ::exact(a.word() + b.word(), common_width(a, b) + 1);
 }
 template <bool S1, bool S2>
 constexpr SizedInt<true> operator-(const SizedInt<S1>& a, const SizedInt<S2>& b) {
@@ -73,19 +73,19 @@ constexpr SizedInt<true> operator-(const SizedInt<S1>& a, const SizedInt<S2>& b)
 }
 template <bool S1, bool S2>
 constexpr SizedInt<S1 || S2> operator*(const SizedInt<S1>& a, const SizedInt<S2>& b) {
-  return SizedInt<S1 || S2>::exact(a.word() * b.word(), a.width() + b.width());
+  return SizedInt < S1 || S2 > ::exact(a.word() * b.word(), a.width() + b.width());
 }
 template <bool S1, bool S2>
 constexpr SizedInt<S1 || S2> operator&(const SizedInt<S1>& a, const SizedInt<S2>& b) {
-  return SizedInt<S1 || S2>::exact(a.word() & b.word(), common_width(a, b));
+  return SizedInt < S1 || S2 > ::exact(a.word() & b.word(), common_width(a, b));
 }
 template <bool S1, bool S2>
 constexpr SizedInt<S1 || S2> operator|(const SizedInt<S1>& a, const SizedInt<S2>& b) {
-  return SizedInt<S1 || S2>::exact(a.word() | b.word(), common_width(a, b));
+  return SizedInt < S1 || S2 > ::exact(a.word() | b.word(), common_width(a, b));
 }
 template <bool S1, bool S2>
 constexpr SizedInt<S1 || S2> operator^(const SizedInt<S1>& a, const SizedInt<S2>& b) {
-  return SizedInt<S1 || S2>::exact(a.word() ^ b.word(), common_width(a, b));
+  return SizedInt < S1 || S2 > ::exact(a.word() ^ b.word(), common_width(a, b));
 }
 template <bool S>
 constexpr SizedInt<S> operator~(const SizedInt<S>& a) {

@@ -5,10 +5,10 @@
 // range() is a proxy that counts as wide as its parent, and its comma is not a concatenation of two bools.
 #pragma once
 
-#include <ap_int.h>
-
 #include <cstdint>
 #include <type_traits>
+
+#include <ap_int.h>
 
 #include "hls/num/bits.hpp"
 
@@ -73,8 +73,8 @@ inline typename std::enable_if<std::is_same<Bit, ::ap_uint<1>>::value, T>::type 
 }
 
 template <int To, class T>
-inline typename hitpipe::hls::VendorShape<T>::template resized<To> resize(
-    const T& x, hitpipe::hls::Width<To> /*width*/) {
+inline typename hitpipe::hls::VendorShape<T>::template resized<To> resize(const T& x,
+                                                                          hitpipe::hls::Width<To> /*width*/) {
   return typename hitpipe::hls::VendorShape<T>::template resized<To>(x);
 }
 

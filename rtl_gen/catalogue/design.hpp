@@ -21,11 +21,11 @@ using Evaluate = std::function<bool(const std::int64_t* operands)>;
 using MakeGraph = std::function<Graph()>;
 
 struct Design {
-  std::string_view name;         ///< also the Verilog module's
-  std::string_view summary;      ///< one line, with its figures in the thesis
-  hls::Arithmetic arithmetic;    ///< decides the formats it has
-  MakeGraph (*traced)(Format);   ///< null for a format it does not have
-  Evaluate (*native)(Format);    ///< likewise
+  std::string_view name;        ///< also the Verilog module's
+  std::string_view summary;     ///< one line, with its figures in the thesis
+  hls::Arithmetic arithmetic;   ///< decides the formats it has
+  MakeGraph (*traced)(Format);  ///< null for a format it does not have
+  Evaluate (*native)(Format);   ///< likewise
 
   [[nodiscard]] bool is_float() const { return arithmetic == hls::Arithmetic::floating; }
   /// 20/24, or binary32.

@@ -78,7 +78,7 @@ NodeId less(Operand a, Operand b);
 
 template <bool S1, bool S2>
 Signal<S1 || S2> operator+(const Signal<S1>& a, const Signal<S2>& b) {
-  return Signal<S1 || S2>(detail::of_one_width(Op::add, a, b, 1));
+  return Signal < S1 || S2 > (detail::of_one_width(Op::add, a, b, 1));
 }
 template <bool S1, bool S2>
 Signal<true> operator-(const Signal<S1>& a, const Signal<S2>& b) {
@@ -86,19 +86,19 @@ Signal<true> operator-(const Signal<S1>& a, const Signal<S2>& b) {
 }
 template <bool S1, bool S2>
 Signal<S1 || S2> operator*(const Signal<S1>& a, const Signal<S2>& b) {
-  return Signal<S1 || S2>(detail::product(a, b));
+  return Signal < S1 || S2 > (detail::product(a, b));
 }
 template <bool S1, bool S2>
 Signal<S1 || S2> operator&(const Signal<S1>& a, const Signal<S2>& b) {
-  return Signal<S1 || S2>(detail::of_one_width(Op::bit_and, a, b));
+  return Signal < S1 || S2 > (detail::of_one_width(Op::bit_and, a, b));
 }
 template <bool S1, bool S2>
 Signal<S1 || S2> operator|(const Signal<S1>& a, const Signal<S2>& b) {
-  return Signal<S1 || S2>(detail::of_one_width(Op::bit_or, a, b));
+  return Signal < S1 || S2 > (detail::of_one_width(Op::bit_or, a, b));
 }
 template <bool S1, bool S2>
 Signal<S1 || S2> operator^(const Signal<S1>& a, const Signal<S2>& b) {
-  return Signal<S1 || S2>(detail::of_one_width(Op::bit_xor, a, b));
+  return Signal < S1 || S2 > (detail::of_one_width(Op::bit_xor, a, b));
 }
 template <bool S>
 Signal<S> operator~(const Signal<S>& a) {

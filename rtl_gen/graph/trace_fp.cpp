@@ -18,8 +18,8 @@ Trace::uint call(const char* component, const char* result, const FpSignal& a, c
                  Logic&& logic) {
   const hls::FpBits& format = a.format;
   Graph& graph = Tracer::graph();
-  const std::string name = std::string(component) + '_' + std::to_string(format.exponent) + '_' +
-                           std::to_string(format.fraction);
+  const std::string name =
+      std::string(component) + '_' + std::to_string(format.exponent) + '_' + std::to_string(format.fraction);
   const auto known = std::find_if(graph.units().begin(), graph.units().end(),
                                   [&](const auto& unit) { return unit->body.name() == name; });
   std::shared_ptr<const Unit> unit;

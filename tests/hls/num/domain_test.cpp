@@ -57,8 +57,9 @@ TEST(NativeDomain, CatResizeAndSelectKeepBits) {
               const Integer high = exact::pattern(a, row.a.width) << static_cast<unsigned>(row.b.width);
               return Integer(high + exact::pattern(b, row.b.width));
             });
-  run.check("resize",
-            exact::crossed_rows([]<class A, class B>(const A& a, const B&) { return resize(a, Width<B::width>()); }),
+  run.check("resize", exact::crossed_rows([]<class A, class B>(const A& a, const B&) {
+              return resize(a, Width<B::width>());
+            }),
             [](const Row& row, const Integer& a, const Integer&) {
               return exact::wrapped(a, row.b.width, row.a.is_signed);
             });

@@ -17,10 +17,7 @@ namespace {
 std::vector<std::uint64_t> patterns(int width, std::mt19937_64& random) {
   const std::uint64_t top = std::uint64_t{1} << (width - 1);
   const std::uint64_t ones = ~std::uint64_t{0} >> (64 - width);
-  std::vector<std::uint64_t> all{0,       1,
-                                 ones,    ones - 1,
-                                 top,     top - 1,
-                                 top | 1, 0x5555'5555'5555'5555 & ones};
+  std::vector<std::uint64_t> all{0, 1, ones, ones - 1, top, top - 1, top | 1, 0x5555'5555'5555'5555 & ones};
   for (int i = 0; i < 32; ++i) all.push_back((random() >> random() % 64) & ones);
   return all;
 }

@@ -58,7 +58,8 @@ TEST(Signal, EveryOperatorMeansWhatTheHostsDoes) {
     EXPECT_GE(compared, 20 * vectors);
   });
   EXPECT_EQ(pairs, exact::type_pair_count);
-  static_assert(vectors * exact::type_pair_count >= 100000, "most operators are compared on that many vectors");
+  static_assert(vectors * exact::type_pair_count >= 100000,
+                "most operators are compared on that many vectors");
 }
 
 TEST(Signal, ExtendsByTheSignOfItsSource) {
