@@ -42,7 +42,7 @@ constexpr auto sign(const X& x) {
 /// Whether any bit of x is 1.
 template <class D, class X>
 constexpr typename D::bit any(const X& x) {
-  return typename D::bit(x != D::lit(0, width_of(x)));
+  return typename D::bit(as_unsigned(x) != D::lit(0, width_of(x)));
 }
 
 /// A bit repeated w times.

@@ -43,7 +43,7 @@ struct IntSlab {
   Interval near, far;
 };
 
-/// Products without their low bits: bits 2n-2 down to 2n-1-t (bit 2n-1 repeats the sign). Figure 7.5.
+/// Products without their low bits: bits 2n-2 down to 2n-1-t (bit 2n-1 repeats the sign). Figures 7.4, 7.5.
 template <class Interval, class F, class Coord>
 constexpr IntSlab<Interval> int_slab(const F& format, char axis, const SlabFactors<Coord>& f) {
   const auto high = format.product() - 1_w;

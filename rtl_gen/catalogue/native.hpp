@@ -45,16 +45,8 @@ struct ResultWriter {
   std::int64_t* next;
 };
 
-// A function that judges boxes runs once a test: flat, its values stay in registers. GCC's sanitizers take
-// minutes over so large a function.
-#ifdef __SANITIZE_ADDRESS__
-#define HITPIPE_FLATTEN
-#else
-#define HITPIPE_FLATTEN [[gnu::flatten]]
-#endif
-
 template <class Pipeline, class D, class F>
-HITPIPE_FLATTEN void run(const F& format, const std::int64_t* operands, std::int64_t* results) {
+void run(const F& format, const std::int64_t* operands, std::int64_t* results) {
   using Operands = typename Pipeline::template Operands<D, F>;
   using Results = typename Pipeline::template Results<D, F>;
   Operands in;
@@ -62,17 +54,25 @@ HITPIPE_FLATTEN void run(const F& format, const std::int64_t* operands, std::int
   const Results out = Pipeline::template test<D>(format, in);
   Results::for_each(format, out, ResultWriter{results});
 }
-#undef HITPIPE_FLATTEN
+
+// Judging a design runs its datapath once a test: flat, its values stay in registers. GCC's sanitizers take
+// minutes over so large a function.
+#ifdef __SANITIZE_ADDRESS__
+#define HITPIPE_FLATTEN
+#else
+#define HITPIPE_FLATTEN [[gnu::flatten]]
+#endif
 
 template <class Pipeline, class F>
-void run_built_in(const Format& /*its own*/, const std::int64_t* operands, std::int64_t* results) {
+HITPIPE_FLATTEN void run_built_in(const Format& /*its own*/, const std::int64_t* operands, std::int64_t* results) {
   run<Pipeline, hls::Native>(F(), operands, results);
 }
 
 template <class Pipeline>
-void run_any(const Format& format, const std::int64_t* operands, std::int64_t* results) {
+HITPIPE_FLATTEN void run_any(const Format& format, const std::int64_t* operands, std::int64_t* results) {
   run<Pipeline, hls::Sized>(format.as<typename Pipeline::Bits>(), operands, results);
 }
+#undef HITPIPE_FLATTEN
 
 }  // namespace detail
 
