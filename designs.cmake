@@ -7,4 +7,5 @@ set(HITPIPE_DESIGNS
   int_slabs
   fp_plucker
   int_plucker
+  fp_plucker_direct
 )

@@ -28,13 +28,42 @@ struct FpOrder {
   }
 };
 
-/// The side relation of ray and edge is negative: figures 7.9 and 7.10.
+/// A term of a side relation.
 template <class Real>
-constexpr typename Real::Bit fp_outside(char number, const SilhouetteEdge<Real>& edge) {
-  const Real q = as("q", number, fp_mul(edge.q.direction, edge.q.plane));
-  const Real p = as("p", number, fp_mul(edge.p.direction, edge.p.plane));
-  const Real side = as("side", number, fp_sub(q, p));
-  return as("outside", number, fp_less(side, fp_zero(side)));
+constexpr Real fp_side_term(const char* name, char number, const SideFactors<Real>& factors) {
+  return as(name, number, fp_mul(factors.direction, factors.plane));
+}
+
+/// The side relation of ray and edge is negative: figures 7.9 and 7.10.
+struct FpNegativeSide {
+  template <class Real>
+  constexpr typename Real::Bit operator()(char number, const SilhouetteEdge<Real>& edge) const {
+    const Real q = fp_side_term("q", number, edge.q);
+    const Real p = fp_side_term("p", number, edge.p);
+    const Real side = as("side", number, fp_sub(q, p));
+    return as("outside", number, fp_less(side, fp_zero(side)));
+  }
+};
+
+/// The whole test. `outside` says whether the ray passes outside an edge.
+template <class D, class F, class Outside>
+constexpr typename D::bit fp_plucker_hit(const FpPluckerOperands<D, F>& in, const Outside& outside) {
+  using Bit = typename D::bit;
+  const FpOrder compare;
+  const auto x = fp_axis_view('x', in.ri, in.rx, in.xmin, in.xmax);
+  const auto y = fp_axis_view('y', in.rj, in.ry, in.ymin, in.ymax);
+  const auto z = fp_axis_view('z', in.rk, in.rz, in.zmin, in.zmax);
+  const Bit extent =
+      within_extent(axis_extent('x', x.minus, in.rx, in.rex, in.xmin, in.xmax, compare),
+                    axis_extent('y', y.minus, in.ry, in.rey, in.ymin, in.ymax, compare),
+                    axis_extent('z', z.minus, in.rz, in.rez, in.zmin, in.zmax, compare), in.rinf);
+  const auto xy = edge_pair(x, y, '0', '1');
+  const auto zx = edge_pair(z, x, '2', '3');
+  const auto yz = edge_pair(y, z, '4', '5');
+  const Bit hit01 = as("hit01", ~outside('0', xy.first) & ~outside('1', xy.second));
+  const Bit hit23 = as("hit23", ~outside('2', zx.first) & ~outside('3', zx.second));
+  const Bit hit45 = as("hit45", ~outside('4', yz.first) & ~outside('5', yz.second));
+  return as("inside", (hit01 & hit23) & (hit45 & extent));
 }
 
 struct FpPlucker {
@@ -52,22 +81,7 @@ struct FpPlucker {
 
   template <class D, class F>
   static constexpr Results<D, F> test(const F& /*format*/, const FpPluckerOperands<D, F>& in) {
-    using Bit = typename D::bit;
-    const FpOrder compare;
-    const auto x = fp_axis_view('x', in.ri, in.rx, in.xmin, in.xmax);
-    const auto y = fp_axis_view('y', in.rj, in.ry, in.ymin, in.ymax);
-    const auto z = fp_axis_view('z', in.rk, in.rz, in.zmin, in.zmax);
-    const Bit extent =
-        within_extent(axis_extent('x', x.minus, in.rx, in.rex, in.xmin, in.xmax, compare),
-                      axis_extent('y', y.minus, in.ry, in.rey, in.ymin, in.ymax, compare),
-                      axis_extent('z', z.minus, in.rz, in.rez, in.zmin, in.zmax, compare), in.rinf);
-    const auto xy = edge_pair(x, y, '0', '1');
-    const auto zx = edge_pair(z, x, '2', '3');
-    const auto yz = edge_pair(y, z, '4', '5');
-    const Bit hit01 = as("hit01", ~fp_outside('0', xy.first) & ~fp_outside('1', xy.second));
-    const Bit hit23 = as("hit23", ~fp_outside('2', zx.first) & ~fp_outside('3', zx.second));
-    const Bit hit45 = as("hit45", ~fp_outside('4', yz.first) & ~fp_outside('5', yz.second));
-    return {as("inside", (hit01 & hit23) & (hit45 & extent))};
+    return {fp_plucker_hit(in, FpNegativeSide())};
   }
 };
 

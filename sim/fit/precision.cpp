@@ -23,7 +23,7 @@ ref::TracerOptions tracer_like(const rtl::Design& design, const rtl::Format& for
   const Software& software = software_of(design);
   if (software.traversal == nullptr) throw std::runtime_error(missing(design, traversal_part));
   ref::TracerOptions options = software.traversal(format);
-  options.ends = ends;
+  options.ends = options.ends && ends;
   options.coarse = coarse;
   return options;
 }
@@ -134,8 +134,10 @@ std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
     found.coarse = most_dropped(search, found.format, measured);
     found.coarse_extra_box_tests_pct = measured.extra(found.format, found.coarse);
   }
-  found.endless_extra_box_tests_pct = measured.extra(found.format, found.coarse, false);
-  found.ends = found.endless_extra_box_tests_pct > search.overhead_pct;
+  if (rtl::index_of(search.design->ports(found.format), hls::Role::endless)) {
+    found.endless_extra_box_tests_pct = measured.extra(found.format, found.coarse, false);
+    found.ends = found.endless_extra_box_tests_pct > search.overhead_pct;
+  }
   found.formats_measured = measured.count();
   return found;
 }

@@ -1,102 +1,164 @@
-// What a new design costs: its file and its line in the catalogue. Everything else (simulation, Verilog,
-// schematic, price, check of the Verilog) comes with it.
+// A design that lies wholly in this folder goes through every command by the same code as hitpipe's own. One
+// that lacks a part is refused where it is asked for, and left out with a line where all designs are.
 #include <array>
-#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "area_model/price.hpp"
-#include "host/files.hpp"
-#include "host/scratch_folder.hpp"
-#include "rtl_gen/catalogue/entry.hpp"
-#include "rtl_gen/emit/files.hpp"
-#include "rtl_gen/emit/testbench.hpp"
-#include "rtl_gen/pipeline.hpp"
-#include "sim/verilated_design.hpp"
-#include "tests/fifth_design/one_axis_slab.hpp"
-#include "tests/rtl_gen/tool.hpp"
+#include "tests/cli/program.hpp"
 
-namespace hitpipe {
+namespace hitpipe::cli {
 namespace {
 
-constexpr hls::IntBits bits{24, 24};
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
 
-// What hitpipe_design(one_axis_slab OneAxisSlab) writes into the catalogue.
-constexpr rtl::Design fifth{hls::OneAxisSlab::name, hls::OneAxisSlab::summary, hls::OneAxisSlab::arithmetic,
-                            rtl::traced_entry<hls::OneAxisSlab>, rtl::native_entry<hls::OneAxisSlab>};
-
-TEST(FifthDesign, RunsOnTheHost) {
-  const rtl::Evaluate hit = fifth.evaluate(bits);
-  const std::int64_t middle = std::int64_t{1} << 22;
-  const auto meets = [&](std::int64_t plane, std::int64_t length, bool from_above) {
-    const std::array<std::int64_t, 6> operands{
-        0, middle, from_above ? 0 : plane, from_above ? plane : 0, length, from_above ? 1 : 0};
-    return hit(operands.data());
-  };
-  // t = plane * 2^22 / 2^23: half the plane's coordinate.
-  EXPECT_TRUE(meets(1000, 500, false));
-  EXPECT_FALSE(meets(1002, 500, false));
-  EXPECT_TRUE(meets(1000, 500, true));
-  EXPECT_FALSE(meets(-2, 500, false));
-}
-
-TEST(FifthDesign, IsScheduledAndPriced) {
-  const area::Price price = area::price(fifth, bits, rtl::Library::thesis(), area::Account::built);
-  EXPECT_EQ(price.stages, 5);
-  EXPECT_EQ(price.stage_delay_ps, 3176);
-  const auto count = [&](const std::string& name) {
-    for (const area::Line& line : price.lines) {
-      if (area::part_name(line.part) == name) return line.n;
-    }
-    return 0;
-  };
-  EXPECT_EQ(count("int_multiply_24"), 1);
-  EXPECT_EQ(count("int_subtract_24"), 1);
-  EXPECT_EQ(count("int_compare_24"), 1);
-  EXPECT_EQ(count("mux2_24"), 1);
-  EXPECT_GT(price.area_um2, 134324 + 13677 + 5439 + 730);
-}
-
-TEST(FifthDesign, IsEmittedDrawnAndLintClean) {
-  const host::ScratchFolder folder;
-  const rtl::Pipeline pipeline = rtl::make_pipeline(fifth.trace(bits), rtl::Library::thesis());
-  const rtl::EmittedDesign emitted = rtl::emit(fifth, bits, rtl::Library::thesis(), pipeline);
-  host::write_files(folder.path(), rtl::files_and_drawings(emitted));
-  EXPECT_TRUE(std::filesystem::exists(folder / "one_axis_slab.svg"));
-  const rtl::ToolResult lint =
-      rtl::run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall one_axis_slab.v");
-  EXPECT_EQ(lint.status, 0);
-  EXPECT_EQ(lint.output, "");
-  const rtl::ToolResult replay =
-      rtl::run_tool(folder.path(), "iverilog", "iverilog",
-                    "-g2001 -Wall -o run tb/one_axis_slab_tb.v one_axis_slab.v && cd tb && vvp ../run");
-  EXPECT_NE(replay.output.find("PASS 1000 vectors"), std::string::npos) << replay.output;
-}
-
-TEST(FifthDesign, AnswersInVerilogAsInCpp) {
-  constexpr int count = 100000;
-  const host::ScratchFolder cache;
-  const sim::VerilatedDesign verilated(fifth, bits, rtl::Library::thesis(), cache.path());
-  const rtl::Evaluate evaluate = fifth.evaluate(bits);
-  const auto vectors = rtl::operand_vectors(fifth.ports(bits), count, 5);
-  sim::Model model(verilated);
-  std::size_t received = 0;
-  std::size_t hits = 0;
-  for (std::size_t cycle = 0; cycle < vectors.size() + 10; ++cycle) {
-    const bool sending = cycle < vectors.size();
-    sim::Pins pins{.in_valid = sending, .in_tag = static_cast<std::uint16_t>(cycle)};
-    model.cycle(sending ? vectors[cycle].data() : nullptr, pins);
-    if (!pins.out_valid) continue;
-    ASSERT_LT(received, vectors.size());
-    ASSERT_EQ(pins.hit, evaluate(vectors[received].data())) << "vector " << received;
-    ASSERT_EQ(pins.out_tag, static_cast<std::uint16_t>(received));
-    hits += pins.hit ? 1 : 0;
-    ++received;
+class FifthDesign : public testing::Test {
+ protected:
+  [[nodiscard]] std::string out(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] static json of(const Outcome& run) {
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return json::parse(run.out);
   }
-  EXPECT_EQ(received, vectors.size());
-  EXPECT_GT(hits, vectors.size() / 50);
-  EXPECT_LT(hits, vectors.size() - vectors.size() / 50);
+
+ private:
+  sim::TemporaryFolder folder_;
+};
+
+TEST_F(FifthDesign, IsListed) {
+  EXPECT_THAT(run_hitpipe({"designs"}).out, HasSubstr("endless_slabs"));
 }
+
+TEST_F(FifthDesign, IsEmitted) {
+  const json emitted =
+      of(run_hitpipe({"rtl", "endless_slabs", "--bits", "13/15", "--out", out("rtl"), "--format", "json"}));
+  EXPECT_EQ(emitted.at("bits"), "13/15");
+  EXPECT_TRUE(std::filesystem::exists(out("rtl/endless_slabs.v")));
+  EXPECT_TRUE(std::filesystem::exists(out("rtl/endless_slabs.svg")));
+}
+
+TEST_F(FifthDesign, IsPricedBelowTheUnitWithEnds) {
+  const json prices = of(run_hitpipe({"area", "int_slabs", "endless_slabs", "--format", "json"}));
+  ASSERT_EQ(prices.size(), 2U);
+  EXPECT_LT(prices[1].at("area_mm2"), prices[0].at("area_mm2"));
+  EXPECT_EQ(prices[1].at("bits"), "20/24");
+}
+
+TEST_F(FifthDesign, HasNoPrintedAccount) {
+  const Outcome run = run_hitpipe({"area", "endless_slabs", "--account", "printed"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.err,
+            "hitpipe: design endless_slabs: not in Table 7.2, so there is no printed account of it, only the "
+            "built one\n");
+}
+
+TEST_F(FifthDesign, IsCosimulated) {
+  const json run = of(run_hitpipe({"cosim", "endless_slabs", "--bits", "16/16", "--scene", "room", "--width",
+                                   "24", "--height", "24", "--referee", "--format", "json"}));
+  EXPECT_GT(run.at("hits"), 0);
+  for (const char* const wrong : {"rtl_mismatches", "false_misses", "different_triangles"})
+    EXPECT_EQ(run.at(wrong), 0) << wrong;
+  // It never hears that a closer triangle was found.
+  EXPECT_GT(run.at("extra_box_tests_pct"), 1.0);
+}
+
+TEST_F(FifthDesign, IsChecked) {
+  const json rows = of(run_hitpipe(
+      {"check", "endless_slabs", "--bits", "12/12", "--tests", "27000", "--rtl", "--format", "json"}));
+  const json& all = rows.back();
+  EXPECT_EQ(all.at("tests"), 27000);
+  EXPECT_GT(all.at("hits"), 1000);
+  EXPECT_EQ(all.at("false_misses"), 0);
+  EXPECT_EQ(all.at("rtl_mismatches"), 0);
+}
+
+TEST_F(FifthDesign, IsAmongTheStiffOnesUnlessOthersAreNamed) {
+  const Outcome run = run_hitpipe({"stiffness", "--bits", "12/12", "--tests", "600"});
+  EXPECT_EQ(run.exit_code, 0);
+  for (const char* const design : {"int_slabs: ", "int_plucker: ", "endless_slabs: "})
+    EXPECT_THAT(run.out, HasSubstr(design));
+  EXPECT_EQ(
+      run.err,
+      "hitpipe: design one_axis_slab: there is no set-up of rays and boxes for its operands; left out\n");
+}
+
+TEST_F(FifthDesign, IsSwept) {
+  const std::vector<std::string> arguments{"sweep",
+                                           "--scene",
+                                           "room",
+                                           "--width",
+                                           "16",
+                                           "--height",
+                                           "16",
+                                           "--bits",
+                                           "fp_slabs=fp32,12/12",
+                                           "--designs",
+                                           "endless_slabs,fp_slabs,int_slabs",
+                                           "--out",
+                                           out("rows.csv"),
+                                           "--format",
+                                           "json"};
+  const json rows = of(run_hitpipe(arguments));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[2].at("design"), "endless_slabs");
+  EXPECT_GE(rows[2].at("box_tests"), rows[1].at("box_tests"));
+  EXPECT_EQ(of(run_hitpipe(arguments)), rows) << "resumed";
+}
+
+TEST_F(FifthDesign, IsFitted) {
+  const json rows = of(run_hitpipe({"fit", "--scene", "room", "--designs", "endless_slabs", "--no-shadows",
+                                    "--width", "16", "--height", "16", "--overhead", "100", "--vectors",
+                                    "20000", "--out", out("fit"), "--format", "json"}));
+  const json& fitted = rows.front();
+  EXPECT_GT(fitted.at("area_saved_pct"), 10.0);
+  EXPECT_EQ(fitted.at("ray_ends"), true) << "it has none to leave out";
+  for (const char* const wrong :
+       {"rtl_mismatches", "vector_mismatches", "false_misses", "different_triangles"})
+    EXPECT_EQ(fitted.at(wrong), 0) << wrong;
+  const json again =
+      of(run_hitpipe({"cosim", "endless_slabs", "--unit", out("fit/endless_slabs"), "--scene", "room",
+                      "--width", "16", "--height", "16", "--bounces", "0", "--format", "json"}));
+  EXPECT_EQ(again.at("bits"), fitted.at("bits"));
+}
+
+TEST_F(FifthDesign, IsReported) {
+  const Outcome run = run_hitpipe({"report", "--scene", "room", "--width", "16", "--height", "16", "--bits",
+                                   "12/12", "--image-design", "endless_slabs", "--image-bits", "12/12",
+                                   "--tests", "500", "--out", out("report")});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const std::string page = contents_of(out("report/index.html"));
+  EXPECT_THAT(page, HasSubstr("endless_slabs 12/12"));
+  EXPECT_THAT(contents_of(out("report/rows.csv")), HasSubstr("endless_slabs"));
+}
+
+TEST(HardwareAlone, IsPriced) {
+  EXPECT_EQ(run_hitpipe({"area", "one_axis_slab"}).exit_code, 0);
+}
+
+class DesignWithoutSetUp : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(DesignWithoutSetUp, IsRefusedWhereRaysAreNeeded) {
+  const Outcome run = run_hitpipe(GetParam());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err,
+            "hitpipe: design one_axis_slab: there is no set-up of rays and boxes for its operands\n");
+}
+INSTANTIATE_TEST_SUITE_P(Commands, DesignWithoutSetUp,
+                         testing::Values(std::vector<std::string>{"cosim", "one_axis_slab", "--scene",
+                                                                  "room"},
+                                         std::vector<std::string>{"check", "one_axis_slab"},
+                                         std::vector<std::string>{"stiffness", "--designs", "one_axis_slab"},
+                                         std::vector<std::string>{"sweep", "--scene", "room", "--designs",
+                                                                  "one_axis_slab", "--out", "rows.csv"},
+                                         std::vector<std::string>{"fit", "--scene", "room", "--designs",
+                                                                  "one_axis_slab", "--out", "fit"}),
+                         [](const auto& command) { return command.param.front(); });
 
 }  // namespace
-}  // namespace hitpipe
+}  // namespace hitpipe::cli

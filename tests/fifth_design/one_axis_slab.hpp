@@ -35,6 +35,7 @@ struct OneAxisSlab {
   static constexpr const char* name = "one_axis_slab";
   static constexpr const char* summary = "one slab, for a test";
   static constexpr Arithmetic arithmetic = Arithmetic::integer;
+  static constexpr bool conservative = false;
 
   using Bits = IntBits;
   using BuiltIn = FormatList<>;

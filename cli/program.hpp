@@ -1,0 +1,10 @@
+// The program hitpipe as a function, for a program with designs of its own (docs/designs.md).
+#pragma once
+
+namespace hitpipe::cli {
+
+/// Parses the command line, runs the command and returns the exit code (docs/README.md). Errors go to
+/// standard error, one line each.
+[[nodiscard]] int run(int argc, char** argv);
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,44 @@
+// The float Pluecker test with its products compared directly: the ray passes outside an edge when q < p. The
+// thesis subtracts first, q - p < 0 (figures 7.9 and 7.10). Both say the same for every pair of floats:
+//   finite     q - p is a whole multiple of the smallest subnormal number. So where q and p differ, rounding
+//   to
+//              nearest keeps the sign and never gives 0; where they are equal, the difference is +0.
+//   overflow   a difference beyond the largest number rounds to the infinity of its sign.
+//   infinite   equal infinities give NaN, which is not below 0, as neither is below the other.
+//   NaN        in either gives NaN: both comparisons are false.
+// z3 proves it for all pairs of binary32 (tests/formal/side_relation.sh). The six subtractors and their seven
+// stages go, so this unit has 13 stages in place of 20.
+#pragma once
+
+#include "hls/pipelines/fp_plucker.hpp"
+
+namespace hitpipe::hls {
+
+struct FpLesserTerm {
+  template <class Real>
+  constexpr typename Real::Bit operator()(char number, const SilhouetteEdge<Real>& edge) const {
+    return as("outside", number,
+              fp_less(fp_side_term("q", number, edge.q), fp_side_term("p", number, edge.p)));
+  }
+};
+
+struct FpPluckerDirect {
+  static constexpr const char* name = "fp_plucker_direct";
+  static constexpr const char* summary = "float Pluecker test, its products compared directly";
+  static constexpr Arithmetic arithmetic = Arithmetic::floating;
+  static constexpr bool conservative = false;
+
+  using Bits = FpBits;
+  using BuiltIn = FormatList<Fp32>;
+  template <class D, class F>
+  using Operands = FpPluckerOperands<D, F>;
+  template <class D, class F>
+  using Results = BoxHit<typename D::bit>;
+
+  template <class D, class F>
+  static constexpr Results<D, F> test(const F& /*format*/, const FpPluckerOperands<D, F>& in) {
+    return {fp_plucker_hit(in, FpLesserTerm())};
+  }
+};
+
+}  // namespace hitpipe::hls

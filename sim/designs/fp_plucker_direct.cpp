@@ -1,0 +1,12 @@
+// The operands and answers of fp_plucker_direct are those of fp_plucker.
+#include "sim/software.hpp"
+
+namespace hitpipe::sim {
+
+Software fp_plucker_software();
+
+Software fp_plucker_direct_software() {
+  return fp_plucker_software();
+}
+
+}  // namespace hitpipe::sim
