@@ -69,9 +69,10 @@ std::vector<RayFamily> ray_families(const Scene& scene, const ViewOptions& view)
                                    primary_directions(scene.camera, view),
                                    "from the eye through the frustum of the image"}};
   const Aabb surfaces = surface_origins(scene.mesh);
-  if (causes.secondary())
-    families.push_back({RayKind::secondary, surfaces, all_directions(),
-                        "from the surfaces: mirrors and glass send rays anywhere"});
+  if (causes.secondary()) {
+    families.emplace_back() = {RayKind::secondary, surfaces, all_directions(),
+                               "from the surfaces: mirrors and glass send rays anywhere"};
+  }
   for (const std::uint32_t i : causes.lights) {
     const Light& light = scene.lights[i];
     // light - origin in binary32: rounding is monotone, so the ends are the differences of the ends.
