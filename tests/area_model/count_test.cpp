@@ -90,7 +90,7 @@ TEST(Comparator, IsNotSharedByStages) {
   g.begin_stage(2);
   g.output("greater", g.binary(Op::less, b, a, true));
   rtl::Pipeline p{g, schedule_as_stated(g, 2), {}};
-  EXPECT_EQ(lines_of(count_printed(p, {8, 8}, {.rows = {}, .input_latches = true})),
+  EXPECT_EQ(lines_of(count_printed(p, hls::IntBits{8, 8}, {.rows = {}, .input_latches = true})),
             (std::vector<std::string>{"1: int_compare_8 x 1", "2: int_compare_8 x 1"}));
 }
 

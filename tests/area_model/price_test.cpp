@@ -126,7 +126,7 @@ TEST(UnitLibrary, MultipliesByNarrowerOperandsInTheirPartOfTheSquare) {
   const rtl::Demands narrow{{{"iry", {{-15, 15}}}, {"iymin", {{-15, 15}}}, {"iymax", {{-15, 15}}}}};
   const rtl::Pipeline pipeline =
       rtl::make_pipeline(rtl::prune(design.trace(hls::IntBits{12, 12}), narrow).graph, rtl::unit_library());
-  const Price p = price(pipeline, {design.name, {12, 12}}, rtl::unit_library());
+  const Price p = price(pipeline, {design.name, hls::IntBits{12, 12}}, rtl::unit_library());
   std::map<std::string, Line> lines;
   for (const Line& line : p.lines) lines.emplace(part_name(line.part), line);
   EXPECT_EQ(lines.at("int_multiply_12").n, 4);
@@ -148,7 +148,7 @@ TEST(UnitLibrary, CoarseAxesCostLess) {
     const auto priced = [&](int zeros, std::map<std::string, Line>& lines) {
       const rtl::Pipeline pipeline = rtl::make_pipeline(
           rtl::prune(design.trace(hls::IntBits{12, 12}), y(zeros)).graph, rtl::unit_library());
-      const Price p = price(pipeline, {design.name, {12, 12}}, rtl::unit_library());
+      const Price p = price(pipeline, {design.name, hls::IntBits{12, 12}}, rtl::unit_library());
       for (const Line& line : p.lines) lines.emplace(part_name(line.part), line);
       return p.area_um2;
     };

@@ -12,13 +12,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tests/rtl_gen/message_of.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::host {
 namespace {
 
-using rtl::message_of;
+using hitpipe::message_of;
 using rtl::read_text;
 using rtl::write_text;
 

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/rtl_gen/message_of.hpp"
+#include "tests/message_of.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
@@ -61,7 +61,7 @@ TEST(Run, RunsInTheFolder) {
   const fs::path before = fs::current_path();
   EXPECT_EQ(run({"pwd", "-P"}, {.folder = inside}).out, fs::canonical(inside).string() + "\n");
   EXPECT_EQ(fs::current_path(), before);
-  EXPECT_EQ(rtl::message_of<std::runtime_error>([&] { (void)run({"true"}, {.folder = inside / "none"}); }),
+  EXPECT_EQ(message_of<std::runtime_error>([&] { (void)run({"true"}, {.folder = inside / "none"}); }),
             (inside / "none").string() + ": no such folder");
 }
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"
-#include "tests/rtl_gen/message_of.hpp"
+#include "tests/message_of.hpp"
 #include "tests/sim/environment.hpp"
 
 namespace hitpipe::host {
@@ -50,7 +50,7 @@ TEST(ScratchFolder, StaysWhereItWasMoved) {
 }
 
 TEST(ScratchFolder, MissingParentRejected) {
-  EXPECT_EQ(rtl::message_of<std::runtime_error>([] { const ScratchFolder folder("/nonexistent", "a-"); }),
+  EXPECT_EQ(message_of<std::runtime_error>([] { const ScratchFolder folder("/nonexistent", "a-"); }),
             "/nonexistent: cannot create a folder in it: No such file or directory");
 }
 

@@ -220,7 +220,7 @@ TEST(FeedOfAnotherDesign, Rejected) {
   rtl::Design unknown = int_slabs();
   unknown.name = "other";
   try {
-    (void)make_feed(unknown, {20, 24}, {});
+    (void)make_feed(unknown, hls::IntBits{20, 24}, {});
     ADD_FAILURE() << "no error";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "design other: there is no set-up of rays and boxes for its operands");

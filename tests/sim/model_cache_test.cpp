@@ -105,7 +105,7 @@ TEST(ModelCacheOfVerilator, TakesAnyFolderNames) {
   for (const std::string& name : names_in(default_cache()))
     if (name.starts_with("verilated-")) fs::copy(default_cache() / name, cache / name);
   const EnvironmentValue variable("TMPDIR", temporary.string());
-  const VerilatedDesign design(int_slabs(), {6, 6}, rtl::Library::thesis(), cache);
+  const VerilatedDesign design(int_slabs(), hls::IntBits{6, 6}, rtl::Library::thesis(), cache);
   Model model(design);
   Pins pins{.out_ready = true};
   model.cycle(nullptr, pins);
@@ -136,7 +136,7 @@ TEST_F(ModelCache, BuildsAgainForAnotherVersionFormatOrCompiler) {
   stub_.set_version("Stub 2");
   build_in(cache_);
   EXPECT_EQ(stub_.runs(), 2);
-  const VerilatedDesign other_format(int_slabs(), {16, 16}, rtl::Library::thesis(), cache_);
+  const VerilatedDesign other_format(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis(), cache_);
   EXPECT_EQ(stub_.runs(), 3);
   folder_.write_program("compiler", "#!/bin/sh\nexec c++ \"$@\"\n");
   const EnvironmentValue compiler("CXX", folder_.path() / "compiler");
@@ -154,9 +154,9 @@ TEST_F(ModelCache, CompilesVerilatorsOwnCodeOnce) {
               (std::vector<std::string>{"identity", "log", "verilated.o", "verilated_threads.o"}));
     // What cannot be compiled any more shows that it is not.
     std::ofstream(stub_.program().parent_path() / "include/verilated.cpp") << "no C++";
-    const VerilatedDesign other_format(int_slabs(), {16, 16}, rtl::Library::thesis(), cache_);
+    const VerilatedDesign other_format(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis(), cache_);
     fs::remove(each.path() / "verilated_threads.o");
-    EXPECT_THROW(VerilatedDesign(int_slabs(), {24, 24}, rtl::Library::thesis(), cache_), std::runtime_error);
+    EXPECT_THROW(VerilatedDesign(int_slabs(), hls::IntBits{24, 24}, rtl::Library::thesis(), cache_), std::runtime_error);
   }
   EXPECT_TRUE(fs::exists(cache_ / "failed-verilated.log"));
 }

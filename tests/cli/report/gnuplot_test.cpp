@@ -1,12 +1,12 @@
 // gnuplot draws what it is told, whatever the folders are called, and its failures are told in one line.
-#include "cli/gnuplot.hpp"
+#include "cli/report/gnuplot.hpp"
 
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/rtl_gen/message_of.hpp"
+#include "tests/message_of.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
@@ -14,7 +14,7 @@ namespace hitpipe::cli {
 namespace {
 
 std::string message_of(const std::string& script) {
-  return rtl::message_of<std::runtime_error>([&] { static_cast<void>(run_gnuplot("plot", script)); });
+  return message_of<std::runtime_error>([&] { static_cast<void>(run_gnuplot("plot", script)); });
 }
 
 TEST(Gnuplot, DrawsInAnyTemporaryFolder) {

@@ -151,7 +151,7 @@ void expect_graph_agrees(const typename Pipeline::Bits& bits, int vectors, int& 
   const Graph graph = traced<Pipeline>(bits);
   for (const auto& v : operand_vectors(input_ports(graph), vectors, 321)) {
     std::int64_t hit = -1;
-    native<Pipeline>(bits, v.data(), &hit);
+    native_function<Pipeline>(bits)(bits, v.data(), &hit);
     const std::vector<std::uint64_t> in(v.begin(), v.end());
     ASSERT_EQ(static_cast<std::uint64_t>(hit), evaluate(graph, in).front());
     hits += hit == 1 ? 1 : 0;
@@ -165,8 +165,8 @@ TEST(AnyFormat, EveryIntegerFormatHasTheGraphOfItsAnswers) {
   int plucker_hits = 0;
   for (int n = hls::IntBits::min_coord; n <= hls::IntBits::max_coord; ++n) {
     for (int t = hls::IntBits::min_interval; t < 2 * n; ++t, ++formats) {
-      SCOPED_TRACE(to_string(Format(n, t)));
-      ASSERT_NO_FATAL_FAILURE(expect_graph_agrees<hls::IntSlabs>({n, t}, vectors, slabs_hits));
+      SCOPED_TRACE(to_string(Format(hls::IntBits{n, t})));
+      ASSERT_NO_FATAL_FAILURE(expect_graph_agrees<hls::IntSlabs>(hls::IntBits{n, t}, vectors, slabs_hits));
       ASSERT_NO_FATAL_FAILURE(expect_graph_agrees<hls::IntPlucker>({n, t}, vectors, plucker_hits));
     }
   }
@@ -187,7 +187,7 @@ TEST(AnyFormat, FloatsOfAnyWidthHaveTheGraphOfTheirAnswers) {
 }
 
 TEST(BuiltInFormat, HasAnInstanceOfItsOwn) {
-  const NativeFunction<hls::IntSlabs> any = detail::run_any<hls::IntSlabs>;
+  const Evaluate::Run any = detail::run_any<hls::IntSlabs>;
   EXPECT_NE(native_function<hls::IntSlabs>({20, 24}), any);
   EXPECT_EQ(native_function<hls::IntSlabs>({20, 23}), any);
 }

@@ -138,7 +138,7 @@ TEST(Promises, AreLegalAndAsHlsBoxSays) {
     const Format format = design.default_format;
     check_demands(promises(design, format), design.ports(format));
   }
-  const Demands of_slabs = promises(find_design("int_slabs"), {24, 24});
+  const Demands of_slabs = promises(find_design("int_slabs"), hls::IntBits{24, 24});
   EXPECT_EQ(of_slabs.ports.size(), 16U) << "all but rinf";
   EXPECT_EQ(demand_text(of_slabs.ports[0]), "irx in [-4194303, 4194303]");
   EXPECT_EQ(demand_text(of_slabs.ports[3]), "irlen in [0, 8388607]");

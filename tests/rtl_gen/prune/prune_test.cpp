@@ -150,7 +150,7 @@ TEST(Prune, ANarrowAxisHasNarrowDifferences) {
 TEST(Prune, ACoarseAxisHasNoLowBits) {
   for (const char* const name : {"int_slabs", "int_plucker"}) {
     const Design& design = find_design(name);
-    const Format format{24, 24};
+    const Format format = hls::IntBits{24, 24};
     const Graph traced = design.trace(format);
     const Demands coarse = Scene(design, format).coarse_axis().demands();
     const Pruned pruned = prune(traced, coarse, {.shares = false});
@@ -215,7 +215,7 @@ TEST(DemandFields, AreInTheManifestAndComeBack) {
                         {{"ixmin", "ixmax"}}};
   const Pruned pruned = prune(design.trace(hls::IntBits{20, 24}), demands);
   const Pipeline pipeline = make_pipeline(pruned.graph, Library::thesis());
-  const std::string plain = manifest(design, {20, 24}, pipeline, Library::thesis());
+  const std::string plain = manifest(design, hls::IntBits{20, 24}, pipeline, Library::thesis());
   EXPECT_EQ(with_demand_fields(plain, {}, {}), plain);
   EXPECT_EQ(demands_of_manifest(plain), Demands{});
   const std::string fitted = with_demand_fields(plain, demands, pruned.report);

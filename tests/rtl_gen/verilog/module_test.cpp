@@ -198,9 +198,9 @@ TEST(Verilog, NamesASourceOutsideTheProjectWithoutItsMachine) {
   Graph graph("outside");
   {
     const Tracer tracer(graph);
-    const auto a = Signal<4, true>::from(graph.input("a", 4, true));
-    const auto b = Signal<4, true>::from(graph.input("b", 4, true));
-    graph.output("hit", as("below", Signal<1, false>(a < b), "/home/somebody/designs/toy.hpp", 7).id());
+    const auto a = Signal<true>(graph.input("a", 4, true));
+    const auto b = Signal<true>(graph.input("b", 4, true));
+    graph.output("hit", as("below", Trace::bit(a < b), "/home/somebody/designs/toy.hpp", 7).id());
   }
   const std::string text = to_verilog(make_pipeline(graph, unit_library()), unit_library());
   EXPECT_NE(text.find(", designs/toy.hpp:7\n"), std::string::npos) << text;

@@ -53,7 +53,7 @@ TEST(StiffDirection, HasTwoComponentsOfABinadeAndOneSoFarBelow) {
 
 TEST(StiffBoxes, CostTheSlabsMoreTheStifferTheRay) {
   std::printf("seed %llu, %d boxes\n", static_cast<unsigned long long>(seed), 22 * 6000);
-  const std::vector<StiffBoxes> all = over_all_kinds(measured(rtl::find_design("int_slabs"), {24, 24}, 6000));
+  const std::vector<StiffBoxes> all = over_all_kinds(measured(rtl::find_design("int_slabs"), hls::IntBits{24, 24}, 6000));
   ASSERT_EQ(all.size(), last + 1);
   for (const StiffBoxes& sum : all) {
     EXPECT_EQ(sum.tests, 6000U);
@@ -71,7 +71,7 @@ TEST(StiffBoxes, CostTheSlabsMoreTheStifferTheRay) {
 /// Pluecker scales by the largest component: a small one that is rounded to nothing costs a unit, no more.
 TEST(StiffBoxes, CostThePlueckerTestNothing) {
   std::printf("seed %llu, %d boxes\n", static_cast<unsigned long long>(seed), 22 * 6000);
-  for (const StiffBoxes& sum : over_all_kinds(measured(rtl::find_design("int_plucker"), {24, 24}, 6000))) {
+  for (const StiffBoxes& sum : over_all_kinds(measured(rtl::find_design("int_plucker"), hls::IntBits{24, 24}, 6000))) {
     EXPECT_EQ(sum.tests, 6000U);
     EXPECT_EQ(sum.false_misses, 0U);
     EXPECT_LT(sum.false_hit_pct(), 0.5);
@@ -79,7 +79,7 @@ TEST(StiffBoxes, CostThePlueckerTestNothing) {
 }
 
 TEST(StiffBoxes, ShareTheTestsAmongTheKinds) {
-  const std::vector<StiffBoxes> kinds = measured(rtl::find_design("int_slabs"), {12, 12}, 601);
+  const std::vector<StiffBoxes> kinds = measured(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, 601);
   ASSERT_EQ(kinds.size(), 6 * (last + 1));
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     EXPECT_EQ(kinds[i].tests, i % 6 == 0 ? 101U : 100U);
@@ -93,8 +93,8 @@ TEST(StiffBoxes, ShareTheTestsAmongTheKinds) {
 
 TEST(StiffBoxes, DoNotDependOnThreads) {
   const rtl::Design& design = rtl::find_design("int_slabs");
-  const auto one = measured(design, {12, 12}, 600, 1);
-  const auto more = measured(design, {12, 12}, 600, 3);
+  const auto one = measured(design, hls::IntBits{12, 12}, 600, 1);
+  const auto more = measured(design, hls::IntBits{12, 12}, 600, 3);
   ASSERT_EQ(one.size(), more.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].hits, more[i].hits);
@@ -123,7 +123,7 @@ TEST(StiffTraversals, FindTheSameTrianglesWithMoreBoxTests) {
   constexpr std::uint64_t rays = 100;
   std::printf("seed %llu, %llu rays\n", static_cast<unsigned long long>(seed),
               static_cast<unsigned long long>(22 * rays));
-  const auto sums = stiff_traversals(rtl::find_design("int_slabs"), {16, 16}, scene.mesh, bvh,
+  const auto sums = stiff_traversals(rtl::find_design("int_slabs"), hls::IntBits{16, 16}, scene.mesh, bvh,
                                      {.rays = rays, .seed = seed, .threads = 2});
   ASSERT_EQ(sums.size(), last + 1);
   for (const StiffTraversals& sum : sums) {

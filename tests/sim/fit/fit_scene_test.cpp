@@ -54,7 +54,7 @@ TEST_F(FitToScene, ProvesTheUnitAndWritesItsFiles) {
   for (std::size_t i = 1; i < result.unit.left_out.size(); ++i)
     EXPECT_GE(result.unit.left_out[i - 1].area_um2, result.unit.left_out[i].area_um2);
   EXPECT_EQ(read_unit(folder_.path() / "int_slabs", design, library).verilog,
-            fitted_files(result.unit, library).front().contents);
+            fitted_files(result.unit, library).verilog.contents);
   EXPECT_EQ(steps_, (std::vector<std::string>{"building the hierarchy", "tracing the scene's rays",
                                               "int_slabs: looking for the fewest bits",
                                               "int_slabs: compiling the Verilog",

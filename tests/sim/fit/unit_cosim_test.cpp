@@ -30,20 +30,20 @@ WrittenUnit fitted_to(const ref::Scene& scene) {
   const ref::SceneDemands demands = ref::scene_demands(scene, ref::build_bvh(scene.mesh), {24, 16});
   const TemporaryFolder folder;
   host::write_files(folder.path(),
-                    fitted_files(fit(design(), {12, 12}, std::nullopt, demands, library), library));
+                    fitted_files(fit(design(), hls::IntBits{12, 12}, std::nullopt, demands, library), library).files());
   return read_unit(folder.path(), design(), library);
 }
 
 TEST(WholeUnit, IsWhatIsWrittenOfTheDesign) {
   const rtl::Library& library = rtl::Library::thesis();
-  const WrittenUnit unit = whole_unit(design(), {12, 12}, library);
+  const WrittenUnit unit = whole_unit(design(), hls::IntBits{12, 12}, library);
   EXPECT_TRUE(unit.demands.empty());
   EXPECT_TRUE(unit.ends());
   EXPECT_FALSE(unit.coarse().any());
   const TemporaryFolder folder;
   host::write_files(folder.path(),
-                    rtl::emit(design(), {12, 12}, library,
-                              rtl::make_pipeline(design().trace(hls::IntBits{12, 12}), library)));
+                    rtl::emit(design(), hls::IntBits{12, 12}, library,
+                              rtl::make_pipeline(design().trace(hls::IntBits{12, 12}), library)).files());
   const WrittenUnit read = read_unit(folder.path(), design(), library);
   EXPECT_EQ(read.verilog, unit.verilog);
   EXPECT_EQ(read.pipeline.latency(), unit.pipeline.latency());
@@ -52,10 +52,10 @@ TEST(WholeUnit, IsWhatIsWrittenOfTheDesign) {
 TEST(UnitCosim, OfAWholeUnitIsTheDesigns) {
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const VerilatedDesign verilated(design(), {12, 12}, rtl::Library::thesis());
+  const VerilatedDesign verilated(design(), hls::IntBits{12, 12}, rtl::Library::thesis());
   const CosimResult of_design =
-      cosimulate(design(), {12, 12}, verilated, scene, bvh, {.width = 24, .height = 16, .referee = true});
-  const CosimResult of_unit = run(whole_unit(design(), {12, 12}, rtl::Library::thesis()), scene);
+      cosimulate(design(), hls::IntBits{12, 12}, verilated, scene, bvh, {.width = 24, .height = 16, .referee = true});
+  const CosimResult of_unit = run(whole_unit(design(), hls::IntBits{12, 12}, rtl::Library::thesis()), scene);
   EXPECT_EQ(of_unit.unit, of_design.unit);
   EXPECT_EQ(of_unit.triangles, of_design.triangles);
   EXPECT_TRUE(of_unit.verified(true));

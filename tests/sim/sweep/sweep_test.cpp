@@ -201,10 +201,10 @@ TEST(SweepPlan, IsSortedAndHasEachRowOnce) {
 
 TEST(SweepPlan, FindsThePlaceOfADesignByItsName) {
   const rtl::Design copied = rtl::find_design("int_slabs");
-  EXPECT_EQ(key_of({&copied, {6, 6}, 8}), key_of("int_slabs", "6/6", 8));
+  EXPECT_EQ(key_of({&copied, hls::IntBits{6, 6}, 8}), key_of("int_slabs", "6/6", 8));
   rtl::Design outside = copied;
   outside.name = "outside";
-  EXPECT_EQ(key_of({&outside, {6, 6}, 8}).design, rtl::designs().size()) << "behind all of the catalogue";
+  EXPECT_EQ(key_of({&outside, hls::IntBits{6, 6}, 8}).design, rtl::designs().size()) << "behind all of the catalogue";
 }
 
 TEST(Shards, ShareThePlanWithoutLossOrOverlap) {
