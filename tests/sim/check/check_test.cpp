@@ -252,7 +252,7 @@ TEST(CheckOfTheVerilog, AnswersEveryTestAsTheCpp) {
 }
 
 TEST(CheckOfTheVerilog, CountsEveryWrongAnswer) {
-  const Unit unit{"int_slabs", {12, 12}};
+  const Unit unit{"int_slabs", hls::IntBits{12, 12}};
   const CategoryResult sum = judged_with(unit, inverted(unit), 2);
   EXPECT_EQ(sum.tests, 27U * 2048U);
   EXPECT_EQ(sum.rtl_mismatches, sum.tests);
@@ -260,7 +260,7 @@ TEST(CheckOfTheVerilog, CountsEveryWrongAnswer) {
 }
 
 TEST(CheckOfTheVerilog, CountsEveryWrongAnswerOfAShortBatch) {
-  const Unit unit{"int_slabs", {12, 12}};
+  const Unit unit{"int_slabs", hls::IntBits{12, 12}};
   const CategoryResult sum = judged_with(unit, inverted(unit), 2, 1000);
   EXPECT_EQ(sum.tests, 1000U);
   EXPECT_EQ(sum.rtl_mismatches, 1000U);

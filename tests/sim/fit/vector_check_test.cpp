@@ -18,7 +18,7 @@ constexpr std::uint64_t vectors = 20'000;
 /// int_slabs for the flat hills, whose axis y is narrow.
 class Vectors : public testing::Test {
  protected:
-  Vectors() : unit_(made()), verilog_(fitted_files(unit_, rtl::Library::thesis()).front().contents) {}
+  Vectors() : unit_(made()), verilog_(fitted_files(unit_, rtl::Library::thesis()).verilog.contents) {}
 
   [[nodiscard]] VectorResult sent(std::uint64_t count = vectors, std::uint64_t seed = 1) const {
     const VerilatedDesign verilated(*unit_.design, unit_.format, unit_.pipeline, verilog_);
@@ -39,8 +39,8 @@ class Vectors : public testing::Test {
   static FittedUnit made() {
     const ref::Scene scene = ref::flat_hills();
     const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-    return fit(rtl::find_design("int_slabs"), {12, 12}, std::nullopt, ref::scene_demands(scene, bvh, {}),
-               rtl::Library::thesis());
+    return fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, std::nullopt,
+               ref::scene_demands(scene, bvh, {}), rtl::Library::thesis());
   }
 
  protected:
