@@ -7,7 +7,7 @@
 namespace hitpipe::sim {
 
 std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
-                         const std::vector<rtl::Port>& ports) {
+                         const std::vector<rtl::Port>& ports, const std::vector<hls::Result>& results) {
   std::string drive;
   for (const rtl::Port& port : ports) {
     const auto operand = std::find_if(operands.begin(), operands.end(),
@@ -16,6 +16,15 @@ std::string model_source(const std::string& module, const std::vector<rtl::Port>
     const std::uint64_t mask = port.width >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << port.width) - 1;
     drive +=
         fmt::format("    top.{0} = operands[{1}] & {2:#x}LL;\n", port.name, operand - operands.begin(), mask);
+  }
+  std::string read;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const hls::Result& result = results[i];
+    // A Verilated port is unsigned.
+    const int above = result.is_signed ? 64 - result.width : 0;
+    read += fmt::format(
+        "    pins->results[{0}] = static_cast<std::int64_t>(std::uint64_t{{top.{1}}} << {2}) >> {2};\n", i,
+        result.name, above);
   }
   return fmt::format(R"(#include "V{0}.h"
 #include "verilated.h"
@@ -48,13 +57,15 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
   top.eval();
   pins->in_ready = top.in_ready;
   pins->out_valid = top.out_valid;
-  pins->hit = top.hit;
+  pins->hit = top.{2};
   pins->out_tag = top.out_tag;
+  if (pins->results != nullptr) {{
+{3}  }}
   top.clk = 1;
   top.eval();
 }}
 )",
-                     module, drive);
+                     module, drive, results[rtl::place_of_hit(results)].name, read);
 }
 
 }  // namespace hitpipe::sim

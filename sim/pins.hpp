@@ -15,8 +15,9 @@ struct Pins {
   // Seen before the rising edge, with the above applied.
   bool in_ready = false;
   bool out_valid = false;
-  bool hit = false;
+  bool hit = false;  ///< of the first box
   std::uint16_t out_tag = 0;
+  std::int64_t* results = nullptr;  ///< where to write all results, in the design's order; nowhere when null
 };
 
 /// The entry points of the library.

@@ -21,8 +21,8 @@ struct UnitCounts {
   std::uint64_t box_tests = 0;
   std::uint64_t triangle_tests = 0;
   std::uint64_t hits = 0;  ///< box tests with HIT
-  std::uint64_t rtl_mismatches =
-      0;  ///< HIT of the Verilog differs from the C++ datapath, or comes back with another ray's tag
+  /// A result of the Verilog differs from the C++ datapath, or comes back with another ray's tag.
+  std::uint64_t rtl_mismatches = 0;
   std::optional<std::uint64_t> false_misses;  ///< by the exact referee; nothing where none judged
   std::optional<std::uint64_t> false_hits;
   std::uint64_t cycles = 0;
@@ -71,8 +71,8 @@ class RayUnit {
   struct Slot {
     RayJob job;
     std::optional<ref::Traversal> traversal;
-    bool expected = false;   ///< HIT by the C++ datapath for the box on its way
-    std::uint64_t turn = 0;  ///< boxes that were sent before it; answers keep their order
+    std::vector<std::int64_t> expected{};  ///< results by the C++ datapath for the box on its way
+    std::uint64_t turn = 0;                ///< boxes that were sent before it; answers keep their order
   };
 
   void send(std::size_t slot, Pins& pins);
@@ -83,6 +83,7 @@ class RayUnit {
   std::unique_ptr<RayFeed> rays_;
   std::vector<Slot> slots_;
   std::vector<std::int64_t> operands_;
+  std::vector<std::int64_t> results_;  ///< of the Verilog
   UnitCounts counts_;
   SampledTime<> rtl_time_;
 };

@@ -169,14 +169,14 @@ VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, 
 
 VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
                                  const std::string& verilog, const fs::path& cache)
-    : latency_(pipeline.latency()) {
+    : results_(design.results(format)), latency_(pipeline.latency()) {
   const std::vector<rtl::Port> operands = design.ports(format);
   operand_count_ = operands.size();
 
   Sources sources;
   sources.module = design.name;
   sources.verilog = verilog;
-  sources.wrapper = model_source(sources.module, operands, rtl::input_ports(pipeline.graph));
+  sources.wrapper = model_source(sources.module, operands, rtl::input_ports(pipeline.graph), results_);
 
   const fs::path entry = cached({.name = sources.module,
                                  .identity = sources.identity(),

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
@@ -34,11 +35,14 @@ class VerilatedDesign {
 
   [[nodiscard]] int latency() const { return latency_; }
   [[nodiscard]] std::size_t operand_count() const { return operand_count_; }
+  /// As the design states them; Pins::results has room for these.
+  [[nodiscard]] const std::vector<hls::Result>& results() const { return results_; }
 
  private:
   friend class Model;
   struct Loaded;
   std::shared_ptr<const Loaded> loaded_;
+  std::vector<hls::Result> results_;
   int latency_ = 0;
   std::size_t operand_count_ = 0;
 };

@@ -74,14 +74,18 @@ std::string Design::bits_option(const Format& format) const {
   return format.family().single ? "" : " --bits " + to_string(format);
 }
 
-Evaluate::Evaluate(Run run, const Format& format, std::span<const hls::Result> results)
-    : run_(run), format_(format), hit_(0) {
+std::size_t place_of_hit(std::span<const hls::Result> results) {
   const auto is_hit = [](const hls::Result& r) { return r.meaning == hls::Meaning::hit && r.box == 0; };
   const auto found = std::find_if(results.begin(), results.end(), is_hit);
-  if (found == results.end() || results.size() > most_results)
-    throw std::invalid_argument(
-        fmt::format("a design has 1 to {} results, one of them HIT of the first box", most_results));
-  hit_ = static_cast<std::size_t>(found - results.begin());
+  if (found == results.end())
+    throw std::invalid_argument("none of a design's results is HIT of the first box");
+  return static_cast<std::size_t>(found - results.begin());
+}
+
+Evaluate::Evaluate(Run run, const Format& format, std::span<const hls::Result> results)
+    : run_(run), format_(format), hit_(place_of_hit(results)), result_count_(results.size()) {
+  if (results.size() > most_results)
+    throw std::invalid_argument(fmt::format("a design has 1 to {} results", most_results));
 }
 
 const std::deque<Design>& designs() {

@@ -10,6 +10,9 @@
 
 namespace hitpipe::rtl {
 
+/// Where HIT of the first box is among a design's results. Throws std::invalid_argument when there is none.
+[[nodiscard]] std::size_t place_of_hit(std::span<const hls::Result> results);
+
 class Evaluate {
  public:
   /// Operands in port order, each sign-extended when its port is signed; bits above a port's width are
@@ -25,17 +28,21 @@ class Evaluate {
   bool operator()(const std::int64_t* operands) const {
     std::array<std::int64_t, most_results> results;  // NOLINT: run_ writes those that there are
     run_(format_, operands, results.data());
-    return results[hit_] != 0;
+    return hit(results.data());
   }
   /// All results, in the design's order.
   void operator()(const std::int64_t* operands, std::int64_t* results) const {
     run_(format_, operands, results);
   }
+  /// HIT of the first box, from all results.
+  [[nodiscard]] bool hit(const std::int64_t* results) const { return results[hit_] != 0; }
+  [[nodiscard]] std::size_t result_count() const { return result_count_; }
 
  private:
   Run run_;
   Format format_;
   std::size_t hit_;
+  std::size_t result_count_;
 };
 
 }  // namespace hitpipe::rtl

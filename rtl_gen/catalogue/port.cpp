@@ -14,6 +14,13 @@ Port port_of(const hls::Operand& operand) {
           .range = Interval{operand.low, operand.high}};
 }
 
+std::vector<Port> result_ports(const std::vector<hls::Result>& results) {
+  std::vector<Port> ports;
+  for (const hls::Result& result : results)
+    ports.push_back({.name = result.name, .width = result.width, .is_signed = result.is_signed});
+  return ports;
+}
+
 std::vector<Port> input_ports(const Graph& graph) {
   std::vector<Port> ports;
   for (const NodeId id : graph.inputs())

@@ -30,6 +30,7 @@ struct Port {
 };
 
 [[nodiscard]] Port port_of(const hls::Operand& operand);
+[[nodiscard]] std::vector<Port> result_ports(const std::vector<hls::Result>& results);
 /// A graph's inputs, in order, without their roles.
 [[nodiscard]] std::vector<Port> input_ports(const Graph& graph);
 /// Where the port of that name is; as many as there are where none is.

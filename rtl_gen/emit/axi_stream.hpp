@@ -1,7 +1,7 @@
 // An AXI4-Stream wrapper for block designs and DMA engines: the module <design>_axis contains the emitted
-// module. A beat of s_axis is one test, and its tid is the tag. A beat of m_axis is one HIT. There is a
-// register on every path from input to output: when m_axis_tready falls, a spare latch holds the result that
-// has already left the pipeline. Latency and throughput stay those of the design.
+// module. A beat of s_axis is one test, and its tid is the tag. A beat of m_axis holds the results of one.
+// There is a register on every path from input to output: when m_axis_tready falls, a spare latch holds the
+// result that has already left the pipeline. Latency and throughput stay those of the design.
 #pragma once
 
 #include <string>
@@ -11,19 +11,21 @@
 
 namespace hitpipe::rtl {
 
-/// Where a port lies in s_axis_tdata: in port order from bit 0, each field on a byte boundary.
+/// Where a port lies in tdata: in port order from bit 0, each field on a byte boundary. The bits above a
+/// field are ignored in s_axis_tdata, and 0 in m_axis_tdata.
 struct StreamField {
   std::string name;
   int offset;  ///< position of its lowest bit
   int width;
 };
 [[nodiscard]] std::vector<StreamField> stream_fields(const std::vector<Port>& ports);
-/// The width of s_axis_tdata, a whole number of bytes.
+/// The width of tdata, a whole number of bytes.
 [[nodiscard]] int stream_bits(const std::vector<Port>& ports);
 
 /// "<design>_axis", the module's name.
 [[nodiscard]] std::string stream_module(const Design& design);
 /// The wrapper in Verilog-2001, without the module of the design.
-[[nodiscard]] std::string axi_stream(const Design& design, const std::vector<Port>& ports);
+[[nodiscard]] std::string axi_stream(const Design& design, const std::vector<Port>& ports,
+                                     const std::vector<hls::Result>& results);
 
 }  // namespace hitpipe::rtl

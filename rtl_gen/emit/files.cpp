@@ -80,6 +80,7 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
                    const EmitOptions& options) {
   const PrunedFrom* const from = options.pruned_from;
   const std::vector<Port> left = input_ports(pipeline.graph);
+  const std::vector<hls::Result> results = design.results(format);
   const std::string name(design.name);
   const std::string title = fmt::format("{} {}", name, to_string(format));
   std::string verilog = to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format)});
@@ -91,20 +92,21 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
   const std::string summary = fmt::format("{}{}: {} stages, {} ps", title, from == nullptr ? "" : ", fitted",
                                           pipeline.schedule.stages, pipeline.schedule.clock_ps);
   const CoreParts parts{.axi_stream = options.axi_stream, .check = from != nullptr};
-  EmittedDesign emitted{
-      .verilog = {name + ".v", std::move(verilog)},
-      .manifest = {name + ".json", std::move(json)},
-      .core = {name + ".core", core_file(design, format, parts)},
-      .schematic = {name + ".dot", to_dot(pipeline, summary)},
-      .testbench = {"tb/" + name + "_tb.v", testbench(design, left, vector_count)},
-      .vectors = {"tb/" + name + "_vectors.hex", vector_file(from == nullptr ? left : from->ports, left,
-                                                             vectors(design.evaluate(format), left, from))},
-      .check_module = {},
-      .axi_stream = {},
-      .stage_schematics = stage_schematics(pipeline, name, title)};
+  EmittedDesign emitted{.verilog = {name + ".v", std::move(verilog)},
+                        .manifest = {name + ".json", std::move(json)},
+                        .core = {name + ".core", core_file(design, format, parts)},
+                        .schematic = {name + ".dot", to_dot(pipeline, summary)},
+                        .testbench = {"tb/" + name + "_tb.v", testbench(design, left, results, vector_count)},
+                        .vectors = {"tb/" + name + "_vectors.hex",
+                                    vector_file(from == nullptr ? left : from->ports, left, results,
+                                                vectors(design.evaluate(format), left, from))},
+                        .check_module = {},
+                        .axi_stream = {},
+                        .stage_schematics = stage_schematics(pipeline, name, title)};
   if (from != nullptr)
     emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
-  if (options.axi_stream) emitted.axi_stream = {stream_module(design) + ".v", axi_stream(design, left)};
+  if (options.axi_stream)
+    emitted.axi_stream = {stream_module(design) + ".v", axi_stream(design, left, results)};
   return emitted;
 }
 

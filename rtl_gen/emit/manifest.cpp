@@ -14,7 +14,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json ports(const Graph& graph) {
+const char* word_of(hls::Meaning meaning) {
+  switch (meaning) {
+    case hls::Meaning::hit:
+      return "hit";
+    case hls::Meaning::entry:
+      return "entry";
+    case hls::Meaning::exit:
+      return "exit";
+    case hls::Meaning::order:
+      return "order";
+  }
+  throw std::logic_error("a result without a meaning");
+}
+
+Json results_json(const std::vector<hls::Result>& results) {
+  Json list = Json::array();
+  for (const hls::Result& result : results) {
+    list.push_back({{"name", result.name},
+                    {"meaning", word_of(result.meaning)},
+                    {"box", result.box},
+                    {"width", result.width}});
+  }
+  return list;
+}
+
+Json ports(const Graph& graph, const std::vector<hls::Result>& results) {
   Json list = Json::array();
   const auto add = [&](const std::string& name, const char* direction, const Json& width, bool is_signed) {
     list.push_back({{"name", name}, {"direction", direction}, {"width", width}, {"signed", is_signed}});
@@ -26,7 +51,7 @@ Json ports(const Graph& graph) {
   add("out_ready", "in", 1, false);
   add("out_tag", "out", "TAG_BITS", false);
   for (const NodeId id : graph.inputs()) add(graph[id].name, "in", graph[id].width, graph[id].is_signed);
-  for (const Output& out : graph.outputs()) add(out.name, "out", graph[out.node].width, false);
+  for (const hls::Result& result : results) add(result.name, "out", result.width, result.is_signed);
   return list;
 }
 
@@ -50,18 +75,23 @@ Json stages(const Pipeline& pipeline) {
   return list;
 }
 
-Json stream_json(const Design& design, const std::vector<Port>& ports) {
+/// Of one direction.
+Json stream_side(const std::vector<Port>& ports) {
   Json fields = Json::array();
   for (const StreamField& field : stream_fields(ports))
     fields.push_back({{"name", field.name}, {"offset", field.offset}, {"width", field.width}});
-  const auto hit = Json::array({{{"name", "hit"}, {"offset", 0}, {"width", 1}}});
+  return {{"tdata_bits", stream_bits(ports)}, {"fields", fields}};
+}
+
+Json stream_json(const Design& design, const std::vector<Port>& ports,
+                 const std::vector<hls::Result>& results) {
   return {{"module", stream_module(design)},
           {"file", stream_module(design) + ".v"},
           {"clock", "aclk, rising edge"},
           {"reset", "aresetn, synchronous, active low"},
           {"tid", "the tag, TAG_BITS"},
-          {"s_axis", {{"tdata_bits", stream_bits(ports)}, {"fields", fields}}},
-          {"m_axis", {{"tdata_bits", 8}, {"fields", hit}}}};
+          {"s_axis", stream_side(ports)},
+          {"m_axis", stream_side(result_ports(results))}};
 }
 
 }  // namespace
@@ -69,6 +99,7 @@ Json stream_json(const Design& design, const std::vector<Port>& ports) {
 std::string manifest(const Design& design, Format format, const Pipeline& pipeline, const Library& library,
                      bool stream) {
   const std::string name(design.name);
+  const std::vector<hls::Result> results = design.results(format);
   Json json{{"design", name},
             {"bits", to_string(format)},
             {"module", name},
@@ -77,13 +108,14 @@ std::string manifest(const Design& design, Format format, const Pipeline& pipeli
             {"reset", "rst, synchronous, active high, valid bits only"},
             {"handshake", "valid/ready; results in order; the whole pipeline waits for out_ready"},
             {"parameters", {{"TAG_BITS", 16}}},
-            {"ports", ports(pipeline.graph)},
+            {"ports", ports(pipeline.graph, results)},
+            {"results", results_json(results)},
             {"stages", pipeline.schedule.stages},
             {"latency", pipeline.latency()},
             {"clock_ps", pipeline.schedule.clock_ps},
             {"library", library.name()},
             {"by_stage", stages(pipeline)}};
-  if (stream) json["axi_stream"] = stream_json(design, input_ports(pipeline.graph));
+  if (stream) json["axi_stream"] = stream_json(design, input_ports(pipeline.graph), results);
   return json.dump(2) + "\n";
 }
 

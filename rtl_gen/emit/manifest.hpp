@@ -10,9 +10,9 @@
 namespace hitpipe::rtl {
 
 /// Keys: design, bits, module, files, clock, reset, handshake, ports (name, direction, width, signed),
-/// stages, latency, clock_ps, library, by_stage (for each stage, its components with their counts and the
-/// latch bits at its end). With `stream` also axi_stream: the wrapper's module, file, clock, reset, and the
-/// fields of its tdata and tid.
+/// results (name, meaning, box, width), stages, latency, clock_ps, library, by_stage (for each stage, its
+/// components with their counts and the latch bits at its end). With `stream` also axi_stream: the wrapper's
+/// module, file, clock, reset, and the fields of its tdata and tid.
 [[nodiscard]] std::string manifest(const Design& design, Format format, const Pipeline& pipeline,
                                    const Library& library, bool stream = false);
 

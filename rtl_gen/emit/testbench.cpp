@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace hitpipe::rtl {
 
@@ -30,11 +31,51 @@ std::string hexadecimal(std::string bits) {
   return text;
 }
 
+/// The bits of a word, or its only bit.
+std::string part_of(const char* word, int high, int low) {
+  return high == low ? fmt::format("{}[{}]", word, low) : fmt::format("{}[{}:{}]", word, high, low);
+}
+
+/// The bits of each port in a word that holds them all, the last port lowest.
+std::vector<std::string> fields(const char* word, const std::vector<Port>& ports, int width) {
+  std::vector<std::string> all;
+  for (const Port& port : ports) {
+    all.push_back(part_of(word, width - 1, width - port.width));
+    width -= port.width;
+  }
+  return all;
+}
+
 int total_width(const std::vector<Port>& ports) {
   int width = 0;
   for (const Port& p : ports) width += p.width;
   return width;
 }
+
+/// What the testbench's text has for each result.
+struct ResultText {
+  ResultText(const std::vector<hls::Result>& results, const char* word) {
+    const std::vector<Port> ports = result_ports(results);
+    const std::vector<std::string> expected = fields(word, ports, total_width(ports));
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+      const std::string& name = ports[i].name;
+      if (ports[i].width == 1) {
+        bits += ", " + name;
+      } else {
+        wires += fmt::format("  wire [{}:0] {};\n", ports[i].width - 1, name);
+      }
+      connections.push_back(fmt::format("    .{0}({0})", name));
+      differences.push_back(fmt::format("{} !== {}", name, expected[i]));
+      formats += fmt::format("{} %b, expected %b, ", name);
+      values += fmt::format("{}, {}, ", name, expected[i]);
+    }
+  }
+
+  std::string bits;   ///< declared beside other wires of one bit
+  std::string wires;  ///< declarations of wider ones
+  std::vector<std::string> connections, differences;
+  std::string formats, values;  ///< to print what differs
+};
 
 }  // namespace
 
@@ -63,39 +104,34 @@ std::vector<std::vector<std::int64_t>> operand_vectors(const std::vector<Port>& 
   return vectors;
 }
 
-std::vector<Vector> judged(std::vector<std::vector<std::int64_t>> operands, Evaluate evaluate) {
+std::vector<Vector> judged(std::vector<std::vector<std::int64_t>> operands, const Evaluate& evaluate) {
   std::vector<Vector> vectors;
-  for (std::vector<std::int64_t>& each : operands) {
-    const bool hit = evaluate(each.data());
-    vectors.push_back({std::move(each), hit});
-  }
+  for (std::vector<std::int64_t>& each : operands) vectors.push_back(judged(std::move(each), evaluate));
   return vectors;
 }
 
 std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>& left,
-                        const std::vector<Vector>& vectors) {
+                        const std::vector<hls::Result>& results, const std::vector<Vector>& vectors) {
   std::vector<std::size_t> places;
   for (const Port& port : left) places.push_back(index_of(ports, port.name));
   std::string text;
   for (const Vector& vector : vectors) {
     std::string bits;
     for (std::size_t i = 0; i < left.size(); ++i) bits += binary(vector.operands[places[i]], left[i].width);
-    bits += vector.hit ? '1' : '0';
+    for (std::size_t i = 0; i < results.size(); ++i) bits += binary(vector.results[i], results[i].width);
     text += hexadecimal(std::move(bits)) + "\n";
   }
   return text;
 }
 
-std::string testbench(const Design& design, const std::vector<Port>& ports, int count) {
-  const int width = total_width(ports) + 1;
+std::string testbench(const Design& design, const std::vector<Port>& ports,
+                      const std::vector<hls::Result>& results, int count) {
+  const int width = total_width(ports) + total_width(result_ports(results));
+  const std::vector<std::string> operands = fields("operands", ports, width);
   std::string connections;
-  int high = width - 1;
-  for (const Port& p : ports) {
-    const int low = high - p.width + 1;
-    connections += p.width == 1 ? fmt::format("    .{}(operands[{}]),\n", p.name, low)
-                                : fmt::format("    .{}(operands[{}:{}]),\n", p.name, high, low);
-    high = low - 1;
-  }
+  for (std::size_t i = 0; i < ports.size(); ++i)
+    connections += fmt::format("    .{}({}),\n", ports[i].name, operands[i]);
+  const ResultText result(results, "expected");
   return fmt::format(R"(// Replays {1} against {0}.v with random gaps and stalls.
 //   iverilog -g2001 -o tb {0}_tb.v ../{0}.v && vvp tb
 module {0}_tb;
@@ -104,15 +140,15 @@ module {0}_tb;
   reg clk, rst, in_valid, out_ready;
   reg [15:0] sent, received;
   integer seed, errors, cycles;
-  wire in_ready, out_valid, hit;
-  wire [15:0] out_tag;
+  wire in_ready, out_valid{5};
+{6}  wire [15:0] out_tag;
   wire [{3}:0] operands = vectors[sent];
   wire [{3}:0] expected = vectors[received];
 
   {0} #(.TAG_BITS(16)) dut (
     .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_tag(sent),
     .out_valid(out_valid), .out_ready(out_ready), .out_tag(out_tag),
-{4}    .hit(hit)
+{4}{7}
   );
 
   always #5 clk = ~clk;
@@ -134,8 +170,8 @@ module {0}_tb;
       out_ready = ($random(seed) & 3) != 0;
       #1;
       if (out_valid && out_ready) begin
-        if (hit !== expected[0] || out_tag !== received) begin
-          $display("FAIL vector %0d (%h): hit %b, expected %b, tag %0d", received, expected, hit, expected[0], out_tag);
+        if ({8} || out_tag !== received) begin
+          $display("FAIL vector %0d (%h): {9}tag %0d", received, expected, {10}out_tag);
           errors = errors + 1;
         end
         received = received + 16'd1;
@@ -153,7 +189,9 @@ module {0}_tb;
   end
 endmodule
 )",
-                     design.name, fmt::format("{}_vectors.hex", design.name), count, width - 1, connections);
+                     design.name, fmt::format("{}_vectors.hex", design.name), count, width - 1, connections,
+                     result.bits, result.wires, fmt::join(result.connections, ",\n"),
+                     fmt::join(result.differences, " || "), result.formats, result.values);
 }
 
 }  // namespace hitpipe::rtl

@@ -14,16 +14,20 @@ namespace hitpipe::rtl {
 /// extremes, alternating bits), the second numbers near 0, the other two any numbers.
 [[nodiscard]] std::vector<std::vector<std::int64_t>> operand_vectors(const std::vector<Port>& ports,
                                                                      int count, std::uint64_t seed);
-/// The operands with their HIT.
-[[nodiscard]] std::vector<Vector> judged(std::vector<std::vector<std::int64_t>> operands, Evaluate evaluate);
+/// The operands with their results.
+[[nodiscard]] std::vector<Vector> judged(std::vector<std::vector<std::int64_t>> operands,
+                                         const Evaluate& evaluate);
 
-/// One vector a line, hexadecimal: the operands, first port in the high bits, and the expected HIT in bit 0.
-/// Vectors hold operands of all `ports`; the file has only those of the ports that are `left`.
+/// One vector a line, hexadecimal: the operands, first port in the high bits, then the expected results, last
+/// result in the low bits. Vectors hold operands of all `ports`; the file has only those of the ports that
+/// are `left`.
 [[nodiscard]] std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>& left,
+                                      const std::vector<hls::Result>& results,
                                       const std::vector<Vector>& vectors);
 
-/// Sends the vectors with gaps and stalls, and compares every HIT and every tag. The last line printed is
+/// Sends the vectors with gaps and stalls, and compares every result and every tag. The last line printed is
 /// "PASS <n> vectors" or "FAIL" with the first mismatch.
-[[nodiscard]] std::string testbench(const Design& design, const std::vector<Port>& ports, int count);
+[[nodiscard]] std::string testbench(const Design& design, const std::vector<Port>& ports,
+                                    const std::vector<hls::Result>& results, int count);
 
 }  // namespace hitpipe::rtl

@@ -120,22 +120,27 @@ std::vector<std::int64_t> Draw::beside(const std::vector<std::int64_t>& operands
   }
 }
 
+Vector judged(std::vector<std::int64_t> operands, const Evaluate& evaluate) {
+  std::vector<std::int64_t> results(evaluate.result_count());
+  evaluate(operands.data(), results.data());
+  return {std::move(operands), std::move(results)};
+}
+
 DrawVectors::DrawVectors(const std::vector<Port>& ports, const Demands& demands, const Evaluate& evaluate,
                          std::uint64_t seed)
     : draw_(ports, demands), evaluate_(evaluate), random_(seed) {
-  for (int tries = 0; tries < 100'000 && last_hit_.empty(); ++tries)
-    static_cast<void>(judged(draw_(random_)));
+  for (int tries = 0; tries < 100'000 && last_hit_.empty(); ++tries) static_cast<void>(noted(draw_(random_)));
 }
 
-Vector DrawVectors::judged(std::vector<std::int64_t> operands) {
-  const bool hit = evaluate_(operands.data());
-  if (hit) last_hit_ = operands;
-  return {std::move(operands), hit};
+Vector DrawVectors::noted(std::vector<std::int64_t> operands) {
+  Vector vector = judged(std::move(operands), evaluate_);
+  if (evaluate_.hit(vector.results.data())) last_hit_ = vector.operands;
+  return vector;
 }
 
 Vector DrawVectors::operator()() {
   beside_ = !beside_ && !last_hit_.empty();
-  return judged(beside_ ? draw_.beside(last_hit_, random_) : draw_(random_));
+  return noted(beside_ ? draw_.beside(last_hit_, random_) : draw_(random_));
 }
 
 }  // namespace hitpipe::rtl

@@ -34,11 +34,12 @@ class Draw {
   std::vector<std::size_t> free_;  ///< ports of more than one number
 };
 
-/// Operands and their HIT by the design's C++.
+/// Operands and all their results by the design's C++.
 struct Vector {
   std::vector<std::int64_t> operands;
-  bool hit = false;
+  std::vector<std::int64_t> results;
 };
+[[nodiscard]] Vector judged(std::vector<std::int64_t> operands, const Evaluate& evaluate);
 
 /// In turn any operands, and ones beside the last that hit: of any ones few do. What is beside goes astray in
 /// a walk through all hits, and meets their border at every other step.
@@ -51,7 +52,8 @@ class DrawVectors {
   [[nodiscard]] Vector operator()();
 
  private:
-  [[nodiscard]] Vector judged(std::vector<std::int64_t> operands);
+  /// The drawn operands with their results; remembers them when they hit.
+  [[nodiscard]] Vector noted(std::vector<std::int64_t> operands);
 
   Draw draw_;
   Evaluate evaluate_;

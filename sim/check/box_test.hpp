@@ -25,6 +25,8 @@ class BoxTest {
   }
   /// What a Verilated design would be given for the last hit(), in port order; empty if it has none.
   [[nodiscard]] virtual std::span<const std::int64_t> operands() const { return {}; }
+  /// All results that the design must then give; empty if it has none.
+  [[nodiscard]] virtual std::span<const std::int64_t> results() const { return {}; }
 };
 
 using MakeBoxTest = std::function<std::unique_ptr<BoxTest>()>;

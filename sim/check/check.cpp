@@ -4,6 +4,7 @@
 #include <array>
 #include <mutex>
 #include <span>
+#include <stdexcept>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
@@ -32,30 +33,52 @@ std::uint64_t stream(std::uint64_t seed, std::uint64_t category, std::uint64_t b
   return x ^ (x >> 31);
 }
 
-/// What the Verilog was given and what it must answer.
+/// What the Verilog is given and what it must answer, test after test.
 struct RtlBatch {
+  std::size_t tests = 0;
   std::vector<std::int64_t> operands;
-  std::vector<bool> expected;
+  std::vector<std::int64_t> results;
+
+  void add(const BoxTest& test, const VerilatedDesign& rtl) {
+    if (test.operands().size() != rtl.operand_count() || test.results().size() != rtl.results().size())
+      throw std::invalid_argument("the box test does not give the operands and results of the Verilog");
+    operands.insert(operands.end(), test.operands().begin(), test.operands().end());
+    results.insert(results.end(), test.results().begin(), test.results().end());
+    ++tests;
+  }
 };
 
-/// Back to back, the tag being the test's number: each answer the C++'s, none lost, in order.
-std::uint64_t rtl_mismatches(Model& model, const RtlBatch& batch, int latency) {
-  const std::size_t count = batch.expected.size();
-  const std::size_t width = count == 0 ? 0 : batch.operands.size() / count;
+/// A Verilated design and an instance of it.
+struct Rtl {
+  explicit Rtl(const VerilatedDesign& of) : design(of), model(of) {}
+  const VerilatedDesign& design;
+  Model model;
+};
+
+/// Back to back, the tag being the test's number: all results the C++'s, none lost, in order.
+std::uint64_t rtl_mismatches(Rtl& rtl, const RtlBatch& batch) {
+  if (batch.tests == 0) return 0;
+  const std::size_t latency = static_cast<std::size_t>(rtl.design.latency());
+  std::vector<std::int64_t> results(rtl.design.results().size());
   std::uint64_t mismatches = 0;
   std::size_t sent = 0;
   std::size_t received = 0;
-  for (std::size_t cycle = 0; cycle < count + static_cast<std::size_t>(latency) + 2; ++cycle) {
-    Pins pins{.in_valid = sent < count, .in_tag = static_cast<std::uint16_t>(sent)};
-    model.cycle(batch.operands.data() + width * std::min(sent, count - 1), pins);
+  for (std::size_t cycle = 0; cycle < batch.tests + latency + 2; ++cycle) {
+    Pins pins{.in_valid = sent < batch.tests,
+              .in_tag = static_cast<std::uint16_t>(sent),
+              .results = results.data()};
+    rtl.model.cycle(batch.operands.data() + rtl.design.operand_count() * std::min(sent, batch.tests - 1),
+                    pins);
     sent += pins.in_valid && pins.in_ready ? 1 : 0;
     if (!pins.out_valid) continue;
-    const bool right = received < count && pins.out_tag == static_cast<std::uint16_t>(received) &&
-                       pins.hit == batch.expected[received];
+    const bool right =
+        received < batch.tests && pins.out_tag == static_cast<std::uint16_t>(received) &&
+        std::equal(results.begin(), results.end(),
+                   batch.results.begin() + static_cast<std::ptrdiff_t>(received * results.size()));
     mismatches += right ? 0 : 1;
     ++received;
   }
-  return mismatches + (received < count ? count - received : 0);
+  return mismatches + (received < batch.tests ? batch.tests - received : 0);
 }
 
 void count(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<const bool> hits,
@@ -75,7 +98,7 @@ void count(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<cons
 
 /// The first `tests` of a batch: what is drawn does not depend on how many are judged.
 CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_t seed, std::uint64_t tests,
-                           Model* model, int latency) {
+                           Rtl* rtl) {
   Random random(seed);
   std::vector<ref::Ray> rays;
   std::vector<ref::Aabb> boxes(tests_per_batch);
@@ -86,7 +109,7 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
   }
   CategoryResult result;
   result.category = category.name;
-  RtlBatch rtl;
+  RtlBatch batch;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const std::size_t first = i * boxes_per_ray;
     const std::size_t boxes_of_ray = std::min(boxes_per_ray, static_cast<std::size_t>(tests) - first);
@@ -96,19 +119,18 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
     const std::span<bool> hits(hit_by.data(), boxes_of_ray);
     const std::span<bool> meets(met_by.data(), boxes_of_ray);
     test.start(rays[i]);
-    if (model == nullptr) {
+    if (rtl == nullptr) {
       test.hits(asked, hits);
     } else {
       for (std::size_t box = 0; box < asked.size(); ++box) {
         hits[box] = test.hit(asked[box]);
-        rtl.operands.insert(rtl.operands.end(), test.operands().begin(), test.operands().end());
-        rtl.expected.push_back(hits[box]);
+        batch.add(test, rtl->design);
       }
     }
     ref::BoxReferee(rays[i]).meet(asked, meets);
     count(rays[i], asked, hits, meets, result);
   }
-  if (model != nullptr) result.rtl_mismatches = rtl_mismatches(*model, rtl, latency);
+  if (rtl != nullptr) result.rtl_mismatches = rtl_mismatches(*rtl, batch);
   return result;
 }
 
@@ -195,11 +217,11 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
 
   struct Worker {
     std::unique_ptr<BoxTest> test;
-    std::optional<Model> model;
+    std::optional<Rtl> rtl;
   };
   oneapi::tbb::enumerable_thread_specific<Worker> workers([&] {
     Worker worker{make(), std::nullopt};
-    if (options.rtl != nullptr) worker.model.emplace(*options.rtl);
+    if (options.rtl != nullptr) worker.rtl.emplace(*options.rtl);
     return worker;
   });
   const auto judge = [&](std::size_t i) {
@@ -207,8 +229,7 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
     const Batch batch = shares[i];
     sums.add(batch, judge_batch(*worker.test, options.categories[batch.category],
                                 stream(options.seed, batch.category, batch.number), batch.tests,
-                                worker.model ? &*worker.model : nullptr,
-                                options.rtl != nullptr ? options.rtl->latency() : 0));
+                                worker.rtl ? &*worker.rtl : nullptr));
   };
   host::for_each_index(shares.batches(), options.threads, judge, options.progress);
   return sums.results();

@@ -22,7 +22,8 @@ struct CheckOptions {
   std::uint64_t tests = 1'000'000;
   std::uint64_t seed = 1;
   int threads = 1;
-  const VerilatedDesign* rtl = nullptr;  ///< answers each test too, when given; the box test has its operands
+  const VerilatedDesign* rtl =
+      nullptr;  ///< answers each test too, when given; the box test has its operands and results
   /// Told the finished share of the tests, 0..1, from any thread.
   std::function<void(double)> progress = [](double) {};
 };

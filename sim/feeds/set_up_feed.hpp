@@ -93,7 +93,10 @@ template <class S>
 class SetUpTest final : public BoxTest {
  public:
   SetUpTest(const rtl::Design& design, const rtl::Format& format)
-      : evaluate_(design.evaluate(format)), format_(format), operands_(design.ports(format).size()) {}
+      : evaluate_(design.evaluate(format)),
+        format_(format),
+        operands_(design.ports(format).size()),
+        results_(evaluate_.result_count()) {}
 
   void start(const ref::Ray& ray) override {
     const S set_up(ray, format_);
@@ -110,15 +113,18 @@ class SetUpTest final : public BoxTest {
     S::boxes(boxes, format_, boxes_);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       put_box(boxes_[i], operands_.data() + operands_.size() - 6);
-      out[i] = evaluate_(operands_.data());
+      evaluate_(operands_.data(), results_.data());
+      out[i] = evaluate_.hit(results_.data());
     }
   }
   [[nodiscard]] std::span<const std::int64_t> operands() const override { return operands_; }
+  [[nodiscard]] std::span<const std::int64_t> results() const override { return results_; }
 
  private:
   rtl::Evaluate evaluate_;
   rtl::Format format_;
   std::vector<std::int64_t> operands_;
+  std::vector<std::int64_t> results_;
   std::vector<typename S::Box> boxes_;
 };
 

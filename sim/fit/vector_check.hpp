@@ -1,5 +1,5 @@
 // A fitted unit's Verilog against the unfitted C++: random operands as demanded, offered with gaps and taken
-// with stalls; each HIT and its tag are compared.
+// with stalls; all results and the tag are compared.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct VectorCheck {
 struct VectorResult {
   std::uint64_t vectors = 0;     ///< sent
   std::uint64_t hits = 0;        ///< by the C++
-  std::uint64_t mismatches = 0;  ///< wrong HIT, wrong tag, or no answer
+  std::uint64_t mismatches = 0;  ///< a wrong result, a wrong tag, or no answer
   std::string first_mismatch;    ///< "hit 0 tag 7, expected hit 1 tag 7 of vector 7 of seed 1: irx=0x5 ..."
 };
 

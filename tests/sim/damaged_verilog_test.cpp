@@ -85,13 +85,13 @@ TEST(DamagedVerilog, WholeOneIsClean) {
 TEST(DamagedVerilog, SumInPlaceOfOneDifferenceGivesWrongHits) {
   const VerilatedDesign design = damaged("0,/ - /s// + /");
   const TestbenchReport report = driven(design);
-  EXPECT_GT(report.wrong_hits, 100U);
+  EXPECT_GT(report.wrong_results, 100U);
   EXPECT_EQ(report.wrong_tags + report.lost + report.surplus + report.not_held, 0U);
   EXPECT_EQ(report.received, 20'000U);
   // What is printed replays it: both answers, every operand in hexadecimal, the seeds.
   EXPECT_THAT(
       report.first_failure,
-      testing::MatchesRegex("wrong HIT: hit (true|false) tag 0x[0-9a-f]+; expected hit (true|false) tag "
+      testing::MatchesRegex("wrong result: results [01] tag 0x[0-9a-f]+; expected results [01] tag "
                             "0x[0-9a-f]+ for vector [0-9]+ of seed 74: irx=0x[0-9a-f]+ .*izmax=0x[0-9a-f]+ ; "
                             "gaps and stalls traffic of seed 74"));
   EXPECT_GT(traced(design).rtl_mismatches, 0U);
@@ -100,7 +100,7 @@ TEST(DamagedVerilog, SumInPlaceOfOneDifferenceGivesWrongHits) {
 TEST(DamagedVerilog, SwappedMuxArmsGiveWrongHits) {
   const VerilatedDesign design = damaged(R"(0,/ ? \([^ ]*\) : \([^ ]*\);/s// ? \2 : \1;/)");
   const TestbenchReport report = driven(design);
-  EXPECT_GT(report.wrong_hits, 100U);
+  EXPECT_GT(report.wrong_results, 100U);
   EXPECT_EQ(report.wrong_tags + report.lost + report.surplus + report.not_held, 0U);
   EXPECT_GT(traced(design).rtl_mismatches, 0U);
 }
@@ -110,7 +110,7 @@ TEST(DamagedVerilog, ExchangedTagsAreNotTheOldestTests) {
   const VerilatedDesign design = damaged("s/tag_s0 <= in_tag;/tag_s0 <= in_tag ^ 1;/");
   const TestbenchReport report = driven(design);
   EXPECT_EQ(report.wrong_tags, 20'000U);
-  EXPECT_EQ(report.wrong_hits, 0U);
+  EXPECT_EQ(report.wrong_results, 0U);
   // Also where both rays get the same HIT, so that only the order tells.
   const UnitCounts counts = traced(design);
   EXPECT_GT(counts.box_tests, 500U);

@@ -164,8 +164,14 @@ TEST_P(RayUnitOnHills, RefereeOnlyAddsItsCounts) {
 }
 
 TEST_P(RayUnitOnHills, EveryAnswerIsComparedWithTheDatapath) {
-  const auto always = [](const std::int64_t*) { return true; };
-  const auto never = [](const std::int64_t*) { return false; };
+  const auto answering = [](rtl::Evaluate::Run answer) {
+    return rtl::Evaluate(answer, GetParam().format, GetParam().design().results(GetParam().format));
+  };
+  using Operands = const std::int64_t*;
+  const rtl::Evaluate always =
+      answering([](const rtl::Format&, Operands, std::int64_t* results) { *results = 1; });
+  const rtl::Evaluate never =
+      answering([](const rtl::Format&, Operands, std::int64_t* results) { *results = 0; });
   const Outcome outcome = run(32, datapath());
   EXPECT_EQ(run(32, always).counts.rtl_mismatches, outcome.counts.box_tests - outcome.counts.hits);
   const Outcome against_never = run(32, never);

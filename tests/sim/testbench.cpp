@@ -4,6 +4,9 @@
 #include <random>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "rtl_gen/prune/draw.hpp"
 
 namespace hitpipe::sim {
 namespace {
@@ -14,7 +17,7 @@ constexpr int drain_cycles = 64;
 struct Asked {
   std::size_t vector;
   std::uint16_t tag;
-  bool hit;
+  std::vector<std::int64_t> results;
 };
 
 std::string hexadecimal(const std::vector<rtl::Port>& ports, const std::vector<std::int64_t>& operands) {
@@ -32,7 +35,7 @@ TestbenchReport& TestbenchReport::operator+=(const TestbenchReport& other) {
   sent += other.sent;
   received += other.received;
   hits += other.hits;
-  wrong_hits += other.wrong_hits;
+  wrong_results += other.wrong_results;
   wrong_tags += other.wrong_tags;
   surplus += other.surplus;
   lost += other.lost;
@@ -55,15 +58,18 @@ TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Ev
   TestbenchReport report;
   std::deque<Asked> asked;
   Pins before;  // of the last cycle
+  std::vector<std::int64_t> results(evaluate.result_count());
+  std::vector<std::int64_t> results_before;
   const auto fail = [&](std::uint64_t& count, const char* what, const Pins& pins) {
     ++count;
     if (!report.first_failure.empty()) return;
-    report.first_failure = fmt::format("{}: hit {} tag {:#x}", what, pins.hit, pins.out_tag);
+    report.first_failure =
+        fmt::format("{}: results {} tag {:#x}", what, fmt::join(results, " "), pins.out_tag);
     if (!asked.empty()) {
       const Asked& a = asked.front();
-      report.first_failure +=
-          fmt::format("; expected hit {} tag {:#x} for vector {} of seed {}: {}", a.hit, a.tag, a.vector,
-                      vector_seed, hexadecimal(ports, vectors[a.vector]));
+      report.first_failure += fmt::format("; expected results {} tag {:#x} for vector {} of seed {}: {}",
+                                          fmt::join(a.results, " "), a.tag, a.vector, vector_seed,
+                                          hexadecimal(ports, vectors[a.vector]));
     }
     report.first_failure += fmt::format("; {} traffic of seed {}", traffic.name, seed);
   };
@@ -76,7 +82,7 @@ TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Ev
   for (int draining = 0; draining < drain_cycles && cycles < most_cycles; ++cycles) {
     const bool all_sent = report.sent == vectors.size();
     if (all_sent && asked.empty()) ++draining;
-    Pins pins;
+    Pins pins{.results = results.data()};
     pins.in_valid = !all_sent && chance(traffic.offered);
     pins.in_tag = tag;
     pins.out_ready = chance(traffic.taken);
@@ -85,7 +91,7 @@ TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Ev
 
     if (pins.in_ready != (pins.out_ready || !pins.out_valid)) fail(report.wrong_ready, "in_ready", pins);
     if (before.out_valid && !before.out_ready) {
-      const bool held = pins.out_valid && pins.hit == before.hit && pins.out_tag == before.out_tag;
+      const bool held = pins.out_valid && results == results_before && pins.out_tag == before.out_tag;
       if (!held) fail(report.not_held, "answer not held", pins);
     }
     if (pins.out_valid && !pins.out_ready) ++report.stalls;
@@ -93,7 +99,7 @@ TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Ev
       if (asked.empty()) {
         fail(report.surplus, "answer to no test", pins);
       } else {
-        if (pins.hit != asked.front().hit) fail(report.wrong_hits, "wrong HIT", pins);
+        if (results != asked.front().results) fail(report.wrong_results, "wrong result", pins);
         if (pins.out_tag != asked.front().tag) fail(report.wrong_tags, "wrong tag", pins);
         report.hits += pins.hit ? 1 : 0;
         ++report.received;
@@ -110,11 +116,12 @@ TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Ev
       continue;
     }
     if (pins.in_valid && pins.in_ready) {
-      asked.push_back({report.sent, tag, evaluate(vectors[report.sent].data())});
+      asked.push_back({report.sent, tag, rtl::judged(vectors[report.sent], evaluate).results});
       ++report.sent;
       tag = static_cast<std::uint16_t>(random());
     }
     before = pins;
+    results_before = results;
   }
   report.lost = vectors.size() - report.received;
   std::uint64_t noted = 0;

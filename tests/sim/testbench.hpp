@@ -23,20 +23,20 @@ struct Traffic {
 struct TestbenchReport {
   std::uint64_t sent = 0;  ///< without those that a reset dropped, which are sent again
   std::uint64_t received = 0;
-  std::uint64_t hits = 0;         ///< answers that are HIT
-  std::uint64_t wrong_hits = 0;   ///< HIT differs from the C++ datapath
-  std::uint64_t wrong_tags = 0;   ///< tag is not that of the oldest test without an answer
-  std::uint64_t surplus = 0;      ///< answers to no test
-  std::uint64_t lost = 0;         ///< tests that were never answered
-  std::uint64_t not_held = 0;     ///< an answer that was not taken changed or went
-  std::uint64_t wrong_ready = 0;  ///< in_ready is not "no answer waits to be taken"
+  std::uint64_t hits = 0;           ///< answers that are HIT
+  std::uint64_t wrong_results = 0;  ///< a result differs from the C++ datapath
+  std::uint64_t wrong_tags = 0;     ///< tag is not that of the oldest test without an answer
+  std::uint64_t surplus = 0;        ///< answers to no test
+  std::uint64_t lost = 0;           ///< tests that were never answered
+  std::uint64_t not_held = 0;       ///< an answer that was not taken changed or went
+  std::uint64_t wrong_ready = 0;    ///< in_ready is not "no answer waits to be taken"
   std::uint64_t resets = 0;
   std::uint64_t dropped = 0;  ///< tests that were in flight at a reset: their answers must not come
   std::uint64_t stalls = 0;   ///< cycles in which an answer waited: what was checked to be held
   std::string first_failure;  ///< operands in hexadecimal, tag, seed
 
   [[nodiscard]] bool clean() const {
-    return wrong_hits + wrong_tags + surplus + lost + not_held + wrong_ready == 0;
+    return wrong_results + wrong_tags + surplus + lost + not_held + wrong_ready == 0;
   }
   TestbenchReport& operator+=(const TestbenchReport& other);
 };

@@ -48,7 +48,7 @@ class VerilatedUnit : public testing::TestWithParam<Unit> {
                 static_cast<unsigned long long>(all.hits), static_cast<unsigned long long>(all.stalls),
                 static_cast<unsigned long long>(all.resets), name.c_str());
     EXPECT_TRUE(all.clean()) << name << ": " << all.first_failure;
-    EXPECT_EQ(all.wrong_hits + all.wrong_tags + all.not_held + all.lost + all.surplus, 0U) << name;
+    EXPECT_EQ(all.wrong_results + all.wrong_tags + all.not_held + all.lost + all.surplus, 0U) << name;
     EXPECT_EQ(all.sent, vectors.size()) << name;
     EXPECT_EQ(all.received, vectors.size()) << name;
     EXPECT_GT(all.stalls, vectors.size() / 4) << name;

@@ -5,52 +5,73 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "rtl_gen/emit/testbench.hpp"
+#include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::rtl {
 
-/// A beat a line: the expected HIT as a byte, then s_axis_tdata, hexadecimal, highest byte first.
-inline std::string stream_beats(const std::vector<Port>& ports, Evaluate evaluate, int count,
-                                std::uint64_t seed) {
+/// The numbers in bytes, hexadecimal, highest byte first; the first number is in the low bytes. Bits above a
+/// number come from `padding`.
+template <class Padding>
+std::string stream_bytes(const std::vector<Port>& ports, const std::vector<std::int64_t>& numbers,
+                         Padding padding) {
+  std::string bytes;
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    const int width = ports[i].width;
+    const std::uint64_t mask = ~std::uint64_t{0} >> (64 - width);
+    std::uint64_t field = (static_cast<std::uint64_t>(numbers[i]) & mask) | (padding() & ~mask);
+    std::string part;
+    for (int byte = 0; 8 * byte < width; ++byte, field >>= 8)
+      part.insert(0, fmt::format("{:02x}", field & 0xff));
+    bytes.insert(0, part);
+  }
+  return bytes;
+}
+
+/// The width of tdata with a field for each of the ports.
+inline int stream_width(const std::vector<Port>& ports) {
+  int bits = 0;
+  for (const Port& port : ports) bits += (port.width + 7) / 8 * 8;
+  return bits;
+}
+
+/// A beat a line: the expected m_axis_tdata, then s_axis_tdata.
+inline std::string stream_beats(const Design& design, Format format, int count, std::uint64_t seed) {
+  const std::vector<Port> ports = design.ports(format);
+  const std::vector<Port> results = result_ports(design.results(format));
   std::mt19937_64 random(seed);
   std::string text;
-  for (const auto& operands : operand_vectors(ports, count, seed)) {
-    std::string bytes;
-    for (std::size_t i = 0; i < ports.size(); ++i) {
-      const int width = ports[i].width;
-      const std::uint64_t mask = ~std::uint64_t{0} >> (64 - width);
-      std::uint64_t field = (static_cast<std::uint64_t>(operands[i]) & mask) | (random() & ~mask);
-      std::string part;
-      for (int byte = 0; 8 * byte < width; ++byte, field >>= 8)
-        part.insert(0, fmt::format("{:02x}", field & 0xff));
-      bytes.insert(0, part);
-    }
-    text += fmt::format("{:02x}{}\n", evaluate(operands.data()) ? 1 : 0, bytes);
+  for (const Vector& vector : judged(operand_vectors(ports, count, seed), design.evaluate(format))) {
+    text += stream_bytes(results, vector.results, [] { return std::uint64_t{0}; });
+    text += stream_bytes(ports, vector.operands, [&] { return random(); }) + "\n";
   }
   return text;
 }
 
-/// Of the module <design>_axis; `bits` is s_axis_tdata's width.
-inline std::string stream_bench(const std::string& design, int bits, int count) {
+/// Of the module <design>_axis.
+inline std::string stream_bench(const Design& design, Format format, int count) {
   return fmt::format(R"(module axis_bench;
   localparam COUNT = {2};
   localparam BITS = {1};
-  reg [BITS+7:0] beats [0:COUNT-1];
+  localparam RESULTS = {3};
+  reg [BITS+RESULTS-1:0] beats [0:COUNT-1];
   reg aclk, aresetn, s_valid, m_ready, taken, given, held;
   reg [15:0] sent, received;
-  reg [23:0] before;
+  reg [RESULTS+15:0] before;
   integer seed, errors, cycles, mode;
   wire s_ready, m_valid;
-  wire [7:0] m_data;
+  wire [RESULTS-1:0] m_data;
   wire [15:0] m_tid;
-  wire [BITS+7:0] beat = beats[sent];
-  wire [BITS+7:0] expected = beats[received];
+  wire [BITS+RESULTS-1:0] beat = beats[sent];
+  wire [BITS+RESULTS-1:0] expected = beats[received];
 
   {0}_axis #(.TAG_BITS(16)) dut (
     .aclk(aclk), .aresetn(aresetn),
@@ -100,7 +121,7 @@ inline std::string stream_bench(const std::string& design, int bits, int count) 
       given = m_valid && m_ready;
       held = m_valid && !m_ready;
       before = {{m_data, m_tid}};
-      if (given && (m_data !== expected[BITS+7:BITS] || m_tid !== (received ^ 16'ha5c3))) fail("wrong result");
+      if (given && (m_data !== expected[BITS+RESULTS-1:BITS] || m_tid !== (received ^ 16'ha5c3))) fail("wrong result");
       @(posedge aclk);
       #1;
       if (taken) sent = sent + 16'd1;
@@ -125,7 +146,25 @@ inline std::string stream_bench(const std::string& design, int bits, int count) 
   end
 endmodule
 )",
-                     design, bits, count);
+                     design.name, stream_width(design.ports(format)), count,
+                     stream_width(result_ports(design.results(format))));
+}
+
+/// What the bench says of the wrapper in a folder.
+inline std::string streamed(const std::filesystem::path& folder, const Design& design, Format format,
+                            int count, std::uint64_t seed, int mode) {
+  write_text(folder / "beats.hex", stream_beats(design, format, count, seed));
+  write_text(folder / "bench.v", stream_bench(design, format, count));
+  const ToolResult compiled =
+      run_tool(folder, "iverilog", "iverilog",
+               fmt::format("-g2001 -Wall -Wno-timescale -o bench bench.v {0}_axis.v {0}.v", design.name));
+  if (compiled.status != 0) return "iverilog: " + compiled.output;
+  std::istringstream printed(run_tool(folder, "iverilog", "vvp", fmt::format("bench +mode={}", mode)).output);
+  std::string line;
+  while (std::getline(printed, line)) {
+    if (line.starts_with("PASS") || line.starts_with("FAIL")) return line;
+  }
+  return "no verdict";
 }
 
 }  // namespace hitpipe::rtl

@@ -130,6 +130,8 @@ std::vector<Port> some_ports() {
   return {{"s", 4, true}, {"u", 5, false}, {"bit", 1, false}, {"wide", 64, true}};
 }
 
+const std::vector<hls::Result> hit_alone{{"hit", hls::Meaning::hit, 0, 1, false}};
+
 TEST(Vectors, FitTheirPorts) {
   const auto vectors = operand_vectors(some_ports(), 4000, 7);
   ASSERT_EQ(vectors.size(), 4000U);
@@ -159,7 +161,8 @@ TEST(Vectors, ComeFromTheSeedAlone) {
 
 TEST(Vectors, PortsThatAreGoneAreNotWritten) {
   const std::vector<Port> ports{{"a", 4, false}, {"b", 4, false}, {"c", 8, true}};
-  EXPECT_EQ(vector_file(ports, {{"b", 4, false}, {"c", 3, true}}, {{{15, 9, -2}, true}, {{15, 1, 2}, false}}),
+  EXPECT_EQ(vector_file(ports, {{"b", 4, false}, {"c", 3, true}}, hit_alone,
+                        {{{15, 9, -2}, {1}}, {{15, 1, 2}, {0}}}),
             "9d\n14\n");
 }
 
@@ -171,34 +174,40 @@ TEST(Vectors, FirstPortIsInTheHighBitsAndHitInBit0) {
     const std::int64_t word = (v[0] & 0x3f) << 6 | v[1] << 1 | (v[0] < v[1] ? 1 : 0);
     expected += fmt::format("{:03x}\n", word);
   }
-  EXPECT_EQ(vector_file(ports, ports, judged(vectors, [](const std::int64_t* v) { return v[0] < v[1]; })),
-            expected);
+  const Evaluate less(
+      [](const Format&, const std::int64_t* v, std::int64_t* results) { *results = v[0] < v[1] ? 1 : 0; },
+      hls::IntBits{}, hit_alone);
+  EXPECT_EQ(vector_file(ports, ports, hit_alone, judged(vectors, less)), expected);
 }
 
 // The random graph that the Evaluate below runs: a function without state is all that a Design can hold.
 const Graph* evaluated_graph = nullptr;
 
-bool evaluate_graph(const std::int64_t* operands) {
+void evaluate_graph(const Format& /*its own*/, const std::int64_t* operands, std::int64_t* results) {
   std::vector<std::uint64_t> in;
   for (std::size_t i = 0; i < evaluated_graph->inputs().size(); ++i)
     in.push_back(static_cast<std::uint64_t>(operands[i]));
-  return evaluate(*evaluated_graph, in).front() != 0;
+  *results = static_cast<std::int64_t>(evaluate(*evaluated_graph, in).front());
 }
 
 /// What Icarus says of a graph with one output, "hit", against evaluate().
 std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library& library, int vectors) {
   const Design design{.name = "toy",
                       .summary = "",
-                      .arithmetic = hls::Arithmetic::integer,
-                      .traced = nullptr,
-                      .native = nullptr};
+                      .conservative = false,
+                      .default_format = hls::IntBits{},
+                      .results_at = nullptr,
+                      .ports_at = nullptr,
+                      .trace_at = nullptr,
+                      .run_at = nullptr};
   const std::vector<Port> ports = input_ports(pipeline.graph);
   const ScratchFolder folder;
   evaluated_graph = &graph;
-  const std::vector<Vector> expected = judged(operand_vectors(ports, vectors, 5), evaluate_graph);
+  const std::vector<Vector> expected =
+      judged(operand_vectors(ports, vectors, 5), Evaluate(evaluate_graph, hls::IntBits{}, hit_alone));
   host::write_files(folder.path(), {{"toy.v", to_verilog(pipeline, library)},
-                                    {"tb/toy_tb.v", testbench(design, ports, vectors)},
-                                    {"tb/toy_vectors.hex", vector_file(ports, ports, expected)}});
+                                    {"tb/toy_tb.v", testbench(design, ports, hit_alone, vectors)},
+                                    {"tb/toy_vectors.hex", vector_file(ports, ports, hit_alone, expected)}});
   evaluated_graph = nullptr;
   return replayed(folder, "toy");
 }

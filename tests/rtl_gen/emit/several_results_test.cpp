@@ -1,0 +1,143 @@
+// What is emitted of a design with several results: the testbench compares each of them, the wrapper streams
+// them, and the manifest lists them.
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files.hpp"
+#include "rtl_gen/emit/axi_stream.hpp"
+#include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/emit/testbench.hpp"
+#include "tests/rtl_gen/emit/axi_stream_bench.hpp"
+#include "tests/rtl_gen/emit/two_boxes.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+using nlohmann::json;
+
+class SeveralResults : public testing::Test {
+ protected:
+  void SetUp() override { write(format); }
+  void write(const Format& at) const {
+    const Pipeline pipeline = make_pipeline(design.trace(at), Library::thesis());
+    host::write_files(folder.path(),
+                      emit(design, at, Library::thesis(), pipeline, {.axi_stream = true}).files());
+  }
+  [[nodiscard]] std::string replayed() const {
+    const ToolResult compiled = run_tool(folder / "tb", "iverilog", "iverilog",
+                                         "-g2001 -Wall -Wno-timescale -o tb two_boxes_tb.v ../two_boxes.v");
+    EXPECT_EQ(compiled.output, "");
+    return run_tool(folder / "tb", "iverilog", "vvp", "-n tb").output;
+  }
+  /// Inverts a bit of the word in a line of the vector file.
+  void flip(std::size_t vector, int bit) const {
+    std::istringstream in(read_text(folder / vectors_file));
+    std::string text;
+    std::string line;
+    for (std::size_t i = 0; std::getline(in, line); ++i) {
+      if (i == vector) {
+        char& digit = line[line.size() - 1 - static_cast<std::size_t>(bit) / 4];
+        digit = "0123456789abcdef"[std::stoi(std::string(1, digit), nullptr, 16) ^ (1 << bit % 4)];
+      }
+      text += line + "\n";
+    }
+    write_text(folder / vectors_file, text);
+  }
+
+  static constexpr const char* vectors_file = "tb/two_boxes_vectors.hex";
+  const Design design = two_boxes();
+  const Format format = design.default_format;
+  const ScratchFolder folder;
+};
+
+TEST_F(SeveralResults, OfTheEmittedDesignPass) {
+  EXPECT_THAT(replayed(), testing::HasSubstr("PASS 1000 vectors"));
+}
+
+TEST_F(SeveralResults, AreAllComparedByTheTestbench) {
+  int bits = 0;
+  for (const hls::Result& result : design.results(format)) bits += result.width;
+  ASSERT_EQ(bits, 8);
+  for (int bit = 0; bit < bits; ++bit) {
+    flip(700, bit);
+    EXPECT_THAT(replayed(), testing::HasSubstr("FAIL vector 700 (")) << bit;
+    flip(700, bit);
+  }
+  EXPECT_THAT(replayed(), testing::HasSubstr("PASS 1000 vectors"));
+}
+
+TEST_F(SeveralResults, LintIsSilent) {
+  for (const char* const bits : {"6/6", "16/16"}) {
+    write(design.parse_format(bits));
+    EXPECT_EQ(run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall two_boxes.v").output, "");
+    EXPECT_EQ(run_tool(folder.path(), "verilator", "verilator",
+                       "--lint-only -Wall --top-module two_boxes_axis two_boxes_axis.v two_boxes.v")
+                  .output,
+              "");
+  }
+}
+
+TEST_F(SeveralResults, AreStreamedOnByteBoundaries) {
+  for (const int mode : {0, 1, 2, 3}) {
+    EXPECT_THAT(streamed(folder.path(), design, format, 1000, 53, mode),
+                testing::StartsWith("PASS 1000 beats"))
+        << "mode " << mode;
+  }
+}
+
+TEST_F(SeveralResults, AreAllComparedByTheBenchOfTheWrapper) {
+  const std::string whole = read_text(folder / "two_boxes_axis.v");
+  for (const char* const name : {"entry", "hit_a", "hit_b"}) {
+    std::string text = whole;
+    const std::string good = fmt::format("? spare_{0} : out_{0}", name);
+    const std::size_t at = text.find(good);
+    ASSERT_NE(at, std::string::npos);
+    write_text(folder / "two_boxes_axis.v",
+               text.replace(at, good.size(), fmt::format("? ~spare_{0} : ~out_{0}", name)));
+    EXPECT_THAT(streamed(folder.path(), design, format, 1000, 53, 1),
+                testing::StartsWith("FAIL wrong result"))
+        << name;
+  }
+}
+
+TEST_F(SeveralResults, AreInTheManifest) {
+  const json manifest = json::parse(read_text(folder / "two_boxes.json"));
+  EXPECT_EQ(manifest.at("results"), json::parse(R"([
+    {"name": "entry", "meaning": "entry", "box": 0, "width": 6},
+    {"name": "hit_a", "meaning": "hit", "box": 0, "width": 1},
+    {"name": "hit_b", "meaning": "hit", "box": 1, "width": 1}])"));
+  EXPECT_EQ(manifest.at("axi_stream").at("m_axis"), json::parse(R"({"tdata_bits": 24, "fields": [
+    {"name": "entry", "offset": 0, "width": 6},
+    {"name": "hit_a", "offset": 8, "width": 1},
+    {"name": "hit_b", "offset": 16, "width": 1}]})"));
+  std::vector<json> outputs;
+  for (const json& port : manifest.at("ports"))
+    if (port.at("direction") == "out") outputs.push_back(port);
+  ASSERT_EQ(outputs.size(), 6U);
+  EXPECT_EQ(outputs[3], json::parse(R"({"name": "entry", "direction": "out", "width": 6, "signed": true})"));
+  EXPECT_EQ(outputs[5], json::parse(R"({"name": "hit_b", "direction": "out", "width": 1, "signed": false})"));
+}
+
+TEST_F(SeveralResults, HaveTheLastOneInTheLowBitsOfAVector) {
+  const std::vector<hls::Result> results{{"far", hls::Meaning::exit, 0, 5, true},
+                                         {"hit", hls::Meaning::hit, 0, 1, false},
+                                         {"near", hls::Meaning::entry, 0, 2, true}};
+  const std::vector<Port> ports{{"a", 4, false}};
+  // 1001 11101 1 10, and 0110 00011 0 01.
+  EXPECT_EQ(vector_file(ports, ports, results, {{{9}, {-3, 1, -2}}, {{6}, {3, 0, 1}}}), "9ee\n619\n");
+}
+
+TEST_F(SeveralResults, OfADesignWithoutHitOfTheFirstBoxAreRefused) {
+  EXPECT_THROW((void)place_of_hit(std::vector<hls::Result>{{"hit", hls::Meaning::hit, 1, 1, false},
+                                                           {"near", hls::Meaning::entry, 0, 2, true}}),
+               std::invalid_argument);
+  EXPECT_EQ(place_of_hit(design.results(format)), 1U);
+  EXPECT_EQ(design.boxes_per_test(), 2);
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl

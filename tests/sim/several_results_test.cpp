@@ -1,0 +1,154 @@
+// Verilog of a design with several results: all of them are read, and each one that is wrong is found.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/verilog/module.hpp"
+#include "sim/check/check.hpp"
+#include "sim/fit/vector_check.hpp"
+#include "sim/software.hpp"
+#include "sim/verilated_design.hpp"
+#include "tests/rtl_gen/emit/two_boxes.hpp"
+
+namespace hitpipe::sim {
+namespace {
+
+class SeveralResults : public testing::Test {
+ protected:
+  [[nodiscard]] VerilatedDesign built() const { return {design, format, pipeline, verilog}; }
+  void invert(const std::string& result) {
+    const std::string assign = "assign " + result + " = ";
+    const std::size_t at = verilog.find(assign);
+    ASSERT_NE(at, std::string::npos);
+    const std::size_t from = at + assign.size();
+    const std::size_t to = verilog.find(';', from);
+    verilog.replace(from, to - from, "~(" + verilog.substr(from, to - from) + ")");
+  }
+
+  const rtl::Design design = rtl::two_boxes();
+  const rtl::Format format = design.default_format;
+  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), rtl::Library::thesis());
+  std::string verilog = rtl::to_verilog(pipeline, rtl::Library::thesis(),
+                                        {.module_name = "two_boxes", .bits = rtl::to_string(format)});
+};
+
+TEST_F(SeveralResults, AreThoseOfTheCpp) {
+  for (const char* const bits : {"6/6", "9/11"}) {
+    const rtl::Format at = design.parse_format(bits);
+    const VerilatedDesign verilated(design, at, rtl::Library::thesis());
+    ASSERT_EQ(verilated.results().size(), 3U);
+    Model model(verilated);
+    const std::vector<rtl::Vector> vectors =
+        rtl::judged(rtl::operand_vectors(design.ports(at), 20'000, 5), design.evaluate(at));
+    std::vector<std::int64_t> results(3);
+    std::size_t received = 0;
+    std::size_t negative = 0;
+    std::array<std::size_t, 2> hits{};
+    for (std::size_t cycle = 0; received < vectors.size() && cycle < vectors.size() + 20; ++cycle) {
+      const bool sending = cycle < vectors.size();
+      Pins pins{.in_valid = sending, .results = results.data()};
+      model.cycle(sending ? vectors[cycle].operands.data() : nullptr, pins);
+      if (!pins.out_valid) continue;
+      ASSERT_EQ(results, vectors[received].results) << received;
+      ASSERT_EQ(pins.hit, results[1] != 0);
+      negative += results[0] < 0 ? 1 : 0;
+      for (std::size_t box = 0; box < 2; ++box) hits[box] += static_cast<std::size_t>(results[1 + box]);
+      ++received;
+    }
+    EXPECT_EQ(received, vectors.size());
+    EXPECT_GT(negative, received / 10);
+    for (const std::size_t count : hits) {
+      EXPECT_GT(count, received / 20);
+      EXPECT_LT(count, received - received / 20);
+    }
+  }
+}
+
+VectorResult checked(const rtl::Design& design, const rtl::Format& format, const VerilatedDesign& verilated) {
+  const std::vector<rtl::Port> ports = design.ports(format);
+  const rtl::Demands none;
+  return check_vectors({.verilated = &verilated,
+                        .evaluate = design.evaluate(format),
+                        .ports = &ports,
+                        .demands = &none,
+                        .vectors = 2000});
+}
+
+TEST_F(SeveralResults, AgreeInAVectorCheck) {
+  const VectorResult result = checked(design, format, built());
+  EXPECT_EQ(result.mismatches, 0U) << result.first_mismatch;
+  EXPECT_EQ(result.vectors, 2000U);
+}
+
+/// Boxes of the adversary at the ports of the first box, moved a little at those of the second.
+class TwoBoxesTest final : public BoxTest {
+ public:
+  TwoBoxesTest(const rtl::Design& design, const rtl::Format& format, bool with_results)
+      : evaluate_(design.evaluate(format)), with_results_(with_results) {}
+  void start(const ref::Ray& ray) override {
+    operands_[0] = grid(ray.origin.x);
+    operands_[1] = grid(ray.direction.x);
+    operands_[2] = 9;
+  }
+  bool hit(const ref::Aabb& box) override {
+    operands_[3] = grid(box.min.x);
+    operands_[4] = grid(box.max.x);
+    operands_[5] = operands_[3] / 2;
+    operands_[6] = operands_[4] / 2;
+    evaluate_(operands_.data(), results_.data());
+    return evaluate_.hit(results_.data());
+  }
+  [[nodiscard]] std::span<const std::int64_t> operands() const override { return operands_; }
+  [[nodiscard]] std::span<const std::int64_t> results() const override {
+    return with_results_ ? std::span<const std::int64_t>(results_) : std::span<const std::int64_t>();
+  }
+
+ private:
+  static std::int64_t grid(float x) { return static_cast<std::int64_t>(std::clamp(x, -1.0F, 1.0F) * 15); }
+
+  rtl::Evaluate evaluate_;
+  bool with_results_;
+  std::array<std::int64_t, 7> operands_{};
+  std::array<std::int64_t, 3> results_{};
+};
+
+CategoryResult judged(const rtl::Design& design, const rtl::Format& format, const VerilatedDesign& verilated,
+                      bool with_results = true) {
+  return check([&] { return std::make_unique<TwoBoxesTest>(design, format, with_results); },
+               {.categories = {ref::adversary::categories()[0]}, .tests = 3000, .rtl = &verilated})
+      .front();
+}
+
+TEST_F(SeveralResults, AgreeInACheck) {
+  EXPECT_EQ(judged(design, format, built()).rtl_mismatches, 0U);
+}
+
+TEST_F(SeveralResults, MustBeGivenByABoxTestThatTheVerilogAnswersToo) {
+  EXPECT_THROW((void)judged(design, format, built(), false), std::invalid_argument);
+}
+
+class WrongResult : public SeveralResults, public testing::WithParamInterface<const char*> {};
+
+TEST_P(WrongResult, IsFound) {
+  invert(GetParam());
+  const VerilatedDesign damaged = built();
+  const VectorResult vectors = checked(design, format, damaged);
+  EXPECT_EQ(vectors.mismatches, 2000U);
+  EXPECT_THAT(vectors.first_mismatch, testing::ContainsRegex("^entry -?[0-9]+ hit_a [01] hit_b [01] tag 0, "
+                                                             "expected entry -?[0-9]+ hit_a [01] hit_b [01] "
+                                                             "tag 0 of vector 0 of seed 1: irx=0x"));
+  EXPECT_EQ(judged(design, format, damaged).rtl_mismatches, 3000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Results, WrongResult, testing::Values("entry", "hit_a", "hit_b"));
+
+TEST_F(SeveralResults, OfTwoBoxesTraceNoScene) {
+  Software software;
+  software.feed = [](const rtl::Format&, const ref::Bvh&) { return std::unique_ptr<SceneFeed>(); };
+  add_software(design.name, software);
+  EXPECT_EQ(why_not_traced(design),
+            "design two_boxes: answers for 2 boxes at a time; traversals ask about one");
+}
+
+}  // namespace
+}  // namespace hitpipe::sim
