@@ -15,18 +15,18 @@
 
 namespace {
 
-// Of a command that ran and found the hardware or a picture wrong, it is 1 too.
+// A command also returns 1 when it ran and found the hardware or a picture wrong.
 constexpr int wrong_hardware = 1;
 constexpr int asked_wrongly = 2;
 
-/// A word of the user's that a message quotes may hold line breaks.
+/// A message may quote a word of the user's that holds line breaks; they become blanks.
 void print_error(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
   fmt::print(stderr, "hitpipe: {}\n", text);
 }
 
-/// What is wrong with the command line, and which help tells more.
+/// What is wrong with the command line, and which help to read.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
   const auto commands = program.get_subcommands();
   if (!commands.empty())
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);  // help or version was asked for
+    if (error.get_exit_code() == 0) return program.exit(error);  // the user asked for help or the version
     print_error(usage_error(program, error));
     return asked_wrongly;
   } catch (const hitpipe::sim::WrongHardware& error) {

@@ -26,7 +26,7 @@ struct BvhCommand {
   Format format = Format::text;
 };
 
-/// "3:120": 120 leaves have 3 triangles. Beyond 16 triangles ranges that double: "17-32:5".
+/// "3:120": 120 leaves have 3 triangles. Beyond 16 triangles, ranges double in size: "17-32:5".
 Row leaf_sizes(const std::vector<std::size_t>& leaves_of) {
   constexpr std::size_t last_alone = 16;
   Row sizes = Row::array();

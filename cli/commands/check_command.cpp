@@ -36,7 +36,7 @@ struct CheckCommand {
   Format format = Format::text;
 };
 
-/// The adversary's, and those that are made for the design.
+/// The adversary's categories and those made for the design.
 std::vector<Category> chosen_categories(const rtl::Design& design, const std::vector<std::string>& names) {
   const auto general = ref::adversary::categories();
   std::vector<Category> all(general.begin(), general.end());
@@ -87,7 +87,7 @@ std::string replay_command(const CheckCommand& command, const Case& c) {
                      ref::adversary::to_text(c));
 }
 
-/// Exit code of a run that found these.
+/// The exit code for these counts.
 int verdict(const rtl::Design& design, std::uint64_t false_misses, std::uint64_t rtl_mismatches) {
   return (false_misses > 0 && design.conservative) || rtl_mismatches > 0 ? 1 : 0;
 }

@@ -20,7 +20,7 @@ struct CompareCommand {
 };
 
 int compare(const CompareCommand& command) {
-  // One step of an 8-bit code is 0.0039: readable text needs more than two digits after the point.
+  // One step of an 8-bit code is 0.0039, so the text needs more than two digits after the point.
   const auto difference_of = [&](double x) {
     return command.format == Format::text ? Row(fmt::format("{:.6g}", x)) : Row(x);
   };

@@ -34,7 +34,7 @@ struct CosimCommand {
   Format format = Format::text;
 };
 
-/// Made here, or as it was written to a folder.
+/// Made here, or read from a folder.
 sim::WrittenUnit unit_of(const CosimCommand& command) {
   const rtl::Design& design = command.choice.design();
   const rtl::Library& library = rtl::Library::thesis();
@@ -82,7 +82,7 @@ int cosimulate(const CosimCommand& command) {
   const sim::VerilatedDesign verilated = sim::verilate(design, unit);
   const fs::path folder = command.out;
   const bool emits = !command.out.empty() && command.unit.empty();
-  // Before the long run: a folder that cannot be written to is known at once.
+  // Done before the long run, so that a folder that cannot be written is reported at once.
   if (!command.out.empty()) host::make_folder(folder);
   if (emits) {
     const rtl::EmittedDesign emitted = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);

@@ -34,7 +34,7 @@ struct ReportCommand {
   Format format = Format::text;
 };
 
-/// As a shell takes it.
+/// Quoted for a shell.
 std::string quoted(const std::string& word) {
   const bool plain = !word.empty() && word.find_first_not_of(
                                           "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
@@ -45,7 +45,7 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// The options that the user gave, as given; only those of the scene and of the picture, if so wanted.
+/// The options that the user gave, as given. If asked for, only those of the scene and of the picture.
 std::string options_given(const CLI::App& command, bool scene_only) {
   std::string text;
   for (const CLI::Option* const option : command.get_options()) {
@@ -60,7 +60,7 @@ std::string options_given(const CLI::App& command, bool scene_only) {
   return text;
 }
 
-/// The format with the least numbers among the rows of a design; else the format that it has.
+/// The smallest format of a design among the rows. If there is none, the format that the design has.
 rtl::Format coarsest(std::span<const sim::SweepRow> rows, const DesignChoice& unit) {
   rtl::Format least = unit.format();
   for (const sim::SweepRow& row : rows) {
@@ -71,7 +71,7 @@ rtl::Format coarsest(std::span<const sim::SweepRow> rows, const DesignChoice& un
   return least;
 }
 
-/// The first design that never misses and can be traced.
+/// The first conservative design that can be swept.
 std::string image_design() {
   for (const rtl::Design& design : rtl::designs())
     if (design.conservative && sim::why_not_swept(design).empty()) return std::string(design.name);

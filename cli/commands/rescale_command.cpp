@@ -18,7 +18,7 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// A transform and how the user wrote it.
+/// A transform, with the text by which the user gave it.
 struct NamedTransform {
   std::string name;
   sim::Transform transform;
@@ -28,7 +28,7 @@ struct RescaleCommand {
   SceneChoice scene;
   std::vector<NamedTransform> scales;
   std::vector<NamedTransform> offsets;
-  DesignChoice design;  ///< without a name: software alone
+  DesignChoice design;  ///< without a name: software only
   Format format = Format::text;
 };
 
@@ -70,7 +70,8 @@ NamedTransform parse_offset(const std::string& text) {
   return {"+" + text, transform};
 }
 
-/// What the user asked for, or a choice of both kinds; far is measured in the mesh's longest side.
+/// What the user asked for, or a choice of scales and offsets. Offsets are measured in the longest side of
+/// the mesh.
 std::vector<NamedTransform> transforms(const RescaleCommand& command, const ref::SceneDescription& scene) {
   std::vector<NamedTransform> all = command.scales;
   all.insert(all.end(), command.offsets.begin(), command.offsets.end());
@@ -97,7 +98,7 @@ Row row_of(const NamedTransform& t, const sim::MovedScene& moved, const sim::Pic
           {"rtl_mismatches", by_rtl(picture.rtl_mismatches)}};
 }
 
-/// As eighty columns hold it.
+/// As a table that fits 80 columns.
 Row short_row(const Row& row, bool judged) {
   Row made{{"transform", row.at("transform")},
            {"vertices", row.at("vertices_moved")},

@@ -31,15 +31,15 @@ struct StiffnessCommand {
   Format format = Format::text;
 };
 
-constexpr std::size_t most_formats = 8;  // of a table of 80 columns
+constexpr std::size_t most_formats = 8;  // a table has 80 columns
 
 struct LoadedScene {
   ref::Scene scene;
   ref::Bvh bvh;
 };
 
-/// Unless the user names designs, those that never miss. A wrong name or format is known here, before the
-/// long run.
+/// The conservative designs, unless the user names designs. A wrong name or format is reported here, before
+/// the long run.
 std::vector<MeasuredDesign> chosen(const StiffnessCommand& command) {
   const auto own = [](const rtl::Design& design) { return sim::stiffness_formats(design); };
   std::vector<const rtl::Design*> designs = command.units.designs(sim::why_not_traced);

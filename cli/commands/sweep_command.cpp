@@ -36,7 +36,7 @@ std::vector<sim::SweepPoint> plan(const SweepCommand& command) {
   return sim::plan_sweep(command.units.formats(designs, sim::sweep_formats), command.rays_in_flight);
 }
 
-/// Cells as the file has them; JSON has numbers for numbers.
+/// Cells as in the file. In JSON, numbers are numbers.
 Row record(const sim::SweepRow& row) {
   Row record;
   const std::vector<std::string> cells = sim::to_cells(row);
@@ -60,7 +60,7 @@ std::string text_of(const std::vector<sim::SweepRow>& rows) {
   return text;
 }
 
-/// Prints the rows; the exit code.
+/// Prints the rows and returns the exit code.
 int report(const sim::RowsFile& rows, Format format) {
   if (format == Format::csv) {
     fmt::print("{}", sim::to_text(rows));

@@ -19,7 +19,7 @@ struct TableOptions {
   Format format = Format::text;
 };
 
-/// "Bunny=bunny.ply".
+/// For example "Bunny=bunny.ply".
 void add_scene(const std::string& text, ref::ExperimentOptions& options) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())

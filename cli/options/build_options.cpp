@@ -14,7 +14,7 @@ namespace {
 
 const Choices<ref::Builder> builders{{"median", ref::Builder::median}, {"sah", ref::Builder::sah}};
 
-/// What the scene's place in the cube leaves around it: padded boxes stay in the cube.
+/// The space that a placed scene leaves around it in the cube. Padded boxes must stay in the cube.
 constexpr double most_padding = 0x1p-10;
 
 std::string padding_error(const std::string& text) {

@@ -19,7 +19,7 @@ void append_once(std::vector<rtl::Format>& formats, const rtl::Format& format) {
   if (std::find(formats.begin(), formats.end(), format) == formats.end()) formats.push_back(format);
 }
 
-/// "n/t, as in 20/24, for int_slabs, int_plucker; eEmM, as in fp32, for fp_slabs".
+/// The formats of these designs: "n/t with n in .. for int_slabs, int_plucker; fp32, which .. for fp_slabs".
 std::string spellings(const std::vector<const rtl::Design*>& designs) {
   std::vector<std::pair<const rtl::FormatFamily*, std::vector<std::string_view>>> users;
   for (const rtl::Design* const design : designs) {

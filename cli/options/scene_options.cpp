@@ -14,7 +14,7 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// "1,0.5,-2".
+/// For example "1,0.5,-2".
 glm::dvec3 parse_vector(const std::string& option, const std::string& text) {
   glm::dvec3 xyz(0.0);
   const char* at = text.data();
