@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   hitpipe::cli::add_commands(program, exit_code);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
   program.footer(
-      "hitpipe COMMAND --help tells more of each. A first try:\n"
+      "hitpipe COMMAND --help describes a command. A first try:\n"
       "  hitpipe cosim int_slabs --scene spheres --out out\n"
       "Exit codes:\n"
       "  0  good\n"

@@ -107,7 +107,7 @@ void report(BvhCommand command) {
 
 void add_bvh_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command = program.add_subcommand(
-      "bvh", "Build a scene's hierarchy of boxes and print what it is like; Appendix B of the thesis");
+      "bvh", "Build a scene's hierarchy of boxes and print its figures (Appendix B of the thesis)");
   const auto options = std::make_shared<BvhCommand>();
   add_scene_options(*command, options->scene);
   for (const char* const of_an_image : {"--width", "--height"}) {

@@ -188,14 +188,15 @@ void add_check_command(CLI::App& program, int& exit_code) {
   const auto options = std::make_shared<CheckCommand>();
   add_design_options(*command, options->choice);
   add_list_option(*command, "--category", options->categories,
-                  "Draw from these categories only. A wrong name lists them all", "NAME");
+                  "Draw only from these categories; an unknown name lists all", "NAME");
   add_large_count_option(*command, "--tests", options->tests, 1, 10'000'000'000'000,
-                         "Tests in all, shared by the categories (1 to 10^13)");
+                         "Total number of tests, divided among the categories (1 to 10^13)");
   add_seed_option(*command, options->seed);
-  add_count_option(*command, "--threads", options->threads, {1, 1024}, "Threads; no result depends on it")
+  add_count_option(*command, "--threads", options->threads, {1, 1024},
+                   "Number of threads; results do not depend on it")
       ->capture_default_str();
-  command->add_flag("--rtl", options->rtl, "Let the Verilog answer every test too");
-  command->add_option("--replay", options->replay, "Judge one case, as a failed check prints it")
+  command->add_flag("--rtl", options->rtl, "The Verilog answers every test too");
+  command->add_option("--replay", options->replay, "Judge the one case that a failed check printed")
       ->type_name("CASE");
   add_format_option(*command, options->format);
   command->callback(

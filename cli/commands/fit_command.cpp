@@ -196,7 +196,7 @@ int fit(const FitCommand& command) {
 
 void add_fit_command(CLI::App& program, int& exit_code) {
   CLI::App* const command = program.add_subcommand(
-      "fit", "Leave out of the designs what a scene does not need, and prove that nothing is missed");
+      "fit", "Make the smallest unit of each design for a scene, and check that it misses nothing");
   const auto options = std::make_shared<FitCommand>();
   add_scene_options(*command, options->scene);
   add_bounces_option(*command, options->light);
@@ -204,15 +204,14 @@ void add_fit_command(CLI::App& program, int& exit_code) {
   add_designs_option(*command, options->units);
   command
       ->add_option("--overhead", options->overhead_pct,
-                   "Most extra box tests that fewer bits, or rays without ends, may cost, in percent")
+                   "Limit of the extra box tests from fewer bits and from rays without ends, in percent")
       ->check(overhead_problem)
       ->capture_default_str()
       ->type_name("P");
-  add_bits_option(*command, options->units, "24/24 of n/t designs: the formats before the fit");
-  command->add_flag("--keep-bits", options->keep_bits, "Leave the number format as it is");
-  add_large_count_option(
-      *command, "--vectors", options->vectors, 0, 1'000'000'000,
-      "Random vectors within the demands that are sent through the Verilog (0 to 10^9); 0: none");
+  add_bits_option(*command, options->units, "24/24 for n/t designs. The fit starts from these formats");
+  command->add_flag("--keep-bits", options->keep_bits, "Keep the number format");
+  add_large_count_option(*command, "--vectors", options->vectors, 0, 1'000'000'000,
+                         "Random vectors, within the demands, that go through the Verilog (0 to 10^9)");
   add_folder_option(*command, options->out, "Folder for each design's Verilog, manifest and testbench")
       ->required();
   add_format_option(*command, options->format);

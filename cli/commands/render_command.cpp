@@ -132,11 +132,11 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   };
   file("--out", options->out, "Image to write: .png or .exr");
   file("--depth-map", options->depth_map,
-       "Map of the distances from the eye, in the cube: .exr as they are, .png in colours from nearest to "
-       "farthest, the sky black");
+       "Map of the distances from the eye, in the cube: .exr holds the values, .png colours from nearest to "
+       "farthest, with a black sky");
   file("--box-map", options->box_map,
-       "Map of the box tests of all rays of a pixel: .exr as they are, .png in colours from none to most");
-  file("--triangle-map", options->triangle_map, "The same of the triangle tests");
+       "Map of the box tests of all rays of a pixel: .exr holds the values, .png colours from none to most");
+  file("--triangle-map", options->triangle_map, "The same for triangle tests");
   add_format_option(*command, options->format);
   command->callback([options] { render_scene(*options); });
 }

@@ -180,7 +180,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                 {"different_pixels", wrong.different_pixels}},
                                command.format));
   if (!wrong.any()) return 0;
-  fmt::print(stderr, "hitpipe: what must be 0 is not; see {}\n", page);
+  fmt::print(stderr, "hitpipe: a count that must be 0 is not; see {}\n", page);
   return 1;
 }
 
@@ -194,18 +194,18 @@ void add_report_command(CLI::App& program, int& exit_code) {
   CLI::Option* const rows =
       command
           ->add_option("--rows", options->rows,
-                       "CSV of hitpipe sweep, of this scene and size, instead of a new sweep")
+                       "Read the rows from a CSV file that hitpipe sweep wrote for this scene and size")
           ->type_name("FILE");
-  add_bits_option(*command, options->swept, "those that hitpipe sweep takes")->excludes(rows);
+  add_bits_option(*command, options->swept, "those of hitpipe sweep")->excludes(rows);
   options->image.name = image_design();
   command
       ->add_option("--image-design", options->image.name,
-                   "The design whose Verilog renders the image; one that never misses")
+                   "The design whose Verilog renders the image; it must be one that never misses")
       ->capture_default_str()
       ->type_name("NAME");
   command->add_option("--image-bits", options->image.bits, "Its number format")->type_name("FORMAT");
   add_large_count_option(*command, "--tests", options->tests, 1, 1'000'000'000,
-                         "Of each unit's stability (1 to 10^9)");
+                         "Number of stability tests for each unit (1 to 10^9)");
   add_seed_option(*command, options->seed);
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
   add_format_option(*command, options->format);

@@ -160,7 +160,7 @@ int rescale(const RescaleCommand& command) {
   }
   fmt::print("{}", table_text(rows, command.format));
   if (wrong == 0) return 0;
-  fmt::print(stderr, "hitpipe: {} answers of the Verilog differ from the reference on the mesh as moved\n",
+  fmt::print(stderr, "hitpipe: {} answers of the Verilog differ from the reference on the moved mesh\n",
              wrong);
   return 1;
 }
@@ -181,13 +181,13 @@ void add_rescale_command(CLI::App& program, int& exit_code) {
         },
         what);
   };
-  add("--scale", options->scales, parse_scale, "Multiply mesh, camera and lights; each a number or 2^N")
+  add("--scale", options->scales, parse_scale, "Scale mesh, camera and lights by a number or by 2^N")
       ->delimiter(',')
       ->type_name("X");
-  add("--offset", options->offsets, parse_offset, "Shift them, in own units")->type_name("X,Y,Z");
-  command->add_option("--design", options->design.name, "Let this design's Verilog answer every box test")
+  add("--offset", options->offsets, parse_offset, "Move them, in units of the scene")->type_name("X,Y,Z");
+  command->add_option("--design", options->design.name, "This design's Verilog answers every box test")
       ->type_name("NAME");
-  command->add_option("--bits", options->design.bits, "Number format of the design; its own unless given")
+  command->add_option("--bits", options->design.bits, "Number format of the design (default: its own)")
       ->type_name("FORMAT");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = rescale(*options); });

@@ -71,7 +71,7 @@ void add_table_command(CLI::App& program, int& /*exit_code*/) {
                    "Timed runs of each kind; the fastest counts")
       ->capture_default_str();
   add_count_option(*command, "--threads", options->experiment.threads, {1, 1024},
-                   "Threads of what is counted; what is timed has one")
+                   "Number of threads for counting; timing uses one thread")
       ->capture_default_str();
   add_format_option(*command, options->format);
   command->callback([options] { run(*options); });

@@ -52,7 +52,7 @@ struct DesignsChoice {
 
 /// Adds --designs.
 CLI::Option* add_designs_option(CLI::App& command, DesignsChoice& choice);
-/// Adds --bits. `otherwise` tells the help which formats are taken without it.
+/// Adds --bits. `otherwise` tells the help which formats are the default.
 CLI::Option* add_bits_option(CLI::App& command, DesignsChoice& choice, const std::string& otherwise);
 
 }  // namespace hitpipe::cli

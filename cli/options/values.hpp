@@ -56,8 +56,9 @@ inline CLI::Option* add_large_count_option(CLI::App& command, const std::string&
 
 /// --seed, for everything that a command draws at random.
 inline CLI::Option* add_seed_option(CLI::App& command, std::uint64_t& value) {
-  return add_large_count_option(command, "--seed", value, 0, std::numeric_limits<std::uint64_t>::max(),
-                                "Of the cases; the same seed gives the same cases (0 to 2^64 - 1)");
+  return add_large_count_option(
+      command, "--seed", value, 0, std::numeric_limits<std::uint64_t>::max(),
+      "Seed of the random cases; the same seed gives the same cases (0 to 2^64 - 1)");
 }
 
 /// Several values of one option, separated by commas. A command without arguments of its own also takes
