@@ -13,7 +13,7 @@ namespace {
 
 class ModelLatency : public testing::TestWithParam<Unit> {};
 
-/// Edges between the one that takes a lone test and the one that latches its answer.
+/// Clock edges from the one that takes a single test to the one that latches its answer.
 int measured_latency(Model& model, const std::vector<std::int64_t>& operands, std::uint16_t tag) {
   Pins take{.in_valid = true, .in_tag = tag};
   model.cycle(operands.data(), take);
