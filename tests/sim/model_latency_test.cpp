@@ -1,4 +1,4 @@
-// Every unit builds, and its Verilog answers exactly as many clock edges after a test is taken as the
+// Every unit builds, and its Verilog answers exactly as many clock edges after it takes a test as the
 // schedule has stages. These tests fill the cache of Verilated models for all others.
 #include <map>
 

@@ -1,4 +1,4 @@
-// `hitpipe bvh`: what a scene's hierarchy is like, and the sweep of Appendix B.
+// `hitpipe bvh`: the figures of a scene's hierarchy, and the sweep of Appendix B.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

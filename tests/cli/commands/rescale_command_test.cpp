@@ -1,4 +1,4 @@
-// `hitpipe rescale`: a scene in other units, a row for each.
+// `hitpipe rescale`: a scene in other units, with one row for each.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -103,7 +103,7 @@ TEST(RescaleCommand, MeshFileIsMovedAsLoaded) {
   }
 }
 
-/// Commas, blanks, or the option again; an offset has commas of its own.
+/// Separated by commas or blanks, or the option repeated. An offset has commas of its own.
 TEST(RescaleCommand, TakesListsInEveryForm) {
   const auto lists = [](const std::vector<std::string>& how) {
     std::vector<std::string> arguments = how;
