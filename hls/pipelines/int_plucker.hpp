@@ -2,7 +2,7 @@
 // box if it passes inside the box's silhouette and the box lies between its ends. The test is conservative:
 // it may say HIT too often but never misses. The direction is known to half a unit and products lose low
 // bits, so a side relation counts as outside only below EBND.
-// Widths: differences n bits, products 2n, of which t are kept, side relations t+1 (the thesis prices t).
+// Widths: differences n bits, products 2n with t bits kept, side relations t+1 (the thesis prices t).
 #pragma once
 
 #include <cstdint>

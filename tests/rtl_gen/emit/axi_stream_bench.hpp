@@ -1,6 +1,6 @@
-// A Verilog testbench of the AXI4-Stream wrapper and the beats it sends. It packs the beats by itself, fills
-// their padding at random, and watches the protocol: tvalid waits for nothing, what is offered stays as it is
-// until it is taken, no input reaches an output in the same cycle, a reset empties all.
+// A Verilog testbench of the AXI4-Stream wrapper and the beats that it sends. It packs the beats itself,
+// fills their padding at random, and watches the protocol: tvalid waits for nothing, what is offered stays
+// until it is taken, no input reaches an output in the same cycle, and a reset empties everything.
 //   +mode  0 no stalls  1 random gaps and stalls  2 mostly stalled  3 tready only after tvalid
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace hitpipe::rtl {
 
-/// A beat a line: the expected HIT as a byte, then s_axis_tdata, hexadecimal, highest byte first.
+/// One beat in each line: the expected HIT as a byte, then s_axis_tdata in hexadecimal, highest byte first.
 inline std::string stream_beats(const std::vector<Port>& ports, Evaluate evaluate, int count,
                                 std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -36,7 +36,7 @@ inline std::string stream_beats(const std::vector<Port>& ports, Evaluate evaluat
   return text;
 }
 
-/// Of the module <design>_axis; `bits` is s_axis_tdata's width.
+/// For the module <design>_axis. `bits` is the width of s_axis_tdata.
 inline std::string stream_bench(const std::string& design, int bits, int count) {
   return fmt::format(R"(module axis_bench;
   localparam COUNT = {2};
