@@ -15,18 +15,18 @@
 
 namespace {
 
-// A command also returns 1 when it ran and found the hardware or a picture wrong.
+// Of a command that ran and found the hardware or a picture wrong, it is 1 too.
 constexpr int wrong_hardware = 1;
 constexpr int asked_wrongly = 2;
 
-/// A message may quote a word of the user's that holds line breaks; they become blanks.
+/// A word of the user's that a message quotes may hold line breaks.
 void print_error(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
   fmt::print(stderr, "hitpipe: {}\n", text);
 }
 
-/// What is wrong with the command line, and which help to read.
+/// What is wrong with the command line, and which help tells more.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
   const auto commands = program.get_subcommands();
   if (!commands.empty())
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   hitpipe::cli::add_commands(program, exit_code);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
   program.footer(
-      "hitpipe COMMAND --help describes a command. A first try:\n"
+      "hitpipe COMMAND --help tells more of each. A first try:\n"
       "  hitpipe cosim int_slabs --scene spheres --out out\n"
       "Exit codes:\n"
       "  0  good\n"
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);  // the user asked for help or the version
+    if (error.get_exit_code() == 0) return program.exit(error);  // help or version was asked for
     print_error(usage_error(program, error));
     return asked_wrongly;
   } catch (const hitpipe::sim::WrongHardware& error) {

@@ -173,7 +173,7 @@ TEST_P(CosimOfUnit, IsVerifiedOnHills) {
 INSTANTIATE_TEST_SUITE_P(Units, CosimOfUnit, testing::ValuesIn(units),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
-/// The C++ datapath with inverted answers.
+/// The C++ datapath with its answer turned round.
 template <int N, int T>
 bool negated(const std::int64_t* operands) {
   return !int_slabs().evaluate(hls::IntBits{N, T})(operands);

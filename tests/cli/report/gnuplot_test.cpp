@@ -1,4 +1,4 @@
-// gnuplot draws in folders with any name, and each failure gives one line.
+// gnuplot draws what it is told, whatever the folders are called, and its failures are told in one line.
 #include "cli/gnuplot.hpp"
 
 #include <stdexcept>
