@@ -37,7 +37,7 @@ class Replacement {
     std::error_code ignored;
     if (fs::is_directory(place, ignored)) fail(place, "write the file", EISDIR);
     if (fs::exists(place, ignored) && !fs::is_regular_file(place, ignored))
-      throw std::runtime_error(fmt::format("{}: is no file that can be replaced", place.string()));
+      throw std::runtime_error(fmt::format("{}: is not a file that can be replaced", place.string()));
     written_.push_back({folder / fmt::format(".{}.{}", place.filename().string(), getpid()), place});
     std::FILE* const file = std::fopen(written_.back().aside.c_str(), "wbe");
     if (file == nullptr) fail(place, "write the file", errno);

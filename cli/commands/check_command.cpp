@@ -137,7 +137,7 @@ int judge(const CheckCommand& command) {
     const std::unique_ptr<sim::BoxTest> test = make();
     const Case simple =
         ref::adversary::shrink(*sum.false_miss, [&](const Case& c) { return sim::is_false_miss(*test, c); });
-    fmt::print(stderr, "hitpipe: {} false misses; the first, made simple: {}\n", sum.false_misses,
+    fmt::print(stderr, "hitpipe: {} false misses; the first, simplified: {}\n", sum.false_misses,
                replay_command(command, simple));
   }
   if (sum.rtl_mismatches > 0) {

@@ -47,7 +47,7 @@ NamedTransform parse_scale(const std::string& text) {
   if (!(scale > 0.0) || !std::isfinite(scale)) {
     throw CLI::ValidationError(
         "--scale",
-        fmt::format("{} is no scale; give a number above 0 or a power of two, for example 0.1 or 2^-10",
+        fmt::format("{} is not a scale; give a number above 0 or a power of two, for example 0.1 or 2^-10",
                     text));
   }
   return {text, {.scale = scale}};

@@ -22,7 +22,7 @@ std::string padding_error(const std::string& text) {
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), padding);
   const bool whole = error == std::errc{} && stop == text.data() + text.size();
   if (whole && padding >= 0.0 && padding <= most_padding) return {};
-  return fmt::format("{} is no padding; allowed is 0 to 2^-10 = {:.6f}", text, most_padding);
+  return fmt::format("{} is not a padding; allowed is 0 to 2^-10 = {:.6f}", text, most_padding);
 }
 
 }  // namespace

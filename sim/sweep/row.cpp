@@ -55,7 +55,7 @@ class CellReader {
 
  private:
   [[noreturn]] void reject() const {
-    throw std::runtime_error(fmt::format("{} of {} is no number of its kind", cells_[at_],
+    throw std::runtime_error(fmt::format("{} of {} is not a number of the right type", cells_[at_],
                                          at_ < sweep_columns.size() ? sweep_columns[at_] : "?"));
   }
 

@@ -40,8 +40,8 @@ Shard shard_of_rank(const Environment& environment) {
     if (!rank || !size) continue;
     const Shard shard{whole_number(*rank).value_or(-1) + 1, whole_number(*size).value_or(0)};
     if (!valid(shard))
-      throw std::runtime_error(fmt::format("--shard mpi: {}={} and {}={} are no rank and size", rank_name,
-                                           *rank, size_name, *size));
+      throw std::runtime_error(fmt::format("--shard mpi: {}={} and {}={} are not a rank and a size",
+                                           rank_name, *rank, size_name, *size));
     return shard;
   }
   throw std::runtime_error("--shard mpi: no rank in the environment; start it with mpirun, mpiexec or srun");

@@ -133,7 +133,7 @@ TEST(WriteFile, PipesAndDevicesAreNotReplaced) {
   const std::filesystem::path pipe = folder / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_EQ(message_of<std::runtime_error>([&] { write_file(pipe, "text"); }),
-            pipe.string() + ": is no file that can be replaced");
+            pipe.string() + ": is not a file that can be replaced");
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 

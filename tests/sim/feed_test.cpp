@@ -198,7 +198,7 @@ TEST(CoarseFeedOfAFloatDesign, Rejected) {
     (void)make_feed(rtl::find_design("fp_slabs"), rtl::Format(hls::FpBits{}), {}, {{1, 0, 0}});
     ADD_FAILURE() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "coarse axes: origin or box is no integer; take an integer design");
+    EXPECT_STREQ(error.what(), "coarse axes: origin or box is not an integer; take an integer design");
   }
 }
 

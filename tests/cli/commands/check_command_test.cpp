@@ -132,7 +132,7 @@ TEST(CheckCommand, TakesCategoriesByCommasOrOneByOne) {
 TEST(CheckCommand, TellsTheFirstFalseMissAsACommandThatReplaysIt) {
   const Outcome outcome = check({"fp_slabs", "--tests", "2048", "--category", "corner"});
   EXPECT_EQ(outcome.exit_code, 0);
-  const std::string start = " false misses; the first, made simple: hitpipe check fp_slabs --replay \"";
+  const std::string start = " false misses; the first, simplified: hitpipe check fp_slabs --replay \"";
   const std::size_t at = outcome.err.find(start);
   ASSERT_NE(at, std::string::npos) << outcome.err;
   const std::string given = outcome.err.substr(at + start.size());

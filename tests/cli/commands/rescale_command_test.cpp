@@ -128,7 +128,7 @@ void expect_error(const std::vector<std::string>& more, const std::string& messa
 TEST(RescaleCommand, BadInputRejected) {
   const auto scale = [](const std::string& text) {
     return "--scale: " + text +
-           " is no scale; give a number above 0 or a power of two, for example 0.1 or 2^-10; see hitpipe "
+           " is not a scale; give a number above 0 or a power of two, for example 0.1 or 2^-10; see hitpipe "
            "rescale --help";
   };
   for (const char* const text : {"0", "2^", "2^2000", "inf", "1x", "three"}) {

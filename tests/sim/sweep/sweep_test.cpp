@@ -255,7 +255,7 @@ TEST(Shards, ThatDoNotExistRejected) {
   EXPECT_EQ(message_of([] {
               return parse_shard("mpi", with({{"PMI_RANK", "2"}, {"PMI_SIZE", "2"}}));
             }),
-            "--shard mpi: PMI_RANK=2 and PMI_SIZE=2 are no rank and size");
+            "--shard mpi: PMI_RANK=2 and PMI_SIZE=2 are not a rank and a size");
 }
 
 TEST(Shards, ThatAreNotAllThereAreNotJoined) {
