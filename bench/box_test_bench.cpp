@@ -1,6 +1,6 @@
-// The ray-box tests of chapter 3 (Tables 3.1 and 3.2), and the integer tests of chapter 6 beside them: pairs
-// of a seed, of which the argument's share in percent are hits. One item is one test. The data fit the second
-// cache level.
+// The ray-box tests of chapter 3 (Tables 3.1 and 3.2), and the integer tests of chapter 6 for comparison.
+// They run on random pairs with a fixed seed. The argument is the percentage of hits among them. One item is
+// one test. The data fit the second cache level.
 #include <cstdint>
 #include <memory>
 #include <string>

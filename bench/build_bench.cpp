@@ -1,8 +1,8 @@
-// Seconds to build the hierarchy, for both builders, and seconds per n log2 n, on closed bumpy spheres of
-// 0.3, 1.1, 4.5, 18 and 28 million triangles of even size: how building grows. One iteration each: the 28
-// million take a while. The rate is of processor time, of all threads together. Bytes per triangle: what the
-// process at its largest held beyond the mesh. HITPIPE_BENCH_THREADS limits the threads (one a core without),
-// HITPIPE_BENCH_MESH names a mesh file or built-in scene to build for as well.
+// Seconds to build the hierarchy with both builders, and seconds per n log2 n, to show how building scales.
+// The meshes are closed bumpy spheres of 0.3, 1.1, 4.5, 18 and 28 million triangles of even size. Each runs
+// one iteration; 28 million take a while. The rate uses processor time of all threads together. Bytes per
+// triangle: the most memory that the process held beyond the mesh. HITPIPE_BENCH_THREADS limits the threads
+// (default: one for each core). HITPIPE_BENCH_MESH names another mesh file or built-in scene to build for.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -21,7 +21,7 @@ namespace ref = hitpipe::ref;
 
 constexpr float pi = 3.14159265F;
 
-/// Rows of latitude times twice as many columns of longitude, two triangles a cell.
+/// Rows of latitude, and twice as many columns of longitude; two triangles for each cell.
 ref::Mesh bumpy_sphere(std::uint32_t rows) {
   const std::uint32_t columns = 2 * rows;
   ref::Mesh mesh;
@@ -49,7 +49,7 @@ ref::Mesh bumpy_sphere(std::uint32_t rows) {
   return mesh;
 }
 
-/// A line of /proc/self/status, in bytes; 0 on systems without it.
+/// A line of /proc/self/status in bytes. 0 on systems without that file.
 double status_bytes(const std::string& key) {
   std::ifstream file("/proc/self/status");
   for (std::string word; file >> word;) {
@@ -59,7 +59,7 @@ double status_bytes(const std::string& key) {
   return 0;
 }
 
-/// The largest size is counted anew from here on.
+/// Resets the largest size of the process.
 void forget_peak() {
   std::ofstream("/proc/self/clear_refs") << "5";
 }

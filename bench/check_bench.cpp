@@ -1,5 +1,5 @@
-// `hitpipe check` on one thread: drawing a case, set-up, datapath in C++ and exact referee, over every
-// category. One item is one judged test; run it on an idle core.
+// `hitpipe check` on one thread: draws a case, sets it up, runs the datapath in C++ and the exact referee,
+// over every category. One item is one judged test. Run it on an idle core.
 #include <cstdint>
 
 #include <benchmark/benchmark.h>

@@ -1,4 +1,5 @@
-// Embree 3 with its default settings, one ray at a time: a well-known figure to compare with. Bench only.
+// Embree 3 with its default settings, one ray at a time: a well-known tracer to compare with. For benchmarks
+// only.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +46,7 @@ class EmbreeTracer {
     rtcReleaseDevice(device_);
   }
 
-  /// Embree's "no triangle" is Hit::none.
+  /// Embree's number for "no triangle" equals Hit::none.
   void trace(std::span<const ref::Ray> rays, std::span<std::uint32_t> triangles) const {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const ref::Ray& ray = rays[i];

@@ -1,7 +1,7 @@
-// The exact arithmetic of sw_ref on random input of a seed: box referee (filtered, and integers alone),
-// triangle test on small triangles with one test in four and one in 28 a hit, box quantisation, integer ray
-// set-up and the length of a shortened ray. One item is one test or one set-up. The data fit the first cache
-// levels.
+// The exact arithmetic of sw_ref on random input with a fixed seed: box referee (filtered, and integers
+// only), triangle test on small triangles (one test in four and one in 28 is a hit), box quantisation,
+// integer ray set-up, and the length of a shortened ray. One item is one test or one set-up. The data fit the
+// first cache levels.
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -68,8 +68,8 @@ void box_referee(benchmark::State& state) {
 BENCHMARK(box_referee<ref::ray_meets_box>);
 BENCHMARK(box_referee<ref::ray_meets_box_exact>);
 
-/// Small triangles on a sphere, and one ray for each: aimed near its centroid, off by up to `spread` of its
-/// size.
+/// Small triangles on a sphere with one ray for each. A ray is aimed near the centroid, off by up to `spread`
+/// times the size.
 struct TriangleCases {
   ref::Mesh mesh;
   std::vector<ref::Ray> rays;

@@ -1,6 +1,6 @@
-// The float operators' bit-level logic in binary32 against the host's floating-point unit: first 10^8 pairs,
-// weighted to the corners, must agree bit for bit (any NaN of the host with our canonical one), then the time
-// of both on the same pairs. One item is one pair; times_host is our time in units of the host's.
+// The bit-level float operators in binary32 against the host's floating-point unit. First 10^8 pairs, many of
+// them at corner cases, must agree bit for bit (any NaN of the host with our canonical one). Then both are
+// timed on the same pairs. One item is one pair; times_host is our time divided by the host's.
 #include <bit>
 #include <chrono>
 #include <cmath>
@@ -74,7 +74,7 @@ BENCHMARK_TEMPLATE(BM_EqualsHost, Subtract)->Iterations(1)->Unit(benchmark::kSec
 BENCHMARK_TEMPLATE(BM_EqualsHost, Multiply)->Iterations(1)->Unit(benchmark::kSecond);
 BENCHMARK_TEMPLATE(BM_EqualsHost, Compare)->Iterations(1)->Unit(benchmark::kSecond);
 
-/// Pairs of numbers such as a ray tracer has: of either sign, magnitudes 2^-8 to 2^8.
+/// Pairs of numbers that are common in ray tracing: either sign, magnitudes 2^-8 to 2^8.
 std::vector<exact::FloatPair> usual_pairs() {
   std::mt19937 random(seed);
   const auto one = [&] {

@@ -1,6 +1,6 @@
-// ap_int against the machine's own words: a 24 x 24 bit multiply, a 48-bit compare, a select and a slice per
-// pair of operands, as the integer slabs unit does them. The two benchmarks compute the same; ap_int should
-// be within 1.3x. One item is one pair.
+// ap_int against machine words: for each pair of operands a 24 x 24 bit multiply, a 48-bit compare, a select
+// and a slice, as in the integer slabs unit. Both benchmarks compute the same. ap_int should take at most 1.3
+// times as long. One item is one pair.
 #include <cstddef>
 #include <cstdint>
 #include <random>

@@ -1,4 +1,4 @@
-// How long a design takes to generate, and how many box tests the Verilated one answers inside a
+// How long a design takes to generate, and how many box tests the Verilated design answers in a
 // co-simulation.
 #include <string>
 
@@ -12,8 +12,8 @@ namespace {
 
 using namespace hitpipe;
 
-/// Everything `hitpipe rtl` computes but for the writing: trace, schedule, Verilog, manifest, testbench,
-/// schematics.
+/// Everything that `hitpipe rtl` computes, without writing files: trace, schedule, Verilog, manifest,
+/// testbench, schematics.
 void generate(benchmark::State& state, const std::string& name) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Library& library = rtl::Library::thesis();
@@ -25,7 +25,7 @@ void generate(benchmark::State& state, const std::string& name) {
   }
 }
 
-/// Box tests per second of one core, by the Verilog alone and by all that runs with it: set-up, C++ check,
+/// Box tests per second of one core: by the Verilog alone, and by the whole loop with set-up, C++ check,
 /// traversal and triangle tests.
 void cosimulate_spheres(benchmark::State& state, const std::string& name) {
   const rtl::Design& design = rtl::find_design(name);

@@ -1,6 +1,6 @@
 // Primary rays per second of one core, closest hit: every algorithm, encoding and bundle size, and Embree 3
-// beside them where it is installed. The rays are made beforehand and come in tiles of 8 x 8 or 16 x 16
-// pixels. HITPIPE_BENCH_MESH names a mesh file (or built-in scene) to trace in place of Spheres.
+// for comparison if it is installed. The rays are made in advance and come in tiles of 8 x 8 or 16 x 16
+// pixels. HITPIPE_BENCH_MESH names a mesh file or built-in scene to trace in place of Spheres.
 #include <cstdlib>
 #include <optional>
 #include <string>

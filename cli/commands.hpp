@@ -24,13 +24,13 @@ class App;
 
 namespace hitpipe::cli {
 
-/// Each command's own function adds it, with its options, to the program. A command that has run leaves its
-/// exit code in `exit_code`. It throws errors as std::exception, one line of text.
+/// The function of each command adds it, with its options, to the program. A command that has run leaves its
+/// exit code in `exit_code`. Errors are std::exception with one line of text.
 #define HITPIPE_DECLARE_COMMAND(name) void add_##name##_command(CLI::App& program, int& exit_code);
 HITPIPE_COMMANDS(HITPIPE_DECLARE_COMMAND)
 #undef HITPIPE_DECLARE_COMMAND
 
-/// Adds them all.
+/// Adds all commands.
 inline void add_commands(CLI::App& program, int& exit_code) {
 #define HITPIPE_ADD_COMMAND(name) add_##name##_command(program, exit_code);
   HITPIPE_COMMANDS(HITPIPE_ADD_COMMAND)

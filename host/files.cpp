@@ -19,7 +19,7 @@ namespace {
       fmt::format("{}: cannot {}: {}", path.string(), what, std::generic_category().message(error)));
 }
 
-/// Writes files under other names, and gives them theirs at the end. What it did not rename it removes.
+/// Writes files under other names and renames them at the end. Removes the files that it did not rename.
 class Replacement {
  public:
   Replacement() = default;
@@ -33,11 +33,11 @@ class Replacement {
   void write(const fs::path& place, std::string_view contents) {
     const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
     make_folder(folder);
-    // No rename may fail half-way, nor may a device such as /dev/null be replaced.
+    // No rename may fail half-way, and none may replace a device such as /dev/null.
     std::error_code ignored;
     if (fs::is_directory(place, ignored)) fail(place, "write the file", EISDIR);
     if (fs::exists(place, ignored) && !fs::is_regular_file(place, ignored))
-      throw std::runtime_error(fmt::format("{}: is no file that can be replaced", place.string()));
+      throw std::runtime_error(fmt::format("{}: is not a file that can be replaced", place.string()));
     written_.push_back({folder / fmt::format(".{}.{}", place.filename().string(), getpid()), place});
     std::FILE* const file = std::fopen(written_.back().aside.c_str(), "wbe");
     if (file == nullptr) fail(place, "write the file", errno);

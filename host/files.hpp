@@ -1,4 +1,4 @@
-// Files that appear whole or not at all: each is written under another name beside its place, then renamed.
+// Files that appear whole or not at all. Each is written beside its place under another name, then renamed.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,14 @@ struct File {
   std::string contents;
 };
 
-/// Makes the folder unless it is there. Throws std::runtime_error naming it and the reason when it cannot be
-/// made or written to.
+/// Makes the folder if it does not exist. Throws std::runtime_error, naming folder and reason, when it cannot
+/// be made or written to.
 void make_folder(const std::filesystem::path& folder);
 
-/// Writes all files or none. Makes the folders. Throws std::runtime_error naming the file and the reason.
+/// Writes all files or none. Makes their folders. Throws std::runtime_error, naming file and reason.
 void write_files(const std::filesystem::path& folder, const std::vector<File>& files);
 
-/// One file, as write_files() does.
+/// Writes one file as write_files() does.
 void write_file(const std::filesystem::path& file, std::string_view contents);
 
 }  // namespace hitpipe::host

@@ -1,4 +1,4 @@
-// FNV-1a of 64 bits (Fowler, Noll, Vo): a name for contents, no protection against a forger.
+// FNV-1a with 64 bits (Fowler, Noll, Vo). It names contents; it does not protect against forgery.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace hitpipe::host {
 
 inline constexpr std::uint64_t fnv1a_start = 0xcbf29ce484222325U;
 
-/// Goes on from the hash of what comes before.
+/// Continues from the hash of what comes before.
 [[nodiscard]] constexpr std::uint64_t fnv1a(std::span<const std::byte> bytes,
                                             std::uint64_t before = fnv1a_start) {
   std::uint64_t hash = before;

@@ -10,7 +10,7 @@
 namespace hitpipe::host {
 
 void with_threads(int threads, const std::function<void()>& work) {
-  // TBB warns on standard error of more threads than cores.
+  // TBB prints a warning on standard error for more threads than cores.
   const int cores = tbb::info::default_concurrency();
   tbb::task_arena arena(threads == 0 ? cores : std::min(threads, cores));
   arena.execute(work);

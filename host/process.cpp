@@ -56,7 +56,7 @@ Pipe make_pipe() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-/// A file in memory: a child that does not read its input breaks no pipe.
+/// A file in memory. Unlike a pipe it does not break when a child does not read its input.
 Descriptor file_of(const std::string& text) {
   Descriptor file(memfd_create("input", MFD_CLOEXEC));
   if (file.number() < 0) fail("make a file in memory");
@@ -69,7 +69,7 @@ Descriptor file_of(const std::string& text) {
   return file;
 }
 
-/// What the child does between its start and its program's.
+/// What the child does before its program starts.
 class Actions {
  public:
   Actions() { check(posix_spawn_file_actions_init(&actions_)); }
@@ -93,7 +93,7 @@ class Actions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// Reads both pipes as the child fills them: it never waits for one while this waits for the other.
+/// Reads both pipes as the child fills them, so the child never waits for one while this waits for the other.
 void drain(std::array<std::pair<Pipe*, std::string*>, 2> streams) {
   for (;;) {
     std::array<pollfd, 2> ready{};

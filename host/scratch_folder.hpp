@@ -1,4 +1,4 @@
-// A folder for files that last as long as the work on them.
+// A folder for temporary files.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,11 @@
 
 namespace hitpipe::host {
 
-/// Its name begins with `prefix` and is nobody else's. Removed at the end with all that is in it, unless it
-/// was moved elsewhere. Throws std::runtime_error, one line, when it cannot be made.
+/// Its name begins with `prefix` and is unique. It is removed at the end with everything in it, unless it was
+/// moved elsewhere. Throws std::runtime_error, one line, when it cannot be made.
 class ScratchFolder {
  public:
-  explicit ScratchFolder(const std::string& prefix = "hitpipe-");  ///< in $TMPDIR, else /tmp
+  explicit ScratchFolder(const std::string& prefix = "hitpipe-");  ///< in $TMPDIR or else /tmp
   ScratchFolder(const std::filesystem::path& parent, const std::string& prefix);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

@@ -1,9 +1,10 @@
-// How long a thread has computed.
+// The processor time of a thread.
 #pragma once
 
 namespace hitpipe::host {
 
-/// Processor time of the calling thread since its start, in seconds. It stands still while the thread waits.
+/// Processor time of the calling thread since its start, in seconds. It does not advance while the thread
+/// waits.
 [[nodiscard]] double thread_seconds();
 
 }  // namespace hitpipe::host

@@ -38,7 +38,7 @@ void remove_abandoned(const fs::path& cache) {
   }
 }
 
-/// Whether the folder is the entry, and whole.
+/// The folder is this entry, and all its products are there.
 bool holds(const fs::path& folder, const CacheEntry& entry) {
   return std::all_of(entry.products.begin(), entry.products.end(),
                      [&](const std::string& product) {
@@ -51,7 +51,7 @@ bool holds(const fs::path& folder, const CacheEntry& entry) {
 }  // namespace
 
 fs::path cached(const CacheEntry& entry, const fs::path& cache) {
-  // Identities are compared too: two of the same hash only cost a build.
+  // Identities are compared too. If two have the same hash, one of them is built again.
   const std::uint64_t hash = host::fnv1a(std::as_bytes(std::span(entry.identity)));
   const fs::path folder = cache / fmt::format("{}-{:016x}", entry.name, hash);
   if (holds(folder, entry)) return folder;
@@ -73,7 +73,7 @@ fs::path cached(const CacheEntry& entry, const fs::path& cache) {
   std::error_code error;
   fs::rename(aside->path(), folder, error);
   if (error && !holds(folder, entry)) {
-    // A damaged entry, or another of the same hash.
+    // A damaged entry, or another entry with the same hash.
     fs::remove_all(folder, error);
     fs::rename(aside->path(), folder, error);
   }

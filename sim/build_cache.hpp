@@ -1,5 +1,5 @@
-// A folder of things that are built once and kept by what they were built from. Each is built aside and moved
-// into its place whole: processes may race or be killed.
+// A folder that keeps things once they are built. Each is found again by what it was built from. It is built
+// in a folder of its own and then moved into place as a whole, because processes may race or be killed.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,17 @@
 
 namespace hitpipe::sim {
 
-/// Builds `product`s in a folder of the cache that carries the name and a hash of the identity.
+/// What to build. Its folder in the cache is named after `name` and a hash of `identity`.
 struct CacheEntry {
   std::string name;
   std::string identity;               ///< everything that decides what is built
-  std::vector<std::string> products;  ///< files: without one of them the entry is not whole
+  std::vector<std::string> products;  ///< files; the entry is complete when all are there
   std::function<void(const std::filesystem::path&)> build;  ///< into an empty folder
 };
 
-/// The folder that holds the entry, built unless it is there. What `build` throws goes on to the caller and
-/// leaves no entry; throws std::runtime_error, one line, when the cache cannot be written to. Removes what
-/// killed processes left an hour ago or earlier.
+/// The folder that holds the entry. Builds it if it is not there. When `build` throws, the exception goes on
+/// to the caller and no entry is left. Throws std::runtime_error, one line, when the cache cannot be written.
+/// Removes what killed processes left behind at least an hour ago.
 [[nodiscard]] std::filesystem::path cached(const CacheEntry& entry, const std::filesystem::path& cache);
 
 }  // namespace hitpipe::sim

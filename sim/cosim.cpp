@@ -40,7 +40,7 @@ struct Frame {
   const ref::Whitted& whitted;
 };
 
-/// One tile of the image: its primary rays in rows, each followed by the rays that it causes as soon as it
+/// One tile of the image. Its primary rays come in rows. The rays that a ray causes follow as soon as it
 /// ends.
 class Tile {
  public:
@@ -84,7 +84,7 @@ class Tile {
   }
 
  private:
-  /// A ray that went through the unit and what came of it, to be traced again in software.
+  /// A ray that went through the unit, and its result. It is traced again in software.
   struct Traced {
     ref::Ray ray;
     ref::Query query;
@@ -95,7 +95,7 @@ class Tile {
     return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   }
 
-  /// The next task to be traced: what ended rays caused comes before new primary rays. Nothing at the end.
+  /// The next task to trace. Rays caused by ended rays come before new primary rays. Nothing at the end.
   std::optional<ref::RayTask> next_task() {
     if (!waiting_.empty()) {
       const ref::RayTask task = waiting_.front();
@@ -128,7 +128,7 @@ class Tile {
                                              : counts.rays_shadow;
   }
 
-  /// Numbers a task that is on its way; the numbers of ended tasks are given again.
+  /// Gives a number to a task that starts. Numbers of ended tasks are used again.
   std::uint32_t keep(const ref::RayTask& task) {
     if (free_ids_.empty()) {
       tasks_.push_back(task);
@@ -165,7 +165,7 @@ class Tile {
   int width_;
   int height_;
   std::size_t next_pixel_ = 0;
-  std::vector<ref::RayTask> tasks_;      // by id, on their way
+  std::vector<ref::RayTask> tasks_;      // by id; those that have started and not ended
   std::vector<std::uint32_t> free_ids_;  // of ended tasks
   std::deque<ref::RayTask> waiting_;
   std::vector<ref::RayTask> caused_;

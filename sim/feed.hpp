@@ -1,4 +1,5 @@
-// Turns rays and boxes into a design's operands: the set-up that surrounds a unit, outside its pipeline.
+// Turns rays and boxes into a design's operands. This is the set-up that surrounds a unit, outside its
+// pipeline.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +13,27 @@
 
 namespace hitpipe::sim {
 
-/// The set-up of rays for one unit: a ray in each slot. Not shared between threads.
+/// The set-up of rays for one unit, with a ray in each slot. Threads must not share it.
 class RayFeed {
  public:
   virtual ~RayFeed() = default;
   /// Sets up the ray of a slot. The ray must be acceptable (sw_ref/exact/box_referee.hpp).
   virtual void start(std::size_t slot, const ref::Ray& ray) = 0;
-  /// The operands, in port order, of the slot's ray, cut at `length`, against the box of a BVH node.
+  /// The operands, in port order: the slot's ray, cut at `length`, against the box of a BVH node.
   virtual void operands(std::size_t slot, std::uint32_t node, float length, std::int64_t* out) const = 0;
 };
 
-/// The boxes of a hierarchy as the design reads them, made once for all units, which it must outlive.
+/// The boxes of a hierarchy as the design reads them. They are made once for all units and must outlive them.
 class SceneFeed {
  public:
   virtual ~SceneFeed() = default;
   [[nodiscard]] virtual std::unique_ptr<RayFeed> unit(std::size_t slots) const = 0;
 };
 
-/// The format must be one of the design's; coarse axes are for designs whose coordinates are integers. Throws
-/// std::runtime_error when the design has no set-up or answers for several boxes at a time, std::out_of_range
-/// for a box outside the cube; RayFeed::operands() throws that for an origin or box that leaves the coarse
-/// grid. The hierarchy need not outlive the feed.
+/// The format must be one of the design's. Coarse axes are for designs with integer coordinates. Throws
+/// std::runtime_error when the design has no set-up or answers for several boxes at a time, and
+/// std::out_of_range for a box outside the cube. RayFeed::operands() throws std::out_of_range when an origin
+/// or box leaves the coarse grid. The hierarchy need not outlive the feed.
 [[nodiscard]] std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, const rtl::Format& format,
                                                    const ref::Bvh& bvh, const ref::CoarseAxes& coarse = {});
 

@@ -82,15 +82,15 @@ void RayUnit::receive(const Pins& pins, bool in_turn) {
 
 void RayUnit::run(const std::function<std::optional<RayJob>()>& next,
                   const std::function<void(const RayJob&, const ref::Traversal&)>& ended) {
-  std::deque<std::size_t> ready;  // slots whose ray waits to send a box
+  std::deque<std::size_t> ready;  // slots whose ray can send a box
   std::vector<std::size_t> free;
-  std::vector<bool> waiting(slots_.size(), false);  // for an answer
+  std::vector<bool> waiting(slots_.size(), false);  // the slot waits for an answer
   for (std::size_t slot = slots_.size(); slot-- > 0;) free.push_back(slot);
   std::uint64_t sent = 0;
   std::uint64_t answered = 0;
   std::size_t in_pipeline = 0;
-  // Something is on its way in every cycle: no answer for longer than that takes means that the Verilog lost
-  // one.
+  // A box is in the pipeline in every cycle. When no answer comes for longer than that takes, the Verilog has
+  // lost one.
   int silent_cycles = 0;
 
   while (true) {

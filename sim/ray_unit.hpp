@@ -1,5 +1,6 @@
-// A ray unit: a Verilated box-test pipeline whose HIT steers the traversal of many rays at once. Each cycle
-// one ray that waits for no answer sends its next box; the tag says whose answer comes out.
+// A ray unit: a Verilated box-test pipeline whose HIT steers the traversal of many rays at once. In each
+// cycle one ray that does not wait for an answer sends its next box. The tag tells which ray an answer
+// belongs to.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +24,13 @@ struct UnitCounts {
   std::uint64_t hits = 0;  ///< box tests with HIT
   /// A result of the Verilog differs from the C++ datapath, or comes back with another ray's tag.
   std::uint64_t rtl_mismatches = 0;
-  std::optional<std::uint64_t> false_misses;  ///< by the exact referee; nothing where none judged
+  std::optional<std::uint64_t> false_misses;  ///< counted by the exact referee; nothing without it
   std::optional<std::uint64_t> false_hits;
   std::uint64_t cycles = 0;
 
-  /// Zeros; the referee's too when there is one.
+  /// Zeros. The referee's counts are there only with a referee.
   [[nodiscard]] static UnitCounts zeros(bool referee);
-  /// The referee's counts of a sum are there when both sides have them.
+  /// The referee's counts of the sum are there when both sides have them.
   UnitCounts& operator+=(const UnitCounts& other);
   friend bool operator==(const UnitCounts&, const UnitCounts&) = default;
 };
@@ -50,7 +51,7 @@ class RayUnit {
     const ref::Bvh* bvh;
     const ref::Mesh* mesh;
     int rays_in_flight;  ///< 1..most_rays_in_flight
-    bool referee;        ///< judge every answer by exact arithmetic
+    bool referee;        ///< exact arithmetic judges every answer
   };
 
   static constexpr int most_rays_in_flight = 65'536;  ///< a tag has 16 bits
@@ -64,7 +65,7 @@ class RayUnit {
            const std::function<void(const RayJob&, const ref::Traversal&)>& ended);
 
   [[nodiscard]] const UnitCounts& counts() const { return counts_; }
-  /// For the cycles of the Verilog alone, estimated from samples (sim/sampled_time.hpp).
+  /// Time for the cycles of the Verilog alone, estimated from samples (sim/sampled_time.hpp).
   [[nodiscard]] double rtl_seconds() const { return rtl_time_.seconds(); }
 
  private:

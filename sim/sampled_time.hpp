@@ -1,6 +1,6 @@
-// The time that one kind of work takes among others, when it is done millions of times and is about as short
-// as the reading of a clock. One piece of work in 61 is timed, and the sum is scaled up. Before each timed
-// piece an empty interval is timed too, and is taken off: it is what the reading of the clock costs.
+// The time that one kind of work takes among others. The work is done millions of times, and each piece is
+// about as short as one reading of a clock. One piece in 61 is timed, and the sum is scaled up. Before each
+// timed piece an empty interval is timed and subtracted: it is the cost of reading the clock.
 #pragma once
 
 #include <chrono>
@@ -8,8 +8,8 @@
 
 namespace hitpipe::sim {
 
-/// The steady clock costs tens of nanoseconds; a thread's own clock costs hundreds, as it asks the system.
-/// Tests have a clock of their own.
+/// The steady clock costs tens of nanoseconds. A thread's own clock costs hundreds, because it asks the
+/// system. Tests use a clock of their own.
 template <class Clock = std::chrono::steady_clock>
 class SampledTime {
  public:
@@ -30,7 +30,7 @@ class SampledTime {
     ++timed_pieces_;
   }
 
-  /// Of all pieces; 0 when none was timed, as of fewer than `first`.
+  /// For all pieces. 0 when none was timed, which is so when there were fewer than `first`.
   [[nodiscard]] double seconds() const {
     if (timed_pieces_ == 0) return 0.0;
     const double each = std::chrono::duration<double>(timed_).count() / static_cast<double>(timed_pieces_);
@@ -38,11 +38,11 @@ class SampledTime {
   }
 
  private:
-  /// A prime: it does not keep step with the number of rays in flight.
+  /// A prime, so that samples do not keep step with the number of rays in flight.
   static constexpr int stride = 61;
-  /// The first pieces are slow: caches are cold.
+  /// The first pieces are slow because caches are cold.
   static constexpr int first = 8;
-  /// Whatever takes longer was interrupted by another process, and is not counted.
+  /// A piece that takes longer was interrupted by another process and is not counted.
   static constexpr std::chrono::microseconds longest{50};
 
   int until_timed_ = first;

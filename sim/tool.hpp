@@ -1,4 +1,4 @@
-// The programs that build a model: Verilator and a C++ compiler, of the user's choice.
+// The programs that build a model: Verilator and a C++ compiler, as the user chooses.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,19 @@
 namespace hitpipe::sim {
 
 struct Tool {
-  std::vector<std::string> words;  ///< the program, and arguments that come before all others
-  std::string version;             ///< what it says of itself
+  std::vector<std::string> words;  ///< the program, then arguments that always come first
+  std::string version;             ///< what its --version prints
 
   [[nodiscard]] std::string name() const;
   [[nodiscard]] host::Outcome run(const std::vector<std::string>& arguments,
                                   const std::filesystem::path& folder = {}) const;
-  /// What it prints to standard output, without newlines at the end; nothing when it fails.
+  /// What it prints to standard output, without the newlines at the end. Nothing when it fails.
   [[nodiscard]] std::string answer(const std::vector<std::string>& arguments) const;
 };
 
-/// $variable, or `otherwise`. A program given by a path may be run from another folder later on. Throws
-/// std::runtime_error, one line that names the package, when it does not tell its version.
+/// Takes $variable, or `otherwise` if that is not set. A program given by a path can also be run from another
+/// folder. Throws std::runtime_error, one line that names the package, when the program does not print its
+/// version.
 [[nodiscard]] Tool find_tool(const char* variable, const std::string& otherwise, std::string_view package);
 
 }  // namespace hitpipe::sim

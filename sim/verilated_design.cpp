@@ -57,7 +57,7 @@ struct Tools {
   }
 };
 
-/// What is built: everything that decides the machine code.
+/// Everything that decides the machine code.
 struct Sources {
   std::string module;
   std::string verilog;
@@ -70,8 +70,8 @@ struct Sources {
   }
 };
 
-/// Runs a tool in the folder, its output into the log there. When it fails, the log stays in the cache, named
-/// after what was to be built, where the user can read it; the rest of the attempt goes.
+/// Runs a tool in the folder and writes its output to a log there. When the tool fails, the log stays in the
+/// cache under the name of what was to be built, so that the user can read it. The rest is removed.
 void step(const fs::path& folder, const std::string& what, const Tool& tool,
           const std::vector<std::string>& arguments) {
   const host::Outcome outcome = tool.run(arguments, folder);
@@ -84,7 +84,7 @@ void step(const fs::path& folder, const std::string& what, const Tool& tool,
       fmt::format("{}: {}; its output is in {}", tool.name(), outcome.failure(), kept.string()));
 }
 
-/// The compiler's options for what includes Verilator's headers.
+/// The compiler's options for files that include Verilator's headers.
 std::vector<std::string> options(const std::string& root) {
   std::vector<std::string> words = host::words_of(compiler_options);
   for (const char* const folder : {"/include", "/include/vltstd"}) words.push_back("-I" + root + folder);
@@ -95,7 +95,8 @@ void append(std::vector<std::string>& words, const std::vector<std::string>& mor
   words.insert(words.end(), more.begin(), more.end());
 }
 
-/// The folder of Verilator's code, compiled once for all models: it takes longer than a model.
+/// The folder of Verilator's own code. It is compiled once for all models, because it takes longer than a
+/// model.
 fs::path runtime(const Tools& tools, const std::string& root, const fs::path& cache) {
   CacheEntry entry{
       .name = "verilated", .identity = tools.identity() + "\n" + root, .products = {}, .build = {}};
@@ -109,10 +110,10 @@ fs::path runtime(const Tools& tools, const std::string& root, const fs::path& ca
   return cached(entry, cache);
 }
 
-/// The model as one translation unit: its many small files would each read Verilator's headers again.
+/// The model as one translation unit. Its many small files would each read Verilator's headers again.
 std::string unit_of(const fs::path& folder) {
   std::vector<std::string> files{"model.cpp"};
-  std::error_code ignored;  // what is missing then, the compiler says
+  std::error_code ignored;  // the compiler reports missing files
   for (const auto& entry : fs::directory_iterator(folder / "obj", ignored)) {
     if (entry.path().extension() == ".cpp") files.push_back("obj/" + entry.path().filename().string());
   }

@@ -1,4 +1,4 @@
-// A design's emitted Verilog as a shared library, made by Verilator at run time and kept in a cache by
+// A design's emitted Verilog as a shared library. Verilator makes it at run time, and a cache keeps it by its
 // content.
 #pragma once
 
@@ -20,16 +20,17 @@ namespace hitpipe::sim {
 
 class VerilatedDesign {
  public:
-  /// Emits the design, has Verilator and the C++ compiler build it unless the cache holds just these sources,
-  /// and loads it. Two processes may do so at once: each builds aside, the first to finish is kept.
-  /// $VERILATOR and $CXX name other programs than `verilator` and `c++`, with arguments if need be: "env
-  /// g++". Throws std::runtime_error, one line: Verilator or the compiler missing or failing (with the log's
-  /// place), the cache not writable, an entry that cannot be loaded.
+  /// Emits the design and loads it. Verilator and the C++ compiler build it unless the cache already holds a
+  /// build of these sources. Two processes may do this at once: each builds in a folder of its own, and the
+  /// first to finish is kept. $VERILATOR and $CXX name other programs than `verilator` and `c++`; they may
+  /// hold arguments ("env g++"). Throws std::runtime_error, one line, when Verilator or the compiler is
+  /// missing or fails (the line says where the log is), when the cache cannot be written, or when an entry
+  /// cannot be loaded.
   VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
                   const std::filesystem::path& cache = default_cache());
 
-  /// The same of a unit that was made of the design at that format and has lost ports or bits of them:
-  /// `verilog` is the pipeline's, its operands stay those of the whole design.
+  /// The same for a unit made from the design at that format, which may have lost ports or bits of ports.
+  /// `verilog` is the pipeline's. Operands stay those of the whole design.
   VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
                   const std::string& verilog, const std::filesystem::path& cache = default_cache());
 
@@ -47,17 +48,17 @@ class VerilatedDesign {
   std::size_t operand_count_ = 0;
 };
 
-/// One instance of a design: its registers. Instances are independent; one instance is for one thread at a
-/// time.
+/// One instance of a design, with its own registers. Instances are independent. Only one thread at a time may
+/// use an instance.
 class Model {
  public:
-  /// Reset is held for as many cycles as the pipeline is long.
+  /// Holds reset for as many cycles as the pipeline has stages.
   explicit Model(const VerilatedDesign& design);
   ~Model();
   Model(Model&& other) noexcept;
   Model& operator=(Model&&) = delete;
 
-  /// One clock cycle. `operands` are in port order, sign-extended when signed; needed only with
+  /// One clock cycle. `operands` are in port order, sign-extended when signed. They are needed only with
   /// pins.in_valid.
   void cycle(const std::int64_t* operands, Pins& pins) { cycle_(model_, operands, &pins); }
 

@@ -1,4 +1,4 @@
-// Thrown when the hardware itself is wrong and cannot go on, unlike bad input.
+// Thrown when the hardware itself is wrong and the run cannot go on. Bad input throws other exceptions.
 #pragma once
 
 #include <stdexcept>

@@ -1,1 +1,1 @@
-// Nothing: the target that owns the precompiled headers of the tests needs a source.
+// Empty. The target that owns the precompiled headers of the tests needs a source.

@@ -1,4 +1,4 @@
-// The text of the exception that a call ends with, so that a test can match all of it, and its type.
+// The text and type of the exception that a call throws, so that a test can compare all of it.
 #pragma once
 
 #include <exception>

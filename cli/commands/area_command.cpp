@@ -29,7 +29,7 @@ struct AreaOptions {
   bool by_stage = false;
 };
 
-/// Those of Table 7.2 unless the user names others.
+/// The units of Table 7.2, unless the user names designs.
 std::vector<area::Entry> chosen(const AreaOptions& options) {
   if (options.units.names.empty()) return area::table_7_2();
   const auto any = [](const rtl::Design&) { return std::string(); };
@@ -48,7 +48,7 @@ std::set<area::Part> parts_of(const std::vector<Price>& prices) {
   return parts;
 }
 
-/// Appends a count for every part, 0 where there is none, and the names of the estimated ones.
+/// Appends a count for every part, 0 if there is none, and the names of the estimated parts.
 void append_parts(Row& row, const std::vector<Line>& lines, const std::set<area::Part>& parts) {
   for (const area::Part& part : parts) row[area::part_name(part)] = 0;
   Row estimated = Row::array();
@@ -59,7 +59,7 @@ void append_parts(Row& row, const std::vector<Line>& lines, const std::set<area:
   row["estimated"] = estimated;
 }
 
-/// A CSV cell keeps the figure's last noughts; in JSON it is a number.
+/// In CSV the figure keeps its zeros at the end. In JSON it is a number.
 Row figure(const std::string& digits, Format format) {
   return format == Format::csv ? Row(digits) : Row::parse(digits);
 }

@@ -26,7 +26,7 @@ struct BvhCommand {
   Format format = Format::text;
 };
 
-/// "3:120": 120 leaves have 3 triangles. Beyond 16 triangles ranges that double: "17-32:5".
+/// "3:120": 120 leaves have 3 triangles. Beyond 16 triangles, ranges double in size: "17-32:5".
 Row leaf_sizes(const std::vector<std::size_t>& leaves_of) {
   constexpr std::size_t last_alone = 16;
   Row sizes = Row::array();
@@ -107,7 +107,7 @@ void report(BvhCommand command) {
 
 void add_bvh_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command = program.add_subcommand(
-      "bvh", "Build a scene's hierarchy of boxes and print what it is like; Appendix B of the thesis");
+      "bvh", "Build a scene's hierarchy of boxes and print its figures (Appendix B of the thesis)");
   const auto options = std::make_shared<BvhCommand>();
   add_scene_options(*command, options->scene);
   for (const char* const of_an_image : {"--width", "--height"}) {

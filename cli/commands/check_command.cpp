@@ -37,7 +37,7 @@ struct CheckCommand {
   Format format = Format::text;
 };
 
-/// The adversary's, and those that are made for the design.
+/// The adversary's categories and those made for the design.
 std::vector<Category> chosen_categories(const rtl::Design& design, const std::vector<std::string>& names) {
   const auto general = ref::adversary::categories();
   std::vector<Category> all(general.begin(), general.end());
@@ -88,7 +88,7 @@ std::string replay_command(const CheckCommand& command, const Case& c) {
                      ref::adversary::to_text(c));
 }
 
-/// Exit code of a run that found these.
+/// The exit code for these counts.
 int verdict(const rtl::Design& design, std::uint64_t false_misses, std::uint64_t rtl_mismatches) {
   return (false_misses > 0 && design.conservative) || rtl_mismatches > 0 ? 1 : 0;
 }
@@ -138,7 +138,7 @@ int judge(const CheckCommand& command) {
     const std::unique_ptr<sim::BoxTest> test = make();
     const Case simple =
         ref::adversary::shrink(*sum.false_miss, [&](const Case& c) { return sim::is_false_miss(*test, c); });
-    fmt::print(stderr, "hitpipe: {} false misses; the first, made simple: {}\n", sum.false_misses,
+    fmt::print(stderr, "hitpipe: {} false misses; the first, simplified: {}\n", sum.false_misses,
                replay_command(command, simple));
   }
   if (sum.rtl_mismatches > 0) {
@@ -190,14 +190,15 @@ void add_check_command(CLI::App& program, int& exit_code) {
   const auto options = std::make_shared<CheckCommand>();
   add_design_options(*command, options->choice);
   add_list_option(*command, "--category", options->categories,
-                  "Draw from these categories only. A wrong name lists them all", "NAME");
+                  "Draw only from these categories; an unknown name lists all", "NAME");
   add_large_count_option(*command, "--tests", options->tests, 1, 10'000'000'000'000,
-                         "Tests in all, shared by the categories (1 to 10^13)");
+                         "Total number of tests, divided among the categories (1 to 10^13)");
   add_seed_option(*command, options->seed);
-  add_count_option(*command, "--threads", options->threads, {1, 1024}, "Threads; no result depends on it")
+  add_count_option(*command, "--threads", options->threads, {1, 1024},
+                   "Number of threads; results do not depend on it")
       ->capture_default_str();
-  command->add_flag("--rtl", options->rtl, "Let the Verilog answer every test too");
-  command->add_option("--replay", options->replay, "Judge one case, as a failed check prints it")
+  command->add_flag("--rtl", options->rtl, "The Verilog answers every test too");
+  command->add_option("--replay", options->replay, "Judge the one case that a failed check printed")
       ->type_name("CASE");
   add_format_option(*command, options->format);
   command->callback(

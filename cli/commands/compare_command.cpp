@@ -20,7 +20,7 @@ struct CompareCommand {
 };
 
 int compare(const CompareCommand& command) {
-  // One step of an 8-bit code is 0.0039: readable text needs more than two digits after the point.
+  // One step of an 8-bit code is 0.0039, so the text needs more than two digits after the point.
   const auto difference_of = [&](double x) {
     return command.format == Format::text ? Row(fmt::format("{:.6g}", x)) : Row(x);
   };
@@ -51,7 +51,7 @@ void add_compare_command(CLI::App& program, int& exit_code) {
       "compare", "Compare two images; the exit code is 1 when a pixel differs by more than the tolerance");
   const auto options = std::make_shared<CompareCommand>();
   command->add_option("a", options->a, "An image")->required()->type_name("FILE");
-  command->add_option("b", options->b, "Another of the same size and channels")
+  command->add_option("b", options->b, "Another image with the same size and channels")
       ->required()
       ->type_name("FILE");
   command
@@ -62,8 +62,8 @@ void add_compare_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command
       ->add_option("--out", options->out,
-                   "Map of the pixels' largest differences: .exr as they are, .png in colours from 0 to the "
-                   "largest of all")
+                   "Map of each pixel's largest difference: .exr holds the values, .png colours from 0 to "
+                   "the maximum")
       ->type_name("FILE");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = compare(*options); });

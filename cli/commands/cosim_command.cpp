@@ -34,7 +34,7 @@ struct CosimCommand {
   Format format = Format::text;
 };
 
-/// Made here, or as it was written to a folder.
+/// Made here, or read from a folder.
 sim::WrittenUnit unit_of(const CosimCommand& command) {
   const rtl::Design& design = command.choice.design();
   const rtl::Library& library = rtl::Library::thesis();
@@ -82,7 +82,7 @@ int cosimulate(const CosimCommand& command) {
   const sim::VerilatedDesign verilated = sim::verilate(design, unit);
   const fs::path folder = command.out;
   const bool emits = !command.out.empty() && command.unit.empty();
-  // Before the long run: a folder that cannot be written to is known at once.
+  // Done before the long run, so that a folder that cannot be written is reported at once.
   if (!command.out.empty()) host::make_folder(folder);
   if (emits) {
     const rtl::EmittedDesign emitted = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
@@ -125,14 +125,13 @@ int cosimulate(const CosimCommand& command) {
 
 void add_cosim_command(CLI::App& program, int& exit_code) {
   CLI::App* const command = program.add_subcommand(
-      "cosim",
-      "Render a scene whose every box test is answered by a design's Verilog, and compare with software");
+      "cosim", "Render a scene with a design's Verilog answering every box test, and compare with software");
   const auto options = std::make_shared<CosimCommand>();
   add_design_options(*command, options->choice);
   command
       ->add_option(
           "--unit", options->unit,
-          "Folder of a unit that `hitpipe fit` or `hitpipe rtl` wrote, edited or not, to run as it is")
+          "Run the unit in this folder, which `hitpipe fit` or `hitpipe rtl` wrote; it may be edited")
       ->excludes("--bits")
       ->type_name("DIR");
   add_scene_options(*command, options->scene);
@@ -140,7 +139,7 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
                    {1, sim::RayUnit::most_rays_in_flight}, "Rays that share one pipeline")
       ->capture_default_str();
   add_bounces_option(*command, options->light);
-  command->add_flag("--referee", options->referee, "Judge every answer by exact arithmetic too");
+  command->add_flag("--referee", options->referee, "Exact arithmetic judges every answer");
   add_folder_option(*command, options->out, "Folder for the image, the Verilog and the schematic");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = cosimulate(*options); });

@@ -36,7 +36,7 @@ struct FitCommand {
 
 constexpr double most_overhead_pct = 1000.0;
 
-/// CLI::Range takes NaN for a number.
+/// CLI::Range accepts NaN.
 std::string overhead_problem(const std::string& text) {
   const double value = std::strtod(text.c_str(), nullptr);
   if (value >= 0.0 && value <= most_overhead_pct) return "";
@@ -49,7 +49,7 @@ struct Wanted {
   rtl::Format before;
 };
 
-/// Each design once. Throws when a name or a number format is none: before the long run.
+/// Each design once. Throws before the long run when a name or a number format does not exist.
 std::vector<Wanted> chosen_designs(const FitCommand& command) {
   const auto own = [](const rtl::Design& design) { return std::vector{sim::fit_from(design)}; };
   std::vector<Wanted> wanted;
@@ -71,12 +71,12 @@ double mm2(std::int64_t area_um2) {
   return static_cast<double>(area_um2) * 1e-6;
 }
 
-/// mm2 times ns.
+/// Area times delay, in mm2 ns.
 double area_delay(const area::Price& price) {
   return static_cast<double>(price.area_delay()) * 1e-9;
 }
 
-/// Of the whole design, those that nothing is demanded of.
+/// The ports of the whole design that no demand names.
 Row kept_whole(const sim::FittedUnit& unit) {
   Row names = Row::array();
   for (const rtl::Port& port : unit.ports) {
@@ -134,11 +134,11 @@ std::string reports_text(const std::vector<FitReport>& reports, const sim::FitSc
   return table_text(rows, format);
 }
 
-/// A line for each step, in turn.
+/// One line for each step, in turn.
 class Steps {
  public:
   void show(const std::string& step, double share) {
-    if (step != step_) {  // which the main thread tells before any other does
+    if (step != step_) {  // the main thread is the first to report a step
       step_ = step;
       progress_.emplace(step);
     }
@@ -171,7 +171,7 @@ int fit(const FitCommand& command) {
   ref::Scene loaded = command.scene.load();
   if (command.no_shadows) loaded.lights.clear();
   const sim::FitScene scene = sim::prepare_fit(std::move(loaded), options);
-  // Before the long run: a folder that cannot be written to is known at once.
+  // Done before the long run, so that a folder that cannot be written is reported at once.
   host::make_folder(command.out);
   std::vector<FitReport> reports;
   for (const Wanted& wanted : designs) {
@@ -196,7 +196,7 @@ int fit(const FitCommand& command) {
 
 void add_fit_command(CLI::App& program, int& exit_code) {
   CLI::App* const command = program.add_subcommand(
-      "fit", "Leave out of the designs what a scene does not need, and prove that nothing is missed");
+      "fit", "Make the smallest unit of each design for a scene, and check that it misses nothing");
   const auto options = std::make_shared<FitCommand>();
   add_scene_options(*command, options->scene);
   add_bounces_option(*command, options->light);
@@ -204,15 +204,14 @@ void add_fit_command(CLI::App& program, int& exit_code) {
   add_designs_option(*command, options->units);
   command
       ->add_option("--overhead", options->overhead_pct,
-                   "Most extra box tests that fewer bits, or rays without ends, may cost, in percent")
+                   "Limit of the extra box tests from fewer bits and from rays without ends, in percent")
       ->check(overhead_problem)
       ->capture_default_str()
       ->type_name("P");
-  add_bits_option(*command, options->units, "24/24 of n/t designs: the formats before the fit");
-  command->add_flag("--keep-bits", options->keep_bits, "Leave the number format as it is");
-  add_large_count_option(
-      *command, "--vectors", options->vectors, 0, 1'000'000'000,
-      "Random vectors within the demands that are sent through the Verilog (0 to 10^9); 0: none");
+  add_bits_option(*command, options->units, "24/24 for n/t designs. The fit starts from these formats");
+  command->add_flag("--keep-bits", options->keep_bits, "Keep the number format");
+  add_large_count_option(*command, "--vectors", options->vectors, 0, 1'000'000'000,
+                         "Random vectors, within the demands, that go through the Verilog (0 to 10^9)");
   add_folder_option(*command, options->out, "Folder for each design's Verilog, manifest and testbench")
       ->required();
   add_format_option(*command, options->format);

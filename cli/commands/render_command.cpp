@@ -35,7 +35,8 @@ struct RenderCommand {
   [[nodiscard]] bool maps() const { return !depth_map.empty() || !box_map.empty() || !triangle_map.empty(); }
 };
 
-/// All rays together, then a ray of each kind: "box_tests", "box_tests_per_ray", "box_tests_per_primary", ...
+/// Counts for all rays together, then for one ray of each kind: "box_tests", "box_tests_per_ray",
+/// "box_tests_per_primary", ...
 void add_work(Row& row, const ref::RenderCounts& counts, const std::string& what,
               std::uint64_t ref::TraceCounts::*work) {
   const ref::TraceCounts total = counts.total();
@@ -50,8 +51,8 @@ void add_work(Row& row, const ref::RenderCounts& counts, const std::string& what
   per_ray("shadow", counts.shadow);
 }
 
-/// Draws the map, if it is wanted, from zero or from its least value on; the row says what its ends stand
-/// for.
+/// Draws the map if it is asked for, starting at zero or at its least value. The row says what the ends of
+/// the scale stand for.
 void add_map(Row& row, const ref::RenderResult& result, const std::string& name, const std::string& file,
              std::span<const float> values, bool from_zero) {
   if (file.empty()) return;
@@ -131,11 +132,11 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   };
   file("--out", options->out, "Image to write: .png or .exr");
   file("--depth-map", options->depth_map,
-       "Map of the distances from the eye, in the cube: .exr as they are, .png in colours from nearest to "
-       "farthest, the sky black");
+       "Map of the distances from the eye, in the cube: .exr holds the values, .png colours from nearest to "
+       "farthest, with a black sky");
   file("--box-map", options->box_map,
-       "Map of the box tests of all rays of a pixel: .exr as they are, .png in colours from none to most");
-  file("--triangle-map", options->triangle_map, "The same of the triangle tests");
+       "Map of the box tests of all rays of a pixel: .exr holds the values, .png colours from none to most");
+  file("--triangle-map", options->triangle_map, "The same for triangle tests");
   add_format_option(*command, options->format);
   command->callback([options] { render_scene(*options); });
 }

@@ -34,7 +34,7 @@ struct ReportCommand {
   Format format = Format::text;
 };
 
-/// As a shell takes it.
+/// Quoted for a shell.
 std::string quoted(const std::string& word) {
   const bool plain = !word.empty() && word.find_first_not_of(
                                           "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
@@ -45,7 +45,7 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// The options that the user gave, as given; only those of the scene and of the picture, if so wanted.
+/// The options that the user gave, as given. If asked for, only those of the scene and of the picture.
 std::string options_given(const CLI::App& command, bool scene_only) {
   std::string text;
   for (const CLI::Option* const option : command.get_options()) {
@@ -60,7 +60,7 @@ std::string options_given(const CLI::App& command, bool scene_only) {
   return text;
 }
 
-/// The format with the least numbers among the rows of a design; else the format that it has.
+/// The smallest format of a design among the rows. If there is none, the format that the design has.
 rtl::Format coarsest(std::span<const sim::SweepRow> rows, const DesignChoice& unit) {
   rtl::Format least = unit.format();
   for (const sim::SweepRow& row : rows) {
@@ -71,7 +71,7 @@ rtl::Format coarsest(std::span<const sim::SweepRow> rows, const DesignChoice& un
   return least;
 }
 
-/// The first design that never misses and can be traced.
+/// The first conservative design that can be swept.
 std::string image_design() {
   for (const rtl::Design& design : rtl::designs())
     if (design.conservative && sim::why_not_swept(design).empty()) return std::string(design.name);
@@ -180,7 +180,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                 {"different_pixels", wrong.different_pixels}},
                                command.format));
   if (!wrong.any()) return 0;
-  fmt::print(stderr, "hitpipe: what must be 0 is not; see {}\n", page);
+  fmt::print(stderr, "hitpipe: a count that must be 0 is not; see {}\n", page);
   return 1;
 }
 
@@ -194,18 +194,18 @@ void add_report_command(CLI::App& program, int& exit_code) {
   CLI::Option* const rows =
       command
           ->add_option("--rows", options->rows,
-                       "CSV of hitpipe sweep, of this scene and size, instead of a new sweep")
+                       "Read the rows from a CSV file that hitpipe sweep wrote for this scene and size")
           ->type_name("FILE");
-  add_bits_option(*command, options->swept, "those that hitpipe sweep takes")->excludes(rows);
+  add_bits_option(*command, options->swept, "those of hitpipe sweep")->excludes(rows);
   options->image.name = image_design();
   command
       ->add_option("--image-design", options->image.name,
-                   "The design whose Verilog renders the image; one that never misses")
+                   "The design whose Verilog renders the image; it must be one that never misses")
       ->capture_default_str()
       ->type_name("NAME");
   command->add_option("--image-bits", options->image.bits, "Its number format")->type_name("FORMAT");
   add_large_count_option(*command, "--tests", options->tests, 1, 1'000'000'000,
-                         "Of each unit's stability (1 to 10^9)");
+                         "Number of stability tests for each unit (1 to 10^9)");
   add_seed_option(*command, options->seed);
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
   add_format_option(*command, options->format);

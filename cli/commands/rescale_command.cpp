@@ -18,7 +18,7 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// A transform and how the user wrote it.
+/// A transform, with the text by which the user gave it.
 struct NamedTransform {
   std::string name;
   sim::Transform transform;
@@ -28,7 +28,7 @@ struct RescaleCommand {
   SceneChoice scene;
   std::vector<NamedTransform> scales;
   std::vector<NamedTransform> offsets;
-  DesignChoice design;  ///< without a name: software alone
+  DesignChoice design;  ///< without a name: software only
   Format format = Format::text;
 };
 
@@ -47,7 +47,7 @@ NamedTransform parse_scale(const std::string& text) {
   if (!(scale > 0.0) || !std::isfinite(scale)) {
     throw CLI::ValidationError(
         "--scale",
-        fmt::format("{} is no scale; give a number above 0 or a power of two, for example 0.1 or 2^-10",
+        fmt::format("{} is not a scale; give a number above 0 or a power of two, for example 0.1 or 2^-10",
                     text));
   }
   return {text, {.scale = scale}};
@@ -70,7 +70,8 @@ NamedTransform parse_offset(const std::string& text) {
   return {"+" + text, transform};
 }
 
-/// What the user asked for, or a choice of both kinds; far is measured in the mesh's longest side.
+/// What the user asked for, or a choice of scales and offsets. Offsets are measured in the longest side of
+/// the mesh.
 std::vector<NamedTransform> transforms(const RescaleCommand& command, const ref::SceneDescription& scene) {
   std::vector<NamedTransform> all = command.scales;
   all.insert(all.end(), command.offsets.begin(), command.offsets.end());
@@ -97,7 +98,7 @@ Row row_of(const NamedTransform& t, const sim::MovedScene& moved, const sim::Pic
           {"rtl_mismatches", by_rtl(picture.rtl_mismatches)}};
 }
 
-/// As eighty columns hold it.
+/// As a table that fits 80 columns.
 Row short_row(const Row& row, bool judged) {
   Row made{{"transform", row.at("transform")},
            {"vertices", row.at("vertices_moved")},
@@ -159,7 +160,7 @@ int rescale(const RescaleCommand& command) {
   }
   fmt::print("{}", table_text(rows, command.format));
   if (wrong == 0) return 0;
-  fmt::print(stderr, "hitpipe: {} answers of the Verilog differ from the reference on the mesh as moved\n",
+  fmt::print(stderr, "hitpipe: {} answers of the Verilog differ from the reference on the moved mesh\n",
              wrong);
   return 1;
 }
@@ -180,13 +181,13 @@ void add_rescale_command(CLI::App& program, int& exit_code) {
         },
         what);
   };
-  add("--scale", options->scales, parse_scale, "Multiply mesh, camera and lights; each a number or 2^N")
+  add("--scale", options->scales, parse_scale, "Scale mesh, camera and lights by a number or by 2^N")
       ->delimiter(',')
       ->type_name("X");
-  add("--offset", options->offsets, parse_offset, "Shift them, in own units")->type_name("X,Y,Z");
-  command->add_option("--design", options->design.name, "Let this design's Verilog answer every box test")
+  add("--offset", options->offsets, parse_offset, "Move them, in units of the scene")->type_name("X,Y,Z");
+  command->add_option("--design", options->design.name, "This design's Verilog answers every box test")
       ->type_name("NAME");
-  command->add_option("--bits", options->design.bits, "Number format of the design; its own unless given")
+  command->add_option("--bits", options->design.bits, "Number format of the design (default: its own)")
       ->type_name("FORMAT");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = rescale(*options); });

@@ -17,7 +17,7 @@ void add_scenes_command(CLI::App& program, int& /*exit_code*/) {
     std::vector<Row> rows;
     for (const ref::BuiltInScene& scene : ref::built_in_scenes()) {
       Row& row = rows.emplace_back(Row{{"scene", scene.name}, {"triangles", scene.triangles}});
-      if (*format != Format::text) {  // whose lines are short
+      if (*format != Format::text) {  // lines of text are short
         row["least"] = scene.least;
         row["most"] = scene.most;
         row["lights"] = scene.lights;

@@ -31,15 +31,15 @@ struct StiffnessCommand {
   Format format = Format::text;
 };
 
-constexpr std::size_t most_formats = 8;  // of a table of 80 columns
+constexpr std::size_t most_formats = 8;  // a table has 80 columns
 
 struct LoadedScene {
   ref::Scene scene;
   ref::Bvh bvh;
 };
 
-/// Unless the user names designs, those that never miss. A wrong name or format is known here, before the
-/// long run.
+/// The conservative designs, unless the user names designs. A wrong name or format is reported here, before
+/// the long run.
 std::vector<MeasuredDesign> chosen(const StiffnessCommand& command) {
   const auto own = [](const rtl::Design& design) { return sim::stiffness_formats(design); };
   std::vector<const rtl::Design*> designs = command.units.designs(sim::why_not_traced);
@@ -119,8 +119,8 @@ void add_stiffness_command(CLI::App& program, int& exit_code) {
       "stiffness", "Measure false hits as the components of a ray's direction grow apart");
   const auto options = std::make_shared<StiffnessCommand>();
   add_designs_option(*command, options->units)
-      ->description("Names that `hitpipe designs` lists; those that never miss unless given");
-  add_bits_option(*command, options->units, "24/24, 20/24, 16/16 and 12/12 of n/t designs; 8 at most");
+      ->description("Names that `hitpipe designs` lists (default: those that never miss)");
+  add_bits_option(*command, options->units, "24/24, 20/24, 16/16 and 12/12 for n/t designs. At most 8");
   command
       ->add_option("--scene", options->scene,
                    "Also count the box tests of stiff rays through a built-in scene or a mesh file")
@@ -130,7 +130,8 @@ void add_stiffness_command(CLI::App& program, int& exit_code) {
   add_large_count_option(*command, "--rays", options->rays, 1, 1'000'000'000,
                          "Rays through the scene for each ratio (1 to 10^9)");
   add_seed_option(*command, options->seed);
-  add_count_option(*command, "--threads", options->threads, {1, 1024}, "Threads; no result depends on it")
+  add_count_option(*command, "--threads", options->threads, {1, 1024},
+                   "Number of threads; results do not depend on it")
       ->capture_default_str();
   add_folder_option(*command, options->out, "Folder for the rows as CSV and for the plots as SVG");
   add_format_option(*command, options->format);

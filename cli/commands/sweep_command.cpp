@@ -36,7 +36,7 @@ std::vector<sim::SweepPoint> plan(const SweepCommand& command) {
   return sim::plan_sweep(command.units.formats(designs, sim::sweep_formats), command.rays_in_flight);
 }
 
-/// Cells as the file has them; JSON has numbers for numbers.
+/// Cells as in the file. In JSON, numbers are numbers.
 Row record(const sim::SweepRow& row) {
   Row record;
   const std::vector<std::string> cells = sim::to_cells(row);
@@ -60,7 +60,7 @@ std::string text_of(const std::vector<sim::SweepRow>& rows) {
   return text;
 }
 
-/// Prints the rows; the exit code.
+/// Prints the rows and returns the exit code.
 int report(const sim::RowsFile& rows, Format format) {
   if (format == Format::csv) {
     fmt::print("{}", sim::to_text(rows));
@@ -124,24 +124,23 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
   CLI::Option* const scene = command->get_option("--scene")->required(false);
   add_designs_option(*command, options->units);
   add_bits_option(*command, options->units,
-                  "of n/t designs n from 8 to 32 in steps of 4, each with t of n, n+4 and n+8");
+                  "for n/t designs, n from 8 to 32 in steps of 4, each with t of n, n+4 and n+8");
   add_list_option(*command, "--rays-in-flight", options->rays_in_flight,
-                  "Rays that share one pipeline, a row for each (1 to 65536; default: 32)", "K")
+                  "Rays that share one pipeline; one row for each number (1 to 65536; default: 32)", "K")
       ->transform(whole_number(1, sim::RayUnit::most_rays_in_flight));
   add_bounces_option(*command, options->light);
   CLI::Option* const shard =
       command
-          ->add_option(
-              "--shard", options->shard,
-              "Do only part I of N, into FILE.I-of-N; mpi: rank and size as mpirun or srun tell them")
+          ->add_option("--shard", options->shard,
+                       "Do only part I of N and write FILE.I-of-N. mpi: take I and N from mpirun or srun")
           ->type_name("I/N|mpi");
   CLI::Option* const merge_flag =
-      command->add_flag("--merge", options->merge, "Join the shards of FILE, and measure nothing")
+      command->add_flag("--merge", options->merge, "Join the shards of FILE; measure nothing")
           ->excludes(shard)
           ->excludes(scene);
   command
       ->add_option("--out", options->out,
-                   "Where the rows are kept, and looked for: what is there is not measured again (.csv)")
+                   "File for the rows (.csv); rows that it already holds are not measured again")
       ->required()
       ->type_name("FILE");
   add_format_option(*command, options->format);

@@ -19,7 +19,7 @@ struct TableOptions {
   Format format = Format::text;
 };
 
-/// "Bunny=bunny.ply".
+/// For example "Bunny=bunny.ply".
 void add_scene(const std::string& text, ref::ExperimentOptions& options) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
@@ -71,7 +71,7 @@ void add_table_command(CLI::App& program, int& /*exit_code*/) {
                    "Timed runs of each kind; the fastest counts")
       ->capture_default_str();
   add_count_option(*command, "--threads", options->experiment.threads, {1, 1024},
-                   "Threads of what is counted; what is timed has one")
+                   "Number of threads for counting; timing uses one thread")
       ->capture_default_str();
   add_format_option(*command, options->format);
   command->callback([options] { run(*options); });

@@ -14,7 +14,7 @@ namespace {
 
 const Choices<ref::Builder> builders{{"median", ref::Builder::median}, {"sah", ref::Builder::sah}};
 
-/// What the scene's place in the cube leaves around it: padded boxes stay in the cube.
+/// The space that a placed scene leaves around it in the cube. Padded boxes must stay in the cube.
 constexpr double most_padding = 0x1p-10;
 
 std::string padding_error(const std::string& text) {
@@ -22,7 +22,7 @@ std::string padding_error(const std::string& text) {
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), padding);
   const bool whole = error == std::errc{} && stop == text.data() + text.size();
   if (whole && padding >= 0.0 && padding <= most_padding) return {};
-  return fmt::format("{} is no padding; allowed is 0 to 2^-10 = {:.6f}", text, most_padding);
+  return fmt::format("{} is not a padding; allowed is 0 to 2^-10 = {:.6f}", text, most_padding);
 }
 
 }  // namespace
@@ -36,12 +36,12 @@ std::string builder_name(ref::Builder builder) {
 void add_build_options(CLI::App& command, ref::BuildOptions& options) {
   add_choice_option<ref::Builder>(
       command, "--builder", options.builder, builders,
-      "median: boxes are halved, as in the thesis; sah: split where it is cheapest by surface area");
+      "median: split boxes in the middle, as in the thesis; sah: split where surface areas make it cheapest");
   add_count_option(command, "--max-triangles", options.max_triangles,
-                   {1, std::numeric_limits<std::int32_t>::max()}, "Most triangles of a leaf")
+                   {1, std::numeric_limits<std::int32_t>::max()}, "Maximum number of triangles in a leaf")
       ->capture_default_str();
   add_count_option(command, "--max-depth", options.max_depth, {1, ref::BuildOptions::deepest},
-                   "Levels of the hierarchy at most")
+                   "Maximum number of levels")
       ->capture_default_str();
   command
       .add_option(
@@ -52,7 +52,7 @@ void add_build_options(CLI::App& command, ref::BuildOptions& options) {
       ->capture_default_str()
       ->type_name("P");
   add_count_option(command, "--grid-bits", options.grid_bits, {6, 32},
-                   "Split no node along an axis where it is narrower than a unit of the n-bit integer grid")
+                   "Do not split a node along an axis where it is narrower than one unit of the n-bit grid")
       ->type_name("n");
 }
 

@@ -1,4 +1,4 @@
-// The options by which every command that needs a hierarchy says how it is built.
+// The options that say how a hierarchy is built. Every command that needs one takes them.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ class App;
 
 namespace hitpipe::cli {
 
-/// --builder, --max-triangles, --max-depth, --padding, --grid-bits. What `options` holds are the defaults.
+/// --builder, --max-triangles, --max-depth, --padding, --grid-bits. The values in `options` are the defaults.
 void add_build_options(CLI::App& command, ref::BuildOptions& options);
 
-/// As --builder takes it.
+/// The builder's name for --builder.
 [[nodiscard]] std::string builder_name(ref::Builder builder);
 
 }  // namespace hitpipe::cli

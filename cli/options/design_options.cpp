@@ -19,7 +19,7 @@ void append_once(std::vector<rtl::Format>& formats, const rtl::Format& format) {
   if (std::find(formats.begin(), formats.end(), format) == formats.end()) formats.push_back(format);
 }
 
-/// "n/t, as in 20/24, for int_slabs, int_plucker; eEmM, as in fp32, for fp_slabs".
+/// The formats of these designs: "n/t with n in .. for int_slabs, int_plucker; fp32, which .. for fp_slabs".
 std::string spellings(const std::vector<const rtl::Design*>& designs) {
   std::vector<std::pair<const rtl::FormatFamily*, std::vector<std::string_view>>> users;
   for (const rtl::Design* const design : designs) {
@@ -42,8 +42,8 @@ void add_design_options(CLI::App& command, DesignChoice& choice) {
       ->type_name("NAME");
   command
       .add_option("--bits", choice.bits,
-                  "Number format; `hitpipe designs` lists what each design allows and what it has "
-                  "unless told otherwise. n/t: n bits of a coordinate, t bits kept of a product")
+                  "Number format. `hitpipe designs` lists the formats and the default of each design. "
+                  "n/t: n bits of a coordinate, t bits kept of a product")
       ->type_name("FORMAT");
 }
 
@@ -94,13 +94,13 @@ std::vector<sim::DesignFormats> DesignsChoice::formats(const std::vector<const r
 
 CLI::Option* add_designs_option(CLI::App& command, DesignsChoice& choice) {
   return add_list_option(command, "--designs", choice.names,
-                         "Names that `hitpipe designs` lists; all unless given", "NAME");
+                         "Names that `hitpipe designs` lists (default: all)", "NAME");
 }
 
 CLI::Option* add_bits_option(CLI::App& command, DesignsChoice& choice, const std::string& otherwise) {
   return add_list_option(command, "--bits", choice.bits,
-                         fmt::format("Number formats, for every design that has them, or DESIGN=FORMAT "
-                                     "for one; unless given {}",
+                         fmt::format("Number formats. FORMAT is for every design that has it, DESIGN=FORMAT "
+                                     "for one design. Default: {}",
                                      otherwise),
                          "FORMAT");
 }

@@ -14,7 +14,7 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// "1,0.5,-2".
+/// For example "1,0.5,-2".
 glm::dvec3 parse_vector(const std::string& option, const std::string& text) {
   glm::dvec3 xyz(0.0);
   const char* at = text.data();
@@ -51,10 +51,10 @@ void add_scene_options(CLI::App& command, SceneChoice& choice) {
       ->required()
       ->type_name("NAME|FILE");
   add_count_option(command, "--triangles", choice.placing.triangles, {1, 100'000'000},
-                   "About so many, of a built-in scene that scales; see hitpipe scenes");
+                   "Approximate number, for a built-in scene that scales; see hitpipe scenes");
   point("--eye", choice.placing.eye, "Where the camera is, in the scene's own units");
   point("--target", choice.placing.target, "The point in the middle of the image");
-  point("--up", choice.placing.up, "Which way is up");
+  point("--up", choice.placing.up, "The direction that is up");
   command.add_option("--fov", choice.placing.fov_degrees, "Vertical field of view, between 0 and 180")
       ->type_name("DEGREES");
   command
@@ -69,7 +69,8 @@ void add_scene_options(CLI::App& command, SceneChoice& choice) {
       ->type_name("X,Y,Z");
   add_count_option(command, "--width", choice.width, {1, 16384}, "Pixels across")->capture_default_str();
   add_count_option(command, "--height", choice.height, {1, 16384}, "Pixels down")->capture_default_str();
-  add_count_option(command, "--threads", choice.threads, {1, 1024}, "Threads; no result depends on it")
+  add_count_option(command, "--threads", choice.threads, {1, 1024},
+                   "Number of threads; results do not depend on it")
       ->capture_default_str();
 }
 

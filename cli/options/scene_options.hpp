@@ -12,17 +12,17 @@ class App;
 namespace hitpipe::cli {
 
 struct SceneChoice {
-  std::string name;           ///< of a built-in scene, a scene file or a mesh file
-  ref::SceneOptions placing;  ///< what the user wants otherwise
+  std::string name;           ///< a built-in scene, a scene file or a mesh file
+  ref::SceneOptions placing;  ///< what the user changes in the scene
   int width = 256;
   int height = 256;
   int threads = 1;
 
-  /// Throws as ref::load_scene does.
+  /// Throws what ref::load_scene() throws.
   [[nodiscard]] ref::Scene load() const { return ref::load_scene(name, placing); }
 };
 
-/// --scene (required), --triangles, --eye, --target, --up, --fov, --light, --width, --height, --threads.
+/// Adds --scene (required), --triangles, --eye, --target, --up, --fov, --light, --width, --height, --threads.
 void add_scene_options(CLI::App& command, SceneChoice& choice);
 
 }  // namespace hitpipe::cli

@@ -43,7 +43,7 @@ std::string trace_options_text(const ref::TracerOptions& options) {
 
 void add_bounces_option(CLI::App& command, ref::WhittedOptions& options) {
   add_count_option(command, "--bounces", options.bounces, {0, ref::WhittedOptions::most_bounces},
-                   "Mirrored and refracted rays in a row that are followed")
+                   "How many times a ray may be mirrored or refracted")
       ->capture_default_str();
 }
 
@@ -62,11 +62,11 @@ void add_trace_options(CLI::App& command, TraceChoice& choice) {
   ref::TracerOptions& tracer = choice.tracer;
   add_choice_option<Algorithm>(
       command, "--traversal", tracer.algorithm, algorithms,
-      "Box test, and which child comes first: always the same, the nearer box (dist), or "
-      "by direction and split axis (dsa)");
+      "Box test and order of children: fixed, nearer box first (dist), or by direction and "
+      "split axis (dsa)");
   add_choice_option<Arithmetic>(command, "--arithmetic", tracer.arithmetic, arithmetics,
-                                "Of the box test; robust: floats with a proven bound, slabs only");
-  command.add_option("--bits", choice.bits, "Number format of integer arithmetic, 24/24 unless given")
+                                "Arithmetic of the box test. robust: floats with a proven bound, slabs only");
+  command.add_option("--bits", choice.bits, "Number format of integer arithmetic (default: 24/24)")
       ->type_name("n/t");
   add_choice_option<Encoding>(command, "--encoding", tracer.encoding,
                               {{"plain", Encoding::plain},
@@ -74,10 +74,10 @@ void add_trace_options(CLI::App& command, TraceChoice& choice) {
                                {"h8", Encoding::hierarchical_8},
                                {"h12", Encoding::hierarchical_12},
                                {"h16", Encoding::hierarchical_16}},
-                              "Of the nodes; h: that many bits relative to the parent");
+                              "Encoding of the nodes. h: that many bits relative to the parent");
   command.add_flag("--lut", tracer.look_up_table, "Decode h4 and h8 by table");
   add_choice_option<int>(command, "--bundle", tracer.bundle, {{"1", 1}, {"64", 64}, {"256", 256}},
-                         "Rays traced together at most");
+                         "Maximum number of rays traced together");
   add_choice_option<TriangleTest>(
       command, "--triangle-test", tracer.triangle_test,
       {{"exact", TriangleTest::exact}, {"float", TriangleTest::binary32}, {"double", TriangleTest::binary64}},

@@ -1,4 +1,4 @@
-// The options by which a command that traces in software chooses how, and how far rays are followed.
+// The options by which a command chooses how it traces in software and how far it follows rays.
 #pragma once
 
 #include <optional>
@@ -13,23 +13,23 @@ class App;
 
 namespace hitpipe::cli {
 
-/// --bounces.
+/// Adds --bounces.
 void add_bounces_option(CLI::App& command, ref::WhittedOptions& options);
 
 struct TraceChoice {
   ref::TracerOptions tracer;
   std::optional<std::string> bits;  ///< as the user wrote it
 
-  /// Throws std::runtime_error, one line, for bits that are no format or that nothing uses. Combinations are
-  /// ref::make_tracer()'s to refuse.
+  /// Throws std::runtime_error, one line, when the bits are not a format, or when nothing uses them.
+  /// ref::make_tracer() refuses combinations that do not exist.
   [[nodiscard]] ref::TracerOptions options() const;
 };
 
-/// --traversal, --arithmetic, --bits, --encoding, --lut, --bundle, --triangle-test.
+/// Adds --traversal, --arithmetic, --bits, --encoding, --lut, --bundle, --triangle-test.
 void add_trace_options(CLI::App& command, TraceChoice& choice);
 
-/// "--traversal slabs-dsa --arithmetic integer --bits 20/24": the options that choose this algorithm,
-/// arithmetic and format.
+/// The options that choose this algorithm, arithmetic and format, for example "--traversal slabs-dsa
+/// --arithmetic integer --bits 20/24".
 [[nodiscard]] std::string trace_options_text(const ref::TracerOptions& options);
 
 }  // namespace hitpipe::cli

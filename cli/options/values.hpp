@@ -1,5 +1,5 @@
-// Options whose values are limited: whole numbers of a range, words of a list. Help and error message both
-// say what is allowed.
+// Options with limited values: whole numbers in a range, words from a list. Both help and error message say
+// what is allowed.
 #pragma once
 
 #include <charconv>
@@ -15,8 +15,8 @@
 
 namespace hitpipe::cli {
 
-/// Takes decimal whole numbers from `least` to `most`, and nothing else: CLI::Range lets -1 through as the
-/// largest number, reads 010 as 8, and describes itself in the help.
+/// Accepts only decimal whole numbers from `least` to `most`. CLI::Range would accept -1 as the largest
+/// number, read 010 as 8, and print its own description in the help.
 template <class Whole>
 CLI::Validator whole_number(Whole least, Whole most) {
   const auto read = [least, most](std::string& text) {
@@ -36,7 +36,7 @@ struct CountRange {
   int most;
 };
 
-/// `value` is an int or a std::optional of it.
+/// `value` is an int or a std::optional of int.
 template <class Count>
 CLI::Option* add_count_option(CLI::App& command, const std::string& name, Count& value, CountRange allowed,
                               const std::string& what) {
@@ -45,7 +45,7 @@ CLI::Option* add_count_option(CLI::App& command, const std::string& name, Count&
       ->type_name("N");
 }
 
-/// The same for numbers that an int may not hold. `what` says in words what is allowed.
+/// The same for numbers that may not fit an int. `what` says in words what is allowed.
 inline CLI::Option* add_large_count_option(CLI::App& command, const std::string& name, std::uint64_t& value,
                                            std::uint64_t least, std::uint64_t most, const std::string& what) {
   return command.add_option(name, value, what)
@@ -54,14 +54,15 @@ inline CLI::Option* add_large_count_option(CLI::App& command, const std::string&
       ->capture_default_str();
 }
 
-/// --seed, of whatever a command draws.
+/// --seed, for everything that a command draws at random.
 inline CLI::Option* add_seed_option(CLI::App& command, std::uint64_t& value) {
-  return add_large_count_option(command, "--seed", value, 0, std::numeric_limits<std::uint64_t>::max(),
-                                "Of the cases; the same seed gives the same cases (0 to 2^64 - 1)");
+  return add_large_count_option(
+      command, "--seed", value, 0, std::numeric_limits<std::uint64_t>::max(),
+      "Seed of the random cases; the same seed gives the same cases (0 to 2^64 - 1)");
 }
 
-/// Several values of one option. In a command without arguments of its own they may be separated by commas,
-/// by blanks, or by the option's name again; else blanks would take the argument for a value.
+/// Several values of one option, separated by commas. A command without arguments of its own also takes
+/// blanks between them. In other commands the argument would be taken for a value.
 template <class Value>
 CLI::Option* add_list_option(CLI::App& command, const std::string& name, std::vector<Value>& values,
                              const std::string& what, const std::string& type) {
@@ -73,7 +74,7 @@ CLI::Option* add_list_option(CLI::App& command, const std::string& name, std::ve
       ->type_name(type);
 }
 
-/// A folder to write to, not empty.
+/// A folder to write to. The name must not be empty.
 inline CLI::Option* add_folder_option(CLI::App& command, std::string& value, const std::string& what) {
   const auto named = [](const std::string& folder) {
     return folder.empty() ? "is empty; give the name of a folder" : std::string();
@@ -84,7 +85,7 @@ inline CLI::Option* add_folder_option(CLI::App& command, std::string& value, con
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-/// `value` keeps what it holds, which must be among the choices, unless the option is given.
+/// Without the option, `value` keeps what it holds, which must be one of the choices.
 template <class Value>
 CLI::Option* add_choice_option(CLI::App& command, const std::string& name, Value& value,
                                const Choices<Value>& choices, const std::string& what) {

@@ -9,12 +9,12 @@ namespace hitpipe::cli {
 
 namespace {
 
-constexpr double letter_width = 8.0;  // of 15-pixel sans-serif, generously
+constexpr double letter_width = 8.0;  // in 15-pixel sans-serif, rounded up
 constexpr double line_height = 18.0;
 constexpr double mark_radius = 10.0;
 constexpr double gap = 13.0;  // between mark and label
 constexpr int line_points = 24;
-constexpr int steps_off = 9;  // lines above and below to try
+constexpr int steps_off = 9;  // how many lines above and below are tried
 constexpr std::array<double, 4> steps_out{0, 24, 60, 110};
 
 struct Rectangle {
@@ -36,7 +36,7 @@ std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<cons
     return r.left >= 0 && r.right <= plot_size.x && r.low >= 0 && r.high <= plot_size.y &&
            std::none_of(taken.begin(), taken.end(), [&](const Rectangle& t) { return r.meets(t); });
   };
-  // Points of a line between mark and label, without its ends.
+  // Points on the line between mark and label, without its ends.
   const auto along = [](const Mark& from, const LabelPlace& to) {
     std::vector<Rectangle> points;
     for (int i = 3; i < line_points - 1; ++i) {
@@ -67,7 +67,7 @@ std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<cons
     const auto box = [&](const LabelPlace& p) {
       return Rectangle{p.left, p.left + width, p.middle - line_height / 2, p.middle + line_height / 2};
     };
-    // Beside the mark, to the right, to the left; then higher or lower, and farther out.
+    // First beside the mark, on the right, then on the left; then higher or lower, and farther away.
     const auto find = [&](bool with_clear_line) {
       for (int step = 0; step <= 2 * steps_off; ++step) {
         const int up = step % 2 == 1 ? (step + 1) / 2 : -step / 2;

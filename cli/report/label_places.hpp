@@ -1,5 +1,5 @@
-// Where to write labels beside marks of a plot so that none covers another or a mark. Lengths are in pixels,
-// from the lower left corner of the plot.
+// Finds places for labels of a plot's marks, so that no label covers another label or a mark. Lengths are in
+// pixels from the lower left corner of the plot.
 #pragma once
 
 #include <span>
@@ -14,14 +14,14 @@ struct Mark {
 };
 
 struct LabelPlace {
-  double left;    ///< of the text
-  double middle;  ///< its height
-  bool line;      ///< stands off from its mark, to which a line is to lead
+  double left;    ///< left end of the text
+  double middle;  ///< middle height of the text
+  bool line;      ///< the label is away from its mark, so a line must lead there
   double line_x;  ///< where that line ends
 };
 
-/// Labels for the first marks, one for each text; the other marks are only in the way. Tries places farther
-/// and farther off; a label for which there is none is put beside its mark all the same.
+/// Places labels for the first marks, one for each text. The other marks only take space. It tries places
+/// farther and farther away. A label that fits nowhere goes beside its mark all the same.
 [[nodiscard]] std::vector<LabelPlace> place_labels(std::span<const Mark> marks,
                                                    std::span<const std::string> texts, Mark plot_size);
 

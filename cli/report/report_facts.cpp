@@ -17,7 +17,7 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// The first line that a program prints when it is called with `option`, to either stream.
+/// The first line that a program prints to either stream when it is called with `option`.
 std::string version_of(std::vector<std::string> program, const char* option = "--version") {
   program.emplace_back(option);
   const host::Outcome said = host::run(program);
@@ -85,7 +85,7 @@ std::vector<Schematic> draw_schematics() {
     const rtl::Format format = design.default_format;
     const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
     const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline);
-    // The whole is too wide to be read on a page.
+    // The whole schematic is too wide to read on a page.
     const std::vector<rtl::File> groups =
         emitted.stage_schematics.empty() ? emitted.schematics() : emitted.stage_schematics;
     Schematic schematic{

@@ -1,4 +1,4 @@
-// What a report tells, measured before the page is written, and what can be measured in a few lines.
+// What a report tells. It is measured before the page is written; short measurements are made here.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace hitpipe::cli {
 
-/// A unit against the exact referee over the adversary's cases, as hitpipe check judges it.
+/// A unit against the exact referee on the adversary's cases, as hitpipe check judges it.
 struct Stability {
   std::string design;
   std::string bits;
@@ -28,7 +28,7 @@ struct StabilityOptions {
   std::uint64_t seed = 1;
   int threads = 1;
 };
-/// Of the thesis's six units.
+/// Measures the thesis's six units.
 [[nodiscard]] std::vector<Stability> measure_stability(const StabilityOptions& options);
 
 struct Drawing {
@@ -37,25 +37,25 @@ struct Drawing {
   std::string alternative;
   std::string caption;
 };
-/// The work-precision diagrams, and occupancy when it was measured for more than one number of rays in
-/// flight.
+/// The work-precision diagrams. A diagram of occupancy too, when several numbers of rays in flight were
+/// measured.
 [[nodiscard]] std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows);
 
-/// The stages of a design, group by group.
+/// The stages of a design, in groups.
 struct Schematic {
   std::string title;
   std::vector<Drawing> drawings;
 };
-/// Of each design, the integer ones at 20/24.
+/// One for each design, at its default format.
 [[nodiscard]] std::vector<Schematic> draw_schematics();
 
-/// Of the compiler that built this program, and of the programs that it calls.
+/// Versions of the compiler that built this program and of the programs that it calls.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> versions();
 
 struct ReportFacts {
   std::string version;                    ///< of this program
-  std::string command;                    ///< what was asked
-  std::vector<std::string> row_commands;  ///< what makes the rows
+  std::string command;                    ///< the user's command
+  std::vector<std::string> row_commands;  ///< commands that make the rows
   std::string scene;
   std::vector<std::pair<std::string, std::string>> asked;
   std::vector<sim::SweepRow> rows;

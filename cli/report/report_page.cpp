@@ -54,7 +54,7 @@ std::optional<double> number_in(const std::string& cell) {
   return value;
 }
 
-/// A number, with the signs that readable_number() puts in.
+/// A number, with the separators that readable_number() puts in.
 bool is_number(std::string cell) {
   std::erase(cell, ',');
   if (cell.ends_with('%')) cell.pop_back();
@@ -76,7 +76,7 @@ std::string column_head(std::string name) {
   return escaped(name);
 }
 
-/// The <svg> element with its own size, identifiers and name.
+/// The <svg> element with a size, identifiers and a name of its own.
 std::string inline_svg(std::string svg, int number, const std::string& alternative) {
   svg.erase(0, std::min(svg.find("<svg"), svg.size()));
   svg = std::regex_replace(svg, std::regex("<!--[^>]*-->|<title>[^<]*</title>|<desc>[^<]*</desc>"), "");
@@ -224,7 +224,7 @@ std::string Page::html() const {
   std::string links;
   for (const auto& [id, name] : contents_)
     links += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, escaped(name));
-  // An empty icon: no browser asks for one.
+  // An empty icon, so that no browser asks for one.
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"

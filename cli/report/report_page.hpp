@@ -1,5 +1,5 @@
-// A page of HTML that needs nothing but itself: no network, no script; drawings are inline SVG, pictures data
-// URIs. Wide tables and drawings scroll within their own frame, so that a telephone can show the page.
+// A page of HTML that needs no other file, no network and no script. Drawings are inline SVG, pictures are
+// data URIs. Wide tables and drawings scroll in their own frame, so that a telephone can show the page.
 #pragma once
 
 #include <string>
@@ -9,23 +9,23 @@
 
 namespace hitpipe::cli {
 
-/// Text as HTML shows it literally, in an attribute too.
+/// Escapes text so that HTML shows it literally, in attributes too.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// RFC 4648, with padding.
+/// Base64 by RFC 4648, with padding.
 [[nodiscard]] std::string base64(std::string_view bytes);
 
-/// A number for readers: whole ones in groups of three digits, others to four significant ones. Anything else
-/// stays as it is.
+/// Formats a number for readers: whole numbers in groups of three digits, others with four significant
+/// digits. Any other text stays as it is.
 [[nodiscard]] std::string readable_number(const std::string& cell);
 
 struct PageTable {
   std::string caption;
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  ///< as they are printed; numbers are put to the right
+  std::vector<std::vector<std::string>> rows;  ///< printed as they are; numbers are aligned on the right
 };
 
-/// What the colours of a map stand for, from `low` to `high`.
+/// What the colours of a map mean, from `low` to `high`.
 struct PageScale {
   std::string low;
   std::string high;
@@ -33,11 +33,11 @@ struct PageScale {
 
 struct PagePicture {
   std::string caption;
-  std::string alternative;  ///< for those who do not see it
+  std::string alternative;  ///< text for readers who cannot see it
   std::string png;          ///< the file's bytes
   int width = 0;            ///< in pixels
   int height = 0;
-  std::vector<PageScale> scale;  ///< one of a map, else none
+  std::vector<PageScale> scale;  ///< one for a map, none for other pictures
 };
 
 class Page {
@@ -48,14 +48,14 @@ class Page {
   void paragraph(const std::string& text);
   void list(const std::vector<std::pair<std::string, std::string>>& names_and_values);
   void table(const PageTable& table);
-  /// Side by side where there is room.
+  /// Side by side if there is room.
   void pictures(const std::vector<PagePicture>& pictures);
-  /// `svg` as gnuplot or Graphviz writes it; its identifiers are made unique in the page.
+  /// `svg` is as gnuplot or Graphviz writes it. Its identifiers are made unique in the page.
   void drawing(const std::string& svg, const std::string& alternative, const std::string& caption);
-  /// The same, made somewhat smaller where there is less room.
+  /// The same, made smaller if there is less room.
   void plot(const std::string& svg, const std::string& alternative, const std::string& caption);
   void commands(const std::vector<std::string>& lines);
-  /// What follows until close() is hidden until the reader opens it.
+  /// Hides everything up to close() until the reader opens it.
   void open(const std::string& summary);
   void close();
 

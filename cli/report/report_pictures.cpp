@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The bytes of the PNG that `write` makes of a file's name.
+/// The bytes of the PNG file that `write` makes when it is given a file name.
 template <class Write>
 std::string png_of(const Write& write) {
   const host::ScratchFolder folder;
@@ -52,7 +52,7 @@ class Studio {
          made_.images);
   }
 
-  /// From zero to the greatest value.
+  /// From zero to the largest value.
   void map(const std::string& name, const std::vector<float>& values, const std::string& caption,
            const std::string& alternative, Row row) const {
     const ref::MapScale scale{0.0F, ref::scale_of(values).high};

@@ -1,5 +1,5 @@
-// The pictures of a report: the scene by software in floats and through a design's Verilog, heat maps of the
-// box tests, and of those that integer units make beyond them.
+// The pictures of a report: the scene by software in floats and through a design's Verilog, heat maps of box
+// tests, and heat maps of the extra box tests of integer units.
 #pragma once
 
 #include <functional>
@@ -17,10 +17,10 @@
 namespace hitpipe::cli {
 
 struct PictureChoice {
-  const rtl::Design* design;  ///< whose Verilog renders
+  const rtl::Design* design;  ///< its Verilog renders
   rtl::Format format;
   rtl::Format coarse;         ///< for a second map of extra work
-  std::string scene_options;  ///< as a user writes them, for the commands
+  std::string scene_options;  ///< as a user writes them; for the commands
   int width = 256;
   int height = 256;
   int threads = 1;
@@ -31,14 +31,14 @@ struct PictureChoice {
 struct ReportPictures {
   std::vector<PagePicture> images;
   std::vector<PagePicture> maps;
-  std::vector<rtl::File> files;  ///< PNG, as embedded
+  std::vector<rtl::File> files;  ///< the PNG files that the page embeds
   std::vector<Row> rows;         ///< one for each picture: its numbers and its command
   std::uint64_t different_pixels = 0;
   std::uint64_t different_triangles = 0;
   std::uint64_t rtl_mismatches = 0;
 };
 
-/// Throws as sim::cosimulate() and ref::render() do.
+/// Throws what sim::cosimulate() and ref::render() throw.
 [[nodiscard]] ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh,
                                            const PictureChoice& choice);
 

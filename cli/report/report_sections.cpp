@@ -13,7 +13,7 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// Of rows.csv, those that the page shows.
+/// The columns of rows.csv that the page shows.
 const std::vector<std::string> shown_columns{"design",
                                              "bits",
                                              "stages",
@@ -34,7 +34,7 @@ const std::vector<std::string> shown_columns{"design",
 
 using Rows = std::span<const sim::SweepRow>;
 
-/// Of rows.csv, after a comment and the header.
+/// The line of rows.csv that holds this row. The file starts with a comment and the header.
 std::size_t line_of(std::size_t row) {
   return row + 3;
 }
@@ -43,7 +43,7 @@ std::string readable_cell(const sim::SweepRow& row, const std::string& column) {
   return readable_number(cell(row, column));
 }
 
-/// The cells of rows, printed for readers.
+/// The cells of rows, formatted for readers.
 PageTable page_table(const std::string& caption, const std::vector<Row>& rows) {
   PageTable table{caption, {}, {}};
   if (rows.empty()) return table;
@@ -76,7 +76,7 @@ PageTable sweep_table(Rows rows, int rays) {
   return table;
 }
 
-/// A line a unit, a column a number of rays in flight.
+/// A line for each unit, a column for each number of rays in flight.
 PageTable occupancy_table(Rows rows) {
   std::map<int, int> column_of;
   std::vector<std::string> names;
@@ -98,14 +98,14 @@ PageTable occupancy_table(Rows rows) {
     (*line)[static_cast<std::size_t>(column_of[unit.rays_in_flight])] =
         readable_cell(rows[row], "occupancy_pct");
   }
-  // A unit with one number of rays tells nothing here.
+  // A unit measured with only one number of rays has nothing to show here.
   std::erase_if(table.rows, [](const std::vector<std::string>& cells) {
     return std::count_if(cells.begin() + 1, cells.end(), [](const std::string& c) { return !c.empty(); }) < 2;
   });
   return table;
 }
 
-/// The row of the unit that takes least area for one scene a second, among those with few extra box tests.
+/// The row of the unit with the least area × run time, among those with few extra box tests.
 std::optional<std::size_t> cheapest(Rows rows, int rays, double most_extra_pct) {
   std::optional<std::size_t> best;
   const auto price = [&](std::size_t row) { return rows[row].area_run_time_mm2_ms(); };
@@ -165,8 +165,9 @@ std::vector<std::string> commands_of(const ReportFacts& facts) {
 
 std::vector<Row> pipeline_rows(const ReportFacts& facts) {
   std::vector<Row> rows;
-  const auto yardstick = std::find_if(facts.prices.begin(), facts.prices.end(),
-                                      [](const area::Price& p) { return p.design == area::yardstick().design; });
+  const auto yardstick = std::find_if(facts.prices.begin(), facts.prices.end(), [](const area::Price& p) {
+    return p.design == area::yardstick().design;
+  });
   for (const area::Price& p : facts.prices) {
     rows.push_back({{"design", p.design},
                     {"bits", rtl::to_string(p.format)},
@@ -202,10 +203,8 @@ std::string report_html(const ReportFacts& facts) {
   Page page("hitpipe: which box test for " + facts.scene + "?");
   page.paragraph(
       "Every unit below traced the same rays through the same hierarchy, each of its box tests answered by "
-      "its "
-      "Verilog. Error is what a unit does in vain: box and triangle tests beyond those of a software "
-      "traversal in "
-      "floats. Run time is clock cycles, as counted, times the stage delay.");
+      "its Verilog. Error is what a unit does in vain: box and triangle tests beyond those of a software "
+      "traversal in floats. Run time is clock cycles, as counted, times the stage delay.");
 
   page.heading("What was asked");
   page.commands({facts.command});
@@ -217,12 +216,9 @@ std::string report_html(const ReportFacts& facts) {
   page.heading("Error against cost");
   page.paragraph(
       "Up: extra box tests above the reference, robust float slabs in software, 0.0001 to 1000 %; a unit "
-      "that makes "
-      "none, or fewer, lies at 0.0001, and what is beyond an axis on its end. The axes are the same for "
-      "every "
-      "scene. Filled and labelled: the six units of Table 7.2; hollow: other formats. No unit lies below and "
-      "left "
-      "of the dashed front.");
+      "that makes none, or fewer, lies at 0.0001, and what is beyond an axis on its end. The axes are the "
+      "same for every scene. Filled and labelled: the six units of Table 7.2; hollow: other formats. No unit "
+      "lies below and left of the dashed front.");
   for (const Drawing& d : facts.diagrams) page.plot(d.svg, d.alternative, d.caption);
 
   page.heading("Images");
@@ -245,8 +241,7 @@ std::string report_html(const ReportFacts& facts) {
   page.heading("Stability");
   page.paragraph(
       "Rays and boxes made to break box tests, judged by exact arithmetic on boxes that are not padded. An "
-      "integer "
-      "unit may accept too much, and must never miss. Shares say nothing about a scene.");
+      "integer unit may accept too much, and must never miss. Shares say nothing about a scene.");
   page.table(page_table("stability.csv.", stability_rows(facts)));
 
   page.heading("Schematics");

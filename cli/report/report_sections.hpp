@@ -1,4 +1,4 @@
-// The report as a page: what was asked and found, diagrams, images, tables, schematics, commands, versions.
+// The page of a report: question and findings, diagrams, images, tables, schematics, commands, versions.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace hitpipe::cli {
 
 [[nodiscard]] std::string report_html(const ReportFacts& facts);
 
-/// The tables that are no rows of the sweep, for files beside the page.
+/// The tables that do not come from the sweep's rows, for files beside the page.
 [[nodiscard]] std::vector<Row> pipeline_rows(const ReportFacts& facts);
 [[nodiscard]] std::vector<Row> stability_rows(const ReportFacts& facts);
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<int, 1> usual_rays{32};
 constexpr std::array<int, 9> many_rays{1, 2, 4, 8, 16, 32, 64, 128, 256};
 
-/// Each once, in their order.
+/// Each value once, in order.
 template <class Value>
 void append_once(std::vector<Value>& values, const Value& value) {
   if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
@@ -49,7 +49,7 @@ sim::RowsFile take_rows(const std::filesystem::path& file, const std::string& ab
 
 std::vector<std::string> sweep_commands(std::span<const sim::SweepRow> rows,
                                         const std::string& scene_options) {
-  // Units that were measured with the same numbers of rays are one sweep.
+  // Units that were measured with the same numbers of rays belong to one sweep command.
   std::map<std::pair<std::string, std::string>, std::set<int>> rays_of;
   for (const sim::SweepRow& row : rows) rays_of[{row.design, row.bits}].insert(row.rays_in_flight);
   struct Sweep {

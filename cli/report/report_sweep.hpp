@@ -1,4 +1,4 @@
-// The rows of a report: measured for it, or taken from a file of hitpipe sweep.
+// The rows of a report: measured for it, or read from a file of hitpipe sweep.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace hitpipe::cli {
 /// Every design in its formats with 32 rays in flight, and the thesis's six units with 1, 2, 4 .. 256.
 [[nodiscard]] std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats);
 
-/// The rows of `file`. Throws as sim::read_rows_about() does, and when there are none.
+/// The rows of `file`. Throws what sim::read_rows_about() throws, and throws when there are no rows.
 [[nodiscard]] sim::RowsFile take_rows(const std::filesystem::path& file, const std::string& about);
 
 /// The commands of hitpipe sweep that measure these rows into rows.csv.

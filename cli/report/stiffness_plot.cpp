@@ -27,7 +27,7 @@ constexpr std::array<LineStyle, 8> line_styles{{{"#0072B2", 7},
                                                 {"#000000", 8},
                                                 {"#999999", 12}}};
 
-/// One data block: x and a column for each line.
+/// One data block: x, and a column for each line.
 std::string data_block(const Plot& plot, const PlotPanel& panel, std::size_t number, int zero_at) {
   std::string text = fmt::format("$panel{} << END\n", number);
   for (std::size_t i = 0; i <= plot.exponents.size(); ++i) {
@@ -53,7 +53,7 @@ double most_percent(const Plot& plot) {
 
 std::string plot_script(const Plot& plot) {
   const int last = plot.exponents.back();
-  const int zero_at = last + 8;  // a gap: a zero is no power of two
+  const int zero_at = last + 8;  // zero is not a power of two, so it stands apart
   std::string tics;
   for (int x = 0; x <= last; x += 10) tics += fmt::format("'2^{{{}}}' {}, ", x, x);
   std::string text = fmt::format(
@@ -72,7 +72,7 @@ std::string plot_script(const Plot& plot) {
     text += fmt::format("set title {} noenhanced\nplot", gnuplot_string(panel.title));
     for (std::size_t l = 0; l < panel.lines.size(); ++l) {
       const LineStyle& style = line_styles[l % line_styles.size()];
-      // The last point, a zero, stands alone.
+      // The last point is that of zero and stands alone.
       text += fmt::format(
           "{0} $panel{1} using 1:{2} every ::0::{3} with linespoints lc rgb '{4}' pt {5} ps 0.6 "
           "lw 1.5 title {6}, $panel{1} using 1:{2} every ::{7} with points lc rgb '{4}' pt "

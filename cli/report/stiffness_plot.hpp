@@ -1,6 +1,6 @@
-// A stiffness report as a picture: percent against the ratio of the direction's components, a panel for each
-// design, a line for each format. Drawn by gnuplot as SVG, in colours that the colour-blind tell apart
-// (Okabe and Ito) and with a mark for each line.
+// A stiffness report as a picture: percent against the ratio of the direction's components, with a panel for
+// each design and a line for each format. gnuplot draws it as SVG. Each line has a mark, and colours that
+// colour-blind readers can tell apart (Okabe and Ito).
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace hitpipe::cli {
 
 struct PlotLine {
   std::string title;            ///< the format
-  std::vector<double> percent;  ///< by stiffness; the last is the zero component's
+  std::vector<double> percent;  ///< by stiffness; the last is that of a zero component
 };
 
 struct PlotPanel {
@@ -20,13 +20,13 @@ struct PlotPanel {
 
 struct Plot {
   std::string title;
-  std::string counted;         ///< in percent, for the axis
-  std::vector<int> exponents;  ///< of the ratios, one fewer than percentages
+  std::string counted;         ///< what is counted, in percent; the label of the axis
+  std::vector<int> exponents;  ///< of the ratios; one fewer than percentages
   std::vector<PlotPanel> panels;
-  double least;  ///< the axis' lower end; smaller percentages are drawn on it
+  double least;  ///< lower end of the axis; smaller percentages are drawn there
 };
 
-/// The gnuplot program of a plot; the same text for the same numbers.
+/// The gnuplot program of a plot. It is the same text for the same numbers.
 [[nodiscard]] std::string plot_script(const Plot& plot);
 
 /// Throws std::runtime_error, one line, when gnuplot is missing or fails.

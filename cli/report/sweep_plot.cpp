@@ -19,21 +19,21 @@ namespace {
 
 constexpr int picture_width = 760;
 constexpr int picture_height = 600;
-// Edges of the plot as shares of the picture.
+// Edges of the plot as fractions of the picture.
 constexpr double left = 0.13;
 constexpr double right = 0.975;
 constexpr double bottom = 0.235;
 constexpr double top = 0.925;
-constexpr double error_least_pct = error_floor_pct / 2;  // room for the marks on the floor
+constexpr double error_least_pct = error_floor_pct / 2;  // leaves room for marks at the lowest error
 constexpr double error_most_pct = 1e3;
 
 struct Style {
   const char* colour;
-  int mark;       ///< of gnuplot, filled
+  int mark;       ///< number of gnuplot's filled mark
   int open_mark;  ///< the same, hollow
-  double size;    ///< marks of two units often coincide: the smaller lies on the larger
+  double size;    ///< marks of two units often coincide; the smaller lies on the larger
 };
-/// By the design's place in the catalogue; with more designs they come again.
+/// Styles by the design's place in the catalogue. They repeat when there are more designs.
 constexpr std::array<Style, 8> styles{{{"#0072B2", 7, 6, 1.8},
                                        {"#D55E00", 5, 4, 1.8},
                                        {"#E69F00", 9, 8, 1.1},
@@ -68,14 +68,14 @@ double cost_of(const sim::SweepRow& unit, Cost cost) {
   return area_mm2(unit) * run_time_ns(unit);
 }
 
-/// Where an axis shows a unit.
+/// The point at which a diagram shows a unit.
 CostAndError shown(const sim::SweepRow& unit, Cost cost) {
   const CostAxis& axis = axis_of(cost);
   return {std::clamp(cost_of(unit, cost), axis.least, axis.most),
           std::clamp(extra_box_tests_pct(unit), error_floor_pct, error_most_pct)};
 }
 
-/// The share of a logarithmic axis at which a value lies.
+/// The position of a value on a logarithmic axis, as a fraction of its length.
 double share(double value, double least, double most) {
   return std::log(value / least) / std::log(most / least);
 }
@@ -101,7 +101,7 @@ std::string block(const std::string& name, const std::string& lines) {
   return fmt::format("${} << END\n{}END\n", name, lines);
 }
 
-/// Labels beside the thesis's units, with a line to those that had to move away.
+/// Labels beside the thesis's units. A line leads to each label that had to move away.
 std::string labels(std::span<const sim::SweepRow> units, Cost cost) {
   const CostAxis& axis = axis_of(cost);
   const double width = picture_width * (right - left);

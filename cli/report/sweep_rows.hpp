@@ -1,5 +1,5 @@
-// What a report asks of the rows of a sweep. Cells are the text of the CSV file, so that whatever is printed
-// of them can be found there again.
+// What a report reads from the rows of a sweep. Cells have the text of the CSV file, so a reader can find
+// each printed cell there.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,26 @@
 
 namespace hitpipe::cli {
 
-/// "int_slabs 20/24", "fp_slabs".
+/// For example "int_slabs 20/24" or "fp_slabs".
 [[nodiscard]] std::string unit_name(const sim::SweepRow& row);
 
-/// One of the six designs of Table 7.2.
+/// The unit is one of the six in Table 7.2.
 [[nodiscard]] bool is_thesis_unit(const sim::SweepRow& row);
 
-/// Above the reference; negative for a unit that makes fewer.
+/// In percent of the reference. Negative for a unit that makes fewer.
 [[nodiscard]] double extra_box_tests_pct(const sim::SweepRow& row);
 
 /// Run time in nanoseconds for each box test that the reference makes.
 [[nodiscard]] double run_time_ns(const sim::SweepRow& row);
 
-/// The row's text in one of sim::sweep_columns.
+/// The row's text in a column of sim::sweep_columns.
 [[nodiscard]] std::string cell(const sim::SweepRow& row, std::string_view column);
 
-/// The number of rays in flight that most rows have; of equals the greatest; 0 without rows.
+/// The number of rays in flight that most rows have. If several are equally frequent, the greatest. 0 without
+/// rows.
 [[nodiscard]] int usual_rays_in_flight(std::span<const sim::SweepRow> rows);
 
-/// What must be zero, over all rows; false misses of conservative units alone.
+/// Sums over all rows that must be zero. False misses count only for conservative units.
 struct Wrong {
   std::uint64_t false_misses = 0;
   std::uint64_t rtl_mismatches = 0;

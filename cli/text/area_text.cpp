@@ -26,7 +26,7 @@ std::size_t column_width(const std::vector<Cells>& rows, std::size_t column) {
   return width;
 }
 
-/// The first columns to the left, all others to the right.
+/// The first columns are aligned left, all others right.
 std::string aligned(const std::vector<Cells>& rows, std::size_t left_columns) {
   std::string text;
   for (const Cells& row : rows) {
@@ -56,7 +56,7 @@ std::string summary(const std::vector<Price>& prices, const std::optional<Price>
   return aligned(rows, 2);
 }
 
-/// "int", "plucker", "24/24": three short lines at the head of a column.
+/// For example "int", "plucker", "24/24": three short lines as the head of a column.
 Cells column_head(const Price& price) {
   const std::string name(price.design);
   const std::size_t split = std::min(name.find('_'), name.size());
@@ -65,7 +65,7 @@ Cells column_head(const Price& price) {
 
 using Show = std::function<std::string(const Line&)>;
 
-/// A row a part, a column a design; as many blocks as the page's width asks for.
+/// A row for each part, a column for each design. Uses as many blocks as the width of the page needs.
 std::string part_columns(const std::string& title, std::span<const Price> prices, const Show& show,
                          bool total) {
   std::map<area::Part, std::map<const Price*, std::string>> parts;
@@ -97,7 +97,7 @@ std::string part_columns(const std::string& title, std::span<const Price> prices
   return taken < prices.size() ? block + part_columns(title, prices.subspan(taken), show, total) : block;
 }
 
-/// Items with commas between them, in lines that begin at `indent`; the first is begun already.
+/// Items separated by commas, in lines that begin at `indent`. The first line has begun already.
 std::string listed(const Cells& items, std::size_t indent) {
   std::string text;
   std::size_t column = indent;

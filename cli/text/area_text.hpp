@@ -1,4 +1,5 @@
-// Prices of designs as text that fits 80 columns: a line a design, then a column a design; or a line a stage.
+// Prices of designs as text of 80 columns: a line for each design, then a column for each design; or a line
+// for each stage.
 #pragma once
 
 #include <optional>
@@ -9,7 +10,7 @@
 
 namespace hitpipe::cli {
 
-/// Percentages refer to `yardstick`, and are left out without one.
+/// Percentages refer to `yardstick`. Without one there are none.
 [[nodiscard]] std::string area_text(const std::vector<area::Price>& prices,
                                     const std::optional<area::Price>& yardstick);
 

@@ -26,7 +26,7 @@ std::string text_of(const Row& row, const char* key) {
 double number_of(const Row& row, const char* key) {
   return row.at(key).get<double>();
 }
-/// What is not judged is not counted.
+/// 0 for a count that no one judged.
 std::uint64_t count_of(const Row& row, const char* key) {
   return row.at(key).is_null() ? 0 : row.at(key).get<std::uint64_t>();
 }
@@ -36,7 +36,7 @@ std::uint64_t wrong_answers(const Row& row) {
          count_of(row, "different_triangles") + count_of(row, "false_misses");
 }
 
-/// As eighty columns hold it.
+/// As text of 80 columns.
 Row short_row(const Row& row) {
   const double extra = number_of(row, "extra_box_tests_pct");
   return {{"design", row.at("design")},
@@ -48,7 +48,7 @@ Row short_row(const Row& row) {
           {"ADP%", fmt::format("{:.1f}", 100.0 - 100.0 * number_of(row, "area_delay_mm2_ns") /
                                                      number_of(row, "area_delay_before_mm2_ns"))},
           {"bytes", row.at("bytes_per_node")},
-          // No sign of a zero.
+          // Prints zero without a sign.
           {"extra%", fmt::format("{:.2f}", std::abs(extra) < 0.005 ? 0.0 : extra)},
           {"wrong", wrong_answers(row)}};
 }

@@ -1,5 +1,4 @@
-// What `hitpipe fit` prints for people: what the scene asks for, what each design becomes and is left
-// without.
+// What `hitpipe fit` prints for people: what the scene needs, the unit of each design, and what was left out.
 #pragma once
 
 #include <string>
@@ -10,18 +9,18 @@
 
 namespace hitpipe::cli {
 
-/// A fitted design: the row that JSON and CSV have, and what the fit left out of it.
+/// A fitted design: its row for JSON and CSV, and what the fit left out.
 struct FitReport {
   Row row;
   std::vector<sim::LeftOut> left_out;  ///< largest first
-  std::string first_mismatch;          ///< of the vectors
+  std::string first_mismatch;          ///< among the vectors
 };
 
-/// In eighty columns.
+/// Text of 80 columns.
 [[nodiscard]] std::string fit_text(const std::string& scene, const ref::SceneDemands& demands,
                                    const std::vector<FitReport>& reports);
 
-/// One line; empty when all that must be 0 is.
+/// One line. Empty when everything that must be 0 is 0.
 [[nodiscard]] std::string wrong_text(const FitReport& report);
 
 }  // namespace hitpipe::cli

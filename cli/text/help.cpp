@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t name_width = 33;  // the longest name with its value: --format text|csv|json=text
 
-/// Without the end of the last line, which CLI adds.
+/// Without the last line end, because CLI adds one.
 std::string in_lines(const std::string& text, std::size_t width) {
   std::string lines = wrapped(text, 0, 0, width);
   lines.pop_back();

@@ -1,4 +1,4 @@
-// How help is laid out: names on the left, descriptions on the right, no line wider than 80 columns.
+// The layout of help: names on the left, descriptions on the right, no line wider than 80 columns.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ void Progress::show(double share) {
   const auto elapsed = std::chrono::steady_clock::now() - start_;
   if (!terminal_ || elapsed < std::chrono::seconds(2)) return;
   const std::scoped_lock lock(drawing_);
-  if (share < shown_) return;  // a thread that was overtaken
+  if (share < shown_) return;  // another thread has reported more
   shown_ = share;
   constexpr int width = 30;
   const int filled = static_cast<int>(std::clamp(share, 0.0, 1.0) * width);

@@ -1,5 +1,5 @@
-// On a terminal only, on one line of standard error: what is being done, and after two seconds a bar of how
-// much of it. The line is gone when the work is done.
+// Shows on a terminal what is being done, on one line of standard error. After two seconds a bar shows how
+// much is done. The line disappears when the work is done.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// The finished share, 0..1; may be called from any thread. Work whose share is not known never calls it.
+  /// Sets the finished share, 0..1. Any thread may call it. Not called for work whose share is unknown.
   void show(double share);
 
  private:

@@ -90,7 +90,7 @@ class TextTable {
  private:
   [[nodiscard]] std::string cell(const Figures& figures, std::size_t i) const {
     if (!figures[i]) return "-";
-    // Beyond a thousand decimals say nothing.
+    // Decimals mean nothing in numbers above a thousand.
     return fmt::format("{:.{}f}", *figures[i],
                        std::abs(*figures[i]) < 1000.0 ? table_.columns[i].decimals : 0);
   }
@@ -124,7 +124,7 @@ class TextTable {
 
   const ref::ResultTable& table_;
   bool grouped_;
-  std::string_view gap_;  // between columns
+  std::string_view gap_;  // blanks between columns
   std::vector<std::size_t> label_widths_;
   std::vector<std::size_t> widths_;
 };

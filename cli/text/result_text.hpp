@@ -1,4 +1,4 @@
-// A table of the thesis run again, as people, spreadsheets and programs read it.
+// Results of repeating a table of the thesis, as text, CSV or JSON.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace hitpipe::cli {
 
-/// Text: rows grouped by their first label, each with a line of ours and a line of the thesis's figures, then
-/// findings and notes. CSV: a line for each source. JSON: one object.
+/// Text: rows in groups by their first label, each with a line of our figures and a line of the thesis's;
+/// then findings and notes. CSV: a line for each source. JSON: one object.
 [[nodiscard]] std::string result_text(const ref::ResultTable& table, Format format);
 
 }  // namespace hitpipe::cli

@@ -1,5 +1,4 @@
-// What a stiffness report prints and draws of its measurements: rows for CSV and JSON, tables of eighty
-// columns, plots.
+// What a stiffness report prints and draws: rows for CSV and JSON, tables of 80 columns, plots.
 #pragma once
 
 #include <cstdint>
@@ -25,18 +24,18 @@ struct MeasuredDesign {
   std::vector<Measured> formats;
 };
 
-/// A row for each kind of box, and one for the scene, if any was traversed.
+/// A row for each kind of box, and one for the scene if one was traversed.
 [[nodiscard]] std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs,
                                               const std::string& scene);
 
-/// A table for each design, and one for the scene: a row for each ratio, a column for each format.
+/// A table for each design, and one for the scene, with a row for each ratio and a column for each format.
 [[nodiscard]] std::string stiffness_text(const std::vector<MeasuredDesign>& designs,
                                          const std::string& scene);
 
 [[nodiscard]] Plot boxes_plot(const std::vector<MeasuredDesign>& designs);
 [[nodiscard]] Plot traversals_plot(const std::vector<MeasuredDesign>& designs, const std::string& scene);
 
-/// False misses and other triangles of the integer designs, which must have none.
+/// False misses and other triangles of conservative designs. There must be none.
 [[nodiscard]] std::uint64_t wrong_answers(const std::vector<MeasuredDesign>& designs);
 
 }  // namespace hitpipe::cli

@@ -13,13 +13,14 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// 1234567 as "1,234,567".
+/// 1234567 becomes "1,234,567".
 std::string grouped(std::string digits) {
   for (std::size_t at = digits.size(); at > 3 && digits[at - 4] != '-';) digits.insert(at -= 3, ",");
   return digits;
 }
 
-/// The name of a file may be no UTF-8, which JSON must be. Without an indent: one line.
+/// Replaces bytes that are not UTF-8, which a file name may hold and JSON may not. One line if there is no
+/// indent.
 std::string dump(const Row& value, int indent = -1) {
   return value.dump(indent, ' ', false, Row::error_handler_t::replace);
 }

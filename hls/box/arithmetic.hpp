@@ -1,4 +1,4 @@
-// What kind of numbers a pipeline computes with; it decides which formats the pipeline has.
+// The kind of numbers that a pipeline computes with.
 #pragma once
 
 namespace hitpipe::hls {

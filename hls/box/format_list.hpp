@@ -1,4 +1,5 @@
-// The formats of a pipeline that a program compiles for speed; all others are run with widths as values.
+// The formats of a pipeline with a compiled host function of their own, for speed. All others run with widths
+// as values.
 #pragma once
 
 namespace hitpipe::hls {

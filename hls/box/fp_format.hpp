@@ -1,4 +1,4 @@
-// The number format of a float ray-box unit: all its words are floats of E exponent and M fraction bits.
+// The number format of a float ray-box unit: all numbers are floats with E exponent and M fraction bits.
 #pragma once
 
 #include "hls/box/operand.hpp"
@@ -6,7 +6,7 @@
 
 namespace hitpipe::hls {
 
-/// A float format whose widths are known at run time; binary32 unless said otherwise.
+/// A float format whose widths are known at run time; the default is binary32.
 struct FpBits {
   int exponent = 8;   ///< E, 2..8
   int fraction = 23;  ///< M, 1..23

@@ -1,4 +1,4 @@
-// What the float slabs unit receives: figure 7.1's input latches.
+// The operands of the float slabs unit: the input latches of figure 7.1.
 //   D  a value domain;  F  the format, an FpFormat<E, M> or FpBits
 #pragma once
 

@@ -10,12 +10,12 @@
 
 namespace hitpipe::hls {
 
-/// An integer format whose widths are known at run time. Valid: see `valid()`.
+/// An integer format whose widths are known at run time.
 struct IntBits {
   static constexpr int min_coord = 6;
   static constexpr int max_coord = 32;
   static constexpr int min_interval = 6;
-  /// Below the program's formats, for exhaustive tests: the proofs of sw_ref/quantise hold for these too.
+  /// Exhaustive tests use smaller formats than the program. The proofs of sw_ref/quantise hold for them too.
   static constexpr int min_proved = 4;
 
   int coord = 20;     ///< n
@@ -33,11 +33,11 @@ struct IntBits {
   constexpr int trimmed() const { return product() - interval; }
   /// G, the grid of coordinates: origins and endpoints of rays lie in -G..G.
   constexpr std::int64_t largest_point() const { return (std::int64_t{1} << (coord - 2)) - 1; }
-  /// Boxes are rounded outward, one further.
+  /// Boxes are rounded outward, so their planes reach one unit farther.
   constexpr std::int64_t largest_plane() const { return std::int64_t{1} << (coord - 2); }
   /// M, the largest magnitude of a direction component and of an IRDVC.
   constexpr std::int64_t largest_component() const { return (std::int64_t{1} << (coord - 1)) - 1; }
-  /// The operands of units in this format.
+  /// Operands of a unit in this format.
   constexpr Operand point(const char* name, Role role, Axis axis) const {
     return integer_operand(name, role, axis, coord, largest_point());
   }
@@ -49,9 +49,9 @@ struct IntBits {
   }
   constexpr Operand length(const char* name) const { return length_operand(name, interval); }
 
-  /// A format of the program.
+  /// The program takes this format.
   constexpr bool valid() const { return proved() && coord >= min_coord && interval >= min_interval; }
-  /// A format of the pipelines and the ray set-up.
+  /// The pipelines and the ray set-up are proved in this format.
   constexpr bool proved() const {
     return coord >= min_proved && coord <= max_coord && interval >= min_proved && interval <= product();
   }

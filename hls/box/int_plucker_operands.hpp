@@ -1,4 +1,4 @@
-// What the integer Pluecker unit receives: figure 7.1's input latches, prepared as section 6.3.1 says.
+// The operands of the integer Pluecker unit: the input latches of figure 7.1, set up by section 6.3.1.
 //   D  a value domain;  F  the format, an IntFormat<n, t> or IntBits
 #pragma once
 

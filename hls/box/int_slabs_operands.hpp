@@ -1,4 +1,4 @@
-// What the integer slabs unit receives: figure 7.1's input latches, prepared as section 6.2.1 says.
+// The operands of the integer slabs unit: the input latches of figure 7.1, set up by section 6.2.1.
 //   D  a value domain;  F  the format, an IntFormat<n, t> or IntBits
 #pragma once
 

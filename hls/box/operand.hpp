@@ -1,5 +1,5 @@
-// What a design says of its ports. Set-up, tests, fit and manifests read these lists; none of them guesses
-// from a port's name.
+// What a design says about its ports. Set-up, tests, fit and manifests read these lists. None of them reads a
+// meaning from a port's name.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ enum class Role {
   endless,       ///< 1: the ray has no end, so length or endpoint is ignored
   plane_low,     ///< lower plane of a box
   plane_high,    ///< upper plane of a box
-  other,         ///< known to the design's own set-up alone
+  other,         ///< only the design's own set-up knows it
 };
 
 /// How an operand's bits are read.
@@ -30,15 +30,15 @@ enum class Kind {
   flag,     ///< one bit
 };
 
-/// An operand port. Numbers are those of the port: two's complement of an integer, the pattern of a float.
+/// An operand port. Its numbers are two's complement for an integer and the pattern for a float.
 struct Operand {
   const char* name;
   Role role;
   Axis axis;
   Kind kind;
   int width;               ///< bits
-  std::int64_t low, high;  ///< the set-up gives no number outside low..high
-  int box;                 ///< plane_low, plane_high: of which box, 0 for the first
+  std::int64_t low, high;  ///< the set-up gives only numbers in low..high
+  int box;                 ///< for plane_low and plane_high: number of the box, from 0
 
   constexpr bool is_signed() const { return kind == Kind::integer; }
 };
@@ -47,11 +47,11 @@ struct Operand {
 constexpr Operand integer_operand(const char* name, Role role, Axis axis, int width, std::int64_t limit) {
   return {name, role, axis, Kind::integer, width, -limit, limit, 0};
 }
-/// A length: an integer from 0 to the port's largest.
+/// A length: an integer from 0 to the largest number of the port.
 constexpr Operand length_operand(const char* name, int width) {
   return {name, Role::length, Axis::none, Kind::integer, width, 0, (std::int64_t{1} << (width - 1)) - 1, 0};
 }
-/// A float of any pattern: zeros of either sign, infinities and NaN may come.
+/// A float with any pattern. It may be a zero of either sign, infinite or NaN.
 constexpr Operand real_operand(const char* name, Role role, Axis axis, int width) {
   return {name, role, axis, Kind::real, width, 0, (std::int64_t{1} << width) - 1, 0};
 }
@@ -71,7 +71,7 @@ enum class Meaning {
 struct Result {
   const char* name;
   Meaning meaning;
-  int box;  ///< which box it answers for, 0 for the first
+  int box;  ///< number of the box that it answers for, from 0
   int width;
   bool is_signed;
 };

@@ -28,8 +28,7 @@ class BitRef;
 template <class Hi, class Lo>
 class ConcatRef;
 
-/// Width and signedness of what may stand beside an operator. `ap` is false for the integers of C++
-/// themselves.
+/// Width and signedness of the operand of an operator. `ap` is false for the integers of C++ themselves.
 template <class T>
 struct Shape;
 template <int W, bool S>
@@ -55,7 +54,7 @@ concept ap_operand = operand<T> && Shape<T>::ap;
 /// The operands of a binary operator: at least one is not a plain C++ integer.
 template <class A, class B>
 concept operands = operand<A> && operand<B> &&(Shape<A>::ap || Shape<B>::ap);
-/// What an ap value is shifted by: a C++ integer, or an unsigned ap value.
+/// What may shift an ap value: a C++ integer, or an unsigned ap value.
 template <class T>
 concept shift_count = operand<T> &&(!Shape<T>::ap || !Shape<T>::is_signed);
 
@@ -88,7 +87,7 @@ class ap_base {
   constexpr ap_base(const A& a)
       : word_(words::wrap<W, S>(words::convert<word_type, Shape<A>::is_signed>(value_of(a).word()))) {}
 
-  /// From a word that is canonical already (see words.hpp).
+  /// From a word that is already canonical (see words.hpp).
   static constexpr ap_base exact(const word_type& word) {
     ap_base x;
     x.word_ = word;
@@ -99,7 +98,7 @@ class ap_base {
   /// The canonical word.
   constexpr const word_type& word() const { return word_; }
 
-  // Parts: written through a lvalue, copied from anything else. A part is unsigned.
+  // Parts. A part of an lvalue can be written; any other part is a copy. A part is unsigned.
   constexpr RangeRef<ap_base&> range(int hi, int lo) &;
   constexpr RangeRef<ap_base> range(int hi, int lo) const&;
   constexpr RangeRef<ap_base&> operator()(int hi, int lo) &;
@@ -124,7 +123,7 @@ class ap_base {
   constexpr void clear(int i) { set_bit(i, false); }
   constexpr void invert(int i) { set_bit(i, !test(i)); }
 
-  /// This value's bits above b's, as (x, b): unsigned, as wide as both. Writable where both are.
+  /// (x, b): the bits of this value above those of b. Unsigned, as wide as both. Writable if both are.
   template <class B>
   constexpr auto concat(B&& b) &;
   template <class B>
@@ -136,7 +135,7 @@ class ap_base {
 
   constexpr int length() const { return W; }
   constexpr bool is_zero() const { return word_ == word_type{}; }
-  /// True below zero.
+  /// True when the value is below zero.
   constexpr bool sign() const { return S && words::bit(word_, W - 1); }
 
   // To C++ integers: the low bits, extended by this value's sign.

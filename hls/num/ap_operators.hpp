@@ -113,7 +113,7 @@ constexpr bool operator!(const A& a) {
   return value_of(a).is_zero();
 }
 
-/// Magnitudes of a and b divided, in a word that holds either.
+/// Divides the magnitudes of a and b, in a word that holds either.
 template <class A, class B>
 constexpr auto divide_magnitudes(const A& a, const B& b) {
   using Word = words::word_t<std::max(Shape<A>::width, Shape<B>::width)>;

@@ -1,8 +1,8 @@
 // Parts of an ap_int that can be read and written in place: x[i], x.range(hi, lo) or x(hi, lo), and (a, b).
-// As an operand a bit is 1 bit wide, a range as wide as its parent (the vendors' rule: its bounds may vary at
-// run time), a concatenation as wide as its two sides together; all are unsigned. length() counts the bits
-// really held. A part of a lvalue refers to it and must not outlive it; a part of anything else holds a copy
-// and is read only.
+// As operands they are unsigned: a bit is 1 bit wide, a range is as wide as its parent (the vendors' rule, as
+// its bounds may vary at run time), and a concatenation is as wide as both sides together. length() counts
+// the bits it really holds. A part of an lvalue refers to it and must not outlive it. Any other part holds a
+// copy and is read only.
 #pragma once
 
 #include <type_traits>
@@ -96,7 +96,7 @@ class BitRef {
   constexpr BitRef(ap_base<W, S>& bits, int i) : bits_(bits), index_(i) { assert(i >= 0 && i < W); }
   constexpr BitRef(const BitRef&) = default;
 
-  /// Writes whether v is not zero.
+  /// Writes 1 if v is not zero, else 0.
   template <operand V>
   constexpr BitRef& operator=(const V& v) {
     bits_.set_bit(index_, value_of(v).to_bool());
@@ -145,7 +145,7 @@ class ConcatRef {
   constexpr std::uint64_t to_uint64() const { return value().to_uint64(); }
 
  private:
-  /// Only n bits of x: a bit asks whether what it is given is zero.
+  /// Only n bits of x. For a bit: 1 if x is not zero.
   static constexpr value_type low_bits(const value_type& x, int n) {
     return value_type::exact(x.word() & words::low_ones<typename value_type::word_type>(n));
   }
@@ -171,7 +171,7 @@ constexpr auto value_of(const ConcatRef<Hi, Lo>& part) {
   return part.value();
 }
 
-/// What a concatenation keeps of an operand written as A&&: a reference to a lvalue ap_base, else the value.
+/// What a concatenation keeps of an operand A&&: a reference to an lvalue ap_base, or else the value.
 template <class A>
 struct PartOf {
   using type = std::remove_cvref_t<A>;

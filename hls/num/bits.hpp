@@ -1,5 +1,5 @@
-// The words of a pipeline that are the same in every value domain. The rest of the vocabulary belongs to each
-// domain and is found by the types of its values:
+// The functions of a pipeline that are the same in every value domain. Each domain has its own versions of
+// the functions below; the types of the values select them.
 //   D::lit(v, w)            a constant: the low w bits of v, unsigned
 //   width_of(x)             the width of x
 //   slice(x, high, low)     bits high .. low of x, unsigned
@@ -33,13 +33,13 @@ constexpr auto bit_at(const X& x, const I& i) {
   return slice(x, i, i);
 }
 
-/// The top bit of x: of two's complement, whether it is negative.
+/// The top bit of x. In two's complement it is 1 if x is negative.
 template <class X>
 constexpr auto sign(const X& x) {
   return bit_at(x, width_of(x) - 1_w);
 }
 
-/// Whether any bit of x is 1.
+/// 1 if any bit of x is 1.
 template <class D, class X>
 constexpr typename D::bit any(const X& x) {
   return typename D::bit(as_unsigned(x) != D::lit(0, width_of(x)));

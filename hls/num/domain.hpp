@@ -41,7 +41,7 @@ constexpr ap_uint<Wa + Wb> cat(const ap_base<Wa, Sa>& a, const ap_base<Wb, Sb>& 
   return ap_uint<Wa + Wb>(ap_uint<Wa>(a)) << Wb | ap_uint<Wb>(b);
 }
 
-/// A bit, not a bool or a wider word; a and b of one type.
+/// `bit` must be a Bit, not a bool or a wider word; a and b have one type.
 template <std::same_as<Native::bit> Bit, int W, bool S>
 constexpr ap_base<W, S> select(const Bit& bit, const ap_base<W, S>& a, const ap_base<W, S>& b) {
   return bit.word() != 0 ? a : b;

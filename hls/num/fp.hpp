@@ -1,8 +1,8 @@
 // Binary floating point of any width, as a datapath sees it: a pattern of bits (IEEE 754: sign, E bits of
-// biased exponent, M bits of fraction) and the operators that a pipeline calls. The operators' logic is
-// bit-level code (fp_logic.hpp): rounding to nearest even, subnormals, infinities, NaN, signed zeros.
-// On the host they run that logic. The trace domain has its own overloads, which record each operator as one
-// component with that logic inside.
+// biased exponent, M bits of fraction) and the operators that a pipeline calls. Their logic is bit-level code
+// (fp_logic.hpp) with rounding to nearest even, subnormals, infinities, NaN and signed zeros. The host runs
+// that logic. The trace domain has its own overloads, which record each operator as one component with that
+// logic inside.
 #pragma once
 
 #include "hls/num/bits.hpp"
@@ -19,25 +19,25 @@ struct Fp {
   F format{};
 };
 
-/// 1 for negative numbers, -0 included; NaN results have it 0.
+/// 1 for negative numbers, also for -0. It is 0 in NaN results.
 template <class D, class F>
 constexpr typename D::bit sign(const Fp<D, F>& x) {
   return sign(x.bits);
 }
 
-/// What a magnitude comparator tells of two numbers; both bits 0: equal, or one of them is NaN.
+/// What a magnitude comparator tells about two numbers. Both bits are 0 if they are equal or one is NaN.
 template <class Bit>
 struct Order {
   Bit less, greater;
 };
 
-/// a - b, rounded to nearest even; every NaN result is the positive quiet one with no other fraction bit.
+/// a - b, rounded to nearest even. Every NaN result is the positive quiet NaN without payload.
 template <class D, class F>
 constexpr Fp<D, F> fp_sub(const Fp<D, F>& a, const Fp<D, F>& b) {
   return {fp_logic::subtract<D>(a.format, a.bits, b.bits), a.format};
 }
 
-/// a * b, rounded likewise.
+/// a * b, rounded in the same way.
 template <class D, class F>
 constexpr Fp<D, F> fp_mul(const Fp<D, F>& a, const Fp<D, F>& b) {
   return {fp_logic::multiply<D>(a.format, a.bits, b.bits), a.format};

@@ -51,7 +51,7 @@ constexpr X multiply(const F& format, const X& a, const X& b) {
   return round_and_pack(format, raw, special);
 }
 
-/// Bit 0: a < b, bit 1: a > b; neither when they are equal, as -0 and +0 are, or one is NaN.
+/// Bit 0: a < b. Bit 1: a > b. Both are 0 when the numbers are equal, as -0 and +0 are, or one is NaN.
 template <class D, class F, class X>
 constexpr auto compare(const F& format, const X& a, const X& b) {
   using Bit = typename D::bit;
@@ -65,7 +65,7 @@ constexpr auto compare(const F& format, const X& a, const X& b) {
   const Bit equal_or_nan = (ua.nan | ub.nan) | (ua.zero & ub.zero);
   const Bit opposite = ua.sign ^ ub.sign;
   const Bit apart = as("apart", ~equal_or_nan & (opposite | ~same));
-  // Of two negative numbers the smaller magnitude is the greater; of opposite signs the negative is the less.
+  // If both are negative, the smaller magnitude is greater. If signs differ, the negative number is less.
   const Bit below = as("below", select(opposite, ua.sign, smaller ^ ua.sign));
   const Bit less = as("less", apart & below);
   const Bit greater = as("greater", apart & ~below);

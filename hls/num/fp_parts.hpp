@@ -1,5 +1,5 @@
-// Building blocks of the float operators: shifters and a leading-zero count whose amounts are data. Each is
-// log2 levels of multiplexers, so that it can be cut into pipeline stages at any level.
+// Building blocks of the float operators: shifters and a leading-zero count. Shift amounts are data. Each
+// block is log2 levels of multiplexers, so pipeline stages can cut it at any level.
 #pragma once
 
 #include "hls/num/bits.hpp"
@@ -7,8 +7,8 @@
 
 namespace hitpipe::hls::fp_logic {
 
-/// x times 2^(2^s - 1 - amount) for an amount of s bits, exactly: shifts right without losing a bit. Level by
-/// level it gains 1, 2, 4, ... bits.
+/// x times 2^(2^s - 1 - amount), exactly, for an amount of s bits: shifts right without losing a bit. Each
+/// level adds 1, 2, 4, ... bits.
 template <class D, class X, class Amount>
 constexpr auto shift_right(const X& x, const Amount& amount) {
   return for_each_level(width_of(amount), x, [&](const auto& so_far, const auto& level) {
@@ -28,7 +28,7 @@ constexpr X shift_left(const X& x, const Amount& amount) {
   });
 }
 
-/// Each bit or'd with all above it: below the leading one all bits are 1.
+/// ORs each bit with all bits above it: from the leading one down all bits are 1.
 template <class D, class X>
 constexpr X smear(const X& x) {
   return for_each_level(count_bits(width_of(x)), x, [&](const auto& so_far, const auto& level) {
@@ -37,8 +37,8 @@ constexpr X smear(const X& x) {
   });
 }
 
-/// How many ones a word of ones above zeros has, in s bits for a word of 2^s - 1: a binary search, a
-/// multiplexer a step.
+/// Counts the ones of a word that has ones above zeros, in s bits for a word of 2^s - 1 bits. It is a binary
+/// search with one multiplexer for each step.
 template <class D, class S, class Ones>
 constexpr Word<D, S> count_ones_above(const S& s, const Ones& ones) {
   return change_if(1_w < s, ones, [&](const auto& word) {
@@ -49,7 +49,8 @@ constexpr Word<D, S> count_ones_above(const S& s, const Ones& ones) {
   });
 }
 
-/// Zeros above the leading one; w - 1, w being the width of x, when only the lowest bit is set, or none is.
+/// Zeros above the leading one. The result is w - 1 when only the lowest bit or no bit is set; w is the width
+/// of x.
 template <class D, class X>
 constexpr auto leading_zeros(const X& x) {
   const auto w = width_of(x);

@@ -1,5 +1,5 @@
-// The float multiplication before rounding. The product's leading zeros are those of its subnormal operand,
-// so that they are counted while the multiplier works; one shifter then serves both directions.
+// The float multiplication before rounding. The leading zeros of the product are those of its subnormal
+// operand. So they are counted while the multiplier works, and one shifter serves both directions.
 #pragma once
 
 #include "hls/num/fp_round.hpp"
@@ -18,7 +18,7 @@ constexpr auto significand_product(const F& format, const Significand& a, const 
   return cat(upper, slice(low, half - 1_w, 0_w));
 }
 
-/// How far to shift: left by amount, or, with `right`, by amount less 2^s, s being the amount's width.
+/// The shift: left by `amount`, or, with `right`, by amount - 2^s, where s is the width of amount.
 template <class Amount, class Bit>
 struct ProductShift {
   Amount amount;
@@ -29,8 +29,8 @@ constexpr ProductShift<Amount, Bit> product_shift(const Amount& amount, const Bi
   return {amount, right};
 }
 
-/// product, shifted, in 2^s + M + 2 bits with the same top; its lowest M + 1 bits count as one of them once
-/// it goes to the right.
+/// The shifted product in 2^s + M + 2 bits, with the same top. After a right shift its lowest M + 1 bits
+/// count as one bit.
 template <class D, class F, class Product, class Amount, class Bit>
 constexpr auto shift_product(const F& format, const Product& product,
                              const ProductShift<Amount, Bit>& shift) {
@@ -57,13 +57,13 @@ constexpr Raw<D, F> raw_product(const F& format, const Unpacked<D, F>& a, const 
   // Biased, for a leading one of weight 1: bit 2M of the product.
   const auto exponent = as("exponent", (a.exponent + b.exponent) - D::lit(bias, e + 1_w));
 
-  // Two subnormal numbers' product reaches the subnormal exponent within one operand's zeros.
+  // The product of two subnormal numbers reaches the subnormal exponent within the zeros of one operand.
   const auto weaker = select(a.normal, b.significand, a.significand);
   const auto zeros = as("leading_zeros", resize(leading_zeros<D>(weaker), shift_bits));
   const Bit reaches(zeros < exponent);
   const auto low_exponent = as_unsigned(resize(exponent, shift_bits));
   const auto limit = change_if(span < bias - 2_w, low_exponent, [&](const auto& limited) {
-    // All of the product lies below the guard bit after `span` places to the right.
+    // After `span` places to the right, the whole product lies below the guard bit.
     const Bit far(exponent < as_signed(D::lit(-span, e + 2_w)));
     return limited & spread(~far, shift_bits);
   });
@@ -71,7 +71,7 @@ constexpr Raw<D, F> raw_product(const F& format, const Unpacked<D, F>& a, const 
   const auto product = significand_product(format, a.significand, b.significand);
   const auto shifted = shift_product<D>(format, product, shift);
 
-  // The leading one of two normal significands' product is in either of the top bits.
+  // The product of two normal significands has its leading one in one of the two top bits.
   const auto highest = width_of(shifted) - 1_w;
   const Bit top = bit_at(shifted, highest);
   const Bit lower = reaches & ~top;

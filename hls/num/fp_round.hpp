@@ -1,6 +1,6 @@
-// Both ends of every float operator: operands taken apart, and a raw result rounded to nearest even and
-// packed (IEEE 754-2019, 4.3.1, 7.4, 7.5). A format has E exponent and M fraction bits, bias 2^(E-1) - 1; the
-// exponent field 0 means the exponent of field 1 without the implicit one.
+// Both ends of every float operator: taking operands apart, and rounding and packing a raw result to nearest
+// even (IEEE 754-2019, 4.3.1, 7.4, 7.5). A format has E exponent and M fraction bits and bias 2^(E-1) - 1.
+// The exponent field 0 means the exponent of field 1 without the implicit one.
 #pragma once
 
 #include "hls/num/fp_parts.hpp"
@@ -38,8 +38,8 @@ constexpr Unpacked<D, F> unpack(const F& format, const X& x) {
   return u;
 }
 
-/// A finite result before rounding: its exponent field is exponent + carry, its fraction is followed by a
-/// guard bit, and sticky tells of any one below that.
+/// A finite result before rounding. Its exponent field is exponent + carry. A guard bit follows its fraction.
+/// sticky is 1 if any bit below that is.
 template <class D, class F>
 struct Raw {
   typename D::bit sign;
@@ -49,14 +49,14 @@ struct Raw {
   typename D::bit guard, sticky;
 };
 
-/// A result that the operands decide without arithmetic, or none (any = 0).
+/// A result that follows from the operands without arithmetic. any = 0: there is none.
 template <class D, class F>
 struct Special {
   typename D::bit any;
   typename F::template Pattern<D> bits;
 };
 
-/// The canonical NaN, or with nan = 0 an infinity, or with both 0 a zero.
+/// The canonical NaN; with nan = 0 an infinity; with both 0 a zero.
 template <class D, class F, class Bit>
 constexpr auto special_bits(const F& format, const Bit& negative, const Bit& nan, const Bit& infinite) {
   const auto e = format.exponent;
@@ -65,7 +65,8 @@ constexpr auto special_bits(const F& format, const Bit& negative, const Bit& nan
   return cat(negative & ~nan, cat(spread(nan | infinite, e), quiet));
 }
 
-/// The nearest number, of two the even one; half an ulp beyond the largest, infinity. Or what is special.
+/// The nearest number, and the even one of two. Half an ulp beyond the largest it is infinity. Special
+/// results pass.
 template <class D, class F>
 constexpr auto round_and_pack(const F& format, const Raw<D, F>& raw, const Special<D, F>& special) {
   using Bit = typename D::bit;
@@ -73,8 +74,8 @@ constexpr auto round_and_pack(const F& format, const Raw<D, F>& raw, const Speci
   const auto m = format.fraction;
   const Bit odd = bit_at(raw.fraction, 0_w);
   const Bit up = as("round_up", raw.guard & (raw.sticky | odd));
-  // One sum: the carry goes to the exponent, and so does that of a fraction rounded up from all ones, which
-  // makes the smallest normal number of the largest subnormal one and infinity of the largest normal one.
+  // One sum does both. A carry goes to the exponent. So does a fraction rounded up from all ones: the largest
+  // subnormal number becomes the smallest normal one, and the largest normal one becomes infinity.
   const auto cut = cat(slice(raw.exponent, e - 1_w, 0_w), raw.fraction);
   const auto increment = cat(raw.carry, resize(up, m));
   const auto rounded = as("rounded", resize(cut + increment, e + m));

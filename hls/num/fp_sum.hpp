@@ -1,17 +1,18 @@
-// The float subtraction before rounding: the smaller magnitude aligned to the larger, one adder for sum and
-// difference, and the leading one brought to the top. One path serves every distance of the exponents.
+// The float subtraction before rounding. The smaller magnitude is aligned to the larger, one adder serves sum
+// and difference, and the leading one is moved to the top. One path serves every distance of the exponents.
 #pragma once
 
 #include "hls/num/fp_round.hpp"
 
 namespace hitpipe::hls::fp_logic {
 
-/// A significand `distance` places to the right: two more bits, and a lowest one for all ones below them.
+/// A significand shifted right by `distance`, with two more bits and a lowest one that is the OR of all
+/// below.
 template <class D, class F, class Significand, class Distance>
 constexpr auto align(const F& format, const Significand& significand, const Distance& distance) {
   const auto e = format.exponent;
   const auto m = format.fraction;
-  // Far enough to bring a whole significand below those two bits, unless no distance is that long.
+  // Far enough to move a whole significand below those two bits, unless distances are never that long.
   const auto amount_bits = min(count_bits(m + 4_w), e);
   const auto amount = change_if(amount_bits < e, distance, [&](const auto& any_distance) {
     const auto far = any<D>(slice(any_distance, e - 1_w, amount_bits));
@@ -22,8 +23,8 @@ constexpr auto align(const F& format, const Significand& significand, const Dist
   return cat(slice(shifted, width_of(shifted) - 1_w, low), any<D>(slice(shifted, low - 1_w, 0_w)));
 }
 
-/// sum, its top bit being one place above that of exponent's significands, as a raw result. The leading one
-/// goes to the top bit, unless the exponent of subnormal numbers is reached before.
+/// `sum` as a raw result. The top bit of sum is one place above that of the significands of `exponent`. The
+/// leading one moves to the top bit, unless it reaches the exponent of subnormal numbers before.
 template <class D, class F, class Exponent, class Sum>
 constexpr Raw<D, F> normalise(const F& format, const typename D::bit& negative, const Exponent& exponent,
                               const Sum& sum) {
@@ -60,7 +61,7 @@ constexpr Raw<D, F> raw_difference(const F& format, const Unpacked<D, F>& a, con
   const auto smaller = as("smaller", select(swap, a.significand, b.significand));
   const auto aligned = align<D>(format, smaller, distance);
 
-  // A bit below both terms brings the one that completes the complement of the second.
+  // A bit below both terms adds the one that completes the complement of the second term.
   const auto inverted = aligned ^ spread(opposite, m + 4_w);
   const auto first = cat(resize(larger, m + 2_w), cat(D::lit(0, 3_w), opposite));
   const auto second = cat(opposite, cat(inverted, opposite));

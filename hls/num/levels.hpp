@@ -1,6 +1,6 @@
-// Code that depends on widths: a loop over levels and a choice. Where widths are types, each level may give a
-// value of another type, so the loop is unrolled and a branch not taken is not compiled. Where widths are
-// ints it is a loop and an if.
+// Code that depends on widths: a loop over levels and a choice. If widths are types, each level may give a
+// value of another type, so the loop is unrolled and a branch that is not taken is not compiled. If widths
+// are ints it is a loop and an if.
 #pragma once
 
 #include "hls/num/width.hpp"
@@ -33,8 +33,8 @@ constexpr X for_each_level(int count, X x, const Step& step) {
   return x;
 }
 
-/// change(x) where the condition holds, else x. What may not compile otherwise must depend on change's
-/// argument.
+/// change(x) if the condition holds, else x. Code that may not compile otherwise must depend on the argument
+/// of change.
 template <class X, class Change>
 constexpr auto change_if(Truth<true> /*condition*/, const X& x, const Change& change) {
   return change(x);

@@ -1,6 +1,6 @@
-// The host's value domain for widths that are known at run time: a value carries its width, 1 to 64 bits.
-// Results have the bits and the widths that ap_int's rules give (hls/num/ap_operators.hpp), so a format that
-// is chosen at run time needs no instance of its own.
+// The host's value domain for widths that are known at run time. A value carries its width, 1 to 64 bits.
+// Results have the bits and widths of ap_int's rules (hls/num/ap_operators.hpp), so a format chosen at run
+// time needs no instance of its own.
 #pragma once
 
 #include <cassert>
@@ -10,7 +10,7 @@
 
 namespace hitpipe::hls {
 
-/// An integer of `width` bits, signed or not. The word above them repeats the sign, or is 0.
+/// An integer of `width` bits, signed or not. The bits of its word above them repeat the sign, or are 0.
 template <bool S>
 class SizedInt {
  public:
@@ -19,7 +19,7 @@ class SizedInt {
   constexpr SizedInt() = default;
   /// The low bits of a word.
   constexpr SizedInt(std::uint64_t bits, int width) : word_(wrapped(bits, width)), width_(width) {}
-  /// A word that has no bits above the width but those of the sign.
+  /// The word must be canonical: above the width it has only bits of the sign.
   static constexpr SizedInt exact(std::uint64_t word, int width) {
     assert(width >= 1 && width <= 64);
     SizedInt x;

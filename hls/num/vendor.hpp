@@ -1,8 +1,8 @@
-// The value domain of a vendor's ap_int: the pipelines compiled against the headers that a user's HLS tool
-// brings. <ap_int.h> comes from the user's folder (CMake HITPIPE_VENDOR_AP_INT); only its documented ap_int
-// and ap_uint are used. The free functions below are global, beside the vendor's types, so that a pipeline's
-// calls find them there; hls/num/bits.hpp describes them. They return plain ap_uint or ap_int: a vendor's
-// range() is a proxy that counts as wide as its parent, and its comma is not a concatenation of two bools.
+// The value domain of a vendor's ap_int: compiles the pipelines against the headers of a user's HLS tool.
+// <ap_int.h> comes from the user's folder (CMake HITPIPE_VENDOR_AP_INT). Only its documented ap_int and
+// ap_uint are used. The functions below are global, as the vendor's types are, so that a pipeline's calls
+// find them. hls/num/bits.hpp describes them. They return plain ap_uint or ap_int: a vendor's range() is a
+// proxy as wide as its parent, and its comma does not concatenate two bools.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ struct Vendor {
   }
 };
 
-/// Width and signedness of a vendor's integer. Other types have no such members, so the functions below are
-/// not for them.
+/// Width and signedness of a vendor's integer. Other types have no such members, so the functions below do
+/// not apply to them.
 template <class T>
 struct VendorShape;
 template <int W>
@@ -64,7 +64,7 @@ inline ::ap_uint<Wa + Wb> cat(const A& a, const B& b) {
   return ::ap_uint<Wa + Wb>(a.concat(b));
 }
 
-/// A bit, not a bool or a wider word; a and b of one type.
+/// `bit` must be a Bit, not a bool or a wider word; a and b have one type.
 template <class Bit, class T, int W = hitpipe::hls::VendorShape<T>::width>
 inline typename std::enable_if<std::is_same<Bit, ::ap_uint<1>>::value, T>::type select(const Bit& bit,
                                                                                        const T& a,

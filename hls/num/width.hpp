@@ -59,7 +59,7 @@ constexpr Width<power_of_two(E)> power_of_two(Width<E>) {
   return {};
 }
 
-/// The bits that count 0 .. values-1.
+/// The bits needed to count 0 .. values-1.
 constexpr int count_bits(int values) {
   int bits = 0;
   while ((1 << bits) < values) ++bits;

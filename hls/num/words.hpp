@@ -96,7 +96,7 @@ constexpr auto as_signed(T w) {
   }
 }
 
-/// Limb i of w; beyond w's own limbs its sign (S) or zero.
+/// Limb i of w. Above w's own limbs it is the sign (S) or zero.
 template <bool S, machine_word T>
 constexpr u64 limb(T w, int i) {
   if (i == 0) return static_cast<u64>(w);
@@ -210,7 +210,7 @@ constexpr bool bit(const T& w, int i) {
   return (limb<false>(w, i / 64) >> (i % 64) & 1) != 0;
 }
 
-/// A word whose only bits are the n >= 1 lowest.
+/// A word whose n >= 1 lowest bits are 1 and all others 0.
 template <class T>
 constexpr T low_ones(int n) {
   return shift_right<false>(~T{}, bits<T> - n);
@@ -238,7 +238,7 @@ template <int N>
 constexpr Division<Limbs<N>> divide(const Limbs<N>& dividend, const Limbs<N>& divisor) {
   Division<Limbs<N>> out;
   for (int i = 64 * N - 1; i >= 0; --i) {
-    // Before the shift the remainder is below 2^(64N-1-i), as it is at most the dividend's bits so far.
+    // Before the shift the remainder is below 2^(64N-1-i), because it is at most the dividend's bits so far.
     out.remainder = shift_left(out.remainder, 1);
     out.remainder.limb[0] |= bit(dividend, i) ? 1u : 0u;
     if (!less<false>(out.remainder, divisor)) {

@@ -1,6 +1,6 @@
-// The float Pluecker test of section 3.3, figures 7.7 to 7.10: the ray passes inside the box's silhouette,
-// six edges as seen from it, and the box lies between its ends. Side relations are rounded: like float slabs,
-// it can miss a box that a ray grazes.
+// The float Pluecker test of section 3.3, figures 7.7 to 7.10. The ray meets the box if it passes inside the
+// six edges of the box's silhouette and the box lies between the ray's ends. Side relations are rounded, so,
+// like float slabs, it can miss a box that a ray grazes.
 #pragma once
 
 #include "hls/box/arithmetic.hpp"
@@ -20,7 +20,7 @@ constexpr auto fp_axis_view(char axis, const Real& direction, const Real& origin
   return axis_view(direction, sign(direction), a, b);
 }
 
-/// fp_compare as an object.
+/// fp_compare as a function object.
 struct FpOrder {
   template <class Real>
   constexpr auto operator()(const Real& a, const Real& b) const {

@@ -1,7 +1,7 @@
 // The float slabs test of section 2.3.1, figures 7.2 and 7.3: does a ray meet a box, in floating point?
-// Rounding makes it miss boxes that a ray only grazes: it is the thesis's yardstick, not a proof. A distance
-// that is NaN (0 times an infinite IRDVC: the origin lies in a face that the ray is parallel to) compares
-// false.
+// Rounding makes it miss boxes that a ray only grazes. It is the yardstick of the thesis and proves nothing.
+// A distance can be NaN: 0 times an infinite IRDVC, when the origin lies in a face that is parallel to the
+// ray. NaN compares false.
 #pragma once
 
 #include "hls/box/arithmetic.hpp"

@@ -1,8 +1,8 @@
-// The integer Pluecker test of section 6.3.2, figures 7.11 to 7.14: the ray passes inside the box's
-// silhouette and the box lies between its ends, in n-bit coordinates. It is conservative: it may say HIT too
-// often, never too seldom. The direction is known to half a unit and products lose their low bits, so a side
-// relation counts as outside only below EBND.
-// Widths: differences n bits, products 2n, of which t are kept, side relations t+1 (the thesis prices t).
+// The integer Pluecker test of section 6.3.2, figures 7.11 to 7.14, in n-bit coordinates. The ray meets the
+// box if it passes inside the box's silhouette and the box lies between its ends. The test is conservative:
+// it may say HIT too often but never misses. The direction is known to half a unit and products lose low
+// bits, so a side relation counts as outside only below EBND.
+// Widths: differences n bits, products 2n with t bits kept, side relations t+1 (the thesis prices t).
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,7 @@
 // The integer slabs test of section 6.2.2, figures 7.4 to 7.6: does a ray meet a box, in n-bit coordinates?
-// It is conservative: it may say HIT too often, never too seldom. The floor and ceil IRDVCs are chosen so
-// that every interval can only grow, and dropping low product bits (2n-1 down to t) keeps the order of
-// distances. Widths: differences n bits (the operands' ranges leave room for the sign), products 2n,
-// intervals t.
+// It is conservative: it may say HIT too often but never misses. The floor and ceil IRDVCs are chosen so that
+// every interval can only grow, and dropping low product bits (2n-1 down to t) keeps the order of distances.
+// Widths: differences n bits (the ranges of the operands leave room for the sign), products 2n, intervals t.
 #pragma once
 
 #include "hls/box/arithmetic.hpp"
@@ -13,7 +12,7 @@
 
 namespace hitpipe::hls {
 
-/// Operands of one axis' two multipliers: end of stage 1, figure 7.4.
+/// Operands of the two multipliers of one axis: end of stage 1, figure 7.4.
 template <class Coord>
 struct SlabFactors {
   Coord d_near, d_far;    ///< origin to near and far plane

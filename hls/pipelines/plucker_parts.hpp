@@ -1,6 +1,6 @@
 // The two halves of the Pluecker test that float and integer units share (sections 3.3 and 6.3.2): where the
-// ray begins and ends, and which box coordinates each of the six silhouette edges is made of. All eight ray
-// classes go through one set of multiplexers: the class is the three sign bits of the direction, 1 for minus.
+// ray begins and ends, and which box coordinates make up each of the six silhouette edges. All eight ray
+// classes use one set of multiplexers. The class is the three sign bits of the direction, 1 for minus.
 //   Value  a coordinate: an integer or an Fp of domain D;  Bit  D::bit
 #pragma once
 
@@ -84,8 +84,8 @@ struct EdgePair {
 };
 
 /// The two silhouette edges parallel to the third axis. Reflecting an axis turns its plus class into the
-/// minus class, swaps its planes and changes the sign of both terms: each term's plane depends on its own
-/// component's sign alone, and the comparison stays the same in all classes.
+/// minus class, swaps its planes and changes the sign of both terms. So the plane of a term depends only on
+/// the sign of its own component, and the comparison is the same in all classes.
 template <class Bit, class Value>
 constexpr EdgePair<Value> edge_pair(const AxisView<Bit, Value>& i, const AxisView<Bit, Value>& j,
                                     char number_first, char number_second) {

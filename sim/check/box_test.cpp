@@ -24,7 +24,7 @@ class RobustFloatSlabsTest final : public BoxTest {
       const float at_min = (box.min[axis] - ray_.origin[axis]) * irdvc_[axis];
       const float at_max = (box.max[axis] - ray_.origin[axis]) * irdvc_[axis];
       const bool backward = std::signbit(ray_.direction[axis]);
-      // Of a zero component a distance may be NaN: it compares false and is no constraint.
+      // With a zero component a distance may be NaN. NaN compares false, so it is no constraint.
       raise(near, backward ? at_max : at_min);
       lower(far, backward ? at_min : at_max);
     }

@@ -1,4 +1,4 @@
-// A ray-box test as a whole, set-up and datapath, as the check judges it.
+// A ray-box test as a whole, with set-up and datapath, as the check judges it.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace hitpipe::sim {
 
-/// Used by one thread.
+/// For one thread only.
 class BoxTest {
  public:
   virtual ~BoxTest() = default;
   virtual void start(const ref::Ray& ray) = 0;
-  /// The started ray against a box.
+  /// Tests the started ray against a box.
   virtual bool hit(const ref::Aabb& box) = 0;
-  /// The same for each of the boxes, in turn.
+  /// Tests it against each of the boxes in turn.
   virtual void hits(std::span<const ref::Aabb> boxes, std::span<bool> out) {
     for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = hit(boxes[i]);
   }
-  /// What a Verilated design would be given for the last hit(), in port order; empty if it has none.
+  /// The operands that a Verilated design gets for the last hit(), in port order. Empty if the test has none.
   [[nodiscard]] virtual std::span<const std::int64_t> operands() const { return {}; }
   /// All results that the design must then give; empty if it has none.
   [[nodiscard]] virtual std::span<const std::int64_t> results() const { return {}; }
@@ -31,11 +31,11 @@ class BoxTest {
 
 using MakeBoxTest = std::function<std::unique_ptr<BoxTest>()>;
 
-/// A design of the catalogue: its set-up and its C++ datapath. Throws as make_feed() and Design::evaluate()
-/// do.
+/// A design's set-up with its C++ datapath. Throws std::runtime_error, one line, when the design has no
+/// set-up, and what Design::evaluate() throws.
 [[nodiscard]] std::unique_ptr<BoxTest> make_box_test(const rtl::Design& design, const rtl::Format& format);
 
-/// Slabs in binary32 whose far distance is widened by 2 ulp: "Robust BVH Ray Traversal" (Ize, 2013).
+/// Slabs in binary32, with the far distance widened by 2 ulp: "Robust BVH Ray Traversal" (Ize, 2013).
 [[nodiscard]] std::unique_ptr<BoxTest> robust_float_slabs_test();
 
 }  // namespace hitpipe::sim

@@ -14,8 +14,9 @@ namespace hitpipe::sim {
 
 namespace {
 
-/// Placing drops triangles and keeps the order of the others. A dropped triangle that is like a kept one
-/// would have been dropped for the same corners, so the first that is alike is the one.
+/// Placing drops triangles and keeps the order of the others. If a dropped triangle had the same corners as a
+/// kept one, the kept one would have been dropped too. So the first triangle with the same corners is the
+/// right one.
 std::vector<std::uint32_t> numbers_before_placing(const ref::Mesh& before, const ref::Mesh& placed) {
   std::vector<std::uint32_t> numbers;
   std::uint32_t at = 0;

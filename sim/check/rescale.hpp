@@ -1,7 +1,7 @@
-// A scene in other units and at another place: mesh, camera and lights moved alike, the mesh in binary32 as a
-// file would hold it, then placed and rendered as any scene. A power of two moves no bit of the picture;
-// another scale or a far offset rounds the mesh, and what comes of that is counted. Each moved scene is
-// judged on its own mesh too: the Verilog, when given, beside the reference.
+// A scene in other units and at another place. Mesh, camera and lights are moved alike; the mesh is stored in
+// binary32 as in a file, then placed and rendered as any scene. Scaling by a power of two changes no bit of
+// the picture. Another scale or a far offset rounds the mesh, and the effect of that is counted. Each moved
+// scene is also judged on its own mesh: the Verilog, if given, against the reference.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +24,14 @@ struct Transform {
 
 struct MovedScene {
   ref::SceneDescription description;
-  std::uint64_t vertices_moved = 0;  ///< which undoing the transform in double does not bring back
+  std::uint64_t vertices_moved = 0;  ///< the inverse transform in double does not give them back
 };
 
-/// Vertices computed in double and rounded to binary32 once; camera and lights stay double. Throws
-/// std::runtime_error when a vertex leaves binary32's range.
+/// Computes vertices in double and rounds them to binary32 once. Camera and lights stay double. Throws
+/// std::runtime_error when a vertex leaves the range of binary32.
 [[nodiscard]] MovedScene moved(const ref::SceneDescription& scene, const Transform& transform);
 
-/// What answers the box tests of a picture: a design's Verilog, or the robust float slabs in software.
+/// Answers the box tests of a picture: a design's Verilog, or the robust float slabs in software.
 struct PictureUnit {
   const rtl::Design* design = nullptr;
   std::optional<rtl::Format> format{};
@@ -47,21 +47,21 @@ struct PictureOptions {
 
 struct Picture {
   std::vector<glm::vec3> image;
-  std::vector<std::uint32_t> triangles;   ///< by pixel, as the mesh was before placing; Hit::none for the sky
-  std::uint64_t degenerate_dropped = 0;   ///< triangles that lost their area
-  std::uint64_t different_triangles = 0;  ///< of the Verilog, against the reference on the same mesh
+  std::vector<std::uint32_t> triangles;   ///< by pixel, numbered as before placing; Hit::none for the sky
+  std::uint64_t degenerate_dropped = 0;   ///< triangles without area after moving
+  std::uint64_t different_triangles = 0;  ///< the Verilog against the reference on the same mesh
   std::uint64_t rtl_mismatches = 0;
 };
 
-/// Places and renders. Throws as ref::place() and cosimulate() do.
+/// Places and renders. Throws what ref::place() and cosimulate() throw.
 [[nodiscard]] Picture picture(const ref::SceneDescription& scene, const PictureOptions& options);
 
 struct PixelChanges {
   std::uint64_t other_triangle = 0;
-  std::uint64_t other_colour = 0;  ///< a channel more than 1/255 apart, whatever triangle is seen
+  std::uint64_t other_colour = 0;  ///< a channel differs by more than 1/255, for any triangle
 };
 
-/// Pixels of one picture that are not as in the other; of the same size.
+/// Pixels that differ between two pictures of the same size.
 [[nodiscard]] PixelChanges pixel_changes(const Picture& one, const Picture& other);
 
 }  // namespace hitpipe::sim

@@ -43,8 +43,8 @@ bool in_cube(const glm::vec3& point) {
   return std::abs(point.x) <= 1.0F && std::abs(point.y) <= 1.0F && std::abs(point.z) <= 1.0F;
 }
 
-/// Draws a ray and a box of the kind that `sum` names. A ray that would start outside the cube is drawn anew:
-/// one moved onto the cube could start in the plane of a box cut off by it.
+/// Draws a ray and a box of the kind that `sum` names. Draws again if the ray would start outside the cube. A
+/// ray moved onto the cube could start in the plane of a box that the cube cuts off.
 void draw(Random& random, const StiffBoxes& sum, ref::Ray& ray, ref::Aabb& box) {
   do {
     ray.direction = stiff_direction(random, sum.stiffness);
@@ -111,7 +111,7 @@ std::vector<StiffBoxes> stiff_boxes(const MakeBoxTest& make, const StiffnessOpti
       }
     }
   }
-  // The first kinds of each stiffness have a test more where the number cannot be divided.
+  // When the tests cannot be divided evenly, the first kinds of each stiffness get one more.
   const auto share = [&](std::size_t i) {
     return options.tests / kinds + (i % kinds < options.tests % kinds ? 1 : 0);
   };

@@ -1,6 +1,6 @@
-// How much a box test loses on stiff rays, whose direction components differ by orders of magnitude: one
-// scale serves the three IRDVCs (section 6.2.1), so the small component leaves few bits to the others. Two
-// components lie in [1, 2) times their signs, the third, of any axis, 2^-r below or exactly zero.
+// How much a box test loses on stiff rays, whose direction components differ by orders of magnitude. The
+// three IRDVCs share one scale (section 6.2.1), so a small component leaves few bits to the others. Two
+// components have magnitudes in [1, 2). The third, on any axis, is smaller by 2^-r, or exactly zero.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,24 @@
 
 namespace hitpipe::sim {
 
-/// r of the ratio 2^r, or nothing where the small component is zero.
+/// r of the ratio 2^r. Nothing when the small component is zero.
 using Stiffness = std::optional<int>;
 
 /// 0, 2, ... 40, zero.
 [[nodiscard]] std::span<const Stiffness> stiffnesses();
 
 struct StiffnessOptions {
-  std::uint64_t tests = 60'000;  ///< for each stiffness, shared by the kinds of box
+  std::uint64_t tests = 60'000;  ///< for each stiffness, divided among the kinds of box
   std::uint64_t rays = 2'000;    ///< through the scene, for each stiffness
-  std::uint64_t seed = 1;        ///< of the cases, which depend on nothing else but their number
+  std::uint64_t seed = 1;        ///< cases depend only on the seed and their number
   int threads = 1;
-  /// Told the finished share, 0..1, from any thread.
+  /// Gets the finished share, 0..1, from any thread.
   std::function<void(double)> progress = [](double) {};
 };
 
-/// Boxes of one kind: half a side is 2^-half_side of half the cube's or down to half of that. Aimed: the ray
-/// passes through the box or no farther beside it than half its side; otherwise both lie anywhere.
+/// Boxes of one kind. Half a side is 2^-half_side of half the cube's side, or down to half of that. Aimed:
+/// the ray passes through the box, or beside it at a distance of at most half its side. Not aimed: ray and
+/// box lie anywhere.
 struct StiffBoxes {
   Stiffness stiffness;
   int half_side = 0;
@@ -42,33 +43,33 @@ struct StiffBoxes {
   std::uint64_t false_hits = 0;
   std::uint64_t false_misses = 0;
 
-  /// Of the boxes that the ray misses.
+  /// In percent of the boxes that the ray misses.
   [[nodiscard]] double false_hit_pct() const;
 };
 
 /// By stiffness, half side and aim.
 [[nodiscard]] std::vector<StiffBoxes> stiff_boxes(const MakeBoxTest& make, const StiffnessOptions& options);
 
-/// The sum of the kinds of box of each stiffness, in order.
+/// Sums the kinds of box of each stiffness, in order.
 [[nodiscard]] std::vector<StiffBoxes> over_all_kinds(const std::vector<StiffBoxes>& boxes);
 
-/// Endless rays from anywhere in the cube through a hierarchy, each box test by the design's C++.
+/// Endless rays from anywhere in the cube through a hierarchy. The design's C++ answers each box test.
 struct StiffTraversals {
   Stiffness stiffness;
   std::uint64_t rays = 0;
   std::uint64_t box_tests = 0;
-  std::uint64_t reference_box_tests = 0;  ///< of the robust float traversal of the same rays
+  std::uint64_t reference_box_tests = 0;  ///< by the robust float traversal, for the same rays
   std::uint64_t different_triangles = 0;
 
   [[nodiscard]] double extra_box_tests_pct() const;
 };
 
-/// By stiffness. Throws as make_feed() does.
+/// Results by stiffness. Throws what make_feed() throws.
 [[nodiscard]] std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Format format,
                                                             const ref::Mesh& mesh, const ref::Bvh& bvh,
                                                             const StiffnessOptions& options);
 
-/// A direction of that stiffness.
+/// Draws a direction of this stiffness.
 [[nodiscard]] glm::vec3 stiff_direction(ref::adversary::Random& random, Stiffness stiffness);
 
 }  // namespace hitpipe::sim

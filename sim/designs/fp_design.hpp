@@ -1,4 +1,4 @@
-// What the software of all binary32 designs shares: the boxes as they are, and what a scene tells of operands
+// What the software of all binary32 designs shares: boxes as they are, and what a scene tells about operands,
 // by role.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace hitpipe::sim {
 
-/// The software of a binary32 design but for its own set-up: feed, box_test and traversal are still missing.
+/// The software of a binary32 design without its own set-up: feed, box_test and traversal are missing.
 [[nodiscard]] Software fp_design_software();
 
 }  // namespace hitpipe::sim

@@ -1,4 +1,4 @@
-// Operands of hls::FpPluckerOperands, in its order (section 3.3).
+// The operands of hls::FpPluckerOperands, in that order (section 3.3).
 #include <algorithm>
 
 #include "sim/designs/fp_design.hpp"

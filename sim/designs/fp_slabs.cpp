@@ -1,4 +1,4 @@
-// Operands of hls::FpSlabsOperands, in its order (section 2.3.1).
+// The operands of hls::FpSlabsOperands, in that order (section 2.3.1).
 #include <algorithm>
 #include <cmath>
 

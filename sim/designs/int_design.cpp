@@ -24,7 +24,7 @@ std::optional<ScenePromise> promised(const Range& range, int spare_bits = 0) {
 
 std::optional<ScenePromise> int_promise(const rtl::Port& port, const rtl::Format& format,
                                         const ref::SceneDemands& scene, const ref::CoarseAxes& coarse) {
-  // The cube's margin leaves one bit of every coordinate unused, in every scene.
+  // The margin of the cube leaves one bit of every coordinate unused, in every scene.
   constexpr int spare = 1;
   const int n = format.as<IntBits>().coord;
   switch (port.role) {
@@ -61,7 +61,7 @@ bool int_fits_coarse(const rtl::Format& format, const ref::SceneDemands& scene,
   return ref::fits_grid(lowest, ref::quantise_box(scene.boxes, n), coarse, n);
 }
 
-/// By n, then by t.
+/// Groups by n; in each group sorted by t.
 std::vector<std::vector<rtl::Format>> int_up_to(const rtl::Format& most) {
   const auto [coord, interval] = most.as<IntBits>();
   std::vector<std::vector<rtl::Format>> groups;
@@ -73,8 +73,8 @@ std::vector<std::vector<rtl::Format>> int_up_to(const rtl::Format& most) {
   return groups;
 }
 
-/// n = 8, 12, .. 32, each with t = n, n + 4, n + 8, cut to the product's 2n - 1 bits. All formats of
-/// Tables 6.2 to 6.7 are among them.
+/// n = 8, 12, .. 32, each with t = n, n + 4, n + 8, cut to the 2n - 1 bits of a product. These include all
+/// formats of Tables 6.2 to 6.7.
 std::vector<rtl::Format> int_sweep_formats() {
   std::vector<rtl::Format> formats;
   for (int n = 8; n <= IntBits::max_coord; n += 4) {

@@ -1,4 +1,4 @@
-// Operands of hls::IntPluckerOperands, in its order (section 6.3.1).
+// The operands of hls::IntPluckerOperands, in that order (section 6.3.1).
 #include "sim/designs/int_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/quantise/int_box.hpp"

@@ -1,4 +1,4 @@
-// Operands of hls::IntSlabsOperands, in its order (section 6.2.1).
+// The operands of hls::IntSlabsOperands, in that order (section 6.2.1).
 #include "sim/designs/int_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/quantise/int_box.hpp"

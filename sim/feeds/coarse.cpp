@@ -10,7 +10,7 @@ namespace {
 std::size_t place_of(const std::vector<rtl::Port>& ports, hls::Role role, hls::Axis axis) {
   const auto place = rtl::index_of(ports, role, axis);
   if (place && ports[*place].is_signed) return *place;
-  throw std::invalid_argument("coarse axes: origin or box is no integer; take an integer design");
+  throw std::invalid_argument("coarse axes: origin or box is not an integer; take an integer design");
 }
 
 struct Places {

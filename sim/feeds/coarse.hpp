@@ -9,8 +9,9 @@
 
 namespace hitpipe::sim {
 
-/// Moves origin and box, wherever the ports lie, as coarse_origin() and coarse_box() do. Throws
-/// std::invalid_argument for ports that are no integer unit's, or more dropped bits than these have.
+/// Changes origin and box as coarse_origin() and coarse_box() do; finds their ports by role. Throws
+/// std::invalid_argument when the ports are not those of an integer unit, or have fewer bits than are to be
+/// dropped.
 [[nodiscard]] OperandStep coarse_step(const std::vector<rtl::Port>& ports, const ref::CoarseAxes& coarse);
 
 }  // namespace hitpipe::sim

@@ -1,4 +1,4 @@
-// Operands of a unit that never hears where a ray ends: no box ahead of the origin is too far.
+// Operands of a unit that does not know where a ray ends: no box ahead of the origin is too far away.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace hitpipe::sim {
 
-/// Says of every ray that it has no end: the unit ignores length or endpoint. Throws std::invalid_argument
-/// for ports without an operand for that.
+/// Tells the unit that no ray has an end, so the unit ignores length or endpoint. Throws
+/// std::invalid_argument when no port can say so.
 [[nodiscard]] OperandStep endless_step(const std::vector<rtl::Port>& ports);
 
 }  // namespace hitpipe::sim

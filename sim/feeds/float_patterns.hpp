@@ -1,4 +1,4 @@
-// binary32 values as a float design's ports take them: 32-bit patterns, unsigned.
+// binary32 values as the ports of a float design take them: unsigned 32-bit patterns.
 #pragma once
 
 #include <array>

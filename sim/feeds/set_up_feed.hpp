@@ -1,8 +1,8 @@
-// The part that all feeds share: rays in slots, boxes by node, and the end of each ray kept until it changes.
-// A set-up S is a ray made ready once, S(ray, format), with
+// What all feeds share: rays in slots, boxes by node, and the end of each ray, which is kept until it
+// changes. A set-up S is constructed once for each ray, as S(ray, format). It has
 //   S::Box, S::boxes(aabbs, format, out)   boxes as the design reads them
 //   S::End, end(length)                    what depends on the ray's length
-//   write(end, rinf, box, out)             the operands in port order
+//   write(end, rinf, box, out)             writes the operands in port order
 #pragma once
 
 #include <cmath>
@@ -27,7 +27,7 @@ std::int64_t* put(const Vector& v, std::int64_t* out) {
   return out;
 }
 
-/// min and max of each axis in turn, as every design reads its box.
+/// min and max of each axis in turn. Every design reads its box in this order.
 template <class Box>
 void put_box(const Box& box, std::int64_t* out) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -88,7 +88,7 @@ class SetUpScene final : public SceneFeed {
   std::vector<typename S::Box> boxes_;
 };
 
-/// One ray at a time against boxes at hand: only the box's ports, the last six, change between hits.
+/// One ray at a time against given boxes. Only the last six ports, those of the box, change from box to box.
 template <class S>
 class SetUpTest final : public BoxTest {
  public:

@@ -1,4 +1,4 @@
-// A feed whose operands take one more step before the unit sees them.
+// A feed that changes or checks its operands before the unit sees them.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace hitpipe::sim {
 
-/// Changes or checks operands, in port order; called by many threads.
+/// Changes or checks operands in port order. Many threads call it.
 using OperandStep = std::function<void(std::int64_t* operands)>;
 
 [[nodiscard]] std::unique_ptr<SceneFeed> with_step(std::unique_ptr<SceneFeed> feed, OperandStep step);

@@ -1,5 +1,5 @@
-// The smallest unit of a design for a scene: fewer bits, then pruned by what the scene demands. What each cut
-// saves is its own share: how much larger the unit would be without it alone.
+// Makes the smallest unit of a design for a scene: it has fewer bits and is pruned by what the scene demands.
+// The area that a cut saves is how much larger the unit would be without this one cut.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace hitpipe::sim {
 
-/// One thing that is left out, why, and the area that it would take.
+/// One thing that is left out, why it is not needed, and the area that it would take.
 struct LeftOut {
   std::string what;
   std::string why;
@@ -25,11 +25,11 @@ struct FittedUnit {
   const rtl::Design* design;
   rtl::Format before;
   rtl::Format format;
-  std::optional<Precision> precision;  ///< when it was searched for and found
-  area::Price price_before;            ///< account built, of the whole design at `before`
+  std::optional<Precision> precision;  ///< only when it was searched for and found
+  area::Price price_before;            ///< of the whole design at `before`, account `built`
   area::Price price;
   rtl::Demands demands;
-  std::vector<rtl::Port> ports;  ///< the design's at `format`, in the order of the set-up's operands
+  std::vector<rtl::Port> ports;  ///< of the whole design at `format`, in the order of its operands
   rtl::PruneReport report;
   rtl::Pipeline pipeline;
   std::vector<LeftOut> left_out;
@@ -39,17 +39,18 @@ struct FittedUnit {
   [[nodiscard]] ref::CoarseAxes coarse() const { return precision ? precision->coarse : ref::CoarseAxes{}; }
 };
 
-/// At `precision`, or at `before`.
+/// Made at the format of `precision`, or at `before` if there is no precision.
 [[nodiscard]] FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
                              const std::optional<Precision>& precision, const ref::SceneDemands& scene,
                              const rtl::Library& library);
 
-/// The files of the fitted unit: Verilog with a check block, a module that checks operands as they come from
-/// the set-up, a manifest that lists the demands, and vectors that meet them. A unit without demands has the
-/// files of the whole design.
+/// The files of the fitted unit: Verilog with a check block, a module that checks the set-up's operands, a
+/// manifest that lists the demands, and vectors that meet them. A unit without demands gets the files of the
+/// whole design.
 [[nodiscard]] rtl::EmittedDesign fitted_files(const FittedUnit& unit, const rtl::Library& library);
 
-/// Of a node whose boxes are stored as the design reads them, on coarser axes without their low bits.
+/// The size of a node whose boxes are stored as the design reads them. The low bits that coarse axes drop are
+/// not stored.
 [[nodiscard]] std::size_t bytes_per_node(const rtl::Design& design, const rtl::Format& format,
                                          const ref::CoarseAxes& coarse = {});
 

@@ -21,7 +21,7 @@ bool meets_a_triangle(const SceneRays& rays) {
   });
 }
 
-/// Tells the step's beginning now, and its share whenever it is called.
+/// Reports that the step begins, and reports its share whenever it is called.
 std::function<void(double)> start_step(const FitOptions& options, const std::string& step) {
   options.progress(step, 0.0);
   return [&options, step](double share) { options.progress(step, share); };

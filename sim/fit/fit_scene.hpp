@@ -1,5 +1,5 @@
-// A fit from end to end: what the scene asks for, the smallest unit for it, its files, and the proof that the
-// unit misses nothing: random vectors and the image itself go through its Verilog.
+// A fit from end to end: what the scene needs, the smallest unit for it, its files, and a check of the unit.
+// The check sends random vectors and the image itself through the unit's Verilog.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,17 @@ struct FitOptions {
   int height = 256;
   int threads = 1;
   ref::WhittedOptions light{};  ///< how far secondary rays are followed
-  double overhead_pct = 2.0;    ///< most extra box tests that fewer bits, or rays without ends, may cost
+  double overhead_pct = 2.0;    ///< limit of the extra box tests from fewer bits and from rays without ends
   bool keep_bits = false;       ///< the format stays as it is
   std::uint64_t vectors = 1'000'000;
-  std::filesystem::path
-      folder;  ///< each design's files go to a folder of its name in this one; empty: nowhere
-  /// Told which step is under way and its finished share, 0..1. The first time of each step comes from the
-  /// calling thread, further ones from any.
+  /// Each design's files go to a subfolder with its name. Empty: no files are written.
+  std::filesystem::path folder;
+  /// Gets the current step and its finished share, 0..1. The calling thread makes the first call of each
+  /// step; any thread makes the others.
   std::function<void(const std::string& step, double share)> progress = [](const std::string&, double) {};
 };
 
-/// Made once for all designs.
+/// What all designs of a fit share.
 struct FitScene {
   ref::Scene scene;
   ref::Bvh bvh;
@@ -47,14 +47,14 @@ struct FitScene {
 [[nodiscard]] FitScene prepare_fit(ref::Scene scene, const FitOptions& options);
 
 struct FitResult {
-  FittedUnit unit;  ///< what is left out: largest first
+  FittedUnit unit;  ///< what is left out is sorted by area, largest first
   VectorResult vectors;
-  CosimResult image;  ///< a conservative design is judged by the referee
+  CosimResult image;  ///< the referee judges it if the design is conservative
 
   [[nodiscard]] bool verified() const;
 };
 
-/// Throws as fewest_bits(), fit(), VerilatedDesign, host::write_files() and cosimulate() do.
+/// Throws what fewest_bits(), fit(), VerilatedDesign, host::write_files() and cosimulate() throw.
 [[nodiscard]] FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before,
                                      const FitScene& scene, const FitOptions& options,
                                      const rtl::Library& library);

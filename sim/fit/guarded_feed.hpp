@@ -1,5 +1,5 @@
-// A feed whose operands are checked before a fitted unit sees them: it would answer wrongly, and in silence,
-// where they are not as demanded.
+// A feed that checks operands against a fitted unit's demands before the unit sees them. Without the check,
+// operands that break a demand would give wrong answers unnoticed.
 #pragma once
 
 #include <memory>
@@ -15,11 +15,11 @@ namespace hitpipe::sim {
 /// Checks operands against demands, as many times as wanted.
 class OperandGuard {
  public:
-  /// Demands on ports that are not there are no concern of it: check_demands() is.
+  /// Ignores demands on ports that do not exist; check_demands() finds those.
   OperandGuard(const rtl::Demands& demands, const std::vector<rtl::Port>& ports);
 
-  /// Throws std::out_of_range, one line that names port, number and demand. In port order, sign-extended when
-  /// signed.
+  /// `operands` are in port order, sign-extended when signed. Throws std::out_of_range, one line that names
+  /// port, number and demand.
   void check(std::span<const std::int64_t> operands) const;
 
  private:

@@ -38,8 +38,8 @@ class Groups {
     if (promise_ == nullptr) throw std::runtime_error(missing(design, promise_part));
   }
 
-  /// What the scene says of the ports of these roles on the axis, where they lose a bit by it beside the
-  /// spare ones that they never use.
+  /// What the scene says of the axis's ports with these roles. Only ports that lose more than the spare bits
+  /// that no scene uses.
   void add(const std::string& why, Axis axis, const std::initializer_list<Role>& roles) {
     rtl::Demands demands;
     for (const rtl::Port& port : ports_) {
@@ -49,7 +49,7 @@ class Groups {
     }
     keep({why, DemandGroup::What::numbers, std::move(demands)});
   }
-  /// So many low bits of origin and box are 0 on the axis.
+  /// The low bits of origin and box that are 0 on the axis.
   void add_low_zeros(const std::string& why, Axis axis, int low_zeros) {
     rtl::Demands demands;
     for (const rtl::Port& port : ports_) {
@@ -73,7 +73,7 @@ class Groups {
     groups_.push_back(std::move(group));
   }
   static bool loses_bits(const rtl::Port& port, const ScenePromise& promise) {
-    if (!port.is_signed) return true;  // a float's: one sign, or one number
+    if (!port.is_signed) return true;  // a float's range has one sign, or is one number
     const rtl::Interval& range = promise.range;
     return range.low >= 0 || range.high < 0 ||
            rtl::Facts::number(port.width, range.low, range.high).signed_width() <
@@ -101,7 +101,7 @@ std::string direction_text(const ref::SceneDemands& scene, int axis) {
 
 constexpr std::array<Axis, 3> axes{Axis::x, Axis::y, Axis::z};
 
-/// Of two demands on a port, both of one interval, what both allow.
+/// What two demands on one port both allow. Each has one interval.
 void add(rtl::Demands& all, const rtl::PortDemand& demand) {
   const auto known = std::find_if(all.ports.begin(), all.ports.end(),
                                   [&](const rtl::PortDemand& each) { return each.port == demand.port; });

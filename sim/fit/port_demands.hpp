@@ -1,5 +1,5 @@
-// From what a scene demands to what a unit's ports are promised: the bounds of rays and boxes taken through
-// the set-up that makes operands of them (sw_ref/quantise).
+// Turns what a scene demands into demands on a unit's ports. The bounds of rays and boxes go through the same
+// set-up that makes the operands (sw_ref/quantise).
 #pragma once
 
 #include <optional>
@@ -12,24 +12,24 @@
 
 namespace hitpipe::sim {
 
-/// Demands that stand or fall with one property of the scene.
+/// Demands that follow from one property of the scene.
 struct DemandGroup {
   enum class What { numbers, low_bits, ends };
 
-  std::string why;  ///< "the eye alone sends rays: origin.x = 0.25"
-  What what;        ///< is left out
+  std::string why;  ///< for example "the eye alone sends rays: origin.x = 0.25"
+  What what;        ///< what the unit can leave out
   rtl::Demands demands;
 };
 
-/// Ranges, only of ports that lose a bit or their sign by it: what says no more than the cube does is left
-/// out. And of each coarse axis of `precision` a group whose ports have low zeros.
+/// Gives a range only to ports that lose a bit or their sign by it; all other ranges follow from the cube
+/// anyway. Adds a group for each coarse axis of `precision`: low bits of its ports are 0.
 [[nodiscard]] std::vector<DemandGroup> port_demands(const rtl::Design& design, const rtl::Format& format,
                                                     const ref::SceneDemands& scene,
                                                     const std::optional<Precision>& precision = std::nullopt);
 
-/// One demand for each port that groups speak of.
+/// One demand for each port in the groups.
 [[nodiscard]] rtl::Demands all_of(const std::vector<DemandGroup>& groups);
-/// All but one group.
+/// All groups but one.
 [[nodiscard]] rtl::Demands all_without(const std::vector<DemandGroup>& groups, std::size_t left_out);
 
 }  // namespace hitpipe::sim

@@ -12,7 +12,7 @@ namespace hitpipe::sim {
 
 namespace {
 
-/// Magnitudes of a family's direction components.
+/// Bounds of the magnitudes of a family's direction components.
 struct Magnitudes {
   std::array<double, 3> least{};
   std::array<double, 3> most{};
@@ -28,8 +28,8 @@ struct Magnitudes {
   }
 };
 
-/// M a / b to the next whole number outside and one further, which covers the double's rounding (M a / b <
-/// 2^31 after the cut); within 0..M.
+/// M a / b, rounded up to a whole number, plus 1 for the rounding of the double (M a / b < 2^31 after the
+/// cut). The result is in 0..M.
 std::int64_t scaled_up(double a, double b, std::int64_t limit) {
   const double quotient = static_cast<double>(limit) * a / b;
   if (!(quotient < static_cast<double>(limit))) return limit;  // also 0 / 0 and x / 0
@@ -45,7 +45,7 @@ void grow(Range& range, const rtl::Interval& by) {
   range = range ? rtl::Interval{std::min(range->low, by.low), std::max(range->high, by.high)} : by;
 }
 
-/// All families' directions along the axis, when none may be 0 and all have one sign.
+/// The directions of all families along the axis. Nothing if one may be 0 or if signs differ.
 std::optional<ref::Aabb> one_sided(const ref::SceneDemands& scene, int axis) {
   ref::Aabb all;
   for (const ref::RayFamily& family : scene.rays) all.grow(family.direction);
@@ -79,14 +79,14 @@ std::optional<IrdvcRanges> int_irdvc(const ref::SceneDemands& scene, int axis, i
   Range floors;
   Range ceils;
   for (const ref::RayFamily& family : scene.rays) {
-    // |c_i| = M s / |r_i|, s the smallest component's magnitude; bounds of it are whole numbers on either
-    // side.
+    // c_i| = M s / |r_i|, where s is the magnitude of the smallest component. Its bounds are the whole
+    // numbers on both sides.
     const Magnitudes r(family.direction);
     const double smallest_most = *std::min_element(r.most.begin(), r.most.end());
     const double smallest_least = *std::min_element(r.least.begin(), r.least.end());
     const std::int64_t most = scaled_up(smallest_most, r.least[i], limit);
     const std::int64_t least = scaled_down(smallest_least, r.most[i], limit);
-    // The bound away from 0 is at least 1, whatever the scale: int_slabs_ray.cpp.
+    // The bound farther from 0 is at least 1 at any scale: see int_slabs_ray.cpp.
     const rtl::Interval outer{std::max<std::int64_t>(1, least), std::max<std::int64_t>(1, most)};
     const rtl::Interval inner{least, most};
     if (family.direction.min[axis] > 0.0F) {
@@ -104,7 +104,7 @@ Range int_direction(const ref::SceneDemands& scene, int axis, int coord_bits) {
   const std::int64_t limit = ref::direction_limit(coord_bits);
   Range range;
   for (const ref::RayFamily& family : scene.rays) {
-    // M r_i / l, rounded to nearest, l the largest component's magnitude.
+    // M r_i / l, rounded to nearest, where l is the magnitude of the largest component.
     const Magnitudes r(family.direction);
     const double largest_most = *std::max_element(r.most.begin(), r.most.end());
     const double largest_least = *std::max_element(r.least.begin(), r.least.end());
@@ -133,7 +133,7 @@ Range float_direction(const ref::SceneDemands& scene, int axis) {
 
 Range float_irdvc(const ref::SceneDemands& scene, int axis) {
   const auto all = one_sided(scene, axis);
-  // Rounding is monotone: the reciprocals of the ends bound those between.
+  // Rounding is monotone, so the reciprocals of the ends bound all reciprocals between them.
   return all ? float_range(1.0F / all->max[axis], 1.0F / all->min[axis]) : std::nullopt;
 }
 

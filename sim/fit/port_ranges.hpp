@@ -1,4 +1,4 @@
-// Integer ranges of one axis' ports, for all rays and boxes of a scene; empty where nothing is promised.
+// Integer ranges of the ports of one axis, for all rays and boxes of a scene. Empty if nothing is known.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ using Range = std::optional<rtl::Interval>;
                                const ref::CoarseAxes& coarse = {});
 [[nodiscard]] Range int_box(const ref::SceneDemands& scene, int axis, int coord_bits,
                             const ref::CoarseAxes& coarse = {});
-/// Bounds of the scaled inverse direction (int_slabs_ray.hpp), where no direction may be 0 along the axis.
+/// Bounds of the scaled inverse direction (int_slabs_ray.hpp). Only if no direction may be 0 along the axis.
 struct IrdvcRanges {
   rtl::Interval floor;
   rtl::Interval ceil;
@@ -26,9 +26,9 @@ struct IrdvcRanges {
 /// The rounded direction (int_plucker_ray.hpp).
 [[nodiscard]] Range int_direction(const ref::SceneDemands& scene, int axis, int coord_bits);
 
-/// Patterns of the binary32 numbers between two of one sign, none of them 0, or of a single number.
+/// Patterns of the binary32 numbers from one to another of the same sign, 0 excluded, or of a single number.
 [[nodiscard]] Range float_range(float low, float high);
-/// Likewise of the directions and their reciprocals along the axis.
+/// The same for the directions along the axis, and for their reciprocals.
 [[nodiscard]] Range float_direction(const ref::SceneDemands& scene, int axis);
 [[nodiscard]] Range float_irdvc(const ref::SceneDemands& scene, int axis);
 

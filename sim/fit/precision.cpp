@@ -17,7 +17,7 @@ namespace hitpipe::sim {
 
 namespace {
 
-/// The traversal whose box tests answer as the design does.
+/// The software traversal whose box tests answer as the design does.
 ref::TracerOptions tracer_like(const rtl::Design& design, const rtl::Format& format,
                                const ref::CoarseAxes& coarse, bool ends) {
   const Software& software = software_of(design);
@@ -42,14 +42,14 @@ std::uint64_t box_tests(const ref::Tracer& tracer, const std::vector<ref::Record
   return sum.box_tests;
 }
 
-/// The first of `sorted` that is good, when all after a good one are and the last is.
+/// The first good one of `sorted`. If one is good, all after it are good; the last one is.
 template <class Value, class Good>
 const Value& first_good(const std::vector<Value>& sorted, Good&& good) {
   return *std::partition_point(sorted.begin(), sorted.end() - 1,
                                [&](const Value& value) { return !good(value); });
 }
 
-/// Each format and its coarse axes are measured once.
+/// Measures each format with its coarse axes once.
 class Measurements {
  public:
   explicit Measurements(const PrecisionSearch& search) : search_(search) {}
@@ -69,7 +69,7 @@ class Measurements {
   std::map<std::tuple<rtl::FormatNumbers, std::array<int, 3>, bool>, double> known_;
 };
 
-/// Greedily: an axis that once cannot lose another bit is left as it is.
+/// Greedy: an axis that cannot lose another bit is not tried again.
 ref::CoarseAxes most_dropped(const PrecisionSearch& search, const rtl::Format& format,
                              Measurements& measured) {
   const auto fits = software_of(*search.design).fits_coarse;

@@ -1,6 +1,5 @@
-// Precision by need: the fewest bits whose extra box tests stay within a limit, of the format and then of
-// single axes, found by tracing the scene's own rays through the software's integer units, whose answers are
-// the datapath's.
+// Finds the fewest bits whose extra box tests stay within a limit: first for the format, then for single
+// axes. It traces the scene's own rays with software traversals that answer as the datapath does.
 #pragma once
 
 #include <functional>
@@ -15,7 +14,7 @@
 
 namespace hitpipe::sim {
 
-/// Every ray of an image, and the box tests that a traversal without extra ones takes for them.
+/// Every ray of an image, and the number of box tests that a traversal without extra ones makes for them.
 struct SceneRays {
   std::vector<ref::RecordedBatch> batches;
   ref::RenderCounts reference;
@@ -25,14 +24,14 @@ struct SceneRays {
 [[nodiscard]] SceneRays scene_rays(const ref::Scene& scene, const ref::Bvh& bvh,
                                    const ref::RenderOptions& options);
 
-/// What a scene's own rays were seen to do without.
+/// What the scene's own rays do not need, as measured.
 struct Precision {
   rtl::Format format;
-  double extra_box_tests_pct = 0;  ///< of the format alone
+  double extra_box_tests_pct = 0;  ///< with this format alone
   ref::CoarseAxes coarse{};
-  double coarse_extra_box_tests_pct = 0;   ///< without the dropped bits too
-  bool ends = true;                        ///< box tests hear where rays end
-  double endless_extra_box_tests_pct = 0;  ///< if they did not, bits and axes as above
+  double coarse_extra_box_tests_pct = 0;   ///< with this format and coarse axes
+  bool ends = true;                        ///< the unit knows where rays end
+  double endless_extra_box_tests_pct = 0;  ///< with this format and these axes, all rays endless
   int formats_measured = 0;                ///< each with its coarse axes, with and without ends
 };
 
@@ -48,19 +47,20 @@ struct PrecisionSearch {
   rtl::Format most;
   double overhead_pct = 2.0;
   int threads = 1;
-  std::function<void()> measured = [] {};  ///< told after each of them
+  std::function<void()> measured = [] {};  ///< called after each measurement
 };
 
-/// Box tests beyond the reference's, in percent of them. Throws std::runtime_error for a design without a
-/// software traversal.
+/// Box tests beyond the reference's, in percent of the reference's. Throws std::runtime_error for a design
+/// without a software traversal.
 [[nodiscard]] double extra_box_tests_pct(const PrecisionSearch& search, const rtl::Format& format,
                                          const ref::CoarseAxes& coarse = {}, bool ends = true);
 
-/// Of the formats up to `most` (Software::up_to) the first group with a format within the limit, and the
-/// first of that group: of n/t the fewest n, then the fewest t. By bisection, as more bits never take more
-/// tests. Then one low bit of an axis after another, each where it costs the fewest tests, while the limit
-/// and the grid allow it. At last the ends of rays, which are all that a design with one format has to lose.
-/// Nothing when not even `most`, a format of the design, stays within the limit.
+/// Searches the groups of formats up to `most` (Software::up_to). Takes the first group that has a format
+/// within the limit, then the first such format of the group: for n/t the fewest n, then the fewest t. It
+/// searches by bisection, because more bits never need more tests. Then it drops one low bit of an axis after
+/// another, each time where that costs the fewest tests, as long as the limit and the grid allow it. At last
+/// it tries to drop the ends of rays. A design with one format can lose only these. Returns nothing when even
+/// `most`, which must be a format of the design, is not within the limit.
 [[nodiscard]] std::optional<Precision> fewest_bits(const PrecisionSearch& search);
 
 }  // namespace hitpipe::sim

@@ -1,4 +1,4 @@
-// A unit as `hitpipe fit` or `hitpipe rtl` wrote it to a folder: its Verilog, edited or not, and what its
+// A unit from a folder that `hitpipe fit` or `hitpipe rtl` wrote: its Verilog, edited or not, and what its
 // manifest demands of rays and boxes.
 #pragma once
 
@@ -15,19 +15,19 @@ namespace hitpipe::sim {
 
 struct WrittenUnit {
   rtl::Format format;
-  rtl::Demands demands;          ///< none of a whole unit
+  rtl::Demands demands;          ///< none if the unit is whole
   std::vector<rtl::Port> ports;  ///< of the whole design
-  rtl::Pipeline pipeline;        ///< what is left of it
+  rtl::Pipeline pipeline;        ///< of the unit
   std::string verilog;
 
-  /// The axes whose low bits the demands say are 0.
+  /// The axes whose low bits are 0 by the demands.
   [[nodiscard]] ref::CoarseAxes coarse() const;
-  /// Unless the demands say that no ray has one.
+  /// The unit knows where rays end. False when the demands say that no ray has an end.
   [[nodiscard]] bool ends() const;
 };
 
-/// Reads NAME.json and NAME.v. Throws std::runtime_error or std::invalid_argument, one line: a file that is
-/// missing or damaged, of another design or library.
+/// Reads NAME.json and NAME.v. Throws std::runtime_error or std::invalid_argument, one line, when a file is
+/// missing or damaged, or belongs to another design or library.
 [[nodiscard]] WrittenUnit read_unit(const std::filesystem::path& folder, const rtl::Design& design,
                                     const rtl::Library& library);
 

@@ -13,7 +13,7 @@ namespace {
 
 class Hash {
  public:
-  /// Numbers, or structs of numbers of one kind without gaps.
+  /// Hashes numbers, or structs of numbers of one type without gaps.
   template <class Value>
   Hash& operator<<(const Value& value) {
     static_assert(std::is_trivially_copyable_v<Value>);

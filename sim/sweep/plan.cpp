@@ -21,7 +21,7 @@ std::vector<SweepPoint> plan_sweep(std::span<const DesignFormats> designs,
   std::map<RowKey, SweepPoint> points;
   for (const DesignFormats& each : designs) {
     for (const rtl::Format& format : each.formats) {
-      static_cast<void>(each.design->evaluate(format));  // throws when there is none
+      static_cast<void>(each.design->evaluate(format));  // throws if the design has no such format
       for (const int rays : rays_in_flight) {
         const SweepPoint point{each.design, format, rays};
         points.emplace(key_of(point), point);

@@ -1,4 +1,4 @@
-// Which rows a sweep has: designs, number formats and rays in flight, in the order of the file.
+// The rows of a sweep: designs, number formats and rays in flight, in the order of the file.
 #pragma once
 
 #include <compare>
@@ -16,7 +16,7 @@ struct SweepPoint {
   int rays_in_flight;
 };
 
-/// A design and the formats in which it is wanted.
+/// A design and the formats that are asked for.
 struct DesignFormats {
   const rtl::Design* design;
   std::vector<rtl::Format> formats;
@@ -24,15 +24,15 @@ struct DesignFormats {
 
 /// Why a design cannot be swept, one line; empty when it can.
 [[nodiscard]] std::string why_not_swept(const rtl::Design& design);
-/// The formats in which a design is swept unless told otherwise; its default if it states none.
+/// The formats in which a design is swept without --bits. The default format if the design states none.
 [[nodiscard]] std::vector<rtl::Format> sweep_formats(const rtl::Design& design);
 
-/// Every design in each of its formats with each number of rays in flight, once. Throws std::runtime_error,
-/// one line, for a format that a design does not have.
+/// Every design in each of its formats with each number of rays in flight, each combination once. Throws
+/// std::runtime_error, one line, for a format that a design does not have.
 [[nodiscard]] std::vector<SweepPoint> plan_sweep(std::span<const DesignFormats> designs,
                                                  std::span<const int> rays_in_flight);
 
-/// Where a row stands in the file: by place of the design in the catalogue, format, rays in flight.
+/// The place of a row in the file: place of the design in the catalogue, format, rays in flight.
 struct RowKey {
   std::size_t design;
   rtl::FormatNumbers format;
@@ -42,7 +42,7 @@ struct RowKey {
 };
 
 [[nodiscard]] RowKey key_of(const SweepPoint& point);
-/// Of a row's cells. Throws as rtl::find_design() and rtl::Design::parse_format() do.
+/// The key of a row by its cells. Throws what rtl::find_design() and rtl::Design::parse_format() throw.
 [[nodiscard]] RowKey key_of(const std::string& design, const std::string& bits, int rays_in_flight);
 
 }  // namespace hitpipe::sim

@@ -9,15 +9,15 @@ namespace hitpipe::sim {
 
 namespace {
 
-/// Rows by their place in the file; each new one is written at once.
+/// Rows by their place in the file. Each new row is written at once.
 class KeptRows {
  public:
-  /// Takes over what the file holds.
+  /// Takes the rows that the file holds.
   KeptRows(std::filesystem::path file, std::string about) : file_(std::move(file)), about_(std::move(about)) {
     if (std::filesystem::exists(file_)) {
       for (const SweepRow& row : read_rows_about(file_, about_).rows) keep(row);
     }
-    // Before the long run: a file that cannot be written is known at once.
+    // Written before the long run, so that a file that cannot be written is reported at once.
     write_rows(file_, contents());
   }
 

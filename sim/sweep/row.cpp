@@ -27,7 +27,7 @@ std::string shortest(double value) {
   return fmt::format("{}", value);
 }
 
-/// Cells one after another, as numbers of the places that they go to.
+/// Reads cells in turn, each as a number of the type of its target.
 class CellReader {
  public:
   explicit CellReader(const std::vector<std::string>& cells) : cells_(cells) {}
@@ -41,7 +41,7 @@ class CellReader {
     if (error != std::errc{} || stop != end) reject();
     ++at_;
   }
-  /// A decimal with just so many digits after the point, as a whole number of its last place.
+  /// Reads a decimal with exactly this many digits after the point, as a whole number of its last place.
   void read_scaled(std::int64_t& number, std::size_t digits) {
     std::string cell = cells_[at_];
     const std::size_t point = cell.find('.');
@@ -55,7 +55,7 @@ class CellReader {
 
  private:
   [[noreturn]] void reject() const {
-    throw std::runtime_error(fmt::format("{} of {} is no number of its kind", cells_[at_],
+    throw std::runtime_error(fmt::format("{} of {} is not a number of the right type", cells_[at_],
                                          at_ < sweep_columns.size() ? sweep_columns[at_] : "?"));
   }
 

@@ -1,5 +1,5 @@
-// One measured row of a sweep: what was counted, and the figures that follow from the counts
-// (docs/error_and_run_time.md defines each).
+// One measured row of a sweep: the counts, and the figures that follow from them. docs/error_and_run_time.md
+// defines each.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct SweepRow {
   std::string bits;  ///< "20/24" or "fp32"
   int stages = 0;
   std::int64_t stage_delay_ps = 0;
-  std::int64_t area_um2 = 0;  ///< built account
+  std::int64_t area_um2 = 0;  ///< account `built`
 
   std::uint64_t rays_primary = 0;
   std::uint64_t rays_secondary = 0;
@@ -39,25 +39,25 @@ struct SweepRow {
   std::uint64_t different_pixels = 0;
   std::uint64_t cycles = 0;
 
-  double rtl_seconds = 0;     ///< measured: CosimResult::rtl_seconds, the Verilog alone
-  double software_ratio = 0;  ///< measured: time of the design's software traversal, that of fp_slabs is 1
+  double rtl_seconds = 0;     ///< measured: CosimResult::rtl_seconds
+  double software_ratio = 0;  ///< measured: time of the design's software traversal; 1 is that of fp_slabs
 
   [[nodiscard]] std::uint64_t rays_traced() const;
   [[nodiscard]] double occupancy_pct() const;
-  [[nodiscard]] double false_hits_per_million() const;  ///< box tests
+  [[nodiscard]] double false_hits_per_million() const;  ///< per million box tests
   [[nodiscard]] double extra_box_tests_per_ray() const;
   [[nodiscard]] double extra_triangle_tests_per_ray() const;
   [[nodiscard]] double run_time_ms() const;
   [[nodiscard]] double area_delay_mm2_ns() const;
   [[nodiscard]] double area_run_time_mm2_ms() const;
 
-  /// Nothing that must be zero is more than zero; false misses count when the design is conservative.
+  /// Everything that must be zero is zero. False misses must be zero if the design is conservative.
   [[nodiscard]] bool verified(bool conservative) const;
 
   friend bool operator==(const SweepRow&, const SweepRow&) = default;
 };
 
-/// The columns of a sweep's CSV file, in order. The last two are measured times: only they differ between
+/// The columns of a sweep's CSV file, in order. The last two are measured times. Only they differ between
 /// runs.
 inline constexpr std::array<std::string_view, 35> sweep_columns{"scene",
                                                                 "triangles",
@@ -100,11 +100,12 @@ inline constexpr std::size_t sweep_time_columns = 2;
   return column == "scene" || column == "design" || column == "bits";
 }
 
-/// One cell a column, without CSV's quotes. Numbers have all their digits: from_cells() gives the same row.
+/// One cell for each column, without the quotes of CSV. Numbers have all their digits, so from_cells() gives
+/// the same row.
 [[nodiscard]] std::vector<std::string> to_cells(const SweepRow& row);
 
-/// Throws std::runtime_error, one line, for another number of cells, a cell that is no number of its kind, or
-/// a figure that does not follow from the counts.
+/// Throws std::runtime_error, one line, for a wrong number of cells, a cell that is not a number of its type,
+/// or a figure that does not follow from the counts.
 [[nodiscard]] SweepRow from_cells(const std::vector<std::string>& cells);
 
 }  // namespace hitpipe::sim

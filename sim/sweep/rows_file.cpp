@@ -22,7 +22,7 @@ std::string quoted(const std::string& cell) {
   return text + "\"";
 }
 
-/// The cells of a line. Quotes are undone; a quote that does not end is a cell's last.
+/// The cells of a line, without quotes. A quote that is not closed extends to the end of the line.
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells(1);
   bool in_quotes = false;

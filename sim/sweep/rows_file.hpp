@@ -1,5 +1,5 @@
-// The CSV file that is a sweep's whole state: a comment that says what was measured, the header, and finished
-// rows. It is only ever replaced whole, so it never holds half a row.
+// The CSV file that holds a sweep's whole state: a comment that says what was measured, the header, and the
+// finished rows. It is always replaced as a whole, so it never holds half a row.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +11,20 @@
 namespace hitpipe::sim {
 
 struct RowsFile {
-  std::string about;  ///< without "# " and line end
+  std::string about;  ///< without "# " and the line end
   std::vector<SweepRow> rows;
 };
 
 /// The text of the file.
 [[nodiscard]] std::string to_text(const RowsFile& rows);
 
-/// Throws std::runtime_error, one line that names `source`, for what to_text() would not have written.
+/// Throws std::runtime_error, one line that names `source`, for text that to_text() cannot have written.
 [[nodiscard]] RowsFile parse_rows(const std::string& text, const std::string& source);
 
-/// Throws as parse_rows() does, and when the file cannot be read.
+/// Throws what parse_rows() throws, and std::runtime_error when the file cannot be read.
 [[nodiscard]] RowsFile read_rows(const std::filesystem::path& file);
 
-/// Through a file beside it that is renamed. Throws std::runtime_error, one line.
+/// Writes a file beside it and renames that. Throws std::runtime_error, one line.
 void write_rows(const std::filesystem::path& file, const RowsFile& rows);
 
 }  // namespace hitpipe::sim

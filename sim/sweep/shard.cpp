@@ -40,14 +40,14 @@ Shard shard_of_rank(const Environment& environment) {
     if (!rank || !size) continue;
     const Shard shard{whole_number(*rank).value_or(-1) + 1, whole_number(*size).value_or(0)};
     if (!valid(shard))
-      throw std::runtime_error(fmt::format("--shard mpi: {}={} and {}={} are no rank and size", rank_name,
-                                           *rank, size_name, *size));
+      throw std::runtime_error(fmt::format("--shard mpi: {}={} and {}={} are not a rank and a size",
+                                           rank_name, *rank, size_name, *size));
     return shard;
   }
   throw std::runtime_error("--shard mpi: no rank in the environment; start it with mpirun, mpiexec or srun");
 }
 
-/// What about_shard() says.
+/// Reads what about_shard() wrote.
 struct ShardNote {
   std::string about;
   Shard shard;
@@ -61,7 +61,8 @@ std::optional<ShardNote> parse_note(const std::string& text) {
   return ShardNote{match[1], {std::stoi(match[2]), std::stoi(match[3])}, std::stoul(match[4])};
 }
 
-/// Into how many shards the files beside `file` divide it. Throws when there are none, or several divisions.
+/// The number of shards in which the files beside `file` divide it. Throws when there are none, or files of
+/// different divisions.
 int shards_beside(const fs::path& file) {
   std::set<int> counts;
   const std::string name = file.filename().string() + ".";

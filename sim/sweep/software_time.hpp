@@ -1,5 +1,5 @@
-// How long a design's software traversal takes, as a ratio to that of fp_slabs: processor time of one thread
-// for the same rays, the exact triangle test included.
+// How long a design's software traversal takes, relative to that of fp_slabs. It measures processor time of
+// one thread for the same rays, including the exact triangle test.
 #pragma once
 
 #include <memory>
@@ -10,19 +10,19 @@
 
 namespace hitpipe::sim {
 
-/// Three digits after the point: more is noise.
+/// Rounded to three digits after the point; more would be noise.
 [[nodiscard]] double milli(double time);
 
 /// Thread-safe.
 class SoftwareTime {
  public:
-  /// Rays of the scene's image at the size given, scaled down to at most `longest_side` pixels. Scene and
-  /// hierarchy must outlive it.
+  /// Takes the rays of the scene's image at the given size, scaled down to at most `longest_side` pixels.
+  /// Scene and hierarchy must outlive this object.
   static constexpr int longest_side = 128;
   SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height);
 
-  /// Both are timed now, one after the other, each by the fastest of three runs. 1 for fp_slabs. Throws as
-  /// ref::make_tracer() does.
+  /// Times both now, one after the other, and takes the fastest of three runs of each. 1 for fp_slabs. Throws
+  /// what ref::make_tracer() throws.
   [[nodiscard]] double ratio(const rtl::Design& design, const rtl::Format& format) const;
 
  private:

@@ -20,7 +20,7 @@ namespace hitpipe::sim {
 
 namespace {
 
-/// A design in one format: built once for all numbers of rays in flight.
+/// A design in one format. It is built once for all numbers of rays in flight.
 struct Unit {
   std::mutex making;
   std::optional<VerilatedDesign> verilated;
@@ -28,7 +28,7 @@ struct Unit {
   double software_ratio = 0;
 };
 
-/// What stands in front of the measuring of each row.
+/// What must be done before a row can be measured.
 struct Reference {
   ref::RenderResult picture;
   SoftwareTime software;
@@ -67,8 +67,8 @@ class Run {
   }
 
  private:
-  /// Units with many operand bits take longest to build and to simulate. A unit's further rows come later, so
-  /// that no two wait for the same build.
+  /// Units with many operand bits come first, because they take longest to build and to simulate. Further
+  /// rows of a unit come later, so that no two rows wait for the same build.
   static std::vector<SweepPoint> longest_first(std::span<const SweepPoint> points) {
     std::map<RowKey, int> rows_before;
     std::vector<std::pair<std::pair<int, int>, SweepPoint>> ranked;
@@ -103,7 +103,7 @@ class Run {
     }
   }
 
-  /// Null at the end, and after a failure.
+  /// Null at the end and after a failure.
   const SweepPoint* next() {
     const std::scoped_lock lock(state_);
     return failure_ || next_ == points_.size() ? nullptr : &points_[next_++];
@@ -178,7 +178,7 @@ class Run {
   const Reference reference_;
   std::map<RowKey, Unit> units_;
   int threads_of_a_row_ = 1;
-  std::mutex state_;  // of what follows
+  std::mutex state_;  // guards all members below
   std::size_t next_ = 0;
   std::size_t rows_done_ = 0;
   std::exception_ptr failure_;

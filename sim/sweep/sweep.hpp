@@ -1,5 +1,5 @@
-// Measures units on a whole scene: each row is a co-simulation with the referee, priced, and held against the
-// software traversal and its image.
+// Measures units on a whole scene. Each row is a co-simulation with the referee. It is priced, and compared
+// with the software traversal and its image.
 #pragma once
 
 #include <functional>
@@ -17,20 +17,20 @@ namespace hitpipe::sim {
 struct SweepOptions {
   int width = 256;
   int height = 256;
-  int threads = 1;  ///< rows at a time; no count depends on it
+  int threads = 1;  ///< rows measured at the same time; no count depends on it
   ref::WhittedOptions light{};
-  /// Told the finished share of the rows, 0..1, from any thread.
+  /// Gets the finished share of the rows, 0..1, from any thread.
   std::function<void(double)> progress = [](double) {};
 };
 
-/// One line of all that decides the counts of a row but the row's own unit: scene, hierarchy (by a hash of
-/// both), image, bounces, and the program, as the caller names it.
+/// One line that states all that decides the counts of a row, apart from the row's own unit: scene, hierarchy
+/// (a hash of both), image, bounces, and the program with the name that the caller gives it.
 [[nodiscard]] std::string about_sweep(const std::string& program, const ref::Scene& scene,
                                       const ref::Bvh& bvh, const SweepOptions& options);
 
-/// Measures each point, all on the same hierarchy; the order is not the points'. `finished` is told each row
-/// as soon as it is known, from any thread, one at a time. Throws as cosimulate() and VerilatedDesign do;
-/// rows that were finished before have been told.
+/// Measures each point, all on the same hierarchy, in an order of its own. `finished` gets each row as soon
+/// as it is known, from any thread, one at a time. Throws what cosimulate() and VerilatedDesign throw;
+/// `finished` has then had all rows that were finished before.
 void run_sweep(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const SweepPoint> points,
                const SweepOptions& options, const std::function<void(const SweepRow&)>& finished);
 

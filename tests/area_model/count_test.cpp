@@ -1,4 +1,4 @@
-// What is counted, on graphs small enough to count by hand, and each habit of Table 7.2 on its own.
+// Counts of components, on graphs small enough to count by hand, and each habit of Table 7.2 by itself.
 #include "area_model/count.hpp"
 
 #include <map>
@@ -21,7 +21,7 @@ using rtl::NodeId;
 using rtl::Op;
 using rtl::unit_library;
 
-/// "stage 0: latch_8 x 2", a line each.
+/// "stage 0: latch_8 x 2", one line for each component.
 std::vector<std::string> lines_of(const std::vector<Count>& counts) {
   std::vector<std::string> lines;
   for (const Count& c : counts) lines.push_back(fmt::format("{}: {} x {}", c.stage, part_name(c.part), c.n));
@@ -94,8 +94,8 @@ TEST(Comparator, IsNotSharedByStages) {
             (std::vector<std::string>{"1: int_compare_8 x 1", "2: int_compare_8 x 1"}));
 }
 
-// n = t + 1: side relations and differences of coordinates are equally wide, and only the former are priced
-// at t.
+// With n = t + 1, side relations and differences of coordinates are equally wide. Only side relations are
+// priced at t.
 TEST(PrintedWidths, SideRelationsAreKnownByTheirMultipliers) {
   Graph g("toy");
   const NodeId a = g.input("a", 9, true);

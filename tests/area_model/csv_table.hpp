@@ -1,4 +1,4 @@
-// A table of facts that a test compares with: a header, then a row a line, no quotes.
+// A table of facts that a test compares with: a header, then one line for each row, without quotes.
 #pragma once
 
 #include <fstream>
@@ -11,7 +11,7 @@ namespace hitpipe::area {
 
 using CsvRow = std::map<std::string, std::string>;
 
-/// Empty when the file cannot be read: tests state how many rows they expect.
+/// Empty when the file cannot be read, so tests state how many rows they expect.
 inline std::vector<CsvRow> csv_table(const std::string& file) {
   const auto cells_of = [](const std::string& line) {
     std::vector<std::string> cells;

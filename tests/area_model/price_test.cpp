@@ -135,7 +135,7 @@ TEST(UnitLibrary, MultipliesByNarrowerOperandsInTheirPartOfTheSquare) {
   EXPECT_TRUE(lines.at("int_multiply_12x6").estimated);
 }
 
-// The low three bits of y's planes and origin are 0: multipliers, subtractors and latches without them.
+// The low three bits of y's planes and origin are 0, so multipliers, subtractors and latches leave them out.
 TEST(UnitLibrary, CoarseAxesCostLess) {
   for (const char* const name : {"int_slabs", "int_plucker"}) {
     const rtl::Design& design = rtl::find_design(name);

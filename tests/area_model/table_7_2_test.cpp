@@ -1,6 +1,6 @@
-// The printed account against every row and column of the thesis's Table 7.2, as figures of as many digits.
-// The table prices with cells of more digits than Table 7.1 prints; of all 44 rows one shows it, and with it
-// one total.
+// The printed account against every row and column of the thesis's Table 7.2, with as many digits as printed.
+// The table was computed with more digits of cell areas than Table 7.1 prints. This shows in one of the 44
+// rows, and in one total.
 #include <cstdlib>
 #include <map>
 
@@ -32,12 +32,12 @@ std::string key_of(const CsvRow& row) {
   return key_of(row.at("design"), row.at("bits"));
 }
 
-/// "0.0241" as 241.
+/// "0.0241" becomes 241.
 int last_digits(const std::string& area) {
   return std::atoi((area.substr(0, area.find('.')) + area.substr(area.find('.') + 1)).c_str());
 }
 
-/// Areas that differ in the last digit printed, of those compared.
+/// How many of the compared areas differ in the last printed digit.
 struct Differences {
   int compared = 0;
   std::vector<std::string> list;

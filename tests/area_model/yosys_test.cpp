@@ -1,5 +1,5 @@
-// The table agrees with what is emitted: the register bits that Yosys finds in a design's own module,
-// components apart, are the latches, valid bits and tags of the built account.
+// The table agrees with the emitted Verilog. Yosys counts the register bits in a design's own module, without
+// components; they are the latches, valid bits and tags of the account `built`.
 #include <regex>
 #include <string>
 

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The commands write into a folder in which nothing may appear.
+/// The commands write into a folder where nothing may appear.
 class BadInput : public testing::Test {
  protected:
   void SetUp() override { fs::create_directory(results_); }
@@ -139,7 +139,7 @@ TEST_F(BadInput, FolderBelowAFileRejected) {
   EXPECT_EQ(files_below(folder_.path()), (std::vector<std::string>{"file"}));
 }
 
-/// For no user: /proc takes no folder.
+/// Not even for the superuser: /proc takes no folder.
 TEST_F(BadInput, FolderThatCannotBeMadeRejectedBeforeTheLongRun) {
   rejected(fit({"--designs", "int_slabs"}, "/proc/hitpipe"),
            "/proc/hitpipe: cannot create the folder: No such file or directory");
@@ -214,7 +214,7 @@ TEST_F(BadInput, NumbersOutOfRangeRejected) {
     rejected(cosim({"--scene", "spheres", option, value}),
              option + ": Value " + value + " not in range 1 to " + most + "; see hitpipe cosim --help");
   };
-  // A second --width would be refused for being the second.
+  // A second --width would be refused because it is the second.
   rejected({"render", "--scene", "spheres", "--width", "0"},
            "--width: Value 0 not in range 1 to 16384; see hitpipe render --help");
   rejected({"render", "--scene", "spheres", "--height", "16385"},
@@ -231,8 +231,8 @@ TEST_F(BadInput, NumbersOutOfRangeRejected) {
            "Could not convert: --fov = wide; see hitpipe cosim --help");
 }
 
-#ifndef __SANITIZE_ADDRESS__  // which wants more address space than this leaves
-/// A picture that does not fit into memory: one line, not the library's word for it.
+#ifndef __SANITIZE_ADDRESS__  // it needs more address space than this test leaves
+/// A picture that does not fit into memory gives one line in our own words.
 TEST_F(BadInput, MoreThanMemoryHoldsRejected) {
   const fs::path err = folder_.path() / "err";
   const std::string command = "ulimit -v 1000000; exec " HITPIPE_PROGRAM
@@ -279,7 +279,7 @@ TEST_F(BadInput, CacheThatCannotBeWrittenRejected) {
            {{"HITPIPE_CACHE", cache}});
 }
 
-/// Nothing here needs a folder for temporary files before it is asked to draw.
+/// Nothing here needs a temporary folder before it is asked to draw.
 TEST_F(BadInput, MissingTemporaryFolderIsNoHarmToCosim) {
   const Outcome outcome =
       run_hitpipe({"cosim", "int_slabs", "--scene", "spheres", "--width", "4", "--height", "4"},

@@ -1,4 +1,4 @@
-// Help of every command, and what is said to a command line that cannot be understood.
+// Help of every command, and the message for a command line that cannot be understood.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// All there are, in the order of the help.
+/// All commands in the order of the help.
 #define HITPIPE_NAME(name) #name,
 const std::vector<std::string> commands{HITPIPE_COMMANDS(HITPIPE_NAME)};
 #undef HITPIPE_NAME
@@ -22,7 +22,7 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-/// The arguments of the program alone, and of each command.
+/// The arguments for the program alone, and for each command.
 std::vector<std::vector<std::string>> program_and_commands() {
   std::vector<std::vector<std::string>> all{{}};
   for (const std::string& command : commands) all.push_back({command});
@@ -53,7 +53,7 @@ TEST_P(Help, FitsEightyColumns) {
   }
 }
 
-/// No word of the parser's own about what an option checks.
+/// The parser's own words for its checks must not appear.
 TEST_P(Help, SaysNothingOfValidators) {
   std::vector<std::string> arguments = GetParam();
   arguments.emplace_back("--help");
@@ -82,7 +82,7 @@ TEST(HelpOfTheProgram, TellsTheExitCodes) {
   }
 }
 
-/// One option, whatever the command.
+/// The same option in every command.
 TEST(HelpOfCommands, TellsTheSameOfEverySeed) {
   std::vector<std::string> said;
   for (const std::string& command : commands) {
@@ -101,9 +101,10 @@ TEST(HelpOfCommands, TellsTheSameOfEverySeed) {
 TEST(HelpOfCosim, IsWhatItTakes) {
   const std::string help = run_hitpipe({"cosim", "--help"}).out;
   for (const char* const option :
-       {"design NAME REQUIRED", "--bits n/t ", "--scene NAME|FILE REQUIRED", "--eye X,Y,Z", "--target X,Y,Z",
-        "--up X,Y,Z", "--fov DEGREES", "--light X,Y,Z", "--width N=256", "--height N=256", "--threads N=",
-        "--rays-in-flight N=32", "--referee", "--out FOLDER", "--format text|csv|json=text"}) {
+       {"design NAME REQUIRED", "--bits FORMAT ", "--scene NAME|FILE REQUIRED", "--eye X,Y,Z",
+        "--target X,Y,Z", "--up X,Y,Z", "--fov DEGREES", "--light X,Y,Z", "--width N=256", "--height N=256",
+        "--threads N=", "--rays-in-flight N=32", "--referee", "--out FOLDER",
+        "--format text|csv|json=text"}) {
     EXPECT_THAT(help, HasSubstr("\n  " + std::string(option)));
   }
 }
@@ -143,7 +144,7 @@ TEST(CommandLine, WithUnknownFormatRejected) {
                "--format: 1 is none of text, csv, json; see hitpipe designs --help");
 }
 
-/// A word of the user's that is quoted may hold anything.
+/// A user's word that is quoted may hold anything.
 TEST(CommandLine, WithLineBreaksIsAnsweredInOneLine) {
   expect_error({"rtl", "two\nlines\t", "--out", "x"},
                "design two lines : unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker");

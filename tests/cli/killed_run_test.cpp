@@ -1,6 +1,6 @@
-// A run killed at any moment (SIGKILL: nothing of it runs any more) leaves whole files or none, and the next
-// run into the same folder makes all of them. Temporary files with the run's process id in their name may
-// stay.
+// A run killed at any moment (SIGKILL, so none of its code runs any more) leaves whole files or none. The
+// next run into the same folder makes all of them. Temporary files with the run's process id in their name
+// may stay.
 #include <array>
 #include <chrono>
 #include <random>
@@ -34,7 +34,7 @@ class FolderEvents {
   FolderEvents(const FolderEvents&) = delete;
   FolderEvents& operator=(const FolderEvents&) = delete;
 
-  /// Waits until `count` of files with `word` in their name have come, or for `most`.
+  /// Waits for `count` events of files with `word` in their name, but at most for `most`.
   void wait_for(std::size_t count, std::string_view word, Clock::duration most) const {
     const Clock::time_point end = Clock::now() + most;
     std::size_t seen = 0;
@@ -62,8 +62,8 @@ bool is_temporary(const std::string& file) {
 
 class KilledRun : public testing::Test {
  protected:
-  /// The command with its --out, run to its end: what every killed run is compared with. The first run may
-  /// have to fill the cache of models, the second tells how long one takes.
+  /// The command with its --out, run to its end, to compare killed runs with. The first run may have to fill
+  /// the cache of models. The second shows how long one takes.
   void run_whole(const std::vector<std::string>& command) {
     command_ = command;
     for (int run = 0; run < 2; ++run) {
@@ -80,7 +80,8 @@ class KilledRun : public testing::Test {
     return arguments;
   }
 
-  /// What stands in the folder under its own name is what the whole run wrote; how many files that is.
+  /// Each file in the folder under its final name is what the whole run wrote. Returns how many files there
+  /// are.
   std::size_t expect_whole_files(const fs::path& folder, const std::string& moment) const {
     std::size_t files = 0;
     for (const std::string& file : files_below(folder)) {
@@ -92,8 +93,8 @@ class KilledRun : public testing::Test {
     return files;
   }
 
-  /// Kills runs into one folder after more and more events of the files with `word` in their name, `below`
-  /// it, until a run comes to its end.
+  /// Kills runs into one folder after more and more events of files with `word` in their name, in the
+  /// subfolder `below`, until a run reaches its end.
   void kill_at_events(std::string_view word, std::size_t step, const fs::path& below = "") {
     const fs::path folder = folder_.path() / "events";
     fs::create_directories(folder / below);

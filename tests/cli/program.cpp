@@ -44,7 +44,7 @@ pid_t start_hitpipe(const std::vector<std::string>& arguments) {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
     become_hitpipe(arguments);
   }
-  setpgid(child, child);  // whoever is first: the group is there when this returns
+  setpgid(child, child);  // child and parent both do this, so the group exists when this returns
   return child;
 }
 

@@ -1,4 +1,4 @@
-// Runs the program hitpipe as a process of its own and keeps what it printed.
+// Runs the program hitpipe as a process and keeps what it printed.
 #pragma once
 
 #include <filesystem>
@@ -18,24 +18,25 @@ struct Outcome {
   std::string err;
 };
 
-/// Variables to set for the program alone.
+/// Variables to set only for the program.
 using Variables = std::vector<std::pair<std::string, std::string>>;
 
 [[nodiscard]] Outcome run_hitpipe(const std::vector<std::string>& arguments, const Variables& variables = {});
 
-/// The program as a process that can be killed, in a group with what it starts; it prints nowhere.
+/// Starts the program as a process that can be killed, in a group with the processes that it starts. It
+/// prints nothing.
 [[nodiscard]] pid_t start_hitpipe(const std::vector<std::string>& arguments);
 
-/// Kills what start_hitpipe() started. True if the kill ended it, false if it had come to its end.
+/// Kills what start_hitpipe() started. True if the kill ended it, false if it had already ended.
 bool kill_and_wait(pid_t child);
 
 /// A program to run as Verilator, for the variable VERILATOR: the model of an integer design never hits.
 [[nodiscard]] std::string always_missing_verilator(const sim::TemporaryFolder& folder);
 
-/// The lines of a text; the last must have ended.
+/// The lines of a text. The last one must have a line end.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
-/// The characters of the widest line, each of UTF-8 counted once.
+/// The number of characters in the widest line; each UTF-8 character counts once.
 [[nodiscard]] std::size_t widest_line(const std::string& text);
 
 /// All files below a folder, by their paths in it, sorted.

@@ -1,5 +1,5 @@
 // The integer units in formats below the program's range: their datapath in C++, their graph, and the
-// operands of a ray and a box. Boxes are rounded as quantise_box() does, which takes the program's n alone.
+// operands of a ray and a box. Boxes are rounded as in quantise_box(), which takes only the program's n.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace hitpipe::ref::exhaustive {
 
-/// In port order, the box's six last; the Pluecker unit has one port fewer.
+/// Operands in port order; the last six are the box. The Pluecker unit has one port fewer.
 using Operands = std::array<std::int64_t, 17>;
 
 struct NarrowUnit {
@@ -65,7 +65,7 @@ inline IntBox narrow_box(const Aabb& box, int coord_bits) {
   return rounded;
 }
 
-/// The ray's operands begin with its origin.
+/// The operands of the ray begin with its origin.
 inline void cut_origin(const CoarseAxes& coarse, int coord_bits, std::int64_t* operands) {
   IntOrigin origin;
   for (std::size_t axis = 0; axis < 3; ++axis) origin[axis] = static_cast<std::int32_t>(operands[axis]);
@@ -80,7 +80,7 @@ inline void put_box(const IntBox& box, std::int64_t* out) {
   }
 }
 
-/// Formats n/t down to those that the proofs of sw_ref/quantise hold for.
+/// Formats n/t down to the smallest for which the proofs of sw_ref/quantise hold.
 inline const rtl::FormatFamily& proved_formats() {
   static const rtl::FormatFamily family = [] {
     rtl::FormatFamily wider = rtl::FamilyOf<hls::IntBits>::family;

@@ -1,5 +1,5 @@
-// Every ray and box of the sweeps, n = 4 and 5, every t, both integer units, also on coarser axes: no false
-// miss.
+// Every ray and box of the sweeps, for n = 4 and 5, every t, both integer units, also on coarser axes: there
+// is no false miss.
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -41,7 +41,7 @@ void judge(const NarrowUnit& unit, const Ray& ray, const std::vector<Aabb>& boxe
   }
 }
 
-/// Judges all units of a width over a sweep, which has so many tests and exact hits for each.
+/// Judges all units of one width over a sweep. Each must have this many tests and exact hits.
 void expect_no_false_miss(const std::vector<NarrowUnit>& units, const Sweep& sweep, std::uint64_t tests,
                           std::uint64_t hits, const CoarseAxes& coarse = {}) {
   const int coord_bits = units.front().bits.coord;
@@ -68,7 +68,7 @@ void expect_no_false_miss(const std::vector<NarrowUnit>& units, const Sweep& swe
     EXPECT_EQ(c.tests, tests);
     EXPECT_EQ(c.false_misses, 0U);
     EXPECT_EQ(c.hits, hits);
-    // A unit that always hits would never miss.
+    // A unit that always says HIT would never miss either.
     EXPECT_LT(c.false_hits, (c.tests - c.hits) * 9 / 10);
   }
 }
@@ -102,7 +102,7 @@ TEST(EveryRayAndBox, FiveBitPlueckerUnitsNeverMissWhereTheirDirectionLeans) {
   expect_no_false_miss(plucker_of(units(5)), leaning_5, leaning_tests, 41'568);
 }
 
-/// The axes know nothing of t: every other one will do.
+/// The axes do not depend on t, so every second t is enough.
 std::vector<NarrowUnit> of_even_t(std::vector<NarrowUnit> units) {
   std::erase_if(units, [](const NarrowUnit& unit) { return unit.bits.interval % 2 != 0; });
   return units;

@@ -13,12 +13,12 @@
 
 namespace hitpipe::ref::exhaustive {
 
-/// With exponent and significand fields counted up: 4088 directions of one significand bit, 13816 of two.
+/// Counts exponent and significand fields up: 4088 directions with one significand bit, 13816 with two.
 inline const std::vector<float> one_bit{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 6.0F, 8.0F, 12.0F};
 inline const std::vector<float> two_bits{0.0F, 1.0F, 2.0F, 3.0F,  4.0F,  5.0F,
                                          6.0F, 7.0F, 8.0F, 10.0F, 12.0F, 14.0F};
 
-/// Of both signs, zeros too; not the eight that are zero on every axis.
+/// Both signs, zeros too; without the eight directions that are zero on every axis.
 inline std::vector<glm::vec3> directions(const std::vector<float>& magnitudes) {
   std::vector<float> components;
   for (const float magnitude : magnitudes) {
@@ -36,7 +36,7 @@ inline std::vector<glm::vec3> directions(const std::vector<float>& magnitudes) {
   return all;
 }
 
-/// All points whose coordinates are among these.
+/// All points with these coordinates.
 inline std::vector<glm::vec3> points(const std::vector<float>& coordinates) {
   std::vector<glm::vec3> all;
   for (const float x : coordinates) {
@@ -47,7 +47,7 @@ inline std::vector<glm::vec3> points(const std::vector<float>& coordinates) {
   return all;
 }
 
-/// All boxes whose corners are such points: (m (m + 1) / 2)^3 of m coordinates, which ascend.
+/// All boxes with corners at such points: (m (m + 1) / 2)^3 boxes for m ascending coordinates.
 inline std::vector<Aabb> boxes(const std::vector<float>& coordinates) {
   std::vector<Aabb> all;
   for (const glm::vec3& min : points(coordinates)) {
@@ -85,12 +85,11 @@ inline const Sweep endless{one_bit, {-1.0F, -0.5F, 0.5F, 1.0F}, {-0.5F, below_ha
 /// boxes.
 inline const Sweep ended{one_bit, {-1.0F, -0.5F, 0.5F, 1.0F}, {-0.5F}, {0.0F, 0x1p-4F, 0x1p-2F}};
 
-/// Away from the border, so that coarser axes stay on the grid: 4088 directions, 8 origins, 2 lengths, 216
-/// boxes.
+/// Away from the border, so coarser axes stay on the grid: 4088 directions, 8 origins, 2 lengths, 216 boxes.
 inline const Sweep inner{one_bit, {-0.5F, 0.5F, 0.75F}, {-0.5F, below_half}, {0x1p-3F, Ray::infinite}};
 
-/// Rays whose direction rounds by half a unit, as 7 * 1/14 and 15 * 3/10 do, from the end of the cube to
-/// boxes beside ties far away: here side relations reach down to EBND. 13816 directions, 8 origins, 216
+/// Rays whose direction rounds by half a unit, as 7 * 1/14 and 15 * 3/10 do. They go from the end of the cube
+/// to boxes beside ties far away, where side relations reach down to EBND. 13816 directions, 8 origins, 216
 /// boxes.
 inline const Sweep leaning_4{
     two_bits, {-0x1.aaaaa8p-1F, 0x1.555554p-3F, 0.5F}, {-1.0F, 0x1.555558p-3F}, {Ray::infinite}};

@@ -1,5 +1,5 @@
-// The emitted Verilog of the narrow units answers every operand tuple of the sweeps `endless` and `ended` as
-// the C++ does: all rays whose operands differ, against all boxes whose operands differ.
+// The emitted Verilog of the narrow units gives the answers of the C++ for every operand tuple of the sweeps
+// `endless` and `ended`: all rays with different operands against all boxes with different operands.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -48,7 +48,7 @@ std::vector<IntBox> distinct_boxes(int coord_bits) {
   return found;
 }
 
-/// Sends everything back to back and compares each answer, in turn, with the C++.
+/// Sends everything back to back and compares each answer in turn with the C++.
 void expect_same_answers(const NarrowUnit& unit) {
   const sim::VerilatedDesign verilated(unit.design, unit.format, rtl::Library::thesis());
   ASSERT_EQ(verilated.operand_count(), unit.ray_operands + 6);

@@ -19,7 +19,8 @@ std::string extended(const std::string& bits, int width, const std::string& fill
   return fmt::format("{{{{{}{{{}}}}}, {}}}", word - width, fill, bits);
 }
 
-/// Adds to `text`: `value` latched `edges` times while en is high. Returns the name of the last latch.
+/// Adds latches to `text` that hold `value` for `edges` clock edges while en is high. Returns the name of the
+/// last latch.
 std::string delayed(std::string& text, const std::string& value, int width, int edges) {
   std::string last = value;
   for (int i = 1; i <= edges; ++i) {
@@ -43,8 +44,8 @@ std::string model(const Component& c, const std::string& operands, int high, int
   return text;
 }
 
-/// a * b as the sum of its pieces, each no wider than its operands together: all that the proof may use of
-/// multiplication. emit_lemmas.cpp proves both facts of integers.
+/// a * b as the sum of its pieces, each no wider than its operands together. The proof may use nothing else
+/// about multiplication. emit_lemmas.cpp proves both facts for integers.
 std::string multiplier_axioms(const rtl::MultiplierShape& shape) {
   const int piece = (shape.width_b + shape.stages - 1) / shape.stages;
   const std::string a = extended("a", shape.width_a, fmt::format("a[{}]", shape.width_a - 1));

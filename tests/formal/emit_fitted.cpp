@@ -1,7 +1,7 @@
 // Writes what the proof of one fitted design reads: emit_fitted DESIGN FORMAT SET FOLDER. SET is the number
 // of a demand set, from 0, or the manifest of a fitted unit. The proof: for all operands that meet the
-// demands, the graph as it was traced, the fitted one behind the ports of the whole design and the
-// fitted one itself give one HIT. docs/prune.md says which lemmas it uses.
+// demands, three graphs give the same HIT. These are the traced graph, the fitted one behind the ports of the
+// whole design, and the fitted one itself. docs/prune.md says which lemmas it uses.
 #include <algorithm>
 #include <exception>
 #include <iostream>
@@ -24,14 +24,14 @@ namespace {
 
 using namespace hitpipe;
 
-/// A product, or a call of a float operator of whose result something is known: what the proof may use of it,
-/// as its operands are what the analysis says they are.
+/// A product, or a call of a float operator whose result is partly known. The proof may use these facts when
+/// the operands are as the analysis says.
 struct Lemma {
   std::string unit;  ///< empty: a product
   rtl::Facts a, b, result;
 };
 
-/// Makes the operands of each an output of the graph: "a_0", "b_0", "a_1" and so on; of a call the result
+/// Makes the operands of each one outputs of the graph: "a_0", "b_0", "a_1" and so on. For a call the result
 /// too.
 std::vector<Lemma> expose(rtl::Graph& graph, const rtl::Demands& demands) {
   const std::vector<rtl::Facts> facts = rtl::analyse(graph, demands);
@@ -48,7 +48,7 @@ std::vector<Lemma> expose(rtl::Graph& graph, const rtl::Demands& demands) {
   return lemmas;
 }
 
-/// Verilog: a value, extended to 64 bits by its sign, is as the facts say.
+/// Verilog: a value, sign-extended to 64 bits, satisfies the facts.
 std::string known(const std::string& wire, const rtl::Facts& facts) {
   return fmt::format("({0} >= 64'sh{1:x} && {0} <= 64'sh{2:x} && ({0} & 64'h{3:x}) == 64'h{4:x})", wire,
                      static_cast<std::uint64_t>(facts.number().low),
@@ -61,7 +61,7 @@ std::string signed_wire(const std::string& name, int width) {
                      width - 1);
 }
 
-/// An instance of a graph with its lemmas: wires, the instance, assertions of operands, assumptions of
+/// An instance of a graph with its lemmas: wires, the instance, assertions about operands, assumptions about
 /// results.
 struct Instance {
   std::string text;
@@ -102,7 +102,7 @@ Instance instance(const std::string& module, const rtl::Graph& graph, const std:
   return made;
 }
 
-/// The lemmas of calls, proved of the operators' own logic.
+/// The lemmas of calls, proved for the operators' own logic.
 std::string lemma_module(const std::vector<Lemma>& lemmas) {
   std::string text = "module lemmas (\n  input wire unused";
   std::string body;

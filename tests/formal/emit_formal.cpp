@@ -1,5 +1,5 @@
 // Writes what the proofs of one design in one format read: emit_formal DESIGN FORMAT FOLDER [SET]. FORMAT is
-// n/t or fp32; with the number of a demand set, or a manifest, the design is the one fitted to it.
+// n/t or fp32. With SET, the number of a demand set or a manifest, the design is the fitted one.
 #include <exception>
 #include <iostream>
 #include <set>
@@ -46,7 +46,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& form
     names += fmt::format("{} {}\n", part.module, part.edges);
     files.push_back({part.module + ".v", part.reference_text + formal::component_flow(part)});
   }
-  // In the reference a float operator is a module too, with no stage at all.
+  // In the reference a float operator is a module too, without stages.
   for (const auto& unit : pipeline.graph.units()) {
     const rtl::Output& result = unit->body.outputs().front();
     models += fmt::format(

@@ -1,6 +1,6 @@
 // Writes lemmas as SMT-LIB for z3: emit_lemmas trimming | products | pieces | shifts | bound | attained N.
-// Before each answer the script says what it is about and which one is the lemma's: "sat" of a value that is
-// attained.
+// Before each answer the script says what it is about and which answer proves the lemma: "sat" if it says
+// that a value is attained.
 #include <cstdint>
 #include <iostream>
 #include <string>
@@ -66,8 +66,8 @@ void products() {
   }
 }
 
-/// What multiplier proofs assume of multiplication (component.cpp), of integers: the product is the sum of
-/// its pieces', and a piece's fits its operands' bits.
+/// What multiplier proofs assume about multiplication (component.cpp), for integers: the product is the sum
+/// of the products of the pieces, and the product of a piece fits the bits of its operands.
 void pieces() {
   fmt::print("(declare-const a Int)\n(declare-const b Int)\n");
   for (int i = 0; i < 4; ++i) fmt::print("(declare-const p{} Int)\n", i);
@@ -97,8 +97,8 @@ void pieces() {
   }
 }
 
-/// What the proofs of fitted designs assume of a product (emit_fitted.cpp), of integers: without the zeros
-/// that an operand ends in it is so many bits lower.
+/// What the proofs of fitted designs assume about a product (emit_fitted.cpp), for integers: without the
+/// zeros at the end of an operand, the product is shifted down by that many bits.
 void shifts() {
   for (const char* name : {"a", "b", "c"}) fmt::print("(declare-const {} Int)\n", name);
   for (int k = 1; k < 64; ++k) {
@@ -117,9 +117,9 @@ std::string reaches() {
          "  (and (alone a b) (alone c d) (both a b c d) (both c d a b)))\n";
 }
 
-/// The least side relation of an edge whose inner side a ray passes (int_plucker_ray.cpp): all directions e
-/// within half a unit of (di, dj) and M of zero, all planes i, j within M. Twice e and twice the planes are
-/// integers: that e may be any real between, only the ends count.
+/// The least side relation of an edge when a ray passes on its inner side (int_plucker_ray.cpp). It covers
+/// all directions e within half a unit of (di, dj) and M of zero, and all planes i, j within M. Twice e and
+/// twice the planes are integers. This also covers all real e between, because only the ends count.
 void attained(int n) {
   const int width = 2 * n + 3;
   const std::int64_t most = (std::int64_t{1} << (n - 1)) - 1;
@@ -157,7 +157,7 @@ void attained(int n) {
   }
 }
 
-/// EBND for every format, along the argument of int_plucker_ray.cpp: xi = s ei and xj = s ej lie inside the
+/// EBND for every format, by the argument of int_plucker_ray.cpp: xi = s ei and xj = s ej lie inside the
 /// planes I, J; di and dj are within half a unit of ei, ej; M is the largest component.
 void bound() {
   for (const char* name : {"M", "s", "ei", "ej", "di", "dj", "I", "J", "xi", "xj", "u", "a", "b"})

@@ -1,5 +1,5 @@
-// The demands that a proof is about: those of a demand set, by its number from 0, or of a fitted unit, by its
-// manifest.
+// The demands of a proof: those of a demand set, given by its number from 0, or those of a fitted unit, given
+// by its manifest.
 #pragma once
 
 #include <stdexcept>

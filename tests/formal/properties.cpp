@@ -21,7 +21,7 @@ std::string connections(const std::vector<rtl::Port>& ports) {
   return text;
 }
 
-/// A design and its reference on the same operands; `expected` is the HIT of those at the ports.
+/// A design and its reference on the same operands. `expected` is the HIT for the operands at the ports.
 std::string instances(const std::vector<rtl::Port>& ports, const std::string& design) {
   return fmt::format(
       "  wire in_ready, out_valid, hit, expected;\n  wire [3:0] out_tag;\n"

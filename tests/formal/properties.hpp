@@ -1,5 +1,5 @@
-// Verilog with the properties that yosys-smtbmc proves of a clocked module; docs/formal.md says how they make
-// up the whole claim.
+// Verilog with the properties that yosys-smtbmc proves about a clocked module. docs/formal.md says how they
+// make up the whole claim.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace hitpipe::formal {
 
-/// Module "flow": from any state, `edges` enabled edges after its operands were there, a component shows
-/// what its combinational form makes of them.
+/// Module "flow": from any state, `edges` enabled edges after its operands came, a component shows the result
+/// of its combinational form.
 [[nodiscard]] std::string component_flow(const Component& component);
-/// The same of a design, from input ports to HIT and tag, while in_ready is high.
+/// The same for a design, from input ports to HIT and tag, while in_ready is high.
 [[nodiscard]] std::string design_flow(const rtl::Pipeline& pipeline, const std::string& design);
-/// Properties to stand at the end of a design's own module: handshake, valid bits and tags in lock-step with
-/// a plain shift register. True of reset and inductive.
+/// Properties to add at the end of a design's own module: the handshake, and that valid bits and tags move as
+/// in a plain shift register. They hold after reset and are inductive.
 [[nodiscard]] std::string control_properties(const rtl::Pipeline& pipeline);
 /// Module "stalled": from any state, a test taken now comes out after as many moves as there are stages, with
-/// its own tag and the HIT of the combinational design, and stays until it is taken, whatever valid, ready
-/// and the other tests' operands do.
+/// its own tag and the HIT of the combinational design. It stays until it is taken, whatever valid, ready and
+/// the operands of other tests do.
 [[nodiscard]] std::string stalled_design(const rtl::Pipeline& pipeline, const std::string& design);
 
 }  // namespace hitpipe::formal

@@ -1,5 +1,6 @@
-// The text of one ray and box, as `check --replay` takes it: read, printed and read again it stays the same;
-// the exact referees agree; no integer unit misses what the ray meets (sections 6.2, 6.3).
+// The text of one ray and box, as `check --replay` takes it. When it is read, printed and read again it stays
+// the same; the exact referees agree; and no integer unit misses a box that the ray meets (sections 6.2,
+// 6.3).
 #include <array>
 #include <cstdint>
 #include <memory>

@@ -1,4 +1,4 @@
-// The command line: one word of the input's lines each. The commands do not run; their options are parsed as
+// The command line. Each line of the input is one word. The commands do not run. Their options are parsed as
 // the program parses them, and every word is also tried as a number format.
 #include <cstdint>
 #include <memory>

@@ -1,5 +1,5 @@
-// What a fuzz target demands beyond not crashing: a failed demand says so and aborts, which libFuzzer reports
-// with the input that did it.
+// What a fuzz target demands in addition to not crashing. A failed demand prints a line and aborts. libFuzzer
+// then reports the input that caused it.
 #pragma once
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// A component library: either one line that says what is wrong with it, or delays and areas in range at every
-// width and a schedule of integer slabs that the verifier accepts.
+// A component library: one line says what is wrong with it, or its delays and areas are in range at every
+// width and the verifier accepts a schedule of integer slabs.
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 using namespace hitpipe;
 using fuzz::expect;
 
-/// Any work with the library may refuse, but only in words.
+/// Any work with the library may refuse it, but only with a message.
 template <class Work>
 void refusing(Work work) {
   try {
@@ -43,7 +43,7 @@ void schedule(const rtl::Library& library) {
   static const rtl::Graph graph = design.trace(design.default_format);
   const rtl::Pipeline pipeline = rtl::make_pipeline(graph, library);
   expect(pipeline.latency() > 0, "a pipeline has stages");
-  // Every line before the module is a comment; what the library says of itself must not leave it.
+  // Every line before the module is a comment. Text from the library must stay in it.
   const std::string verilog = rtl::to_verilog(pipeline, library, {.module_name = "int_slabs", .bits = {}});
   for (std::size_t at = 0; !verilog.substr(at).starts_with("module "); at = verilog.find('\n', at) + 1)
     expect(verilog.substr(at, 2) == "//", "the library's name stays in its comment");

@@ -1,5 +1,5 @@
-// A mesh file of one format (HITPIPE_EXTENSION) as a scene: either its mesh keeps the reader's promises in
-// the cube too, or one line says what is wrong.
+// A mesh file of one format (HITPIPE_EXTENSION) as a scene: its mesh keeps the reader's promises, also in the
+// cube, or one line says what is wrong.
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -31,7 +31,7 @@ void expect_whole(const ref::Mesh& mesh) {
 
 }  // namespace
 
-/// Assimp leaks what it had built when it refuses a file. It is not ours to free; leaks of our own are still
+/// Assimp leaks what it has built when it refuses a file. We cannot free that. Leaks of our own are still
 /// found.
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libassimp.so";

@@ -1,5 +1,5 @@
-// A scene file beside a small mesh: either it makes a scene that keeps its promises in the cube, or one line
-// says what is wrong.
+// A scene file beside a small mesh: it makes a scene that keeps its promises in the cube, or one line says
+// what is wrong.
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>

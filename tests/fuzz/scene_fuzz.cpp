@@ -1,6 +1,6 @@
-// The placing of a scene. The input is numbers between blanks: eye, target, up, field of view, position and
-// intensity of one light, then triangles of nine coordinates. Either everything lies in the cube under a
-// camera with axes of length 1 at right angles, or one line says what is wrong.
+// The placing of a scene. The input is numbers separated by blanks: eye, target, up, field of view, position
+// and intensity of one light, then triangles of nine coordinates. Everything lies in the cube, under a camera
+// with axes of length 1 at right angles, or one line says what is wrong.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -43,7 +43,7 @@ class Numbers {
   std::size_t at_ = 0;
 };
 
-/// The triangles with area and finite corners: what the reader of mesh files would leave.
+/// The triangles with area and finite corners, as the reader of mesh files would keep them.
 ref::Mesh read_mesh(Numbers& numbers) {
   ref::Mesh mesh;
   while (numbers.left() >= 9) {

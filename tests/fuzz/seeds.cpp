@@ -1,6 +1,6 @@
-// Writes the seeds of the fuzz targets that follow from what hitpipe ships: seeds SOURCE FOLDER. Rays and
-// boxes of every category of the adversary, component libraries with each value replaced in turn, the
-// commands of the pages.
+// Writes the seeds that follow from files of hitpipe: seeds SOURCE FOLDER. These are rays and boxes of every
+// category of the adversary, component libraries with each value replaced in turn, and the commands in the
+// docs.
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -55,7 +55,7 @@ std::vector<std::string> split(const std::string& text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-/// Every category; cases that are refused; one case with each of its words replaced.
+/// Every category; cases that are refused; one case with each of its words replaced in turn.
 void add_cases(Seeds seeds) {
   constexpr int of_each_category = 12;
   ref::adversary::Random random(1);
@@ -83,7 +83,7 @@ void add_cases(Seeds seeds) {
   }
 }
 
-/// JSON that may stand in place of a value, one a line; some of it is wrong.
+/// JSON to put in place of a value, one in each line. Some of it is wrong.
 constexpr std::string_view values = R"json(null
 true
 false
@@ -113,8 +113,8 @@ false
 [[1,2],{"bits":[3]}]
 /* a comment */ 1)json";
 
-/// What a reader of JSON must refuse, one a line: words, numbers, strings, lists and objects cut short or
-/// wrong.
+/// What a reader of JSON must refuse, one in each line: words, numbers, strings, lists and objects that are
+/// cut short or wrong.
 constexpr std::string_view odd_values = R"json(nul
 trux
 fals
@@ -179,8 +179,8 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Strings with every character of ASCII, with every first byte of UTF-8 and what must follow it, and with
-/// what must not.
+/// Strings with every ASCII character, and with every first byte of UTF-8, followed by correct and by wrong
+/// bytes.
 std::vector<std::string> odd_strings() {
   std::vector<std::string> strings;
   const auto add = [&](const std::string& text) { strings.push_back('"' + text + '"'); };
@@ -249,7 +249,7 @@ void add_libraries(Seeds seeds, const fs::path& source) {
   }
 }
 
-/// A line of a page that runs hitpipe, as its words: one a line, without a comment.
+/// A line of a page that runs hitpipe, as its words: one in each line, without a comment.
 void add_commands(Seeds seeds, const fs::path& source) {
   std::vector<fs::path> pages{source / "README.md"};
   for (const auto& entry : fs::directory_iterator(source / "docs"))

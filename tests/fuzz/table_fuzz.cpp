@@ -1,5 +1,5 @@
-// What a command prints of words that a user chose, such as the name of a scene: JSON and CSV that a reader
-// takes back, whatever the bytes.
+// What a command prints for words that a user chose, such as the name of a scene. A reader must be able to
+// read the JSON and CSV back, whatever the bytes.
 #include <cstdint>
 #include <string>
 

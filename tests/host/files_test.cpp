@@ -1,4 +1,4 @@
-// Files appear whole or not at all, and a failure says which file and why.
+// Files appear whole or not at all, and a failure names the file and the reason.
 #include "host/files.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using hitpipe::message_of;
 using rtl::read_text;
 using rtl::write_text;
 
-/// Files below a folder, hidden ones too.
+/// Files below a folder, also hidden ones.
 std::vector<std::string> files_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -102,7 +102,7 @@ TEST(WriteFiles, AFailureKeepsWhatWasThere) {
   EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"a.v", "file"}));
 }
 
-/// The disk is full: what is written aside lands on a device that takes nothing.
+/// The disk is full: the temporary file is on a device that accepts nothing.
 TEST(WriteFile, FullDiskKeepsWhatWasThere) {
   const ScratchFolder folder;
   const std::filesystem::path file = folder / "a.csv";
@@ -133,11 +133,11 @@ TEST(WriteFile, PipesAndDevicesAreNotReplaced) {
   const std::filesystem::path pipe = folder / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_EQ(message_of<std::runtime_error>([&] { write_file(pipe, "text"); }),
-            pipe.string() + ": is no file that can be replaced");
+            pipe.string() + ": is not a file that can be replaced");
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
-/// /proc takes no files, not even the superuser's.
+/// /proc accepts no files, not even from the superuser.
 TEST(WriteFile, FolderThatTakesNoFilesRejected) {
   EXPECT_THAT(message_of<std::runtime_error>([] { write_file("/proc/a", "text"); }),
               testing::MatchesRegex("/proc(/a: cannot write the file|: cannot write to the folder): .+"));
@@ -147,7 +147,7 @@ TEST(WriteFile, UnwritableFolderRejected) {
   const ScratchFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read);
   const uid_t user = getuid();
-  // The superuser may write anywhere: run as nobody meanwhile.
+  // The superuser may write anywhere, so this part runs as nobody.
   if (user == 0) {
     ASSERT_EQ(setreuid(65534, static_cast<uid_t>(-1)), 0);
   }

@@ -1,4 +1,4 @@
-// No more threads than asked for, and every index once.
+// There are no more threads than asked for, and every index comes once.
 #include "host/parallel.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Programs get their words as they are, and how they end is told.
+// Programs get their words unchanged, and their end is reported.
 #include "host/process.hpp"
 
 #include <stdexcept>
@@ -38,7 +38,7 @@ TEST(Run, KeepsBothStreamsApart) {
   EXPECT_EQ(ended.err, "two\n");
 }
 
-/// Far more than a pipe holds, to both at once.
+/// Writes far more than a pipe holds, to both pipes at once.
 TEST(Run, TakesAnyAmountOfOutput) {
   const Outcome ended =
       run({"sh", "-c",

@@ -1,4 +1,4 @@
-// Folders that last as long as their objects.
+// Temporary folders exist as long as their objects.
 #include "host/scratch_folder.hpp"
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Random numbers of a fixed seed, which is printed: a run can be repeated.
+// Random numbers from a fixed seed, which is printed so that a run can be repeated.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@ class Seeded {
   explicit Seeded(std::uint64_t seed) : engine_(seed) { std::cout << "seed " << seed << '\n'; }
 
   std::uint64_t bits() { return engine_(); }
-  /// For what draws from an engine itself.
+  /// For functions that draw from an engine themselves.
   operator std::mt19937_64&() { return engine_; }
-  /// 0 .. n-1, n at least 1.
+  /// 0 .. n-1, for n of at least 1.
   int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
   int between(int low, int high) { return low + below(high - low + 1); }
   bool flip() { return (engine_() & 1) != 0; }
 
-  /// Any bits, or a corner: zero, one, all ones, only the top one, all but the top one.
+  /// Random bits, or a corner: zero, one, all ones, only the top bit, all bits but the top one.
   std::uint64_t value(int width) {
     const std::uint64_t all = ~std::uint64_t{0} >> (64 - width);
     switch (below(8)) {

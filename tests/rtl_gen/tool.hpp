@@ -1,4 +1,4 @@
-// Runs other programs: Verilog tools that must take what hitpipe writes.
+// Runs other programs: Verilog tools that must accept what hitpipe writes.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,8 @@ struct ToolResult {
   std::string output;  ///< standard output and error
 };
 
-/// Runs a program in a folder; a shell reads `arguments`. Throws when the program is not there: install
-/// `package`.
+/// Runs a program in a folder. A shell reads `arguments`. Throws when the program does not exist, and names
+/// the `package` to install.
 inline ToolResult run_tool(const std::filesystem::path& folder, const std::string& package,
                            const std::string& program, const std::string& arguments) {
   const host::Outcome ended =

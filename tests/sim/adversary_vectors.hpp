@@ -1,4 +1,4 @@
-// Rays and boxes of an adversary's category as a unit's operands, through the design's own set-up.
+// Rays and boxes of an adversary's category as operands of a unit, made by the design's own set-up.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace hitpipe::sim {
 [[nodiscard]] std::vector<std::vector<std::int64_t>> adversary_vectors(
     const Unit& unit, const ref::adversary::Category& category, int count, std::uint64_t seed);
 
-/// Raw operands, most at a corner of their port (corner_values.hpp), drawn for each port by itself.
+/// Raw operands, most of them corner values (corner_values.hpp). Each port is drawn independently.
 [[nodiscard]] std::vector<std::vector<std::int64_t>> raw_corner_vectors(const std::vector<rtl::Port>& ports,
                                                                         int count, std::uint64_t seed);
 

@@ -1,5 +1,5 @@
-// Values at the corners of a port, by name: bit patterns where arithmetic breaks. A float port is 32 bits
-// wide and unsigned.
+// Values at the corners of a port, by name: bit patterns where arithmetic breaks. A float port has 32 bits
+// and is unsigned.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ struct CornerValue {
   std::int64_t value;
 };
 
-/// 2^(w-1): one more than the greatest value of a signed port.
+/// 2^(w-1): one more than the largest value of a signed port.
 inline std::int64_t top(const rtl::Port& port) {
   return std::int64_t{1} << (port.width - 1);
 }
 
-/// Of a signed port of w bits.
+/// For a signed port of w bits.
 inline std::vector<CornerValue> integer_corners(const rtl::Port& port) {
   return {{"zero", 0},
           {"one", 1},

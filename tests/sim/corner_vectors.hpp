@@ -1,6 +1,6 @@
 // Operands at the corners of a unit, by name. Integer units: bit patterns where arithmetic breaks, and the
-// ends of what ray set-up and quantisation hand over (section 6.2.1). Float units: every corner value beside
-// every other. Each comes with rinf 0 and 1, and where there is a length, with irlen 0 and the largest.
+// ends of the ranges of ray set-up and quantisation (section 6.2.1). Float units: every pair of corner
+// values. Each comes with rinf 0 and 1; if there is a length, with irlen 0 and the largest.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// The co-simulation of whole images: what the Verilog finds is what software finds, and no count hides
-// anything.
+// Co-simulation of whole images: the Verilog finds what software finds, and the counts hide nothing.
 #include "sim/cosim.hpp"
 
 #include <cmath>
@@ -44,7 +43,7 @@ void PrintTo(const Case& c, std::ostream* out) {
   *out << c.scene << ' ' << c.bits.coord << '/' << c.bits.interval;
 }
 
-/// Hills of glass that mirror a little and scatter a little: rays of all kinds, most of them secondary.
+/// Hills of glass that mirror and scatter a little: rays of all kinds, most of them secondary.
 ref::Scene glass_hills() {
   ref::Scene scene = hills();
   scene.materials = {{glm::vec3(0.2F), glm::vec3(0.3F, 0.2F, 0.1F), glm::vec3(0.5F), 1.4F}};
@@ -103,7 +102,7 @@ TEST_P(Cosim, FindsTheTrianglesAndTheImageOfSoftware) {
   EXPECT_GT(result.unit.box_tests, 10'000U);
   EXPECT_GT(result.unit.hits, result.unit.false_hits);
   EXPECT_GT(result.rays_shadow, 1000U);
-  // The Verilog is a part of the loop; a sampled time may err by a little.
+  // The Verilog is a part of the loop. A sampled time may err a little.
   EXPECT_GT(result.rtl_seconds, 0.0);
   EXPECT_GT(result.loop_seconds, 0.0);
   EXPECT_GT(result.rtl_tests_per_s(), 0.0);
@@ -123,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(ScenesAndFormats, Cosim,
 
 TEST(CosimCounts, DoNotDependOnThreads) {
   const CosimOfScene cosim("spheres");
-  // Not a multiple of a tile in either direction: nine tiles.
+  // Not a multiple of a tile in either direction, so there are nine tiles.
   CosimOptions options{.width = 150, .height = 131, .threads = 1, .referee = true};
   const CosimResult one = cosim.run(usual, options);
   options.threads = 2;
@@ -152,7 +151,7 @@ TEST(CosimCounts, OnlyCyclesDependOnRaysInFlight) {
 
 class CosimOfUnit : public testing::TestWithParam<Unit> {};
 
-/// A conservative unit finds the image of software; a float one may miss a box that a ray grazes.
+/// A conservative unit finds the image of software. A float unit may miss a box that a ray grazes.
 TEST_P(CosimOfUnit, IsVerifiedOnHills) {
   const Unit& unit = GetParam();
   const ref::Scene scene = hills();

@@ -1,5 +1,4 @@
-// The comparisons have teeth: Verilog that was damaged in one place, behind the very same entry points, is
-// reported.
+// The comparisons can fail: Verilog damaged in one place, with the same entry points, is reported.
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -26,7 +25,7 @@ constexpr Traffic traffic{"gaps and stalls", 0.7, 0.7};
 constexpr Traffic resets{"gaps, stalls and resets", 0.7, 0.7, 0.01};
 constexpr std::uint64_t seed = 74;
 
-/// The design after a sed command has edited its Verilog; fails when the command changes nothing.
+/// The design with its Verilog edited by a sed command. Fails when the command changes nothing.
 VerilatedDesign damaged(const std::string& sed) {
   const rtl::Library& library = rtl::Library::thesis();
   const rtl::Pipeline pipeline = rtl::make_pipeline(int_slabs().trace(damaged_bits), library);
@@ -88,7 +87,7 @@ TEST(DamagedVerilog, SumInPlaceOfOneDifferenceGivesWrongHits) {
   EXPECT_GT(report.wrong_results, 100U);
   EXPECT_EQ(report.wrong_tags + report.lost + report.surplus + report.not_held, 0U);
   EXPECT_EQ(report.received, 20'000U);
-  // What is printed replays it: both answers, every operand in hexadecimal, the seeds.
+  // The printed text is enough to replay it: both answers, every operand in hexadecimal, the seeds.
   EXPECT_THAT(
       report.first_failure,
       testing::MatchesRegex("wrong result: results [01] tag 0x[0-9a-f]+; expected results [01] tag "
@@ -105,7 +104,7 @@ TEST(DamagedVerilog, SwappedMuxArmsGiveWrongHits) {
   EXPECT_GT(traced(design).rtl_mismatches, 0U);
 }
 
-/// Pairs of tags are exchanged: a ray in flight gets its neighbour's answer.
+/// Exchanges pairs of tags, so a ray in flight gets its neighbour's answer.
 TEST(DamagedVerilog, ExchangedTagsAreNotTheOldestTests) {
   const VerilatedDesign design = damaged("s/tag_s0 <= in_tag;/tag_s0 <= in_tag ^ 1;/");
   const TestbenchReport report = driven(design);

@@ -1,4 +1,4 @@
-// An environment variable for as long as the object lives.
+// Sets an environment variable as long as the object exists.
 #pragma once
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Operands are what ray set-up and quantisation say (sections 2.3.1, 3.3, 6.2.1, 6.3.1), each at its own
+// Operands are those of ray set-up and quantisation (sections 2.3.1, 3.3, 6.2.1, 6.3.1), each at its own
 // port.
 #include "sim/feed.hpp"
 
@@ -129,7 +129,7 @@ TEST_P(Feed, GivesEachPortItsOperand) {
       rays->start(fresh, set_up[fresh]);
     }
     if (i < 3) continue;
-    // The ray's own length, or a shorter one, as closer hits are found; the same one twice in a row.
+    // The ray's own length, then shorter ones as closer hits are found, and the same length twice in a row.
     float length = set_up[slot].length;
     if (random.coin()) length = random.coin() ? 0.0F : std::min(length, std::abs(random.signed_unit()));
     const auto node = static_cast<std::uint32_t>(random.below(bvh.nodes.size()));
@@ -198,7 +198,7 @@ TEST(CoarseFeedOfAFloatDesign, Rejected) {
     (void)make_feed(rtl::find_design("fp_slabs"), rtl::Format(hls::FpBits{}), {}, {{1, 0, 0}});
     ADD_FAILURE() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "coarse axes: origin or box is no integer; take an integer design");
+    EXPECT_STREQ(error.what(), "coarse axes: origin or box is not an integer; take an integer design");
   }
 }
 

@@ -1,5 +1,5 @@
-// Integer slabs in the formats that the tests of units in use run: the thesis's two, narrow ones, and both
-// ends of the range.
+// Integer slabs in the formats of the tests that run units: the thesis's two, narrow ones, and both ends of
+// the range.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace hitpipe::hls {
 
-/// How GoogleTest prints a format.
+/// Prints a format for GoogleTest.
 inline void PrintTo(const IntBits& bits, std::ostream* out) {
   *out << bits.coord << '/' << bits.interval;
 }

@@ -1,4 +1,4 @@
-// The cache of Verilated models: one build for all runs, races and kills leave it whole, and every failure
+// The cache of Verilated models: all runs share one build, races and kills leave it whole, and every failure
 // says in one line what was wrong and what to do.
 #include <chrono>
 #include <cstdlib>
@@ -29,7 +29,7 @@ void build_in(const fs::path& cache) {
   const VerilatedDesign design(int_slabs(), bits, rtl::Library::thesis(), cache);
 }
 
-/// The one line that a build ends with.
+/// The one line that a failed build ends with.
 std::string error_of_build(const fs::path& cache) {
   return message_of<std::runtime_error>([&] { build_in(cache); });
 }
@@ -41,21 +41,21 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-/// The only model in the cache, which holds nothing else but Verilator's own code.
+/// The only model in the cache. The cache holds only it and Verilator's own code.
 fs::path only_entry(const fs::path& cache) {
   const auto names = names_in(cache);
   EXPECT_THAT(names, ElementsAre(MatchesRegex("int_slabs-[0-9a-f]+"), MatchesRegex("verilated-[0-9a-f]+")));
   return cache / names.front();
 }
 
-/// Entries of that name.
+/// Entries with this name.
 std::ptrdiff_t count_in(const fs::path& cache, const std::string& name) {
   const auto names = names_in(cache);
   return std::count_if(names.begin(), names.end(),
                        [&](const std::string& each) { return each.starts_with(name + "-"); });
 }
 
-/// A process of its own process group that builds and says by its exit code whether it could.
+/// A process in its own process group. It builds, and its exit code says whether that succeeded.
 pid_t start_build(const fs::path& cache) {
   const pid_t child = fork();
   if (child == 0) {
@@ -79,7 +79,7 @@ class ModelCache : public testing::Test {
 };
 
 TEST(ModelCacheOfVerilator, SecondConstructionLeavesTheModelAlone) {
-  // By the real Verilator; built already by the tests that this one waits for. Others may be building theirs
+  // By the real Verilator. The tests before this one have built it already. Others may be building theirs
   // now, in folders that come and go.
   build_in(default_cache());
   std::vector<std::pair<fs::path, fs::file_time_type>> before;
@@ -152,7 +152,7 @@ TEST_F(ModelCache, CompilesVerilatorsOwnCodeOnce) {
     if (!each.path().filename().string().starts_with("verilated-")) continue;
     EXPECT_EQ(names_in(each.path()),
               (std::vector<std::string>{"identity", "log", "verilated.o", "verilated_threads.o"}));
-    // What cannot be compiled any more shows that it is not.
+    // This source can no longer be compiled, so a second compilation would fail.
     std::ofstream(stub_.program().parent_path() / "include/verilated.cpp") << "no C++";
     const VerilatedDesign other_format(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis(), cache_);
     fs::remove(each.path() / "verilated_threads.o");
@@ -203,7 +203,7 @@ TEST_F(ModelCache, KilledBuildLeavesNoEntry) {
   build_in(cache_);
   EXPECT_EQ(stub_.runs(), 2);
   EXPECT_TRUE(fs::exists(left)) << "it could be a build that still runs";
-  // An hour later the next build removes it.
+  // An hour later, the next build removes it.
   fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::minutes(61));
   stub_.set_version("Stub 2");
   build_in(cache_);
@@ -338,7 +338,7 @@ TEST_F(ModelCache, FolderThatCannotBeMadeRejected) {
 }
 
 TEST_F(ModelCache, FullDiskRejected) {
-  // A limit on the size of files is the nearest thing to a full disk that a test can have.
+  // A limit on the size of files comes closest to a full disk in a test.
   signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);

@@ -1,4 +1,4 @@
-// Every unit builds, and its Verilog answers exactly as many clock edges after a test is taken as the
+// Every unit builds, and its Verilog answers exactly as many clock edges after it takes a test as the
 // schedule has stages. These tests fill the cache of Verilated models for all others.
 #include <map>
 
@@ -13,7 +13,7 @@ namespace {
 
 class ModelLatency : public testing::TestWithParam<Unit> {};
 
-/// Edges between the one that takes a lone test and the one that latches its answer.
+/// Clock edges from the one that takes a single test to the one that latches its answer.
 int measured_latency(Model& model, const std::vector<std::int64_t>& operands, std::uint16_t tag) {
   Pins take{.in_valid = true, .in_tag = tag};
   model.cycle(operands.data(), take);

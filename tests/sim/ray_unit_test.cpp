@@ -1,5 +1,5 @@
-// A unit answers every ray as a software traversal does, in any number at once, and its counts are what its
-// answers say.
+// A unit answers every ray as a software traversal does, with any number of rays at once, and its counts
+// match its answers.
 #include "sim/ray_unit.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Outcome {
   std::uint32_t ended = 0;
 };
 
-/// Those that never miss a box: a float unit may find another triangle.
+/// Units that never miss a box. A float unit may find another triangle.
 std::vector<Unit> conservative_units() {
   std::vector<Unit> integer;
   std::copy_if(units.begin(), units.end(), std::back_inserter(integer),
@@ -133,8 +133,8 @@ TEST_P(RayUnitOnHills, CountsWhatTheDatapathSays) {
 
 TEST_P(RayUnitOnHills, OneRayInFlightWaitsForEachAnswer) {
   const Outcome outcome = run(1, datapath());
-  // A box is sent in one cycle, its answer is latched `latency` edges after the one that took it and seen in
-  // the next cycle, and the next box goes out in the cycle after that.
+  // A box is sent in one cycle. Its answer is latched `latency` edges after the edge that took it, and seen
+  // in the next cycle. The next box is sent in the cycle after that.
   const auto cycles_per_test = static_cast<std::uint64_t>(verilated(GetParam()).latency()) + 2;
   EXPECT_EQ(outcome.counts.cycles, outcome.counts.box_tests * cycles_per_test);
 }
@@ -176,7 +176,7 @@ TEST_P(RayUnitOnHills, EveryAnswerIsComparedWithTheDatapath) {
   EXPECT_EQ(run(32, always).counts.rtl_mismatches, outcome.counts.box_tests - outcome.counts.hits);
   const Outcome against_never = run(32, never);
   EXPECT_EQ(against_never.counts.rtl_mismatches, outcome.counts.hits);
-  // The Verilog steers, whatever it is compared with.
+  // The Verilog steers the rays, whatever it is compared with.
   EXPECT_EQ(against_never.triangles, outcome.triangles);
 }
 
@@ -186,7 +186,7 @@ TEST_P(RayUnitOnHills, NoRaysTakeNoCycle) {
   EXPECT_EQ(outcome.counts, UnitCounts::zeros(true));
 }
 
-/// With none it would trace nothing, and nothing would be wrong.
+/// With no rays in flight it would trace nothing, and nothing would be wrong.
 TEST_P(RayUnitOnHills, NumberOfRaysInFlightThatATagCannotHoldIsRefused) {
   for (const int rays : {-1, 0, 65'537}) EXPECT_THROW((void)run(rays, datapath()), std::invalid_argument);
   EXPECT_EQ(run(65'536, datapath()).ended, ray_count);
@@ -201,7 +201,7 @@ TEST(UnitCountsSum, AddsEveryField) {
   EXPECT_EQ(sum, (UnitCounts{11, 22, 33, 44, 55, 66, 77}));
 }
 
-/// What one side did not look for, nobody knows of the sum.
+/// If one side did not count, the sum has no count.
 TEST(UnitCountsSum, IsJudgedOnlyIfBothSidesAre) {
   UnitCounts sum = UnitCounts::zeros(true);
   sum += UnitCounts::zeros(false);

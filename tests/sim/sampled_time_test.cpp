@@ -1,4 +1,4 @@
-// The sampled time is the work's, without the clock's and without interruptions.
+// The sampled time is that of the work, without reading the clock and without interruptions.
 #include "sim/sampled_time.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-/// Stands still but for what the test lets pass; each reading takes 25 ns.
+/// Advances only by what the test adds. Each reading takes 25 ns.
 struct TestClock {
   using duration = nanoseconds;
   using time_point = std::chrono::time_point<TestClock, duration>;
@@ -37,7 +37,7 @@ TEST(SampledTime, IsThatOfThePiecesWithoutTheClock) {
   constexpr int pieces = 10'000;
   for (int i = 0; i < pieces; ++i) time.run([] { work_for(100); });
   EXPECT_DOUBLE_EQ(time.seconds(), pieces * 100e-9);
-  // Three readings for one piece in 61 are all that it costs.
+  // Sampling costs only three readings for one piece in 61.
   EXPECT_LE(TestClock::elapsed, nanoseconds(pieces * 100 + 3 * 25 * (pieces / 61 + 1)));
 }
 

@@ -1,4 +1,4 @@
-// Two small scenes made in code: hills under two lights, and what a camera outside the cube sees of them.
+// Two small scenes made in code: hills under two lights, and the same seen by a camera outside the cube.
 #pragma once
 
 #include "sw_ref/bvh/bvh.hpp"
@@ -10,7 +10,7 @@ namespace hitpipe::sim {
 /// lights.
 [[nodiscard]] ref::Scene hills();
 
-/// The same, its camera moved out of the cube: no unit accepts a primary ray.
+/// The same with the camera outside the cube, so no unit accepts a primary ray.
 [[nodiscard]] ref::Scene hills_from_outside();
 
 }  // namespace hitpipe::sim

@@ -1,5 +1,5 @@
-// Stands in for Verilator where only the cache counts: "compiles" any design into a model that never answers,
-// within a fraction of a second, notes every run, and can be slow or fail.
+// Stands in for Verilator in tests of the cache. It "compiles" any design into a model that never answers,
+// within a fraction of a second. It notes every run, and can be slow or fail.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,18 @@ namespace hitpipe::sim {
 
 class StubVerilator {
  public:
-  /// Sets $VERILATOR to itself for as long as it lives.
+  /// Sets $VERILATOR to itself as long as it exists.
   StubVerilator();
 
   void set_version(const std::string& version) { write("version", version); }
-  /// How long a run takes, in seconds; it is noted before.
+  /// How long a run takes, in seconds. The run is noted before.
   void set_seconds(const std::string& seconds) { write("seconds", seconds); }
-  /// The exit code of a run; not 0: it prints "stub fails" and makes nothing.
+  /// The exit code of a run. If it is not 0, the run prints "stub fails" and makes nothing.
   void set_exit_code(int code) { write("code", std::to_string(code)); }
   /// What --getenv VERILATOR_ROOT prints.
   void set_root(const std::string& root) { write("root", root); }
 
-  /// Runs since the beginning, but for --version and --getenv.
+  /// Number of runs so far, without those for --version and --getenv.
   [[nodiscard]] int runs() const;
   [[nodiscard]] std::filesystem::path program() const { return folder_.path() / "verilator"; }
 

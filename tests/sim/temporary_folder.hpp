@@ -1,4 +1,4 @@
-// A folder of a test's own, removed with all that is in it at its end.
+// A temporary folder of one test. It is removed at the end with everything in it.
 #pragma once
 
 #include <filesystem>

@@ -11,7 +11,7 @@
 namespace hitpipe::sim {
 namespace {
 
-/// Longer than any pipeline here: what still is in one comes out.
+/// Longer than any pipeline here, so that everything in a pipeline comes out.
 constexpr int drain_cycles = 64;
 
 struct Asked {
@@ -74,7 +74,7 @@ TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Ev
     report.first_failure += fmt::format("; {} traffic of seed {}", traffic.name, seed);
   };
   auto tag = static_cast<std::uint16_t>(random());
-  // A design that loses tests would be waited for without end.
+  // A test that is lost would be waited for without end.
   const auto most_cycles = static_cast<std::uint64_t>(16.0 * static_cast<double>(vectors.size()) /
                                                       (traffic.offered * traffic.taken)) +
                            1000;
@@ -107,7 +107,7 @@ TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Ev
       }
     }
     if (pins.rst) {
-      // What is in flight is gone; the test that is offered is not taken.
+      // Tests in flight are gone. The test that is offered is not taken.
       ++report.resets;
       report.dropped += asked.size();
       report.sent -= asked.size();

@@ -1,5 +1,6 @@
 // Drives a Verilated design with tests at random gaps and stalls, and checks what a unit around it relies on:
-// every answer is the C++ datapath's, comes once, in order, with its tag, and is held while it is not taken.
+// every answer is that of the C++ datapath, comes once, in order, with its tag, and is held until it is
+// taken.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,8 @@
 
 namespace hitpipe::sim {
 
-/// How a run offers and takes: the share of cycles with in_valid and with out_ready, 0 < share <= 1; and the
-/// share of cycles with a reset, well below one in a pipeline's length.
+/// How a run offers and takes: the shares of cycles with in_valid and with out_ready, 0 < share <= 1; and the
+/// share of cycles with a reset, well below one in each length of the pipeline.
 struct Traffic {
   const char* name;
   double offered;
@@ -41,8 +42,8 @@ struct TestbenchReport {
   TestbenchReport& operator+=(const TestbenchReport& other);
 };
 
-/// Sends all vectors, operands in port order. The seed decides gaps, stalls and tags; it is only printed for
-/// the vectors, which stem from `vector_seed`.
+/// Sends all vectors, with operands in port order. The seed decides gaps, stalls and tags. `vector_seed` made
+/// the vectors; it is only printed.
 [[nodiscard]] TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Evaluate evaluate,
                                     const std::vector<std::vector<std::int64_t>>& vectors,
                                     const Traffic& traffic, std::uint64_t seed, std::uint64_t vector_seed);

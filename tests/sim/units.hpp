@@ -1,5 +1,5 @@
-// The units that the tests of sim/ run: every design, integer ones in the thesis's formats, a narrow one and
-// the widest. Each is built once, and loaded once a program.
+// The units that the tests of sim/ run: every design, integer ones in the thesis's formats, in a narrow one
+// and in the widest. Each is built once, and loaded once by a program.
 #pragma once
 
 #include <algorithm>
@@ -34,14 +34,14 @@ inline const std::array units{
     Unit{"int_plucker", hls::IntBits{24, 24}},    Unit{"int_plucker", hls::IntBits{20, 24}},
     Unit{"int_plucker", hls::IntBits{6, 6}},      Unit{"int_plucker", hls::IntBits{32, 63}}};
 
-/// "int_slabs_24_24", for a test's name.
+/// The name of a test, for example "int_slabs_24_24".
 inline std::string test_name(const Unit& unit) {
   std::string format = rtl::to_string(unit.format);
   std::replace(format.begin(), format.end(), '/', '_');
   return std::string(unit.name) + "_" + format;
 }
 
-/// How GoogleTest prints a unit.
+/// Prints a unit for GoogleTest.
 inline void PrintTo(const Unit& unit, std::ostream* out) {
   *out << test_name(unit);
 }

@@ -1,6 +1,6 @@
-// The emitted Verilog of every design is the C++ datapath, bit by bit: named corners, the adversary's rays
-// and boxes, raw and random operands, at full speed and with gaps, stalls and resets. Answers keep their
-// order and tags, wait while they are not taken, and do not outlive a reset.
+// The emitted Verilog of every design equals the C++ datapath bit by bit: with named corners, the adversary's
+// rays and boxes, raw and random operands, at full speed and with gaps, stalls and resets. Answers keep their
+// order and tags, wait until they are taken, and do not survive a reset.
 #include <array>
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ using Vectors = std::vector<std::vector<std::int64_t>>;
 
 class VerilatedUnit : public testing::TestWithParam<Unit> {
  protected:
-  /// Runs the vectors in batches of different traffic, and says what came of them.
+  /// Runs the vectors in batches of different traffic and returns the results.
   TestbenchReport run(const std::string& name, const Vectors& vectors, std::uint64_t seed) {
     TestbenchReport all;
     const std::size_t batch = (vectors.size() + traffics.size() - 1) / traffics.size();
@@ -153,7 +153,7 @@ TEST(VerilatedDesignModel, StandsStillWhileItsAnswerIsNotTaken) {
   const hls::IntBits bits{20, 24};
   Model model(verilated(bits));
   const auto vectors = rtl::operand_vectors(int_slabs().ports(bits), 100, first_seed);
-  // Offered without end and never taken: it fills, then takes no more.
+  // Tests are offered without end and answers never taken: the pipeline fills, then takes no more.
   std::size_t taken = 0;
   for (int cycle = 0; cycle < 50; ++cycle) {
     Pins pins{.in_valid = true, .out_ready = false, .in_tag = static_cast<std::uint16_t>(taken)};

@@ -1,4 +1,4 @@
-// `hitpipe area`: Table 7.2 by default, the two accounts, a library of one's own, and what is refused.
+// `hitpipe area`: Table 7.2 by default, both accounts, a user's own library, and what is refused.
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
@@ -75,7 +75,7 @@ TEST(AreaCommand, BuiltIsTheDefaultAndHasValidAndTagBits) {
   EXPECT_THAT(lines[6], testing::EndsWith(",5,5,int_subtract_25 int_compare_20 int_compare_25 tag_16"));
 }
 
-/// The figures of the CSV, as numbers.
+/// The figures of the CSV as numbers.
 TEST(AreaCommand, PrintsTheSameFiguresAsJson) {
   const auto lines = lines_of(printed({"--format", "csv"}));
   const Json list = Json::parse(printed({"--format", "json"}));
@@ -186,7 +186,7 @@ TEST_F(AreaLibrary, OfOnesOwnChangesThePrices) {
   Json library = Json::parse(thesis());
   with_library.insert(with_library.end(), {"--library", write(library)});
   EXPECT_EQ(printed(with_library), printed(arguments));
-  // Six multipliers of 20 bits, 0.01 mm2 dearer each.
+  // Six multipliers of 20 bits, each 0.01 mm2 larger.
   Json& cell = library["components"]["int_multiply"]["cells"][1];
   ASSERT_EQ(cell["bits"], 20);
   cell["area_um2"] = cell["area_um2"].get<int>() + 10000;

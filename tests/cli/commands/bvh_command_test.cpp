@@ -1,4 +1,4 @@
-// `hitpipe bvh`: what a scene's hierarchy is like, and the sweep of Appendix B.
+// `hitpipe bvh`: the figures of a scene's hierarchy, and the sweep of Appendix B.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -103,7 +103,7 @@ TEST(BvhCommand, OptionsOutOfRangeAreRejected) {
   rejected(with({"--max-depth", "61"}), "--max-depth: Value 61 not in range 1 to 60" + help);
   for (const std::string padding : {"-1e-7", "0.001", "nan", "5e-7x"}) {
     rejected(with({"--padding", padding}),
-             "--padding: " + padding + " is no padding; allowed is 0 to 2^-10 = 0.000977" + help);
+             "--padding: " + padding + " is not a padding; allowed is 0 to 2^-10 = 0.000977" + help);
   }
   rejected(with({"--grid-bits", "5"}), "--grid-bits: Value 5 not in range 6 to 32" + help);
   rejected(with({"--sweep", "--max-triangles", "4"}), "--max-triangles excludes --sweep" + help);

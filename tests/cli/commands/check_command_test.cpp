@@ -1,4 +1,4 @@
-// `hitpipe check`: what is printed of each category, which exit codes, and the replay of one case.
+// `hitpipe check`: the lines for each category, the exit codes, and the replay of one case.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -21,7 +21,7 @@ Outcome check(std::vector<std::string> arguments, const Variables& variables = {
   return run_hitpipe(arguments, variables);
 }
 
-/// Without a word on standard error and with exit code 0.
+/// Runs without a line on standard error and with exit code 0.
 std::string printed(const std::vector<std::string>& arguments) {
   const Outcome outcome = check(arguments);
   EXPECT_EQ(outcome.exit_code, 0);
@@ -124,15 +124,15 @@ TEST(CheckCommand, TakesCategoriesByCommasOrOneByOne) {
   const std::string one_by_one = categories({"int_slabs", "--category", "edge", "--category", "stiff"});
   EXPECT_EQ(lines_of(one_by_one).size(), 4U);
   EXPECT_EQ(categories({"int_slabs", "--category", "edge,stiff"}), one_by_one);
-  // The design may follow: it is no category.
+  // The design may come after the options; it is not taken for a category.
   EXPECT_EQ(categories({"--category", "edge,stiff", "int_slabs"}), one_by_one);
 }
 
-/// A float design is no proof: its misses are counted, told, and no failure.
+/// A float design proves nothing: its misses are counted and reported, and are not a failure.
 TEST(CheckCommand, TellsTheFirstFalseMissAsACommandThatReplaysIt) {
   const Outcome outcome = check({"fp_slabs", "--tests", "2048", "--category", "corner"});
   EXPECT_EQ(outcome.exit_code, 0);
-  const std::string start = " false misses; the first, made simple: hitpipe check fp_slabs --replay \"";
+  const std::string start = " false misses; the first, simplified: hitpipe check fp_slabs --replay \"";
   const std::size_t at = outcome.err.find(start);
   ASSERT_NE(at, std::string::npos) << outcome.err;
   const std::string given = outcome.err.substr(at + start.size());

@@ -1,4 +1,4 @@
-// `hitpipe compare`: two images apart, and what is said to files that are none.
+// `hitpipe compare`: the difference of two images, and the message for files that are not images.
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ class CompareCommand : public testing::Test {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return file(name);
   }
-  /// Nothing but one line of error.
+  /// One line of error and nothing else.
   static void rejected(const std::vector<std::string>& arguments, const std::string& message) {
     const Outcome outcome = run_hitpipe(arguments);
     EXPECT_EQ(outcome.exit_code, 2);

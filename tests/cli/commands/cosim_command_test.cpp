@@ -1,4 +1,4 @@
-// `hitpipe cosim`: every number of the verification, in three formats, and the files of the run.
+// `hitpipe cosim`: every number of the verification in three formats, and the files of the run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -142,7 +142,8 @@ TEST(CosimCommand, ReadsMeshFilesAndCountsWhatItDrops) {
   EXPECT_GT(object.at("rays_shadow"), 0);
 }
 
-/// Threads and rays in flight change how fast, not what; the number of threads is not even warned about.
+/// Threads and rays in flight change the speed, not the result. No warning about the number of threads
+/// appears.
 TEST(CosimCommand, CountsDoNotDependOnThreadsOrRaysInFlight) {
   json usual = json::parse(run_hitpipe(cosim({"--format", "json"})).out);
   for (const std::vector<std::string>& how : {std::vector<std::string>{"--threads", "1"},
@@ -185,7 +186,7 @@ exec verilator "$@"
   EXPECT_EQ(outcome.err, "hitpipe: the Verilog did not answer a box test within its latency\n");
 }
 
-/// Without a referee nothing is said of false misses.
+/// Without a referee nothing is printed about false misses.
 TEST(CosimCommand, WrongVerilogFailsWithoutRefereeToo) {
   const sim::TemporaryFolder folder;
   const std::string verilator = folder
@@ -208,7 +209,7 @@ exec verilator "$@"
                              " different triangles; all must be 0\n");
 }
 
-/// Verilog that always misses: the counts are printed, then one line and a code that is not 0.
+/// Verilog that always misses: the counts are printed, then one line, and the exit code is not 0.
 TEST(CosimCommand, WrongVerilogFails) {
   const sim::TemporaryFolder folder;
   const std::string verilator = always_missing_verilator(folder);
@@ -217,7 +218,7 @@ TEST(CosimCommand, WrongVerilogFails) {
                                       {{"VERILATOR", verilator}});
   EXPECT_EQ(outcome.exit_code, 1);
   const json object = json::parse(outcome.out);
-  // Every primary ray ends at the root, which it meets where the software's finds a triangle, and maybe
+  // Every primary ray ends at the root. The Verilog misses it where the software finds a triangle, and maybe
   // elsewhere.
   EXPECT_EQ(object.at("hits"), 0);
   EXPECT_EQ(object.at("box_tests"), 16);

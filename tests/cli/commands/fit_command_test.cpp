@@ -1,4 +1,4 @@
-// `hitpipe fit`: what is left out and proved, in three formats, and the files of the fitted unit.
+// `hitpipe fit`: what is left out and checked, in three formats, and the files of the fitted unit.
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -13,7 +13,8 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// An octahedron of mirrors, seen and lit from within its own box: whatever a unit can do is asked of it.
+/// An octahedron of mirrors, seen and lit from inside its own box, so the scene needs everything that a unit
+/// can do.
 constexpr const char* octahedron = R"(v -1 0 0
 v 0 -1 0
 v 0 0 -1
@@ -55,7 +56,7 @@ class FitCommand : public testing::Test {
   std::string vectors_ = "2000";
 };
 
-/// Of the cuts, in the order of their lines.
+/// The cuts, in the order of their lines.
 std::vector<double> shares_in(const std::string& text) {
   std::vector<double> shares;
   for (const std::string& line : lines_of(text)) {
@@ -124,8 +125,8 @@ TEST_F(FitCommand, SendsVectorsAndCountsTheirHits) {
 }
 
 TEST_F(FitCommand, FailsWhenVectorsFindWhatTheImageDoesNot) {
-  // A Verilator that damages what it is given: tests are lost while answers wait, as no ray lets them. Its
-  // version keeps its models apart from whole ones.
+  // A Verilator that damages its input: tests are lost while answers wait, which the rays never cause. Its
+  // own version keeps its models apart from undamaged ones.
   const std::string verilator = folder_
                                     .write_program("verilator", R"(#!/bin/sh
 if [ "$1" = --version ]; then echo losing tests; exit; fi
@@ -225,7 +226,7 @@ TEST_F(FitCommand, PrintsALineForEachDesignAsCsv) {
   EXPECT_THAT(lines[1], testing::StartsWith("int_slabs,12/12,12/12,0 0 0,true,,"));
 }
 
-/// A closed room with a tetrahedron in it, as a mesh file of a model in its box is.
+/// A closed room with a tetrahedron in it, as a mesh file of a model in its box.
 constexpr const char* room = R"(v -1 -1 -1
 v 1 -1 -1
 v -1 1 -1
@@ -250,7 +251,7 @@ f 10 11 12
 f 11 9 12
 )";
 
-/// The scenes of docs/fit.md, small; the room is for the model in its box.
+/// The scenes of docs/fit.md in a small size. The room stands for the model in its box.
 struct FittedScene {
   const char* name;
   std::vector<std::string> options;

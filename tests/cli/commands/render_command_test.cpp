@@ -79,7 +79,7 @@ TEST(RenderCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   EXPECT_THAT(lines[1], StartsWith("spheres,Spheres,24578,0,"));
 }
 
-/// Every way of tracing makes the same image, by other work.
+/// Every way of tracing makes the same image with different work.
 TEST(RenderCommand, TracesAsItIsTold) {
   const sim::TemporaryFolder folder;
   std::string first;
@@ -122,7 +122,7 @@ TEST(RenderCommand, CombinationsThatDoNotExistRejected) {
   refused({"--triangle-test", "no"},
           "--triangle-test: no is none of exact, float, double; see hitpipe render --help");
   refused({"--bounces", "65"}, "--bounces: Value 65 not in range 0 to 64; see hitpipe render --help");
-  // What is refused by the tracer: one line, whatever it says.
+  // The tracer refuses these; the message is one line.
   for (const std::vector<std::string>& options :
        std::vector<std::vector<std::string>>{{"--traversal", "plu"},
                                              {"--lut"},
@@ -171,7 +171,8 @@ TEST(RenderCommand, SaysWhatTheSceneDidWithout) {
   EXPECT_GT(most.at("queue_bytes_shadow"), 0);
 }
 
-/// The options mean what their help says: one light more makes more shadow rays, another eye another picture.
+/// The options do what their help says: another light makes more shadow rays, another eye makes another
+/// picture.
 TEST(RenderCommand, PlacesCameraAndLights) {
   const auto shown = [](const std::vector<std::string>& options) {
     const Outcome outcome = run_hitpipe(with(small, with(options, {"--format", "json"})));

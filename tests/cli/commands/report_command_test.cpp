@@ -1,4 +1,4 @@
-// `hitpipe report`: one page, its rows beside it, every number to be found there.
+// `hitpipe report`: one page with its rows in a file beside it, where every number can be found.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ std::vector<std::string> report(const fs::path& out, const std::vector<std::stri
   return arguments;
 }
 
-/// One report with its own sweep, for all tests.
+/// One report with its own sweep, shared by all tests.
 class ReportCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {

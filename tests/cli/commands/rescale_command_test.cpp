@@ -1,4 +1,4 @@
-// `hitpipe rescale`: a scene in other units, a row for each.
+// `hitpipe rescale`: a scene in other units, with one row for each.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -103,7 +103,7 @@ TEST(RescaleCommand, MeshFileIsMovedAsLoaded) {
   }
 }
 
-/// Commas, blanks, or the option again; an offset has commas of its own.
+/// Separated by commas or blanks, or the option repeated. An offset has commas of its own.
 TEST(RescaleCommand, TakesListsInEveryForm) {
   const auto lists = [](const std::vector<std::string>& how) {
     std::vector<std::string> arguments = how;
@@ -128,7 +128,7 @@ void expect_error(const std::vector<std::string>& more, const std::string& messa
 TEST(RescaleCommand, BadInputRejected) {
   const auto scale = [](const std::string& text) {
     return "--scale: " + text +
-           " is no scale; give a number above 0 or a power of two, for example 0.1 or 2^-10; see hitpipe "
+           " is not a scale; give a number above 0 or a power of two, for example 0.1 or 2^-10; see hitpipe "
            "rescale --help";
   };
   for (const char* const text : {"0", "2^", "2^2000", "inf", "1x", "three"}) {

@@ -1,4 +1,4 @@
-// `hitpipe rtl`: writes a design's files where it is told, and says which.
+// `hitpipe rtl`: writes a design's files into the given folder and lists them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -120,7 +120,7 @@ TEST(StiffnessCommand, FloatDesignIsMeasuredInItsOneFormat) {
   EXPECT_EQ(lines[1], "ratio  fp32");
 }
 
-/// Commas, blanks, or the option again.
+/// Separated by commas or blanks, or the option repeated.
 TEST(StiffnessCommand, TakesListsInEveryForm) {
   const auto lists = [](const std::vector<std::string>& how) {
     std::vector<std::string> arguments = how;

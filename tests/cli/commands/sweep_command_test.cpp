@@ -1,4 +1,4 @@
-// `hitpipe sweep`: the same file whoever did the work and however often it was killed.
+// `hitpipe sweep`: the file is the same whoever did the work and however often the run was killed.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -50,7 +50,7 @@ class SweepCommand : public testing::Test {
     return arguments;
   }
   [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
-  /// The file of a run that nothing disturbed, on one thread.
+  /// The file of an undisturbed run on one thread.
   [[nodiscard]] static const fs::path& whole() { return *whole_; }
   /// A copy of it.
   [[nodiscard]] fs::path copy() const {
@@ -84,7 +84,7 @@ class SweepCommand : public testing::Test {
 
 constexpr std::size_t all_rows = 6;
 
-/// All but the two columns of measured times.
+/// All columns but the two with measured times.
 std::string untimed(const fs::path& file) {
   std::string text;
   for (std::string line : lines_of(contents_of(file))) {
@@ -111,7 +111,7 @@ TEST_F(SweepCommand, FileDoesNotDependOnThreadsShardsOrOrder) {
   EXPECT_EQ(untimed(file("cut.csv")), one);
 }
 
-/// Two processes at once, with what MPICH tells its processes.
+/// Two processes at once, with the variables that MPICH gives to its processes.
 TEST_F(SweepCommand, RanksOfALauncherAreShards) {
   const auto rank = [&](const char* number) {
     return run_hitpipe(sweep(file("ranks.csv"), {"--shard", "mpi", "--threads", "1"}),
@@ -171,7 +171,8 @@ TEST_F(SweepCommand, KilledAtRandomMomentsComesToTheSameEnd) {
   EXPECT_EQ(untimed(out), untimed(whole()));
 }
 
-/// A finished row is not measured again, a missing one is; what was there stays byte for byte, times too.
+/// A finished row is not measured again, and a missing one is. Rows in the file stay byte for byte, also
+/// their times.
 TEST_F(SweepCommand, ContinuesWithTheMissingRows) {
   sim::RowsFile rows = sim::read_rows(whole());
   rows.rows.erase(rows.rows.begin() + 3);
@@ -186,7 +187,7 @@ TEST_F(SweepCommand, ContinuesWithTheMissingRows) {
     if (line == 2 + 3) continue;
     EXPECT_EQ(after[line], before[line]);
   }
-  // Nothing is missing any more: no Verilator is needed.
+  // Nothing is missing now, so no Verilator is needed.
   EXPECT_EQ(run_hitpipe(sweep(file("rows.csv")), {{"VERILATOR", "/nonexistent"}}).exit_code, 0);
 }
 
@@ -226,7 +227,8 @@ TEST_F(SweepCommand, PrintsTextThatFitsEightyColumnsAndJson) {
   }
 }
 
-/// Commas, blanks, or the option again: what is asked for is there, and nothing is measured.
+/// Separated by commas or blanks, or the option repeated. The rows asked for are there, so nothing is
+/// measured.
 TEST_F(SweepCommand, TakesListsInEveryForm) {
   const fs::path rows = copy();
   const auto lists = [&](const std::vector<std::string>& how) {

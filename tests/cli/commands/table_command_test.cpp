@@ -1,4 +1,4 @@
-// `hitpipe table`: our figures and the thesis's in the same rows, in three formats.
+// `hitpipe table`: our figures and those of the thesis in the same rows, in three formats.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A run of under a second: one scene, few rays.
+/// A run of less than a second: one scene, few rays.
 std::vector<std::string> quick(const std::string& number, const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{"table", number,     "--only", "Spheres",   "--width",
                                      "16",    "--height", "12",     "--repeats", "1"};

@@ -1,4 +1,5 @@
-// Work-precision diagrams: which units are on the front, where they stand, and axes that no scene moves.
+// Work-precision diagrams: which units are on the front, where marks are, and that axes are the same for all
+// scenes.
 #include "cli/report/sweep_plot.hpp"
 
 #include <gmock/gmock.h>

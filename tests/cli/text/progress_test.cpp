@@ -1,4 +1,4 @@
-// Progress is shown on a terminal only, within its line, and leaves nothing behind.
+// Progress is shown only on a terminal, in its own line, and leaves nothing behind.
 #include "cli/text/progress.hpp"
 
 #include <chrono>
@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 constexpr const char* clear_line = "\r\x1b[K";
 
-/// Standard error is this object's while it lives; what was written to it can be read.
+/// Redirects standard error to itself as long as it exists, so that what was written can be read.
 class CapturedError {
  public:
   enum class Kind { terminal, pipe };

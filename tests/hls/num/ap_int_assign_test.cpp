@@ -9,7 +9,7 @@ namespace {
 using exact::Integer;
 using exact::Row;
 
-/// exactly(a, b), from the patterns of both in a width beyond theirs, wrapped into a's type.
+/// exactly(a, b), computed on the patterns of both in a wider width, and wrapped into a's type.
 template <class Exactly>
 auto wrapped_to_a(Exactly exactly) {
   return [exactly](const Row& row, const Integer& a, const Integer& b) {
@@ -43,7 +43,7 @@ TEST(ApIntCompoundAssignment, DividesAsTheOperatorDoes) {
             });
   run.check("%=", exact::crossed_rows([](auto a, const auto& b) { return a %= b; }),
             [](const Row& row, const Integer& a, const Integer& b) {
-              // By zero it is the dividend as far as the type of a % b reaches.
+              // By zero it is the dividend, cut to the type of a % b.
               const int reach =
                   std::min(row.a.width, row.b.width + (row.a.is_signed && !row.b.is_signed ? 1 : 0));
               return b == 0 ? exact::wrapped(a, reach, row.a.is_signed) : Integer(a % b);

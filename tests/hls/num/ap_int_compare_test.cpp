@@ -11,7 +11,7 @@ namespace {
 using exact::Integer;
 using exact::Row;
 
-// All six at once, a bit each: == != < <= > >= from the lowest.
+// All six comparisons at once, one bit each: == != < <= > >= from the lowest bit.
 TEST(ApIntComparison, IsExactAcrossWidthsAndSigns) {
   exact::Run run(31);
   const auto compare = [](const auto& a, const auto& b) {

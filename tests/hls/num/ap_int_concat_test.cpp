@@ -23,7 +23,7 @@ TEST(ApIntConcatenation, PutsTheLeftAboveTheRight) {
 
 TEST(ApIntConcatenation, IsWrittenToBothSides) {
   exact::Run run(47);
-  // What (a, b) takes back from its own value with all bits flipped.
+  // (a, b) after its own value with all bits flipped was written to it.
   run.check("(a, b) = ~(a, b), left", exact::crossed_rows([](auto a, auto b) {
               (a, b) = ~(a, b);
               return a;

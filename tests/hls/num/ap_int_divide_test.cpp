@@ -17,7 +17,7 @@ constexpr auto take_remainder = [](const auto& a, const auto& b) { return a % b;
 Integer quotient(const Row& row, const Integer& a, const Integer& b) {
   return b == 0 ? exact::wrapped(-1, row.result.width, row.result.is_signed) : Integer(a / b);
 }
-/// By zero: the dividend as far as the result reaches.
+/// By zero: the dividend, cut to the result.
 Integer remainder(const Row& row, const Integer& a, const Integer& b) {
   return b == 0 ? exact::wrapped(a, row.result.width, row.result.is_signed) : Integer(a % b);
 }

@@ -48,7 +48,7 @@ TEST(ApIntComplement, FlipsEveryBitAndKeepsTheType) {
 Integer shifted_left(const Row& row, const Integer& a, int n) {
   return exact::wrapped(a << static_cast<unsigned>(n), row.a.width, row.a.is_signed);
 }
-/// Rounded down, which is what filling with the sign means.
+/// Rounds down, which is what filling with the sign does.
 Integer shifted_right(const Integer& a, int n) {
   return Integer(a - exact::pattern(a, n)) / exact::power_of_two(n);
 }
@@ -88,7 +88,7 @@ constexpr auto shift_variants = []<class A>(A a, const exact::Choice& choice) {
   }
 };
 
-// A negative C++ integer turns the shift round.
+// A negative C++ integer shifts the other way.
 TEST(ApIntShift, KeepsTheWidthAndFillsWithTheSign) {
   exact::Run run(13);
   run.check_choices({"<< int", "<< unsigned", "<< ap_uint", "<<=", ">> -n", ">> int", ">> unsigned",

@@ -1,4 +1,4 @@
-// + - * and unary minus against exact integers: the results are as wide as they can need and never wrap.
+// + - * and unary minus against exact integers: results are wide enough and never wrap.
 #include <gtest/gtest.h>
 
 #include "tests/hls/num/run.hpp"
@@ -34,7 +34,7 @@ TEST(ApIntProduct, IsExactInItsResultWidth) {
   run.finish(exact::row_count * exact::pairs_per_row);
 }
 
-// Results up to the 512 bits that are allowed.
+// Results up to 512 bits, the widest allowed.
 TEST(ApIntProduct, OfWideOperandsIsExact) {
   exact::Run run(4);
   std::vector<Row> rows;

@@ -1,5 +1,5 @@
-// What the compiler settles: the width and sign of every result, constant expressions, and the types' own
-// properties.
+// What the compiler decides: the width and sign of every result, constant expressions, and properties of the
+// types.
 #include <type_traits>
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ concept writable = requires(A a, V v) {
 static_assert(!addable<u<8>, double> && !std::is_constructible_v<u<8>, float>);
 static_assert(!std::is_constructible_v<u<8>, const char*> && !std::is_convertible_v<u<8>, int>);
 static_assert(shiftable<u<8>, int> && shiftable<u<8>, u<3>> && !shiftable<u<8>, s<3>>);
-// select() takes a bit: neither a bool, which another domain would not have, nor a word.
+// select() takes a bit. It refuses a bool, which another domain may not have, and a word.
 static_assert(selectable<u<1>, s<8>> && !selectable<bool, s<8>> && !selectable<u<2>, s<8>>);
 // A part of a temporary is read only.
 static_assert(writable<decltype(std::declval<u<8>&>()(3, 0)), int>);

@@ -1,4 +1,4 @@
-// Everything that a pipeline does with integers, as a table for comparing one value domain with another.
+// All that a pipeline does with integers, as a table that compares one value domain with another.
 #pragma once
 
 #include <tuple>
@@ -13,7 +13,7 @@ namespace hitpipe::hls::exact {
 template <class Op>
 struct DomainOperator {
   const char* name;
-  Op apply;  ///< of a domain and two of its values
+  Op apply;  ///< applied in a domain to two of its values
 };
 template <class Op>
 DomainOperator(const char*, Op) -> DomainOperator<Op>;

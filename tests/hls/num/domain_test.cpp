@@ -80,7 +80,7 @@ TEST(NativeDomain, LitWrapsAndAsChangesNothing) {
   EXPECT_EQ(as("near", 'y', ap_int<9>(-200)), -200);
 }
 
-/// A stand-in for another domain's value: the native functions must leave it alone.
+/// Stands in for a value of another domain. The native functions must not apply to it.
 struct ForeignValue {};
 
 template <class T>

@@ -1,6 +1,6 @@
 // Exact reference for the ap_int tests: Boost.Multiprecision integers, and rows of operations under test.
-// Operands and results cross between exact integers and ap types as Raw limbs, written to and read from the
-// storage itself: nothing under test takes part, and a result that is not canonical shows.
+// Operands and results pass between exact integers and ap types as Raw limbs, which are written to and read
+// from the storage itself. So nothing under test takes part, and a result that is not canonical shows.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ inline Integer from_raw(const Raw& raw, bool is_signed) {
   return wrapped(bits, 512, is_signed);
 }
 
-/// An ap value of the number in raw, which is in its range.
+/// An ap value of the number in raw, which must be in its range.
 template <class A>
 A make(const Raw& raw) {
   using Word = typename A::word_type;
@@ -73,7 +73,7 @@ A make(const Raw& raw) {
   }
 }
 
-/// The whole storage of x, beyond it the sign or zeros.
+/// The whole storage of x. Above it come the sign or zeros.
 template <int W, bool S>
 Raw raw_of(const ap_base<W, S>& x) {
   using Word = typename ap_base<W, S>::word_type;
@@ -147,7 +147,7 @@ std::vector<Row> crossed_rows(Op) {
 }
 inline constexpr std::size_t crossed_row_count = 12 * 12;
 
-/// The same, and op on every width 1..128 with another width, the signs of both by turns.
+/// The same, and op on every width 1..128 with another width; signs alternate.
 template <class Op>
 std::vector<Row> rows(Op op) {
   std::vector<Row> all = crossed_rows(op);
@@ -172,8 +172,8 @@ std::vector<Row> rows_of_one(Op) {
 }
 inline constexpr std::size_t one_row_count = 2 * 128;
 
-/// Which of an operation's variants to try, and its two arguments i and j, all below 256. One compiled row
-/// then serves all variants of an operation; together they are the second operand, in hex 0xkkjjii.
+/// Selects the variant of an operation and its two arguments i and j, all below 256. So one compiled row
+/// serves all variants of an operation. Together they are the second operand, in hex 0xkkjjii.
 struct Choice {
   int variant;
   int i;
@@ -187,8 +187,8 @@ struct Choice {
   Integer operand() const { return Integer(variant << 16 | j << 8 | i); }
 };
 
-/// op(a, choice) for every width 1..128, the signs by turns, and for CrossedWidths of either sign; the result
-/// is an ap_int<130>, which holds any value or pattern.
+/// op(a, choice) for every width 1..128 with alternating signs, and for CrossedWidths with both signs. The
+/// result is an ap_int<130>, which holds any value or pattern.
 template <class Op>
 std::vector<Row> rows_of_choice(Op) {
   std::vector<Row> all;

@@ -1,6 +1,7 @@
-// A slow exact reference for the float operators. Every finite number of a format is an integer count of the
-// smallest subnormal one; a result is an exact integer over a power of two, and the nearest pattern is found
-// by searching the patterns, whose values ascend. No shift, guard or sticky bit: nothing of fp_logic's ways.
+// A slow exact reference for the float operators. Every finite number of a format is an integer multiple of
+// the smallest subnormal number. A result is an exact integer over a power of two. The nearest pattern is
+// found by searching the patterns, whose values ascend. It has no shift, guard or sticky bit, so it shares no
+// method with fp_logic.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +44,7 @@ struct FloatFormat {
     return is_negative(bits) ? Integer(-units(bits)) : units(bits);
   }
 
-  /// The pattern nearest to magnitude numerator / 2^shift units, of two the even one; without a sign.
+  /// The pattern nearest to magnitude numerator / 2^shift units, without a sign. Of two, the even one.
   [[nodiscard]] std::uint64_t nearest(const Integer& numerator, int shift) const {
     const Integer one = power_of_two(shift);
     std::uint64_t below = 0;  // units(below) <= the magnitude

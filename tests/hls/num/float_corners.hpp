@@ -1,5 +1,5 @@
 // binary32 patterns at which float operators break: every sign, exponent and significand of the tables below.
-// After them come random patterns, of which many are corners, near to each other, or far in one field only.
+// Then random patterns follow. Many of these are corners, near each other, or far apart in only one field.
 #pragma once
 
 #include <array>
@@ -65,7 +65,7 @@ struct FloatPair {
   std::uint32_t b;
 };
 
-/// Pairs without end, from a seeded engine.
+/// Endless pairs from a seeded engine.
 class FloatPairs {
  public:
   explicit FloatPairs(std::uint64_t seed) : random_(seed), corners_(corner_floats()) {}
@@ -91,7 +91,7 @@ class FloatPairs {
   static constexpr std::uint32_t sign = 0x80000000;
   static constexpr std::uint32_t exponent = 0x7f800000;
   static constexpr std::uint32_t significand = 0x007fffff;
-  /// The least exponent fields, in place, that two operands' fields sum up to in case 2.
+  /// In case 2, the least sum of the two operands' exponent fields, in place.
   static constexpr std::uint32_t underflow = 100U << 23;
   static constexpr std::uint32_t overflow = 370U << 23;
 

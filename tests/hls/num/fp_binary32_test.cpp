@@ -1,5 +1,5 @@
-// binary32 against the host's floating-point unit: the grid of corner patterns, every pair, then random pairs
-// weighted to the corners. A NaN must be the canonical one where the host has any.
+// binary32 against the host's floating-point unit: every pair of corner patterns, then random pairs with many
+// corners. If the host's result is a NaN, ours must be the canonical one.
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -85,7 +85,7 @@ TEST(Binary32, RandomPairsAreTheHosts) {
   check.finish(pairs);
 }
 
-/// Random pairs that hardly ever met a hard case would test little.
+/// Checks that random pairs meet hard cases often; otherwise they would test little.
 TEST(Binary32, RandomPairsMeetEveryKindOfResult) {
   constexpr int pairs = 100'000;
   exact::FloatPairs random(82);

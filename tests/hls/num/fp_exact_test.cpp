@@ -1,5 +1,5 @@
 // The float operators against exact arithmetic rounded once: every pair of small formats, random pairs of
-// wide and lopsided ones.
+// wide and lopsided formats.
 #include <cstddef>
 #include <iostream>
 #include <random>
@@ -68,7 +68,7 @@ TEST(FloatOperators, EveryPairOfTinyFormatsIsExactlyRounded) {
   check_every_pair<3, 3>();
 }
 
-/// Random patterns, in half of the pairs of near exponents.
+/// Random patterns; in half of the pairs the exponents are near.
 template <int E, int M>
 void check_random_pairs(std::uint64_t seed) {
   constexpr int pairs = 20000;

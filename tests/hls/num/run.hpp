@@ -1,6 +1,6 @@
-// The ap_int tests' operands, and a Run: it applies rows (exact.hpp) to corner and random operands, compares
-// with exact integers, counts what it checked, and prints a failing result with its types, operands in hex
-// and seed.
+// The operands of the ap_int tests, and a Run. A Run applies rows (exact.hpp) to corner and random operands,
+// compares with exact integers, counts what it checked, and prints a failing result with its types, operands
+// in hex and seed.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +44,7 @@ inline Integer random_value(const Type& t, std::mt19937_64& random) {
   return wrapped(random() % 2 == 0 ? bits : Integer(-bits - 1), t.width, t.is_signed);
 }
 
-/// One test's vectors. Prints the seed, checks, and ends with finish().
+/// The vectors of one test. Prints the seed, checks, and ends with finish().
 class Run {
  public:
   explicit Run(std::uint64_t seed) : seed_(seed), random_(seed) { std::cout << "seed " << seed << '\n'; }
@@ -59,7 +59,7 @@ class Run {
         for (const Integer& b : corners(row.b)) check_one(operation, row, a, b, expected(row, a, b));
       }
       for (std::size_t i = 0; i < random_count; ++i) {
-        // Named, since the order in which arguments are evaluated is the compiler's.
+        // Named, because the compiler chooses the order in which arguments are evaluated.
         const Integer a = random_value(row.a, random_);
         const Integer b = random_value(row.b, random_);
         check_one(operation, row, a, b, expected(row, a, b));

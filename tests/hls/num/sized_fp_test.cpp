@@ -65,7 +65,7 @@ TEST(SizedFloats, EveryPairOfSmallFormatsIsTheNativeOne) {
   check_every_pair<4, 1>();
 }
 
-/// Random patterns, in half of the pairs of near exponents.
+/// Random patterns; in half of the pairs the exponents are near.
 template <int E, int M>
 void check_random_pairs(std::uint64_t seed) {
   constexpr std::size_t pairs = 20'000;

@@ -1,6 +1,7 @@
-// The same bodies in the native and the vendor's domain, on the same operands: every output equal. Built only
-// where HITPIPE_VENDOR_AP_INT names a folder with the vendor's ap_int.h. To add a datapath, write a struct
-// whose run<D>(a, b, outputs) passes each of its values to outputs(name, value), and a TEST that compares it.
+// The same bodies in the native and the vendor's domain on the same operands; every output must be equal.
+// Built only if HITPIPE_VENDOR_AP_INT names a folder with the vendor's ap_int.h. To add a datapath, write a
+// struct whose run<D>(a, b, outputs) passes each of its values to outputs(name, value), and a TEST that
+// compares it.
 #include <cstdint>
 #include <iostream>
 #include <random>
@@ -19,7 +20,7 @@ namespace {
 constexpr unsigned seed = 71;
 constexpr int vector_count = 20000;
 
-/// An output: its name, width and bits, as far as both domains can tell in their public interfaces.
+/// An output: its name, width and bits, as far as the public interfaces of both domains show them.
 struct Output {
   std::string name;
   int width;
@@ -171,7 +172,7 @@ TEST(VendorDomain, OperatorsAgreeBeyondOneWord) {
   expect_equal_outputs<Operators<70, true, 50, false>>();
 }
 
-/// The free functions, called as a pipeline calls them: unqualified, and composed without naming the types
+/// The free functions, called as a pipeline calls them: unqualified, and nested without naming the types
 /// between.
 struct FreeFunctions {
   template <class D>

@@ -1,4 +1,4 @@
-// Widths: arithmetic on Widths gives Widths, on ints and mixtures ints; loops and choices over them.
+// Widths: arithmetic on Widths gives Widths, on ints and mixtures it gives ints; loops and choices over both.
 #include "hls/num/width.hpp"
 
 #include <type_traits>
@@ -25,7 +25,7 @@ static_assert(same(3_w < 5_w, Truth<true>()) && same(5_w < 5_w, Truth<false>()))
 static_assert(same(20 - 1_w, 19) && 20 - 1_w == 19 && same(3_w < 5, true));
 static_assert(same(min(3_w, 5), 3) && max(3_w, 5) == 5);
 
-/// x with an 8 taken away: compiles only where there is one.
+/// N - 8: compiles only for N of at least 8.
 template <int N>
 constexpr Width<N - 8> less_eight(Width<N>) {
   static_assert(N >= 8);

@@ -1,7 +1,7 @@
-// EBND of section 6.3.2 by brute force: the least side relation that a ray can show with an edge whose inner
-// side it passes, over all planes and rounded directions of a small n, for every number of dropped bits. Two
-// axes suffice: a third, of the largest direction component, only says that a box's point is reached at s <=
-// 1.
+// EBND of section 6.3.2 by brute force: the least side relation that a ray can have with an edge when it
+// passes on the inner side. It covers all planes and rounded directions of a small n, for every number of
+// dropped bits. Two axes are enough. A third axis, that of the largest direction component, only says that a
+// box's point is reached at s <= 1.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -48,8 +48,9 @@ class Parameters {
   bool empty_ = false;
 };
 
-/// Whether some direction e, within 1/2 of the rounded one and M of zero, takes a ray from the origin to the
-/// inner side of both planes: x_i = s e_i below plane_i if dj >= 0, above it if not; x_j the other way round.
+/// True if some direction e, within 1/2 of the rounded one and M of zero, takes a ray from the origin to the
+/// inner side of both planes. That is x_i = s e_i below plane_i if dj >= 0, above it if not; x_j the other
+/// way round.
 bool passes_inside(const Edge& edge, int limit) {
   const auto least = [&](int d) { return std::max(2 * d - 1, -2 * limit); };  // twice e
   const auto most = [&](int d) { return std::min(2 * d + 1, 2 * limit); };
@@ -74,7 +75,7 @@ struct Least {
 
 struct Search {
   std::vector<Least> least;  // by dropped bits
-  long long edges = 0;       ///< that a ray passes inside
+  long long edges = 0;       ///< edges with a ray that passes inside
 };
 
 Search search(int n) {
@@ -113,7 +114,7 @@ TEST_P(EdgeBound, IsTheAttainedMinimumForEveryNumberOfDroppedBits) {
   const Search found = search(n);
   std::printf("n = %d: %lld edges passed inside\n", n, found.edges);
   EXPECT_GT(found.edges, 10'000);
-  // One bit is no format: t = 1 keeps the sign alone.
+  // One bit is not a format: t = 1 keeps only the sign.
   for (int dropped = 0; dropped <= 2 * n - 3; ++dropped) {
     const int attained = found.least[static_cast<std::size_t>(dropped)].side;
     EXPECT_EQ(attained, proven_bound(n, dropped)) << "k = " << dropped;
@@ -137,7 +138,7 @@ void expect_bound_in_the_unit(const Search& found) {
   using F = IntFormat<6, T>;
   const Edge& worst = found.least[static_cast<std::size_t>(F::bits.trimmed())].edge;
   const auto hit = [](const Edge& edge) {
-    // Part of the silhouette: the planes that the edge's side relation reads; the others lie far outside.
+    // A part of the silhouette: the planes that the edge's side relation reads. The others lie far outside.
     IntPluckerOperands<Native, F> in;
     in.irx = in.iry = in.irz = 0;
     in.irex = in.irey = in.irez = 0;
@@ -154,7 +155,7 @@ void expect_bound_in_the_unit(const Search& found) {
     return IntPlucker::test(F(), in).hit.to_bool();
   };
   EXPECT_TRUE(hit(worst)) << "t = " << T;
-  // Move the edge over the ray until the relation drops below the bound; the rest of the box stays.
+  // Moves the edge over the ray until the relation drops below the bound. The rest of the box stays.
   Edge moved = worst;
   while (moved.side(F::bits.trimmed()) >= edge_bound(F::bits) &&
          std::max(std::abs(moved.plane_i), std::abs(moved.plane_j)) < 31) {

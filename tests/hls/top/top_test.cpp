@@ -1,5 +1,5 @@
-// Every top function gives the HIT of its pipeline in the native domain. Built by this build's compiler at
-// 24/24 and 20/24, and with the tops compiled by the other of g++ and clang++.
+// Every top function gives the HIT of its pipeline in the native domain. This build's compiler builds the
+// tops at 24/24 and 20/24, and the other one of g++ and clang++ builds them too.
 #include <iostream>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The catalogue: designs by name, formats by text, and what is said of those that are not there.
+// The catalogue: designs by name, formats by text, and the messages for those that do not exist.
 #include "rtl_gen/catalogue/design.hpp"
 
 #include <stdexcept>

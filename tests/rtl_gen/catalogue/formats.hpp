@@ -17,7 +17,7 @@ inline auto tested_formats() {
   return testing::Values("24/24", "20/24", "16/16", "12/12", "6/6", "6/11", "32/6", "32/63");
 }
 
-/// "20_24" at the end of a test's name.
+/// The end of a test's name, for example "20_24".
 inline std::string format_suffix(const testing::TestParamInfo<const char*>& format) {
   std::string name = format.param;
   std::replace(name.begin(), name.end(), '/', '_');
@@ -38,7 +38,7 @@ inline std::ostream& operator<<(std::ostream& out, const DesignFormat& d) {
   return out << d.design << ' ' << d.format;
 }
 
-/// Every design of the catalogue: integer ones at each of the formats, float ones at theirs.
+/// Every design of the catalogue: integer designs at each of the formats, float designs at theirs.
 inline std::vector<DesignFormat> every_design(const std::vector<std::string>& formats = {
                                                   "24/24", "20/24", "16/16", "12/12", "6/6", "6/11", "32/6",
                                                   "32/63"}) {

@@ -1,4 +1,5 @@
-// One C++ source, two meanings that must agree: the pipeline run on the host, and the graph it records.
+// One C++ source with two meanings that must agree: the pipeline run on the host, and the graph that it
+// records.
 #include "rtl_gen/catalogue/native.hpp"
 
 #include <gtest/gtest.h>
@@ -49,9 +50,9 @@ TEST_P(NativeAndTraced, AgreeOnEveryVector) {
   const Evaluate native = design.evaluate(format);
   const Graph graph = canonical(design.trace(format));
   Seeded random(157);
-  // Corners and any bits, and for integer slabs as many rays and boxes, of which many hit.
+  // Corners and random bits. For integer slabs also as many rays and boxes; many of these hit.
   const bool with_rays = design.name == "int_slabs";
-  // Float units are graphs inside the graph: slow to walk.
+  // Float units are graphs inside the graph, so evaluating them is slow.
   const std::size_t vectors = !design.conservative ? 4000 : 50000;
   auto operands = operand_vectors(input_ports(graph), static_cast<int>(vectors), random.bits());
   for (std::size_t i = 0; with_rays && i < vectors; ++i)
@@ -99,7 +100,7 @@ TEST(Native, BitsAboveAPortsWidthAreIgnored) {
   EXPECT_EQ(compared, 2000);
 }
 
-/// A format chosen at run time gives the answer of the instance that knows it when compiled, for any bits.
+/// For any bits, a format chosen at run time gives the answer of the instance that knows it when compiled.
 template <class Pipeline, class F>
 void expect_equal_answers(std::uint64_t seed) {
   const typename Pipeline::Bits bits = F::bits;

@@ -1,5 +1,5 @@
-// The thesis's component library as Table 7.1 prints it, the laws beyond its rows, and what a bad file is
-// told.
+// The thesis's component library as Table 7.1 prints it, the laws beyond its rows, and the messages for a bad
+// file.
 #include "rtl_gen/component/library.hpp"
 
 #include <filesystem>
@@ -95,13 +95,13 @@ TEST(ThesisLibrary, AWidthBetweenRowsTakesTheNextLargerRow) {
 }
 
 TEST(ThesisLibrary, AboveTheWidestRowTheLawsHold) {
-  expect_timings({// One stage for every started 8 bits.
+  expect_timings({// One stage for each 8 bits or part of 8 bits.
                   {Component::int_multiply, 25, 3000, 4, true},
                   {Component::int_multiply, 27, 3000, 4, true},
                   {Component::int_multiply, 32, 3000, 4, true},
                   {Component::int_multiply, 33, 3000, 5, true},
                   {Component::int_multiply, 64, 3000, 8, true},
-                  // 24 bits are a tree of depth 5, as are 32; 33 to 64 one of 6.
+                  // 24 bits are a tree of depth 5, and so are 32. 33 to 64 bits are one of depth 6.
                   {Component::int_subtract, 25, 1200, 0, true},
                   {Component::int_subtract, 32, 1200, 0, true},
                   {Component::int_subtract, 33, 1440, 0, true},
@@ -213,7 +213,7 @@ TEST(Library, ComponentsOfNodesAndTheirWidths) {
             "and is not a component");
 }
 
-/// What the unit library's text is told after one replacement.
+/// The message for the unit library's text after one replacement.
 std::string told(std::string_view from, std::string_view to) {
   std::string text(unit_json);
   const std::size_t at = text.find(from);

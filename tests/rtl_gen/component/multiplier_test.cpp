@@ -1,4 +1,5 @@
-// The divided multiplier: every product of small widths, random ones of large, and its stated stages.
+// The divided multiplier: every product of small widths, random products of large widths, and its stated
+// stages.
 #include "rtl_gen/component/multiplier.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr std::uint64_t mask(int width) {
   return ~std::uint64_t{0} >> (64 - width);
 }
 
-/// Bits high..low of the product; as two's complement when signed. Products of up to 64 bits.
+/// Bits high..low of the product, in two's complement if signed. Products have up to 64 bits.
 std::uint64_t product(const MultiplierShape& shape, std::uint64_t a, std::uint64_t b) {
   if (shape.is_signed) {
     if ((a >> (shape.width_a - 1)) != 0) a |= ~mask(shape.width_a);
@@ -116,7 +117,7 @@ TEST(Multiplier, PartitionAsText) {
             "output p %10\n");
 }
 
-// Stage 1 has the multiplications, stage i > 1 one addition; so a stage is a piece wide.
+// Stage 1 has the multiplications, each later stage one addition. So there is one stage for each piece.
 TEST(Multiplier, StagesAreAsStated) {
   for (const MultiplierShape& shape :
        {MultiplierShape{24, 24, true, 3, 46, 23}, MultiplierShape{20, 20, true, 2, 38, 15},

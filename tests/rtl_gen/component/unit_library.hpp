@@ -1,7 +1,7 @@
 // A made-up component library with numbers that can be added in the head, for tests that should not depend on
-// the thesis's: latch and gate 1 ps, mux 2, comparator 5, subtractor 10, multiplier 10 a stage. The clock is
-// 11 ps. Areas: 1 um2 a bit of latch, mux and subtractor, half of that a comparator's, n^2 a multiplier's. No
-// floats.
+// the thesis's. Latch and gate take 1 ps, mux 2, comparator 5, subtractor 10, multiplier 10 for each stage.
+// The clock is 11 ps. Areas in um2: 1 for each bit of a latch, mux and subtractor, half of that for a
+// comparator, n^2 for a multiplier. It has no floats.
 #pragma once
 
 #include <string_view>

@@ -1,6 +1,6 @@
-// A Verilog testbench of the AXI4-Stream wrapper and the beats it sends. It packs the beats by itself, fills
-// their padding at random, and watches the protocol: tvalid waits for nothing, what is offered stays as it is
-// until it is taken, no input reaches an output in the same cycle, a reset empties all.
+// A Verilog testbench of the AXI4-Stream wrapper and the beats that it sends. It packs the beats itself,
+// fills their padding at random, and watches the protocol: tvalid waits for nothing, what is offered stays
+// until it is taken, no input reaches an output in the same cycle, and a reset empties everything.
 //   +mode  0 no stalls  1 random gaps and stalls  2 mostly stalled  3 tready only after tvalid
 #pragma once
 

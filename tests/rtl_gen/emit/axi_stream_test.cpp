@@ -61,7 +61,7 @@ TEST_P(AxiStream, LintIsSilent) {
   expect_silence(run_tool(folder.path(), "iverilog", "iverilog", "-g2001 -Wall -o design " + both()));
 }
 
-/// What the bench says of the wrapper in a folder.
+/// What the bench prints about the wrapper in a folder.
 std::string streamed(const ScratchFolder& folder, const DesignFormat& d, int mode) {
   return streamed(folder.path(), d.found(), d.parsed(), beat_count, beat_seed, mode);
 }

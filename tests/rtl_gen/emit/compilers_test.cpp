@@ -1,4 +1,4 @@
-// The compiler that built hitpipe leaves no mark in what it emits: g++ and clang++ give the same bytes.
+// What hitpipe emits does not depend on the compiler that built it: g++ and clang++ give the same bytes.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 namespace hitpipe::rtl {
 namespace {
 
-/// Files below a folder but for the recorded graphs, whose order of nodes is the compiler's own.
+/// Files below a folder without the recorded graphs, where the compiler chooses the order of nodes.
 std::vector<std::string> emitted_files(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

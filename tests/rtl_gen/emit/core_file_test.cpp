@@ -1,5 +1,5 @@
-// The FuseSoC core file: YAML that names files that are there, whose targets do what they say when a script
-// does with them what FuseSoC does.
+// The FuseSoC core file: YAML that names existing files. Its targets work when a script does with them what
+// FuseSoC does.
 #include "rtl_gen/emit/core_file.hpp"
 
 #include <gmock/gmock.h>
@@ -24,12 +24,12 @@ struct Placed {
 
 class CoreFile : public testing::TestWithParam<DesignFormat> {
  protected:
-  /// Writes the design and reads its core file by a YAML parser.
+  /// Writes the design and reads its core file with a YAML parser.
   void read_core(bool axi_stream) {
     read_core_of(emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline(),
                       {.axi_stream = axi_stream}));
   }
-  /// Of a unit of which a fixed origin and more is demanded.
+  /// The core file of a fitted unit, whose demands include a fixed origin.
   void read_fitted_core() {
     const Graph traced = GetParam().found().trace(GetParam().parsed());
     const std::vector<Port> ports = input_ports(traced);
@@ -52,7 +52,7 @@ class CoreFile : public testing::TestWithParam<DesignFormat> {
   }
   static std::string python_text(const std::string& program) { return "-c '" + program + "'"; }
 
-  /// Copies a target's files to a work root of its own, where FuseSoC would put them.
+  /// Copies a target's files to a work folder of its own, where FuseSoC would put them.
   std::vector<Placed> place(const std::string& target) {
     const std::filesystem::path root = folder / "work" / target;
     std::vector<Placed> placed;

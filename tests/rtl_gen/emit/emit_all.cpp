@@ -1,5 +1,5 @@
-// Writes every design in several formats below a folder: built by two compilers, whose files must be the
-// same.
+// Writes every design in several formats below a folder. Built by two compilers, it must write the same
+// files.
 #include <algorithm>
 #include <exception>
 #include <iostream>
@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
         const Pipeline pipeline = make_pipeline(design.trace(format), Library::thesis());
         std::vector<File> files =
             emit(design, format, Library::thesis(), pipeline, {.axi_stream = true}).files();
-        // As recorded, before canonical() has put it in order: the compilers may differ here.
+        // The graph as recorded, before canonical() puts it in order. Compilers may differ here.
         files.push_back({"recorded.txt", to_text(design.trace(format))});
         hitpipe::host::write_files(std::filesystem::path(argv[1]) / std::string(design.name) / folder, files);
       }

@@ -1,4 +1,4 @@
-// Which files a design is; its schematics are drawn by Graphviz.
+// The files of a design. Graphviz draws its schematics.
 #include "rtl_gen/emit/files.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The manifest is JSON and says what the graph, the schedule and the registers say.
+// The manifest is JSON and agrees with the graph, the schedule and the registers.
 #include "rtl_gen/emit/manifest.hpp"
 
 #include <map>

@@ -1,4 +1,4 @@
-// The emitted testbench: passes on the emitted design, fails on one wrong bit; its vectors, and random
+// The emitted testbench passes on the emitted design and fails on one wrong bit. Also its vectors, and random
 // graphs.
 #include "rtl_gen/emit/testbench.hpp"
 
@@ -44,7 +44,7 @@ void write_int_slabs(const ScratchFolder& folder, hls::IntBits bits) {
   write_design(folder, {"int_slabs", to_string(Format(bits))});
 }
 
-/// Inverts the expected HIT of one vector; the line of the file that it is in.
+/// Inverts the expected HIT of one vector. Returns the line of the file where it is.
 std::string flip_hit(const std::filesystem::path& file, int vector) {
   std::istringstream in(read_text(file));
   std::string text;
@@ -180,7 +180,8 @@ TEST(Vectors, FirstPortIsInTheHighBitsAndHitInBit0) {
   EXPECT_EQ(vector_file(ports, ports, hit_alone, judged(vectors, less)), expected);
 }
 
-// The random graph that the Evaluate below runs: a function without state is all that a Design can hold.
+// The random graph that the Evaluate below runs. It is here because a Design can only hold a function without
+// state.
 const Graph* evaluated_graph = nullptr;
 
 void evaluate_graph(const Format& /*its own*/, const std::int64_t* operands, std::int64_t* results) {
@@ -190,7 +191,7 @@ void evaluate_graph(const Format& /*its own*/, const std::int64_t* operands, std
   *results = static_cast<std::int64_t>(evaluate(*evaluated_graph, in).front());
 }
 
-/// What Icarus says of a graph with one output, "hit", against evaluate().
+/// What Icarus prints about a graph with one output, "hit", compared with evaluate().
 std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library& library, int vectors) {
   const Design design{.name = "toy",
                       .summary = "",
@@ -212,7 +213,7 @@ std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library
   return replayed(folder, "toy");
 }
 
-// Random graphs of every operation, scheduled well and badly: Icarus finds the bits that evaluate() does.
+// Random graphs of every operation with good and bad schedules. Icarus finds the same bits as evaluate().
 TEST(Testbench, RandomPipelinesPass) {
   constexpr int graphs = 40;
   Seeded random(151);
@@ -248,7 +249,7 @@ TEST(Testbench, PartsOfARegisterWithoutItsLowBitsPass) {
   EXPECT_EQ(replayed(graph, make_pipeline(graph, library), library, 300), "PASS 300 vectors");
 }
 
-// Verilog widens operands to the width of the result before it inverts them.
+// Verilog extends operands to the width of the result before it inverts them.
 TEST(Testbench, ACombinationalProductOfAnInvertedValuePasses) {
   for (const bool is_signed : {false, true}) {
     Graph graph("toy");

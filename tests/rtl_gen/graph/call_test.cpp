@@ -1,4 +1,4 @@
-// Calls: a component with a graph of its own inside, and what passes make of it.
+// Calls: a component with a graph of its own inside, and how passes treat it.
 #include <array>
 #include <memory>
 #include <stdexcept>

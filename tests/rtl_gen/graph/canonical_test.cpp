@@ -1,4 +1,4 @@
-// canonical(): what it drops and narrows, and that it changes neither meaning nor, run again, anything.
+// canonical(): what it removes and narrows. It keeps the meaning, and a second run changes nothing.
 #include "rtl_gen/graph/canonical.hpp"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,8 @@ TEST(Canonical, StatedStagesStay) {
             "output o %1\n");
 }
 
-// The arms differ in bits that nobody reads: the mux goes, and what only chose between them goes with it.
+// The arms differ only in bits that nobody reads. The mux is removed, and also the logic that only served to
+// choose.
 TEST(Canonical, WhatOnlyAVanishedMuxReadGoes) {
   Graph g("vanished");
   const NodeId a = g.input("a", 4, true);

@@ -1,4 +1,4 @@
-// The float operators traced: their graphs, as recorded and in canonical form, give the bits of the native
+// The traced float operators: their graphs, as recorded and in canonical form, give the bits of the native
 // domain on every pair of binary32 corners and on random pairs.
 #include <cstddef>
 #include <functional>
@@ -47,7 +47,7 @@ std::vector<TracedOperator> traced_operators() {
   };
 }
 
-/// `next` gives pair after pair; the number of results compared.
+/// `next` gives one pair after another. Returns the number of results compared.
 std::size_t compare(const std::vector<TracedOperator>& operators, std::size_t pairs,
                     const std::function<std::vector<std::uint64_t>()>& next) {
   std::size_t compared = 0;

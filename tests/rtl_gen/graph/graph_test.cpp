@@ -1,5 +1,5 @@
-// Recording, the wires' peephole rules, the text form, the messages; evaluate() against the plain meaning of
-// steps.
+// Recording, the peephole rules of wires, the text form, the messages; evaluate() against the plain meaning
+// of the steps.
 #include "rtl_gen/graph/graph.hpp"
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
-// Random legal graphs as lists of calls. A recipe can be recorded in any order that its operands allow, and
-// says by itself, without the graph's code, what every value is.
+// Random legal graphs as lists of calls. A recipe can be recorded in any order that its operands allow. It
+// can compute every value itself, without the graph's code.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +31,8 @@ struct Step {
 
 class Recipe {
  public:
-  /// `inputs` ports, `length` random steps and some that make operands equally wide; the last values are
-  /// outputs.
+  /// `inputs` ports, `length` random steps, and some steps that make operands equally wide. The last values
+  /// are outputs.
   Recipe(Seeded& random, int inputs, int length, int outputs) {
     for (int i = 0; i < inputs; ++i) {
       const int width = i == 0 ? 1 : random.between(1, 24);
@@ -48,7 +48,7 @@ class Recipe {
   [[nodiscard]] std::size_t input_count() const { return input_count_; }
   [[nodiscard]] const Step& operator[](std::size_t i) const { return steps_[i]; }
 
-  /// One bit that depends on every output, in place of them: a design's "hit".
+  /// One bit that depends on every output, in place of the outputs: a design's "hit".
   void join_outputs() {
     std::size_t joined = bit_of(outputs_.front());
     for (std::size_t i = 1; i < outputs_.size(); ++i) {
@@ -57,13 +57,13 @@ class Recipe {
     outputs_ = {joined};
   }
 
-  /// Recorded in the order written.
+  /// Records it in the order written.
   [[nodiscard]] Graph graph(std::string_view name = "recipe", std::string_view output = "out") const {
     std::vector<std::size_t> order(steps_.size());
     std::iota(order.begin(), order.end(), 0);
     return record(order, name, output);
   }
-  /// Recorded in another order: inputs first, then at random among what can be recorded.
+  /// Records it in another order: inputs first, then at random among the steps that can be recorded.
   [[nodiscard]] Graph shuffled(Seeded& random) const {
     std::vector<std::size_t> order;
     std::vector<bool> done(steps_.size(), false);
@@ -193,7 +193,8 @@ class Recipe {
     push({.op = op, .width = one_bit ? 1 : width, .args = {a, b}, .is_signed = op == Op::less && is_signed});
   }
 
-  /// A node that two steps share has the name of the first; so that order does not matter, one step names it.
+  /// A node that two steps share has the name of the first step. Only one step names it, so that order does
+  /// not matter.
   void name_some(Seeded& random) {
     Graph graph("naming");
     std::vector<NodeId> ids;
@@ -230,7 +231,7 @@ class Recipe {
     }
   }
 
-  /// Outputs are called `output`, the second one with a 1 behind it, and so on.
+  /// Outputs are called `output`, `output1`, and so on.
   [[nodiscard]] Graph record(const std::vector<std::size_t>& order, std::string_view name,
                              std::string_view output) const {
     Graph graph{std::string(name)};
@@ -249,7 +250,7 @@ class Recipe {
     const auto bit = [](std::uint64_t x, int i) { return x >> i & 1; };
     const auto arg = [&](std::size_t i) { return value[s.args[i]]; };
     const auto width = [&](std::size_t i) { return steps_[s.args[i]].width; };
-    // As two's complement, by the weight of the top bit.
+    // In two's complement, by the weight of the top bit.
     const auto number = [&](std::size_t i) {
       const std::uint64_t sign = bit(arg(i), width(i) - 1) << (width(i) - 1);
       return static_cast<std::int64_t>(arg(i) - sign - sign);

@@ -1,4 +1,4 @@
-// Through the wires: which bits of which values a node reads.
+// The bits that a node reads from values, seen through wires.
 #include "rtl_gen/graph/sources.hpp"
 
 #include <utility>

@@ -15,8 +15,8 @@ namespace {
 
 namespace exact = hls::exact;
 
-/// All operators on one pair of operand types, `vectors` random operands each; the number of results
-/// compared.
+/// All operators on one pair of operand types, with `vectors` random operands each. Returns the number of
+/// results compared.
 template <class A, class B>
 int compare_pair(Seeded& random, int vectors) {
   Graph graph("pair");

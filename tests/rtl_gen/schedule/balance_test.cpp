@@ -1,4 +1,4 @@
-// balance(): a component's logic divided into stages, none much longer than the others.
+// balance(): divides a component's logic into stages so that none is much longer than the others.
 #include "rtl_gen/schedule/balance.hpp"
 
 #include <algorithm>
@@ -60,8 +60,7 @@ TEST(Balance, NoStageRejected) {
             "chain: a component has at least one stage");
 }
 
-// No stage of a float unit is longer than an even share of the logic and its longest node, a product,
-// together.
+// No stage of a float unit is longer than an even share of the logic plus its longest node, a product.
 TEST(Balance, FloatUnitsHaveEvenStages) {
   int units = 0;
   for (const char* design : {"fp_slabs", "fp_plucker"}) {

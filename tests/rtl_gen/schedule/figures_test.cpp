@@ -31,7 +31,7 @@ TEST(FpSlabs, HasTheComponentsOfTable72) {
                                                                 {"fp_compare_32", 6}}));
 }
 
-// Figure 7.2: the IRDVCs wait for the differences as words, then only their signs go on.
+// Figure 7.2: the IRDVCs wait for the differences as words. After that only their signs go on.
 TEST(FpSlabs, HasTheLatchesOfFigures72And73) {
   Latches expected{"13 x 32, 1 x 1"};
   for (int boundary = 1; boundary <= 6; ++boundary) expected.emplace_back("4 x 32, 1 x 1");
@@ -42,7 +42,7 @@ TEST(FpSlabs, HasTheLatchesOfFigures72And73) {
   EXPECT_EQ(latches_by_boundary(pipeline_of("fp_slabs", "fp32")), expected);
 }
 
-// "FP Slabs Pipeline Stage 13: total 2.285 ns", its latch of 176 ps included.
+// "FP Slabs Pipeline Stage 13: total 2.285 ns", including a latch of 176 ps.
 TEST(FpSlabs, HasTheCriticalPathOfFigure73) {
   const Pipeline p = pipeline_of("fp_slabs", "fp32");
   const Slot slot = p.schedule.slots[node_named(p.graph, "overlap")];
@@ -56,7 +56,7 @@ TEST(FpPlucker, HasTheThesissStagesAndClock) {
   EXPECT_EQ(p.schedule.clock_ps, 2876);
 }
 
-// Table 7.2 leaves the input latches out: 15 words and rinf.
+// Table 7.2 does not count the input latches: 15 words and rinf.
 TEST(FpPlucker, HasTheComponentsOfTable72AndTheInputLatches) {
   EXPECT_EQ(table_7_2(pipeline_of("fp_plucker", "fp32")), (Counts{{"latch_1", 20 + 1},
                                                                   {"latch_32", 45 + 15},
@@ -94,8 +94,8 @@ TEST(IntPlucker, HasTheThesissStagesAndClock) {
   EXPECT_EQ(pipeline_of("int_plucker", "20/24").schedule.clock_ps, 3176);
 }
 
-// As printed, but for the 15 words and rinf of the input latches, and for the side relations: a difference of
-// two 24-bit terms has 25 bits (section 6.3.2), printed as 24.
+// As printed, except for the 15 words and rinf of the input latches and for the side relations. The
+// difference of two 24-bit terms has 25 bits (section 6.3.2); the table prints 24.
 TEST(IntPlucker, HasTheComponentsOfTable72WithSidesAtTheirOwnWidth) {
   EXPECT_EQ(table_7_2(pipeline_of("int_plucker", "24/24")), (Counts{{"latch_1", 5 + 1},
                                                                     {"latch_24", 27 + 15},
@@ -125,7 +125,7 @@ TEST(IntPlucker, HasTheLatchesOfFigures711To714) {
             (Latches{"15 x 20, 1 x 1", "15 x 20, 1 x 1", "1 x 1", "12 x 24, 1 x 1", "1 x 1"}));
 }
 
-// Stage 5 takes 2.078 ns with a 24-bit subtractor; the library's law gives 25 bits the same delay.
+// Stage 5 takes 2.078 ns with a 24-bit subtractor. By the library's law 25 bits have the same delay.
 TEST(IntPlucker, HasTheCriticalPathsOfFigures712And714) {
   const Pipeline p = pipeline_of("int_plucker", "24/24");
   EXPECT_EQ(p.schedule.slots[node_named(p.graph, "q_plane_0")].ready_ps + 176, 1552);

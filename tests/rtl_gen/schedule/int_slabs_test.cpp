@@ -32,7 +32,8 @@ TEST(IntSlabs2424, HasTheComponentsOfTable72) {
                                                                       {"int_compare_24", 6}}));
 }
 
-// Inputs: 16 words and rinf. Stage 1: two differences and two IRDVCs an axis. Stage 4: two distances an axis.
+// Inputs: 16 words and rinf. Stage 1: two differences and two IRDVCs for each axis. Stage 4: two distances
+// for each.
 TEST(IntSlabs2424, HasTheLatchesOfFigures74To76) {
   EXPECT_EQ(latches_by_boundary(int_slabs(24, 24)),
             (std::vector<std::string>{"16 x 24, 1 x 1", "13 x 24, 1 x 1", "1 x 24, 1 x 1", "1 x 24, 1 x 1",
@@ -49,7 +50,7 @@ TEST(IntSlabs2424, CarriesTheRaysLengthToTheLastStage) {
   EXPECT_EQ(times_latched(p, "overlap"), 1);
 }
 
-// "Int Slabs Pipeline Stage 1: total 1.728 ns", "Stage 5: total 2.109 ns", with their latches of 176 ps.
+// "Int Slabs Pipeline Stage 1: total 1.728 ns", "Stage 5: total 2.109 ns", each with a latch of 176 ps.
 TEST(IntSlabs2424, HasTheCriticalPathsOfTheFigures) {
   const Pipeline p = int_slabs(24, 24);
   const auto slot = [&](std::string_view name) { return p.schedule.slots[node_named(p.graph, name)]; };
@@ -74,8 +75,8 @@ TEST(IntSlabs2024, HasTheThesissStagesAndClock) {
   EXPECT_EQ(p.schedule.clock_ps, 3176);
 }
 
-// The thesis counts the six product latches at 20 bits: 33 of 20 and 4 of 24. The values compared are 24 bits
-// wide.
+// The thesis counts the six product latches at 20 bits: 33 of 20 and 4 of 24. The compared values have 24
+// bits.
 TEST(IntSlabs2024, HasTheComponentsOfTable72WithProductsAtTheirOwnWidth) {
   EXPECT_EQ(table_7_2(int_slabs(20, 24)), (std::map<std::string, int>{{"latch_1", 5},
                                                                       {"latch_20", 33 - 6},
@@ -111,7 +112,7 @@ TEST(IntSlabs, OtherFormatsFollowTheLibrary) {
 
 TEST(IntSlabs, ASlowClockTakesFewerStages) {
   const Graph graph = find_design("int_slabs").trace(hls::IntBits{24, 24});
-  // Stage 1's 1552 ps, a multiplier stage and a latch.
+  // The 1552 ps of stage 1, a multiplier stage and a latch.
   EXPECT_EQ(make_pipeline(graph, Library::thesis(), 4727).schedule.stages, 5);
   EXPECT_EQ(make_pipeline(graph, Library::thesis(), 4728).schedule.stages, 4);
 }

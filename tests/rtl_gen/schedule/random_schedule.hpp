@@ -1,5 +1,5 @@
-// A deliberately bad scheduler: legal, but with nodes held back at random. A foil for the verifier and the
-// emitter.
+// A scheduler that is bad on purpose: legal, but it delays nodes at random. It serves to test the verifier
+// and the emitter.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace hitpipe::rtl {
 
-/// `clock_ps` must be one that schedule_asap takes.
+/// `clock_ps` must be one that schedule_asap() accepts.
 inline Schedule random_schedule(const Graph& graph, const Library& library, int clock_ps, Seeded& random) {
   Schedule s;
   s.clock_ps = clock_ps;

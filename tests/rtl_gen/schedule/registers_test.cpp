@@ -1,4 +1,4 @@
-// Where values are latched: exactly the bits that are read later, where they are read later.
+// Where values are latched: exactly the bits that are read later, as long as they are needed.
 #include "rtl_gen/schedule/registers.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace hitpipe::rtl {
 namespace {
 
-/// "boundary: name[high:low] ...", a line for each boundary that has registers.
+/// "boundary: name[high:low] ...", one line for each boundary with registers.
 std::string latched(const Graph& graph, const Placement& placement) {
   std::string text;
   int boundary = -1;
@@ -132,7 +132,7 @@ TEST(Registers, InsideAComponentPortsAreNotLatched) {
   EXPECT_EQ(t.registers(Ports::direct), "1: b[7:0] first[7:0]");
 }
 
-/// A bit of a value that can be latched; no_node for a constant bit.
+/// One bit of a value that can be latched. no_node for a constant bit.
 using Bit = std::pair<NodeId, int>;
 
 Bit source_bit(const Graph& graph, NodeId value, int bit) {
@@ -158,7 +158,7 @@ Bit source_bit(const Graph& graph, NodeId value, int bit) {
 
 using LatchedBit = std::tuple<int, NodeId, int>;  ///< boundary, value, bit
 
-/// Bit by bit, from the definition: a bit read in a stage is latched at every boundary since it was there.
+/// From the definition, bit by bit: a bit read in a stage is latched at every boundary since it was computed.
 std::set<LatchedBit> needed(const Graph& graph, const Schedule& schedule, Ports ports, std::set<Bit>& read) {
   std::set<LatchedBit> bits;
   const auto use = [&](NodeId value, int stage) {

@@ -1,5 +1,5 @@
-// Tiny graphs and where the scheduler puts each of their nodes: "name stage ready_ps", or the stages a
-// pipelined component fills, whose value is latched.
+// Tiny graphs, and where the scheduler puts each of their nodes: "name stage ready_ps", or the stages of a
+// pipelined component, whose value is latched.
 #include <stdexcept>
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// verify(): a legal schedule damaged in one place, once per rule; and legal schedules that nobody would make.
+// verify(): a legal schedule damaged in one place, once for each rule; and unusual schedules that are legal.
 #include <gtest/gtest.h>
 
 #include "rtl_gen/graph/canonical.hpp"
@@ -208,7 +208,7 @@ TEST(Verify, AcceptsLegalSchedulesThatNobodyWouldMake) {
   EXPECT_EQ(accepted, graphs);
 }
 
-// Behind the last stage a node is too late for whatever reads it, an operation or an output latch.
+// After the last stage a node is too late for every reader, be it an operation or an output latch.
 TEST(Verify, RejectsRandomSchedulesWithOneNodeTooLate) {
   constexpr int intended = 400;
   Seeded random(139);

@@ -1,4 +1,4 @@
-// The schematic: every component, gate and register once, every reader connected; Graphviz takes it.
+// The schematic: every component, gate and register once, every reader connected. Graphviz accepts it.
 #include "rtl_gen/schematic/dot.hpp"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ TEST_P(Schematic, ConnectsOnlyWhatIsDrawn) {
   EXPECT_GT(edges, 0);
 }
 
-// A group has its own stages' nodes, and says by name what comes into it.
+// A group has the nodes of its own stages and labels by name what enters it.
 TEST_P(Schematic, GroupsOfStagesShareOutTheWhole) {
   const Pipeline p = GetParam().pipeline();
   int next = 1;

@@ -1,4 +1,4 @@
-// Verilator, Yosys and Icarus take every design's Verilog without a word.
+// Verilator, Yosys and Icarus accept every design's Verilog without a warning.
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"

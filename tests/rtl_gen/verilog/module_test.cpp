@@ -1,4 +1,5 @@
-// The whole Verilog of a toy pipeline as text; the same bytes each time; no trace of where it was made.
+// The whole Verilog of a toy pipeline as text. It has the same bytes each time and does not show where it was
+// made.
 #include "rtl_gen/verilog/module.hpp"
 
 #include <regex>

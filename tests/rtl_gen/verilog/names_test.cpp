@@ -1,4 +1,4 @@
-// Names in the Verilog: those of the C++ where they can be, never a keyword, never two things by one name.
+// Names in the Verilog: those of the C++ if possible, never a keyword, never one name for two things.
 #include "rtl_gen/verilog/names.hpp"
 
 #include <fmt/format.h>
@@ -83,7 +83,7 @@ TEST(Names, UnnamedValuesAreCalledAfterTheirReader) {
   EXPECT_EQ(names.at(t.g.invert(gate)), "") << "wires have no name";
 }
 
-/// The complaints of Verilator and Icarus about a graph's Verilog.
+/// What Verilator and Icarus report about a graph's Verilog.
 std::string complaints(const Graph& graph) {
   const ScratchFolder folder;
   const Library library = unit_library();

@@ -1,4 +1,4 @@
-// The registers that Yosys finds in the Verilog are those that the schedule placed, and no others.
+// The registers that Yosys finds in the Verilog are exactly those that the schedule placed.
 #include <regex>
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ int component_bits(const Pipeline& p, NodeId id) {
   return bits_inside(inside, schedule_as_stated(inside, shape.stages));
 }
 
-/// Latches between the values, inside the components, and what travels with them: a valid bit and a tag a
+/// Latches between the values, inside the components, and those that go along: a valid bit and a tag at each
 /// boundary.
 int placed_bits(const Pipeline& p) {
   int bits = bits_of(p.placement) + (p.schedule.stages + 1) * (1 + tag_bits);
@@ -58,7 +58,7 @@ struct Flops {
   int of_24_bits = 0;  ///< words
 };
 
-/// Flip-flops of the flattened design, before Yosys optimises anything.
+/// Flip-flops of the flattened design, before Yosys optimises.
 Flops found_by_yosys(const Pipeline& pipeline) {
   const ScratchFolder folder;
   write_text(folder / "design.v", to_verilog(pipeline, Library::thesis()));

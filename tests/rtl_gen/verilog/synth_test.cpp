@@ -1,4 +1,4 @@
-// Yosys synthesises every design: nothing is left that has no gates, no latch, no wire without a driver.
+// Yosys synthesises every design: no cell without gates, no latch, no wire without a driver.
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 class Synth : public testing::TestWithParam<DesignFormat> {};
 
-// Without ABC, which only makes it smaller: bench/synth.sh has the whole.
+// Without ABC, which only makes it smaller. bench/synth.sh runs the whole synthesis.
 TEST_P(Synth, YosysMapsItToGates) {
   const auto& [design, format] = GetParam();
   const ScratchFolder folder;

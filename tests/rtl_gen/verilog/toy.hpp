@@ -1,5 +1,5 @@
-// A pipeline small enough to read: d = a - b, chosen by c; its trimmed product with b; a sign that outlives
-// its word.
+// A pipeline that is small enough to read: d = a - b, chosen by c; its trimmed product with b; and a sign
+// that is needed longer than its word.
 #pragma once
 
 #include "rtl_gen/pipeline.hpp"

@@ -1,4 +1,4 @@
-// Judging a box test: what is counted, that threads change nothing, and that both integer designs never miss.
+// Judging a box test: the counts, the same with any number of threads, and no miss by either integer design.
 #include "sim/check/check.hpp"
 
 #include <array>
@@ -34,7 +34,7 @@ CategoryResult sum_of(const std::vector<CategoryResult>& results) {
   return sum;
 }
 
-/// Answers the same to all, and keeps the cases in order.
+/// Gives the same answer to all cases and keeps them in order.
 class Constant final : public BoxTest {
  public:
   Constant(bool answer, std::vector<Case>* asked) : answer_(answer), asked_(asked) {}
@@ -72,7 +72,7 @@ TEST(Check, ResultsDoNotDependOnThreads) {
 }
 
 TEST(Check, RunsAsManyTestsAsAskedInEqualShares) {
-  // Around a multiple of the 27 categories, of a ray's 32 boxes and of a batch's 2048 tests.
+  // Numbers around multiples of the 27 categories, of a ray's 32 boxes and of a batch's 2048 tests.
   for (const std::uint64_t tests :
        {1U, 26U, 27U, 28U, 20'000U, 27U * 32U + 1U, 55'295U, 55'296U, 55'297U, 300'000U}) {
     const auto results = check([] { return std::make_unique<Constant>(true, nullptr); },
@@ -98,7 +98,7 @@ TEST(Check, MoreTestsGoOnWithTheSameCases) {
     EXPECT_EQ(asked.size(), tests);
     return asked;
   };
-  // The batches of one thread come in turn.
+  // One thread does its batches in turn.
   const std::vector<Case> all = asked_in(2 * 2048);
   for (const std::uint64_t tests : {1U, 31U, 33U, 2047U, 2049U}) {
     const std::vector<Case> few = asked_in(tests);
@@ -106,7 +106,8 @@ TEST(Check, MoreTestsGoOnWithTheSameCases) {
   }
 }
 
-/// What no memory could hold batch by batch: the check begins, and ends by an exception of the first test.
+/// So many tests that no memory could hold all batches. The check begins all the same, and an exception of
+/// the first test ends it.
 TEST(Check, TakesNoMemoryForTestsThatAreToCome) {
   struct Enough : std::exception {};
   class Stops final : public BoxTest {
@@ -148,7 +149,7 @@ TEST(Check, AlwaysHittingGivesFalseHitsAlone) {
   EXPECT_EQ(sum.false_hits, sum.tests - sum.hits);
 }
 
-/// Every hit is then missed, and the first that was drawn is kept.
+/// Then every hit is missed, and the first case drawn is kept.
 TEST(Check, KeepsTheFirstFalseMiss) {
   for (const Category& category : ref::adversary::categories()) {
     std::vector<Case> asked;
@@ -181,7 +182,7 @@ TEST(IsFalseMiss, IsAMissOfABoxThatTheRayMeets) {
   EXPECT_FALSE(is_false_miss(always, passed));
 }
 
-/// The published remedy helps, without being a proof.
+/// The published remedy helps but proves nothing.
 TEST(Check, RobustFloatSlabsMissLessThanTheThesisForm) {
   const CheckOptions options{.categories = all_categories(), .tests = 500'000, .seed = seed};
   const CategoryResult plain = sum_of(
@@ -215,7 +216,7 @@ TEST(Check, IntegerDesignsNeverMissInTenMillionTests) {
   EXPECT_GE(run, wanted);
 }
 
-/// Every answer wrong: a Verilator that edits the file it was given and calls the real one.
+/// Every answer is wrong: a Verilator that edits its input file and then calls the real one.
 VerilatedDesign inverted(const Unit& unit) {
   const TemporaryFolder folder;
   const char* const real = std::getenv("VERILATOR");

@@ -1,4 +1,4 @@
-// Faults of a datapath: its traced graph, copied but for the nodes that a fault replaces, and evaluated.
+// Faults of a datapath: its traced graph is copied, a fault replaces some nodes, and the copy is evaluated.
 #pragma once
 
 #include <memory>
@@ -9,32 +9,31 @@
 
 namespace hitpipe::sim {
 
-/// What stands for `node` in the faulty graph `to`, rtl::no_node for the node itself. `args` are its operands
-/// there.
+/// What replaces `node` in the faulty graph `to`; rtl::no_node keeps the node. `args` are its operands there.
 using GraphFault = rtl::NodeId (*)(rtl::Graph& to, const rtl::Node& node, std::span<const rtl::NodeId> args);
 
 /// The design with a fault in its datapath. Throws std::logic_error if the fault changes nothing.
 [[nodiscard]] std::unique_ptr<BoxTest> mutated_datapath(const rtl::Design& design, hls::IntBits bits,
                                                         GraphFault fault);
 
-// Of slabs.
-/// The near distance of x is a product with the IRDVC's ceiling whatever the difference's sign.
+// Slabs.
+/// The near distance of x is a product with the IRDVC's ceiling, whatever sign the difference has.
 rtl::NodeId near_floor_dropped(rtl::Graph& to, const rtl::Node& node, std::span<const rtl::NodeId> args);
 rtl::NodeId near_operands_swapped(rtl::Graph& to, const rtl::Node& node, std::span<const rtl::NodeId> args);
-/// The far distance of y is one to the near plane.
+/// The far distance of y is a distance to the near plane.
 rtl::NodeId far_from_the_near_plane(rtl::Graph& to, const rtl::Node& node, std::span<const rtl::NodeId> args);
 
-// Of Pluecker.
+// Pluecker.
 rtl::NodeId edge_bound_off_by_one(rtl::Graph& to, const rtl::Node& node, std::span<const rtl::NodeId> args);
-/// p - q in t bits.
+/// p - q has t bits.
 rtl::NodeId side_bit_dropped(rtl::Graph& to, const rtl::Node& node, std::span<const rtl::NodeId> args);
-/// A plane of edge 0 is the other one of its axis.
+/// A plane of edge 0 is the other plane of its axis.
 rtl::NodeId edge_planes_swapped(rtl::Graph& to, const rtl::Node& node, std::span<const rtl::NodeId> args);
 /// The ray's end is compared with the far plane of z.
 rtl::NodeId last_plane_for_the_first(rtl::Graph& to, const rtl::Node& node,
                                      std::span<const rtl::NodeId> args);
 
-// No fault: a node made again.
+// No fault: a node is made again.
 rtl::NodeId made_again(rtl::Graph& to, const rtl::Node& node, std::span<const rtl::NodeId> args);
 
 }  // namespace hitpipe::sim

@@ -63,7 +63,7 @@ int at(std::size_t axis) {
 float smallest(const glm::vec3& d) {
   return std::min({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
 }
-/// length * scale, not rounded but as doubles are; 0 where a component is 0.
+/// length * scale, rounded only as doubles are. 0 if a component is 0.
 double scaled_length(const Ray& ray, hls::IntBits bits) {
   return ray.length * (limit(bits) * smallest(ray.direction));
 }
@@ -182,7 +182,7 @@ void direction_truncated(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits,
   const double largest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   for (std::size_t axis = 0; axis < 3; ++axis) {
     in[direction_x + axis] = whole(limit(bits) * d[at(axis)] / largest);
-    // The set-up's rule: a backward component that became 0 ends where it began, rounded up.
+    // The rule of the set-up: a backward component that became 0 ends where it began, rounded up.
     const bool became_zero = d[at(axis)] < 0 && in[direction_x + axis] == 0 && in[pluecker_rinf] == 0;
     if (became_zero) in[endpoint_x + axis] = whole(std::ceil(on_grid(ray.origin[at(axis)], bits)));
   }

@@ -1,5 +1,5 @@
-// The check finds faults: each one, put into a set-up or a datapath, gives a false miss within 10^6 tests.
-// And where the thesis's text fails as it is written, one ray and box of docs/conservative.md each.
+// The check finds faults: each fault in a set-up or a datapath gives a false miss within 10^6 tests. Where
+// the thesis's text itself fails, one ray and box of docs/conservative.md shows it.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -46,9 +46,9 @@ void PrintTo(const Mutation& mutation, std::ostream* out) {
   *out << mutation.name;
 }
 
-/// Formats other than the thesis's two are those that leave the fault no slack. Pluecker's bounds are reached
-/// only beside the worst roundings of origin and direction, which one category aims at; at 24 bits a binary32
-/// has too few of its own to come that close.
+/// Formats other than the thesis's two leave the fault no slack. The bounds of Pluecker are reached only with
+/// the worst roundings of origin and direction. One category aims at these; at 24 bits, binary32 has too few
+/// bits of its own to come that close.
 const std::vector<Mutation> faults{
     {.name = "SlabsHalfUnitLeftOut", .design = "int_slabs", .set_up = half_unit_left_out},
     {.name = "SlabsBoxRoundedToNearest", .design = "int_slabs", .set_up = box_rounded_to_nearest},
@@ -94,7 +94,7 @@ const std::vector<Mutation> faults{
     {.name = "LastPlaneForTheFirst", .design = "int_plucker", .datapath = last_plane_for_the_first},
 };
 
-/// Changes whose comment proves that they are none.
+/// Changes that are not faults; their comments prove it.
 const std::vector<Mutation> no_faults{
     {.name = "SlabsDatapathMadeAgain", .design = "int_slabs", .datapath = made_again},
     {.name = "PlueckerDatapathMadeAgain", .design = "int_plucker", .datapath = made_again},
@@ -112,7 +112,7 @@ const std::vector<Mutation> no_faults{
 struct Verdict {
   std::uint64_t tests = 0;
   std::uint64_t false_misses = 0;
-  CategoryResult worst;  ///< the category that misses most
+  CategoryResult worst;  ///< the category with most misses
 };
 
 Verdict judge(const Mutation& mutation, hls::IntBits bits, std::uint64_t tests) {
@@ -135,7 +135,7 @@ Verdict judge(const Mutation& mutation, hls::IntBits bits, std::uint64_t tests) 
 
 class Mutations : public testing::TestWithParam<Mutation> {};
 
-/// Shares of the tests first: most faults show at once.
+/// Parts of the tests come first, because most faults show at once.
 TEST_P(Mutations, GiveAFalseMissWithinAMillionTests) {
   for (const hls::IntBits bits : GetParam().formats) {
     Verdict verdict;
@@ -152,7 +152,7 @@ TEST_P(Mutations, GiveAFalseMissWithinAMillionTests) {
 
 class HarmlessChanges : public testing::TestWithParam<Mutation> {};
 
-/// So what the faults show is theirs, not that of the machinery that puts them in.
+/// So the faults themselves cause what they show, and not the machinery that inserts them.
 TEST_P(HarmlessChanges, GiveNoFalseMiss) {
   for (const hls::IntBits bits : GetParam().formats) {
     const Verdict verdict = judge(GetParam(), bits, most_tests / 5);
@@ -161,7 +161,7 @@ TEST_P(HarmlessChanges, GiveNoFalseMiss) {
   }
 }
 
-/// A step of the thesis's text taken as it is written, and a ray and a box that then miss each other.
+/// A step of the thesis's text, taken literally, and a ray and a box that the unit then misses.
 struct AsWritten {
   Mutation step;
   hls::IntBits bits;

@@ -1,4 +1,4 @@
-// A scene in other units: powers of two move no bit; what others round is counted.
+// A scene in other units: powers of two change no bit, and the effect of other scales is counted.
 #include "sim/check/rescale.hpp"
 
 #include <bit>
@@ -16,7 +16,7 @@ namespace {
 constexpr int side = 64;
 constexpr PictureOptions small{.width = side, .height = side, .threads = 2, .unit = {}};
 
-/// Bit for bit.
+/// Equal bit for bit.
 void expect_same(const Picture& picture, const Picture& original, const char* what) {
   EXPECT_EQ(picture.triangles, original.triangles) << what;
   ASSERT_EQ(picture.image.size(), original.image.size());
@@ -55,7 +55,7 @@ TEST(Rescale, PowersOfTwoMoveNoBitThroughTheVerilog) {
     const Picture seen = picture(scaled.description, options);
     EXPECT_EQ(seen.different_triangles, 0U) << scale;
     EXPECT_EQ(seen.rtl_mismatches, 0U) << scale;
-    // The same mesh in software: the same triangles, whatever the scale has rounded.
+    // The same mesh in software gives the same triangles, whatever the scale has rounded.
     EXPECT_EQ(seen.triangles, picture(scaled.description, small).triangles) << scale;
     if (scale != 0.1) {
       EXPECT_EQ(seen.triangles, original.triangles) << scale;
@@ -98,7 +98,7 @@ TEST(Rescale, FarOffsetChangesPixelsAndLosesTriangles) {
   const Picture seen = picture(far.description, small);
   EXPECT_GT(seen.degenerate_dropped, 0U);
   EXPECT_LT(seen.degenerate_dropped, scene.mesh.triangles.size());
-  // Triangles keep their numbers although some before them are gone.
+  // Triangles keep their numbers although some before them were dropped.
   const PixelChanges changes = pixel_changes(original, seen);
   EXPECT_GT(changes.other_triangle, 10U);
   EXPECT_LT(changes.other_triangle, std::uint64_t{side} * side / 4);

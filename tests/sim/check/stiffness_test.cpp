@@ -1,4 +1,4 @@
-// The stiffness measurement: what it draws, what it counts, and what must follow from one common scale.
+// The stiffness measurement: the rays it draws, its counts, and what must follow from one common scale.
 #include "sim/check/stiffness.hpp"
 
 #include <cstdio>
@@ -64,11 +64,11 @@ TEST(StiffBoxes, CostTheSlabsMoreTheStifferTheRay) {
   EXPECT_LT(all[0].false_hit_pct(), 0.2);
   EXPECT_LT(all[5].false_hit_pct(), 0.5);    // 2^10: 13 bits are left
   EXPECT_GT(all[15].false_hit_pct(), 10.0);  // 2^30: none
-  // Beyond the width nothing is left to lose: two axes tell nothing, as at an exact zero.
+  // Beyond the width no bits are left to lose: two axes tell nothing, as at an exact zero.
   EXPECT_NEAR(all[20].false_hit_pct(), all[last].false_hit_pct(), 5.0);
 }
 
-/// Pluecker scales by the largest component: a small one that is rounded to nothing costs a unit, no more.
+/// Pluecker scales by the largest component. A small one that is rounded to zero costs at most one unit.
 TEST(StiffBoxes, CostThePlueckerTestNothing) {
   std::printf("seed %llu, %d boxes\n", static_cast<unsigned long long>(seed), 22 * 6000);
   for (const StiffBoxes& sum : over_all_kinds(measured(rtl::find_design("int_plucker"), hls::IntBits{24, 24}, 6000))) {
@@ -102,7 +102,7 @@ TEST(StiffBoxes, DoNotDependOnThreads) {
   }
 }
 
-/// A unit that misses everything is counted as such.
+/// A unit that misses everything has all its misses counted.
 class MissesAll final : public BoxTest {
  public:
   void start(const ref::Ray& /*ray*/) override {}

@@ -1,4 +1,4 @@
-// A fit from scene to proof, as a program that has no command line would ask for it.
+// A fit from scene to check, as a program without the command line would call it.
 #include "sim/fit/fit_scene.hpp"
 
 #include <mutex>
@@ -65,7 +65,8 @@ TEST_F(FitToScene, WritesNothingWithoutAFolder) {
   FitOptions nowhere = options();
   nowhere.folder.clear();
   const FitScene scene = prepare_fit(hills(), nowhere);
-  EXPECT_TRUE(fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, nowhere, rtl::Library::thesis())
+  EXPECT_TRUE(fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, nowhere,
+                           rtl::Library::thesis())
                   .verified());
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
@@ -84,8 +85,8 @@ TEST_F(FitToScene, OfASceneThatNoRayMeetsIsRefused) {
 
 TEST_F(FitToScene, IsVerifiedByRightVectorsAndAPictureThatARefereeJudged) {
   const FitScene scene = prepare_fit(hills(), options());
-  FitResult result =
-      fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, options(), rtl::Library::thesis());
+  FitResult result = fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, options(),
+                                  rtl::Library::thesis());
   EXPECT_TRUE(result.verified());
   result.vectors.mismatches = 1;
   EXPECT_FALSE(result.verified());

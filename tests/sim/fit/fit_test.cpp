@@ -1,5 +1,5 @@
-// Fitted units: smaller, yet with the answers of the whole ones; and what is outside their demands is
-// refused.
+// Fitted units are smaller and give the answers of the whole ones. Rays and operands outside their demands
+// are refused.
 #include "sim/fit/fit.hpp"
 
 #include <map>
@@ -24,7 +24,7 @@ const rtl::Library& library() {
   return rtl::Library::thesis();
 }
 
-/// What is traced in every test: small, so that Verilator's compilation is the most of it.
+/// The image of every test. It is so small that compiling the Verilog takes most of the time.
 struct World {
   explicit World(ref::Scene made)
       : scene(std::move(made)),
@@ -209,7 +209,7 @@ TEST(BytesPerNode, AreThoseOfTable61) {
   EXPECT_EQ(bytes_per_node(slabs, hls::IntBits{16, 24}, {{0, 3, 1}}), 19U);
 }
 
-/// One dropped bit more, of any axis, breaks the limit or leaves the grid.
+/// One more dropped bit on any axis exceeds the limit or leaves the grid.
 bool no_further_bit(const PrecisionSearch& search, const Precision& found) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     ref::CoarseAxes coarser = found.coarse;
@@ -241,7 +241,7 @@ TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
   ASSERT_TRUE(found.has_value());
   EXPECT_LE(found->extra_box_tests_pct, search.overhead_pct);
   EXPECT_EQ(found->extra_box_tests_pct, extra_box_tests_pct(search, found->format));
-  // Every narrower format that the program has breaks the limit.
+  // Every narrower format of the program exceeds the limit.
   int narrower = 0;
   const auto bits = found->format.as<hls::IntBits>();
   for (int n = hls::IntBits::min_coord; n <= bits.coord; ++n) {
@@ -258,7 +258,7 @@ TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
   EXPECT_EQ(found->coarse_extra_box_tests_pct, extra_box_tests_pct(search, found->format, found->coarse));
   EXPECT_TRUE(no_further_bit(search, *found));
 
-  // No limit, no bits but those that the grid needs; an impossible one, nothing.
+  // Without a limit only the bits that the grid needs are left. With an impossible limit there is no result.
   search.overhead_pct = 1e9;
   const auto coarsest = fewest_bits(search);
   EXPECT_EQ(coarsest->format, rtl::Format(hls::IntBits{6, 6}));

@@ -1,4 +1,4 @@
-// Promises of ports hold for every ray and box that the scene's demands allow.
+// The ranges of ports hold for every ray and box that the scene's demands allow.
 #include "sim/fit/port_demands.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ bool holds(const rtl::Interval& range, std::int64_t number) {
   return number >= range.low && number <= range.high;
 }
 
-/// A family whose directions lie in a random box: some far from 0, some across it, some stiff.
+/// A family with directions in a random box: some far from 0, some across 0, some stiff.
 ref::RayFamily random_family(std::mt19937_64& random) {
   std::uniform_real_distribution<float> part(-1.0F, 1.0F);
   std::uniform_int_distribution<int> exponent(-24, 0);
@@ -152,7 +152,7 @@ TEST(PortDemands, OfCoarseAxesAreLowZerosBesideTheRanges) {
     const rtl::Demands all = all_of(groups);
     rtl::check_demands(all, design.ports(hls::IntBits{12, 12}));
     for (const char* const port : {"iry", "iymin", "iymax"}) {
-      // y is narrow too: one demand says both.
+      // y is narrow too, so one demand states both.
       EXPECT_EQ(of_port(all, port).low_zeros, 2) << port;
       EXPECT_LT(rtl::hull(of_port(all, port)).high, 1000) << port;
     }

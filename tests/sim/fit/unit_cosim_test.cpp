@@ -1,5 +1,5 @@
-// Co-simulation of a unit as it was written: whole ones run on any scene, cut ones on those that keep to
-// their demands.
+// Co-simulation of a unit from its files: whole units run on any scene, fitted ones on scenes that meet their
+// demands.
 #include "sim/fit/unit_cosim.hpp"
 
 #include <stdexcept>
@@ -24,7 +24,7 @@ CosimResult run(const WrittenUnit& unit, const ref::Scene& scene) {
                          {.width = 24, .height = 16, .referee = true});
 }
 
-/// Fitted to the hills as the files of the fit say.
+/// The unit fitted to the hills, as the files of the fit state it.
 WrittenUnit fitted_to(const ref::Scene& scene) {
   const rtl::Library& library = rtl::Library::thesis();
   const ref::SceneDemands demands = ref::scene_demands(scene, ref::build_bvh(scene.mesh), {24, 16});

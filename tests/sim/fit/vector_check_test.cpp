@@ -1,5 +1,5 @@
-// Vectors through a fitted unit's Verilog: all agree with the C++, half of them are hits, and what is wrong
-// with the Verilog is found.
+// Vectors through a fitted unit's Verilog: all agree with the C++, half of them are hits, and faults of the
+// Verilog are found.
 #include "sim/fit/vector_check.hpp"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 constexpr std::uint64_t vectors = 20'000;
 
-/// int_slabs for the flat hills, whose axis y is narrow.
+/// int_slabs for the flat hills, where axis y is narrow.
 class Vectors : public testing::Test {
  protected:
   Vectors() : unit_(made()), verilog_(fitted_files(unit_, rtl::Library::thesis()).verilog.contents) {}

@@ -1,4 +1,4 @@
-// A sweep goes on where its file ends, whoever calls it.
+// A sweep continues where its file ends, whoever calls it.
 #include "sim/sweep/resume.hpp"
 
 #include <gmock/gmock.h>
@@ -45,7 +45,7 @@ TEST_F(Resume, ReturnsWhatTheFileHolds) {
 TEST_F(Resume, MeasuresOnlyWhatIsMissing) {
   RowsFile rows = resume(sweep());
   const RowsFile whole = rows;
-  // Without Verilator no row can be measured; none is missing.
+  // Without Verilator no row can be measured, and none is missing.
   {
     const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
     EXPECT_EQ(to_text(resume(sweep())), to_text(whole));
@@ -85,7 +85,7 @@ TEST_F(Resume, RowsOfSomethingElseAreRefusedAndKept) {
   EXPECT_EQ(text(), before);
 }
 
-/// Before anything is measured.
+/// Refused before anything is measured.
 TEST_F(Resume, FileThatCannotBeWrittenIsRefusedAtOnce) {
   const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
   ResumableSweep nowhere = sweep();

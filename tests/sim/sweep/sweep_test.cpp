@@ -1,5 +1,5 @@
-// Rows of a sweep: their figures follow from their counts, their counts are a co-simulation's, and neither
-// threads nor shards change them.
+// Rows of a sweep: their figures follow from their counts, their counts are those of a co-simulation, and
+// neither threads nor shards change them.
 #include "sim/sweep/sweep.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// What is thrown, or "nothing".
+/// The text of what is thrown, or "nothing".
 template <class Action>
 std::string message_of(const Action& action) {
   try {
@@ -145,7 +145,8 @@ TEST(RowsFile, IsReadAsWritten) {
   EXPECT_THAT(text, HasSubstr(",rtl_seconds,software_ratio\n\"two, \"\"quoted\"\"\",24578,"));
 }
 
-/// Whatever is cut off: a whole line fewer is a sweep that has not come so far, all else is refused.
+/// Any part may be cut off. A file with whole lines is a sweep that is not finished; any other file is
+/// refused.
 TEST(RowsFile, CutShortRejected) {
   const std::string text = to_text({"a sweep", {a_row(), a_row()}});
   std::size_t refused = 0;
@@ -234,7 +235,7 @@ TEST(Shards, AreTheRanksOfTheLauncher) {
   EXPECT_EQ(parse_shard("mpi", with({{"OMPI_COMM_WORLD_RANK", "1"}, {"OMPI_COMM_WORLD_SIZE", "2"}})),
             (Shard{2, 2}));
   EXPECT_EQ(parse_shard("mpi", with({{"PMI_RANK", "0"}, {"PMI_SIZE", "3"}})), (Shard{1, 3}));
-  // mpirun inside a Slurm job of one task: the launcher's own word comes first.
+  // mpirun inside a Slurm job of one task: the launcher's own variables count first.
   EXPECT_EQ(
       parse_shard("mpi",
                   with({{"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "1"}, {"PMI_RANK", "4"}, {"PMI_SIZE", "8"}})),
@@ -254,7 +255,7 @@ TEST(Shards, ThatDoNotExistRejected) {
   EXPECT_EQ(message_of([] {
               return parse_shard("mpi", with({{"PMI_RANK", "2"}, {"PMI_SIZE", "2"}}));
             }),
-            "--shard mpi: PMI_RANK=2 and PMI_SIZE=2 are no rank and size");
+            "--shard mpi: PMI_RANK=2 and PMI_SIZE=2 are not a rank and a size");
 }
 
 TEST(Shards, ThatAreNotAllThereAreNotJoined) {
@@ -346,7 +347,7 @@ TEST(Sweep, RowsDoNotDependOnThreads) {
   for (const int threads : {2, 64}) EXPECT_EQ(swept(scene, bvh, small_plan(), threads), one) << threads;
 }
 
-/// Section 7.4 supposes that a long pipeline is not always full: one ray alone fills one stage of it.
+/// Section 7.4 assumes that a long pipeline is not always full: a single ray fills only one stage of it.
 TEST(Sweep, OccupancyRisesWithRaysInFlightUpToThePipelinesLength) {
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
