@@ -3,7 +3,6 @@
 // it can miss a box that a ray grazes.
 #pragma once
 
-#include "hls/box/arithmetic.hpp"
 #include "hls/box/box_hit.hpp"
 #include "hls/box/format_list.hpp"
 #include "hls/box/fp_plucker_operands.hpp"
@@ -40,7 +39,6 @@ constexpr typename Real::Bit fp_outside(char number, const SilhouetteEdge<Real>&
 struct FpPlucker {
   static constexpr const char* name = "fp_plucker";
   static constexpr const char* summary = "float Pluecker test, figures 7.7-7.10";
-  static constexpr Arithmetic arithmetic = Arithmetic::floating;
   static constexpr bool conservative = false;
 
   using Bits = FpBits;
