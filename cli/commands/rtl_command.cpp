@@ -22,6 +22,7 @@ struct RtlOptions {
   std::string library;
   std::optional<int> clock_ps;
   bool axi_stream = false;
+  bool hls = false;
   Format format = Format::text;
 };
 
@@ -32,7 +33,7 @@ void emit_rtl(const RtlOptions& options) {
       options.library.empty() ? rtl::Library::thesis() : rtl::Library::load(options.library);
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
   const std::vector<rtl::File> files = rtl::files_and_drawings(
-      rtl::emit(design, format, library, pipeline, {.axi_stream = options.axi_stream}));
+      rtl::emit(design, format, library, pipeline, {.axi_stream = options.axi_stream, .hls = options.hls}));
   host::write_files(options.out, files);
 
   std::vector<std::string> names;
@@ -63,6 +64,9 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
                    "Clock period in picoseconds; by default what the slowest component needs");
   command->add_flag("--axi-stream", options->axi_stream,
                     "Also write an AXI4-Stream wrapper of the design, <design>_axis.v");
+  command->add_flag("--hls", options->hls,
+                    "Also write hls/: the design as a C++ top function for high-level synthesis, with a "
+                    "script for Vitis HLS");
   add_format_option(*command, options->format);
   command->callback([options] { emit_rtl(*options); });
 }

@@ -3,7 +3,6 @@
 // like float slabs, it can miss a box that a ray grazes.
 #pragma once
 
-#include "hls/box/arithmetic.hpp"
 #include "hls/box/box_hit.hpp"
 #include "hls/box/format_list.hpp"
 #include "hls/box/fp_plucker_operands.hpp"
@@ -69,7 +68,6 @@ constexpr typename D::bit fp_plucker_hit(const FpPluckerOperands<D, F>& in, cons
 struct FpPlucker {
   static constexpr const char* name = "fp_plucker";
   static constexpr const char* summary = "float Pluecker test, figures 7.7-7.10";
-  static constexpr Arithmetic arithmetic = Arithmetic::floating;
   static constexpr bool conservative = false;
 
   using Bits = FpBits;

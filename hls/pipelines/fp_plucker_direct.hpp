@@ -1,13 +1,12 @@
-// The float Pluecker test with its products compared directly: the ray passes outside an edge when q < p. The
-// thesis subtracts first, q - p < 0 (figures 7.9 and 7.10). Both say the same for every pair of floats:
-//   finite     q - p is a whole multiple of the smallest subnormal number. So where q and p differ, rounding
-//   to
-//              nearest keeps the sign and never gives 0; where they are equal, the difference is +0.
-//   overflow   a difference beyond the largest number rounds to the infinity of its sign.
-//   infinite   equal infinities give NaN, which is not below 0, as neither is below the other.
-//   NaN        in either gives NaN: both comparisons are false.
-// z3 proves it for all pairs of binary32 (tests/formal/side_relation.sh). The six subtractors and their seven
-// stages go, so this unit has 13 stages in place of 20.
+// The float Pluecker test with its products compared directly: the ray passes outside an edge when q < p.
+// The thesis subtracts first, q - p < 0 (figures 7.9, 7.10). Both say the same of every pair of floats:
+//   finite    q - p is a whole multiple of the smallest subnormal number. Where q and p differ, rounding to
+//             nearest keeps the sign and never gives 0. Where they are equal, the difference is +0.
+//   overflow  a difference beyond the largest number rounds to the infinity of its sign.
+//   infinite  equal infinities give NaN, which is not below 0; and neither of them is below the other.
+//   NaN       if q or p is NaN, both comparisons are false.
+// z3 proves it for all pairs of binary32 (tests/formal/side_relation.sh). The six subtractors and their
+// seven stages go: this unit has 13 stages, not 20.
 #pragma once
 
 #include "hls/pipelines/fp_plucker.hpp"
@@ -25,7 +24,6 @@ struct FpLesserTerm {
 struct FpPluckerDirect {
   static constexpr const char* name = "fp_plucker_direct";
   static constexpr const char* summary = "float Pluecker test, its products compared directly";
-  static constexpr Arithmetic arithmetic = Arithmetic::floating;
   static constexpr bool conservative = false;
 
   using Bits = FpBits;

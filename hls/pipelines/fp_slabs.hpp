@@ -4,7 +4,6 @@
 // ray. NaN compares false.
 #pragma once
 
-#include "hls/box/arithmetic.hpp"
 #include "hls/box/box_hit.hpp"
 #include "hls/box/format_list.hpp"
 #include "hls/box/fp_slabs_operands.hpp"
@@ -48,7 +47,6 @@ constexpr Bit fp_slabs_overlap(const FpSlabInterval<Real>& x, const FpSlabInterv
 struct FpSlabs {
   static constexpr const char* name = "fp_slabs";
   static constexpr const char* summary = "float slabs test, figures 7.2-7.3";
-  static constexpr Arithmetic arithmetic = Arithmetic::floating;
   static constexpr bool conservative = false;
 
   using Bits = FpBits;

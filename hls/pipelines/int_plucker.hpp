@@ -7,7 +7,6 @@
 
 #include <cstdint>
 
-#include "hls/box/arithmetic.hpp"
 #include "hls/box/box_hit.hpp"
 #include "hls/box/format_list.hpp"
 #include "hls/box/int_plucker_operands.hpp"
@@ -52,7 +51,6 @@ constexpr typename D::bit int_outside(const F& format, char number, const Silhou
 struct IntPlucker {
   static constexpr const char* name = "int_plucker";
   static constexpr const char* summary = "integer Pluecker test, figures 7.11-7.14";
-  static constexpr Arithmetic arithmetic = Arithmetic::integer;
   static constexpr bool conservative = true;
 
   using Bits = IntBits;

@@ -4,7 +4,6 @@
 // Widths: differences n bits (the ranges of the operands leave room for the sign), products 2n, intervals t.
 #pragma once
 
-#include "hls/box/arithmetic.hpp"
 #include "hls/box/box_hit.hpp"
 #include "hls/box/format_list.hpp"
 #include "hls/box/int_slabs_operands.hpp"
@@ -69,7 +68,6 @@ constexpr Bit slabs_overlap(const IntSlab<Interval>& x, const IntSlab<Interval>&
 struct IntSlabs {
   static constexpr const char* name = "int_slabs";
   static constexpr const char* summary = "integer slabs test, figures 7.4-7.6";
-  static constexpr Arithmetic arithmetic = Arithmetic::integer;
   static constexpr bool conservative = true;
 
   using Bits = IntBits;

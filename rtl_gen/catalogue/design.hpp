@@ -18,6 +18,12 @@
 
 namespace hitpipe::rtl {
 
+/// Where a design's C++ is, for programs that are written to compile it.
+struct DesignSource {
+  std::string_view pipeline{};  ///< its struct in hitpipe::hls: "IntSlabs"
+  std::string_view header{};    ///< "hls/pipelines/int_slabs.hpp"
+};
+
 struct Design {
   std::string_view name;     ///< also the Verilog module's
   std::string_view summary;  ///< one line, with its figures in the thesis
@@ -27,7 +33,8 @@ struct Design {
   std::vector<Port> (*ports_at)(const Format&);
   Graph (*trace_at)(const Format&);
   Evaluate::Run (*run_at)(const Format&);
-  Printed printed{};  ///< nothing of a design that the thesis does not have
+  Printed printed{};      ///< nothing of a design that the thesis does not have
+  DesignSource source{};  ///< nothing: no top function for high-level synthesis is written
 
   /// A format of this design as a user writes it. Throws std::runtime_error, one line, that says what is
   /// allowed.

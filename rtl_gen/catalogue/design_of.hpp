@@ -8,8 +8,9 @@
 
 namespace hitpipe::rtl {
 
+/// Without `source` no top function for high-level synthesis can be written.
 template <class Pipeline>
-Design design_of() {
+Design design_of(DesignSource source = {}) {
   using Bits = typename Pipeline::Bits;
   return {.name = Pipeline::name,
           .summary = Pipeline::summary,
@@ -18,7 +19,8 @@ Design design_of() {
           .results_at = [](const Format& format) { return results_of<Pipeline>(format.as<Bits>()); },
           .ports_at = [](const Format& format) { return ports_of<Pipeline>(format.as<Bits>()); },
           .trace_at = [](const Format& format) { return traced<Pipeline>(format.as<Bits>()); },
-          .run_at = [](const Format& format) { return native_function<Pipeline>(format.as<Bits>()); }};
+          .run_at = [](const Format& format) { return native_function<Pipeline>(format.as<Bits>()); },
+          .source = source};
 }
 
 }  // namespace hitpipe::rtl

@@ -25,6 +25,8 @@ struct FormatFamily {
   std::string (*print)(const FormatNumbers& numbers);
   /// Nothing when the text is not spelled so; what it says may still be invalid.
   std::optional<FormatNumbers> (*parse)(std::string_view text);
+  /// "IntFormat<20, 24>": the format as a type of hitpipe::hls.
+  std::string (*type)(const FormatNumbers& numbers);
 };
 
 /// FamilyOf<Bits>::family is the family of a struct of hls/box that holds a format's numbers.
@@ -50,6 +52,7 @@ class Format {
   [[nodiscard]] constexpr const FormatFamily& family() const { return *family_; }
   [[nodiscard]] constexpr const FormatNumbers& numbers() const { return numbers_; }
   [[nodiscard]] bool valid() const { return family_->valid(numbers_); }
+  [[nodiscard]] std::string type() const { return family_->type(numbers_); }
 
   template <format_bits Bits>
   [[nodiscard]] constexpr bool is() const {

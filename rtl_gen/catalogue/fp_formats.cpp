@@ -32,4 +32,8 @@ std::optional<FormatNumbers> parse(std::string_view text) {
   return numbers;
 }
 
+std::string type(const FormatNumbers& numbers) {
+  return fmt::format("FpFormat<{}, {}>", numbers[0], numbers[1]);
+}
+
 }  // namespace hitpipe::rtl::fp_formats

@@ -11,6 +11,7 @@ namespace fp_formats {
 [[nodiscard]] bool valid(const FormatNumbers& numbers);
 [[nodiscard]] std::string print(const FormatNumbers& numbers);
 [[nodiscard]] std::optional<FormatNumbers> parse(std::string_view text);
+[[nodiscard]] std::string type(const FormatNumbers& numbers);
 }  // namespace fp_formats
 
 template <>
@@ -21,7 +22,8 @@ struct FamilyOf<hls::FpBits> {
                                        .single = true,
                                        .valid = fp_formats::valid,
                                        .print = fp_formats::print,
-                                       .parse = fp_formats::parse};
+                                       .parse = fp_formats::parse,
+                                       .type = fp_formats::type};
 };
 
 }  // namespace hitpipe::rtl

@@ -27,6 +27,10 @@ std::optional<FormatNumbers> parse(std::string_view text) {
   return numbers;
 }
 
+std::string type(const FormatNumbers& numbers) {
+  return fmt::format("IntFormat<{}, {}>", numbers[0], numbers[1]);
+}
+
 }  // namespace int_formats
 
 hls::IntBits parse_bits(std::string_view text) {

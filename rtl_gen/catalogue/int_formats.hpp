@@ -10,6 +10,7 @@ namespace int_formats {
 [[nodiscard]] bool valid(const FormatNumbers& numbers);
 [[nodiscard]] std::string print(const FormatNumbers& numbers);
 [[nodiscard]] std::optional<FormatNumbers> parse(std::string_view text);
+[[nodiscard]] std::string type(const FormatNumbers& numbers);
 }  // namespace int_formats
 
 template <>
@@ -20,7 +21,8 @@ struct FamilyOf<hls::IntBits> {
                                        .single = false,
                                        .valid = int_formats::valid,
                                        .print = int_formats::print,
-                                       .parse = int_formats::parse};
+                                       .parse = int_formats::parse,
+                                       .type = int_formats::type};
 };
 static_assert(hls::IntBits::min_coord == 6 && hls::IntBits::max_coord == 32 &&
               hls::IntBits::min_interval == 6);

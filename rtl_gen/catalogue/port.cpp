@@ -11,7 +11,8 @@ Port port_of(const hls::Operand& operand) {
           .role = operand.role,
           .axis = operand.axis,
           .box = operand.box,
-          .range = Interval{operand.low, operand.high}};
+          .range = Interval{operand.low, operand.high},
+          .kind = operand.kind};
 }
 
 std::vector<Port> result_ports(const std::vector<hls::Result>& results) {

@@ -27,6 +27,7 @@ struct Port {
   hls::Axis axis = hls::Axis::none;
   int box = 0;                      ///< plane_low, plane_high: of which box
   std::optional<Interval> range{};  ///< the numbers that the set-up gives; nothing: not known
+  std::optional<hls::Kind> kind{};  ///< how its bits are read; nothing: not known
 };
 
 [[nodiscard]] Port port_of(const hls::Operand& operand);

@@ -5,7 +5,7 @@
 namespace hitpipe::rtl {
 
 Design fp_plucker_direct() {
-  return design_of<hls::FpPluckerDirect>();
+  return design_of<hls::FpPluckerDirect>({"FpPluckerDirect", "hls/pipelines/fp_plucker_direct.hpp"});
 }
 
 }  // namespace hitpipe::rtl

@@ -10,6 +10,7 @@
 #include "host/process.hpp"
 #include "rtl_gen/emit/axi_stream.hpp"
 #include "rtl_gen/emit/core_file.hpp"
+#include "rtl_gen/emit/hls_top.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/prune/check_block.hpp"
@@ -73,6 +74,7 @@ std::vector<File> EmittedDesign::files() const {
   if (check_module) all.push_back(*check_module);
   if (axi_stream) all.push_back(*axi_stream);
   all.insert(all.end(), stage_schematics.begin(), stage_schematics.end());
+  all.insert(all.end(), hls.begin(), hls.end());
   return all;
 }
 
@@ -102,11 +104,16 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
                                                 vectors(design.evaluate(format), left, from))},
                         .check_module = {},
                         .axi_stream = {},
-                        .stage_schematics = stage_schematics(pipeline, name, title)};
+                        .stage_schematics = stage_schematics(pipeline, name, title),
+                        .hls = {}};
   if (from != nullptr)
     emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
   if (options.axi_stream)
     emitted.axi_stream = {stream_module(design) + ".v", axi_stream(design, left, results)};
+  if (options.hls) {
+    emitted.hls = hls_top(design, format).files();
+    for (File& file : emitted.hls) file.name.insert(0, "hls/");
+  }
   return emitted;
 }
 

@@ -24,6 +24,7 @@ struct PrunedFrom {
 
 struct EmitOptions {
   bool axi_stream = false;  ///< adds the AXI4-Stream wrapper; core and manifest name it
+  bool hls = false;         ///< adds the top function for high-level synthesis
   /// Set for a fitted unit. It adds the check module, a check block in the Verilog and the demands in the
   /// manifest, and the vectors meet the demands.
   const PrunedFrom* pruned_from = nullptr;
@@ -40,6 +41,7 @@ struct EmittedDesign {
   std::optional<File> check_module;      ///< <design>_check.v, of a fitted unit
   std::optional<File> axi_stream;        ///< <design>_axis.v, if asked for
   std::vector<File> stage_schematics{};  ///< a .dot for each group of stages; none for a single group
+  std::vector<File> hls{};               ///< hls/: the top function and its script, if asked for
 
   /// Every .dot: the whole first, then the groups from the first stage on.
   [[nodiscard]] std::vector<File> schematics() const;
@@ -47,7 +49,7 @@ struct EmittedDesign {
 };
 
 /// The same bytes for the same design, format and library. `pipeline` is the design's at that format, or what
-/// pruning left of it.
+/// pruning left of it. Throws as hls_top() does.
 [[nodiscard]] EmittedDesign emit(const Design& design, Format format, const Library& library,
                                  const Pipeline& pipeline, const EmitOptions& options = {});
 

@@ -43,7 +43,6 @@ struct EndlessSlabsOperands {
 struct EndlessSlabs {
   static constexpr const char* name = "endless_slabs";
   static constexpr const char* summary = "integer slabs test of rays without an end";
-  static constexpr Arithmetic arithmetic = Arithmetic::integer;
   static constexpr bool conservative = true;
 
   using Bits = IntBits;

@@ -2,7 +2,6 @@
 // its length ends? Enough to have a subtractor, a multiplier, a comparator, a multiplexer and a gate.
 #pragma once
 
-#include "hls/box/arithmetic.hpp"
 #include "hls/box/box_hit.hpp"
 #include "hls/box/format_list.hpp"
 #include "hls/box/int_format.hpp"
@@ -34,7 +33,6 @@ struct OneAxisSlabOperands {
 struct OneAxisSlab {
   static constexpr const char* name = "one_axis_slab";
   static constexpr const char* summary = "one slab, for a test";
-  static constexpr Arithmetic arithmetic = Arithmetic::integer;
   static constexpr bool conservative = false;
 
   using Bits = IntBits;

@@ -1,0 +1,175 @@
+#include "rtl_gen/emit/hls_top.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace hitpipe::rtl {
+
+namespace {
+
+constexpr std::size_t columns = 110;  // as .clang-format has it
+
+std::string top_type(int width, bool is_signed) {
+  if (width == 1 && !is_signed) return "Bit";
+  return fmt::format("{}<{}>", is_signed ? "Integer" : "Pattern", width);
+}
+
+/// The function with its arguments, then `end`, wrapped as clang-format does. `types` is the prefix of its
+/// types.
+std::string signature(const Design& design, const Format& format, const std::string& types,
+                      const std::string& end) {
+  std::vector<std::string> arguments;
+  for (const Port& port : design.ports(format))
+    arguments.push_back(fmt::format("{}{} {}", types, top_type(port.width, port.is_signed), port.name));
+  for (const hls::Result& result : design.results(format))
+    arguments.push_back(
+        fmt::format("{}{}& {}", types, top_type(result.width, result.is_signed), result.name));
+
+  std::string text = fmt::format("void {}(", hls_function(design));
+  const std::string indent(text.size(), ' ');
+  std::size_t column = text.size();
+  for (const std::string& argument : arguments) {
+    const bool first = &argument == &arguments.front();
+    const std::size_t tail = &argument == &arguments.back() ? end.size() : 1;
+    if (!first && column + 1 + argument.size() + tail > columns) {
+      text += ",\n" + indent + argument;
+      column = indent.size() + argument.size() + 1;
+      continue;
+    }
+    text += (first ? "" : ", ") + argument;
+    column += argument.size() + (first ? 1 : 2);
+  }
+  return text + end;
+}
+
+std::string header(const Design& design, const Format& format) {
+  return fmt::format(R"(// Top function of {} for high-level synthesis: {}.
+// Written by `hitpipe rtl {}{} --hls`.
+#pragma once
+
+#include "hls/top/top_domain.hpp"
+
+{}
+)",
+                     design.name_at(format), design.summary, design.name, design.bits_option(format),
+                     signature(design, format, "hitpipe::hls::top::", ");"));
+}
+
+std::string source(const Design& design, const Format& format) {
+  std::string interfaces, operands, results;
+  for (const Port& port : design.ports(format)) {
+    interfaces += fmt::format("#pragma HLS INTERFACE mode = ap_none port = {}\n", port.name);
+    operands +=
+        fmt::format("  in.{}{} = {};\n", port.name, port.kind == hls::Kind::real ? ".bits" : "", port.name);
+  }
+  for (const hls::Result& result : design.results(format)) {
+    interfaces += fmt::format("#pragma HLS INTERFACE mode = ap_vld port = {}\n", result.name);
+    results += fmt::format("  {} = out.{};\n", result.name, result.name);
+  }
+  return fmt::format(
+      R"(// One test a cycle: operands are plain ports, taken when the block starts; a result comes with a valid bit.
+#include "{name}.hpp"
+
+#include "{header}"
+
+using namespace hitpipe::hls;
+
+{signature}
+#ifdef __SYNTHESIS__
+#pragma HLS PIPELINE II = 1
+{interfaces}#endif
+  using Format = {format};
+  {pipeline}::Operands<top::Domain, Format> in;
+{operands}  const auto out = {pipeline}::test<top::Domain>(Format(), in);
+{results}}}
+)",
+      fmt::arg("name", design.name), fmt::arg("header", design.source.header),
+      fmt::arg("signature", signature(design, format, "top::", ") {")), fmt::arg("interfaces", interfaces),
+      fmt::arg("format", format.type()), fmt::arg("pipeline", design.source.pipeline),
+      fmt::arg("operands", operands), fmt::arg("results", results));
+}
+
+std::string csim(const Design& design, const Format& format) {
+  std::vector<std::string> includes{std::string(design.source.header), "hls/top/csim.hpp",
+                                    fmt::format("{}.hpp", design.name)};
+  std::sort(includes.begin(), includes.end());
+  std::string lines;
+  for (const std::string& include : includes) lines += fmt::format("#include \"{}\"\n", include);
+  return fmt::format(
+      R"(// C simulation of the top function of {}: its results against those of the native pipeline.
+{}
+using namespace hitpipe::hls;
+
+int main() {{
+  return top::csim<{}, {}>({});
+}}
+)",
+      design.name_at(format), lines, design.source.pipeline, format.type(), hls_function(design));
+}
+
+constexpr const char* script_steps = R"(proc setting {name otherwise} {
+  if {[info exists ::env($name)]} { return $::env($name) }
+  return $otherwise
+}
+
+set project [setting PROJECT hitpipe_$design]
+set here [file dirname [file normalize [info script]]]
+set include [file normalize [setting INCLUDE .]]
+if {![file exists [file join $include hls top top_domain.hpp]]} {
+  error "INCLUDE=$include: there is no hls/top/top_domain.hpp in that folder"
+}
+set flags "[setting CXXFLAGS -std=c++20] -I$include -DHITPIPE_VENDOR"
+
+open_project -reset $project
+set_top hitpipe_$design
+add_files [file join $here $design.cpp] -cflags $flags
+add_files -tb [file join $here ${design}_csim.cpp] -cflags $flags
+open_solution -reset solution
+set_part [setting PART xc7a100tcsg324-1]
+create_clock -period [setting CLOCK 5]
+csim_design
+csynth_design
+export_design -format ip_catalog
+exit
+)";
+
+std::string script(const Design& design, const Format& format) {
+  return fmt::format(
+             R"(# {} through Vitis HLS: C simulation, synthesis, export as IP. Settings come from the environment.
+#   INCLUDE=/path/to/hitpipe PART=xc7a100tcsg324-1 vitis_hls -f vitis_hls.tcl
+# INCLUDE   the folder that holds hitpipe's hls/: its sources, or include/hitpipe where it is installed (. unless given)
+# PART      the device
+# CLOCK     period in ns (5 unless given)
+# PROJECT   folder to work in (hitpipe_<design> unless given)
+# CXXFLAGS  what the compiler needs to take C++20 (-std=c++20 unless given)
+set design {}
+)",
+             design.name_at(format), design.name) +
+         script_steps;
+}
+
+}  // namespace
+
+std::vector<host::File> HlsTop::files() const {
+  return {header, source, csim, script};
+}
+
+HlsTop hls_top(const Design& design, const Format& format) {
+  if (design.source.header.empty())
+    throw std::runtime_error(
+        fmt::format("{}: no top function for high-level synthesis; the design does not say where its C++ is",
+                    design.name));
+  const std::string name(design.name);
+  return {.header = {name + ".hpp", header(design, format)},
+          .source = {name + ".cpp", source(design, format)},
+          .csim = {name + "_csim.cpp", csim(design, format)},
+          .script = {"vitis_hls.tcl", script(design, format)}};
+}
+
+std::string hls_function(const Design& design) {
+  return fmt::format("hitpipe_{}", design.name);
+}
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,27 @@
+// A design for tools of high-level synthesis: a top function with an argument for each port, written from the
+// ports that the design states, and what Vitis HLS needs to simulate and synthesise it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/files.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+
+namespace hitpipe::rtl {
+
+struct HlsTop {
+  host::File header;  ///< <design>.hpp
+  host::File source;  ///< <design>.cpp
+  host::File csim;    ///< <design>_csim.cpp: a program that compares the top with the native pipeline
+  host::File script;  ///< vitis_hls.tcl
+
+  [[nodiscard]] std::vector<host::File> files() const;
+};
+
+/// Throws std::runtime_error, one line, when the design does not say where its C++ is.
+[[nodiscard]] HlsTop hls_top(const Design& design, const Format& format);
+/// "hitpipe_int_slabs"
+[[nodiscard]] std::string hls_function(const Design& design);
+
+}  // namespace hitpipe::rtl

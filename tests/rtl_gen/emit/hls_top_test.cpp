@@ -1,0 +1,257 @@
+// The top function of a design as text, and the Vitis HLS script: run with stand-ins for the tool's own
+// commands by the Tcl that is in Yosys, it gives the right commands, and the test program beside it passes.
+// The tool itself is not run. tests/hls/top compiles the tops of all designs and compares their results.
+#include "rtl_gen/emit/hls_top.hpp"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/scratch_folder.hpp"
+#include "tests/message_of.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+HlsTop top_of(std::string_view name, std::string_view bits) {
+  const Design& design = find_design(name);
+  return hls_top(design, design.parse_format(bits));
+}
+
+constexpr const char* stand_ins = R"(
+foreach name {open_project set_top add_files open_solution set_part create_clock csim_design csynth_design
+              export_design} {
+  proc $name {args} "puts \"> \[join \[linsert \$args 0 $name\]\]\""
+}
+rename exit leave
+proc exit {} { puts "> exit"; leave 0 }
+if {[catch {source vitis_hls.tcl} message]} { puts "> error $message"; leave 1 }
+)";
+
+class VitisHls : public testing::Test {
+ protected:
+  void write(const HlsTop& top) {
+    host::write_files(folder.path(), top.files());
+    write_text(folder / "stand_ins.tcl", stand_ins);
+  }
+  /// Commands that the script gives, settings as a shell writes them.
+  std::vector<std::string> commands(const std::string& settings) {
+    const ToolResult result =
+        run_tool(folder.path(), "yosys", "env", settings + " yosys -q -c stand_ins.tcl");
+    std::istringstream lines(result.output);
+    std::vector<std::string> list;
+    std::string line;
+    while (std::getline(lines, line)) {
+      if (line.starts_with("> ")) list.push_back(line.substr(2));
+    }
+    return list;
+  }
+  /// Compiles the test program with the top that it is for, and runs it.
+  std::string simulated(const std::string& design) {
+    const ToolResult compiled =
+        run_tool(folder.path(), "g++", HITPIPE_CXX,
+                 std::string("-std=c++20 -O1 -Wall -Wextra -Wconversion -Wshadow -Werror '-I") +
+                     HITPIPE_SOURCE + "' " + design + "_csim.cpp " + design + ".cpp -o csim");
+    if (compiled.status != 0) return compiled.output;
+    const ToolResult run = run_tool(folder.path(), "", "./csim", "");
+    return run.output + "exit " + std::to_string(run.status);
+  }
+
+  host::ScratchFolder folder;
+  const std::string sources = std::string("INCLUDE='") + HITPIPE_SOURCE + "'";
+};
+
+TEST(HlsTop, HeaderIsTheFunctionWithAnArgumentForEachPort) {
+  EXPECT_EQ(
+      top_of("int_slabs", "20/24").header.contents,
+      R"(// Top function of int_slabs 20/24 for high-level synthesis: integer slabs test, figures 7.4-7.6.
+// Written by `hitpipe rtl int_slabs --bits 20/24 --hls`.
+#pragma once
+
+#include "hls/top/top_domain.hpp"
+
+void hitpipe_int_slabs(hitpipe::hls::top::Integer<20> irx, hitpipe::hls::top::Integer<20> iry,
+                       hitpipe::hls::top::Integer<20> irz, hitpipe::hls::top::Integer<24> irlen,
+                       hitpipe::hls::top::Integer<20> iri_floor, hitpipe::hls::top::Integer<20> iri_ceil,
+                       hitpipe::hls::top::Integer<20> irj_floor, hitpipe::hls::top::Integer<20> irj_ceil,
+                       hitpipe::hls::top::Integer<20> irk_floor, hitpipe::hls::top::Integer<20> irk_ceil,
+                       hitpipe::hls::top::Bit rinf, hitpipe::hls::top::Integer<20> ixmin,
+                       hitpipe::hls::top::Integer<20> ixmax, hitpipe::hls::top::Integer<20> iymin,
+                       hitpipe::hls::top::Integer<20> iymax, hitpipe::hls::top::Integer<20> izmin,
+                       hitpipe::hls::top::Integer<20> izmax, hitpipe::hls::top::Bit& hit);
+)");
+}
+
+TEST(HlsTop, SourceSetsOperandsAndReturnsResults) {
+  EXPECT_EQ(
+      top_of("fp_slabs", "fp32").source.contents,
+      R"(// One test a cycle: operands are plain ports, taken when the block starts; a result comes with a valid bit.
+#include "fp_slabs.hpp"
+
+#include "hls/pipelines/fp_slabs.hpp"
+
+using namespace hitpipe::hls;
+
+void hitpipe_fp_slabs(top::Pattern<32> rx, top::Pattern<32> ry, top::Pattern<32> rz, top::Pattern<32> rlen,
+                      top::Pattern<32> ri_inv, top::Pattern<32> rj_inv, top::Pattern<32> rk_inv,
+                      top::Bit rinf, top::Pattern<32> xmin, top::Pattern<32> xmax, top::Pattern<32> ymin,
+                      top::Pattern<32> ymax, top::Pattern<32> zmin, top::Pattern<32> zmax, top::Bit& hit) {
+#ifdef __SYNTHESIS__
+#pragma HLS PIPELINE II = 1
+#pragma HLS INTERFACE mode = ap_none port = rx
+#pragma HLS INTERFACE mode = ap_none port = ry
+#pragma HLS INTERFACE mode = ap_none port = rz
+#pragma HLS INTERFACE mode = ap_none port = rlen
+#pragma HLS INTERFACE mode = ap_none port = ri_inv
+#pragma HLS INTERFACE mode = ap_none port = rj_inv
+#pragma HLS INTERFACE mode = ap_none port = rk_inv
+#pragma HLS INTERFACE mode = ap_none port = rinf
+#pragma HLS INTERFACE mode = ap_none port = xmin
+#pragma HLS INTERFACE mode = ap_none port = xmax
+#pragma HLS INTERFACE mode = ap_none port = ymin
+#pragma HLS INTERFACE mode = ap_none port = ymax
+#pragma HLS INTERFACE mode = ap_none port = zmin
+#pragma HLS INTERFACE mode = ap_none port = zmax
+#pragma HLS INTERFACE mode = ap_vld port = hit
+#endif
+  using Format = FpFormat<8, 23>;
+  FpSlabs::Operands<top::Domain, Format> in;
+  in.rx.bits = rx;
+  in.ry.bits = ry;
+  in.rz.bits = rz;
+  in.rlen.bits = rlen;
+  in.ri_inv.bits = ri_inv;
+  in.rj_inv.bits = rj_inv;
+  in.rk_inv.bits = rk_inv;
+  in.rinf = rinf;
+  in.xmin.bits = xmin;
+  in.xmax.bits = xmax;
+  in.ymin.bits = ymin;
+  in.ymax.bits = ymax;
+  in.zmin.bits = zmin;
+  in.zmax.bits = zmax;
+  const auto out = FpSlabs::test<top::Domain>(Format(), in);
+  hit = out.hit;
+}
+)");
+}
+
+TEST(HlsTop, CsimComparesTheTopWithItsPipeline) {
+  EXPECT_EQ(
+      top_of("int_plucker", "12/12").csim.contents,
+      R"(// C simulation of the top function of int_plucker 12/12: its results against those of the native pipeline.
+#include "hls/pipelines/int_plucker.hpp"
+#include "hls/top/csim.hpp"
+#include "int_plucker.hpp"
+
+using namespace hitpipe::hls;
+
+int main() {
+  return top::csim<IntPlucker, IntFormat<12, 12>>(hitpipe_int_plucker);
+}
+)");
+}
+
+TEST(HlsTop, FilesAreNamedAfterTheDesign) {
+  std::vector<std::string> names;
+  for (const host::File& file : top_of("fp_plucker", "fp32").files()) names.push_back(file.name);
+  EXPECT_THAT(names, ElementsAre("fp_plucker.hpp", "fp_plucker.cpp", "fp_plucker_csim.cpp", "vitis_hls.tcl"));
+}
+
+TEST(HlsTop, HasEveryPortOfEveryDesignOnce) {
+  for (const Design& design : designs()) {
+    const std::string text = hls_top(design, design.default_format).source.contents;
+    const auto count = [&](const std::string& part) {
+      int found = 0;
+      for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+      return found;
+    };
+    for (const Port& port : design.ports(design.default_format))
+      EXPECT_EQ(count("ap_none port = " + port.name + "\n"), 1) << design.name << " " << port.name;
+    for (const hls::Result& result : design.results(design.default_format))
+      EXPECT_EQ(count(std::string("ap_vld port = ") + result.name + "\n"), 1) << design.name << result.name;
+  }
+}
+
+TEST(HlsTop, SeveralResultsAreArgumentsOfTheirKinds) {
+  Design toy = find_design("int_slabs");
+  toy.results_at = [](const Format&) {
+    return std::vector<hls::Result>{{"hit", hls::Meaning::hit, 0, 1, false},
+                                    {"entry", hls::Meaning::entry, 0, 24, true},
+                                    {"steps", hls::Meaning::exit, 0, 7, false}};
+  };
+  const std::string text = hls_top(toy, hls::IntBits{20, 24}).source.contents;
+  EXPECT_THAT(text, HasSubstr("top::Bit& hit"));
+  EXPECT_THAT(text, HasSubstr("top::Integer<24>& entry"));
+  EXPECT_THAT(text, HasSubstr("top::Pattern<7>& steps"));
+  EXPECT_THAT(text, EndsWith("  hit = out.hit;\n  entry = out.entry;\n  steps = out.steps;\n}\n"));
+}
+
+TEST(HlsTop, IsFormattedAsTheProjectIs) {
+  const host::ScratchFolder folder;
+  for (const Design& design : designs()) {
+    for (const host::File& file : hls_top(design, design.default_format).files()) {
+      if (file.name == "vitis_hls.tcl") continue;
+      write_text(folder / file.name, file.contents);
+      const ToolResult formatted =
+          run_tool(folder.path(), "clang-format", "clang-format",
+                   std::string("--style='file:") + HITPIPE_SOURCE + "/.clang-format' " + file.name);
+      EXPECT_EQ(formatted.output, file.contents) << file.name;
+    }
+  }
+}
+
+TEST(HlsTop, DesignThatDoesNotSayWhereItsCodeIsRejected) {
+  Design toy = find_design("int_slabs");
+  toy.source = {};
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(hls_top(toy, toy.default_format)); }),
+            "int_slabs: no top function for high-level synthesis; the design does not say where its C++ is");
+}
+
+TEST_F(VitisHls, GivesTheStepsInOrder) {
+  write(top_of("int_plucker", "20/24"));
+  EXPECT_THAT(
+      commands(sources + " PART=some-part CLOCK=4"),
+      ElementsAre("open_project -reset hitpipe_int_plucker", "set_top hitpipe_int_plucker",
+                  AllOf(StartsWith("add_files "), HasSubstr("/int_plucker.cpp -cflags"),
+                        HasSubstr(std::string("-std=c++20 -I") + HITPIPE_SOURCE + " -DHITPIPE_VENDOR")),
+                  AllOf(StartsWith("add_files -tb "), HasSubstr("/int_plucker_csim.cpp -cflags")),
+                  "open_solution -reset solution", "set_part some-part", "create_clock -period 4",
+                  "csim_design", "csynth_design", "export_design -format ip_catalog", "exit"));
+}
+
+TEST_F(VitisHls, FolderWithoutTheHeadersRejected) {
+  write(top_of("int_plucker", "20/24"));
+  EXPECT_THAT(commands("INCLUDE=/nowhere"),
+              ElementsAre("error INCLUDE=/nowhere: there is no hls/top/top_domain.hpp in that folder"));
+}
+
+TEST_F(VitisHls, TestProgramPassesOnIntegers) {
+  write(top_of("int_plucker", "20/24"));
+  EXPECT_THAT(simulated("int_plucker"), AllOf(HasSubstr("10000 tests"), HasSubstr(" 0 mismatches\nexit 0")));
+}
+
+TEST_F(VitisHls, TestProgramPassesOnFloats) {
+  write(top_of("fp_slabs", "fp32"));
+  EXPECT_THAT(simulated("fp_slabs"), AllOf(HasSubstr("10000 tests"), HasSubstr(" 0 mismatches\nexit 0")));
+}
+
+TEST_F(VitisHls, TestProgramFindsAWrongTop) {
+  HlsTop top = top_of("int_slabs", "16/16");
+  std::string& text = top.source.contents;
+  const std::string right = "in.ixmin = ixmin;";
+  text.replace(text.find(right), right.size(), "in.ixmin = ixmin + ixmax;");
+  write(top);
+  EXPECT_THAT(simulated("int_slabs"), HasSubstr("mismatches\nexit 1"));
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl
