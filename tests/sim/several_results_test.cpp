@@ -5,10 +5,14 @@
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/check/check.hpp"
+#include "sim/feed.hpp"
 #include "sim/fit/vector_check.hpp"
+#include "sim/ray_unit.hpp"
 #include "sim/software.hpp"
 #include "sim/verilated_design.hpp"
 #include "tests/rtl_gen/emit/two_boxes.hpp"
+#include "tests/sim/slabs_with_entry.hpp"
+#include "tests/sim/small_scene.hpp"
 
 namespace hitpipe::sim {
 namespace {
@@ -141,6 +145,48 @@ TEST_P(WrongResult, IsFound) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Results, WrongResult, testing::Values("entry", "hit_a", "hit_b"));
+
+/// The hills traced by a unit that gives HIT and a distance, compared with that C++.
+UnitCounts traced(const rtl::Evaluate::Run cpp) {
+  const rtl::Design design = rtl::design_of<hls::SlabsWithEntry>();
+  const rtl::Format format = hls::IntBits{12, 12};
+  const VerilatedDesign verilated(design, format, rtl::Library::thesis());
+  const ref::Scene scene = hills();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const auto feed = make_feed(rtl::find_design("int_slabs"), format, bvh);
+  RayUnit unit({.verilated = &verilated,
+                .evaluate = {cpp, format, design.results(format)},
+                .feed = feed.get(),
+                .bvh = &bvh,
+                .mesh = &scene.mesh,
+                .rays_in_flight = 8,
+                .referee = true});
+  std::uint32_t given = 0;
+  const auto next = [&]() -> std::optional<RayJob> {
+    if (given == 500) return std::nullopt;
+    const float along = static_cast<float>(given) / 500 - 0.5F;
+    return RayJob{
+        {{along, 0.9F, -along}, {along / 2, -1, 0.3F}, ref::Ray::infinite}, ref::Query::closest, given++};
+  };
+  unit.run(next, [](const RayJob&, const ref::Traversal&) {});
+  return unit.counts();
+}
+
+TEST(SeveralResultsOfOneBox, AreAllComparedWhileASceneIsTraced) {
+  const rtl::Evaluate::Run right = rtl::detail::run_any<hls::SlabsWithEntry>;
+  const UnitCounts same = traced(right);
+  EXPECT_EQ(same.rtl_mismatches, 0U);
+  EXPECT_EQ(same.false_misses, 0U);
+  EXPECT_GT(same.hits, 500U);
+  const rtl::Evaluate::Run other = [](const rtl::Format& format, const std::int64_t* operands,
+                                      std::int64_t* out) {
+    rtl::detail::run_any<hls::SlabsWithEntry>(format, operands, out);
+    out[1] ^= 1;
+  };
+  const UnitCounts differing = traced(other);
+  EXPECT_EQ(differing.rtl_mismatches, same.box_tests);
+  EXPECT_EQ(differing.hits, same.hits);
+}
 
 TEST_F(SeveralResults, OfTwoBoxesTraceNoScene) {
   Software software;
