@@ -66,6 +66,7 @@ void add_software(std::string_view design, Software software);
 [[nodiscard]] std::string missing(const rtl::Design& design, std::string_view part);
 inline constexpr std::string_view set_up_part = "set-up of rays and boxes for its operands";
 inline constexpr std::string_view traversal_part = "software traversal that answers as it does";
+inline constexpr std::string_view node_size_part = "size of its nodes";
 inline constexpr std::string_view promise_part = "rule for what a scene tells of its operands";
 
 /// Why the design cannot trace a scene, one line; empty when it can.

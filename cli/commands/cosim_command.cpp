@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "sim/fit/unit_cosim.hpp"
+#include "sim/software.hpp"
 #include "sw_ref/render/image_file.hpp"
 
 namespace hitpipe::cli {
@@ -73,6 +75,7 @@ Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref:
 
 int cosimulate(const CosimCommand& command) {
   const rtl::Design& design = command.choice.design();
+  if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
   const sim::WrittenUnit unit = unit_of(command);
 
   std::optional<Progress> progress("reading the scene");

@@ -12,6 +12,7 @@
 #include "cli/report/gnuplot.hpp"
 #include "cli/report/label_places.hpp"
 #include "cli/report/sweep_rows.hpp"
+#include "rtl_gen/catalogue/design.hpp"
 
 namespace hitpipe::cli {
 

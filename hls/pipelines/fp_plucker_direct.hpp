@@ -23,7 +23,7 @@ struct FpLesserTerm {
 
 struct FpPluckerDirect {
   static constexpr const char* name = "fp_plucker_direct";
-  static constexpr const char* summary = "float Pluecker test, its products compared directly";
+  static constexpr const char* summary = "float Pluecker test without side relations";
   static constexpr bool conservative = false;
 
   using Bits = FpBits;

@@ -82,7 +82,7 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
 std::size_t bytes_per_node(const rtl::Design& design, const rtl::Format& format,
                            const ref::CoarseAxes& coarse) {
   const Software& software = software_of(design);
-  if (software.bytes_per_node == nullptr) throw std::runtime_error(missing(design, "size of its nodes"));
+  if (software.bytes_per_node == nullptr) throw std::runtime_error(missing(design, node_size_part));
   return software.bytes_per_node(format, coarse);
 }
 

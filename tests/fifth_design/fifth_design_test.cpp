@@ -58,7 +58,7 @@ TEST_F(FifthDesign, HasNoPrintedAccount) {
 }
 
 TEST_F(FifthDesign, IsCosimulated) {
-  const json run = of(run_hitpipe({"cosim", "endless_slabs", "--bits", "16/16", "--scene", "room", "--width",
+  const json run = of(run_hitpipe({"cosim", "endless_slabs", "--bits", "16/16", "--scene", "waves", "--width",
                                    "24", "--height", "24", "--referee", "--format", "json"}));
   EXPECT_GT(run.at("hits"), 0);
   for (const char* const wrong : {"rtl_mismatches", "false_misses", "different_triangles"})
@@ -90,7 +90,7 @@ TEST_F(FifthDesign, IsAmongTheStiffOnesUnlessOthersAreNamed) {
 TEST_F(FifthDesign, IsSwept) {
   const std::vector<std::string> arguments{"sweep",
                                            "--scene",
-                                           "room",
+                                           "waves",
                                            "--width",
                                            "16",
                                            "--height",
@@ -111,7 +111,7 @@ TEST_F(FifthDesign, IsSwept) {
 }
 
 TEST_F(FifthDesign, IsFitted) {
-  const json rows = of(run_hitpipe({"fit", "--scene", "room", "--designs", "endless_slabs", "--no-shadows",
+  const json rows = of(run_hitpipe({"fit", "--scene", "waves", "--designs", "endless_slabs", "--no-shadows",
                                     "--width", "16", "--height", "16", "--overhead", "100", "--vectors",
                                     "20000", "--out", out("fit"), "--format", "json"}));
   const json& fitted = rows.front();
@@ -121,13 +121,13 @@ TEST_F(FifthDesign, IsFitted) {
        {"rtl_mismatches", "vector_mismatches", "false_misses", "different_triangles"})
     EXPECT_EQ(fitted.at(wrong), 0) << wrong;
   const json again =
-      of(run_hitpipe({"cosim", "endless_slabs", "--unit", out("fit/endless_slabs"), "--scene", "room",
+      of(run_hitpipe({"cosim", "endless_slabs", "--unit", out("fit/endless_slabs"), "--scene", "waves",
                       "--width", "16", "--height", "16", "--bounces", "0", "--format", "json"}));
   EXPECT_EQ(again.at("bits"), fitted.at("bits"));
 }
 
 TEST_F(FifthDesign, IsReported) {
-  const Outcome run = run_hitpipe({"report", "--scene", "room", "--width", "16", "--height", "16", "--bits",
+  const Outcome run = run_hitpipe({"report", "--scene", "waves", "--width", "16", "--height", "16", "--bits",
                                    "12/12", "--image-design", "endless_slabs", "--image-bits", "12/12",
                                    "--tests", "500", "--out", out("report")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -151,12 +151,12 @@ TEST_P(DesignWithoutSetUp, IsRefusedWhereRaysAreNeeded) {
 }
 INSTANTIATE_TEST_SUITE_P(Commands, DesignWithoutSetUp,
                          testing::Values(std::vector<std::string>{"cosim", "one_axis_slab", "--scene",
-                                                                  "room"},
+                                                                  "waves"},
                                          std::vector<std::string>{"check", "one_axis_slab"},
                                          std::vector<std::string>{"stiffness", "--designs", "one_axis_slab"},
-                                         std::vector<std::string>{"sweep", "--scene", "room", "--designs",
+                                         std::vector<std::string>{"sweep", "--scene", "waves", "--designs",
                                                                   "one_axis_slab", "--out", "rows.csv"},
-                                         std::vector<std::string>{"fit", "--scene", "room", "--designs",
+                                         std::vector<std::string>{"fit", "--scene", "waves", "--designs",
                                                                   "one_axis_slab", "--out", "fit"}),
                          [](const auto& command) { return command.param.front(); });
 

@@ -217,7 +217,7 @@ TEST_F(AreaLibrary, ThatIsBrokenRejected) {
 }
 
 TEST(AreaCommand, UnknownDesignRejected) {
-  rejected({"pluecker"}, "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker");
+  rejected({"pluecker"}, "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
 }
 
 TEST(AreaCommand, BitsRejected) {

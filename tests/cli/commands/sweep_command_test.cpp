@@ -254,7 +254,7 @@ TEST_F(SweepCommand, BadInputRejected) {
   expect_error({"sweep", "--merge", "--out", out},
                out + ": no shards beside it; run hitpipe sweep --shard I/N first");
   expect_error({"sweep", "--scene", "spheres", "--designs", "int_slab", "--out", out},
-               "design int_slab: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker");
+               "design int_slab: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
   expect_error({"sweep", "--scene", "spheres", "--designs", "fp_slabs", "--bits", "24/24", "--out", out},
                "--bits: no design named takes it; float designs have fp32 only");
   expect_error({"sweep", "--scene", "spheres", "--bits", "24/24,5/5", "--out", out},

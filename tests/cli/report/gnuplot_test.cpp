@@ -14,7 +14,7 @@ namespace hitpipe::cli {
 namespace {
 
 std::string message_of(const std::string& script) {
-  return message_of<std::runtime_error>([&] { static_cast<void>(run_gnuplot("plot", script)); });
+  return hitpipe::message_of<std::runtime_error>([&] { static_cast<void>(run_gnuplot("plot", script)); });
 }
 
 TEST(Gnuplot, DrawsInAnyTemporaryFolder) {
