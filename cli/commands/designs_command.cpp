@@ -18,7 +18,7 @@ void add_designs_command(CLI::App& program, int& /*exit_code*/) {
     for (const rtl::Design& design : rtl::designs()) {
       rows.push_back({{"design", design.name},
                       {"bits", rtl::to_string(design.default_format)},
-                      {"never_misses", design.conservative ? "yes" : "no"},
+                      {"may_miss", design.conservative ? "no" : "yes"},
                       {"what", design.summary}});
       if (*format == Format::text) continue;
       rows.back()["formats"] = design.default_format.family().allowed;

@@ -85,6 +85,11 @@ std::vector<sim::DesignFormats> DesignsChoice::formats(const std::vector<const r
     if (taken) continue;
     if (!name.empty())
       throw std::runtime_error(fmt::format("bits {}: design {} is not among those asked for", text, name));
+    const auto same_family = [&](const rtl::Design* design) {
+      return &design->default_format.family() == &designs.front()->default_format.family();
+    };
+    if (std::all_of(designs.begin(), designs.end(), same_family))
+      static_cast<void>(designs.front()->parse_format(text));  // throws
     throw std::runtime_error(fmt::format("bits {}: allowed is {}", text, spellings(designs)));
   }
   for (sim::DesignFormats& each : all)

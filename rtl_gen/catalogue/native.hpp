@@ -64,7 +64,8 @@ void run(const F& format, const std::int64_t* operands, std::int64_t* results) {
 #endif
 
 template <class Pipeline, class F>
-HITPIPE_FLATTEN void run_built_in(const Format& /*its own*/, const std::int64_t* operands, std::int64_t* results) {
+HITPIPE_FLATTEN void run_built_in(const Format& /*its own*/, const std::int64_t* operands,
+                                  std::int64_t* results) {
   run<Pipeline, hls::Native>(F(), operands, results);
 }
 

@@ -26,6 +26,7 @@ class EveryDesign : public testing::TestWithParam<DesignFormat> {};
 
 TEST_P(EveryDesign, StagesAddUpToTheTotal) {
   for (const Account account : {Account::built, Account::printed}) {
+    if (account == Account::printed && GetParam().found().printed.rows.empty()) continue;
     const Price p = price_of(GetParam(), account);
     ASSERT_EQ(p.by_stage.size(), static_cast<std::size_t>(p.stages) + 1);
     std::map<Part, Line> sums;

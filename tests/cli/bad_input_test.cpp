@@ -67,7 +67,8 @@ TEST_F(BadInput, UnknownDesignRejected) {
 }
 
 TEST_F(BadInput, BitsRejected) {
-  const std::string allowed = ": allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
+  const std::string allowed =
+      ": no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
   for (const std::string bits : {"5/6", "33/6", "20/40", "20/5", "abc", "20", "20/24x", "", "20/", "/24",
                                  "20/24/28", "-20/24", "20 /24", "99999999999/24"}) {
     rejected({"rtl", "int_slabs", "--bits", bits, "--out", out()}, "bits " + bits + allowed);
@@ -75,9 +76,10 @@ TEST_F(BadInput, BitsRejected) {
   for (const std::string bits : {"5/6", "20/40"})
     rejected(cosim({"--scene", "spheres", "--bits", bits}), "bits " + bits + allowed);
   rejected({"rtl", "fp_slabs", "--bits", "20/24", "--out", out()},
-           "bits 20/24: fp_slabs computes in floats; its only format is fp32");
+           "bits 20/24: no format of fp_slabs; allowed is fp32, which is e8m23");
   rejected({"rtl", "int_slabs", "--bits", "fp32", "--out", out()},
-           "bits fp32: no such format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1");
+           "bits fp32: no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example "
+           "20/24");
 }
 
 TEST_F(BadInput, UnknownSceneRejected) {
@@ -147,7 +149,7 @@ TEST_F(BadInput, FolderThatCannotBeMadeRejectedBeforeTheLongRun) {
 
 TEST_F(BadInput, BitsOfFloatDesignsAloneRejected) {
   rejected(fit({"--designs", "fp_slabs,fp_plucker", "--bits", "12/12"}, out()),
-           "--bits: no design named takes it; float designs have fp32 only");
+           "bits 12/12: no format of fp_slabs; allowed is fp32, which is e8m23");
 }
 
 TEST_F(BadInput, OverheadThatIsNoNumberRejected) {

@@ -147,7 +147,8 @@ TEST(CommandLine, WithUnknownFormatRejected) {
 /// A user's word that is quoted may hold anything.
 TEST(CommandLine, WithLineBreaksIsAnsweredInOneLine) {
   expect_error({"rtl", "two\nlines\t", "--out", "x"},
-               "design two lines : unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
+               "design two lines : unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, "
+               "fp_plucker_direct");
 }
 
 TEST(StandardOutput, ThatIsFullRejected) {

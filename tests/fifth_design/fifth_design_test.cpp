@@ -111,18 +111,17 @@ TEST_F(FifthDesign, IsSwept) {
 }
 
 TEST_F(FifthDesign, IsFitted) {
-  const json rows = of(run_hitpipe({"fit", "--scene", "waves", "--designs", "endless_slabs", "--no-shadows",
-                                    "--width", "16", "--height", "16", "--overhead", "100", "--vectors",
-                                    "20000", "--out", out("fit"), "--format", "json"}));
+  const json rows = of(
+      run_hitpipe({"fit", "--scene", "waves", "--designs", "endless_slabs", "--width", "16", "--height", "16",
+                   "--overhead", "100", "--vectors", "20000", "--out", out("fit"), "--format", "json"}));
   const json& fitted = rows.front();
   EXPECT_GT(fitted.at("area_saved_pct"), 10.0);
   EXPECT_EQ(fitted.at("ray_ends"), true) << "it has none to leave out";
   for (const char* const wrong :
        {"rtl_mismatches", "vector_mismatches", "false_misses", "different_triangles"})
     EXPECT_EQ(fitted.at(wrong), 0) << wrong;
-  const json again =
-      of(run_hitpipe({"cosim", "endless_slabs", "--unit", out("fit/endless_slabs"), "--scene", "waves",
-                      "--width", "16", "--height", "16", "--bounces", "0", "--format", "json"}));
+  const json again = of(run_hitpipe({"cosim", "endless_slabs", "--unit", out("fit/endless_slabs"), "--scene",
+                                     "waves", "--width", "16", "--height", "16", "--format", "json"}));
   EXPECT_EQ(again.at("bits"), fitted.at("bits"));
 }
 

@@ -156,7 +156,8 @@ TEST_F(ModelCache, CompilesVerilatorsOwnCodeOnce) {
     std::ofstream(stub_.program().parent_path() / "include/verilated.cpp") << "no C++";
     const VerilatedDesign other_format(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis(), cache_);
     fs::remove(each.path() / "verilated_threads.o");
-    EXPECT_THROW(VerilatedDesign(int_slabs(), hls::IntBits{24, 24}, rtl::Library::thesis(), cache_), std::runtime_error);
+    EXPECT_THROW(VerilatedDesign(int_slabs(), hls::IntBits{24, 24}, rtl::Library::thesis(), cache_),
+                 std::runtime_error);
   }
   EXPECT_TRUE(fs::exists(cache_ / "failed-verilated.log"));
 }

@@ -114,7 +114,8 @@ TEST(AreaCommand, PrintsALineADesignThenAColumnADesign) {
 }
 
 TEST(AreaCommand, TextFitsEightyColumnsHoweverManyDesigns) {
-  const std::vector<std::string> many(11, "int_plucker");
+  const std::vector<std::string> many{"int_plucker", "--bits",
+                                      "6/6,8/8,10/10,12/12,14/14,16/16,18/18,20/20,22/22,24/24,32/32"};
   std::vector<std::string> by_stage = many;
   by_stage.emplace_back("--by-stage");
   for (const std::vector<std::string>& arguments :
@@ -217,15 +218,18 @@ TEST_F(AreaLibrary, ThatIsBrokenRejected) {
 }
 
 TEST(AreaCommand, UnknownDesignRejected) {
-  rejected({"pluecker"}, "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
+  rejected(
+      {"pluecker"},
+      "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
 }
 
 TEST(AreaCommand, BitsRejected) {
-  const std::string allowed = ": allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
+  const std::string allowed =
+      ": no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
   for (const std::string bits : {"5/6", "20/40", "abc", ""})
     rejected({"int_slabs", "--bits", bits}, "bits " + bits + allowed);
   rejected({"fp_slabs", "--bits", "20/24"},
-           "bits 20/24: fp_slabs computes in floats; its only format is fp32");
+           "bits 20/24: no format of fp_slabs; allowed is fp32, which is e8m23");
   rejected({"--bits", "20/24"}, "--bits requires design; see hitpipe area --help");
 }
 

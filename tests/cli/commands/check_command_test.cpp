@@ -220,13 +220,15 @@ TEST(CheckCommand, UnknownCategoryRejected) {
 }
 
 TEST(CheckCommand, FormatsThatTheDesignDoesNotHaveRejected) {
-  rejected({"int_slabs", "--bits", "5/6"},
-           "bits 5/6: allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
+  rejected(
+      {"int_slabs", "--bits", "5/6"},
+      "bits 5/6: no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
   rejected({"int_plucker", "--bits", "fp32"},
-           "bits fp32: no such format of int_plucker; allowed is n/t with n in 6..32 and t in 6..2n-1");
+           "bits fp32: no format of int_plucker; allowed is n/t with n in 6..32 and t in 6..2n-1, for "
+           "example 20/24");
   for (const char* const design : {"fp_slabs", "fp_plucker"}) {
     rejected({design, "--bits", "20/24"},
-             "bits 20/24: " + std::string(design) + " computes in floats; its only format is fp32");
+             "bits 20/24: no format of " + std::string(design) + "; allowed is fp32, which is e8m23");
   }
   EXPECT_EQ(check({"fp_slabs", "--bits", "fp32", "--tests", "2048", "--category", "random"}).exit_code, 0);
 }
@@ -245,7 +247,8 @@ TEST(CheckCommand, NumbersOutOfRangeRejected) {
   rejected({"int_slabs", "--threads", "0"},
            "--threads: Value 0 not in range 1 to 1024; see hitpipe check --help");
   rejected({"int_slobs"},
-           "design int_slobs: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
+           "design int_slobs: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, "
+           "fp_plucker_direct");
 }
 
 /// The page for the user names what the program has.

@@ -293,7 +293,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(FitCommand, RejectsWhatIsNotThere) {
   EXPECT_THAT(fit({"--designs", "int_cubes"}).err, HasSubstr("design int_cubes: unknown"));
-  EXPECT_THAT(fit({"--bits", "99/3"}).err, HasSubstr("bits 99/3: allowed is n/t"));
+  EXPECT_THAT(fit({"--bits", "99/3"}).err, HasSubstr("bits 99/3: no format of int_slabs; allowed is n/t"));
   EXPECT_THAT(fit({"--overhead", "-1"}).err, HasSubstr("--overhead: Value -1 not in range 0 to 1000;"));
   EXPECT_THAT(fit({"--overhead", "nan"}).err, HasSubstr("--overhead: Value nan not in range 0 to 1000;"));
   vectors_ = "-1";

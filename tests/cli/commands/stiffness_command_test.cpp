@@ -153,16 +153,18 @@ void expect_error(const std::vector<std::string>& more, const std::string& messa
 }
 
 TEST(StiffnessCommand, BadInputRejected) {
-  expect_error({"--designs", "box"},
-               "design box: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
-  expect_error({"--bits", "5/6"},
-               "bits 5/6: allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
+  expect_error(
+      {"--designs", "box"},
+      "design box: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
+  expect_error(
+      {"--bits", "5/6"},
+      "bits 5/6: no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
   expect_error({"--scene", "cone"},
                "scene \"cone\": no built-in scene and no file of that name; built-in are: spheres, branch, "
                "poppy, plant, plant_front, plant_north, plant_boiler, statue, two_statues, "
                "plant_slice, waves");
   expect_error({"--bits", "6/6,7/7,8/8,9/9,10/10,11/11,12/12,13/13,14/14"},
-               "--bits: 9 formats; allowed are 8 at most; see hitpipe stiffness --help");
+               "--bits: 9 formats for int_slabs; allowed are 8 at most; see hitpipe stiffness --help");
   for (const char* const seed : {"-1", "18446744073709551616"}) {
     expect_error({"--seed", seed}, "--seed: Value " + std::string(seed) +
                                        " not in range 0 to 18446744073709551615; see hitpipe stiffness "

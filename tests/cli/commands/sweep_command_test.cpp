@@ -253,12 +253,14 @@ TEST_F(SweepCommand, BadInputRejected) {
   expect_error({"sweep", "--scene", "spheres"}, "--out is required; see hitpipe sweep --help");
   expect_error({"sweep", "--merge", "--out", out},
                out + ": no shards beside it; run hitpipe sweep --shard I/N first");
-  expect_error({"sweep", "--scene", "spheres", "--designs", "int_slab", "--out", out},
-               "design int_slab: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
+  expect_error(
+      {"sweep", "--scene", "spheres", "--designs", "int_slab", "--out", out},
+      "design int_slab: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
   expect_error({"sweep", "--scene", "spheres", "--designs", "fp_slabs", "--bits", "24/24", "--out", out},
-               "--bits: no design named takes it; float designs have fp32 only");
-  expect_error({"sweep", "--scene", "spheres", "--bits", "24/24,5/5", "--out", out},
-               "bits 5/5: allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
+               "bits 24/24: no format of fp_slabs; allowed is fp32, which is e8m23");
+  expect_error(
+      {"sweep", "--scene", "spheres", "--bits", "24/24,5/5", "--out", out},
+      "bits 5/5: no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
   expect_error({"sweep", "--scene", "spheres", "--rays-in-flight", "1,0", "--out", out},
                "--rays-in-flight: Value 0 not in range 1 to 65536; see hitpipe sweep --help");
   expect_error({"sweep", "--scene", "spheres", "--bits", "6/6", "--shard", "3/2", "--out", out},

@@ -82,7 +82,8 @@ static_assert(same<decltype(std::declval<u<8>&>()[3] + u<1>()), u<2>>);
 // The free functions give plain values of the width they name.
 static_assert(same<decltype(slice(s<8>(), 7_w, 4_w)), u<4>> && same<decltype(cat(s<3>(), u<5>())), u<8>>);
 static_assert(same<decltype(resize(s<4>(), 9_w)), s<9>> && same<decltype(resize(u<4>(), 3_w)), u<3>>);
-static_assert(same<decltype(Native::lit(1, 24_w)), u<24>> && same<decltype(select(u<1>(), s<9>(), s<9>())), s<9>>);
+static_assert(same<decltype(Native::lit(1, 24_w)), u<24>> &&
+              same<decltype(select(u<1>(), s<9>(), s<9>())), s<9>>);
 
 template <class A>
 inline constexpr bool plain_data =
@@ -131,7 +132,8 @@ static_assert((u<4>(5), u<4>(6)) == 0x56 && s<4>(-1).concat(u<4>(6)) == 0xf6);
 static_assert(s<100>(-7) * s<100>(9) == -63 && u<128>(-1) % 1000 == 455);
 static_assert(s<24>(-9) / s<8>(2) == -4 && s<24>(-9) % s<8>(2) == -1 && (s<24>(-9) >> 1) == -5);
 static_assert((u<200>(1) << 199) / (u<200>(1) << 190) == 512);
-static_assert(slice(s<24>(-1), 23_w, 20_w) == 15 && cat(u<1>(1), s<2>(-2)) == 6 && resize(s<4>(-3), 8_w) == -3);
+static_assert(slice(s<24>(-1), 23_w, 20_w) == 15 && cat(u<1>(1), s<2>(-2)) == 6 &&
+              resize(s<4>(-3), 8_w) == -3);
 static_assert(select(u<1>(1), u<4>(3), u<4>(9)) == 3 &&
               select(u<1>(s<8>(-1) < u<8>(0)), u<4>(3), u<4>(9)) == 3);
 static_assert(~u<1>(1) == 0 && ~u<1>(0) == 1 && as("hit", u<1>(1)) == 1 && as("near", 'x', s<4>(-8)) == -8);

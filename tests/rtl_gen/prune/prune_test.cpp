@@ -95,7 +95,7 @@ TEST_P(PrunedDesign, OneDirectionClassHasNoMultiplexersOfTheClass) {
     before += name.starts_with("mux2") ? count : 0;
   for (const auto& [name, count] : pruned.report.after.components)
     after += name.starts_with("mux2") ? count : 0;
-  if (design.name.ends_with("plucker")) {
+  if (design.name.find("plucker") != std::string_view::npos) {
     EXPECT_EQ(after, 0);
   } else {
     EXPECT_EQ(before - after, 6) << "two on each axis choose by the IRDVC's sign";

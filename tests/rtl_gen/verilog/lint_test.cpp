@@ -49,7 +49,8 @@ class LintOfADamagedDesign : public testing::Test {
  protected:
   void damage(const std::string& good, const std::string& bad) {
     const Pipeline pipeline = int_slabs_pipeline(hls::IntBits{6, 6});
-    std::string text = emit(find_design("int_slabs"), hls::IntBits{6, 6}, Library::thesis(), pipeline).verilog.contents;
+    std::string text =
+        emit(find_design("int_slabs"), hls::IntBits{6, 6}, Library::thesis(), pipeline).verilog.contents;
     const std::size_t at = text.find(good);
     ASSERT_NE(at, std::string::npos);
     write_text(folder / "int_slabs.v", text.replace(at, good.size(), bad));

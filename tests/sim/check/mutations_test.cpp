@@ -243,7 +243,7 @@ TEST_P(TextAsWritten, MissesABoxThatTheRayMeets) {
 }
 
 TEST_P(TextAsWritten, IsInTheDocumentWithItsRayAndBox) {
-  std::ifstream page(std::filesystem::path(__FILE__).parent_path() / "../../docs/conservative.md");
+  std::ifstream page(std::filesystem::path(__FILE__).parent_path() / "../../../docs/conservative.md");
   const std::string text{std::istreambuf_iterator<char>(page), {}};
   const AsWritten& example = GetParam();
   const std::string command = fmt::format("hitpipe check {} --bits {} --replay \\\n  \"{}\"",

@@ -53,7 +53,8 @@ TEST(StiffDirection, HasTwoComponentsOfABinadeAndOneSoFarBelow) {
 
 TEST(StiffBoxes, CostTheSlabsMoreTheStifferTheRay) {
   std::printf("seed %llu, %d boxes\n", static_cast<unsigned long long>(seed), 22 * 6000);
-  const std::vector<StiffBoxes> all = over_all_kinds(measured(rtl::find_design("int_slabs"), hls::IntBits{24, 24}, 6000));
+  const std::vector<StiffBoxes> all =
+      over_all_kinds(measured(rtl::find_design("int_slabs"), hls::IntBits{24, 24}, 6000));
   ASSERT_EQ(all.size(), last + 1);
   for (const StiffBoxes& sum : all) {
     EXPECT_EQ(sum.tests, 6000U);
@@ -71,7 +72,8 @@ TEST(StiffBoxes, CostTheSlabsMoreTheStifferTheRay) {
 /// Pluecker scales by the largest component. A small one that is rounded to zero costs at most one unit.
 TEST(StiffBoxes, CostThePlueckerTestNothing) {
   std::printf("seed %llu, %d boxes\n", static_cast<unsigned long long>(seed), 22 * 6000);
-  for (const StiffBoxes& sum : over_all_kinds(measured(rtl::find_design("int_plucker"), hls::IntBits{24, 24}, 6000))) {
+  for (const StiffBoxes& sum :
+       over_all_kinds(measured(rtl::find_design("int_plucker"), hls::IntBits{24, 24}, 6000))) {
     EXPECT_EQ(sum.tests, 6000U);
     EXPECT_EQ(sum.false_misses, 0U);
     EXPECT_LT(sum.false_hit_pct(), 0.5);

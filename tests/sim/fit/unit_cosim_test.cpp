@@ -29,8 +29,9 @@ WrittenUnit fitted_to(const ref::Scene& scene) {
   const rtl::Library& library = rtl::Library::thesis();
   const ref::SceneDemands demands = ref::scene_demands(scene, ref::build_bvh(scene.mesh), {24, 16});
   const TemporaryFolder folder;
-  host::write_files(folder.path(),
-                    fitted_files(fit(design(), hls::IntBits{12, 12}, std::nullopt, demands, library), library).files());
+  host::write_files(
+      folder.path(),
+      fitted_files(fit(design(), hls::IntBits{12, 12}, std::nullopt, demands, library), library).files());
   return read_unit(folder.path(), design(), library);
 }
 
@@ -43,7 +44,8 @@ TEST(WholeUnit, IsWhatIsWrittenOfTheDesign) {
   const TemporaryFolder folder;
   host::write_files(folder.path(),
                     rtl::emit(design(), hls::IntBits{12, 12}, library,
-                              rtl::make_pipeline(design().trace(hls::IntBits{12, 12}), library)).files());
+                              rtl::make_pipeline(design().trace(hls::IntBits{12, 12}), library))
+                        .files());
   const WrittenUnit read = read_unit(folder.path(), design(), library);
   EXPECT_EQ(read.verilog, unit.verilog);
   EXPECT_EQ(read.pipeline.latency(), unit.pipeline.latency());
@@ -53,8 +55,8 @@ TEST(UnitCosim, OfAWholeUnitIsTheDesigns) {
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const VerilatedDesign verilated(design(), hls::IntBits{12, 12}, rtl::Library::thesis());
-  const CosimResult of_design =
-      cosimulate(design(), hls::IntBits{12, 12}, verilated, scene, bvh, {.width = 24, .height = 16, .referee = true});
+  const CosimResult of_design = cosimulate(design(), hls::IntBits{12, 12}, verilated, scene, bvh,
+                                           {.width = 24, .height = 16, .referee = true});
   const CosimResult of_unit = run(whole_unit(design(), hls::IntBits{12, 12}, rtl::Library::thesis()), scene);
   EXPECT_EQ(of_unit.unit, of_design.unit);
   EXPECT_EQ(of_unit.triangles, of_design.triangles);

@@ -39,8 +39,8 @@ class Vectors : public testing::Test {
   static FittedUnit made() {
     const ref::Scene scene = ref::flat_hills();
     const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-    return fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, std::nullopt, ref::scene_demands(scene, bvh, {}),
-               rtl::Library::thesis());
+    return fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, std::nullopt,
+               ref::scene_demands(scene, bvh, {}), rtl::Library::thesis());
   }
 
  protected:

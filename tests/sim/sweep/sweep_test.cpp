@@ -205,7 +205,8 @@ TEST(SweepPlan, FindsThePlaceOfADesignByItsName) {
   EXPECT_EQ(key_of({&copied, hls::IntBits{6, 6}, 8}), key_of("int_slabs", "6/6", 8));
   rtl::Design outside = copied;
   outside.name = "outside";
-  EXPECT_EQ(key_of({&outside, hls::IntBits{6, 6}, 8}).design, rtl::designs().size()) << "behind all of the catalogue";
+  EXPECT_EQ(key_of({&outside, hls::IntBits{6, 6}, 8}).design, rtl::designs().size())
+      << "behind all of the catalogue";
 }
 
 TEST(Shards, ShareThePlanWithoutLossOrOverlap) {
