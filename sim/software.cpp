@@ -9,11 +9,6 @@
 
 namespace hitpipe::sim {
 
-using SoftwareByName = std::map<std::string, Software, std::less<>>;
-
-/// Of the designs in designs.cmake; written when the build is configured.
-SoftwareByName own_software();
-
 namespace {
 
 SoftwareByName& all() {

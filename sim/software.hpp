@@ -4,8 +4,10 @@
 // part then refuses the design, or leaves it out and says so.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 

@@ -71,9 +71,9 @@ std::string design_text(const FitReport& report) {
   text += report.left_out.empty() ? "  left out: nothing, the scene needs it all\n"
                                   : "  left out, each with the share of the area that it saves alone:\n";
   const double whole_um2 = number_of(row, "area_before_mm2") * 1e6;
-  for (const sim::LeftOut& left : report.left_out) {
-    text += fmt::format("  {:6.2f} %  ", 100.0 * static_cast<double>(left.area_um2) / whole_um2) +
-            wrapped(left.what, 14, 12) + std::string(12, ' ') + wrapped(left.why, 14, 12);
+  for (const sim::LeftOut& cut : report.left_out) {
+    text += fmt::format("  {:6.2f} %  ", 100.0 * static_cast<double>(cut.area_um2) / whole_um2) +
+            wrapped(cut.what, 14, 12) + std::string(12, ' ') + wrapped(cut.why, 14, 12);
   }
   if (row.at("ray_ends").get<bool>() && !row.at("endless_extra_box_tests_pct").is_null())
     text += "  " + wrapped(fmt::format("ends of rays kept: {:.2f} % extra box tests without them",

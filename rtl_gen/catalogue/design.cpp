@@ -9,9 +9,6 @@
 
 namespace hitpipe::rtl {
 
-/// Those of hitpipe's own list; written when the build is configured.
-std::deque<Design> own_designs();
-
 namespace {
 
 std::deque<Design>& all() {

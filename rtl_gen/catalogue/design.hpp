@@ -52,7 +52,9 @@ struct Design {
   [[nodiscard]] std::string bits_option(const Format& format) const;
 };
 
-/// hitpipe's own, and those that a program added.
+/// hitpipe's own: those of designs.cmake. The build writes this function.
+[[nodiscard]] std::deque<Design> own_designs();
+/// These, and those that a program added.
 [[nodiscard]] const std::deque<Design>& designs();
 /// For a program with designs of its own, before it uses any. Throws std::invalid_argument for a name that
 /// there is.

@@ -3,6 +3,8 @@
 
 namespace hitpipe::sim {
 
+// NOLINTNEXTLINE(readability-redundant-declaration): the list of designs, in one batch with this file, has it
+// too
 Software fp_plucker_software();
 
 Software fp_plucker_direct_software() {

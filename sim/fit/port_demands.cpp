@@ -99,7 +99,7 @@ std::string direction_text(const ref::SceneDemands& scene, int axis) {
   return bounds("direction", axis, all.min[axis], all.max[axis]);
 }
 
-constexpr std::array<Axis, 3> axes{Axis::x, Axis::y, Axis::z};
+constexpr std::array<Axis, 3> all_axes{Axis::x, Axis::y, Axis::z};
 
 /// What two demands on one port both allow. Each has one interval.
 void add(rtl::Demands& all, const rtl::PortDemand& demand) {
@@ -124,14 +124,14 @@ std::vector<DemandGroup> port_demands(const rtl::Design& design, const rtl::Form
   Groups groups(design, format, scene, coarse);
   const ref::Aabb origins = scene.origins();
   for (int i = 0; i < 3; ++i) {
-    const Axis axis = axes[static_cast<std::size_t>(i)];
+    const Axis axis = all_axes[static_cast<std::size_t>(i)];
     groups.add(bounds("ray origin", i, origins.min[i], origins.max[i]), axis, origin_roles);
     groups.add(bounds("box", i, scene.boxes.min[i], scene.boxes.max[i]), axis, box_roles);
     groups.add(direction_text(scene, i), axis, direction_roles);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     if (const int dropped = coarse.dropped[i]; dropped > 0)
-      groups.add_low_zeros(measured_text(precision->coarse_extra_box_tests_pct), axes[i], dropped);
+      groups.add_low_zeros(measured_text(precision->coarse_extra_box_tests_pct), all_axes[i], dropped);
   }
   if (precision && !precision->ends)
     groups.add_endless(measured_text(precision->endless_extra_box_tests_pct));
