@@ -55,6 +55,10 @@ struct Software {
   MakeBoxTest beside{};
 };
 
+using SoftwareByName = std::map<std::string, Software, std::less<>>;
+
+/// That of the designs in designs.cmake. The build writes this function.
+[[nodiscard]] SoftwareByName own_software();
 /// All parts are missing for a design that states nothing.
 [[nodiscard]] const Software& software_of(const rtl::Design& design);
 /// For a program that has designs of its own. Call it before any design is used.

@@ -3,8 +3,8 @@
 
 namespace hitpipe::sim {
 
-// NOLINTNEXTLINE(readability-redundant-declaration): the list of designs, in one batch with this file, has it
-// too
+// Declared in the list of designs too, which may be in one batch with this file.
+// NOLINTNEXTLINE(readability-redundant-declaration)
 Software fp_plucker_software();
 
 Software fp_plucker_direct_software() {
