@@ -10,9 +10,11 @@ namespace hitpipe {
 template <class Error, class Call>
 std::string message_of(Call&& call) {
   try {
-    std::forward<Call>(call)();
-  } catch (const Error& error) {
-    return error.what();
+    try {
+      std::forward<Call>(call)();
+    } catch (const Error& error) {
+      return error.what();
+    }
   } catch (const std::exception& error) {
     return std::string("an exception of another type: ") + error.what();
   }

@@ -63,9 +63,9 @@ TEST(WriteFiles, FolderBelowAFileRejected) {
 
 TEST(WriteFiles, NameThatCannotBeWrittenRejectedAndNothingLeftBehind) {
   const ScratchFolder folder;
-  const std::string name(300, 'x');
-  EXPECT_EQ(told(folder.path(), {{"a.v", "x"}, {name, "x"}}),
-            (folder / name).string() + ": cannot write the file: File name too long");
+  const std::string long_name(300, 'x');
+  EXPECT_EQ(told(folder.path(), {{"a.v", "x"}, {long_name, "x"}}),
+            (folder / long_name).string() + ": cannot write the file: File name too long");
   EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
 }
 

@@ -74,11 +74,11 @@ TEST(Run, FindsProgramsInPathAndByPath) {
 }
 
 TEST(Run, ProgramThatDoesNotExistIsNotFound) {
-  for (const std::string name : {"hitpipe-no-such-program", "/nonexistent/program", ""}) {
-    const Outcome ended = run({name});
-    EXPECT_TRUE(ended.not_found()) << name;
-    EXPECT_FALSE(ended.succeeded()) << name;
-    EXPECT_EQ(ended.failure(), "was not found") << name;
+  for (const std::string program_name : {"hitpipe-no-such-program", "/nonexistent/program", ""}) {
+    const Outcome ended = run({program_name});
+    EXPECT_TRUE(ended.not_found()) << program_name;
+    EXPECT_FALSE(ended.succeeded()) << program_name;
+    EXPECT_EQ(ended.failure(), "was not found") << program_name;
   }
 }
 
