@@ -11,7 +11,7 @@
 
 namespace hitpipe::cli {
 
-/// For example "int_slabs 20/24" or "fp_slabs".
+/// A design with its format, or its name alone where it has one format only.
 [[nodiscard]] std::string unit_name(const sim::SweepRow& row);
 
 /// The unit is one of the six in Table 7.2.

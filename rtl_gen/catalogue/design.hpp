@@ -46,7 +46,7 @@ struct Design {
   [[nodiscard]] Evaluate evaluate(const Format& format) const;
   /// Boxes that one test answers for.
   [[nodiscard]] int boxes_per_test() const;
-  /// "int_slabs 20/24", "fp_slabs".
+  /// The name and the format, or the name alone where there is one format only.
   [[nodiscard]] std::string name_at(const Format& format) const;
   /// " --bits 20/24", or nothing when it has one format only: as a command takes it.
   [[nodiscard]] std::string bits_option(const Format& format) const;
