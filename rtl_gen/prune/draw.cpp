@@ -1,7 +1,10 @@
 #include "rtl_gen/prune/draw.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace hitpipe::rtl {
 
@@ -18,8 +21,16 @@ bool coin(Random& random) {
 }
 
 /// 0 .. most.
-std::int64_t some(Random& random, std::uint64_t most) {
-  return static_cast<std::int64_t>(most == ~std::uint64_t{0} ? random() : below(random, most + 1));
+std::uint64_t some(Random& random, std::uint64_t most) {
+  return most == ~std::uint64_t{0} ? random() : below(random, most + 1);
+}
+
+/// Their sum or difference, which fits although `steps` alone may not.
+std::int64_t above(std::int64_t from, std::uint64_t steps) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(from) + steps);
+}
+std::int64_t beneath(std::int64_t from, std::uint64_t steps) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(from) - steps);
 }
 
 std::uint64_t size_of(const Interval& i) {
@@ -30,18 +41,18 @@ std::int64_t number_in(Random& random, const Interval& i) {
   const std::uint64_t size = size_of(i);
   switch (below(random, 8)) {
     case 0:
-      return i.low + some(random, std::min<std::uint64_t>(size, 2));
+      return above(i.low, some(random, std::min<std::uint64_t>(size, 2)));
     case 1:
-      return i.high - some(random, std::min<std::uint64_t>(size, 2));
+      return beneath(i.high, some(random, std::min<std::uint64_t>(size, 2)));
     case 2:
-      return std::clamp<std::int64_t>(some(random, 4) - 2, i.low, i.high);
+      return std::clamp(above(-2, some(random, 4)), i.low, i.high);
     case 3: {
       // Of any magnitude.
-      const std::int64_t small = some(random, size >> below(random, 64));
-      return std::clamp(coin(random) ? small : -small, i.low, i.high);
+      const std::uint64_t small = some(random, size >> below(random, 64));
+      return std::clamp(coin(random) ? above(0, small) : beneath(0, small), i.low, i.high);
     }
     default:
-      return i.low + some(random, size);
+      return above(i.low, some(random, size));
   }
 }
 
@@ -63,8 +74,15 @@ std::int64_t moved(Random& random, const PortDemand& wanted, std::int64_t from) 
   const Interval i = multiples(wanted, interval);
   const bool up = coin(random);
   const std::uint64_t room = size_of(up ? Interval{from, i.high} : Interval{i.low, from});
-  const std::int64_t step = some(random, room >> below(random, 64)) >> wanted.low_zeros << wanted.low_zeros;
-  return up ? from + step : from - step;
+  const std::uint64_t step = some(random, room >> below(random, 64)) >> wanted.low_zeros << wanted.low_zeros;
+  return up ? above(from, step) : beneath(from, step);
+}
+
+// Draws that do not meet the orders are seldom; where nearly all fail, the demands are at odds.
+constexpr int most_tries = 100'000;
+
+[[noreturn]] void refuse_demands() {
+  throw std::runtime_error(fmt::format("demands: none of {} draws meets all of them", most_tries));
 }
 
 void put_in_order(std::int64_t& lesser, std::int64_t& greater) {
@@ -98,7 +116,7 @@ bool Draw::put_in_order(std::vector<std::int64_t>& operands) const {
 }
 
 std::vector<std::int64_t> Draw::operator()(Random& random) const {
-  for (;;) {
+  for (int tries = 0; tries < most_tries; ++tries) {
     std::vector<std::int64_t> operands;
     for (const PortDemand& wanted : wanted_) operands.push_back(number(random, wanted));
     // Boxes turned inside out are seldom hit.
@@ -107,10 +125,11 @@ std::vector<std::int64_t> Draw::operator()(Random& random) const {
     }
     if (put_in_order(operands)) return operands;
   }
+  refuse_demands();
 }
 
 std::vector<std::int64_t> Draw::beside(const std::vector<std::int64_t>& operands, Random& random) const {
-  for (;;) {
+  for (int tries = 0; tries < most_tries; ++tries) {
     std::vector<std::int64_t> near = operands;
     for (std::uint64_t changes = 1 + below(random, 2); changes > 0 && !free_.empty(); --changes) {
       const std::size_t port = free_[below(random, free_.size())];
@@ -118,6 +137,7 @@ std::vector<std::int64_t> Draw::beside(const std::vector<std::int64_t>& operands
     }
     if (put_in_order(near)) return near;
   }
+  refuse_demands();
 }
 
 Vector judged(std::vector<std::int64_t> operands, const Evaluate& evaluate) {

@@ -12,6 +12,7 @@
 namespace hitpipe::rtl {
 
 /// Operands in port order that meet the demands: ends of intervals, numbers near them, near 0, and any.
+/// Drawing throws std::runtime_error, one line, when no draw of 100,000 meets them.
 class Draw {
  public:
   Draw(const std::vector<Port>& ports, const Demands& demands);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/prune/random_demands.hpp"
 
@@ -84,6 +85,20 @@ TEST(Draw, TakesPortsOf64Bits) {
     signs.insert(number < 0);
   }
   EXPECT_EQ(signs.size(), 2U);
+}
+
+TEST(Draw, EndsWithAnErrorWhereNothingMeetsTheDemands) {
+  Seeded random(43);
+  const std::vector<Port> ports{{"a", 8, false}, {"b", 8, false}};
+  // Both orders make b equal to a, which is 10; b may be anything else.
+  const Demands demands{{{"a", {{10, 10}}}, {"b", {{0, 9}, {11, 20}}}}, {{"a", "b"}, {"b", "a"}}};
+  const Draw draw(ports, demands);
+  const std::string message = "demands: none of 100000 draws meets all of them";
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(draw(random)); }), message);
+  EXPECT_EQ(message_of<std::runtime_error>([&] {
+              static_cast<void>(draw.beside({10, 10}, random));
+            }),
+            message);
 }
 
 class DrawnVectors : public testing::TestWithParam<DesignFormat> {};
