@@ -110,6 +110,9 @@ Draw::Draw(const std::vector<Port>& ports, const Demands& demands) {
 
 bool Draw::put_in_order(std::vector<std::int64_t>& operands) const {
   for (const Order& order : orders_) rtl::put_in_order(operands[order.lesser], operands[order.greater]);
+  // A later order can undo an earlier one.
+  for (const Order& order : orders_)
+    if (operands[order.lesser] > operands[order.greater]) return false;
   for (std::size_t i = 0; i < operands.size(); ++i)
     if (!meets(wanted_[i], operands[i])) return false;
   return true;

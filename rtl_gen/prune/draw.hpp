@@ -26,7 +26,7 @@ class Draw {
   struct Order {
     std::size_t lesser, greater;
   };
-  /// As the orders want them; false when a port's number is then not as demanded.
+  /// As the orders want them; false when an order or a port's number is then not as demanded.
   [[nodiscard]] bool put_in_order(std::vector<std::int64_t>& operands) const;
 
   std::vector<PortDemand> wanted_;  ///< of each port
