@@ -8,4 +8,5 @@ set(HITPIPE_DESIGNS
   fp_plucker
   int_plucker
   fp_plucker_direct
+  int_major
 )

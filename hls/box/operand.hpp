@@ -20,17 +20,22 @@ enum class Role {
   endless,       ///< 1: the ray has no end, so length or endpoint is ignored
   plane_low,     ///< lower plane of a box
   plane_high,    ///< upper plane of a box
+  exponent,      ///< power of two that belongs to bounds of a reciprocal
+  backward,      ///< 1: the ray's direction is negative
+  major,         ///< 1: the axis is that of the direction's largest component
   other,         ///< only the design's own set-up knows it
 };
 
 /// How an operand's bits are read.
 enum class Kind {
   integer,  ///< two's complement
+  natural,  ///< unsigned
   real,     ///< the pattern of a float
   flag,     ///< one bit
 };
 
-/// An operand port. Its numbers are two's complement for an integer and the pattern for a float.
+/// An operand port. Its numbers are two's complement for an integer, unsigned for a natural number, and the
+/// pattern for a float.
 struct Operand {
   const char* name;
   Role role;

@@ -6,7 +6,7 @@ namespace hitpipe::ref {
 
 static_assert(NodeStore<IntNodes>);
 
-IntNodes::IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse)
+IntNodes::IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse, int finer)
     : bytes_per_node(box_bytes(coord_bits, coarse) + tail_bytes), coord_bits_(coord_bits) {
   // This also checks coord_bits before memory is allocated for it.
   (void)quantise_box({glm::vec3(0), glm::vec3(0)}, coord_bits);
@@ -22,7 +22,7 @@ IntNodes::IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse)
   bytes_.resize(bytes_per_node * bvh.nodes.size());
   std::byte* at = bytes_.data();
   for (const BvhNode& node : bvh.nodes) {
-    write(at, coarse_box(quantise_box(node.box, coord_bits), coarse, coord_bits));
+    write(at, coarse_box(quantise_box(node.box, coord_bits, finer), coarse, coord_bits));
     at += bytes_per_node;
     std::memcpy(at - tail_bytes, &node.count, sizeof node.count);
     std::memcpy(at - sizeof node.first, &node.first, sizeof node.first);

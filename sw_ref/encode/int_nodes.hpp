@@ -27,9 +27,9 @@ class IntNodes {
   using Node = std::uint32_t;  ///< index as in Bvh::nodes
   const std::size_t bytes_per_node;
 
-  /// `bvh` needs at least one node; its data is copied. Throws as quantise_box() and coarse_box() do, for n
-  /// outside 6..32 and for boxes that leave the grid.
-  IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse = {});
+  /// `finer` is that of quantise_box(). `bvh` needs at least one node; its data is copied. Throws as
+  /// quantise_box() and coarse_box() do, for n outside 6..32 and for boxes that leave the grid.
+  IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse = {}, int finer = 0);
 
   [[nodiscard]] Node root() const { return 0; }
   [[nodiscard]] Node child(Node node, unsigned which) const { return first(node) + which; }

@@ -8,20 +8,20 @@
 #include <fmt/format.h>
 
 #include "hls/box/int_format.hpp"
-#include "sw_ref/quantise/grid.hpp"
+#include "sw_ref/quantise/fine_grid.hpp"
 
 namespace hitpipe::ref {
 namespace {
 
-// Range. For |x| <= 1 and every n, G |x| + 1/2 <= G + 1/2, so the outward rounded coordinate is at most G + 1
-// in magnitude. The padded boxes of a scene inside +-(1 - 2^-10) stay below 1 - 2^-10 + 5e-7 < 1 (section
-// 4.3), so they always pass. Ray origins lie in [-G, G], so a difference is at most (G + 1) + G = M and fits
-// n bits.
-std::int64_t lower(float x, int coord_bits) {
-  return grid_floor(x, coord_bits, Half::down);
+// Range. For |x| <= 1 and every n, G |x| + 1/2 <= G + 1/2 (a finer grid of origins grows boxes less), so the
+// outward rounded coordinate is at most G + 1 in magnitude. The padded boxes of a scene inside +-(1 - 2^-10)
+// stay below 1 - 2^-10 + 5e-7 < 1 (section 4.3), so they always pass. Ray origins lie in [-G, G], so a
+// difference is at most (G + 1) + G = M and fits n bits.
+std::int64_t lower(float x, int coord_bits, int finer) {
+  return fine_lower(x, coord_bits, finer);
 }
-std::int64_t upper(float x, int coord_bits) {
-  return -grid_floor(-x, coord_bits, Half::down);
+std::int64_t upper(float x, int coord_bits, int finer) {
+  return -fine_lower(-x, coord_bits, finer);
 }
 
 static_assert(sizeof(Aabb) == 6 * sizeof(float) && sizeof(IntBox) == 6 * sizeof(std::int32_t),
@@ -56,9 +56,9 @@ void round_outward(const Planes<float>& planes, std::size_t count, int coord_bit
 }
 
 /// Beyond |x| = 1 a coordinate may leave the grid.
-std::int32_t checked(std::int64_t (*corner)(float, int), float x, int coord_bits, int axis) {
+std::int32_t checked(std::int64_t (*corner)(float, int, int), float x, int coord_bits, int finer, int axis) {
   if (std::abs(x) <= 2.0F) {
-    const std::int64_t coordinate = corner(x, coord_bits);
+    const std::int64_t coordinate = corner(x, coord_bits, finer);
     if (std::abs(coordinate) <= grid_limit(coord_bits)) return static_cast<std::int32_t>(coordinate);
   }
   throw std::out_of_range(
@@ -66,12 +66,12 @@ std::int32_t checked(std::int64_t (*corner)(float, int), float x, int coord_bits
                   corner == upper ? "max" : "min", "xyz"[axis], x, coord_bits));
 }
 
-IntBox rounded_one_by_one(const Aabb& box, int coord_bits) {
+IntBox rounded_one_by_one(const Aabb& box, int coord_bits, int finer) {
   IntBox rounded;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    rounded.min[i] = checked(lower, box.min[axis], coord_bits, axis);
-    rounded.max[i] = checked(upper, box.max[axis], coord_bits, axis);
+    rounded.min[i] = checked(lower, box.min[axis], coord_bits, finer, axis);
+    rounded.max[i] = checked(upper, box.max[axis], coord_bits, finer, axis);
   }
   return rounded;
 }
@@ -85,12 +85,12 @@ void check_bits(int coord_bits) {
 
 }  // namespace
 
-IntBox quantise_box(const Aabb& box, int coord_bits) {
+IntBox quantise_box(const Aabb& box, int coord_bits, int finer) {
   check_bits(coord_bits);
-  return rounded_one_by_one(box, coord_bits);
+  return rounded_one_by_one(box, coord_bits, finer);
 }
 
-void quantise_boxes(std::span<const Aabb> boxes, int coord_bits, std::span<IntBox> out) {
+void quantise_boxes(std::span<const Aabb> boxes, int coord_bits, std::span<IntBox> out, int finer) {
   check_bits(coord_bits);
   Planes<float> planes;
   Planes<std::int32_t> rounded;
@@ -98,11 +98,12 @@ void quantise_boxes(std::span<const Aabb> boxes, int coord_bits, std::span<IntBo
     const auto some = boxes.subspan(first, std::min(boxes_at_a_time, boxes.size() - first));
     std::memcpy(planes.data(), some.data(), some.size_bytes());
     const std::size_t count = 6 * some.size();
-    if (coord_bits <= exact_in_double && within_cube(planes, count)) {
+    if (finer == 0 && coord_bits <= exact_in_double && within_cube(planes, count)) {
       round_outward(planes, count, coord_bits, rounded);
       std::memcpy(static_cast<void*>(out.data() + first), rounded.data(), some.size() * sizeof(IntBox));
     } else {
-      for (std::size_t i = 0; i < some.size(); ++i) out[first + i] = rounded_one_by_one(some[i], coord_bits);
+      for (std::size_t i = 0; i < some.size(); ++i)
+        out[first + i] = rounded_one_by_one(some[i], coord_bits, finer);
     }
   }
 }

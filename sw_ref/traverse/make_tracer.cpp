@@ -15,12 +15,14 @@ void allow(bool possible, const char* message) {
 void check(const Bvh& bvh, const TracerOptions& options) {
   const bool plucker = options.algorithm == Algorithm::plu || options.algorithm == Algorithm::plu_dsa;
   const bool by_distance = options.algorithm == Algorithm::slabs_dist;
-  const bool integer = options.arithmetic == Arithmetic::integer;
+  const bool major = options.arithmetic == Arithmetic::major;
+  const bool integer = options.arithmetic == Arithmetic::integer || major;
   const bool few_bits =
       options.encoding == Encoding::hierarchical_4 || options.encoding == Encoding::hierarchical_8;
   allow(!bvh.nodes.empty(), "tracer: the hierarchy has no node; build it first");
   allow(!plucker || options.arithmetic != Arithmetic::robust,
         "tracer: robust arithmetic is for slabs; with Pluecker take binary32 or binary64");
+  allow(!major || !plucker, "tracer: a major axis is for slabs; take slabs or slabs_dsa");
   allow(!integer || !by_distance,
         "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa");
   allow(!integer || options.encoding == Encoding::plain,
@@ -34,10 +36,10 @@ void check(const Bvh& bvh, const TracerOptions& options) {
   allow(options.bundle == 1 || !by_distance,
         "tracer: the order by distance is of single rays; take bundle 1");
   allow(options.bundle == 1 || !integer, "tracer: integer units take single rays; take bundle 1");
-  allow(integer || !options.coarse.any(), "tracer: coarse axes are of integer arithmetic");
+  allow((integer && !major) || !options.coarse.any(), "tracer: coarse axes are of integer arithmetic");
   allow(options.ends || (options.bundle == 1 && !by_distance),
         "tracer: the order by distance and bundles need the ends of rays; take bundle 1 and another order");
-  if (!integer) return;
+  if (!integer || major) return;
   check_format(options.bits, "tracer");
   check_coarse(options.coarse, options.bits.coord, "tracer");
 }
@@ -60,6 +62,8 @@ std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh, const Trac
   switch (options.arithmetic) {
     case Arithmetic::integer:
       return make_integer_tracer(parts);
+    case Arithmetic::major:
+      return make_major_tracer(parts);
     case Arithmetic::binary64:
       return make_double_tracer(parts);
     case Arithmetic::binary32:

@@ -93,6 +93,7 @@ template <class Store>
       return float_tracer<double>(std::move(store), parts);
     case Arithmetic::binary32:
     case Arithmetic::integer:
+    case Arithmetic::major:
       break;
   }
   return float_tracer<float>(std::move(store), parts);

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "hls/box/int_format.hpp"
+#include "hls/box/major_format.hpp"
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/geometry/ray.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
@@ -80,6 +81,7 @@ enum class Arithmetic : std::uint8_t {
   binary64,  ///< section 5.7
   robust,    ///< binary32 slabs widened by a proven bound: never misses a box, padded or not. Not for plu
   integer,   ///< chapter 6, n/t bits: integer slabs or Pluecker as the algorithm says; not slabs_dist
+  major,     ///< integer slabs along the major axis, n+g/p bits; slabs or slabs_dsa
 };
 
 enum class Encoding : std::uint8_t {
@@ -101,8 +103,9 @@ struct TracerOptions {
   Arithmetic arithmetic = Arithmetic::robust;
   Encoding encoding = Encoding::plain;
   bool look_up_table = false;  ///< integer-to-float conversion by table; hierarchical 4 and 8 bits only
-  int bundle = 1;  ///< the most rays traced together: 1, 64 or 256 (section 5.5); 1 with integer, slabs_dist
-  hls::IntBits bits{24, 24};  ///< of integer arithmetic
+  int bundle = 1;  ///< the most rays traced together: 1, 64 or 256 (section 5.5); 1 with integers, slabs_dist
+  hls::IntBits bits{24, 24};    ///< of integer arithmetic
+  hls::MajorBits major_bits{};  ///< of major arithmetic
   TriangleTest triangle_test = TriangleTest::exact;
   CoarseAxes coarse{};  ///< of integer arithmetic; rays and boxes must fit the coarser grid
   bool ends = true;     ///< box tests know where rays end; if not, single rays only and not slabs_dist

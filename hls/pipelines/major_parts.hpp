@@ -1,0 +1,140 @@
+// What the units with a major axis have in common (docs/major.md): planes brought into the slots m, a and b
+// and mirrored, so that every direction is positive, and their distances along the ray. A distance counts
+// how far the ray has moved along its major axis, in units of the planes' grid with F fraction bits.
+#pragma once
+
+#include "hls/box/int_major_operands.hpp"
+#include "hls/num/bits.hpp"
+#include "hls/num/levels.hpp"
+#include "hls/num/saturating_shift.hpp"
+
+namespace hitpipe::hls {
+
+/// What belongs to each slot.
+template <class X>
+struct Slots {
+  X m, a, b;
+};
+
+/// From axes to slots.
+template <class D, class F, class X>
+constexpr Slots<X> to_slots(const MajorRay<D, F>& ray, const X& x, const X& y, const X& z) {
+  return {select(ray.major_z, z, select(ray.major_y, y, x)), select(ray.major_y, x, y),
+          select(ray.major_z, x, z)};
+}
+
+/// Where the ray enters and where it leaves a slab.
+template <class X>
+struct NearFar {
+  X near, far;
+};
+
+/// The values of the lower and upper plane, in the order in which the ray meets them.
+template <class Bit, class X>
+constexpr NearFar<X> in_ray_order(const Bit& back, const X& low, const X& high) {
+  return {select(back, high, low), select(back, low, high)};
+}
+
+namespace detail {
+
+/// A mirrored plane on the origin's grid: g zeros below it, or ones where -x - 1 stands for x.
+template <class Plane, class Bit, class W>
+constexpr auto finer_plane(const Plane& plane, const Bit& back, const W& finer) {
+  return as_signed(cat(plane, spread(back, finer)));
+}
+
+template <class X, class W>
+constexpr auto without_low_bits(const X& x, const W& low) {
+  return as_signed(slice(x, width_of(x) - 1_w, low));
+}
+template <class X, class Zeros>
+constexpr auto with_low_bits(const X& x, const Zeros& zeros) {
+  return as_signed(cat(x, zeros));
+}
+
+}  // namespace detail
+
+/// Plane minus origin on the origin's grid, both mirrored. -x - 1 stands for x in both, so the sign of the
+/// difference changes exactly.
+template <class D, class F>
+constexpr typename F::template Point<D> difference(const F& format, const char* name, char slot,
+                                                   const typename F::template Plane<D>& plane,
+                                                   const typename F::template Point<D>& origin,
+                                                   const typename D::bit& back) {
+  const auto mirrored = as_signed(as_unsigned(plane) ^ spread(back, format.coord));
+  const auto fine = change_if(0_w < format.finer, mirrored, [&](const auto& coarse) {
+    return detail::finer_plane(coarse, back, format.finer);
+  });
+  return as(name, slot, resize(fine - origin, format.point()));
+}
+
+/// The distance of a plane of the major axis is the difference itself, without bits below the fraction.
+template <class D, class F>
+constexpr typename F::template Distance<D> major_distance(const F& format,
+                                                          const typename F::template Point<D>& d) {
+  const auto fewer = change_if(format.fraction < format.finer, d, [&](const auto& all) {
+    return detail::without_low_bits(all, format.finer - format.fraction);
+  });
+  const auto more = change_if(format.finer < format.fraction, fewer, [&](const auto& all) {
+    return detail::with_low_bits(all, D::lit(0, format.fraction - format.finer));
+  });
+  return resize(more, format.distance());
+}
+
+/// The distance of a plane of another axis: d |D_M| / |D_k|, rounded by the mantissa's bound.
+template <class D, class F>
+constexpr typename F::template Distance<D> scaled_distance(const F& format, const char* name, char slot,
+                                                           const typename F::template Point<D>& d,
+                                                           const typename F::template Mantissa<D>& mantissa,
+                                                           const typename F::template Exponent<D>& exponent) {
+  const auto shifted = as("shifted", slot, saturating_shift<D>(d, exponent));
+  const auto product = shifted * mantissa;
+  const auto kept = slice(product, format.point() + format.mantissa - 1_w, format.trimmed());
+  return as(name, slot, as_signed(kept));
+}
+
+/// Near distances take the bound that makes them smaller, far ones the bound that makes them greater.
+template <class D, class F>
+constexpr NearFar<typename F::template Distance<D>> scaled_slab(
+    const F& format, char slot, const NearFar<typename F::template Point<D>>& d,
+    const typename F::template Mantissa<D>& floor, const typename F::template Mantissa<D>& ceil,
+    const typename F::template Exponent<D>& exponent) {
+  const auto near_bound = as("q_near", slot, select(sign(d.near), ceil, floor));
+  const auto far_bound = as("q_far", slot, select(sign(d.far), floor, ceil));
+  return {scaled_distance<D>(format, "t_near", slot, d.near, near_bound, exponent),
+          scaled_distance<D>(format, "t_far", slot, d.far, far_bound, exponent)};
+}
+
+/// The distances of all six planes.
+template <class D, class F>
+constexpr Slots<NearFar<typename F::template Distance<D>>> plane_distances(const F& format,
+                                                                           const MajorRay<D, F>& ray,
+                                                                           const MajorPlanes<D, F>& planes) {
+  using Point = typename F::template Point<D>;
+  const auto low = to_slots(ray, planes.xmin, planes.ymin, planes.zmin);
+  const auto high = to_slots(ray, planes.xmax, planes.ymax, planes.zmax);
+  const auto differences = [&](char slot, const auto& back, const auto& lower, const auto& upper,
+                               const auto& origin) {
+    const auto plane = in_ray_order(back, lower, upper);
+    return NearFar<Point>{difference<D>(format, "d_near", slot, plane.near, origin, back),
+                          difference<D>(format, "d_far", slot, plane.far, origin, back)};
+  };
+  const auto m = differences('m', ray.back_m, low.m, high.m, ray.origin_m);
+  const auto a = differences('a', ray.back_a, low.a, high.a, ray.origin_a);
+  const auto b = differences('b', ray.back_b, low.b, high.b, ray.origin_b);
+  return {
+      {as("t_near_m", major_distance<D>(format, m.near)), as("t_far_m", major_distance<D>(format, m.far))},
+      scaled_slab<D>(format, 'a', a, ray.floor_a, ray.ceil_a, ray.exp_a),
+      scaled_slab<D>(format, 'b', b, ray.floor_b, ray.ceil_b, ray.exp_b)};
+}
+
+template <class Bit, class X>
+constexpr X greater(const X& x, const X& y) {
+  return select(Bit(x < y), y, x);
+}
+template <class Bit, class X>
+constexpr X lesser(const X& x, const X& y) {
+  return select(Bit(y < x), y, x);
+}
+
+}  // namespace hitpipe::hls
