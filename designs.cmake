@@ -9,4 +9,5 @@ set(HITPIPE_DESIGNS
   int_plucker
   fp_plucker_direct
   int_major
+  int_major_pair
 )

@@ -65,9 +65,9 @@ class Tile {
                   .referee = frame_.options.referee});
     const double start = host::thread_seconds();
     unit.run([&] { return next(counts); },
-             [&](const RayJob& job, const ref::Traversal& traversal) {
-               traced_.push_back({job.ray, job.query, traversal.hit().triangle});
-               ended(job.id, traversal.hit().triangle);
+             [&](const RayJob& job, const ref::Hit& hit) {
+               traced_.push_back({job.ray, job.query, hit.triangle});
+               ended(job.id, hit.triangle);
              });
     counts.loop_seconds = host::thread_seconds() - start;
     counts.rtl_seconds = unit.rtl_seconds();
@@ -177,8 +177,7 @@ class Tile {
 }  // namespace
 
 double CosimResult::occupancy_pct() const {
-  return unit.cycles == 0 ? 0.0
-                          : 100.0 * static_cast<double>(unit.box_tests) / static_cast<double>(unit.cycles);
+  return unit.cycles == 0 ? 0.0 : 100.0 * static_cast<double>(unit.tests) / static_cast<double>(unit.cycles);
 }
 
 double CosimResult::extra_box_tests_pct() const {
@@ -190,11 +189,11 @@ double CosimResult::extra_triangle_tests_pct() const {
 }
 
 double CosimResult::rtl_tests_per_s() const {
-  return per_second(unit.box_tests, rtl_seconds);
+  return per_second(unit.tests, rtl_seconds);
 }
 
 double CosimResult::loop_tests_per_s() const {
-  return per_second(unit.box_tests, loop_seconds);
+  return per_second(unit.tests, loop_seconds);
 }
 
 bool CosimResult::same_as_software() const {

@@ -58,7 +58,7 @@ struct CosimResult {
   [[nodiscard]] double occupancy_pct() const;
   [[nodiscard]] double extra_box_tests_pct() const;
   [[nodiscard]] double extra_triangle_tests_pct() const;
-  /// Box tests divided by rtl_seconds and by loop_seconds. 0 when those are 0.
+  /// Tests through the pipeline divided by rtl_seconds and by loop_seconds. 0 when those are 0.
   [[nodiscard]] double rtl_tests_per_s() const;
   [[nodiscard]] double loop_tests_per_s() const;
 

@@ -4,12 +4,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
+#include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/encode/pair_nodes.hpp"
 #include "sw_ref/geometry/ray.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
+#include "sw_ref/traverse/int_major.hpp"
 
 namespace hitpipe::sim {
 
@@ -21,6 +25,18 @@ class RayFeed {
   virtual void start(std::size_t slot, const ref::Ray& ray) = 0;
   /// The operands, in port order: the slot's ray, cut at `length`, against the box of a BVH node.
   virtual void operands(std::size_t slot, std::uint32_t node, float length, std::int64_t* out) const = 0;
+  /// The same for a design that answers for two boxes at a time: the slot's ray against a record of
+  /// SceneFeed::pairs(), while it is within the record's parent.
+  virtual void pair_operands(std::size_t /*slot*/, std::uint32_t /*record*/,
+                             const ref::MajorInterval& /*parent*/, std::int64_t* /*out*/) const {
+    throw std::logic_error("a feed for one box at a time has no operands for two");
+  }
+};
+
+/// The hierarchy as a design reads it that answers for two boxes at a time.
+struct PairRecords {
+  ref::PairNodes records;
+  hls::MajorBits bits;
 };
 
 /// The boxes of a hierarchy as the design reads them. They are made once for all units and must outlive them.
@@ -28,10 +44,12 @@ class SceneFeed {
  public:
   virtual ~SceneFeed() = default;
   [[nodiscard]] virtual std::unique_ptr<RayFeed> unit(std::size_t slots) const = 0;
+  /// Null for a design that answers for one box at a time.
+  [[nodiscard]] virtual const PairRecords* pairs() const { return nullptr; }
 };
 
 /// The format must be one of the design's. Coarse axes are for designs with integer coordinates. Throws
-/// std::runtime_error when the design has no set-up or answers for several boxes at a time, and
+/// std::runtime_error when the design has no set-up, and
 /// std::out_of_range for a box outside the cube. RayFeed::operands() throws std::out_of_range when an origin
 /// or box leaves the coarse grid. The hierarchy need not outlive the feed.
 [[nodiscard]] std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, const rtl::Format& format,

@@ -36,6 +36,7 @@ UnitCounts UnitCounts::zeros(bool referee) {
 }
 
 UnitCounts& UnitCounts::operator+=(const UnitCounts& other) {
+  tests += other.tests;
   box_tests += other.box_tests;
   triangle_tests += other.triangle_tests;
   hits += other.hits;
@@ -50,47 +51,47 @@ RayUnit::RayUnit(const Setup& setup)
     : setup_(checked(setup)),
       model_(*setup.verilated),
       rays_(setup.feed->unit(static_cast<std::size_t>(setup.rays_in_flight))),
-      slots_(static_cast<std::size_t>(setup.rays_in_flight)),
       operands_(setup.verilated->operand_count()),
       results_(setup.verilated->results().size()),
-      counts_(UnitCounts::zeros(setup.referee)) {
-  for (Slot& slot : slots_) slot.expected.resize(results_.size());
-}
+      counts_(UnitCounts::zeros(setup.referee)) {}
 
-void RayUnit::send(std::size_t slot, Pins& pins) {
-  Slot& s = slots_[slot];
-  rays_->operands(slot, s.traversal->node(), s.traversal->length(), operands_.data());
-  setup_.evaluate(operands_.data(), s.expected.data());
-  pins.in_valid = true;
-  pins.in_tag = static_cast<std::uint16_t>(slot);
-}
-
-void RayUnit::receive(const Pins& pins, bool in_turn) {
-  Slot& s = slots_[pins.out_tag];
-  ++counts_.box_tests;
-  counts_.hits += pins.hit ? 1 : 0;
-  counts_.rtl_mismatches += results_ != s.expected || !in_turn ? 1 : 0;
-  if (setup_.referee) {
-    ref::Ray ray = s.job.ray;
-    ray.length = s.traversal->length();
-    const bool meets = ref::ray_meets_box(ray, setup_.bvh->nodes[s.traversal->node()].box);
-    *counts_.false_misses += meets && !pins.hit ? 1 : 0;
-    *counts_.false_hits += !meets && pins.hit ? 1 : 0;
-  }
-  s.traversal->answer(pins.hit);
+template <class Walk>
+void RayUnit::receive(const Walk& walk, Slot<Walk>& slot, bool in_turn) {
+  ++counts_.tests;
+  counts_.rtl_mismatches += results_ != slot.expected || !in_turn ? 1 : 0;
+  walk.each_box(*slot.traversal, results_.data(), [&](const ref::Aabb& box, bool hit) {
+    ++counts_.box_tests;
+    counts_.hits += hit ? 1 : 0;
+    if (!setup_.referee) return;
+    ref::Ray ray = slot.job.ray;
+    ray.length = slot.traversal->length();
+    const bool meets = ref::ray_meets_box(ray, box);
+    *counts_.false_misses += meets && !hit ? 1 : 0;
+    *counts_.false_hits += !meets && hit ? 1 : 0;
+  });
+  walk.answer(*slot.traversal, results_.data());
 }
 
 void RayUnit::run(const std::function<std::optional<RayJob>()>& next,
-                  const std::function<void(const RayJob&, const ref::Traversal&)>& ended) {
-  std::deque<std::size_t> ready;  // slots whose ray can send a box
+                  const std::function<void(const RayJob&, const ref::Hit&)>& ended) {
+  with_walk({setup_.feed, setup_.bvh, setup_.mesh}, setup_.verilated->results(),
+            [&](const auto& one) { walk(one, next, ended); });
+}
+
+template <class Walk>
+void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()>& next,
+                   const std::function<void(const RayJob&, const ref::Hit&)>& ended) {
+  std::vector<Slot<Walk>> slots(static_cast<std::size_t>(setup_.rays_in_flight));
+  for (Slot<Walk>& slot : slots) slot.expected.resize(results_.size());
+  std::deque<std::size_t> ready;  // slots whose ray can send a test
   std::vector<std::size_t> free;
-  std::vector<bool> waiting(slots_.size(), false);  // the slot waits for an answer
-  for (std::size_t slot = slots_.size(); slot-- > 0;) free.push_back(slot);
+  std::vector<bool> waiting(slots.size(), false);  // the slot waits for an answer
+  for (std::size_t slot = slots.size(); slot-- > 0;) free.push_back(slot);
   std::uint64_t sent = 0;
   std::uint64_t answered = 0;
   std::size_t in_pipeline = 0;
-  // A box is in the pipeline in every cycle. When no answer comes for longer than that takes, the Verilog has
-  // lost one.
+  // A test is in the pipeline in every cycle. When no answer comes for longer than that takes, the Verilog
+  // has lost one.
   int silent_cycles = 0;
 
   while (true) {
@@ -100,8 +101,8 @@ void RayUnit::run(const std::function<std::optional<RayJob>()>& next,
       const std::size_t slot = free.back();
       free.pop_back();
       rays_->start(slot, job->ray);
-      slots_[slot].traversal.emplace(*setup_.bvh, *setup_.mesh, job->ray, job->query);
-      slots_[slot].job = *job;
+      slots[slot].traversal.emplace(walk.start(job->ray, job->query));
+      slots[slot].job = *job;
       ready.push_back(slot);
     }
     if (ready.empty() && in_pipeline == 0) return;
@@ -109,13 +110,18 @@ void RayUnit::run(const std::function<std::optional<RayJob>()>& next,
     Pins pins{.results = results_.data()};
     const bool sending = !ready.empty();
     const std::size_t sender = sending ? ready.front() : 0;
-    if (sending) send(sender, pins);
+    if (sending) {
+      Walk::ask(*rays_, sender, *slots[sender].traversal, operands_.data());
+      setup_.evaluate(operands_.data(), slots[sender].expected.data());
+      pins.in_valid = true;
+      pins.in_tag = static_cast<std::uint16_t>(sender);
+    }
     rtl_time_.run([&] { model_.cycle(operands_.data(), pins); });
     ++counts_.cycles;
     if (sending && pins.in_ready) {
       ready.pop_front();
       waiting[sender] = true;
-      slots_[sender].turn = sent++;
+      slots[sender].turn = sent++;
       ++in_pipeline;
     }
     if (++silent_cycles > setup_.verilated->latency() + 2) {
@@ -125,21 +131,21 @@ void RayUnit::run(const std::function<std::optional<RayJob>()>& next,
 
     const std::size_t slot = pins.out_tag;
     const std::uint64_t turn = answered++;
-    if (slot >= slots_.size() || !waiting[slot]) {
+    if (slot >= slots.size() || !waiting[slot]) {
       ++counts_.rtl_mismatches;
       continue;
     }
     silent_cycles = 0;
     waiting[slot] = false;
     --in_pipeline;
-    receive(pins, slots_[slot].turn == turn);
-    Slot& s = slots_[slot];
+    Slot<Walk>& s = slots[slot];
+    receive(walk, s, s.turn == turn);
     if (!s.traversal->done()) {
       ready.push_back(slot);
       continue;
     }
     counts_.triangle_tests += s.traversal->counts().triangle_tests;
-    ended(s.job, *s.traversal);
+    ended(s.job, s.traversal->hit());
     free.push_back(slot);
   }
 }

@@ -12,16 +12,17 @@
 #include "sim/feed.hpp"
 #include "sim/sampled_time.hpp"
 #include "sim/verilated_design.hpp"
+#include "sim/walk.hpp"
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/scene/mesh.hpp"
-#include "sw_ref/traverse/traversal.hpp"
 
 namespace hitpipe::sim {
 
 struct UnitCounts {
-  std::uint64_t box_tests = 0;
+  std::uint64_t tests = 0;      ///< through the pipeline
+  std::uint64_t box_tests = 0;  ///< boxes that they answered for: as many, or up to twice as many
   std::uint64_t triangle_tests = 0;
-  std::uint64_t hits = 0;  ///< box tests with HIT
+  std::uint64_t hits = 0;  ///< boxes with HIT
   /// A result of the Verilog differs from the C++ datapath, or comes back with another ray's tag.
   std::uint64_t rtl_mismatches = 0;
   std::optional<std::uint64_t> false_misses;  ///< counted by the exact referee; nothing without it
@@ -62,27 +63,30 @@ class RayUnit {
   /// Runs until `next` has no more rays and all have ended. `ended` may make new rays for `next` to hand out.
   /// Throws WrongHardware when the Verilog loses a box test.
   void run(const std::function<std::optional<RayJob>()>& next,
-           const std::function<void(const RayJob&, const ref::Traversal&)>& ended);
+           const std::function<void(const RayJob&, const ref::Hit&)>& ended);
 
   [[nodiscard]] const UnitCounts& counts() const { return counts_; }
   /// Time for the cycles of the Verilog alone, estimated from samples (sim/sampled_time.hpp).
   [[nodiscard]] double rtl_seconds() const { return rtl_time_.seconds(); }
 
  private:
+  template <class Walk>
   struct Slot {
     RayJob job;
-    std::optional<ref::Traversal> traversal;
-    std::vector<std::int64_t> expected{};  ///< results by the C++ datapath for the box on its way
-    std::uint64_t turn = 0;                ///< boxes that were sent before it; answers keep their order
+    std::optional<typename Walk::Traversal> traversal;
+    std::vector<std::int64_t> expected{};  ///< results by the C++ datapath for the test on its way
+    std::uint64_t turn = 0;                ///< tests that were sent before it; answers keep their order
   };
 
-  void send(std::size_t slot, Pins& pins);
-  void receive(const Pins& pins, bool in_turn);
+  template <class Walk>
+  void walk(const Walk& walk, const std::function<std::optional<RayJob>()>& next,
+            const std::function<void(const RayJob&, const ref::Hit&)>& ended);
+  template <class Walk>
+  void receive(const Walk& walk, Slot<Walk>& slot, bool in_turn);
 
   Setup setup_;
   Model model_;
   std::unique_ptr<RayFeed> rays_;
-  std::vector<Slot> slots_;
   std::vector<std::int64_t> operands_;
   std::vector<std::int64_t> results_;  ///< of the Verilog
   UnitCounts counts_;

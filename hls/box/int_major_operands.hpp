@@ -14,7 +14,6 @@ struct MajorRay {
   using point = typename F::template Point<D>;
   using mantissa = typename F::template Mantissa<D>;
   using exponent = typename F::template Exponent<D>;
-  using length = typename F::template Length<D>;
   using bit = typename D::bit;
 
   bit major_y, major_z;                ///< which axis M is; x when both are 0
@@ -23,7 +22,6 @@ struct MajorRay {
   mantissa floor_a, ceil_a;            ///< bounds of |D_M| / |D_a| 2^(p-1) / 2^exp_a
   mantissa floor_b, ceil_b;            ///< of slot b
   exponent exp_a, exp_b;
-  length len;  ///< distance to the end of the ray, at least 0
 
   /// Calls visit(Operand, field) for every port. `Self` may be const.
   template <class Self, class Visit>
@@ -42,7 +40,6 @@ struct MajorRay {
     visit(format.mantissa_bound("ceil_b", Role::inverse_high), self.ceil_b);
     visit(format.exponent_of("exp_a"), self.exp_a);
     visit(format.exponent_of("exp_b"), self.exp_b);
-    visit(format.ray_length("len"), self.len);
   }
 };
 
@@ -67,9 +64,12 @@ struct MajorPlanes {
 /// The box is grown by half a unit of the origin's grid and then rounded outward.
 template <class D, class F>
 struct IntMajorOperands : MajorRay<D, F>, MajorPlanes<D, F> {
+  typename F::template Length<D> len;  ///< distance to the end of the ray, at least 0
+
   template <class Self, class Visit>
   static constexpr void for_each(const MajorBits& format, Self& self, Visit&& visit) {
     MajorRay<D, F>::for_each(format, self, visit);
+    visit(format.inner_distance("len", Role::length), self.len);
     MajorPlanes<D, F>::for_each(format, self, visit);
   }
 };

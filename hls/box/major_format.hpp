@@ -85,7 +85,10 @@ struct MajorBits {
   constexpr Operand exponent_of(const char* name) const {
     return {name, Role::exponent, Axis::none, Kind::natural, exponent(), 0, largest_exponent(), 0};
   }
-  constexpr Operand ray_length(const char* name) const { return length_operand(name, length()); }
+  /// A distance in the cube.
+  constexpr Operand inner_distance(const char* name, Role role) const {
+    return {name, role, Axis::none, Kind::integer, length(), 0, largest_length(), 0};
+  }
 
   /// The program takes this format.
   constexpr bool valid() const { return proved() && coord >= min_coord && mantissa >= min_mantissa; }
@@ -128,6 +131,7 @@ struct MajorFormat {
   constexpr Width<bits.exponent()> exponent() const { return {}; }
   constexpr Width<bits.trimmed()> trimmed() const { return {}; }
   constexpr Width<bits.distance()> distance() const { return {}; }
+  constexpr Width<bits.length()> length() const { return {}; }
   constexpr operator MajorBits() const { return bits; }
 };
 

@@ -22,6 +22,8 @@ enum class Role {
   plane_high,    ///< upper plane of a box
   exponent,      ///< power of two that belongs to bounds of a reciprocal
   backward,      ///< 1: the ray's direction is negative
+  entry,         ///< distance at which the ray enters a parent box
+  owner,         ///< which of two boxes has a plane
   major,         ///< 1: the axis is that of the direction's largest component
   other,         ///< only the design's own set-up knows it
 };

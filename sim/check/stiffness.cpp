@@ -8,9 +8,9 @@
 
 #include "host/parallel.hpp"
 #include "sim/feed.hpp"
+#include "sim/walk.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 #include "sw_ref/traverse/slabs.hpp"
-#include "sw_ref/traverse/traversal.hpp"
 
 namespace hitpipe::sim {
 
@@ -145,20 +145,23 @@ std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Fo
   const std::size_t ports = design.ports(format).size();
   std::vector<StiffTraversals> sums;
   for (const Stiffness stiffness : stiffnesses()) sums.push_back({.stiffness = stiffness});
-  const auto traverse = [&](std::size_t i) {
+  const std::vector<hls::Result> results = design.results(format);
+  const auto traverse = [&](const auto& walk, std::size_t i) {
     StiffTraversals& sum = sums[i];
     Random random = stream(options.seed, i);
     const std::unique_ptr<RayFeed> unit = feed->unit(1);
     ref::TraversalCounts reference;
     std::vector<std::int64_t> operands(ports);
+    std::vector<std::int64_t> answers(results.size());
     for (; sum.rays < options.rays; ++sum.rays) {
       const glm::vec3 direction = stiff_direction(random, sum.stiffness);
       const ref::Ray ray{anywhere(random), direction, ref::Ray::infinite};
       unit->start(0, ray);
-      ref::Traversal traversal(bvh, mesh, ray, ref::Query::closest);
+      auto traversal = walk.start(ray, ref::Query::closest);
       while (!traversal.done()) {
-        unit->operands(0, traversal.node(), traversal.length(), operands.data());
-        traversal.answer(evaluate(operands.data()));
+        walk.ask(*unit, 0, traversal, operands.data());
+        evaluate(operands.data(), answers.data());
+        walk.answer(traversal, answers.data());
       }
       sum.box_tests += traversal.counts().box_tests;
       const ref::Hit hit = ref::trace<ref::RobustSlabs>(bvh, mesh, ray, ref::Query::closest, reference);
@@ -166,7 +169,10 @@ std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Fo
     }
     sum.reference_box_tests = reference.box_tests;
   };
-  host::for_each_index(sums.size(), options.threads, traverse, options.progress);
+  with_walk({feed.get(), &bvh, &mesh}, results, [&](const auto& walk) {
+    host::for_each_index(
+        sums.size(), options.threads, [&](std::size_t i) { traverse(walk, i); }, options.progress);
+  });
   return sums;
 }
 

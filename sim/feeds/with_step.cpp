@@ -15,6 +15,11 @@ class SteppedRays final : public RayFeed {
     rays_->operands(slot, node, length, out);
     step_(out);
   }
+  void pair_operands(std::size_t slot, std::uint32_t record, const ref::MajorInterval& parent,
+                     std::int64_t* out) const override {
+    rays_->pair_operands(slot, record, parent, out);
+    step_(out);
+  }
 
  private:
   std::unique_ptr<RayFeed> rays_;
@@ -29,6 +34,7 @@ class SteppedScene final : public SceneFeed {
   [[nodiscard]] std::unique_ptr<RayFeed> unit(std::size_t slots) const override {
     return std::make_unique<SteppedRays>(feed_->unit(slots), step_);
   }
+  [[nodiscard]] const PairRecords* pairs() const override { return feed_->pairs(); }
 
  private:
   std::unique_ptr<SceneFeed> feed_;

@@ -23,9 +23,12 @@ void check(const Bvh& bvh, const TracerOptions& options) {
   allow(!plucker || options.arithmetic != Arithmetic::robust,
         "tracer: robust arithmetic is for slabs; with Pluecker take binary32 or binary64");
   allow(!major || !plucker, "tracer: a major axis is for slabs; take slabs or slabs_dsa");
-  allow(!integer || !by_distance,
+  const bool pairs = options.encoding == Encoding::pairs;
+  allow(!pairs || (major && by_distance && options.ends),
+        "tracer: records of two boxes are for a major axis, rays with ends and the order by distance");
+  allow(!integer || !by_distance || pairs,
         "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa");
-  allow(!integer || options.encoding == Encoding::plain,
+  allow(!integer || options.encoding == Encoding::plain || pairs,
         "tracer: integer arithmetic has nodes of its own; take the plain encoding");
   allow(!options.look_up_table || few_bits,
         "tracer: a look-up table is for hierarchical nodes of 4 or 8 bits");
@@ -56,6 +59,8 @@ std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh, const Trac
     case Encoding::hierarchical_12:
     case Encoding::hierarchical_16:
       return make_fine_hierarchical_tracer(parts);
+    case Encoding::pairs:
+      return make_major_pair_tracer(parts);
     case Encoding::plain:
       break;
   }

@@ -1,0 +1,193 @@
+// The operands of hls::IntMajorPairOperands, in that order (docs/major.md).
+#include <algorithm>
+#include <optional>
+
+#include "sim/designs/major_design.hpp"
+#include "sim/feeds/set_up_feed.hpp"
+#include "sim/walk.hpp"
+#include "sw_ref/encode/pair_nodes.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+using hls::MajorBits;
+
+void write(const ref::IntMajorRay& ray, const ref::MajorInterval& parent, const ref::PairBoxes& boxes,
+           std::int64_t* out) {
+  out = put_major_ray(ray, out);
+  *out++ = parent.near;
+  *out++ = parent.far;
+  put_box(boxes.planes, out);
+  out += 6;
+  // Owners stand beside their planes: lower and upper of each axis.
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    *out++ = boxes.owners >> axis & 1U;
+    *out++ = boxes.owners >> (axis + 3) & 1U;
+  }
+}
+
+class PairRays final : public RayFeed {
+ public:
+  PairRays(const PairRecords& pairs, std::size_t slots) : pairs_(pairs), slots_(slots) {}
+
+  void start(std::size_t slot, const ref::Ray& ray) override {
+    slots_[slot] = ref::IntMajorRaySetup(ray, pairs_.bits).ray();
+  }
+  void operands(std::size_t /*slot*/, std::uint32_t /*node*/, float /*length*/,
+                std::int64_t* /*out*/) const override {
+    throw std::logic_error("a feed for two boxes at a time has no operands for one");
+  }
+  void pair_operands(std::size_t slot, std::uint32_t record, const ref::MajorInterval& parent,
+                     std::int64_t* out) const override {
+    write(slots_[slot], parent, pairs_.records.boxes(record), out);
+  }
+
+ private:
+  const PairRecords& pairs_;
+  std::vector<ref::IntMajorRay> slots_;
+};
+
+class PairScene final : public SceneFeed {
+ public:
+  PairScene(const MajorBits& bits, const ref::Bvh& bvh)
+      : pairs_{ref::PairNodes(bvh, bits.coord, bits.finer), bits} {}
+
+  [[nodiscard]] std::unique_ptr<RayFeed> unit(std::size_t slots) const override {
+    return std::make_unique<PairRays>(pairs_, slots);
+  }
+  [[nodiscard]] const PairRecords* pairs() const override { return &pairs_; }
+
+ private:
+  PairRecords pairs_;
+};
+
+std::unique_ptr<SceneFeed> pair_feed(const rtl::Format& format, const ref::Bvh& bvh) {
+  return std::make_unique<PairScene>(format.as<MajorBits>(), bvh);
+}
+
+/// Judges one box as the first of two. Its faces are in turn its own and its parent's: a parent is made for
+/// it, which is looser where the face is its own, and a sibling, which has the other planes. The unit tests
+/// the parent first, as it would a root. The answer does not depend on the parent.
+class PairTest final : public BoxTest {
+ public:
+  PairTest(const rtl::Design& design, const rtl::Format& format)
+      : evaluate_(design.evaluate(format)),
+        format_(format),
+        limit_((std::int32_t{1} << (format.as<MajorBits>().coord - 2))),
+        operands_(design.ports(format).size()),
+        results_(evaluate_.result_count()) {
+    const std::vector<hls::Result> results = design.results(format);
+    near_ = place_of(results, hls::Meaning::entry, 0);
+    far_ = place_of(results, hls::Meaning::exit, 0);
+  }
+
+  void start(const ref::Ray& ray) override {
+    const ref::IntMajorRaySetup set_up(ray, format_.as<MajorBits>());
+    ray_ = set_up.ray();
+    length_ = set_up.length(ray.length);
+  }
+
+  bool hit(const ref::Aabb& box) override {
+    ref::IntBox first;
+    major_boxes({&box, 1}, format_, {&first, 1});
+    const auto [parent, boxes] = family(first);
+    if (!test({0, length_}, {parent, 0})) return false;
+    return test({results_[near_], results_[far_]}, boxes);
+  }
+  [[nodiscard]] std::span<const std::int64_t> operands() const override { return operands_; }
+  [[nodiscard]] std::span<const std::int64_t> results() const override { return results_; }
+
+ private:
+  struct Family {
+    ref::IntBox parent;
+    ref::PairBoxes boxes;
+  };
+
+  /// The same for the same box.
+  [[nodiscard]] Family family(const ref::IntBox& box) const {
+    std::uint64_t random = 0x9E3779B97F4A7C15U;
+    const auto draw = [&](std::uint64_t more) {
+      random = (random ^ more) * 0xBF58476D1CE4E5B9U;
+      random ^= random >> 31;
+      return random;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      draw(static_cast<std::uint32_t>(box.min[axis]));
+      draw(static_cast<std::uint32_t>(box.max[axis]));
+    }
+    Family made{box, {box, 0}};
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const std::uint64_t low = draw(axis);
+      const std::uint64_t high = draw(axis);
+      const auto away = [](std::uint64_t bits) {
+        return static_cast<std::int32_t>((bits >> 8 & 0xFFFFFF) >> (bits >> 32 & 31));
+      };
+      std::int32_t& min = made.boxes.planes.min[axis];
+      std::int32_t& max = made.boxes.planes.max[axis];
+      if ((low & 1U) != 0) {
+        min = static_cast<std::int32_t>(std::min<std::int64_t>(limit_, std::int64_t{min} + away(low)));
+        made.boxes.owners |= static_cast<std::uint8_t>(1U << axis);
+      } else {
+        made.parent.min[axis] = std::max(-limit_, min - away(low));
+      }
+      if ((high & 1U) != 0) {
+        max = static_cast<std::int32_t>(std::max<std::int64_t>(-limit_, std::int64_t{max} - away(high)));
+        made.boxes.owners |= static_cast<std::uint8_t>(1U << (axis + 3));
+      } else {
+        made.parent.max[axis] =
+            static_cast<std::int32_t>(std::min<std::int64_t>(limit_, std::int64_t{max} + away(high)));
+      }
+    }
+    return made;
+  }
+
+  bool test(const ref::MajorInterval& parent, const ref::PairBoxes& boxes) {
+    write(ray_, parent, boxes, operands_.data());
+    evaluate_(operands_.data(), results_.data());
+    return evaluate_.hit(results_.data());
+  }
+
+  rtl::Evaluate evaluate_;
+  rtl::Format format_;
+  std::int32_t limit_;  ///< of a plane
+  std::vector<std::int64_t> operands_;
+  std::vector<std::int64_t> results_;
+  std::size_t near_ = 0;
+  std::size_t far_ = 0;
+  ref::IntMajorRay ray_;
+  std::int64_t length_ = 0;
+};
+
+std::unique_ptr<BoxTest> pair_test(const rtl::Design& design, const rtl::Format& format) {
+  return std::make_unique<PairTest>(design, format);
+}
+
+ref::TracerOptions pair_traversal(const rtl::Format& format) {
+  ref::TracerOptions options;
+  options.algorithm = ref::Algorithm::slabs_dist;
+  options.arithmetic = ref::Arithmetic::major;
+  options.encoding = ref::Encoding::pairs;
+  options.major_bits = format.as<MajorBits>();
+  return options;
+}
+
+std::size_t pair_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& /*none*/) {
+  ref::Bvh one;
+  one.nodes.push_back({{glm::vec3(0), glm::vec3(0)}, 1, 0});
+  const auto bits = format.as<MajorBits>();
+  return ref::PairNodes(one, bits.coord, bits.finer).bytes_per_record;
+}
+
+}  // namespace
+
+Software int_major_pair_software() {
+  Software software = major_design_software();
+  software.feed = pair_feed;
+  software.box_test = pair_test;
+  software.traversal = pair_traversal;
+  software.bytes_per_node = pair_bytes_per_node;
+  return software;
+}
+
+}  // namespace hitpipe::sim

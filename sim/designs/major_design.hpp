@@ -1,0 +1,26 @@
+// What the software of all designs with a major axis shares: the operands of a ray, and formats.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hls/box/major_format.hpp"
+#include "rtl_gen/catalogue/major_formats.hpp"
+#include "sim/software.hpp"
+#include "sw_ref/geometry/aabb.hpp"
+#include "sw_ref/quantise/int_box.hpp"
+#include "sw_ref/quantise/int_major_ray.hpp"
+
+namespace hitpipe::sim {
+
+/// Writes the ports of hls::MajorRay. Returns the place of the next port.
+std::int64_t* put_major_ray(const ref::IntMajorRay& ray, std::int64_t* out);
+
+/// Boxes as a unit of this format reads them.
+void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<ref::IntBox> out);
+
+/// The software of a design without its own set-up: feed, box_test, traversal and bytes_per_node are missing.
+[[nodiscard]] Software major_design_software();
+
+}  // namespace hitpipe::sim

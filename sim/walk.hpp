@@ -1,0 +1,100 @@
+// How a ray walks through a hierarchy with the answers of a unit: for a unit that tests one box at a time,
+// and for one that tests two. Each has a traversal, asks for tests (ask), takes results (answer), and names
+// the boxes that a test answered for (each_box).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "sim/feed.hpp"
+#include "sw_ref/traverse/pair_traversal.hpp"
+#include "sw_ref/traverse/traversal.hpp"
+
+namespace hitpipe::sim {
+
+struct WalkScene {
+  const SceneFeed* feed;
+  const ref::Bvh* bvh;
+  const ref::Mesh* mesh;
+};
+
+/// The place of a result among those of a design. Throws std::runtime_error, one line, when there is none.
+[[nodiscard]] std::size_t place_of(std::span<const hls::Result> results, hls::Meaning meaning, int box);
+
+class OneBoxWalk {
+ public:
+  using Traversal = ref::Traversal;
+
+  OneBoxWalk(const WalkScene& scene, std::span<const hls::Result> results)
+      : scene_(scene), hit_(place_of(results, hls::Meaning::hit, 0)) {}
+
+  [[nodiscard]] Traversal start(const ref::Ray& ray, ref::Query query) const {
+    return {*scene_.bvh, *scene_.mesh, ray, query};
+  }
+  static void ask(const RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
+    rays.operands(slot, traversal.node(), traversal.length(), operands);
+  }
+  void answer(Traversal& traversal, const std::int64_t* results) const {
+    traversal.answer(results[hit_] != 0);
+  }
+  /// Calls visit(box, whether it was hit) for the test that waits for its answer.
+  template <class Visit>
+  void each_box(const Traversal& traversal, const std::int64_t* results, Visit&& visit) const {
+    visit(scene_.bvh->nodes[traversal.node()].box, results[hit_] != 0);
+  }
+
+ private:
+  WalkScene scene_;
+  std::size_t hit_;
+};
+
+/// The feed must have records.
+class PairWalk {
+ public:
+  using Traversal = ref::PairTraversal;
+
+  PairWalk(const WalkScene& scene, std::span<const hls::Result> results);
+
+  [[nodiscard]] Traversal start(const ref::Ray& ray, ref::Query query) const {
+    return {pairs_, ray, query, scene_.feed->pairs()->bits};
+  }
+  static void ask(const RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
+    rays.pair_operands(slot, traversal.record(), traversal.parent(), operands);
+  }
+  void answer(Traversal& traversal, const std::int64_t* results) const {
+    ref::PairAnswer answer;
+    for (std::size_t box = 0; box < 2; ++box) {
+      answer.hit[box] = results[hit_[box]] != 0;
+      answer.interval[box] = {results[near_[box]], results[far_[box]]};
+    }
+    answer.second_first = results[order_] != 0;
+    traversal.answer(answer);
+  }
+  template <class Visit>
+  void each_box(const Traversal& traversal, const std::int64_t* results, Visit&& visit) const {
+    const std::uint32_t first = pairs_.records->first_node(traversal.record());
+    for (unsigned box = 0; box < traversal.boxes(); ++box)
+      visit(scene_.bvh->nodes[first + box].box, results[hit_[box]] != 0);
+  }
+
+ private:
+  WalkScene scene_;
+  ref::PairScene pairs_;
+  std::array<std::size_t, 2> hit_, near_, far_;
+  std::size_t order_;
+};
+
+/// Calls call(walk) with the walk that the feed is for.
+template <class Call>
+void with_walk(const WalkScene& scene, std::span<const hls::Result> results, Call&& call) {
+  if (scene.feed->pairs() != nullptr) {
+    call(PairWalk(scene, results));
+  } else {
+    call(OneBoxWalk(scene, results));
+  }
+}
+
+}  // namespace hitpipe::sim
