@@ -253,7 +253,13 @@ ComponentUse component_of(const Graph& graph, NodeId node) {
 }
 
 Cell timing_of(const Graph& graph, NodeId node, const Library& library) {
-  if (is_component(graph[node].op)) {
+  const Node& n = graph[node];
+  if (n.op == Op::mul) {
+    // The square multiplier whose product is as wide has as long a sum, and no fewer rows to add.
+    const int bits = (graph[n.args[0]].width + graph[n.args[1]].width + 1) / 2;
+    return library.timing(Component::int_multiply, bits);
+  }
+  if (is_component(n.op)) {
     const ComponentUse use = component_of(graph, node);
     return library.timing(use.component, use.bits);
   }
