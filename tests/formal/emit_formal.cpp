@@ -30,6 +30,8 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& form
   const rtl::Pipeline pipeline = rtl::make_pipeline(traced, rtl::Library::thesis());
   const std::vector<formal::Component> parts = formal::components(pipeline, name);
 
+  std::string results;
+  for (const rtl::Output& out : pipeline.graph.outputs()) results += fmt::format("w:{} ", out.name);
   std::string models;
   std::string names;
   std::set<formal::Symbol> symbols{formal::product_symbol()};
@@ -39,7 +41,8 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& form
       {"flow.v", formal::design_flow(pipeline, name)},
       {"stalled.v", formal::stalled_design(pipeline, name)},
       {"control.v", formal::control_properties(pipeline)},
-      {"latency", fmt::format("{}\n", pipeline.latency())}};
+      {"latency", fmt::format("{}\n", pipeline.latency())},
+      {"results", results}};
   for (const formal::Component& part : parts) {
     symbols.insert(part.symbol);
     models += part.model_text;

@@ -101,7 +101,7 @@ read_verilog -formal control_design.v
 hierarchy -check -top $1
 delete t:$1_*
 hierarchy -check -top $1
-delete -output w:hit
+delete -output $(cat results)
 proc
 opt_clean -purge
 write_smt2 -wires control.raw.smt2

@@ -21,15 +21,48 @@ std::string connections(const std::vector<rtl::Port>& ports) {
   return text;
 }
 
-/// A design and its reference on the same operands. `expected` is the HIT for the operands at the ports.
-std::string instances(const std::vector<rtl::Port>& ports, const std::string& design) {
+int result_bits(const rtl::Graph& graph) {
+  int bits = 0;
+  for (const rtl::Output& out : graph.outputs()) bits += graph[out.node].width;
+  return bits;
+}
+
+/// All results, the first lowest, as bits of one word.
+std::string results_in(const rtl::Graph& graph, const std::string& net) {
+  std::string text;
+  int low = 0;
+  for (const rtl::Output& out : graph.outputs()) {
+    const int width = graph[out.node].width;
+    text += fmt::format("{}.{}({}[{}:{}])", low == 0 ? "" : ", ", out.name, net, low + width - 1, low);
+    low += width;
+  }
+  return text;
+}
+
+/// A design and its reference on the same operands. `found` are the results; `expected` are those for the
+/// operands at the ports.
+std::string instances(const rtl::Graph& graph, const std::string& design) {
+  const std::vector<rtl::Port> ports = rtl::input_ports(graph);
   return fmt::format(
-      "  wire in_ready, out_valid, hit, expected;\n  wire [3:0] out_tag;\n"
+      "  wire in_ready, out_valid;\n  wire [{4}:0] found, expected;\n  wire [3:0] out_tag;\n"
       "  {0} #(.TAG_BITS(4)) dut (\n    .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), "
       ".in_tag(in_tag),\n    .out_valid(out_valid), .out_ready(out_ready), .out_tag(out_tag),\n    "
-      "{1}.hit(hit));\n"
-      "  {0}_reference same (\n    {1}.hit(expected));\n",
-      design, connections(ports));
+      "{1}{2});\n"
+      "  {0}_reference same (\n    {1}{3});\n",
+      design, connections(ports), results_in(graph, "found"), results_in(graph, "expected"),
+      result_bits(graph) - 1);
+}
+
+/// An assertion for each result: it is that of the first operands.
+std::string each_result_is(const rtl::Graph& graph) {
+  std::string text;
+  int low = 0;
+  for (const rtl::Output& out : graph.outputs()) {
+    const int high = low + graph[out.node].width - 1;
+    text += fmt::format("      assert (found[{0}:{1}] == first[{0}:{1}]);\n", high, low);
+    low = high + 1;
+  }
+  return text;
 }
 
 std::string head(const char* name, const std::vector<rtl::Port>& ports) {
@@ -62,16 +95,16 @@ std::string component_flow(const Component& c) {
 
 std::string design_flow(const rtl::Pipeline& pipeline, const std::string& design) {
   const std::vector<rtl::Port> ports = rtl::input_ports(pipeline.graph);
-  return head("flow", ports) + instances(ports, design) +
+  return head("flow", ports) + instances(pipeline.graph, design) +
          fmt::format(
-             "  reg [7:0] edges = 0;\n  reg first;\n  reg [3:0] first_tag;\n"
+             "  reg [7:0] edges = 0;\n  reg [{1}:0] first;\n  reg [3:0] first_tag;\n"
              "  always @(posedge clk) begin\n    edges <= edges + 8'd1;\n"
              "    if (edges == 0) begin\n      first <= expected;\n      first_tag <= in_tag;\n    end\n  "
              "end\n"
-             "  always @* begin\n    assume (in_ready && !rst);\n    if (edges == {}) begin\n"
-             "      assert (hit == first);\n      assert (out_tag == first_tag);\n"
-             "      cover (hit);\n      cover (!hit);\n    end\n  end\nendmodule\n",
-             pipeline.latency() + 1);
+             "  always @* begin\n    assume (in_ready && !rst);\n    if (edges == {0}) begin\n"
+             "{2}      assert (out_tag == first_tag);\n"
+             "      cover (found[0]);\n      cover (!found[0]);\n    end\n  end\nendmodule\n",
+             pipeline.latency() + 1, result_bits(pipeline.graph) - 1, each_result_is(pipeline.graph));
 }
 
 std::string control_properties(const rtl::Pipeline& pipeline) {
@@ -98,23 +131,23 @@ std::string control_properties(const rtl::Pipeline& pipeline) {
 
 std::string stalled_design(const rtl::Pipeline& pipeline, const std::string& design) {
   const std::vector<rtl::Port> ports = rtl::input_ports(pipeline.graph);
-  return head("stalled", ports) + instances(ports, design) +
+  return head("stalled", ports) + instances(pipeline.graph, design) +
          fmt::format(
-             "  reg first_step = 1, given = 0, expected_hit;\n  reg [3:0] expected_tag;\n"
+             "  reg first_step = 1, given = 0;\n  reg [{1}:0] first;\n  reg [3:0] expected_tag;\n"
              "  reg [7:0] moves = 0, stalls = 0;\n  wire due = !first_step && moves == {0} && !given;\n"
              "  always @(posedge clk) begin\n    first_step <= 0;\n    if (first_step) begin\n"
-             "      expected_hit <= expected;\n      expected_tag <= in_tag;\n    end else begin\n"
+             "      first <= expected;\n      expected_tag <= in_tag;\n    end else begin\n"
              "      moves <= moves + {{7'd0, in_ready && !given}};\n      stalls <= stalls + {{7'd0, "
              "!in_ready}};\n"
              "      given <= given || (due && out_ready);\n    end\n  end\n"
              "  always @* begin\n    assume (!rst && stalls <= 2);\n    if (first_step) assume (in_valid && "
              "in_ready);\n"
              "    assert (in_ready == (out_ready || !out_valid));\n"
-             "    if (due) begin\n      assert (out_valid);\n      assert (hit == expected_hit);\n"
+             "    if (due) begin\n      assert (out_valid);\n{2}"
              "      assert (out_tag == expected_tag);\n    end\n"
-             "    cover (due && hit && stalls >= 2);\n    cover (due && !hit && stalls >= 2);\n  "
+             "    cover (due && found[0] && stalls >= 2);\n    cover (due && !found[0] && stalls >= 2);\n  "
              "end\nendmodule\n",
-             pipeline.latency());
+             pipeline.latency(), result_bits(pipeline.graph) - 1, each_result_is(pipeline.graph));
 }
 
 }  // namespace hitpipe::formal
