@@ -100,8 +100,9 @@ Row record(const sim::FitResult& fitted, const std::string& scene) {
           {"bits_before", rtl::to_string(unit.before)},
           {"dropped_bits", unit.coarse().dropped},
           {"ray_ends", unit.ends()},
-          {"endless_extra_box_tests_pct",
-           unit.precision ? Row(unit.precision->endless_extra_box_tests_pct) : Row(nullptr)},
+          {"endless_extra_box_tests_pct", unit.precision && unit.precision->endless_extra_box_tests_pct
+                                              ? Row(*unit.precision->endless_extra_box_tests_pct)
+                                              : Row(nullptr)},
           {"formats_measured", unit.precision ? unit.precision->formats_measured : 0},
           {"scene", scene},
           {"area_before_mm2", mm2(unit.price_before.area_um2)},

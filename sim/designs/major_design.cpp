@@ -1,6 +1,12 @@
 #include "sim/designs/major_design.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
 #include "sim/feeds/set_up_feed.hpp"
+#include "sw_ref/quantise/fine_grid.hpp"
 
 namespace hitpipe::sim {
 
@@ -15,6 +21,129 @@ std::vector<rtl::Format> major_sweep_formats() {
     for (int finer = 0; finer <= 2; ++finer)
       for (int mantissa = 10; mantissa <= 14; mantissa += 2) formats.push_back(MajorBits{n, finer, mantissa});
   return formats;
+}
+
+/// n from the least on, each with g = 0 .. most and every mantissa up to the most.
+std::vector<std::vector<rtl::Format>> major_up_to(const rtl::Format& most) {
+  const auto bits = most.as<MajorBits>();
+  std::vector<std::vector<rtl::Format>> groups;
+  for (int n = MajorBits::min_coord; n <= bits.coord; ++n) {
+    for (int finer = 0; finer <= bits.finer; ++finer) {
+      std::vector<rtl::Format>& group = groups.emplace_back();
+      for (int mantissa = MajorBits::min_mantissa; mantissa <= bits.mantissa; ++mantissa)
+        if (const MajorBits each{n, finer, mantissa, bits.fraction}; each.valid()) group.push_back(each);
+      if (group.empty()) groups.pop_back();
+    }
+  }
+  return groups;
+}
+
+/// What a family of rays can have in the slots m, a and b when its major axis is `major`.
+struct Slotted {
+  const ref::RayFamily* family;
+  std::array<int, 3> axes;
+};
+
+double magnitude_from(const ref::RayFamily& family, int axis) {
+  const double low = family.direction.min[axis];
+  const double high = family.direction.max[axis];
+  return low <= 0.0 && high >= 0.0 ? 0.0 : std::min(std::abs(low), std::abs(high));
+}
+double magnitude_to(const ref::RayFamily& family, int axis) {
+  return std::max(std::abs(double{family.direction.min[axis]}), std::abs(double{family.direction.max[axis]}));
+}
+
+/// Every family with every axis that can be its major one.
+std::vector<Slotted> slotted(const ref::SceneDemands& scene) {
+  std::vector<Slotted> all;
+  for (const ref::RayFamily& family : scene.rays) {
+    double largest = 0.0;
+    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, magnitude_from(family, axis));
+    for (int major = 0; major < 3; ++major) {
+      if (magnitude_to(family, major) < largest) continue;
+      Slotted each{&family, {0, 1, 2}};
+      std::swap(each.axes[0], each.axes[static_cast<std::size_t>(major)]);
+      all.push_back(each);
+    }
+  }
+  return all;
+}
+
+rtl::Interval either(const std::optional<rtl::Interval>& a, const rtl::Interval& b) {
+  return a ? rtl::Interval{std::min(a->low, b.low), std::max(a->high, b.high)} : b;
+}
+
+rtl::Interval origins(const Slotted& ray, std::size_t slot, const MajorBits& bits) {
+  const int axis = ray.axes[slot];
+  const auto rounded = [&](float x) { return ref::fine_nearest(x, bits.coord, bits.finer); };
+  std::optional<rtl::Interval> range;
+  const float low = ray.family->origin.min[axis];
+  const float high = ray.family->origin.max[axis];
+  if (ray.family->direction.max[axis] >= 0.0F) range = rtl::Interval{-rounded(-low), -rounded(-high)};
+  if (ray.family->direction.min[axis] < 0.0F) range = either(range, {-rounded(high) - 1, -rounded(low) - 1});
+  return *range;
+}
+
+/// The margin is for the rounding of the quotient.
+rtl::Interval exponents(const Slotted& ray, std::size_t slot, const MajorBits& bits) {
+  constexpr double margin = 1e-12;
+  const double major_from = magnitude_from(*ray.family, ray.axes[0]);
+  const double major_to = magnitude_to(*ray.family, ray.axes[0]);
+  const double other_from = magnitude_from(*ray.family, ray.axes[slot]);
+  const double other_to = magnitude_to(*ray.family, ray.axes[slot]);
+  const int cap = bits.largest_exponent();
+  const auto power = [&](double quotient) {
+    return !std::isfinite(quotient) || quotient > std::ldexp(1.0, cap) ? cap
+                                                                       : std::ilogb(std::max(1.0, quotient));
+  };
+  const int least = other_to == 0.0 ? cap : power(major_from / other_to * (1.0 - margin));
+  const int most = other_from == 0.0 ? cap : power(major_to / other_from * (1.0 + margin));
+  // An upper mantissa that would be 2 takes the next exponent.
+  return {least, std::min(cap, most + 1)};
+}
+
+/// Ports of slots are named after them, with the slot's letter at the end.
+std::size_t slot_of(const rtl::Port& port) {
+  return port.name.back() == 'm' ? 0 : port.name.back() == 'a' ? 1 : 2;
+}
+
+std::optional<ScenePromise> major_promise(const rtl::Port& port, const rtl::Format& format,
+                                          const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
+  // The margin of the cube leaves one bit of every coordinate unused, in every scene.
+  constexpr int spare = 1;
+  const auto bits = format.as<MajorBits>();
+  if (port.role == hls::Role::plane_low || port.role == hls::Role::plane_high) {
+    const ref::IntBox box = ref::quantise_box(scene.boxes, bits.coord, bits.finer);
+    const auto axis = static_cast<std::size_t>(port.axis) - static_cast<std::size_t>(hls::Axis::x);
+    return ScenePromise{{box.min[axis], box.max[axis]}, spare};
+  }
+  const auto range_of = [&](const Slotted& ray) -> std::optional<rtl::Interval> {
+    const std::size_t slot = slot_of(port);
+    const int axis = ray.axes[slot];
+    switch (port.role) {
+      case hls::Role::origin:
+        return origins(ray, slot, bits);
+      case hls::Role::exponent:
+        return exponents(ray, slot, bits);
+      case hls::Role::backward:
+        return rtl::Interval{ray.family->direction.max[axis] < 0.0F ? 1 : 0,
+                             ray.family->direction.min[axis] < 0.0F ? 1 : 0};
+      case hls::Role::major: {
+        const bool is = ray.axes[0] == static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
+        return rtl::Interval{is ? 1 : 0, is ? 1 : 0};
+      }
+      default:
+        return std::nullopt;
+    }
+  };
+  std::optional<rtl::Interval> range;
+  for (const Slotted& ray : slotted(scene)) {
+    const std::optional<rtl::Interval> one = range_of(ray);
+    if (!one) return std::nullopt;
+    range = either(range, *one);
+  }
+  if (!range) return std::nullopt;
+  return ScenePromise{*range, port.role == hls::Role::origin ? spare : 0};
 }
 
 }  // namespace
@@ -37,7 +166,9 @@ void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, st
 }
 
 Software major_design_software() {
-  return {.sweep_formats = major_sweep_formats(),
+  return {.promise = major_promise,
+          .up_to = major_up_to,
+          .sweep_formats = major_sweep_formats(),
           .stiffness_formats = {MajorBits{20, 1, 12}, MajorBits{16, 1, 12}},
           .fit_from = MajorBits{20, 1, 12}};
 }

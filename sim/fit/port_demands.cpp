@@ -23,8 +23,9 @@ bool one_of(Role role, std::initializer_list<Role> roles) {
 
 constexpr std::initializer_list<Role> origin_roles{Role::origin};
 constexpr std::initializer_list<Role> box_roles{Role::plane_low, Role::plane_high};
-constexpr std::initializer_list<Role> direction_roles{Role::direction, Role::inverse, Role::inverse_low,
-                                                      Role::inverse_high};
+constexpr std::initializer_list<Role> direction_roles{Role::direction,    Role::inverse,  Role::inverse_low,
+                                                      Role::inverse_high, Role::exponent, Role::backward,
+                                                      Role::major};
 
 class Groups {
  public:
@@ -73,8 +74,10 @@ class Groups {
     groups_.push_back(std::move(group));
   }
   static bool loses_bits(const rtl::Port& port, const ScenePromise& promise) {
-    if (!port.is_signed) return true;  // a float's range has one sign, or is one number
     const rtl::Interval& range = promise.range;
+    if (port.kind == hls::Kind::natural || port.kind == hls::Kind::flag)
+      return range.low == range.high || range.high < std::int64_t{1} << (port.width - 1 - promise.spare_bits);
+    if (!port.is_signed) return true;  // a float's range has one sign, or is one number
     return range.low >= 0 || range.high < 0 ||
            rtl::Facts::number(port.width, range.low, range.high).signed_width() <
                port.width - promise.spare_bits;
@@ -129,12 +132,15 @@ std::vector<DemandGroup> port_demands(const rtl::Design& design, const rtl::Form
     groups.add(bounds("box", i, scene.boxes.min[i], scene.boxes.max[i]), axis, box_roles);
     groups.add(direction_text(scene, i), axis, direction_roles);
   }
+  // Operands that belong to an axis of each ray's own.
+  groups.add("ray origins of all axes", Axis::none, origin_roles);
+  groups.add("directions of all axes", Axis::none, direction_roles);
   for (std::size_t i = 0; i < 3; ++i) {
     if (const int dropped = coarse.dropped[i]; dropped > 0)
       groups.add_low_zeros(measured_text(precision->coarse_extra_box_tests_pct), all_axes[i], dropped);
   }
   if (precision && !precision->ends)
-    groups.add_endless(measured_text(precision->endless_extra_box_tests_pct));
+    groups.add_endless(measured_text(*precision->endless_extra_box_tests_pct));
   return groups.take();
 }
 

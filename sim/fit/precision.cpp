@@ -136,7 +136,7 @@ std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
   }
   if (rtl::index_of(search.design->ports(found.format), hls::Role::endless)) {
     found.endless_extra_box_tests_pct = measured.extra(found.format, found.coarse, false);
-    found.ends = found.endless_extra_box_tests_pct > search.overhead_pct;
+    found.ends = *found.endless_extra_box_tests_pct > search.overhead_pct;
   }
   found.formats_measured = measured.count();
   return found;

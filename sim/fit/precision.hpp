@@ -29,10 +29,11 @@ struct Precision {
   rtl::Format format;
   double extra_box_tests_pct = 0;  ///< with this format alone
   ref::CoarseAxes coarse{};
-  double coarse_extra_box_tests_pct = 0;   ///< with this format and coarse axes
-  bool ends = true;                        ///< the unit knows where rays end
-  double endless_extra_box_tests_pct = 0;  ///< with this format and these axes, all rays endless
-  int formats_measured = 0;                ///< each with its coarse axes, with and without ends
+  double coarse_extra_box_tests_pct = 0;  ///< with this format and coarse axes
+  bool ends = true;                       ///< the unit knows where rays end
+  /// With this format and these axes, all rays endless. Nothing when no operand says that a ray is endless.
+  std::optional<double> endless_extra_box_tests_pct{};
+  int formats_measured = 0;  ///< each with its coarse axes, with and without ends
 };
 
 /// "1.66 % extra box tests, measured on the scene's rays".
