@@ -1,6 +1,8 @@
-// Writes lemmas as SMT-LIB for z3: emit_lemmas trimming | products | pieces | shifts | bound | attained N.
+// Writes lemmas as SMT-LIB for z3: emit_lemmas trimming | products | pieces | shifts | saturation | bound |
+// attained N.
 // Before each answer the script says what it is about and which answer proves the lemma: "sat" if it says
 // that a value is attained.
+#include <algorithm>
 #include <cstdint>
 #include <iostream>
 #include <string>
@@ -8,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "hls/box/int_format.hpp"
+#include "hls/box/major_format.hpp"
 #include "hls/pipelines/int_plucker.hpp"
 #include "rtl_gen/component/library.hpp"
 
@@ -106,6 +109,71 @@ void shifts() {
     check(fmt::format("a * b, a = c << {}", k), "unsat",
           fmt::format("(assert (= a (* {0} c)))\n(assert (distinct (* a b) (* {0} (* c b))))\n", unit));
   }
+}
+
+/// The saturating shift of a word of `width` bits (hls/num/saturating_shift.hpp), as its levels compute it
+/// and as what it means: x 2^e in twice the width, cut to the word's range.
+void saturating_shift(int width) {
+  const int levels = hls::count_bits(width);
+  const int bits = width - 1;
+  const int wide = 2 * width;
+  fmt::print("(push)\n(declare-const x (_ BitVec {}))\n(declare-const e (_ BitVec {}))\n", width, levels);
+  fmt::print("(assert (bvule e (_ bv{} {})))\n", width - 1, levels);
+  fmt::print("(define-fun fill () (_ BitVec {0}) ((_ repeat {0}) ((_ extract {0} {0}) x)))\n", bits);
+  fmt::print("(define-fun m{} () (_ BitVec {}) (bvxor ((_ extract {} 0) x) fill))\n", levels, bits, bits - 1);
+  std::string lost = "(= #b0 #b1)";
+  for (int power = levels - 1; power >= 0; --power) {
+    const int amount = std::min(1 << power, bits);
+    const std::string from = fmt::format("m{}", power + 1);
+    const std::string moved = amount == bits
+                                  ? "fill"
+                                  : fmt::format("(concat ((_ extract {} 0) {}) ((_ extract {} 0) fill))",
+                                                bits - 1 - amount, from, amount - 1);
+    const std::string shift = fmt::format("(= ((_ extract {0} {0}) e) #b1)", power);
+    lost = fmt::format("(or {} (and {} (distinct ((_ extract {} {}) {}) (_ bv0 {}))))", lost, shift, bits - 1,
+                       bits - amount, from, amount);
+    fmt::print("(define-fun m{} () (_ BitVec {}) (ite {} {} {}))\n", power, bits, shift, moved, from);
+  }
+  fmt::print(
+      "(define-fun levels () (_ BitVec {0}) (concat ((_ extract {1} {1}) x) (bvxor fill (ite {2} (bvnot (_ "
+      "bv0 {1})) m0))))\n",
+      width, bits, lost);
+  fmt::print(
+      "(define-fun whole () (_ BitVec {0}) (bvshl ((_ sign_extend {1}) x) ((_ zero_extend {2}) e)))\n"
+      "(define-fun most () (_ BitVec {0}) ((_ zero_extend {3}) (bvnot (_ bv0 {4}))))\n",
+      wide, width, wide - levels, wide - bits, bits);
+  check(fmt::format("levels = x 2^e, cut to the word, {} bits", width), "unsat",
+        fmt::format("(assert (distinct ((_ sign_extend {}) levels) (ite (bvsgt whole most) most (ite (bvslt "
+                    "whole (bvnot most)) (bvnot most) whole))))\n",
+                    width));
+  fmt::print("(pop)\n");
+}
+
+/// The shift for every width of a difference, and the product of what it gives and a mantissa: its bits, and
+/// that saturation errs outward.
+void saturation() {
+  using hls::MajorBits;
+  for (int width = MajorBits::min_coord; width <= MajorBits::max_coord + MajorBits::max_finer; ++width)
+    saturating_shift(width);
+  fmt::print("(declare-const s Int)\n(declare-const m Int)\n(declare-const whole Int)\n");
+  for (int width = MajorBits::min_coord; width <= MajorBits::max_coord + MajorBits::max_finer; ++width) {
+    const std::int64_t most = (std::int64_t{1} << (width - 1)) - 1;
+    std::string wrong;
+    for (int p = MajorBits::min_mantissa; p <= MajorBits::max_mantissa && width + p <= MajorBits::max_product;
+         ++p)
+      wrong += fmt::format(" (and (<= m {0}) (or (>= (* s m) {1}) (< (* s m) (- {1}))))",
+                           (std::int64_t{1} << p) - 1, std::int64_t{1} << (width + p - 1));
+    check(fmt::format("product bits, n + g = {}", width), "unsat",
+          between(integer(-most - 1), "s", integer(most)) + "(assert (>= m 0))\n" +
+              fmt::format("(assert (or false{}))\n", wrong));
+  }
+  check("a near distance that saturates above is not larger", "unsat",
+        "(assert (>= m 0))\n(assert (<= s whole))\n(assert (> (* s m) (* whole m)))\n");
+  check("what saturates below stays negative", "unsat",
+        "(assert (>= m 1))\n(assert (< s 0))\n(assert (>= (* s m) 0))\n");
+  check("a far distance that saturates above is at least the largest shift", "unsat",
+        "(declare-const unit Int)\n(assert (>= unit 1))\n(assert (>= m unit))\n(assert (>= s 0))\n"
+        "(assert (< (* s m) (* s unit)))\n");
 }
 
 /// An s in [0, 1] with s * a <= b: of all s the constraint leaves an interval, here as fractions.
@@ -210,13 +278,15 @@ int main(int argc, char** argv) {
       pieces();
     } else if (lemma == "shifts" && argc == 2) {
       shifts();
+    } else if (lemma == "saturation" && argc == 2) {
+      saturation();
     } else if (lemma == "bound" && argc == 2) {
       bound();
     } else if (lemma == "attained" && argc == 3) {
       attained(std::stoi(argv[2]));
     } else {
       throw std::runtime_error(
-          "usage: emit_lemmas trimming | products | pieces | shifts | bound | attained N");
+          "usage: emit_lemmas trimming | products | pieces | shifts | saturation | bound | attained N");
     }
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

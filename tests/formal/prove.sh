@@ -70,6 +70,7 @@ row 'trimming keeps order and sign; kept bits' 'n 6..32' proved lemmas trimming
 row 'a product has 2n-1 bits' 'n 6..32' proved lemmas products
 row 'a product is the sum of its pieces' 'n 6..32' proved lemmas pieces
 row 'a product without the zeros of an operand' 'k 1..63' proved lemmas shifts
+row 'saturating shift, and products of it' 'n+g 6..35' proved lemmas saturation
 row 'EBND is a bound' 'n 6..32' proved lemmas bound
 row 'EBND by all edges, and it is attained' 'n = 4' proved lemmas attained 4
 if [[ -z $short ]]; then
@@ -77,6 +78,7 @@ if [[ -z $short ]]; then
   for format in 24/24 20/24 32/63; do
     for name in int_slabs int_plucker; do all_of "$name" "$format"; done
   done
+  for name in int_major int_major_pair; do all_of "$name" 20+1/12; done
   for name in fp_slabs fp_plucker; do all_of "$name" fp32; done
   cd "$(design int_slabs 6/6)" || exit 1
   row 'int_slabs: standing still twice, wherever' 6/6 proved prove_stalled int_slabs
