@@ -57,16 +57,32 @@ void add_scene_options(CLI::App& command, SceneChoice& choice) {
   point("--up", choice.placing.up, "The direction that is up");
   command.add_option("--fov", choice.placing.fov_degrees, "Vertical field of view, between 0 and 180")
       ->type_name("DEGREES");
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--light",
-          [&choice](const std::vector<std::string>& lights) {
-            for (const std::string& light : lights)
-              choice.placing.lights.push_back({.position = parse_vector("--light", light)});
-          },
-          "A point light in place of the scene's own; repeat the option for more")
-      ->allow_extra_args(false)
-      ->type_name("X,Y,Z");
+  const auto project = [&](const char* name, ref::Projection projection, const char* what) {
+    return command.add_flag_callback(
+        name, [&choice, projection] { choice.placing.projection = projection; }, what);
+  };
+  CLI::Option* const parallel =
+      project("--orthographic", ref::Projection::orthographic,
+              "Parallel rays; the image is as high as the field of view is at the target");
+  project("--perspective", ref::Projection::perspective,
+          "Rays from the eye, also if the scene is orthographic")
+      ->excludes(parallel);
+  const auto lights = [&](const std::string& name, ref::LightKind kind, const char* what) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            name,
+            [name, kind, &choice](const std::vector<std::string>& all) {
+              for (const std::string& light : all)
+                choice.placing.lights.push_back({.position = parse_vector(name, light), .kind = kind});
+            },
+            what)
+        ->allow_extra_args(false)
+        ->type_name("X,Y,Z");
+  };
+  lights("--light", ref::LightKind::point,
+         "A point light in place of the scene's own lights; repeat the option for more");
+  lights("--sun", ref::LightKind::sun,
+         "A light in this direction, so far away that its rays are parallel; otherwise as --light");
   add_count_option(command, "--width", choice.width, {1, 16384}, "Pixels across")->capture_default_str();
   add_count_option(command, "--height", choice.height, {1, 16384}, "Pixels down")->capture_default_str();
   add_count_option(command, "--threads", choice.threads, {1, 1024},

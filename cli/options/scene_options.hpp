@@ -22,7 +22,9 @@ struct SceneChoice {
   [[nodiscard]] ref::Scene load() const { return ref::load_scene(name, placing); }
 };
 
-/// Adds --scene (required), --triangles, --eye, --target, --up, --fov, --light, --width, --height, --threads.
+/// Adds --scene (required), --triangles, --eye, --target, --up, --fov, --orthographic, --perspective,
+/// --light,
+/// --sun, --width, --height, --threads.
 void add_scene_options(CLI::App& command, SceneChoice& choice);
 
 }  // namespace hitpipe::cli

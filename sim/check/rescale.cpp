@@ -70,7 +70,8 @@ MovedScene moved(const ref::SceneDescription& scene, const Transform& transform)
   }
   to.eye = move(scene.eye);
   to.target = move(scene.target);
-  for (ref::LightSource& light : to.lights) light.position = move(light.position);
+  for (ref::LightSource& light : to.lights)
+    if (light.kind == ref::LightKind::point) light.position = move(light.position);  // a sun has no place
   return result;
 }
 

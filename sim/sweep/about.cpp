@@ -38,7 +38,8 @@ std::uint64_t content(const ref::Scene& scene, const ref::Bvh& bvh) {
   Hash hash;
   hash << mesh.vertices << mesh.normals << mesh.triangles << mesh.materials << scene.materials << scene.lights
        << bvh.nodes << bvh.order;
-  hash << camera.eye << camera.forward << camera.right << camera.up << camera.tan_half_height;
+  hash << camera.eye << camera.forward << camera.right << camera.up << camera.tan_half_height
+       << camera.projection << camera.half_height;
   return hash.value();
 }
 

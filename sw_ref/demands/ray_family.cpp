@@ -21,6 +21,29 @@ float above(double x) {
   return std::nextafter(static_cast<float>(x), Ray::infinite);
 }
 
+Aabb one_direction(const Camera& camera) {
+  const glm::vec3 forward(camera.forward);
+  return {forward, forward};
+}
+
+/// The box of the image's corners in the plane of an orthographic camera. If one of them is outside the cube,
+/// some rays start where they enter it (parallel_ray).
+Aabb parallel_origins(const Camera& camera, const ViewOptions& view) {
+  const double upward = camera.half_height;
+  const double across = upward * view.width / view.height;
+  Aabb box;
+  bool inside = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double middle = camera.eye[axis];
+    const double reach = across * std::abs(camera.right[axis]) + upward * std::abs(camera.up[axis]);
+    inside = inside && std::abs(middle) + reach <= 1.0 - slack;
+    // Without reach every start has the eye's coordinate exactly.
+    box.min[axis] = reach == 0.0 ? camera.eye[axis] : std::max(-1.0F, below(middle - reach - slack));
+    box.max[axis] = reach == 0.0 ? camera.eye[axis] : std::min(1.0F, above(middle + reach + slack));
+  }
+  return inside ? box : Aabb{glm::vec3(-1.0F), glm::vec3(1.0F)};
+}
+
 /// The frustum's directions before they are made unit vectors are forward + a right + u up, |a| <= across,
 /// |u| <= upward; their lengths lie in [1, longest]. A component that is not 0 keeps its sign.
 Aabb primary_directions(const Camera& camera, const ViewOptions& view) {
@@ -40,6 +63,16 @@ Aabb primary_directions(const Camera& camera, const ViewOptions& view) {
     if (box.max[axis] == 1.0F) box.max[axis] = above(1.0);
   }
   return box;
+}
+
+RayFamily primary_family(const Camera& camera, const ViewOptions& view) {
+  if (camera.projection == Projection::orthographic)
+    return {RayKind::primary, parallel_origins(camera, view), one_direction(camera),
+            "from the image of an orthographic camera, all in one direction"};
+  return {RayKind::primary,
+          {camera.eye, camera.eye},
+          primary_directions(camera, view),
+          "from the eye through the frustum of the image"};
 }
 
 /// Where rays leave surfaces: shadow_offset away from a point of a triangle, moved onto the cube
@@ -63,11 +96,7 @@ Aabb all_directions() {
 
 std::vector<RayFamily> ray_families(const Scene& scene, const ViewOptions& view) {
   const RayCauses causes = ray_causes(scene, view.bounces);
-  const glm::vec3& eye = scene.camera.eye;
-  std::vector<RayFamily> families{{RayKind::primary,
-                                   {eye, eye},
-                                   primary_directions(scene.camera, view),
-                                   "from the eye through the frustum of the image"}};
+  std::vector<RayFamily> families{primary_family(scene.camera, view)};
   const Aabb surfaces = surface_origins(scene.mesh);
   if (causes.secondary()) {
     families.emplace_back() = {RayKind::secondary, surfaces, all_directions(),
@@ -75,11 +104,19 @@ std::vector<RayFamily> ray_families(const Scene& scene, const ViewOptions& view)
   }
   for (const std::uint32_t i : causes.lights) {
     const Light& light = scene.lights[i];
+    if (light.kind == LightKind::sun) {
+      families.push_back({RayKind::shadow,
+                          surfaces,
+                          {light.position, light.position},
+                          fmt::format("from the surfaces to sun {}, all in one direction", i)});
+      continue;
+    }
     // light - origin in binary32: rounding is monotone, so the ends are the differences of the ends.
     families.push_back({RayKind::shadow,
                         surfaces,
                         {light.position - surfaces.max, light.position - surfaces.min},
-                        fmt::format("from the surfaces to light {}", i)});
+                        fmt::format("from the surfaces to light {}", i),
+                        true});
   }
   return families;
 }

@@ -1,4 +1,4 @@
-// Bounds of all rays of one kind and source, as intervals. They follow from the camera's frustum, the lights
+// Bounds of all rays of one kind and source, as intervals. They follow from the camera's image, the lights
 // and the surfaces, and hold for any pixels of the image.
 #pragma once
 
@@ -16,7 +16,8 @@ struct RayFamily {
   RayKind kind = RayKind::primary;
   Aabb origin;
   Aabb direction;
-  std::string why;  ///< what the bounds follow from
+  std::string why;       ///< what the bounds follow from
+  bool has_end = false;  ///< its rays end at a light; others end only where they meet a surface
 
   [[nodiscard]] bool has_one_origin() const { return origin.min == origin.max; }
 };

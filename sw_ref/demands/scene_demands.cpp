@@ -30,6 +30,26 @@ std::string span(float low, float high) {
   return low == high ? fmt::format("{:.6g}", low) : fmt::format("{:.6g} .. {:.6g}", low, high);
 }
 
+/// Where rays of the kinds that come start and end, in words.
+std::string ends_of(const std::vector<RayFamily>& rays) {
+  std::string words = "primary rays start without an end and end at the nearest hit so far";
+  const auto any_shadow = [&](bool has_end) {
+    return std::any_of(rays.begin(), rays.end(), [&](const RayFamily& family) {
+      return family.kind == RayKind::shadow && family.has_end == has_end;
+    });
+  };
+  if (any_shadow(true)) words += "; shadow rays end at their light";
+  if (any_shadow(false)) words += "; shadow rays to a sun have no end";
+  return words;
+}
+
+/// What all rays come from, in words; primary rays come first.
+std::string sources_of(const std::vector<RayFamily>& rays) {
+  const std::string first = rays.front().has_one_origin() ? "the eye" : "the image of the camera";
+  return rays.size() == 1 ? first + " alone sends rays"
+                          : first + ", and surfaces with the offset of rays that leave them";
+}
+
 std::string spans(const Aabb& box) {
   return fmt::format("x {}, y {}, z {}", span(box.min.x, box.max.x), span(box.min.y, box.max.y),
                      span(box.min.z, box.max.z));
@@ -90,12 +110,7 @@ std::vector<Evidence> SceneDemands::evidence() const {
                    bending ? "surfaces mirror or pass light on"
                            : "no surface mirrors or passes light on, or no bounce is followed",
                    shadows ? "lights shine on surfaces that scatter" : "no light shines on any surface")});
-  all.push_back(
-      {"rays with and without an end",
-       shadows ? "primary rays start without an end and end at the nearest hit so far; shadow rays end at "
-                 "their light"
-               : "primary rays start without an end and end at the nearest hit so far",
-       !(finite && infinite)});
+  all.push_back({"rays with and without an end", ends_of(rays), !(finite && infinite)});
   all.push_back({"lengths and endpoints of rays", "they move with every hit", false});
   std::vector<std::string> names;
   for (unsigned c = 0; c < direction_classes; ++c)
@@ -114,10 +129,7 @@ std::vector<Evidence> SceneDemands::evidence() const {
                      ? "spread of direction components not bounded"
                      : fmt::format("direction components differ by at most {:.4g} times", spread()),
                  "bounds of the directions", !std::isinf(spread())});
-  all.push_back({"origins: " + spans(origins()),
-                 rays.size() == 1 && rays[0].has_one_origin()
-                     ? "the eye alone sends rays"
-                     : "the eye, and surfaces with the offset of rays that leave them"});
+  all.push_back({"origins: " + spans(origins()), sources_of(rays)});
   all.push_back({"boxes: " + spans(boxes), "all nodes of the hierarchy, padded"});
   Aabb coordinates = origins();
   coordinates.grow(boxes);

@@ -1,4 +1,5 @@
 // Primary rays: one through the centre of each pixel.
+// A perspective camera sends them from its eye, an orthographic one from its image plane.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -9,15 +10,32 @@
 
 namespace hitpipe::ref {
 
+/// The infinite ray of an orthographic camera at `across`, `upward` of the eye in its plane, in the cube. All
+/// such rays have the direction `forward`, rounded to binary32. A ray that starts outside [-1, 1] starts
+/// where it enters this cube. If it never does, it starts at a corner from which it leaves the cube, so it
+/// meets nothing either.
+[[nodiscard]] Ray parallel_ray(const Camera& camera, double across, double upward);
+
 /// The infinite ray through pixel (x, y) of a width x height image; (0, 0) is at the upper left. Pixels are
-/// square and the vertical field of view is the camera's. The direction has length 1, apart from rounding to
+/// square, and the height of the image is the camera's. The direction has length 1, apart from rounding to
 /// binary32.
 [[nodiscard]] inline Ray primary_ray(const Camera& camera, int x, int y, int width, int height) {
+  if (camera.projection == Projection::orthographic) {
+    const double side = 2.0 * camera.half_height / height;
+    return parallel_ray(camera, (x + 0.5 - 0.5 * width) * side, (0.5 * height - y - 0.5) * side);
+  }
   const double pixel = 2.0 * camera.tan_half_height / height;
   const double across = (x + 0.5 - 0.5 * width) * pixel;
   const double upward = (0.5 * height - y - 0.5) * pixel;
   const glm::dvec3 direction = glm::normalize(camera.forward + across * camera.right + upward * camera.up);
   return {camera.eye, glm::vec3(direction), Ray::infinite};
+}
+
+/// Distance in the cube from the eye, or from the image plane of an orthographic camera.
+[[nodiscard]] inline double depth_of(const Camera& camera, const glm::dvec3& position) {
+  const glm::dvec3 eye(camera.eye);
+  return camera.projection == Projection::orthographic ? glm::dot(position - eye, camera.forward)
+                                                       : glm::distance(position, eye);
 }
 
 }  // namespace hitpipe::ref

@@ -13,6 +13,7 @@
 
 #include "host/parallel.hpp"
 #include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/render/camera.hpp"
 #include "sw_ref/render/shade.hpp"
 
 namespace hitpipe::ref {
@@ -137,7 +138,7 @@ class TileRenderer {
       if (!frame_.options.maps || triangle == Hit::none) continue;
       const Ray& ray = batch_[i].ray;
       const glm::dvec3 position = surface_point(frame_.scene.mesh, triangle, ray).position;
-      result_.depth[place(i)] = static_cast<float>(glm::distance(position, glm::dvec3(ray.origin)));
+      result_.depth[place(i)] = static_cast<float>(depth_of(frame_.scene.camera, position));
     }
   }
 

@@ -67,7 +67,7 @@ struct RenderResult {
   int height = 0;
   std::vector<glm::vec3> image;          ///< linear
   std::vector<std::uint32_t> triangles;  ///< the triangle of each pixel, Hit::none for the sky
-  std::vector<float> depth;              ///< distance from eye to triangle in the cube, infinite for the sky
+  std::vector<float> depth;              ///< depth_of() the triangle, infinite for the sky
   std::vector<float> box_tests;          ///< for all rays of the pixel
   std::vector<float> triangle_tests;
   RenderCounts counts;

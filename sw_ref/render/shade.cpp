@@ -13,6 +13,12 @@ double part(double x, double most) {
   return x > 0.0 ? std::min(x, most) : 0.0;
 }
 
+/// The way from the point to the light; of a sun only its direction counts.
+glm::dvec3 to_light(const SurfacePoint& point, const Light& light) {
+  const glm::dvec3 place(light.position);
+  return light.kind == LightKind::sun ? place : place - point.position;
+}
+
 template <bool smooth>
 SurfacePoint point_of(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) {
   const Mesh::Corners corners = mesh.corners(triangle);
@@ -65,8 +71,9 @@ glm::vec3 origin_beside(const SurfacePoint& point, double offset) {
 }
 
 std::optional<Ray> shadow_ray(const SurfacePoint& point, const Light& light) {
-  if (glm::dot(point.normal, glm::dvec3(light.position) - point.position) <= 0.0) return std::nullopt;
+  if (glm::dot(point.normal, to_light(point, light)) <= 0.0) return std::nullopt;
   const glm::vec3 origin = origin_beside(point, shadow_offset);
+  if (light.kind == LightKind::sun) return Ray{origin, light.position, Ray::infinite};
   const glm::vec3 direction = light.position - origin;
   if (direction == glm::vec3(0.0F)) return std::nullopt;
   return Ray{origin, direction, 1.0F};
@@ -86,8 +93,8 @@ glm::vec3 ambient(const SurfacePoint& point) {
 }
 
 glm::vec3 direct(const SurfacePoint& point, const Light& light) {
-  const glm::dvec3 to_light = glm::normalize(glm::dvec3(light.position) - point.position);
-  return light.intensity * static_cast<float>(std::max(0.0, glm::dot(point.shading_normal, to_light)));
+  const glm::dvec3 way = glm::normalize(to_light(point, light));
+  return light.intensity * static_cast<float>(std::max(0.0, glm::dot(point.shading_normal, way)));
 }
 
 }  // namespace hitpipe::ref

@@ -1,4 +1,4 @@
-// The light at the end of a ray: Lambert's law for point lights with shadows, ambient light, a sky. It
+// The light at the end of a ray: Lambert's law for lights with shadows, ambient light, a sky. It
 // depends only on ray, triangle and scene. So every traversal that finds the same triangles sends the same
 // shadow rays and computes the same image, bit for bit.
 #pragma once
@@ -36,8 +36,9 @@ struct SurfacePoint {
 /// cube, it is moved onto the cube, as a float.
 [[nodiscard]] glm::vec3 origin_beside(const SurfacePoint& point, double offset);
 
-/// The ray from a surface to a light; the light is at t = 1. Nothing if the light is behind the surface,
-/// which is then dark without a test.
+/// The ray from a surface to a light. A point light is at t = 1. The ray to a sun has no end, and its
+/// direction is exactly the sun's. Nothing if the light is behind the surface, which is then dark without a
+/// test.
 [[nodiscard]] std::optional<Ray> shadow_ray(const SurfacePoint& point, const Light& light);
 
 /// Linear radiance of the background.

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "sw_ref/scene/branch.hpp"
+#include "sw_ref/scene/city.hpp"
 #include "sw_ref/scene/plant.hpp"
 #include "sw_ref/scene/poppy.hpp"
 #include "sw_ref/scene/statue.hpp"
+#include "sw_ref/scene/terrain.hpp"
 #include "sw_ref/scene/waves.hpp"
 
 namespace hitpipe::ref {
@@ -20,7 +22,7 @@ SceneDescription only_spheres(std::size_t /*triangles*/) {
 }
 
 // Default sizes are the thesis's. Scenes that would take a minute default to a million triangles.
-constexpr std::array<BuiltInScene, 11> scenes{{
+constexpr std::array<BuiltInScene, 14> scenes{{
     {"spheres", "Spheres", 24'578, 24'578, 24'578, 2, "balls, some mirrors, some of glass", only_spheres},
     {"branch", "Branch", 312'706, 80'000, 10'000'000, 2, "a spruce branch with cones", branch},
     {"poppy", "Poppy", 395'460, 25'000, 10'000'000, 2, "a clump of poppies", poppy},
@@ -35,6 +37,9 @@ constexpr std::array<BuiltInScene, 11> scenes{{
     {"two_statues", "2Lucy", 1'500'000, 20'000, 50'000'000, 2, "two of them", two_statues},
     {"plant_slice", "", 27'962, 27'962, 27'962, 1, "a slice of the plant, 2.8 m thick", plant_slice},
     {"waves", "", 30'000, 1'000, 10'000'000, 1, "a sea seen and lit along one class", waves},
+    {"city", "", 250'000, 100'000, 10'000'000, 1, "a city of boxes, its plan from above", city},
+    {"city_oblique", "", 250'000, 100'000, 10'000'000, 2, "seen at a slant", city_oblique},
+    {"terrain", "", 2'000'000, 10'000, 50'000'000, 1, "a scanned landscape, seen along it", terrain},
 }};
 
 template <class Wanted>

@@ -17,7 +17,7 @@ namespace {
 
 enum Colour : std::uint8_t { soil, green, leaf_green, red, deep_red, black, pale_green, hair };
 
-constexpr double pi = std::numbers::pi;
+constexpr double half_turn = std::numbers::pi;
 
 class Poppies {
  public:
@@ -50,11 +50,12 @@ class Poppies {
 
   void flower(const Stem& stem, double size, double open) {
     const Frame frame = Frame::along(stem.direction);
-    const double start = dice_.between(0.0, 2.0 * pi);
+    const double start = dice_.between(0.0, 2.0 * half_turn);
     for (int layer = 0; layer < 2; ++layer) {
       for (int i = 0; i < 3; ++i)
-        petal(stem.top, frame, start + (i + 0.5 * layer) * 2.0 * pi / 3.0, size * (layer == 0 ? 1.0 : 0.92),
-              open * (layer == 0 ? 1.0 : 0.82), layer == 0 ? red : deep_red);
+        petal(stem.top, frame, start + (i + 0.5 * layer) * 2.0 * half_turn / 3.0,
+              size * (layer == 0 ? 1.0 : 0.92), open * (layer == 0 ? 1.0 : 0.82),
+              layer == 0 ? red : deep_red);
     }
     pod(stem.top, frame.z, 0.16 * size);
     const int stamens = scaled(110, detail_, 6);
@@ -89,7 +90,7 @@ class Poppies {
     std::vector<double> radii;
     for (int i = 0; i <= 14; ++i) {
       const double t = i / 14.0;
-      const double radius = 0.42 * size * std::pow(std::sin(pi * t), 0.7);
+      const double radius = 0.42 * size * std::pow(std::sin(half_turn * t), 0.7);
       profile.emplace_back(i == 0 || i == 14 ? 0.0 : radius, size * 1.35 * t);
       path.push_back(stem.top + stem.direction * (size * 1.35 * t));
       radii.push_back(profile.back().x);
@@ -106,11 +107,11 @@ class Poppies {
     const double shift = dice_.between(0.0, 9.0);
     shapes_.sheet(scaled(14, finer_, 2), scaled(90, finer_, 8), [&](double u, double v) {
       const double across = 2.0 * u - 1.0;
-      const double lobe = 0.5 + 0.5 * std::cos(2.0 * pi * (7.0 * v - 0.25 * std::abs(across)));
-      const double width =
-          length * 0.27 * std::sin(pi * std::min(1.0, 0.06 + 0.94 * v)) * (0.16 + 0.84 * std::pow(lobe, 1.6));
-      const double rise =
-          lift * length * std::sin(pi * (0.05 + 0.72 * v)) + 0.02 * length * noise({8.0 * v, 3.0 * u, shift});
+      const double lobe = 0.5 + 0.5 * std::cos(2.0 * half_turn * (7.0 * v - 0.25 * std::abs(across)));
+      const double width = length * 0.27 * std::sin(half_turn * std::min(1.0, 0.06 + 0.94 * v)) *
+                           (0.16 + 0.84 * std::pow(lobe, 1.6));
+      const double rise = lift * length * std::sin(half_turn * (0.05 + 0.72 * v)) +
+                          0.02 * length * noise({8.0 * v, 3.0 * u, shift});
       return root + ahead * (length * (v + 0.10 * std::abs(across) * lobe)) + aside * (across * width) +
              glm::dvec3(0, rise - 0.35 * width * across * across, 0);
     });
@@ -174,7 +175,7 @@ class Poppies {
       const double place = dice.next() * static_cast<double>(path.size() - 1);
       const auto at = std::min(static_cast<std::size_t>(place), path.size() - 2);
       const Frame frame = Frame::along(path[at + 1] - path[at]);
-      const double angle = dice.between(0.0, 2.0 * pi);
+      const double angle = dice.between(0.0, 2.0 * half_turn);
       const double long_by = length * dice.between(0.5, 1.0);
       const glm::dvec3 out = frame.x * std::cos(angle) + frame.y * std::sin(angle);
       const double part = place - static_cast<double>(at);

@@ -23,7 +23,7 @@ std::string text(const glm::dvec3& v) {
   return fmt::format("({}, {}, {})", v.x, v.y, v.z);
 }
 
-bool is_finite(const glm::dvec3& v) {
+bool is_finite_vector(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
@@ -38,9 +38,10 @@ glm::dvec3 unit(const glm::dvec3& v) {
 }
 
 void check_camera(const SceneDescription& scene) {
-  if (!is_finite(scene.eye)) reject(fmt::format("camera: eye {} must be finite", text(scene.eye)));
-  if (!is_finite(scene.target)) reject(fmt::format("camera: target {} must be finite", text(scene.target)));
-  if (!is_finite(scene.up) || scene.up == glm::dvec3(0.0))
+  if (!is_finite_vector(scene.eye)) reject(fmt::format("camera: eye {} must be finite", text(scene.eye)));
+  if (!is_finite_vector(scene.target))
+    reject(fmt::format("camera: target {} must be finite", text(scene.target)));
+  if (!is_finite_vector(scene.up) || scene.up == glm::dvec3(0.0))
     reject(fmt::format("camera: up {} must be finite and not zero", text(scene.up)));
   if (scene.eye == scene.target)
     reject(fmt::format("camera: eye and target are both {}; they must differ", text(scene.eye)));
@@ -72,10 +73,14 @@ void check_material(const Material& material, std::size_t number) {
 }
 
 void check_light(const LightSource& light, std::size_t number) {
-  if (!is_finite(light.position))
+  if (light.kind == LightKind::sun) {
+    if (!is_finite_vector(light.position) || light.position == glm::dvec3(0.0))
+      reject(fmt::format("light {}: direction {} must be finite and not zero", number, text(light.position)));
+  } else if (!is_finite_vector(light.position)) {
     reject(fmt::format("light {}: position {} must be finite", number, text(light.position)));
+  }
   const glm::dvec3& i = light.intensity;
-  if (!is_finite(i) || i.x < 0.0 || i.y < 0.0 || i.z < 0.0)
+  if (!is_finite_vector(i) || i.x < 0.0 || i.y < 0.0 || i.z < 0.0)
     reject(fmt::format("light {}: intensity {} must be finite and not negative", number, text(i)));
 }
 
@@ -86,6 +91,7 @@ void check_distances(const SceneDescription& scene, const Bounds& box, const Nor
   std::string blamed = fmt::format("camera: eye {}", text(scene.eye));
   double farthest = largest(scene.eye - box.centre());
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    if (scene.lights[i].kind == LightKind::sun) continue;
     const double distance = largest(scene.lights[i].position - box.centre());
     if (distance <= farthest) continue;
     farthest = distance;
@@ -94,6 +100,21 @@ void check_distances(const SceneDescription& scene, const Bounds& box, const Nor
   reject(fmt::format(
       "{} is so far from the mesh that {:.2g} of the scene would be left for it; at least {} is needed",
       blamed, part, smallest_mesh_part));
+}
+
+/// Half the height of an orthographic image in the cube. It is the same for a field of view at the target.
+double half_height(const SceneDescription& scene, const Normalisation& fit) {
+  const glm::dvec3 view = (scene.target - scene.eye) * fit.scale;
+  const double largest_part = largest(view);
+  const double distance = largest_part * glm::length(view / largest_part);
+  const double half = distance * std::tan(glm::radians(scene.fov_degrees / 2.0));
+  // Far beyond any picture, and far below where the sums of a ray's origin lose its place in the cube.
+  constexpr double highest = 0x1p20;
+  if (!(half > 0.0 && half <= highest))
+    reject(
+        fmt::format("camera: orthographic image of height {:.6g}; allowed is more than 0 and at most {:.6g}",
+                    2.0 * half / fit.scale, 2.0 * highest / fit.scale));
+  return half;
 }
 
 Camera camera(const SceneDescription& scene, const Normalisation& fit) {
@@ -109,6 +130,8 @@ Camera camera(const SceneDescription& scene, const Normalisation& fit) {
   out.right = unit(across);
   out.up = glm::cross(out.right, out.forward);
   out.tan_half_height = std::tan(glm::radians(scene.fov_degrees / 2.0));
+  out.projection = scene.projection;
+  if (scene.projection == Projection::orthographic) out.half_height = half_height(scene, fit);
   return out;
 }
 
@@ -135,15 +158,18 @@ Scene place(SceneDescription description) {
   std::vector<glm::dvec3> points{description.eye};
   for (std::size_t i = 0; i < description.lights.size(); ++i) {
     check_light(description.lights[i], i);
-    points.push_back(description.lights[i].position);
+    if (description.lights[i].kind == LightKind::point) points.push_back(description.lights[i].position);
   }
   const Bounds box = mesh_bounds(description.mesh);
   Scene scene;
   scene.to_cube = fit_to_cube(box, points);
   check_distances(description, box, scene.to_cube);
   scene.camera = camera(description, scene.to_cube);
-  for (const LightSource& light : description.lights)
-    scene.lights.push_back({normalised(light.position, scene.to_cube), glm::vec3(light.intensity)});
+  for (const LightSource& light : description.lights) {
+    const glm::vec3 place = light.kind == LightKind::sun ? glm::vec3(unit(light.position))
+                                                         : normalised(light.position, scene.to_cube);
+    scene.lights.push_back({place, glm::vec3(light.intensity), light.kind});
+  }
   scene.name = std::move(description.name);
   scene.stand_in_for = std::move(description.stand_in_for);
   scene.materials = std::move(description.materials);
@@ -158,6 +184,7 @@ SceneDescription describe_scene(const std::string& name_or_path, const SceneOpti
   description.target = options.target.value_or(description.target);
   description.up = options.up.value_or(description.up);
   description.fov_degrees = options.fov_degrees.value_or(description.fov_degrees);
+  description.projection = options.projection.value_or(description.projection);
   if (!options.lights.empty()) description.lights = options.lights;
   return description;
 }

@@ -22,19 +22,32 @@ struct Material {
   float refractive_index = 1.0F;  ///< of the inside, > 0; the normals of a closed mesh point out of it
 };
 
-/// A pinhole camera in the cube.
+/// How the rays of an image run: from one point, or side by side. The size leaves no gap in a Camera, whose
+/// bytes are hashed.
+enum class Projection : std::uint32_t { perspective, orthographic };
+
+/// A camera in the cube. Perspective: a pinhole at the eye. Orthographic: the rays start at the plane through
+/// the eye and all go forward.
 struct Camera {
   glm::vec3 eye{0.0F};
   glm::dvec3 forward{0.0, 0.0, -1.0};  ///< unit
   glm::dvec3 right{1.0, 0.0, 0.0};     ///< unit
   glm::dvec3 up{0.0, 1.0, 0.0};        ///< unit; forward, right, up are at right angles
-  double tan_half_height = 0.5;        ///< tangent of half the vertical field of view
+  double tan_half_height = 0.5;        ///< perspective: tangent of half the vertical field of view
+  Projection projection = Projection::perspective;
+  double half_height =
+      0.5;  ///< orthographic: half the height of the image in the cube, more than 0 and at most 2^20
 };
 
-/// A point light whose intensity does not fall with distance, so that no image depends on the scene's units.
+/// A sun is so far away that its light comes from one direction. The size is that of Projection, for the same
+/// reason.
+enum class LightKind : std::uint32_t { point, sun };
+
+/// A light whose intensity does not fall with distance, so that no image depends on the scene's units.
 struct Light {
-  glm::vec3 position{0.0F};
+  glm::vec3 position{0.0F};   ///< of a sun: the direction to it, unit
   glm::vec3 intensity{1.0F};  ///< linear, >= 0
+  LightKind kind = LightKind::point;
 };
 
 struct Scene {
@@ -47,18 +60,20 @@ struct Scene {
   std::string stand_in_for;  ///< for reports: the thesis's scene that it stands in for; empty: none
 };
 
-/// A point light in the scene's own units.
+/// A light in the scene's own units.
 struct LightSource {
-  glm::dvec3 position{0.0};
+  glm::dvec3 position{0.0};  ///< of a sun: the direction to it, of any length but 0
   glm::dvec3 intensity{1.0};
+  LightKind kind = LightKind::point;
 };
 
 /// Placings that replace the scene's own, in its own units.
 struct SceneOptions {
   std::optional<glm::dvec3> eye;
-  std::optional<glm::dvec3> target;      ///< point in the middle of the image
-  std::optional<glm::dvec3> up;          ///< direction, not parallel to the view
-  std::optional<double> fov_degrees;     ///< vertical field of view, 0 < fov < 180
+  std::optional<glm::dvec3> target;   ///< point in the middle of the image
+  std::optional<glm::dvec3> up;       ///< direction, not parallel to the view
+  std::optional<double> fov_degrees;  ///< vertical field of view, 0 < fov < 180
+  std::optional<Projection> projection;
   std::vector<LightSource> lights;       ///< if any, they replace the scene's own
   std::optional<std::size_t> triangles;  ///< about how many, for a built-in scene that scales
 };
@@ -74,6 +89,9 @@ struct SceneDescription {
   double fov_degrees = 40.0;
   std::vector<LightSource> lights;
   std::string stand_in_for = {};  ///< as of Scene
+  /// An orthographic image is as high as the field of view is at the target. So both projections show the
+  /// same part of what is there.
+  Projection projection = Projection::perspective;
 };
 
 /// The built-in scene "spheres": 12 spheres of 2,048 triangles on a floor of 2, 24,578 in total. Some mirror,
@@ -83,8 +101,9 @@ struct SceneDescription {
 /// Checks materials and placing and moves everything into the cube. Throws std::runtime_error, one line, for
 /// a material with a part out of range, and for a camera or light that cannot be placed. That is one with a
 /// coordinate that is not finite, eye equal to target, up parallel to the view, a field of view or intensity
-/// out of range, or a point so far away that less than smallest_mesh_part of the cube would be left for the
-/// mesh.
+/// out of range, an orthographic image of height 0 or 2^20 times as high as the cube, a sun without a
+/// direction, or a point so far away that less than smallest_mesh_part of the cube would be left for the
+/// mesh. Suns are not placed in the cube, only their directions are.
 [[nodiscard]] Scene place(SceneDescription description);
 
 /// Reads the input of place(): a built-in scene by name, or a scene file (.json) or mesh file by path. A mesh

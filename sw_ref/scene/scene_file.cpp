@@ -43,7 +43,7 @@ Material read_material(const Place& place) {
 }
 
 void read_camera(const Place& place, SceneDescription& scene) {
-  place.expect_object({"eye", "target", "up", "fov"});
+  place.expect_object({"eye", "target", "up", "fov", "projection"});
   if (place.has("eye")) scene.eye = place.at("eye").vector();
   if (place.has("target")) scene.target = place.at("target").vector();
   if (place.has("up")) scene.up = place.at("up").vector();
@@ -51,11 +51,23 @@ void read_camera(const Place& place, SceneDescription& scene) {
   if (!(scene.fov_degrees > 0.0 && scene.fov_degrees < 180.0))
     place.at("fov").fail(
         fmt::format("{} is out of range; allowed is more than 0 and less than 180", scene.fov_degrees));
+  if (!place.has("projection")) return;
+  const std::string projection = place.at("projection").word();
+  if (projection != "perspective" && projection != "orthographic")
+    place.at("projection")
+        .fail(fmt::format("\"{}\" is no projection; allowed are perspective and orthographic", projection));
+  scene.projection = projection == "orthographic" ? Projection::orthographic : Projection::perspective;
 }
 
 LightSource read_light(const Place& place) {
-  place.expect_object({"position", "intensity"});
-  LightSource light{.position = place.at("position").vector()};
+  place.expect_object({"position", "direction", "intensity"});
+  if (place.has("position") == place.has("direction"))
+    place.fail("needs exactly one of the keys: position, direction");
+  LightSource light;
+  light.kind = place.has("direction") ? LightKind::sun : LightKind::point;
+  light.position = place.at(place.has("direction") ? "direction" : "position").vector();
+  if (light.kind == LightKind::sun && light.position == glm::dvec3(0.0))
+    place.at("direction").fail("is zero; one number must differ from 0");
   if (place.has("intensity"))
     light.intensity = place.at("intensity").colour(std::numeric_limits<double>::infinity());
   return light;
@@ -182,7 +194,7 @@ SceneDescription read(const std::filesystem::path& file, std::optional<std::size
 }
 
 /// Text quoted from the file can contain line breaks and other control characters.
-std::string one_line(std::string text) {
+std::string as_one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
   return text;
@@ -201,7 +213,7 @@ SceneDescription read_scene_file(const std::filesystem::path& file, std::optiona
   try {
     return read(file, triangles);
   } catch (const std::exception& error) {
-    throw std::runtime_error(fmt::format("scene file \"{}\": {}", file.string(), one_line(error.what())));
+    throw std::runtime_error(fmt::format("scene file \"{}\": {}", file.string(), as_one_line(error.what())));
   }
 }
 

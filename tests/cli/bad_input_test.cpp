@@ -87,7 +87,7 @@ TEST_F(BadInput, UnknownSceneRejected) {
       {"--scene", "bunny"},
       "scene \"bunny\": no built-in scene and no file of that name; built-in are: spheres, branch, "
       "poppy, plant, plant_front, plant_north, plant_boiler, statue, two_statues, "
-      "plant_slice, waves");
+      "plant_slice, waves, city, city_oblique, terrain");
 }
 
 TEST_F(BadInput, MissingMeshRejected) {
@@ -193,6 +193,22 @@ TEST_F(BadInput, CameraThatCannotBePlacedRejected) {
   }
 }
 
+TEST_F(BadInput, OrthographicImageWithoutHeightRejected) {
+  scene_rejected({"--scene", "spheres", "--orthographic", "--fov", "0"},
+                 "camera: field of view of 0 degrees; allowed is more than 0 and less than 180");
+  scene_rejected({"--scene", "spheres", "--orthographic", "--eye", "1,2,3", "--target", "1,2,3"},
+                 "camera: eye and target are both (1, 2, 3); they must differ");
+  rejected(render({"--scene", "spheres", "--orthographic", "--perspective"}),
+           "--orthographic excludes --perspective; see hitpipe render --help");
+}
+
+TEST_F(BadInput, SunWithoutDirectionRejected) {
+  scene_rejected({"--scene", "spheres", "--sun", "0,0,0"},
+                 "light 0: direction (0, 0, 0) must be finite and not zero");
+  scene_rejected({"--scene", "spheres", "--light", "1,2,3", "--sun", "0,inf,0"},
+                 "light 1: direction (0, inf, 0) must be finite and not zero");
+}
+
 TEST_F(BadInput, LightThatIsNotFiniteRejected) {
   scene_rejected({"--scene", "spheres", "--light", "nan,0,0"},
                  "light 0: position (nan, 0, 0) must be finite");
@@ -208,7 +224,7 @@ TEST_F(BadInput, WordsThatAreNoPointRejected) {
   };
   for (const char* const words : {"1,2", "1,2,3,4", "1 2 3", "1,2,x", "1,,3", ",1,2", "1,2,", ""})
     no_point("--eye", words);
-  for (const char* const option : {"--target", "--up", "--light"}) no_point(option, "1,2");
+  for (const char* const option : {"--target", "--up", "--light", "--sun"}) no_point(option, "1,2");
 }
 
 TEST_F(BadInput, NumbersOutOfRangeRejected) {

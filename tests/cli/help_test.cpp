@@ -102,9 +102,9 @@ TEST(HelpOfCosim, IsWhatItTakes) {
   const std::string help = run_hitpipe({"cosim", "--help"}).out;
   for (const char* const option :
        {"design NAME REQUIRED", "--bits FORMAT ", "--scene NAME|FILE REQUIRED", "--eye X,Y,Z",
-        "--target X,Y,Z", "--up X,Y,Z", "--fov DEGREES", "--light X,Y,Z", "--width N=256", "--height N=256",
-        "--threads N=", "--rays-in-flight N=32", "--referee", "--out FOLDER",
-        "--format text|csv|json=text"}) {
+        "--target X,Y,Z", "--up X,Y,Z", "--fov DEGREES", "--orthographic ", "--perspective ", "--light X,Y,Z",
+        "--sun X,Y,Z", "--width N=256", "--height N=256", "--threads N=", "--rays-in-flight N=32",
+        "--referee", "--out FOLDER", "--format text|csv|json=text"}) {
     EXPECT_THAT(help, HasSubstr("\n  " + std::string(option)));
   }
 }

@@ -1,6 +1,7 @@
-// The placing of a scene. The input is numbers separated by blanks: eye, target, up, field of view, position
-// and intensity of one light, then triangles of nine coordinates. Everything lies in the cube, under a camera
-// with axes of length 1 at right angles, or one line says what is wrong.
+// The placing of a scene. The input is numbers separated by blanks: eye, target, up, field of view,
+// projection (orthographic if it is more than 0), position and intensity of a point light, direction and
+// intensity of a sun, then triangles of nine coordinates. Everything lies in the cube, under a camera with
+// axes of length 1 at right angles, or one line says what is wrong.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/render/camera.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "tests/fuzz/expect.hpp"
 
@@ -71,7 +73,12 @@ bool in_cube(const glm::vec3& p) {
 
 void expect_placed(const ref::Scene& scene) {
   for (const glm::vec3& v : scene.mesh.vertices) expect(in_cube(v), "the mesh is in the cube");
-  for (const ref::Light& light : scene.lights) expect(in_cube(light.position), "lights are in the cube");
+  for (const ref::Light& light : scene.lights) {
+    if (light.kind == ref::LightKind::sun)
+      expect(std::abs(glm::length(glm::dvec3(light.position)) - 1.0) < 1e-6, "directions have length 1");
+    else
+      expect(in_cube(light.position), "lights are in the cube");
+  }
   const ref::Camera& camera = scene.camera;
   expect(in_cube(camera.eye), "the eye is in the cube");
   constexpr double rounding = 1e-9;  // right angles are the cross products of a sine of 1e-6 at least
@@ -82,13 +89,18 @@ void expect_placed(const ref::Scene& scene) {
              near(glm::dot(camera.up, camera.forward), 0.0),
          "camera axes are at right angles");
   expect(camera.tan_half_height > 0.0 && std::isfinite(camera.tan_half_height), "the view has a height");
+  expect(camera.half_height > 0.0 && camera.half_height <= 0x1p20, "the orthographic image has a height");
+  for (const int x : {0, 3, 7}) {
+    const ref::Ray ray = ref::primary_ray(camera, x, x, 8, 8);
+    for (int axis = 0; axis < 3; ++axis) expect(std::abs(ray.origin[axis]) <= 1.0F, "rays start in the cube");
+  }
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Numbers numbers(std::string(reinterpret_cast<const char*>(data), size));
-  constexpr std::size_t placing = 3 + 3 + 3 + 1 + 3 + 3;
+  constexpr std::size_t placing = 3 + 3 + 3 + 1 + 1 + 3 + 3 + 3 + 3;
   if (numbers.left() < placing) return 0;
   ref::SceneDescription scene;
   scene.name = "fuzz";
@@ -97,7 +109,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   scene.target = numbers.vector();
   scene.up = numbers.vector();
   scene.fov_degrees = numbers.next();
+  scene.projection = numbers.next() > 0.0 ? ref::Projection::orthographic : ref::Projection::perspective;
+  // In braces the numbers are read from left to right.
   scene.lights.push_back({numbers.vector(), numbers.vector()});
+  scene.lights.push_back({numbers.vector(), numbers.vector(), ref::LightKind::sun});
   scene.mesh = read_mesh(numbers);
   if (scene.mesh.triangles.empty()) return 0;
   try {

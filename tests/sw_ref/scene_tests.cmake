@@ -6,4 +6,5 @@ foreach(name scene/mesh_file scene/scene scene/spheres bvh/build traverse/slabs 
 endforeach()
 target_sources(build_test PRIVATE bvh/builders_test.cpp bvh/statistics_test.cpp)
 target_link_libraries(image_file_test PRIVATE OpenImageIO::OpenImageIO)
-target_sources(scene_test PRIVATE scene/built_in_test.cpp scene/scene_file_test.cpp)
+target_sources(scene_test PRIVATE scene/built_in_test.cpp scene/city_test.cpp scene/scene_file_test.cpp
+  scene/terrain_test.cpp)

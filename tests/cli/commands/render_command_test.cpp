@@ -188,6 +188,24 @@ TEST(RenderCommand, PlacesCameraAndLights) {
   EXPECT_NE(above.at("box_tests"), shown({}).at("box_tests"));
 }
 
+TEST(RenderCommand, TakesAnyProjectionAndSuns) {
+  const auto shown = [](const std::vector<std::string>& options) {
+    const Outcome outcome = run_hitpipe(with(small, with(options, {"--format", "json"})));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  };
+  const auto own = shown({});
+  const auto parallel = shown({"--orthographic"});
+  EXPECT_NE(parallel.at("box_tests"), own.at("box_tests"));
+  EXPECT_EQ(shown({"--perspective"}).at("box_tests"), own.at("box_tests"));
+  const auto sun = shown({"--orthographic", "--sun", "0,1,0"});
+  EXPECT_EQ(sun.at("rays_primary"), parallel.at("rays_primary"));
+  EXPECT_GT(sun.at("rays_shadow"), 0);
+  EXPECT_LT(sun.at("rays_shadow"), parallel.at("rays_shadow"));  // of two lights
+  const auto both = shown({"--orthographic", "--sun", "0,1,0", "--light", "0,50,0"});
+  EXPECT_GT(both.at("rays_shadow"), sun.at("rays_shadow"));
+}
+
 TEST(RenderCommand, DoesNotDependOnThreads) {
   const sim::TemporaryFolder folder;
   const auto rendered = [&](const std::string& threads) {

@@ -90,6 +90,14 @@ TEST(Rescale, MovesCameraAndLightsAlike) {
   EXPECT_EQ(shifted.description.up, scene.up);
 }
 
+TEST(Rescale, LeavesSunsWhereTheyAre) {
+  ref::SceneDescription scene = ref::spheres();
+  scene.lights[0] = {{0.0, 1.0, 0.25}, {1.0, 1.0, 1.0}, ref::LightKind::sun};
+  const MovedScene shifted = moved(scene, {.scale = 2.0, .offset = {1.0, 2.0, 3.0}});
+  EXPECT_EQ(shifted.description.lights[0].position, scene.lights[0].position);
+  EXPECT_NE(shifted.description.lights[1].position, scene.lights[1].position);
+}
+
 TEST(Rescale, FarOffsetChangesPixelsAndLosesTriangles) {
   const ref::SceneDescription scene = ref::spheres();
   const Picture original = picture(scene, small);

@@ -397,11 +397,14 @@ TEST(AboutSweep, ChangesWithAllThatDecidesTheRows) {
     about(other, bvh, {});
   };
   changed([](ref::Scene& s) { s.camera.eye.x += 0.001F; });
+  changed([](ref::Scene& s) { s.camera.projection = ref::Projection::orthographic; });
+  changed([](ref::Scene& s) { s.camera.half_height += 0.001; });
   changed([](ref::Scene& s) { s.lights.pop_back(); });
+  changed([](ref::Scene& s) { s.lights.back().kind = ref::LightKind::sun; });
   changed([](ref::Scene& s) { s.materials[0].reflect.x = 0.25F; });
   changed([](ref::Scene& s) { s.mesh.vertices[3].y += 0.001F; });
   changed([](ref::Scene& s) { s.name = "line\nbreak"; });
-  EXPECT_EQ(all.size(), 10U);
+  EXPECT_EQ(all.size(), 13U);
   for (const std::string& text : all) EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 

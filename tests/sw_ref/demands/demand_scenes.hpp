@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "sw_ref/scene/scene.hpp"
 #include "tests/sim/small_scene.hpp"
 
@@ -73,6 +75,29 @@ inline Scene table_top() {
   scene.eye = {0.3, 0.8, 0.9};
   scene.lights.push_back({{0.5, 0.9, -0.5}, {1.0, 1.0, 1.0}});
   return place(std::move(scene));
+}
+
+/// Hills seen from straight above by an orthographic camera, under a sun straight above.
+inline Scene plan_of_hills() {
+  Scene scene = sim::hills();
+  scene.camera.eye = {0.0F, 0.9F, 0.0F};
+  scene.camera.forward = {0.0, -1.0, 0.0};
+  scene.camera.right = {1.0, 0.0, 0.0};
+  scene.camera.up = {0.0, 0.0, -1.0};
+  scene.camera.projection = Projection::orthographic;
+  scene.camera.half_height = 0.4;
+  scene.lights = {{{0.0F, 1.0F, 0.0F}, glm::vec3(1.0F), LightKind::sun}};
+  return scene;
+}
+
+/// Hills seen at a slant by an orthographic camera; a part of its image is outside the cube. One light is a
+/// sun at a slant, one a point.
+inline Scene slanted_hills() {
+  Scene scene = sim::hills();
+  scene.camera.projection = Projection::orthographic;
+  scene.camera.half_height = 0.7;
+  scene.lights[1] = {glm::normalize(glm::vec3(0.4F, 0.5F, -0.3F)), glm::vec3(1.0F), LightKind::sun};
+  return scene;
 }
 
 /// Flattened hills, seen and lit from inside their own slab.

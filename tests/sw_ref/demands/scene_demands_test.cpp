@@ -78,7 +78,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Demanded,
                                          NamedScene{"unlit", unlit_hills}, NamedScene{"table", table_top},
                                          NamedScene{"flat", flat_hills},
                                          NamedScene{"stairs", stairs_along_one_class},
-                                         NamedScene{"octahedron", demanding_octahedron}),
+                                         NamedScene{"octahedron", demanding_octahedron},
+                                         NamedScene{"plan", plan_of_hills},
+                                         NamedScene{"slanted", slanted_hills}),
                          [](const auto& parameter) { return parameter.param.name; });
 
 TEST(RayKinds, FollowFromLightsMaterialsAndBounces) {
@@ -131,6 +133,30 @@ TEST(DirectionClasses, OfWavesIsOneAndTheyShadeEachOther) {
   EXPECT_LT(shaded, rays * 9 / 10) << rays;
 }
 
+TEST(DirectionClasses, OfAnOrthographicCameraIsItsOwn) {
+  Scene scene = slanted_hills();
+  scene.lights.clear();
+  ASSERT_GT(std::popcount(demands_of(unlit_hills()).classes()), 1);
+  const SceneDemands demands = demands_of(scene);
+  EXPECT_EQ(demands.classes(), 1U << direction_class(glm::vec3(scene.camera.forward)));
+  ASSERT_EQ(demands.rays.size(), 1U);
+  EXPECT_EQ(demands.rays[0].direction.min, glm::vec3(scene.camera.forward));
+  EXPECT_EQ(demands.rays[0].direction.max, glm::vec3(scene.camera.forward));
+}
+
+TEST(DirectionClasses, OfASunIsItsOwn) {
+  const SceneDemands demands = demands_of(plan_of_hills());
+  ASSERT_EQ(demands.rays.size(), 2U);
+  EXPECT_EQ(demands.rays[0].direction.min, glm::vec3(0.0F, -1.0F, 0.0F));
+  EXPECT_EQ(demands.rays[0].direction.max, glm::vec3(0.0F, -1.0F, 0.0F));
+  EXPECT_EQ(demands.rays[1].kind, RayKind::shadow);
+  EXPECT_EQ(demands.rays[1].direction.min, glm::vec3(0.0F, 1.0F, 0.0F));
+  EXPECT_EQ(demands.rays[1].direction.max, glm::vec3(0.0F, 1.0F, 0.0F));
+  EXPECT_TRUE(demands.can_be_zero(0));
+  EXPECT_FALSE(demands.can_be_zero(1));
+  EXPECT_TRUE(demands.can_be_zero(2));
+}
+
 TEST(DirectionClasses, AreAllWithMirrors) {
   EXPECT_EQ(demands_of(demanding_octahedron()).classes(), 0xFFU);
 }
@@ -140,6 +166,54 @@ TEST(Origins, AreTheEyeOfPrimaryRaysAlone) {
   const Aabb origins = demands_of(scene).origins();
   EXPECT_EQ(origins.min, scene.camera.eye);
   EXPECT_EQ(origins.max, scene.camera.eye);
+}
+
+TEST(Origins, OfAnOrthographicCameraAreTheRectangleOfItsImage) {
+  Scene scene = plan_of_hills();
+  scene.lights.clear();
+  const Aabb origins = demands_of(scene, {64, 48}).origins();
+  EXPECT_EQ(origins.min.y, 0.9F);
+  EXPECT_EQ(origins.max.y, 0.9F);
+  constexpr float rounding = 1e-6F;
+  EXPECT_NEAR(origins.max.x, 0.4F * 64 / 48, rounding);
+  EXPECT_NEAR(origins.min.x, -0.4F * 64 / 48, rounding);
+  EXPECT_NEAR(origins.max.z, 0.4F, rounding);
+  EXPECT_NEAR(origins.min.z, -0.4F, rounding);
+}
+
+TEST(Origins, OfAnImageThatIsLargerThanTheCubeAreAllOfIt) {
+  Scene scene = plan_of_hills();
+  scene.lights.clear();
+  const Aabb origins = demands_of(scene, {128, 48}).origins();
+  EXPECT_EQ(origins.min, glm::vec3(-1.0F));
+  EXPECT_EQ(origins.max, glm::vec3(1.0F));
+}
+
+TEST(EvidenceOfDemands, SaysWhereRaysEnd) {
+  const auto ends = [](const Scene& scene) { return demands_of(scene).evidence().at(1).why; };
+  const std::string primary = "primary rays start without an end and end at the nearest hit so far";
+  const std::string point = "; shadow rays end at their light";
+  const std::string sun = "; shadow rays to a sun have no end";
+  EXPECT_EQ(ends(unlit_hills()), primary);
+  EXPECT_EQ(ends(sim::hills()), primary + point);
+  EXPECT_EQ(ends(plan_of_hills()), primary + sun);
+  EXPECT_EQ(ends(slanted_hills()), primary + point + sun);
+}
+
+TEST(EvidenceOfDemands, SaysWhatSendsRays) {
+  const auto sources = [](const Scene& scene) {
+    std::string why;
+    for (const Evidence& each : demands_of(scene).evidence())
+      if (each.demand.starts_with("origins: ")) why = each.why;
+    return why;
+  };
+  EXPECT_EQ(sources(unlit_hills()), "the eye alone sends rays");
+  EXPECT_EQ(sources(sim::hills()), "the eye, and surfaces with the offset of rays that leave them");
+  EXPECT_EQ(sources(slanted_hills()),
+            "the image of the camera, and surfaces with the offset of rays that leave them");
+  Scene unlit = plan_of_hills();
+  unlit.lights.clear();
+  EXPECT_EQ(sources(unlit), "the image of the camera alone sends rays");
 }
 
 TEST(EvidenceOfDemands, SaysWhyOfEach) {

@@ -227,6 +227,38 @@ TEST(RenderShadow, FallsBehindTheBlocker) {
   EXPECT_NEAR(lit - dark, 0.5F, 1e-3F);  // albedo 0.5, light from straight above
 }
 
+TEST(RenderShadow, OfASunFallsAlongItsDirection) {
+  // The plan of a floor under a plate at a height of 0.5. The sun stands in the east at 45 degrees, so the
+  // shadow lies 0.5 to the west of the plate.
+  SceneDescription description;
+  description.mesh.vertices = {{-1, 0, -1},          {-1, 0, 3},          {3, 0, -1},
+                               {-0.2F, 0.5F, -0.2F}, {-0.2F, 0.5F, 0.2F}, {0.2F, 0.5F, 0.2F},
+                               {0.2F, 0.5F, -0.2F}};
+  description.mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {3, 5, 6}};
+  description.materials = {{glm::vec3(0.5F)}};
+  description.eye = {0.0, 1.0, 0.0};
+  description.up = {0.0, 0.0, -1.0};
+  description.fov_degrees = 2.0 * std::atan(0.75) * 180.0 / 3.141592653589793;  // the image is 1.5 high
+  description.projection = Projection::orthographic;
+  description.lights = {{{1.0, 1.0, 0.0}, {1.0, 1.0, 1.0}, LightKind::sun}};
+  const Scene scene = place(std::move(description));
+  const Bvh bvh = build_bvh(scene.mesh);
+  // Pixels lie 0.5 apart: x = -0.5, 0, 0.5.
+  const RenderResult result =
+      render(scene, *make_tracer(scene.mesh, bvh, {}), {.width = 3, .height = 3, .maps = true});
+  constexpr std::size_t shadow = 3;
+  constexpr std::size_t plate = 4;
+  constexpr std::size_t lit = 5;
+  EXPECT_EQ(result.triangles[shadow], 0U);
+  EXPECT_NE(result.triangles[plate], 0U);
+  EXPECT_EQ(result.triangles[lit], 0U);
+  EXPECT_NEAR(result.image[lit].x - result.image[shadow].x, 0.5F * std::sqrt(0.5F), 1e-5F);
+  EXPECT_NEAR(result.image[plate].x, result.image[lit].x, 1e-5F);
+  const double scale = scene.to_cube.scale;
+  EXPECT_NEAR(result.depth[shadow], 1.0 * scale, 1e-6);
+  EXPECT_NEAR(result.depth[plate], 0.5 * scale, 1e-6);
+}
+
 TEST_F(Render, OptionsOutOfRangeRejected) {
   const auto error = [&](const RenderOptions& options) {
     return message_of<std::exception>([&] { (void)run(options); });

@@ -37,6 +37,81 @@ TEST(PrimaryRay, CornerPixelsSpanTheFieldOfView) {
   EXPECT_EQ(corner.origin, camera.eye);
 }
 
+/// Looks down on the cube from just inside its top; the image is 1 high.
+Camera plan() {
+  Camera camera;
+  camera.eye = {0.25F, 0.75F, -0.125F};
+  camera.forward = {0.0, -1.0, 0.0};
+  camera.right = {1.0, 0.0, 0.0};
+  camera.up = {0.0, 0.0, -1.0};
+  camera.projection = Projection::orthographic;
+  camera.half_height = 0.5;
+  return camera;
+}
+
+TEST(ParallelRay, AllPixelsHaveOneDirectionAndTheirOwnPlaceInThePlane) {
+  const Camera camera = plan();
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const Ray ray = primary_ray(camera, x, y, 8, 16);
+      EXPECT_EQ(ray.direction, glm::vec3(0.0F, -1.0F, 0.0F));
+      EXPECT_TRUE(ray.is_infinite());
+      // A pixel is 1/16 wide and high; the first lies half a pixel inside the corner at the upper left.
+      EXPECT_EQ(ray.origin, glm::vec3(0.25F - 0.25F + (static_cast<float>(x) + 0.5F) / 16.0F, 0.75F,
+                                      -0.125F - 0.5F + (static_cast<float>(y) + 0.5F) / 16.0F));
+    }
+  }
+}
+
+TEST(ParallelRay, DirectionIsTheRoundedOneAlongASlantToo) {
+  Camera camera = plan();
+  camera.forward = glm::normalize(glm::dvec3(-1.0, -2.0, 0.5));
+  camera.right = glm::normalize(glm::cross(camera.forward, glm::dvec3(0.0, 1.0, 0.0)));
+  camera.up = glm::cross(camera.right, camera.forward);
+  for (int x = 0; x < 8; ++x) {
+    const Ray ray = primary_ray(camera, x, 3, 8, 8);
+    EXPECT_EQ(ray.direction, glm::vec3(camera.forward));
+    const glm::dvec3 aside = glm::dvec3(ray.origin) - glm::dvec3(camera.eye);
+    EXPECT_NEAR(glm::dot(aside, camera.forward), 0.0, 1e-7);
+    EXPECT_NEAR(glm::dot(aside, camera.right), (x - 3.5) / 8.0, 1e-7);
+    EXPECT_NEAR(glm::dot(aside, camera.up), 0.5 / 8.0, 1e-7);
+  }
+}
+
+TEST(ParallelRay, FromOutsideTheCubeStartsWhereItEnters) {
+  Camera camera = plan();
+  camera.forward = glm::normalize(glm::dvec3(-1.0, -1.0, 0.0));
+  camera.right = {0.0, 0.0, -1.0};
+  camera.up = glm::normalize(glm::dvec3(-1.0, 1.0, 0.0));
+  // 0.5 up from (0.25, 0.75) is (-0.10, 1.10), above the cube's top.
+  const double upward = 0.5;
+  const glm::dvec3 start = glm::dvec3(camera.eye) + upward * camera.up;
+  ASSERT_GT(start.y, 1.1);
+  const Ray ray = parallel_ray(camera, 0.0, upward);
+  EXPECT_EQ(ray.origin.y, 1.0F);
+  EXPECT_NEAR(ray.origin.x, start.x - (start.y - 1.0), 1e-6);
+  EXPECT_EQ(ray.origin.z, camera.eye.z);
+  EXPECT_EQ(ray.direction, glm::vec3(camera.forward));
+}
+
+TEST(ParallelRay, ThatNeverEntersTheCubeLeavesItAtOnce) {
+  Camera camera = plan();
+  EXPECT_EQ(parallel_ray(camera, 0.76, 0.0).origin, glm::vec3(1.0F, -1.0F, 1.0F));
+  EXPECT_EQ(parallel_ray(camera, 1e6, -1e6).origin, glm::vec3(1.0F, -1.0F, 1.0F));
+  camera.forward = glm::normalize(glm::dvec3(1.0, -1.0, -0.5));
+  EXPECT_EQ(parallel_ray(camera, 3.0, 0.0).origin, glm::vec3(1.0F, -1.0F, -1.0F));
+  // It enters on the left of that.
+  EXPECT_NE(parallel_ray(camera, 0.5, 0.0).origin, glm::vec3(1.0F, -1.0F, -1.0F));
+}
+
+TEST(Depth, IsFromTheEyeOrFromThePlane) {
+  Camera camera = plan();
+  const glm::dvec3 position(0.25 + 0.3, 0.75 - 0.4, -0.125);
+  EXPECT_NEAR(depth_of(camera, position), 0.4, 1e-15);
+  camera.projection = Projection::perspective;
+  EXPECT_NEAR(depth_of(camera, position), 0.5, 1e-15);
+}
+
 TEST(SurfacePoint, LiesWhereTheRayMeetsTheTriangle) {
   const SurfacePoint point = surface_point(floor_triangle(), 0, down);
   EXPECT_LT(glm::distance(point.position, glm::dvec3(-0.5, 0.0, 0.25)), 1e-15);
@@ -99,6 +174,24 @@ TEST(ShadowRay, NoneGoesToALightBehindTheSurface) {
   EXPECT_FALSE(shadow_ray(point, {{0.3F, 0.0F, 0.0F}, {1, 1, 1}}));
 }
 
+TEST(ShadowRay, ToASunHasItsDirectionAndNoEnd) {
+  const Light sun{glm::normalize(glm::vec3(0.3F, 0.5F, -0.2F)), {1, 1, 1}, LightKind::sun};
+  const auto ray = shadow_ray(surface_point(floor_triangle(), 0, down), sun);
+  ASSERT_TRUE(ray);
+  EXPECT_TRUE(ray->is_infinite());
+  EXPECT_EQ(ray->origin, glm::vec3(-0.5F, 0x1p-17F, 0.25F));
+  EXPECT_EQ(ray->direction, sun.position);
+}
+
+TEST(ShadowRay, NoneGoesToASunBehindTheSurfaceOrAlongIt) {
+  // High above the origin: a point light at these places would be behind it.
+  const SurfacePoint point = surface_point(floor_triangle(0.75F), 0, down);
+  EXPECT_TRUE(shadow_ray(point, {{0.0F, 0.5F, 0.0F}, {1, 1, 1}, LightKind::sun}));
+  EXPECT_FALSE(shadow_ray(point, {{0.0F, 0.5F, 0.0F}, {1, 1, 1}}));
+  EXPECT_FALSE(shadow_ray(point, {{0.0F, -1.0F, 0.0F}, {1, 1, 1}, LightKind::sun}));
+  EXPECT_FALSE(shadow_ray(point, {{1.0F, 0.0F, 0.0F}, {1, 1, 1}, LightKind::sun}));
+}
+
 TEST(ShadowRay, OriginIsMovedOntoTheCube) {
   const SurfacePoint point{{0.5, 1.0, -0.25}, {0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}};
   const auto ray = shadow_ray(point, {{0.0F, 2.0F, 0.0F}, {1, 1, 1}});
@@ -133,6 +226,16 @@ TEST(Direct, FollowsLambertsLaw) {
   EXPECT_NEAR(sixty_degrees.y, 0.5F, 1e-6F);
   EXPECT_NEAR(sixty_degrees.z, 0.25F, 1e-6F);
   EXPECT_EQ(direct(point, {{0.5F, -0.5F, 0.0F}, {1, 1, 1}}), glm::vec3(0.0F));
+}
+
+TEST(Direct, OfASunIsTheSameEverywhere) {
+  const Light sun{{0.6F, 0.8F, 0.0F}, {2.0F, 1.0F, 0.5F}, LightKind::sun};
+  for (const glm::dvec3& at : {glm::dvec3(0.0), {0.6, 0.8, 0.0}, {-0.9, 0.9, 0.3}}) {
+    const glm::vec3 light = direct({at, {0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}}, sun);
+    EXPECT_NEAR(light.x, 1.6F, 1e-6F);
+    EXPECT_NEAR(light.z, 0.4F, 1e-6F);
+  }
+  EXPECT_EQ(direct({{0.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, {0.0, -1.0, 0.0}}, sun), glm::vec3(0.0F));
 }
 
 }  // namespace

@@ -71,7 +71,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Small{"poppy", 0x46231E5A3665F8EC}, Small{"plant_front", 0x536EB96ED1BAFF75},
                     Small{"plant_north", 0x536EB96ED1BAFF75}, Small{"plant_boiler", 0x536EB96ED1BAFF75},
                     Small{"statue", 0x19385A9A4F16B5D2}, Small{"two_statues", 0x06BA5CAF1DDCE6F9},
-                    Small{"plant_slice", 0x0ECD82323750C5CD}, Small{"waves", 0xD4B1C229A29C7609}),
+                    Small{"plant_slice", 0x0ECD82323750C5CD}, Small{"waves", 0xD4B1C229A29C7609},
+                    Small{"city", 0x761D6AE4C624BD71}, Small{"city_oblique", 0x761D6AE4C624BD71},
+                    Small{"terrain", 0x4BA098A095EF2ABD}),
     [](const auto& parameter) { return std::string(parameter.param.name); });
 
 TEST(BuiltInScenes, HaveTheNumberOfTrianglesAskedFor) {
@@ -80,7 +82,9 @@ TEST(BuiltInScenes, HaveTheNumberOfTrianglesAskedFor) {
                                         {"plant", 500'000U},
                                         {"statue", 33'333U},
                                         {"two_statues", 50'000U},
-                                        {"waves", 20'000U}}) {
+                                        {"waves", 20'000U},
+                                        {"city", 140'000U},
+                                        {"terrain", 50'000U}}) {
     const std::size_t count = make_built_in(name, triangles).mesh.triangles.size();
     EXPECT_NEAR(static_cast<double>(count), triangles, 0.02 * triangles) << name;
   }

@@ -70,6 +70,21 @@ TEST_F(SceneFile, ReadsAllThatItMaySay) {
   EXPECT_EQ(load_scene(write(R"({"mesh": "mesh.obj"})")).mesh.triangles.size(), 4U);
 }
 
+TEST_F(SceneFile, ReadsProjectionsAndSuns) {
+  const SceneDescription scene = read(R"({
+    "mesh": "mesh.obj", "camera": {"projection": "orthographic"},
+    "lights": [{"direction": [0, 2, 0], "intensity": 0.5}, {"position": [0, 2, 0]}]})");
+  EXPECT_EQ(scene.projection, Projection::orthographic);
+  ASSERT_EQ(scene.lights.size(), 2U);
+  EXPECT_EQ(scene.lights[0].kind, LightKind::sun);
+  EXPECT_EQ(scene.lights[0].position, glm::dvec3(0, 2, 0));
+  EXPECT_EQ(scene.lights[0].intensity, glm::dvec3(0.5));
+  EXPECT_EQ(scene.lights[1].kind, LightKind::point);
+  const char* const city = R"({"built_in": "city", "triangles": 100000, "camera": {)";
+  EXPECT_EQ(read(city + std::string("}}")).projection, Projection::orthographic);
+  EXPECT_EQ(read(city + std::string(R"("projection": "perspective"}})")).projection, Projection::perspective);
+}
+
 TEST_F(SceneFile, WhatItLeavesOutIsTheScenesOwn) {
   const SceneDescription own = make_built_in("spheres", {});
   const SceneDescription scene = read(R"({"built_in": "spheres", "camera": {"fov": 20}})");
@@ -118,14 +133,22 @@ TEST_F(SceneFile, WithAnythingWrongRejected) {
       {R"({"built_in": "statue", "triangles": 99})",
        "scene \"statue\": 99 triangles; allowed are 10000 to 50000000"},
       {R"({"mesh": "mesh.obj", "camera": []})",
-       "camera: must be an object with keys of: eye, target, up, fov"},
+       "camera: must be an object with keys of: eye, target, up, fov, projection"},
+      {R"({"mesh": "mesh.obj", "camera": {"projection": "parallel"}})",
+       "camera.projection: \"parallel\" is no projection; allowed are perspective and orthographic"},
+      {R"({"mesh": "mesh.obj", "camera": {"projection": true}})", "camera.projection: must be a string"},
       {R"({"mesh": "mesh.obj", "camera": {"eye": [1, 2]}})", "camera.eye: must be an array of three numbers"},
       {R"({"mesh": "mesh.obj", "camera": {"eye": [1, 2, "3"]}})",
        "camera.eye[2]: must be a number that is finite"},
       {R"({"mesh": "mesh.obj", "camera": {"fov": 180}})",
        "camera.fov: 180 is out of range; allowed is more than 0 and less than 180"},
       {R"({"mesh": "mesh.obj", "lights": {}})", "lights: must be an array"},
-      {R"({"mesh": "mesh.obj", "lights": [{}]})", "lights[0]: needs the key \"position\""},
+      {R"({"mesh": "mesh.obj", "lights": [{}]})",
+       "lights[0]: needs exactly one of the keys: position, direction"},
+      {R"({"mesh": "mesh.obj", "lights": [{"position": [0, 0, 9], "direction": [0, 1, 0]}]})",
+       "lights[0]: needs exactly one of the keys: position, direction"},
+      {R"({"mesh": "mesh.obj", "lights": [{"direction": [0, 0, 0]}]})",
+       "lights[0].direction: is zero; one number must differ from 0"},
       {R"({"mesh": "mesh.obj", "lights": [{"position": [0, 0, 9], "intensity": -1}]})",
        "lights[0].intensity: -1 is out of range; numbers must be none below 0"},
       {R"({"mesh": "mesh.obj", "materials": {"m": {"albedo": 1.5}}})",

@@ -170,6 +170,79 @@ TEST(Placing, LightsThatCannotBePlacedAreRejected) {
   EXPECT_EQ(placing_error(scene), "light 0: intensity (1, nan, 0.8) must be finite and not negative");
 }
 
+TEST(Placing, OrthographicImageIsAsHighAsTheFieldOfViewAtTheTarget) {
+  SceneDescription scene = tetrahedron();
+  const Camera before = place(scene).camera;
+  EXPECT_EQ(before.projection, Projection::perspective);
+  scene.projection = Projection::orthographic;
+  const Scene placed = place(scene);
+  EXPECT_EQ(placed.camera.projection, Projection::orthographic);
+  const double own = glm::length(scene.target - scene.eye) * std::tan(20.0 * 3.14159265358979 / 180.0);
+  EXPECT_NEAR(placed.camera.half_height, own * placed.to_cube.scale, 1e-12);
+  EXPECT_EQ(placed.camera.eye, before.eye);
+  EXPECT_EQ(placed.camera.forward, before.forward);
+  for (const int power : {-100, 24}) {
+    SceneDescription scaled = tetrahedron(std::ldexp(1.0, power));
+    scaled.projection = Projection::orthographic;
+    EXPECT_EQ(place(scaled).camera.half_height, placed.camera.half_height) << power;
+  }
+}
+
+TEST(Placing, OrthographicImagesThatCannotBeMadeAreRejected) {
+  SceneDescription scene = tetrahedron();
+  scene.projection = Projection::orthographic;
+  scene.target.z = 1e9;
+  EXPECT_EQ(
+      placing_error(scene),
+      "camera: orthographic image of height 7.2794e+08; allowed is more than 0 and at most 7.87201e+06");
+  scene.target.z = 1e300;
+  EXPECT_EQ(
+      placing_error(scene),
+      "camera: orthographic image of height 7.2794e+299; allowed is more than 0 and at most 7.87201e+06");
+  scene.fov_degrees = 5e-324;
+  scene.target.z = 0.5;
+  EXPECT_EQ(placing_error(scene),
+            "camera: orthographic image of height 0; allowed is more than 0 and at most 7.87201e+06");
+  scene.projection = Projection::perspective;
+  scene.fov_degrees = 40.0;
+  scene.target.z = 1e9;
+  EXPECT_EQ(placing_error(scene), "no exception");
+}
+
+TEST(Placing, SunsHaveDirectionsAndNoPlace) {
+  SceneDescription scene = tetrahedron();
+  scene.lights.clear();
+  const double scale = place(scene).to_cube.scale;
+  for (const double length : {1e-300, 1.0, 1e300}) {
+    scene.lights = {{glm::dvec3(3.0, 4.0, 0.0) * length, {1.0, 0.5, 0.25}, LightKind::sun}};
+    const Scene placed = place(scene);
+    EXPECT_EQ(placed.to_cube.scale, scale) << length;
+    ASSERT_EQ(placed.lights.size(), 1U);
+    EXPECT_EQ(placed.lights[0].kind, LightKind::sun);
+    EXPECT_EQ(placed.lights[0].position, glm::vec3(0.6F, 0.8F, 0.0F)) << length;
+    EXPECT_EQ(placed.lights[0].intensity, glm::vec3(1.0F, 0.5F, 0.25F));
+  }
+  scene.lights[0].kind = LightKind::point;
+  scene.lights[0].position = {30.0, 40.0, 0.0};
+  EXPECT_LT(place(scene).to_cube.scale, 0.5 * scale);
+  // The eye, not the sun, is to blame.
+  scene.lights = {{{1e9, 0.0, 0.0}, {1.0, 1.0, 1.0}, LightKind::sun}};
+  scene.eye = {0.0, 0.0, 1e5};
+  EXPECT_EQ(placing_error(scene).find("camera: eye (0, 0, 100000) is so far from the mesh"), 0U);
+}
+
+TEST(Placing, SunsWithoutADirectionAreRejected) {
+  SceneDescription scene = tetrahedron();
+  scene.lights[1].kind = LightKind::sun;
+  scene.lights[1].position = {0.0, -0.0, 0.0};
+  EXPECT_EQ(placing_error(scene), "light 1: direction (0, -0, 0) must be finite and not zero");
+  scene.lights[1].position = {0.0, infinite, 0.0};
+  EXPECT_EQ(placing_error(scene), "light 1: direction (0, inf, 0) must be finite and not zero");
+  scene.lights[1].position = {0.0, 1.0, 0.0};
+  scene.lights[1].intensity.x = -1.0;
+  EXPECT_EQ(placing_error(scene), "light 1: intensity (-1, 0.2, 0.3) must be finite and not negative");
+}
+
 TEST(Placing, MaterialsOutOfRangeAreRejected) {
   SceneDescription scene = tetrahedron();
   scene.materials = {{},
@@ -224,12 +297,15 @@ TEST(LoadScene, MeshFileGetsACameraThatSeesItAndTwoLights) {
   options.target = {1e6, 1.0, 0.0};
   options.up = {1.0, 0.0, 0.0};
   options.fov_degrees = 90.0;
+  options.projection = Projection::orthographic;
   options.lights = {{{1e6, 5.0, 5.0}, {0.5, 0.5, 0.5}}};
   const Scene chosen = load_scene(file.string(), options);
   EXPECT_EQ(chosen.camera.eye, glm::vec3(chosen.to_cube.to_cube({1e6, 1.0, 9.0})));
   EXPECT_EQ(chosen.camera.forward, glm::dvec3(0.0, 0.0, -1.0));
   EXPECT_EQ(chosen.camera.up, glm::dvec3(1.0, 0.0, 0.0));
   EXPECT_NEAR(chosen.camera.tan_half_height, 1.0, 1e-15);
+  EXPECT_EQ(scene.camera.projection, Projection::perspective);
+  EXPECT_EQ(chosen.camera.projection, Projection::orthographic);
   ASSERT_EQ(chosen.lights.size(), 1U);
   EXPECT_EQ(chosen.lights[0].intensity, glm::vec3(0.5F));
   std::filesystem::remove(file);

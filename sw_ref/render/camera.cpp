@@ -1,0 +1,48 @@
+#include "sw_ref/render/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+
+namespace hitpipe::ref {
+namespace {
+
+/// Where a line is inside the cube [-1, 1]: from <= t <= to, empty if from > to.
+struct Inside {
+  double from = 0.0;
+  double to = std::numeric_limits<double>::infinity();
+};
+
+Inside inside_cube(const glm::dvec3& start, const glm::dvec3& direction) {
+  Inside inside;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction[axis] == 0.0) {
+      if (std::abs(start[axis]) > 1.0) inside.to = -1.0;
+      continue;
+    }
+    const double face = direction[axis] > 0.0 ? 1.0 : -1.0;
+    inside.from = std::max(inside.from, (-face - start[axis]) / direction[axis]);
+    inside.to = std::min(inside.to, (face - start[axis]) / direction[axis]);
+  }
+  return inside;
+}
+
+}  // namespace
+
+Ray parallel_ray(const Camera& camera, double across, double upward) {
+  const glm::vec3 direction(camera.forward);
+  const glm::dvec3 start = glm::dvec3(camera.eye) + across * camera.right + upward * camera.up;
+  // The direction is the rounded one, so that the ray goes on along its own line.
+  const glm::dvec3 way(direction);
+  const Inside inside = inside_cube(start, way);
+  if (inside.from > inside.to) {
+    glm::vec3 corner(1.0F);
+    for (int axis = 0; axis < 3; ++axis) corner[axis] = std::copysign(1.0F, direction[axis]);
+    return {corner, direction, Ray::infinite};
+  }
+  return {glm::clamp(glm::vec3(start + inside.from * way), -1.0F, 1.0F), direction, Ray::infinite};
+}
+
+}  // namespace hitpipe::ref
