@@ -1,4 +1,4 @@
-// The number format of a major-axis unit: "n+g/p", e.g. 20+1/12, or "n+g/pfF" with F fraction bits.
+// The number format of a major-axis unit: "n+g/p", e.g. 20+1/13, or "n+g/pfF" with F fraction bits.
 //   n  bits of a plane, 6..32
 //   g  bits by which the ray's origin is finer than the planes, 0..3
 //   p  bits of a mantissa, 4..32; n + g + p is at most 63
@@ -29,7 +29,7 @@ struct MajorBits {
 
   int coord = 20;     ///< n
   int finer = 1;      ///< g
-  int mantissa = 12;  ///< p
+  int mantissa = 13;  ///< p
   int fraction = 0;   ///< F
 
   /// Types of the values, in a domain whose values carry their widths.
@@ -103,7 +103,7 @@ struct MajorBits {
   }
 };
 
-/// The same with widths known when the code is compiled: MajorFormat<20, 1, 12> is 20+1/12.
+/// The same with widths known when the code is compiled: MajorFormat<20, 1, 13> is 20+1/13.
 template <int N, int G, int P, int Fraction = 0>
 struct MajorFormat {
   static constexpr MajorBits bits{N, G, P, Fraction};

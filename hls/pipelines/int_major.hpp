@@ -18,7 +18,7 @@ struct IntMajor {
   static constexpr bool conservative = true;
 
   using Bits = MajorBits;
-  using BuiltIn = FormatList<MajorFormat<20, 1, 12>>;
+  using BuiltIn = FormatList<MajorFormat<20, 1, 13>>;
   template <class D, class F>
   using Operands = IntMajorOperands<D, F>;
   template <class D, class F>

@@ -40,7 +40,7 @@ struct IntMajorPair {
   static constexpr bool conservative = true;
 
   using Bits = MajorBits;
-  using BuiltIn = FormatList<MajorFormat<20, 1, 12>>;
+  using BuiltIn = FormatList<MajorFormat<20, 1, 13>>;
   template <class D, class F>
   using Operands = IntMajorPairOperands<D, F>;
   template <class D, class F>

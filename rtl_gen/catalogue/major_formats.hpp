@@ -18,7 +18,7 @@ struct FamilyOf<hls::MajorBits> {
   static constexpr FormatFamily family{
       .syntax = "n+g/p",
       .allowed = "n+g/p or n+g/pfF with n in 6..32, g in 0..3, p in 4..32, F in -2..3 and n+g+p at most 63",
-      .example = "20+1/12",
+      .example = "20+1/13",
       .single = false,
       .valid = major_formats::valid,
       .print = major_formats::print,

@@ -169,8 +169,8 @@ Software major_design_software() {
   return {.promise = major_promise,
           .up_to = major_up_to,
           .sweep_formats = major_sweep_formats(),
-          .stiffness_formats = {MajorBits{20, 1, 12}, MajorBits{16, 1, 12}},
-          .fit_from = MajorBits{20, 1, 12}};
+          .stiffness_formats = {MajorBits{20, 1, 13}, MajorBits{16, 1, 12}},
+          .fit_from = MajorBits{}};
 }
 
 }  // namespace hitpipe::sim

@@ -78,7 +78,7 @@ if [[ -z $short ]]; then
   for format in 24/24 20/24 32/63; do
     for name in int_slabs int_plucker; do all_of "$name" "$format"; done
   done
-  for name in int_major int_major_pair; do all_of "$name" 20+1/12; done
+  for name in int_major int_major_pair; do all_of "$name" 20+1/13; done
   for name in fp_slabs fp_plucker; do all_of "$name" fp32; done
   cd "$(design int_slabs 6/6)" || exit 1
   row 'int_slabs: standing still twice, wherever' 6/6 proved prove_stalled int_slabs
