@@ -6,7 +6,7 @@ SANITIZED ?= all
 CONFIGURE := $(if $(CI),-DHITPIPE_WERROR=ON)
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
-.PHONY: demo test build lint format bench sanitize fuzz prove packages clean help
+.PHONY: demo test build lint format bench sanitize fuzz prove prove-all-widths packages clean help
 
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematic in out/demo'
@@ -17,6 +17,7 @@ help:
 	@echo 'make sanitize  all tests under ASan and UBSan'
 	@echo 'make fuzz      libFuzzer, SECONDS=60 in all: loaders, command line, what is printed'
 	@echo 'make prove     the Verilog equals its combinational form: yosys and z3'
+	@echo 'make prove-all-widths  int_major never misses, for all widths: Coq'
 	@echo 'make clean     removes build folders and out/'
 
 packages:
@@ -55,6 +56,11 @@ bench: build
 
 prove: build
 	@cmake --build --preset release -j $(JOBS) --target prove
+
+# Coq takes 490 MB and serves nothing else, so packages.txt does not name it.
+prove-all-widths: packages
+	@command -v coqc >/dev/null || cmake/install-packages.sh coq
+	@tests/formal/all_widths/prove.sh
 
 lint: packages
 	@clang-format --dry-run --Werror $(CXX_FILES)

@@ -1,13 +1,19 @@
 #!/bin/sh
-# Installs what packages.txt names and dpkg does not have. Needs root or sudo only when something is missing.
+# Installs the named packages, or those of packages.txt, that dpkg does not have: install-packages.sh [PACKAGE...]
+# Needs root or sudo only when something is missing.
 set -eu
 list=$(dirname "$0")/../packages.txt
+wanted=${*:-$(sed 's/#.*//' "$list")}
 if ! command -v dpkg-query >/dev/null 2>&1; then
-  echo "hitpipe: this is no Debian; install what packages.txt names by other means, then: make build" >&2
+  if [ $# -gt 0 ]; then
+    echo "hitpipe: this is no Debian; install $* by other means" >&2
+  else
+    echo "hitpipe: this is no Debian; install what packages.txt names by other means, then: make build" >&2
+  fi
   exit 1
 fi
 missing=
-for package in $(sed 's/#.*//' "$list"); do
+for package in $wanted; do
   case $(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true) in
     *"ok installed") ;;
     *) missing="$missing $package" ;;

@@ -1,0 +1,463 @@
+(* The datapath as the C++ writes it, in words of the declared widths, equals the unit in integers. *)
+From Coq Require Import ZArith QArith Qabs Qround Lia Lqa Bool.
+From HitpipeMajor Require Import Numbers IntMajor SetUp NeverMisses Words.
+From HitpipeMajor Require Shifter.
+Open Scope Z_scope.
+
+(* ---- hls/pipelines/major_parts.hpp, int_major.hpp in words ---- *)
+
+Definition difference_words f (plane origin : Z) (back : bool) : Z :=
+  let mirrored := as_signed (coord f) (Z.lxor (as_unsigned (coord f) plane) (spread back (coord f))) in
+  let fine := if 0 <? finer f
+              then as_signed (point f)
+                     (cat (finer f) (as_unsigned (coord f) mirrored) (spread back (finer f)))
+              else mirrored in
+  resize (point f) (fine - origin).
+
+Definition major_distance_words f (d : Z) : Z :=
+  let fewer := if fraction f <? finer f
+               then as_signed (coord f + fraction f) (slice d (point f - 1) (finer f - fraction f))
+               else d in
+  let more := if finer f <? fraction f
+              then as_signed (coord f + fraction f)
+                     (cat (fraction f - finer f) (as_unsigned (point f) fewer) 0)
+              else fewer in
+  resize (distance f) more.
+
+Definition scaled_distance_words f (d mantissa_word exponent : Z) : Z :=
+  let shifted := Shifter.saturating_shift (point f) d exponent in
+  let product := resize (point f + mantissa f) (shifted * mantissa_word) in
+  as_signed (distance f) (slice product (point f + mantissa f - 1) (trimmed f)).
+
+Definition scaled_slab_words f (d : NearFar Z) (floor ceil exponent : Z) : NearFar Z :=
+  let near_bound := if sign (point f) (near d) then ceil else floor in
+  let far_bound := if sign (point f) (far d) then floor else ceil in
+  {| near := scaled_distance_words f (near d) near_bound exponent;
+     far := scaled_distance_words f (far d) far_bound exponent |}.
+
+Definition plane_distances_words f (ray : MajorRay) (planes : MajorPlanes) : Slots (NearFar Z) :=
+  let low := to_slots ray (xmin planes) (ymin planes) (zmin planes) in
+  let high := to_slots ray (xmax planes) (ymax planes) (zmax planes) in
+  let differences back lower upper origin :=
+    let plane := in_ray_order back lower upper in
+    {| near := difference_words f (near plane) origin back;
+       far := difference_words f (far plane) origin back |} in
+  let dm := differences (back_m ray) (m low) (m high) (origin_m ray) in
+  let da := differences (back_a ray) (a low) (a high) (origin_a ray) in
+  let db := differences (back_b ray) (b low) (b high) (origin_b ray) in
+  {| m := {| near := major_distance_words f (near dm); far := major_distance_words f (far dm) |};
+     a := scaled_slab_words f da (floor_a ray) (ceil_a ray) (exp_a ray);
+     b := scaled_slab_words f db (floor_b ray) (ceil_b ray) (exp_b ray) |}.
+
+Definition greater (x y : Z) : Z := if x <? y then y else x.
+Definition lesser (x y : Z) : Z := if y <? x then y else x.
+
+Definition test_words f (ray : MajorRay) (planes : MajorPlanes) : bool :=
+  let t := plane_distances_words f ray planes in
+  let near := greater (greater (near (m t)) (near (a t))) (near (b t)) in
+  let far := lesser (lesser (far (m t)) (far (a t))) (far (b t)) in
+  let behind := sign (distance f) far in
+  let apart := far <? near in
+  let beyond := len ray <? near in
+  negb behind && negb apart && negb beyond.
+
+(* ---- Operands ---- *)
+
+(* What the operands' declared ranges say, and that a mirrored origin is -x - 1 of a point of the grid. *)
+Definition origin_fits f (back : bool) (o : Z) : Prop :=
+  Z.abs (mirrored back o) <= largest_point f * 2 ^ finer f.
+Definition plane_fits f (p : Z) : Prop := Z.abs p <= largest_point f + 1.
+Definition mantissa_fits f (bound : Z) : Prop := 0 <= bound <= largest_mantissa f.
+Definition exponent_in_range f (e : Z) : Prop := 0 <= e <= largest_exponent f.
+
+Record operands_fit f (ray : MajorRay) (planes : MajorPlanes) : Prop := {
+  fits_origin_m : origin_fits f (back_m ray) (origin_m ray);
+  fits_origin_a : origin_fits f (back_a ray) (origin_a ray);
+  fits_origin_b : origin_fits f (back_b ray) (origin_b ray);
+  fits_floor_a : mantissa_fits f (floor_a ray);
+  fits_ceil_a : mantissa_fits f (ceil_a ray);
+  fits_floor_b : mantissa_fits f (floor_b ray);
+  fits_ceil_b : mantissa_fits f (ceil_b ray);
+  fits_exp_a : exponent_in_range f (exp_a ray);
+  fits_exp_b : exponent_in_range f (exp_b ray);
+  fits_len : 0 <= len ray <= largest_length f;
+  fits_planes : plane_fits f (xmin planes) /\ plane_fits f (xmax planes) /\ plane_fits f (ymin planes) /\
+                plane_fits f (ymax planes) /\ plane_fits f (zmin planes) /\ plane_fits f (zmax planes)
+}.
+
+(* ---- Widths of the operands, as major_format.hpp declares them ---- *)
+
+Section Widths.
+Variable f : Format.
+Hypothesis V : valid f.
+
+Lemma point_positive : 2 <= point f.
+Proof using V. destruct V. unfold point. lia. Qed.
+
+Theorem origin_width back o : origin_fits f back o -> is_signed (point f) o.
+Proof using V.
+  destruct V. unfold origin_fits, mirrored, is_signed, largest_point, point. intros H.
+  pose proof (power_positive (finer f) ltac:(lia)). pose proof (power_positive (coord f - 2) ltac:(lia)).
+  replace (coord f + finer f - 1) with (coord f - 2 + 1 + finer f) by lia.
+  rewrite !power_sum by lia. change (2 ^ 1) with 2. destruct back; nia.
+Qed.
+
+Theorem plane_width p : plane_fits f p -> is_signed (coord f) p.
+Proof using V.
+  destruct V. unfold plane_fits, is_signed, largest_point. intros H.
+  pose proof (power_positive (coord f - 2) ltac:(lia)).
+  pose proof (twice_power (coord f - 1) ltac:(lia)) as Twice.
+  replace (coord f - 1 - 1) with (coord f - 2) in Twice by lia. lia.
+Qed.
+
+Theorem mantissa_width bound : mantissa_fits f bound -> is_unsigned (mantissa f) bound.
+Proof. unfold mantissa_fits, is_unsigned, largest_mantissa. lia. Qed.
+
+Theorem exponent_width e :
+  exponent_in_range f e -> is_unsigned (Z.of_nat (Shifter.count_bits (point f))) e.
+Proof using V.
+  unfold exponent_in_range, is_unsigned, largest_exponent, Shifter.count_bits. intros H.
+  pose proof point_positive. pose proof (Z.log2_up_spec (point f) ltac:(lia)).
+  rewrite Z2Nat.id by apply Z.log2_up_nonneg. lia.
+Qed.
+
+Theorem length_width l : 0 <= l <= largest_length f -> is_signed (coord f + fraction f) l.
+Proof using V.
+  destruct V. unfold is_signed, largest_length.
+  pose proof (power_positive (coord f + fraction f - 1) ltac:(lia)). lia.
+Qed.
+
+(* ---- Widths of what is between ---- *)
+
+Lemma difference_fits plane o back :
+  plane_fits f plane -> origin_fits f back o -> is_signed (point f) (difference f plane o back).
+Proof using V.
+  destruct V. unfold plane_fits, origin_fits, difference, mirrored, is_signed, largest_point, point.
+  intros Hp Ho.
+  pose proof (power_positive (finer f) ltac:(lia)) as Fine.
+  replace (coord f + finer f - 1) with (coord f - 2 + 1 + finer f) by lia.
+  rewrite !power_sum by lia. change (2 ^ 1) with 2.
+  set (G := 2 ^ (coord f - 2)) in *. set (g := 2 ^ finer f) in *.
+  assert (Z.abs (plane * g) <= G * g) by (rewrite Z.abs_mul; nia).
+  replace ((G - 1) * g) with (G * g - g) in Ho by ring.
+  replace (G * 2 * g) with (2 * (G * g)) by ring. destruct back; lia.
+Qed.
+
+Lemma kept_bits width low v :
+  0 <= low < width -> is_signed width v ->
+  as_signed (width - low) (slice v (width - 1) low) = v / 2 ^ low /\ is_signed (width - low) (v / 2 ^ low).
+Proof.
+  intros Hl [Low High]. pose proof (power_positive low ltac:(lia)) as Power.
+  assert (is_signed (width - low) (v / 2 ^ low)) as Fits.
+  { unfold is_signed. replace (width - 1) with (width - low - 1 + low) in Low, High by lia.
+    rewrite power_sum in Low, High by lia.
+    split; [apply Z.div_le_lower_bound; lia | apply Z.div_lt_upper_bound; lia]. }
+  split; [| exact Fits]. unfold slice. replace (width - 1 - low + 1) with (width - low) by lia.
+  exact (resize_same (width - low) _ ltac:(lia) Fits).
+Qed.
+
+Lemma difference_words_is plane o back :
+  plane_fits f plane -> origin_fits f back o ->
+  difference_words f plane o back = difference f plane o back.
+Proof using V.
+  intros Hp Ho. pose proof (difference_fits plane o back Hp Ho) as Fits. pose proof point_positive.
+  unfold difference_words.
+  assert (1 <= finer f \/ finer f = 0) as Finer by (destruct V; lia).
+  assert (is_signed (coord f) (mirrored back plane)) as PlaneFits.
+  { destruct V. unfold plane_fits, largest_point in Hp. unfold is_signed, mirrored.
+    pose proof (twice_power (coord f - 1) ltac:(lia)) as Twice.
+    replace (coord f - 1 - 1) with (coord f - 2) in Twice by lia.
+    pose proof (power_positive (coord f - 2) ltac:(lia)). destruct back; lia. }
+  assert (as_signed (coord f) (Z.lxor (as_unsigned (coord f) plane) (spread back (coord f))) =
+          mirrored back plane) as ->.
+  { assert (2 <= coord f) as N by (destruct V; assumption). pose proof (power_positive (coord f) ltac:(lia)).
+    rewrite xor_spread by (try apply Z.mod_pos_bound; lia).
+    rewrite <- (resize_same (coord f) (mirrored back plane) ltac:(lia) PlaneFits) at 1.
+    unfold resize. f_equal. unfold as_unsigned, mirrored. destruct back; [| reflexivity].
+    replace (- plane - 1)
+      with (2 ^ coord f - 1 - plane mod 2 ^ coord f + (- (plane / 2 ^ coord f) - 1) * 2 ^ coord f)
+      by (pose proof (Z.div_mod plane (2 ^ coord f) ltac:(lia)); lia).
+    rewrite Z_mod_plus_full. symmetry. apply Z.mod_small.
+    pose proof (Z.mod_pos_bound plane (2 ^ coord f)). lia. }
+  assert ((if 0 <? finer f
+           then as_signed (point f)
+                  (cat (finer f) (as_unsigned (coord f) (mirrored back plane)) (spread back (finer f)))
+           else mirrored back plane) = mirrored back (plane * 2 ^ finer f)) as ->.
+  { destruct Finer as [Finer | Finer].
+    2: { rewrite Finer, Z.ltb_irrefl, Z.pow_0_r, Z.mul_1_r. reflexivity. }
+    destruct (Z.ltb_spec 0 (finer f)); [| lia].
+    assert (2 <= coord f) as N by (destruct V; assumption).
+    pose proof (power_positive (finer f) ltac:(lia)) as PowerG.
+    pose proof (power_positive (coord f) ltac:(lia)) as PowerN.
+    assert (is_signed (point f) (mirrored back (plane * 2 ^ finer f))) as FineFits.
+    { unfold is_signed, point, mirrored in *.
+      replace (coord f + finer f - 1) with (coord f - 1 + finer f) by lia.
+      rewrite power_sum by lia. destruct back; nia. }
+    rewrite <- (resize_same (point f) _ ltac:(lia) FineFits) at 1. unfold resize. f_equal.
+    unfold cat, as_unsigned. set (v := mirrored back plane) in *.
+    assert (mirrored back (plane * 2 ^ finer f) = v * 2 ^ finer f + spread back (finer f)) as ->.
+    { unfold v, mirrored, spread. destruct back; ring. }
+    unfold point. rewrite power_sum by lia.
+    pose proof (Z.mod_pos_bound v (2 ^ coord f) ltac:(lia)).
+    pose proof (Z.div_mod v (2 ^ coord f) ltac:(lia)) as Division.
+    assert (0 <= spread back (finer f) < 2 ^ finer f) by (unfold spread; destruct back; lia).
+    replace (v * 2 ^ finer f + spread back (finer f)) with
+      (v mod 2 ^ coord f * 2 ^ finer f + spread back (finer f) +
+       v / 2 ^ coord f * (2 ^ coord f * 2 ^ finer f))
+      by nia.
+    rewrite Z_mod_plus_full. symmetry. apply Z.mod_small. nia. }
+  apply resize_same; [lia | exact Fits].
+Qed.
+
+(* The major distance is an arithmetic shift. *)
+Lemma major_distance_shift d :
+  major_distance f d =
+  if fraction f <? finer f then d / 2 ^ (finer f - fraction f) else d * 2 ^ (fraction f - finer f).
+Proof.
+  unfold major_distance. destruct (Z.ltb_spec (fraction f) (finer f)).
+  - rewrite <- floor_of_quotient by lia. apply Qfloor_comp. rewrite <- Qmult_assoc, <- pow2_plus.
+    replace (fraction f + - finer f) with (- (finer f - fraction f)) by lia. reflexivity.
+  - rewrite <- (Qfloor_Z (d * _)). apply Qfloor_comp. rewrite <- Qmult_assoc, <- pow2_plus.
+    rewrite inject_Z_mult, pow2_integer by lia. reflexivity.
+Qed.
+
+(* It has a bit less than other distances. *)
+Lemma major_distance_fits d :
+  is_signed (point f) d -> is_signed (coord f + fraction f) (major_distance f d).
+Proof using V.
+  intros Hd. rewrite major_distance_shift. destruct V, (Z.ltb_spec (fraction f) (finer f)).
+  - replace (coord f + fraction f) with (point f - (finer f - fraction f)) by (unfold point; lia).
+    apply (kept_bits (point f)); [unfold point; lia | exact Hd].
+  - unfold is_signed, point in *.
+    replace (coord f + fraction f - 1) with (coord f + finer f - 1 + (fraction f - finer f)) by lia.
+    rewrite power_sum by lia. pose proof (power_positive (fraction f - finer f) ltac:(lia)). nia.
+Qed.
+
+Lemma major_distance_words_is d :
+  is_signed (point f) d -> major_distance_words f d = major_distance f d.
+Proof using V.
+  intros Hd. pose proof (major_distance_fits d Hd) as Fits.
+  assert (1 <= coord f + fraction f) by (destruct V; lia).
+  assert (is_signed (distance f) (major_distance f d)) as Fits'.
+  { unfold is_signed, distance in *. rewrite (twice_power (coord f + fraction f + 1 - 1)) by lia.
+    replace (coord f + fraction f + 1 - 1 - 1) with (coord f + fraction f - 1) by lia. lia. }
+  rewrite <- (resize_same (distance f) (major_distance f d)) at 1; [| unfold distance; lia | exact Fits'].
+  unfold major_distance_words. f_equal. rewrite major_distance_shift in *.
+  destruct (Z.ltb_spec (fraction f) (finer f)) as [Fewer | More].
+  - destruct (Z.ltb_spec (finer f) (fraction f)); [lia |].
+    replace (coord f + fraction f) with (point f - (finer f - fraction f)) by (unfold point; lia).
+    apply (kept_bits (point f)); [destruct V; unfold point; lia | exact Hd].
+  - destruct (Z.ltb_spec (finer f) (fraction f)).
+    + rewrite <- (resize_same (coord f + fraction f) _ ltac:(lia) Fits). unfold resize. f_equal.
+      unfold cat, as_unsigned.
+      replace (coord f + fraction f) with (point f + (fraction f - finer f)) by (unfold point; lia).
+      pose proof point_positive. pose proof (power_positive (point f) ltac:(lia)).
+      pose proof (power_positive (fraction f - finer f) ltac:(lia)).
+      rewrite power_sum, Z.mul_mod_distr_r by lia. lia.
+    + replace (fraction f - finer f) with 0 by lia. lia.
+Qed.
+
+Lemma shift_fits d e : is_signed (point f) (IntMajor.saturating_shift f d e).
+Proof using V.
+  pose proof point_positive. pose proof (power_positive (point f - 1) ltac:(lia)).
+  unfold is_signed, IntMajor.saturating_shift. lia.
+Qed.
+
+Lemma product_fits s bound :
+  is_signed (point f) s -> mantissa_fits f bound -> is_signed (point f + mantissa f) (s * bound).
+Proof using V.
+  intros [Low High] [Positive Bound]. pose proof point_positive. destruct V.
+  unfold is_signed, largest_mantissa in *.
+  replace (point f + mantissa f - 1) with (point f - 1 + mantissa f) by lia. rewrite power_sum by lia.
+  pose proof (power_positive (point f - 1) ltac:(lia)). nia.
+Qed.
+
+Lemma scaled_distance_fits d bound e :
+  mantissa_fits f bound -> is_signed (distance f) (scaled_distance f d bound e).
+Proof using V.
+  intros Hb. pose proof point_positive. pose proof (product_fits _ _ (shift_fits d e) Hb) as Fits.
+  unfold scaled_distance.
+  replace (distance f) with (point f + mantissa f - trimmed f) by (unfold distance, point, trimmed; lia).
+  apply (kept_bits (point f + mantissa f)); [destruct V; unfold trimmed, point in *; lia | exact Fits].
+Qed.
+
+Lemma scaled_distance_words_is d bound e :
+  is_signed (point f) d -> mantissa_fits f bound -> exponent_in_range f e ->
+  scaled_distance_words f d bound e = scaled_distance f d bound e.
+Proof using V.
+  intros Hd Hb He. pose proof point_positive. unfold scaled_distance_words.
+  rewrite Shifter.saturating_shift_is_clamp
+    by (unfold exponent_in_range, largest_exponent in He; assumption || lia).
+  change (Z.max _ _) with (IntMajor.saturating_shift f d e).
+  pose proof (product_fits _ _ (shift_fits d e) Hb) as Fits.
+  rewrite resize_same by (try exact Fits; destruct V; lia).
+  replace (distance f) with (point f + mantissa f - trimmed f) by (unfold distance, point, trimmed; lia).
+  apply (kept_bits (point f + mantissa f)); [destruct V; unfold trimmed, point in *; lia | exact Fits].
+Qed.
+
+Definition both_signed (d : NearFar Z) : Prop := is_signed (point f) (near d) /\ is_signed (point f) (far d).
+
+Lemma scaled_slab_words_is d floor ceil e :
+  both_signed d -> mantissa_fits f floor -> mantissa_fits f ceil -> exponent_in_range f e ->
+  scaled_slab_words f d floor ceil e = scaled_slab f d floor ceil e /\
+  is_signed (distance f) (far (scaled_slab f d floor ceil e)).
+Proof using V.
+  intros [Near Far] Floor Ceil Exp. unfold scaled_slab_words, scaled_slab. pose proof point_positive.
+  rewrite !sign_is by (assumption || lia). cbn [near far]. split.
+  - f_equal; apply scaled_distance_words_is; try assumption.
+    + destruct (near d <? 0); assumption.
+    + destruct (far d <? 0); assumption.
+  - apply scaled_distance_fits. destruct (far d <? 0); assumption.
+Qed.
+
+(* The theorem of this file: no modular arithmetic and no mux of the datapath changes the answer. *)
+Theorem words_equal_integers ray planes :
+  operands_fit f ray planes -> test_words f ray planes = test f ray planes.
+Proof using V.
+  intros [OM OA OB FA CA FB CB EA EB Len [X0 [X1 [Y0 [Y1 [Z0 Z1]]]]]].
+  assert (forall p0 p1 p2, plane_fits f p0 -> plane_fits f p1 -> plane_fits f p2 ->
+          plane_fits f (m (to_slots ray p0 p1 p2)) /\ plane_fits f (a (to_slots ray p0 p1 p2)) /\
+          plane_fits f (b (to_slots ray p0 p1 p2))) as Slot.
+  { intros p0 p1 p2 ? ? ?. cbn [to_slots m a b]. destruct (major_y ray), (major_z ray); auto. }
+  destruct (Slot _ _ _ X0 Y0 Z0) as [LM [LA LB]]. destruct (Slot _ _ _ X1 Y1 Z1) as [HM [HA HB]]. clear Slot.
+  assert (forall back low high o, plane_fits f low -> plane_fits f high -> origin_fits f back o ->
+          let plane := in_ray_order back low high in
+          difference_words f (near plane) o back = difference f (near plane) o back /\
+          difference_words f (far plane) o back = difference f (far plane) o back /\
+          both_signed {| near := difference f (near plane) o back;
+                         far := difference f (far plane) o back |}) as Slab.
+  { intros back low high o Low High Origin. cbn [in_ray_order near far].
+    assert (plane_fits f (if back then high else low)) by (destruct back; assumption).
+    assert (plane_fits f (if back then low else high)) by (destruct back; assumption).
+    repeat split; try (apply difference_words_is; assumption); apply difference_fits; assumption. }
+  destruct (Slab _ _ _ _ LM HM OM) as [NM [FM SM]]. destruct (Slab _ _ _ _ LA HA OA) as [NA [FarA SA]].
+  destruct (Slab _ _ _ _ LB HB OB) as [NB [FarB SB]]. clear Slab.
+  unfold test_words, test, plane_distances_words, plane_distances. cbv zeta.
+  rewrite NM, FM, NA, FarA, NB, FarB. cbn [near far m a b].
+  destruct SM as [SM0 SM1]. cbn [near far] in SM0, SM1. rewrite !major_distance_words_is by assumption.
+  destruct (scaled_slab_words_is _ _ _ _ SA FA CA EA) as [-> FitsA].
+  destruct (scaled_slab_words_is _ _ _ _ SB FB CB EB) as [-> FitsB].
+  pose proof (major_distance_fits _ SM1) as FitsM.
+  set (slab_a := scaled_slab _ _ _ _ _) in *. set (slab_b := scaled_slab _ _ _ _ _) in *.
+  set (near_m := major_distance _ _). set (far_m := major_distance f _) in *.
+  assert (1 <= coord f + fraction f) by (destruct V; assumption).
+  assert (forall p q, greater p q = Z.max p q) as Greater.
+  { intros. unfold greater. destruct (Z.ltb_spec p q); lia. }
+  assert (forall p q, lesser p q = Z.min p q) as Lesser.
+  { intros. unfold lesser. destruct (Z.ltb_spec q p); lia. }
+  rewrite !Greater, !Lesser. rewrite sign_is.
+  - rewrite <- !Z.leb_antisym. reflexivity.
+  - unfold distance. lia.
+  - unfold is_signed, distance in *.
+    pose proof (twice_power (coord f + fraction f + 1 - 1) ltac:(lia)) as Twice.
+    replace (coord f + fraction f + 1 - 1 - 1) with (coord f + fraction f - 1) in Twice by lia. lia.
+Qed.
+
+(* ---- The set-up keeps the ranges ---- *)
+
+Lemma origin_word_fits back c : in_cube c -> origin_fits f back (origin_word f back c).
+Proof using V.
+  intros [Low High]. unfold origin_fits, origin_word, mirrored, on_fine_grid.
+  assert (0 <= finer f) as Finer by (destruct V; assumption).
+  pose proof (scale_positive f V) as S. unfold scale in S.
+  assert (inject_Z (largest_point f * 2 ^ finer f) == inject_Z (largest_point f) * pow2 (finer f))%Q as Limit
+    by (rewrite inject_Z_mult, pow2_integer by lia; reflexivity).
+  set (limit := largest_point f * 2 ^ finer f) in *.
+  set (s := (inject_Z (largest_point f) * pow2 (finer f))%Q) in *.
+  assert (- s <= s * c <= s)%Q as Range by (split; nra). destruct back.
+  - assert (- limit <= Qfloor (s * c + (1 # 2)) <= limit); [| lia]. split.
+    + apply below_floor. rewrite inject_Z_opp. lra.
+    + pose proof (floor_below (s * c + (1 # 2))) as Floor.
+      enough (Qfloor (s * c + (1 # 2)) < limit + 1) by lia. rewrite Zlt_Qlt, inject_Z_plus, inject_1. lra.
+  - assert (- limit <= Qceiling (s * c - (1 # 2)) <= limit); [| lia]. split.
+    + pose proof (ceiling_above (s * c - (1 # 2))) as Ceiling.
+      enough (- limit - 1 < Qceiling (s * c - (1 # 2))) by lia.
+      rewrite Zlt_Qlt, inject_minus, inject_Z_opp, inject_1. lra.
+    + apply above_ceiling. lra.
+Qed.
+
+(* Half a unit of the fine grid is at most half a unit of the coarse one. *)
+Lemma growth : (0 < pow2 (- (finer f + 1)) <= 1 # 2)%Q.
+Proof using V.
+  destruct V. split; [apply pow2_positive |].
+  pose proof (pow2_negative_below (- finer f) ltac:(lia)).
+  replace (- (finer f + 1)) with (- finer f + - (1)) by lia. rewrite pow2_plus.
+  setoid_replace (pow2 (- (1))) with (1 # 2)%Q by reflexivity. lra.
+Qed.
+
+Lemma lower_fits c : in_cube c -> plane_fits f (lower f c).
+Proof using V.
+  intros [Low High]. unfold plane_fits, lower. pose proof growth. pose proof (grid_positive f V) as G.
+  rewrite Zle_Qle in G. change (inject_Z 0) with 0%Q in G.
+  set (p := (inject_Z (largest_point f) * c - pow2 (- (finer f + 1)))%Q).
+  assert (- inject_Z (largest_point f) - (1 # 2) <= p <= inject_Z (largest_point f))%Q as Range
+    by (unfold p; split; nra).
+  assert (- largest_point f - 1 <= Qfloor p <= largest_point f); [| lia]. split.
+  - apply below_floor. rewrite inject_minus, inject_Z_opp, inject_1. lra.
+  - rewrite Zle_Qle. pose proof (floor_below p). lra.
+Qed.
+
+Lemma upper_fits c : in_cube c -> plane_fits f (upper f c).
+Proof using V.
+  intros [Low High]. unfold plane_fits, upper. pose proof growth. pose proof (grid_positive f V) as G.
+  rewrite Zle_Qle in G. change (inject_Z 0) with 0%Q in G.
+  set (p := (inject_Z (largest_point f) * c + pow2 (- (finer f + 1)))%Q).
+  assert (- inject_Z (largest_point f) <= p <= inject_Z (largest_point f) + (1 # 2))%Q as Range
+    by (unfold p; split; nra).
+  assert (- largest_point f <= Qceiling p <= largest_point f + 1); [| lia]. split.
+  - rewrite Zle_Qle, inject_Z_opp. pose proof (ceiling_above p). lra.
+  - apply above_ceiling. rewrite inject_Z_plus, inject_1. lra.
+Qed.
+
+Lemma length_fits major l :
+  (0 <= major)%Q -> (forall l', l = Some l' -> (0 <= l')%Q) -> 0 <= length_word f major l <= largest_length f.
+Proof using V.
+  intros Major Length. assert (0 <= largest_length f) as Largest.
+  { destruct V. unfold largest_length.
+    pose proof (power_positive (coord f + fraction f - 1) ltac:(lia)). lia. }
+  destruct l as [l |]; cbn [length_word]; [| lia].
+  split; [| lia]. apply Z.min_glb; [| exact Largest]. apply below_floor. change (inject_Z 0) with 0%Q.
+  pose proof (grid_positive f V) as G. rewrite Zle_Qle in G. change (inject_Z 0) with 0%Q in G.
+  pose proof (pow2_positive (fraction f)). specialize (Length l eq_refl).
+  repeat apply Qmult_le_0_compat; try assumption. lra.
+Qed.
+
+Theorem set_up_fits major ray box :
+  is_major major ray -> acceptable_ray ray -> acceptable_box box ->
+  operands_fit f (set_up f major ray) (quantise_box f box).
+Proof using V.
+  intros Major [Origin Length] BoxOk.
+  assert (forall k, quotient_bounds f (Qabs (direction ray major)) (Qabs (direction ray k))
+            (quotient f (largest_exponent f) (Qabs (direction ray major)) (Qabs (direction ray k))))
+    as Bounds.
+  { intro k. apply quotient_has_bounds; [exact V | apply Qabs_nonneg | apply Major]. }
+  assert (1 <= mantissa f) as Hp by (destruct V; assumption).
+  pose proof (power_positive (mantissa f - 1) ltac:(lia)) as Power.
+  constructor;
+    cbn [set_up set_up_to back_m back_a back_b origin_m origin_a origin_b floor_a ceil_a floor_b ceil_b
+         exp_a exp_b len quantise_box xmin xmax ymin ymax zmin zmax].
+  1-3: apply origin_word_fits, Origin.
+  1-6: destruct (Bounds (axis_a major)) as [LA HA EA _], (Bounds (axis_b major)) as [LB HB EB _].
+  1-6: unfold mantissa_fits, exponent_in_range; lia.
+  - apply length_fits; [apply Qabs_nonneg | exact Length].
+  - repeat split; (apply lower_fits || apply upper_fits); apply BoxOk.
+Qed.
+End Widths.
+
+(* What the Verilog computes: the datapath in words, on the operands of the set-up. *)
+Definition hit_words f (major : Axis) (ray : Ray) (box : Box) : bool :=
+  test_words f (set_up f major ray) (quantise_box f box).
+
+Theorem datapath_equals_unit :
+  forall (f : Format) (major : Axis) (ray : Ray) (box : Box),
+    valid f -> is_major major ray -> acceptable_ray ray -> acceptable_box box ->
+    hit_words f major ray box = hit f major ray box.
+Proof.
+  intros. unfold hit_words, hit. apply words_equal_integers; [assumption |]. apply set_up_fits; assumption.
+Qed.
+
+Theorem datapath_never_misses :
+  forall (f : Format) (major : Axis) (ray : Ray) (box : Box),
+    valid f -> is_major major ray -> acceptable_ray ray -> acceptable_box box ->
+    meets ray box -> hit_words f major ray box = true.
+Proof. intros. rewrite datapath_equals_unit by assumption. apply never_misses; assumption. Qed.
