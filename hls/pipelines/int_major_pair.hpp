@@ -52,9 +52,13 @@ struct IntMajorPair {
     using Distance = typename F::template Distance<D>;
     const Slots<Bit> low = to_slots<D, F>(in, in.own_xmin, in.own_ymin, in.own_zmin);
     const Slots<Bit> high = to_slots<D, F>(in, in.own_xmax, in.own_ymax, in.own_zmax);
-    const Slots<NearFar<Bit>> second{in_ray_order(in.back_m, low.m, high.m),
-                                     in_ray_order(in.back_a, low.a, high.a),
-                                     in_ray_order(in.back_b, low.b, high.b)};
+    const auto second_owns = [](char slot, const Bit& back, const Bit& lower, const Bit& upper) {
+      const NearFar<Bit> own = in_ray_order(back, lower, upper);
+      return NearFar<Bit>{as("second_near", slot, own.near), as("second_far", slot, own.far)};
+    };
+    const Slots<NearFar<Bit>> second{second_owns('m', in.back_m, low.m, high.m),
+                                     second_owns('a', in.back_a, low.a, high.a),
+                                     second_owns('b', in.back_b, low.b, high.b)};
     const Slots<NearFar<Bit>> first{
         {~second.m.near, ~second.m.far}, {~second.a.near, ~second.a.far}, {~second.b.near, ~second.b.far}};
 

@@ -81,28 +81,22 @@ constexpr typename F::template Distance<D> major_distance(const F& format,
   return resize(more, format.distance());
 }
 
-/// The distance of a plane of another axis: d |D_M| / |D_k|, rounded by the mantissa's bound.
-template <class D, class F>
-constexpr typename F::template Distance<D> scaled_distance(const F& format, const char* name, char slot,
-                                                           const typename F::template Point<D>& d,
-                                                           const typename F::template Mantissa<D>& mantissa,
-                                                           const typename F::template Exponent<D>& exponent) {
-  const auto shifted = as("shifted", slot, saturating_shift<D>(d, exponent));
-  const auto product = shifted * mantissa;
-  const auto kept = slice(product, format.point() + format.mantissa - 1_w, format.trimmed());
-  return as(name, slot, as_signed(kept));
-}
-
-/// Near distances take the bound that makes them smaller, far ones the bound that makes them greater.
+/// The distances of the planes of another axis: d |D_M| / |D_k|. Near distances take the bound that makes
+/// them smaller, far ones the bound that makes them greater.
 template <class D, class F>
 constexpr NearFar<typename F::template Distance<D>> scaled_slab(
     const F& format, char slot, const NearFar<typename F::template Point<D>>& d,
     const typename F::template Mantissa<D>& floor, const typename F::template Mantissa<D>& ceil,
     const typename F::template Exponent<D>& exponent) {
+  const auto near_shifted = as("s_near", slot, saturating_shift<D>(d.near, exponent));
+  const auto far_shifted = as("s_far", slot, saturating_shift<D>(d.far, exponent));
   const auto near_bound = as("q_near", slot, select(sign(d.near), ceil, floor));
   const auto far_bound = as("q_far", slot, select(sign(d.far), floor, ceil));
-  return {scaled_distance<D>(format, "t_near", slot, d.near, near_bound, exponent),
-          scaled_distance<D>(format, "t_far", slot, d.far, far_bound, exponent)};
+  const auto near_product = as("p_near", slot, near_shifted * near_bound);
+  const auto far_product = as("p_far", slot, far_shifted * far_bound);
+  const auto high = format.point() + format.mantissa - 1_w;
+  return {as("t_near", slot, as_signed(slice(near_product, high, format.trimmed()))),
+          as("t_far", slot, as_signed(slice(far_product, high, format.trimmed())))};
 }
 
 /// The distances of all six planes.

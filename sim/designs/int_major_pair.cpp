@@ -165,7 +165,7 @@ std::unique_ptr<BoxTest> pair_test(const rtl::Design& design, const rtl::Format&
 
 ref::TracerOptions pair_traversal(const rtl::Format& format) {
   ref::TracerOptions options;
-  options.algorithm = ref::Algorithm::slabs_dist;
+  options.algorithm = ref::Algorithm::slabs_dsa;
   options.arithmetic = ref::Arithmetic::major;
   options.encoding = ref::Encoding::pairs;
   options.major_bits = format.as<MajorBits>();

@@ -27,7 +27,7 @@ std::vector<IntBox> refitted(const Bvh& bvh, int coord_bits, int finer) {
 }
 
 std::size_t plane_bytes(int coord_bits) {
-  return (static_cast<std::size_t>(6 * coord_bits + 6) + 7) / 8;
+  return (static_cast<std::size_t>(6 * coord_bits + 8) + 7) / 8;
 }
 
 /// Bits of a record that start anywhere. They never leave it, because 16 bytes follow the planes.
@@ -67,11 +67,11 @@ PairNodes::PairNodes(const Bvh& bvh, int coord_bits, int finer)
 
   bytes_.reserve(bytes_per_record * records);
   first_nodes_.reserve(records);
-  append({boxes[0], 0}, {child(0), PairChild{}}, 0);
+  append({boxes[0], 0}, 0, {child(0), PairChild{}}, 0);
   for (const BvhNode& node : bvh.nodes) {
     if (node.is_leaf()) continue;
-    append(pair_boxes(boxes[node.first], boxes[node.first + 1]), {child(node.first), child(node.first + 1)},
-           node.first);
+    append(pair_boxes(boxes[node.first], boxes[node.first + 1]), node.split_axis(),
+           {child(node.first), child(node.first + 1)}, node.first);
   }
 }
 
@@ -88,7 +88,11 @@ PairBoxes PairNodes::boxes(std::uint32_t record) const {
   return pair;
 }
 
-void PairNodes::append(const PairBoxes& boxes, const std::array<PairChild, 2>& children,
+int PairNodes::split_axis(std::uint32_t record) const {
+  return static_cast<int>(word_at(address(record), 6 * coord_bits_ + 6) & 3U);
+}
+
+void PairNodes::append(const PairBoxes& boxes, int split_axis, const std::array<PairChild, 2>& children,
                        std::uint32_t first_node) {
   bytes_.resize(bytes_.size() + bytes_per_record);
   std::byte* const record = bytes_.data() + bytes_.size() - bytes_per_record;
@@ -104,6 +108,7 @@ void PairNodes::append(const PairBoxes& boxes, const std::array<PairChild, 2>& c
     put(static_cast<int>(i) * coord_bits_, static_cast<std::uint64_t>(plane) & ones);
   }
   put(6 * coord_bits_, boxes.owners);
+  put(6 * coord_bits_ + 6, static_cast<std::uint64_t>(split_axis));
   std::memcpy(record + bytes_per_record - sizeof children, children.data(), sizeof children);
   first_nodes_.push_back(first_node);
 }

@@ -1,7 +1,8 @@
 // Records of the hierarchy for a unit that tests two boxes at a time (docs/major.md). A record stands for a
 // branch. It has six planes on the n-bit grid, one for each face: that of the child which does not reach the
-// face of their common box. Six owner bits tell which child that is. Then come count and pointer of both
-// children, 4 bytes each, as in Table 6.1: ceil((6n + 6) / 8) + 16 bytes for two nodes. The first record is
+// face of their common box. Six owner bits tell which child that is. Two bits are the axis along which
+// the branch was split. Then come count and pointer of both children, 4 bytes each, as in Table 6.1:
+// ceil((6n + 8) / 8) + 16 bytes for two nodes. The first record is
 // the root's own box: its child 0 owns all six planes, and there is no child 1.
 #pragma once
 
@@ -47,6 +48,8 @@ class PairNodes {
   PairNodes(const Bvh& bvh, int coord_bits, int finer);
 
   [[nodiscard]] PairBoxes boxes(std::uint32_t record) const;
+  /// The axis along which the branch was split; 0 for the root's own record.
+  [[nodiscard]] int split_axis(std::uint32_t record) const;
   [[nodiscard]] PairChild child(std::uint32_t record, unsigned which) const {
     const std::byte* const at = tail(record) + which * sizeof(PairChild);
     PairChild child;
@@ -65,7 +68,8 @@ class PairNodes {
   [[nodiscard]] const std::byte* tail(std::uint32_t record) const {
     return address(record) + bytes_per_record - 2 * sizeof(PairChild);
   }
-  void append(const PairBoxes& boxes, const std::array<PairChild, 2>& children, std::uint32_t first_node);
+  void append(const PairBoxes& boxes, int split_axis, const std::array<PairChild, 2>& children,
+              std::uint32_t first_node);
 
   int coord_bits_;
   std::vector<std::byte> bytes_;

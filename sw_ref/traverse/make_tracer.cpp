@@ -24,9 +24,9 @@ void check(const Bvh& bvh, const TracerOptions& options) {
         "tracer: robust arithmetic is for slabs; with Pluecker take binary32 or binary64");
   allow(!major || !plucker, "tracer: a major axis is for slabs; take slabs or slabs_dsa");
   const bool pairs = options.encoding == Encoding::pairs;
-  allow(!pairs || (major && by_distance && options.ends),
-        "tracer: records of two boxes are for a major axis, rays with ends and the order by distance");
-  allow(!integer || !by_distance || pairs,
+  allow(!pairs || (major && options.algorithm == Algorithm::slabs_dsa && options.ends),
+        "tracer: records of two boxes are for a major axis, slabs_dsa and rays with ends");
+  allow(!integer || !by_distance,
         "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa");
   allow(!integer || options.encoding == Encoding::plain || pairs,
         "tracer: integer arithmetic has nodes of its own; take the plain encoding");

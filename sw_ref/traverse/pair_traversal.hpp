@@ -1,6 +1,6 @@
-// Depth-first traversal of one ray through the records of a hierarchy, two boxes at a time, the nearer child
-// first. As Traversal does (traversal.hpp), it pauses at each test: it names the record that is to be tested
-// and continues when it gets the answer.
+// Depth-first traversal of one ray through the records of a hierarchy, two boxes at a time, near child first
+// by direction and split axis. As Traversal does (traversal.hpp), it pauses at each test: it names the record
+// that is to be tested and continues when it gets the answer.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #include "sw_ref/encode/pair_nodes.hpp"
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/quantise/int_major_ray.hpp"
+#include "sw_ref/traverse/child_order.hpp"
 #include "sw_ref/traverse/int_major_pair.hpp"
 #include "sw_ref/traverse/leaf_test.hpp"
 #include "sw_ref/traverse/traversal.hpp"
@@ -35,6 +36,7 @@ class PairTraversal {
         length_(ray.length),
         cut_(set_up_.length(ray.length)),
         parent_{0, cut_},
+        class_(direction_class(ray.direction)),
         query_(query) {}
 
   [[nodiscard]] bool done() const { return done_; }
@@ -52,7 +54,7 @@ class PairTraversal {
 
   void answer(const PairAnswer& answer) {
     counts_.box_tests += boxes();
-    const unsigned nearer = answer.second_first ? 1 : 0;
+    const unsigned nearer = near_child(class_, scene_.records->split_axis(record_));
     for (const unsigned which : {nearer ^ 1U, nearer}) {
       if (!answer.hit[which]) continue;
       const PairChild child = scene_.records->child(record_, which);
@@ -105,6 +107,7 @@ class PairTraversal {
   TraversalCounts counts_;
   std::uint32_t record_ = 0;
   std::size_t top_ = 0;
+  unsigned class_;
   Query query_;
   bool done_ = false;
   /// At most one sibling waits per level, and both children of the last.

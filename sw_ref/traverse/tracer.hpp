@@ -81,7 +81,7 @@ enum class Arithmetic : std::uint8_t {
   binary64,  ///< section 5.7
   robust,    ///< binary32 slabs widened by a proven bound: never misses a box, padded or not. Not for plu
   integer,   ///< chapter 6, n/t bits: integer slabs or Pluecker as the algorithm says; not slabs_dist
-  major,     ///< integer slabs along the major axis, n+g/p bits; slabs or slabs_dsa, or slabs_dist with pairs
+  major,     ///< integer slabs along the major axis, n+g/p bits; slabs or slabs_dsa
 };
 
 enum class Encoding : std::uint8_t {
@@ -90,7 +90,7 @@ enum class Encoding : std::uint8_t {
   hierarchical_8,  ///< 12 bytes
   hierarchical_12,
   hierarchical_16,
-  pairs,  ///< two boxes a record (pair_nodes.hpp); with major arithmetic and slabs_dist
+  pairs,  ///< two boxes a record (pair_nodes.hpp); with major arithmetic and slabs_dsa
 };
 
 enum class TriangleTest : std::uint8_t {
