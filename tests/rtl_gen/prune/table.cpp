@@ -54,8 +54,8 @@ void print_design(const char* name, rtl::Format format, bool cuts) {
 
 int main(int argc, char**) {
   const bool cuts = argc > 1;
-  print_design("int_slabs", {24, 24}, cuts);
-  print_design("int_plucker", {24, 24}, cuts);
+  print_design("int_slabs", hls::IntBits{24, 24}, cuts);
+  print_design("int_plucker", hls::IntBits{24, 24}, cuts);
   print_design("fp_slabs", rtl::Format(hls::FpBits{}), cuts);
   print_design("fp_plucker", rtl::Format(hls::FpBits{}), cuts);
 }
