@@ -119,6 +119,18 @@ TEST(WorkPrecisionDiagram, LabelsTheUnitsOfTheThesisAlone) {
   EXPECT_THAT(script, Not(HasSubstr("16/16")));
 }
 
+/// The plot keeps its size, so that it lies on that of another report.
+TEST(WorkPrecisionDiagram, GrowsWithItsKey) {
+  std::vector<sim::SweepRow> rows;
+  for (const char* const design : {"fp_slabs", "int_slabs", "fp_plucker", "int_plucker"})
+    rows.push_back(row(design, rows.size() % 2 == 0 ? "fp32" : "20/24", 1001));
+  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("set terminal svg size 760,601 "));
+  rows.push_back(row("fp_plucker_direct", "fp32", 1001));
+  rows.push_back(row("int_major", "20+1/12", 1001));
+  rows.push_back(pair_row(1001));
+  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("set terminal svg size 760,647 "));
+}
+
 TEST(OccupancyDiagram, HasALineForEachUnitOfTheThesis) {
   std::vector<sim::SweepRow> rows(3, row("int_slabs", "20/24", 1000));
   rows[1].rays_in_flight = 64;
