@@ -26,7 +26,7 @@ std::string clock_mhz(const Price& price) {
 }
 
 std::string adp_mm2_ns(const Price& price) {
-  return decimal(price.area_delay(), 1'000'000'000, 3);
+  return decimal(price.area_delay_per_box(), 1'000'000'000, 3);
 }
 
 std::string percent(std::int64_t part, std::int64_t whole) {

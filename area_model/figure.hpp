@@ -14,6 +14,7 @@ namespace hitpipe::area {
 [[nodiscard]] std::string area_mm2(std::int64_t area_um2);
 [[nodiscard]] std::string delay_ns(std::int64_t delay_ps);
 [[nodiscard]] std::string clock_mhz(const Price& price);
+/// For each box of a test.
 [[nodiscard]] std::string adp_mm2_ns(const Price& price);
 /// The part in percent of the whole, without decimals.
 [[nodiscard]] std::string percent(std::int64_t part, std::int64_t whole);

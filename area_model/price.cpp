@@ -27,10 +27,11 @@ Line line_of(const Part& part, int n, const rtl::Library& library) {
 }
 
 /// Prices the counts of a pipeline; the total is left to the caller.
-Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, const Entry& entry,
-             const rtl::Library& library) {
-  Price price{.design = entry.design,
-              .format = entry.format,
+Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, const rtl::Design& design,
+             const rtl::Format& format, const rtl::Library& library) {
+  Price price{.design = design.name,
+              .format = format,
+              .boxes = design.boxes_per_test(),
               .lines = {},
               .by_stage = std::vector<StagePrice>(static_cast<std::size_t>(pipeline.schedule.stages) + 1),
               .stages = pipeline.schedule.stages,
@@ -51,8 +52,9 @@ Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, co
 
 }  // namespace
 
-Price price(const rtl::Pipeline& pipeline, const Entry& entry, const rtl::Library& library) {
-  Price price = priced(pipeline, count_built(pipeline), entry, library);
+Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl::Format& format,
+            const rtl::Library& library) {
+  Price price = priced(pipeline, count_built(pipeline), design, format, library);
   for (const Line& line : price.lines) price.area_um2 += line.area_um2;
   return price;
 }
@@ -64,9 +66,8 @@ Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Lib
         fmt::format("design {}: not in Table 7.2, so there is no printed account of it, only the built one",
                     design.name));
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
-  const Entry entry{design.name, format};
-  if (account == Account::built) return price(pipeline, entry, library);
-  Price price = priced(pipeline, count_printed(pipeline, format, design.printed), entry, library);
+  if (account == Account::built) return price(pipeline, design, format, library);
+  Price price = priced(pipeline, count_printed(pipeline, format, design.printed), design, format, library);
   for (const Line& line : price.lines) price.area_um2 += as_printed(line.area_um2);
   return price;
 }

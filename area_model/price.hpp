@@ -1,5 +1,7 @@
 // The price of a scheduled design: Table 7.2 for any design, format and component library. Areas are integers
 // in square micrometres, times integers in picoseconds. Only area_model/figure.hpp rounds them, for printing.
+// Designs are compared by figures for each box: a unit that answers for two boxes in a test may be as large
+// as two units that answer for one.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +33,7 @@ struct StagePrice {
 struct Price {
   std::string_view design;
   rtl::Format format;
+  int boxes = 1;                     ///< that one test answers for; a test begins in every cycle
   std::vector<Line> lines;           ///< in the order of Table 7.1
   std::vector<StagePrice> by_stage;  ///< every stage from 0 on
   std::int64_t area_um2 = 0;         ///< built: exact; printed: of rows rounded to 0.0001 mm2 as in Table 7.2
@@ -38,8 +41,13 @@ struct Price {
   int stage_delay_ps = 0;
 
   [[nodiscard]] std::int64_t latency_ps() const { return std::int64_t{stages} * stage_delay_ps; }
-  /// Area times stage delay, "ADP", in um2 ps.
-  [[nodiscard]] std::int64_t area_delay() const { return area_um2 * stage_delay_ps; }
+  /// Area for each box, rounded to um2.
+  [[nodiscard]] std::int64_t area_per_box_um2() const { return per_box(area_um2); }
+  /// Area for each box times stage delay, "ADP", rounded to um2 ps.
+  [[nodiscard]] std::int64_t area_delay_per_box() const { return per_box(area_um2 * stage_delay_ps); }
+
+ private:
+  [[nodiscard]] std::int64_t per_box(std::int64_t whole) const { return (whole + boxes / 2) / boxes; }
 };
 
 /// A design at a format: a row of Table 7.2's summary.
@@ -53,10 +61,11 @@ struct Entry {
 [[nodiscard]] Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
                           Account account);
 
-/// The built account of any pipeline, under the name of the design that it comes from. A multiplier of m x n
+/// The built account of any pipeline; `design` is the one that it comes from. A multiplier of m x n
 /// bits, m > n, has n/m of the area of one of m x m bits, as it has n/m of its partial products. That area is
 /// estimated.
-[[nodiscard]] Price price(const rtl::Pipeline& pipeline, const Entry& entry, const rtl::Library& library);
+[[nodiscard]] Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl::Format& format,
+                          const rtl::Library& library);
 
 /// The six, in its order: the rows that designs say are theirs.
 [[nodiscard]] const std::vector<Entry>& table_7_2();

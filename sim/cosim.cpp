@@ -196,6 +196,14 @@ double CosimResult::loop_tests_per_s() const {
   return per_second(unit.tests, loop_seconds);
 }
 
+double CosimResult::rtl_boxes_per_s() const {
+  return per_second(unit.box_tests, rtl_seconds);
+}
+
+double CosimResult::loop_boxes_per_s() const {
+  return per_second(unit.box_tests, loop_seconds);
+}
+
 bool CosimResult::same_as_software() const {
   return unit.rtl_mismatches == 0 && different_triangles == 0;
 }

@@ -61,6 +61,9 @@ struct CosimResult {
   /// Tests through the pipeline divided by rtl_seconds and by loop_seconds. 0 when those are 0.
   [[nodiscard]] double rtl_tests_per_s() const;
   [[nodiscard]] double loop_tests_per_s() const;
+  /// The same for the boxes that the tests answered for.
+  [[nodiscard]] double rtl_boxes_per_s() const;
+  [[nodiscard]] double loop_boxes_per_s() const;
 
   /// No RTL mismatch and no different triangle. This says nothing about false misses.
   [[nodiscard]] bool same_as_software() const;

@@ -72,16 +72,20 @@ std::vector<Row> design_rows(const std::vector<Price>& prices, const std::option
   const std::set<area::Part> parts = parts_of(prices);
   std::vector<Row> rows;
   for (const Price& p : prices) {
-    Row row{{"design", p.design},
-            {"bits", rtl::to_string(p.format)},
-            {"stages", p.stages},
-            {"stage_delay_ns", figure(area::delay_ns(p.stage_delay_ps), format)},
-            {"clock_mhz", figure(area::clock_mhz(p), format)},
-            {"latency_ns", figure(area::delay_ns(p.latency_ps()), format)},
-            {"area_mm2", figure(area::area_mm2(p.area_um2), format)},
-            {"area_pct", yardstick ? share(p.area_um2, yardstick->area_um2) : Row(nullptr)},
-            {"adp_mm2_ns", figure(area::adp_mm2_ns(p), format)},
-            {"adp_pct", yardstick ? share(p.area_delay(), yardstick->area_delay()) : Row(nullptr)}};
+    Row row{
+        {"design", p.design},
+        {"bits", rtl::to_string(p.format)},
+        {"stages", p.stages},
+        {"stage_delay_ns", figure(area::delay_ns(p.stage_delay_ps), format)},
+        {"clock_mhz", figure(area::clock_mhz(p), format)},
+        {"latency_ns", figure(area::delay_ns(p.latency_ps()), format)},
+        {"area_mm2", figure(area::area_mm2(p.area_um2), format)},
+        {"area_pct", yardstick ? share(p.area_per_box_um2(), yardstick->area_per_box_um2()) : Row(nullptr)},
+        {"adp_mm2_ns", figure(area::adp_mm2_ns(p), format)},
+        {"adp_pct",
+         yardstick ? share(p.area_delay_per_box(), yardstick->area_delay_per_box()) : Row(nullptr)},
+        {"boxes_per_test", p.boxes},
+        {"area_per_box_mm2", figure(area::area_mm2(p.area_per_box_um2()), format)}};
     append_parts(row, p.lines, parts);
     rows.push_back(std::move(row));
   }

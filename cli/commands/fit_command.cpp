@@ -71,9 +71,9 @@ double mm2(std::int64_t area_um2) {
   return static_cast<double>(area_um2) * 1e-6;
 }
 
-/// Area times delay, in mm2 ns.
+/// Area times delay for each box of a test, in mm2 ns.
 double area_delay(const area::Price& price) {
-  return static_cast<double>(price.area_delay()) * 1e-9;
+  return static_cast<double>(price.area_delay_per_box()) * 1e-9;
 }
 
 /// The ports of the whole design that no demand names.

@@ -47,16 +47,27 @@ Row record(const sim::SweepRow& row) {
   return record;
 }
 
+/// Units are compared by the area for each box that a test answers for.
 std::string text_of(const std::vector<sim::SweepRow>& rows) {
-  std::string text =
-      "design      bits   rays   area  occ.  false hits  extra box      time  area*time\n"
-      "                           mm2     %   a million  tests/ray        ms     mm2 ms\n";
+  std::size_t name = 11;
+  std::size_t bits = 5;
+  bool several_boxes = false;
   for (const sim::SweepRow& row : rows) {
-    text += fmt::format("{:<11} {:<5} {:>5} {:>6.2f} {:>5.1f} {:>11.4g} {:>10.4g} {:>9.4g} {:>10.4g}\n",
-                        row.design, row.bits, row.rays_in_flight, static_cast<double>(row.area_um2) / 1e6,
+    name = std::max(name, row.design.size());
+    bits = std::max(bits, row.bits.size());
+    several_boxes = several_boxes || row.boxes_per_test > 1;
+  }
+  std::string text = fmt::format(
+      "{:<{}} {:<{}}  rays  area  occ. false hit extra box      time area*time\n"
+      "{:<{}} {:<{}}         mm2     % a million tests/ray        ms    mm2 ms\n",
+      "design", name, "bits", bits, "", name, "", bits);
+  for (const sim::SweepRow& row : rows) {
+    text += fmt::format("{:<{}} {:<{}} {:>5} {:>5.2f} {:>5.1f} {:>9.4g} {:>9.4g} {:>9.4g} {:>9.4g}\n",
+                        row.design, name, row.bits, bits, row.rays_in_flight, row.area_per_box_mm2(),
                         row.occupancy_pct(), row.false_hits_per_million(), row.extra_box_tests_per_ray(),
                         row.run_time_ms(), row.area_run_time_mm2_ms());
   }
+  if (several_boxes) text += "area: for each box that a test answers for; area*time: of the whole unit\n";
   return text;
 }
 

@@ -72,7 +72,7 @@ std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows) {
     drawings.push_back(
         {"occupancy.svg", run_gnuplot("report", occupancy_script(scene, rows)),
          "Occupancy of each pipeline on " + scene + " against the number of rays in flight",
-         "The share of cycles in which a box test begins. A pipeline is full when as many rays are "
+         "The share of cycles in which a test begins. A pipeline is full when as many rays are "
          "in flight as it has stages, and some more to bridge the ends of rays."});
   }
   return drawings;

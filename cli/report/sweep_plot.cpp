@@ -19,12 +19,15 @@ namespace hitpipe::cli {
 namespace {
 
 constexpr int picture_width = 760;
-constexpr int picture_height = 600;
-// Edges of the plot as fractions of the picture.
+// Edges of the plot as fractions of the picture's width.
 constexpr double left = 0.13;
 constexpr double right = 0.975;
-constexpr double bottom = 0.235;
-constexpr double top = 0.925;
+// In pixels. The picture grows with its key, and the plot keeps its size.
+constexpr int plot_height = 414;
+constexpr int above_plot = 45;
+constexpr int axis_height = 73;  // numbers and text below the plot
+constexpr int key_line_height = 23;
+constexpr int least_key_lines = 3;
 constexpr double error_least_pct = error_floor_pct / 2;  // leaves room for marks at the lowest error
 constexpr double error_most_pct = 1e3;
 
@@ -41,7 +44,7 @@ constexpr std::array<Style, 8> styles{{{"#0072B2", 7, 6, 1.8},
                                        {"#000000", 13, 12, 1.1},
                                        {"#009E73", 11, 10, 1.5},
                                        {"#CC79A7", 15, 14, 1.4},
-                                       {"#56B4E9", 7, 6, 1.2},
+                                       {"#56B4E9", 7, 6, 1.5},
                                        {"#8C6D31", 5, 4, 1.2}}};
 
 const Style& style_of(const std::string& design) {
@@ -50,23 +53,20 @@ const Style& style_of(const std::string& design) {
 
 constexpr std::array<CostAxis, 3> axes{
     {{"run_time", "run time, ns for each box test of the reference (cycles × stage delay)", 1, 64},
-     {"area", "area, mm²", 0.1, 10},
-     {"area_run_time", "area × run time, mm² ns for each box test of the reference", 0.5, 100}}};
-
-double area_mm2(const sim::SweepRow& unit) {
-  return static_cast<double>(unit.area_um2) / 1e6;
-}
+     {"area", "area, mm² for each box tested in a cycle", 0.05, 10},
+     {"area_run_time", "area × run time, mm² ns for each box test of the reference", 0.2, 100}}};
 
 double cost_of(const sim::SweepRow& unit, Cost cost) {
   switch (cost) {
     case Cost::run_time:
       return run_time_ns(unit);
     case Cost::area:
-      return area_mm2(unit);
+      return unit.area_per_box_mm2();
     case Cost::area_run_time:
       break;
   }
-  return area_mm2(unit) * run_time_ns(unit);
+  // The whole area: a pair needs fewer cycles already.
+  return static_cast<double>(unit.area_um2) / 1e6 * run_time_ns(unit);
 }
 
 /// The point at which a diagram shows a unit.
@@ -89,13 +89,19 @@ std::vector<std::string> designs_of(std::span<const sim::SweepRow> units) {
   return names;
 }
 
-std::string head(const std::string& title) {
+/// The key has two columns.
+std::string head(const std::string& title, std::size_t key_entries) {
+  const int key_lines = std::max(least_key_lines, (static_cast<int>(key_entries) + 1) / 2);
+  const int below_plot = axis_height + key_lines * key_line_height;
+  const int height = above_plot + plot_height + below_plot;
+  const double bottom = static_cast<double>(below_plot) / height;
+  const double top = static_cast<double>(below_plot + plot_height) / height;
   return fmt::format(
       "set terminal svg size {},{} font 'sans-serif,15' background 'white' noenhanced\n"
       "set encoding utf8\nset title {}\nset lmargin at screen {}\nset rmargin at screen {}\n"
       "set bmargin at screen {}\nset tmargin at screen {}\nset grid lc rgb '#dddddd'\n"
       "set key at screen 0.5,0.005 center bottom horizontal Left reverse samplen 1.5 width 1\n",
-      picture_width, picture_height, gnuplot_string(title), left, right, bottom, top);
+      picture_width, height, gnuplot_string(title), left, right, bottom, top);
 }
 
 std::string block(const std::string& name, const std::string& lines) {
@@ -106,7 +112,7 @@ std::string block(const std::string& name, const std::string& lines) {
 std::string labels(std::span<const sim::SweepRow> units, Cost cost) {
   const CostAxis& axis = axis_of(cost);
   const double width = picture_width * (right - left);
-  const double height = picture_height * (top - bottom);
+  const double height = plot_height;
   std::vector<Mark> marks;
   std::vector<std::string> texts;
   std::vector<sim::SweepRow> from_left(units.begin(), units.end());
@@ -159,10 +165,13 @@ std::string work_precision_script(const std::string& scene, std::span<const sim:
   std::string front;
   for (const CostAndError& at : pareto_front(all)) front += fmt::format("{} {}\n", at.cost, at.error);
 
+  const std::vector<std::string> designs = designs_of(units);
+  constexpr std::size_t other_key_entries = 2;  // the front, and what is hollow
   std::string text = head(fmt::format("{}: extra box tests against {}", scene,
                                       cost == Cost::run_time ? "run time"
-                                      : cost == Cost::area   ? "area"
-                                                             : "area × run time"));
+                                      : cost == Cost::area   ? "area for each box"
+                                                             : "area × run time"),
+                          designs.size() + other_key_entries);
   text += fmt::format("set logscale xy\nset xrange [{}:{}]\nset yrange [{}:{}]\nset format x '%g'\n",
                       axis.least, axis.most, error_least_pct, error_most_pct);
   text +=
@@ -174,7 +183,7 @@ std::string work_precision_script(const std::string& scene, std::span<const sim:
   text += labels(units, cost) + block("front", front);
   std::string plot = "plot $front using 1:2 with steps lc rgb '#888888' lw 2 dt 2 title 'Pareto front'";
   std::size_t number = 0;
-  for (const std::string& design : designs_of(units)) {
+  for (const std::string& design : designs) {
     const Style& style = style_of(design);
     std::string points;
     std::string thesis;
@@ -208,11 +217,11 @@ std::string occupancy_script(const std::string& scene, std::span<const sim::Swee
     if (!by_unit.contains(name)) order.emplace_back(name, unit.design);
     by_unit[name][unit.rays_in_flight] = unit.occupancy_pct();
   }
-  std::string text = head(scene + ": occupancy of the pipeline against rays in flight");
+  std::string text = head(scene + ": occupancy of the pipeline against rays in flight", order.size());
   text +=
       "set logscale x 2\nset xrange [0.9:290]\nset yrange [0:105]\nset xtics (1, 2, 4, 8, 16, 32, 64, 128, "
       "256)\n"
-      "set xlabel 'rays in flight'\nset ylabel 'cycles that begin a box test, %'\n";
+      "set xlabel 'rays in flight'\nset ylabel 'cycles that begin a test, %'\n";
   std::string plot;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < order.size(); ++i) {

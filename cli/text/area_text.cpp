@@ -18,7 +18,7 @@ using area::Price;
 using Cells = std::vector<std::string>;
 
 constexpr std::size_t page_width = 80;
-constexpr std::size_t gap = 2;
+constexpr std::size_t usual_gap = 2;  // between columns
 
 std::size_t column_width(const std::vector<Cells>& rows, std::size_t column) {
   std::size_t width = 0;
@@ -27,7 +27,7 @@ std::size_t column_width(const std::vector<Cells>& rows, std::size_t column) {
 }
 
 /// The first columns are aligned left, all others right.
-std::string aligned(const std::vector<Cells>& rows, std::size_t left_columns) {
+std::string aligned(const std::vector<Cells>& rows, std::size_t left_columns, std::size_t gap = usual_gap) {
   std::string text;
   for (const Cells& row : rows) {
     std::string line;
@@ -43,17 +43,45 @@ std::string aligned(const std::vector<Cells>& rows, std::size_t left_columns) {
   return text;
 }
 
+/// In percent of the yardstick; for each box, as all comparisons of designs.
+std::string area_share(const Price& price, const std::optional<Price>& yardstick) {
+  return yardstick ? area::percent(price.area_per_box_um2(), yardstick->area_per_box_um2()) + "%" : "";
+}
+std::string area_delay_share(const Price& price, const std::optional<Price>& yardstick) {
+  return yardstick ? area::percent(price.area_delay_per_box(), yardstick->area_delay_per_box()) + "%" : "";
+}
+
 std::string summary(const std::vector<Price>& prices, const std::optional<Price>& yardstick) {
   std::vector<Cells> rows{{"design", "bits", "stages", "delay", "clock", "latency", "area", "", "ADP", ""},
                           {"", "", "", "ns", "MHz", "ns", "mm2", "", "mm2 ns", ""}};
-  const auto share = [&](std::int64_t part, std::int64_t whole) { return area::percent(part, whole) + "%"; };
   for (const Price& p : prices) {
     rows.push_back({std::string(p.design), rtl::to_string(p.format), fmt::format("{}", p.stages),
                     area::delay_ns(p.stage_delay_ps), area::clock_mhz(p), area::delay_ns(p.latency_ps()),
-                    area::area_mm2(p.area_um2), yardstick ? share(p.area_um2, yardstick->area_um2) : "",
-                    area::adp_mm2_ns(p), yardstick ? share(p.area_delay(), yardstick->area_delay()) : ""});
+                    area::area_mm2(p.area_um2), area_share(p, yardstick), area::adp_mm2_ns(p),
+                    area_delay_share(p, yardstick)});
   }
   return aligned(rows, 2);
+}
+
+/// For designs of which one answers for several boxes in a test. The clock is left out, because the delay
+/// says the same and the page is narrow.
+std::string summary_of_boxes(const std::vector<Price>& prices, const std::optional<Price>& yardstick) {
+  std::vector<Cells> rows{
+      {"design", "bits", "stages", "delay", "latency", "area", "boxes", "area", "", "ADP", ""},
+      {"", "", "", "ns", "ns", "mm2", "", "a box", "", "mm2 ns", ""}};
+  for (const Price& p : prices) {
+    rows.push_back({std::string(p.design), rtl::to_string(p.format), fmt::format("{}", p.stages),
+                    area::delay_ns(p.stage_delay_ps), area::delay_ns(p.latency_ps()),
+                    area::area_mm2(p.area_um2), fmt::format("{}", p.boxes),
+                    area::area_mm2(p.area_per_box_um2()), area_share(p, yardstick), area::adp_mm2_ns(p),
+                    area_delay_share(p, yardstick)});
+  }
+  const std::string note =
+      fmt::format("ADP{} for each box that a test answers for.\n",
+                  yardstick ? fmt::format(" and percent of {} are", yardstick->design) : " is");
+  std::size_t width = (rows.front().size() - 1) * usual_gap;
+  for (std::size_t column = 0; column < rows.front().size(); ++column) width += column_width(rows, column);
+  return aligned(rows, 2, width <= page_width ? usual_gap : 1) + note;
 }
 
 /// For example "int", "plucker", "24/24": three short lines as the head of a column.
@@ -88,7 +116,7 @@ std::string part_columns(const std::string& title, std::span<const Price> prices
     if (total) column.push_back(area::area_mm2(price.area_um2));
     std::size_t needed = 0;
     for (const std::string& cell : column) needed = std::max(needed, cell.size());
-    width += gap + needed;
+    width += usual_gap + needed;
     if (taken > 0 && width > page_width) break;
     for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back(column[row]);
     ++taken;
@@ -119,7 +147,8 @@ std::string listed(const Cells& items, std::size_t indent) {
 }  // namespace
 
 std::string area_text(const std::vector<Price>& prices, const std::optional<Price>& yardstick) {
-  return summary(prices, yardstick) +
+  const bool one_box = std::all_of(prices.begin(), prices.end(), [](const Price& p) { return p.boxes == 1; });
+  return (one_box ? summary(prices, yardstick) : summary_of_boxes(prices, yardstick)) +
          part_columns(
              "count", prices, [](const Line& line) { return fmt::format("{}", line.n); }, false) +
          part_columns(

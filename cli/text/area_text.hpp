@@ -10,7 +10,8 @@
 
 namespace hitpipe::cli {
 
-/// Percentages refer to `yardstick`. Without one there are none.
+/// Percentages refer to `yardstick`. Without one there are none. Percentages and area times delay are for
+/// each box; the rest is of the whole unit.
 [[nodiscard]] std::string area_text(const std::vector<area::Price>& prices,
                                     const std::optional<area::Price>& yardstick);
 

@@ -24,7 +24,7 @@ struct Cutter {
     return rtl::prune(traced, demands, {.promised = promised, .shares = false});
   }
   [[nodiscard]] area::Price price(const rtl::Demands& demands) const {
-    return area::price(rtl::make_pipeline(pruned(demands).graph, library), {design.name, format}, library);
+    return area::price(rtl::make_pipeline(pruned(demands).graph, library), design, format, library);
   }
 };
 
@@ -53,7 +53,7 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
   const rtl::Demands demands = all_of(groups);
   rtl::Pruned pruned = cutter.pruned(demands);
   rtl::Pipeline pipeline = rtl::make_pipeline(pruned.graph, library);
-  area::Price price = area::price(pipeline, {design.name, format}, library);
+  area::Price price = area::price(pipeline, design, format, library);
   FittedUnit unit{.design = &design,
                   .before = before,
                   .format = format,

@@ -70,7 +70,7 @@ std::uint64_t SweepRow::rays_traced() const {
 }
 
 double SweepRow::occupancy_pct() const {
-  return ratio(100.0 * static_cast<double>(box_tests), static_cast<double>(cycles));
+  return ratio(100.0 * static_cast<double>(unit_tests), static_cast<double>(cycles));
 }
 
 double SweepRow::false_hits_per_million() const {
@@ -89,8 +89,13 @@ double SweepRow::run_time_ms() const {
   return static_cast<double>(cycles) * static_cast<double>(stage_delay_ps) / 1e9;
 }
 
+double SweepRow::area_per_box_mm2() const {
+  return static_cast<double>(area_um2) / static_cast<double>(boxes_per_test) / 1e6;
+}
+
 double SweepRow::area_delay_mm2_ns() const {
-  return static_cast<double>(area_um2) * static_cast<double>(stage_delay_ps) / 1e9;
+  return static_cast<double>(area_um2) * static_cast<double>(stage_delay_ps) /
+         static_cast<double>(boxes_per_test) / 1e9;
 }
 
 double SweepRow::area_run_time_mm2_ms() const {
@@ -116,17 +121,18 @@ std::vector<std::string> to_cells(const SweepRow& r) {
   for (const int count : {r.width, r.height, r.rays_in_flight}) add(count);
   add(r.design);
   add(r.bits);
+  add(r.boxes_per_test);
   add(r.stages);
   add(area::decimal(r.stage_delay_ps, 1000, delay_digits));
   add(area::decimal(r.area_um2, 1'000'000, area_digits));
   for (const std::uint64_t count :
-       {r.rays_primary, r.rays_secondary, r.rays_shadow, r.rays_rejected, r.box_tests, r.hits,
+       {r.rays_primary, r.rays_secondary, r.rays_shadow, r.rays_rejected, r.unit_tests, r.box_tests, r.hits,
         r.triangle_tests, r.reference_box_tests, r.reference_triangle_tests, r.false_hits, r.false_misses,
         r.rtl_mismatches, r.different_triangles, r.different_pixels, r.cycles})
     add(count);
-  for (const double figure :
-       {r.occupancy_pct(), r.false_hits_per_million(), r.extra_box_tests_per_ray(),
-        r.extra_triangle_tests_per_ray(), r.run_time_ms(), r.area_delay_mm2_ns(), r.area_run_time_mm2_ms()})
+  for (const double figure : {r.occupancy_pct(), r.false_hits_per_million(), r.extra_box_tests_per_ray(),
+                              r.extra_triangle_tests_per_ray(), r.run_time_ms(), r.area_per_box_mm2(),
+                              r.area_delay_mm2_ns(), r.area_run_time_mm2_ms()})
     add(figure);
   for (const double time : {r.rtl_seconds, r.software_ratio}) add(time);
   return cells;
@@ -142,18 +148,26 @@ SweepRow from_cells(const std::vector<std::string>& cells) {
   for (int* const count : {&r.width, &r.height, &r.rays_in_flight}) in.read(*count);
   in.read(r.design);
   in.read(r.bits);
+  in.read(r.boxes_per_test);
   in.read(r.stages);
   in.read_scaled(r.stage_delay_ps, delay_digits);
   in.read_scaled(r.area_um2, area_digits);
   for (std::uint64_t* const count :
-       {&r.rays_primary, &r.rays_secondary, &r.rays_shadow, &r.rays_rejected, &r.box_tests, &r.hits,
-        &r.triangle_tests, &r.reference_box_tests, &r.reference_triangle_tests, &r.false_hits,
+       {&r.rays_primary, &r.rays_secondary, &r.rays_shadow, &r.rays_rejected, &r.unit_tests, &r.box_tests,
+        &r.hits, &r.triangle_tests, &r.reference_box_tests, &r.reference_triangle_tests, &r.false_hits,
         &r.false_misses, &r.rtl_mismatches, &r.different_triangles, &r.different_pixels, &r.cycles})
     in.read(*count);
-  constexpr std::size_t figures = 7;
+  constexpr std::size_t figures = 8;
   in.skip(figures);
   for (double* const time : {&r.rtl_seconds, &r.software_ratio}) in.read(*time);
 
+  if (r.boxes_per_test < 1)
+    throw std::runtime_error(fmt::format("{} of boxes_per_test is less than 1", r.boxes_per_test));
+  // Divides, because a product may not fit in 64 bits.
+  const auto boxes = static_cast<std::uint64_t>(r.boxes_per_test);
+  if (r.box_tests < r.unit_tests || r.box_tests / boxes + (r.box_tests % boxes != 0 ? 1 : 0) > r.unit_tests)
+    throw std::runtime_error(fmt::format("{} of box_tests cannot be answered by {} tests of {} boxes",
+                                         r.box_tests, r.unit_tests, r.boxes_per_test));
   const std::vector<std::string> again = to_cells(r);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] != again[i])

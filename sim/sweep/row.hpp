@@ -18,16 +18,18 @@ struct SweepRow {
   int height = 0;
   int rays_in_flight = 0;
   std::string design;
-  std::string bits;  ///< "20/24" or "fp32"
+  std::string bits;        ///< "20/24" or "fp32"
+  int boxes_per_test = 1;  ///< that the design answers for
   int stages = 0;
   std::int64_t stage_delay_ps = 0;
-  std::int64_t area_um2 = 0;  ///< account `built`
+  std::int64_t area_um2 = 0;  ///< of the whole unit, account `built`
 
   std::uint64_t rays_primary = 0;
   std::uint64_t rays_secondary = 0;
   std::uint64_t rays_shadow = 0;
   std::uint64_t rays_rejected = 0;  ///< of all kinds; no unit traced them
-  std::uint64_t box_tests = 0;
+  std::uint64_t unit_tests = 0;     ///< through the pipeline
+  std::uint64_t box_tests = 0;      ///< boxes that they answered for
   std::uint64_t hits = 0;
   std::uint64_t triangle_tests = 0;
   std::uint64_t reference_box_tests = 0;
@@ -48,7 +50,9 @@ struct SweepRow {
   [[nodiscard]] double extra_box_tests_per_ray() const;
   [[nodiscard]] double extra_triangle_tests_per_ray() const;
   [[nodiscard]] double run_time_ms() const;
-  [[nodiscard]] double area_delay_mm2_ns() const;
+  [[nodiscard]] double area_per_box_mm2() const;
+  [[nodiscard]] double area_delay_mm2_ns() const;  ///< with the area for each box
+  /// With the whole area: the cycles already count a test of several boxes once.
   [[nodiscard]] double area_run_time_mm2_ms() const;
 
   /// Everything that must be zero is zero. False misses must be zero if the design is conservative.
@@ -59,7 +63,7 @@ struct SweepRow {
 
 /// The columns of a sweep's CSV file, in order. The last two are measured times. Only they differ between
 /// runs.
-inline constexpr std::array<std::string_view, 35> sweep_columns{"scene",
+inline constexpr std::array<std::string_view, 38> sweep_columns{"scene",
                                                                 "triangles",
                                                                 "bvh_nodes",
                                                                 "width",
@@ -67,6 +71,7 @@ inline constexpr std::array<std::string_view, 35> sweep_columns{"scene",
                                                                 "rays_in_flight",
                                                                 "design",
                                                                 "bits",
+                                                                "boxes_per_test",
                                                                 "stages",
                                                                 "stage_delay_ns",
                                                                 "area_mm2",
@@ -74,6 +79,7 @@ inline constexpr std::array<std::string_view, 35> sweep_columns{"scene",
                                                                 "rays_secondary",
                                                                 "rays_shadow",
                                                                 "rays_rejected",
+                                                                "unit_tests",
                                                                 "box_tests",
                                                                 "hits",
                                                                 "triangle_tests",
@@ -90,6 +96,7 @@ inline constexpr std::array<std::string_view, 35> sweep_columns{"scene",
                                                                 "extra_box_tests_per_ray",
                                                                 "extra_triangle_tests_per_ray",
                                                                 "run_time_ms",
+                                                                "area_per_box_mm2",
                                                                 "area_delay_mm2_ns",
                                                                 "area_run_time_mm2_ms",
                                                                 "rtl_seconds",
@@ -105,7 +112,8 @@ inline constexpr std::size_t sweep_time_columns = 2;
 [[nodiscard]] std::vector<std::string> to_cells(const SweepRow& row);
 
 /// Throws std::runtime_error, one line, for a wrong number of cells, a cell that is not a number of its type,
-/// or a figure that does not follow from the counts.
+/// a figure that does not follow from the counts, or more box tests than
+/// the tests can have answered.
 [[nodiscard]] SweepRow from_cells(const std::vector<std::string>& cells);
 
 }  // namespace hitpipe::sim

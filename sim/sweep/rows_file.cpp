@@ -66,7 +66,8 @@ RowsFile parse_rows(const std::string& text, const std::string& source) {
   std::string line;
   if (!std::getline(in, line) || !line.starts_with("# ")) reject("line 1 does not say what was measured");
   rows.about = line.substr(2);
-  if (!std::getline(in, line) || line != header()) reject("line 2 is not the header of a sweep");
+  if (!std::getline(in, line) || line != header())
+    reject("line 2 is not the header of a sweep by this version");
   for (int number = 3; std::getline(in, line); ++number) {
     try {
       rows.rows.push_back(from_cells(cells_of(line)));

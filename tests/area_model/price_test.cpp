@@ -78,7 +78,9 @@ TEST(Built, IntSlabs2024InputLatches) {
   EXPECT_EQ(p.stages, 4);
   EXPECT_EQ(p.stage_delay_ps, 3176);
   EXPECT_EQ(p.latency_ps(), 12704);
-  EXPECT_EQ(p.area_delay(), p.area_um2 * 3176);
+  EXPECT_EQ(p.boxes, 1);
+  EXPECT_EQ(p.area_per_box_um2(), p.area_um2);
+  EXPECT_EQ(p.area_delay_per_box(), p.area_um2 * 3176);
 }
 
 TEST(Built, AreasOfTheSixDesigns) {
@@ -88,6 +90,32 @@ TEST(Built, AreasOfTheSixDesigns) {
     const Price p = price(rtl::find_design(entry.design), entry.format, Library::thesis(), Account::built);
     EXPECT_EQ(area_mm2(p.area_um2), areas[i]) << entry.design << ' ' << rtl::to_string(entry.format);
   }
+}
+
+/// Two boxes a test: half of the area, and of area times delay, is for each.
+TEST(Built, APairCountsTwoBoxes) {
+  const Price p = price_of({"int_major_pair", "20+1/12"}, Account::built);
+  EXPECT_EQ(p.boxes, 2);
+  EXPECT_EQ(p.area_per_box_um2(), (p.area_um2 + 1) / 2);
+  EXPECT_EQ(p.area_delay_per_box(), (p.area_um2 * p.stage_delay_ps + 1) / 2);
+  EXPECT_EQ(adp_mm2_ns(p), decimal(p.area_um2 * p.stage_delay_ps, 2'000'000'000, 3));
+  const Price one = price_of({"int_major", "20+1/12"}, Account::built);
+  EXPECT_EQ(one.boxes, 1);
+  EXPECT_GT(p.area_um2, one.area_um2);
+  EXPECT_LT(p.area_per_box_um2(), one.area_um2) << "the boxes of a pair share the ray";
+}
+
+TEST(Price, RoundsWhatIsForEachBox) {
+  Price p{.design = "toy",
+          .format = hls::IntBits{6, 6},
+          .lines = {},
+          .by_stage = {},
+          .area_um2 = 7,
+          .stage_delay_ps = 3};
+  EXPECT_EQ(p.area_per_box_um2(), 7);
+  p.boxes = 2;
+  EXPECT_EQ(p.area_per_box_um2(), 4);
+  EXPECT_EQ(p.area_delay_per_box(), 11);
 }
 
 TEST(Estimated, IsWhatTheLibraryDoesNotList) {
@@ -127,7 +155,7 @@ TEST(UnitLibrary, MultipliesByNarrowerOperandsInTheirPartOfTheSquare) {
   const rtl::Demands narrow{{{"iry", {{-15, 15}}}, {"iymin", {{-15, 15}}}, {"iymax", {{-15, 15}}}}};
   const rtl::Pipeline pipeline =
       rtl::make_pipeline(rtl::prune(design.trace(hls::IntBits{12, 12}), narrow).graph, rtl::unit_library());
-  const Price p = price(pipeline, {design.name, hls::IntBits{12, 12}}, rtl::unit_library());
+  const Price p = price(pipeline, design, hls::IntBits{12, 12}, rtl::unit_library());
   std::map<std::string, Line> lines;
   for (const Line& line : p.lines) lines.emplace(part_name(line.part), line);
   EXPECT_EQ(lines.at("int_multiply_12").n, 4);
@@ -149,7 +177,7 @@ TEST(UnitLibrary, CoarseAxesCostLess) {
     const auto priced = [&](int zeros, std::map<std::string, Line>& lines) {
       const rtl::Pipeline pipeline = rtl::make_pipeline(
           rtl::prune(design.trace(hls::IntBits{12, 12}), y(zeros)).graph, rtl::unit_library());
-      const Price p = price(pipeline, {design.name, hls::IntBits{12, 12}}, rtl::unit_library());
+      const Price p = price(pipeline, design, hls::IntBits{12, 12}, rtl::unit_library());
       for (const Line& line : p.lines) lines.emplace(part_name(line.part), line);
       return p.area_um2;
     };
@@ -163,10 +191,13 @@ TEST(UnitLibrary, CoarseAxesCostLess) {
 TEST(PriceOfAPipeline, IsThatOfTheDesignItComesFrom) {
   for (const DesignFormat& d : rtl::every_design()) {
     const Price whole = price_of(d, Account::built);
-    const Price same = price(d.pipeline(), {d.found().name, d.parsed()}, Library::thesis());
+    const Price same = price(d.pipeline(), d.found(), d.parsed(), Library::thesis());
     EXPECT_EQ(same.area_um2, whole.area_um2);
-    EXPECT_EQ(same.area_delay(), whole.area_delay());
+    EXPECT_EQ(same.boxes, whole.boxes);
+    EXPECT_EQ(same.area_delay_per_box(), whole.area_delay_per_box());
     EXPECT_EQ(same.by_stage.size(), whole.by_stage.size());
+    // An n/t design that is not fitted multiplies operands of one width.
+    if (!d.parsed().is<hls::IntBits>()) continue;
     for (const Line& line : whole.lines) EXPECT_EQ(line.part.by, 0) << part_name(line.part);
   }
 }

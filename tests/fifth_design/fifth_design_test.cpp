@@ -127,8 +127,8 @@ TEST_F(FifthDesign, IsFitted) {
 
 TEST_F(FifthDesign, IsReported) {
   const Outcome run = run_hitpipe({"report", "--scene", "waves", "--width", "16", "--height", "16", "--bits",
-                                   "12/12", "--image-design", "endless_slabs", "--image-bits", "12/12",
-                                   "--tests", "500", "--out", out("report")});
+                                   "12/12,12+1/10", "--image-design", "endless_slabs", "--image-bits",
+                                   "12/12", "--tests", "500", "--out", out("report")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const std::string page = contents_of(out("report/index.html"));
   EXPECT_THAT(page, HasSubstr("endless_slabs 12/12"));

@@ -294,17 +294,22 @@ TEST(CosimResultShares, AreTheirDefinitions) {
   EXPECT_EQ(result.extra_triangle_tests_pct(), 0.0);
   EXPECT_EQ(result.rtl_tests_per_s(), 0.0);
   EXPECT_EQ(result.loop_tests_per_s(), 0.0);
+  EXPECT_EQ(result.rtl_boxes_per_s(), 0.0);
+  EXPECT_EQ(result.loop_boxes_per_s(), 0.0);
+  result.unit.tests = 90;
   result.unit.box_tests = 150;
   result.unit.triangle_tests = 30;
   result.unit.cycles = 200;
   result.reference = {.box_tests = 120, .triangle_tests = 40};
   result.rtl_seconds = 0.5;
   result.loop_seconds = 1.5;
-  EXPECT_DOUBLE_EQ(result.occupancy_pct(), 75.0);
+  EXPECT_DOUBLE_EQ(result.occupancy_pct(), 45.0) << "of tests, not of boxes";
   EXPECT_DOUBLE_EQ(result.extra_box_tests_pct(), 25.0);
   EXPECT_DOUBLE_EQ(result.extra_triangle_tests_pct(), -25.0);
-  EXPECT_DOUBLE_EQ(result.rtl_tests_per_s(), 300.0);
-  EXPECT_DOUBLE_EQ(result.loop_tests_per_s(), 100.0);
+  EXPECT_DOUBLE_EQ(result.rtl_tests_per_s(), 180.0);
+  EXPECT_DOUBLE_EQ(result.loop_tests_per_s(), 60.0);
+  EXPECT_DOUBLE_EQ(result.rtl_boxes_per_s(), 300.0);
+  EXPECT_DOUBLE_EQ(result.loop_boxes_per_s(), 100.0);
 }
 
 }  // namespace

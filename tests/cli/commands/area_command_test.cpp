@@ -48,18 +48,22 @@ TEST(AreaCommand, PrintsTable72AsCsvToTheLastDigit) {
       lines_of(printed({"--account", "printed", "--format", "csv"})),
       ElementsAre(
           "design,bits,stages,stage_delay_ns,clock_mhz,latency_ns,area_mm2,area_pct,adp_mm2_ns,"
-          "adp_pct,int_subtract_20,int_subtract_24,int_multiply_20,int_multiply_24,int_compare_20,"
-          "int_compare_24,fp_subtract_32,fp_multiply_32,fp_compare_32,latch_1,latch_20,latch_24,"
+          "adp_pct,boxes_per_test,area_per_box_mm2,int_subtract_20,int_subtract_24,int_multiply_20,"
+          "int_multiply_24,int_compare_20,int_compare_24,fp_subtract_32,fp_multiply_32,fp_compare_32,latch_1,"
+          "latch_20,latch_24,"
           "latch_32,mux2_1,mux2_20,mux2_24,mux2_32,estimated",
-          "fp_slabs,fp32,13,2.876,348,37.388,1.9284,100,5.546,100,0,0,0,0,0,0,6,6,6,29,0,0,58,0,0,0,"
+          "fp_slabs,fp32,13,2.876,348,37.388,1.9284,100,5.546,100,1,1.9284,0,0,0,0,0,0,6,6,6,29,0,0,58,0,0,0,"
           "10,",
-          "fp_plucker,fp32,20,2.876,348,57.520,3.6624,190,10.533,190,0,0,0,0,0,0,12,12,12,20,0,0,45,"
+          "fp_plucker,fp32,20,2.876,348,57.520,3.6624,190,10.533,190,1,3.6624,0,0,0,0,0,0,12,12,12,20,0,0,45,"
           "6,0,0,18,",
-          "int_slabs,24/24,5,3.176,315,15.880,1.0090,52,3.205,58,0,6,0,6,0,6,0,0,0,6,0,38,0,0,0,16,0,",
-          "int_slabs,20/24,4,3.176,315,12.704,0.7075,37,2.247,41,6,0,6,0,0,6,0,0,0,5,33,4,0,0,12,4,0,",
-          "int_plucker,24/24,5,3.176,315,15.880,1.9091,99,6.063,109,0,12,0,12,0,12,0,0,0,5,0,27,0,6,"
+          "int_slabs,24/"
+          "24,5,3.176,315,15.880,1.0090,52,3.205,58,1,1.0090,0,6,0,6,0,6,0,0,0,6,0,38,0,0,0,16,0,",
+          "int_slabs,20/"
+          "24,4,3.176,315,12.704,0.7075,37,2.247,41,1,0.7075,6,0,6,0,0,6,0,0,0,5,33,4,0,0,12,4,0,",
+          "int_plucker,24/24,5,3.176,315,15.880,1.9091,99,6.063,109,1,1.9091,0,12,0,12,0,12,0,0,0,5,0,27,0,6,"
           "0,18,0,",
-          "int_plucker,20/24,4,3.176,315,12.704,1.3387,69,4.252,77,6,6,12,0,6,6,0,0,0,4,15,12,0,6,18,"
+          "int_plucker,20/"
+          "24,4,3.176,315,12.704,1.3387,69,4.252,77,1,1.3387,6,6,12,0,6,6,0,0,0,4,15,12,0,6,18,"
           "0,0,int_compare_20"));
 }
 
@@ -129,6 +133,43 @@ TEST(AreaCommand, TextFitsEightyColumnsHoweverManyDesigns) {
     ++columns;
   }
   EXPECT_EQ(columns, 11U + 11U + 11U) << "summary, counts and areas have every design";
+}
+
+/// In percent.
+double share(double part, double whole) {
+  return 100.0 * part / whole;
+}
+
+/// A unit that answers for two boxes in a test is compared as two units.
+TEST(AreaCommand, ComparesAPairForEachBox) {
+  const Json list = Json::parse(printed({"fp_slabs", "int_major", "int_major_pair", "--format", "json"}));
+  ASSERT_EQ(list.size(), 3U);
+  const auto number = [&](std::size_t row, const char* key) { return list[row].at(key).get<double>(); };
+  EXPECT_EQ(number(0, "boxes_per_test"), 1);
+  EXPECT_EQ(number(1, "boxes_per_test"), 1);
+  EXPECT_EQ(number(2, "boxes_per_test"), 2);
+  for (std::size_t row = 0; row < 2; ++row)
+    EXPECT_EQ(number(row, "area_per_box_mm2"), number(row, "area_mm2"));
+  EXPECT_NEAR(number(2, "area_per_box_mm2"), number(2, "area_mm2") / 2, 1.0001e-4);
+  EXPECT_NEAR(number(2, "area_pct"), share(number(2, "area_mm2") / 2, number(0, "area_mm2")), 0.51);
+  EXPECT_NEAR(number(2, "adp_mm2_ns"), number(2, "area_mm2") * number(2, "stage_delay_ns") / 2, 1e-3);
+  EXPECT_NEAR(number(2, "adp_pct"), share(number(2, "adp_mm2_ns"), number(0, "adp_mm2_ns")), 0.51);
+  EXPECT_GT(number(2, "area_mm2"), number(1, "area_mm2"));
+  EXPECT_LT(number(2, "area_pct"), number(1, "area_pct"));
+}
+
+TEST(AreaCommand, PrintsTheBoxesOfAPair) {
+  const std::string text = printed({"fp_slabs", "int_major", "int_major_pair"});
+  EXPECT_LE(widest_line(text), 80U) << text;
+  const auto lines = lines_of(text);
+  EXPECT_EQ(lines.at(0), "design         bits    stages delay latency   area boxes   area         ADP");
+  EXPECT_EQ(lines.at(1), "                                 ns      ns    mm2        a box      mm2 ns");
+  EXPECT_EQ(lines.at(2), "fp_slabs       fp32        13 2.876  37.388 1.9484     1 1.9484 100%  5.604 100%");
+  EXPECT_EQ(lines.at(4), "int_major_pair 20+1/12      4 3.176  12.704 0.5071     2 0.2535  13%  0.805  14%");
+  EXPECT_EQ(lines.at(5), "ADP and percent of fp_slabs are for each box that a test answers for.");
+  for (const std::string& line : lines) EXPECT_FALSE(line.ends_with(' ')) << line;
+  // Without a pair there is nothing to say about boxes.
+  EXPECT_THAT(printed({"fp_slabs", "int_major"}), testing::Not(HasSubstr("box")));
 }
 
 TEST(AreaCommand, PrintsStages) {
@@ -203,7 +244,8 @@ TEST_F(AreaLibrary, WithoutFloatsLeavesPercentagesOut) {
   const Json list = Json::parse(printed({"int_slabs", "--library", file, "--format", "json"}));
   EXPECT_TRUE(list.at(0).at("area_pct").is_null());
   EXPECT_TRUE(list.at(0).at("adp_pct").is_null());
-  EXPECT_THAT(printed({"int_slabs", "--library", file, "--format", "csv"}), HasSubstr(",0.7167,,2.276,,"));
+  EXPECT_THAT(printed({"int_slabs", "--library", file, "--format", "csv"}),
+              HasSubstr(",0.7167,,2.276,,1,0.7167,"));
   EXPECT_THAT(printed({"int_slabs", "--library", file}), testing::Not(HasSubstr("%")));
   rejected({"--library", file}, "library thesis_250nm: it has no fp_subtract");
 }
@@ -220,7 +262,8 @@ TEST_F(AreaLibrary, ThatIsBrokenRejected) {
 TEST(AreaCommand, UnknownDesignRejected) {
   rejected(
       {"pluecker"},
-      "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
+      "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct, "
+      "int_major, int_major_pair");
 }
 
 TEST(AreaCommand, BitsRejected) {

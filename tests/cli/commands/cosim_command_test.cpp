@@ -59,6 +59,25 @@ TEST(CosimCommand, PrintsEveryNumberAsJson) {
   EXPECT_FALSE(object.contains("image"));
 }
 
+/// Tests through the pipeline, and the boxes that they answered for.
+TEST(CosimCommand, PrintsTestsAndBoxesOfAPair) {
+  const Outcome outcome = run_hitpipe({"cosim", "int_major_pair", "--bits", "12+1/12", "--scene", "spheres",
+                                       "--width", "16", "--height", "12", "--referee", "--format", "json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json pair = json::parse(outcome.out);
+  const auto number = [&](const char* key) { return pair.at(key).get<double>(); };
+  const double boxes_per_test = number("box_tests") / number("unit_tests");
+  EXPECT_GT(boxes_per_test, 1.5);
+  EXPECT_LE(boxes_per_test, 2.0);
+  EXPECT_NEAR(number("rtl_boxes_per_s"), boxes_per_test * number("rtl_tests_per_s"), 1.0);
+  EXPECT_NEAR(number("loop_boxes_per_s"), boxes_per_test * number("loop_tests_per_s"), 1.0);
+  EXPECT_NEAR(number("occupancy_pct"), 100.0 * number("unit_tests") / number("cycles"), 1e-9);
+  EXPECT_LE(number("occupancy_pct"), 100.0);
+  const json one = json::parse(run_hitpipe(cosim({"--format", "json"})).out);
+  for (const char* const key : {"unit_tests", "rtl_boxes_per_s", "loop_boxes_per_s"})
+    EXPECT_FALSE(one.contains(key)) << key;
+}
+
 /// Counts agree with those of the software renderer: extra_box_tests_pct is 100 (RTL / reference - 1).
 TEST(CosimCommand, ExtraTestsAreOverTheSoftwareTraversal) {
   const json rtl = json::parse(run_hitpipe(cosim({"--bits", "12/12", "--format", "json"})).out);

@@ -26,7 +26,7 @@ class ReportCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new sim::TemporaryFolder;
-    outcome_ = run_hitpipe(report(out(), {"--bits", "6/6"}));
+    outcome_ = run_hitpipe(report(out(), {"--bits", "6/6,12+1/10"}));
     page_ = fs::exists(out() / "index.html") ? contents_of(out() / "index.html") : "";
   }
   static void TearDownTestSuite() {
@@ -44,7 +44,7 @@ class ReportCommand : public testing::Test {
 
 TEST_F(ReportCommand, WritesThePageAndWhatItsNumbersComeFrom) {
   EXPECT_EQ(outcome_.err, "");
-  EXPECT_THAT(outcome_.out, HasSubstr("rows                 57\n"));
+  EXPECT_THAT(outcome_.out, HasSubstr("rows                 59\n"));
   EXPECT_EQ(files_below(out()),
             (std::vector<std::string>{
                 "box_tests.png", "error_area.svg", "error_area_run_time.svg", "error_run_time.svg",
@@ -72,15 +72,27 @@ TEST_F(ReportCommand, EveryRowOfTheTableIsTheLineOfTheFile) {
     std::string line = "<tr><td class=\"n\">" + std::to_string(i + 3) + "</td><td>" + row.design +
                        "</td><td>" + row.bits + "</td>";
     for (const char* const column :
-         {"stages", "stage_delay_ns", "area_mm2", "box_tests", "false_hits_per_million",
-          "extra_box_tests_per_ray", "extra_triangle_tests_per_ray", "cycles", "occupancy_pct", "run_time_ms",
-          "area_run_time_mm2_ms", "false_misses", "rtl_mismatches", "different_triangles",
-          "different_pixels"})
+         {"boxes_per_test", "stages", "stage_delay_ns", "area_mm2", "area_per_box_mm2", "box_tests",
+          "false_hits_per_million", "extra_box_tests_per_ray", "extra_triangle_tests_per_ray", "cycles",
+          "occupancy_pct", "run_time_ms", "area_run_time_mm2_ms", "false_misses", "rtl_mismatches",
+          "different_triangles", "different_pixels"})
       line += "<td class=\"n\">" + readable_number(cell(row, column)) + "</td>";
     EXPECT_THAT(page_, HasSubstr(line + "</tr>\n"));
     ++shown;
   }
-  EXPECT_EQ(shown, 9U);
+  EXPECT_EQ(shown, 11U);
+}
+
+TEST_F(ReportCommand, ComparesAreasForEachBox) {
+  EXPECT_THAT(page_, HasSubstr("area, mm² for each box tested in a cycle"));
+  EXPECT_THAT(page_, HasSubstr("is compared as two units: its area per box is half of its area."));
+  const sim::RowsFile rows = sim::read_rows(out() / "rows.csv");
+  const sim::SweepRow& pair = rows.rows.back();
+  ASSERT_EQ(pair.design, "int_major_pair");
+  EXPECT_EQ(pair.boxes_per_test, 2);
+  EXPECT_DOUBLE_EQ(pair.area_per_box_mm2(), static_cast<double>(pair.area_um2) / 2e6);
+  // The cheapest is told with what its area is for.
+  EXPECT_THAT(page_, HasSubstr(" mm² for 2 boxes in a test, "));
 }
 
 TEST_F(ReportCommand, RowsThatAreGivenMakeTheSamePage) {
@@ -93,10 +105,10 @@ TEST_F(ReportCommand, RowsThatAreGivenMakeTheSamePage) {
 }
 
 TEST_F(ReportCommand, NamesCommandsThatMeasureTheSameRows) {
-  EXPECT_THAT(
-      page_,
-      HasSubstr("hitpipe sweep --scene spheres --width 8 --height 8 --designs "
-                "int_slabs,int_plucker,fp_plucker_direct --bits 6/6 --rays-in-flight 32 --out rows.csv\n"));
+  EXPECT_THAT(page_,
+              HasSubstr("hitpipe sweep --scene spheres --width 8 --height 8 --designs "
+                        "int_slabs,int_plucker,fp_plucker_direct,int_major,int_major_pair --bits 6/6,12+1/10 "
+                        "--rays-in-flight 32 --out rows.csv\n"));
   EXPECT_THAT(page_,
               HasSubstr("--bits 20/24,24/24 --rays-in-flight 1,2,4,8,16,32,64,128,256 --out rows.csv\n"));
   EXPECT_THAT(page_, HasSubstr("hitpipe check int_plucker --bits 20/24 --tests 600 --seed 1\n"));

@@ -227,6 +227,38 @@ TEST_F(SweepCommand, PrintsTextThatFitsEightyColumnsAndJson) {
   }
 }
 
+/// A table with a pair fits too, has the area for each box, and says so.
+TEST_F(SweepCommand, PrintsTheAreaOfAPairForEachBox) {
+  const fs::path out = file("pair.csv");
+  std::vector<std::string> arguments = sweep(out);
+  const auto at = std::find(arguments.begin(), arguments.end(), "--designs");
+  arguments.erase(at, at + 6);
+  arguments.insert(arguments.end(), {"--designs", "int_major_pair,int_slabs", "--bits", "6/6,20+1/12"});
+  const Outcome outcome = run_hitpipe(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_LE(widest_line(outcome.out), 80U) << outcome.out;
+  const auto lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 2U + 2U + 1U);
+  EXPECT_THAT(lines[3], StartsWith("int_major_pair 20+1/12    32  0.25 "));
+  EXPECT_EQ(lines[4], "area: for each box that a test answers for; area*time: of the whole unit");
+  const sim::SweepRow row = sim::read_rows(out).rows.at(1);
+  EXPECT_EQ(row.boxes_per_test, 2);
+  EXPECT_NEAR(static_cast<double>(row.area_um2), 0.507e6, 1e3);
+}
+
+/// A file of a version without these columns is not continued.
+TEST_F(SweepCommand, RowsOfOtherColumnsRejected) {
+  std::string text = contents_of(whole());
+  const std::string column = "boxes_per_test,";
+  text.erase(text.find(column), column.size());
+  std::ofstream(file("old.csv")) << text;
+  expect_error(
+      sweep(file("old.csv")),
+      file("old.csv").string() +
+          ": line 2 is not the header of a sweep by this version; give a file that hitpipe sweep wrote");
+  EXPECT_EQ(contents_of(file("old.csv")), text);
+}
+
 /// Separated by commas or blanks, or the option repeated. The rows asked for are there, so nothing is
 /// measured.
 TEST_F(SweepCommand, TakesListsInEveryForm) {
@@ -255,7 +287,8 @@ TEST_F(SweepCommand, BadInputRejected) {
                out + ": no shards beside it; run hitpipe sweep --shard I/N first");
   expect_error(
       {"sweep", "--scene", "spheres", "--designs", "int_slab", "--out", out},
-      "design int_slab: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
+      "design int_slab: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct, "
+      "int_major, int_major_pair");
   expect_error({"sweep", "--scene", "spheres", "--designs", "fp_slabs", "--bits", "24/24", "--out", out},
                "bits 24/24: no format of fp_slabs; allowed is fp32, which is e8m23");
   expect_error(

@@ -25,9 +25,19 @@ sim::SweepRow row(const std::string& design, const std::string& bits, std::uint6
   made.rays_in_flight = 32;
   made.stage_delay_ps = 3000;
   made.area_um2 = 2'000'000;
+  made.unit_tests = box_tests;
   made.box_tests = box_tests;
   made.reference_box_tests = 1000;
   made.cycles = 2 * box_tests;
+  return made;
+}
+
+/// The same boxes by a unit that answers for two in a test.
+sim::SweepRow pair_row(std::uint64_t box_tests) {
+  sim::SweepRow made = row("int_major_pair", "20+1/12", box_tests);
+  made.boxes_per_test = 2;
+  made.unit_tests = box_tests / 2;
+  made.cycles = box_tests;
   return made;
 }
 
@@ -50,6 +60,28 @@ TEST(SweepRows, FiguresFollowFromTheCounts) {
   EXPECT_EQ(cell(unit, "area_mm2"), "2.000000");
 }
 
+/// A pair needs half the cycles. So its area is halved once: in the area for each box, and not again in area
+/// times run time.
+TEST(SweepRows, APairCountsTwoBoxes) {
+  const sim::SweepRow unit = pair_row(1500);
+  EXPECT_DOUBLE_EQ(extra_box_tests_pct(unit), 50);
+  EXPECT_DOUBLE_EQ(run_time_ns(unit), 4.5);
+  EXPECT_DOUBLE_EQ(unit.occupancy_pct(), 50);
+  EXPECT_EQ(cell(unit, "area_mm2"), "2.000000");
+  EXPECT_EQ(cell(unit, "area_per_box_mm2"), "1");
+  const std::vector rows{unit};
+  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("$front << END\n1 50\nEND\n"));
+  EXPECT_THAT(work_precision_script("a", rows, Cost::area_run_time), HasSubstr("$front << END\n9 50\nEND\n"));
+}
+
+/// As large as a unit of one box, a pair is on the front alone.
+TEST(WorkPrecisionDiagram, HasTheFrontOfAreasForEachBox) {
+  const std::vector rows{row("int_slabs", "20/24", 1001), pair_row(1001)};
+  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("$front << END\n1 0.1\nEND\n"));
+  EXPECT_THAT(work_precision_script("a", rows, Cost::area),
+              HasSubstr("set xlabel 'area, mm² for each box tested in a cycle'"));
+}
+
 TEST(SweepRows, TheSixUnitsOfTheThesisAreKnown) {
   EXPECT_TRUE(is_thesis_unit(row("fp_plucker", "fp32", 1)));
   EXPECT_TRUE(is_thesis_unit(row("int_slabs", "24/24", 1)));
@@ -67,7 +99,7 @@ TEST(SweepRows, UsualRaysInFlightAreThoseOfMostRows) {
 }
 
 TEST(WorkPrecisionDiagram, HasTheSameAxesWhateverTheRows) {
-  const std::string axes = "set xrange [0.1:10]\nset yrange [5e-05:1000]\n";
+  const std::string axes = "set xrange [0.05:10]\nset yrange [5e-05:1000]\n";
   EXPECT_THAT(work_precision_script("a", std::vector{row("int_slabs", "20/24", 1001)}, Cost::area),
               HasSubstr(axes));
   EXPECT_THAT(work_precision_script("b", std::vector{row("int_plucker", "8/8", 900'000)}, Cost::area),
@@ -85,6 +117,18 @@ TEST(WorkPrecisionDiagram, LabelsTheUnitsOfTheThesisAlone) {
   const std::string script = work_precision_script("a", rows, Cost::run_time);
   EXPECT_THAT(script, HasSubstr("set label 'int_slabs 20/24' at graph "));
   EXPECT_THAT(script, Not(HasSubstr("16/16")));
+}
+
+/// The plot keeps its size, so that it lies on that of another report.
+TEST(WorkPrecisionDiagram, GrowsWithItsKey) {
+  std::vector<sim::SweepRow> rows;
+  for (const char* const design : {"fp_slabs", "int_slabs", "fp_plucker", "int_plucker"})
+    rows.push_back(row(design, rows.size() % 2 == 0 ? "fp32" : "20/24", 1001));
+  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("set terminal svg size 760,601 "));
+  rows.push_back(row("fp_plucker_direct", "fp32", 1001));
+  rows.push_back(row("int_major", "20+1/12", 1001));
+  rows.push_back(pair_row(1001));
+  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("set terminal svg size 760,647 "));
 }
 
 TEST(OccupancyDiagram, HasALineForEachUnitOfTheThesis) {

@@ -14,13 +14,12 @@ double percent(std::int64_t part, std::int64_t whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::int64_t area_um2(const rtl::Pipeline& pipeline, const area::Entry& entry) {
-  return area::price(pipeline, entry, rtl::Library::thesis()).area_um2;
+std::int64_t area_um2(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl::Format& format) {
+  return area::price(pipeline, design, format, rtl::Library::thesis()).area_um2;
 }
 
-void print_row(const std::string& name, const area::Entry& entry, const rtl::Pipeline& pipeline,
-               std::int64_t whole, const rtl::PruneReport& report) {
-  const std::int64_t area = area_um2(pipeline, entry);
+void print_row(const std::string& name, std::int64_t area, const rtl::Pipeline& pipeline, std::int64_t whole,
+               const rtl::PruneReport& report) {
   int port_bits = 0;
   for (const rtl::Port& port : rtl::input_ports(pipeline.graph)) port_bits += port.width;
   fmt::print("| {} | {:.4f} | {:.1f} | {} | {} | {} | {} |\n", name, static_cast<double>(area) / 1e6,
@@ -32,18 +31,17 @@ void print_design(const char* name, rtl::Format format, bool cuts) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Graph traced = design.trace(format);
   const rtl::Pipeline plain = rtl::make_pipeline(traced, rtl::Library::thesis());
-  const area::Entry entry{design.name, format};
-  const std::int64_t whole = area_um2(plain, entry);
+  const std::int64_t whole = area_um2(plain, design, format);
   fmt::print(
       "\n| {} {} | mm2 | saved % | stages | clock ps | port bits | nodes |\n|---|---|---|---|---|---|---|\n",
       name, to_string(format));
-  print_row("unfitted", entry, plain, whole, {.before = {}, .after = rtl::size_of(plain.graph)});
+  print_row("unfitted", whole, plain, whole, {.before = {}, .after = rtl::size_of(plain.graph)});
   std::vector<rtl::DemandSet> sets = rtl::demand_sets(design, format);
   sets.insert(sets.begin(), {"the ports' own ranges", rtl::promises(design, format)});
   for (const rtl::DemandSet& set : sets) {
     const rtl::Pruned pruned = rtl::prune(traced, set.demands, {.shares = cuts});
     const rtl::Pipeline pipeline = rtl::make_pipeline(pruned.graph, rtl::Library::thesis());
-    print_row(set.name, entry, pipeline, whole, pruned.report);
+    print_row(set.name, area_um2(pipeline, design, format), pipeline, whole, pruned.report);
     if (!cuts) continue;
     for (const rtl::Cut& cut : pruned.report.cuts) fmt::print("  {}\n", rtl::cut_text(cut));
     for (const rtl::Share& share : pruned.report.shares)
@@ -56,8 +54,8 @@ void print_design(const char* name, rtl::Format format, bool cuts) {
 
 int main(int argc, char**) {
   const bool cuts = argc > 1;
-  print_design("int_slabs", {24, 24}, cuts);
-  print_design("int_plucker", {24, 24}, cuts);
+  print_design("int_slabs", hls::IntBits{24, 24}, cuts);
+  print_design("int_plucker", hls::IntBits{24, 24}, cuts);
   print_design("fp_slabs", rtl::Format(hls::FpBits{}), cuts);
   print_design("fp_plucker", rtl::Format(hls::FpBits{}), cuts);
 }

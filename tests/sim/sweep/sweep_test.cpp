@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "area_model/price.hpp"
+#include "rtl_gen/catalogue/major_formats.hpp"
 #include "sim/cosim.hpp"
 #include "sim/sweep/rows_file.hpp"
 #include "sim/sweep/shard.hpp"
@@ -53,6 +54,7 @@ SweepRow a_row() {
           .rays_secondary = 1000,
           .rays_shadow = 4000,
           .rays_rejected = 72,
+          .unit_tests = 400'000,
           .box_tests = 400'000,
           .hits = 200'000,
           .triangle_tests = 70'000,
@@ -68,6 +70,17 @@ SweepRow a_row() {
           .software_ratio = 1.75};
 }
 
+/// The same boxes in half the tests and cycles, by a unit of the same area.
+SweepRow a_pair() {
+  SweepRow row = a_row();
+  row.design = "int_major_pair";
+  row.bits = "20+1/12";
+  row.boxes_per_test = 2;
+  row.unit_tests /= 2;
+  row.cycles /= 2;
+  return row;
+}
+
 TEST(SweepRowFigures, AreThoseOfTheirDefinitions) {
   const SweepRow row = a_row();
   EXPECT_EQ(row.rays_traced(), 8000U);
@@ -76,8 +89,21 @@ TEST(SweepRowFigures, AreThoseOfTheirDefinitions) {
   EXPECT_DOUBLE_EQ(row.extra_box_tests_per_ray(), -0.1);
   EXPECT_DOUBLE_EQ(row.extra_triangle_tests_per_ray(), 0.125);
   EXPECT_DOUBLE_EQ(row.run_time_ms(), 1.588);  // 500,000 cycles of 3.176 ns
+  EXPECT_DOUBLE_EQ(row.area_per_box_mm2(), 1.234567);
   EXPECT_DOUBLE_EQ(row.area_delay_mm2_ns(), 1.234567 * 3.176);
   EXPECT_DOUBLE_EQ(row.area_run_time_mm2_ms(), 1.234567 * 1.588);
+}
+
+TEST(SweepRowFigures, OfAPairAreForEachBox) {
+  const SweepRow row = a_pair();
+  EXPECT_DOUBLE_EQ(row.occupancy_pct(), 80.0);
+  EXPECT_DOUBLE_EQ(row.false_hits_per_million(), 307.5);
+  EXPECT_DOUBLE_EQ(row.extra_box_tests_per_ray(), -0.1);
+  EXPECT_DOUBLE_EQ(row.run_time_ms(), 1.588 / 2);
+  EXPECT_DOUBLE_EQ(row.area_per_box_mm2(), 1.234567 / 2);
+  EXPECT_DOUBLE_EQ(row.area_delay_mm2_ns(), 1.234567 / 2 * 3.176);
+  // The run time is that of the whole unit, so the area is too.
+  EXPECT_DOUBLE_EQ(row.area_run_time_mm2_ms(), 1.234567 * 1.588 / 2);
 }
 
 TEST(SweepRowFigures, OfNothingAreZero) {
@@ -106,9 +132,11 @@ TEST(SweepRowFigures, NothingThatMustBeZeroIsForgiven) {
 TEST(SweepRowCells, GiveTheRowBack) {
   const std::vector<std::string> cells = to_cells(a_row());
   ASSERT_EQ(cells.size(), sweep_columns.size());
-  EXPECT_EQ(cells[9], "3.176");
-  EXPECT_EQ(cells[10], "1.234567");
+  EXPECT_EQ(cells[8], "1");
+  EXPECT_EQ(cells[10], "3.176");
+  EXPECT_EQ(cells[11], "1.234567");
   EXPECT_EQ(from_cells(cells), a_row());
+  EXPECT_EQ(from_cells(to_cells(a_pair())), a_pair());
 }
 
 TEST(SweepRowCells, NumbersThatDoNotBelongRejected) {
@@ -123,14 +151,30 @@ TEST(SweepRowCells, NumbersThatDoNotBelongRejected) {
           << sweep_columns[column] << " = " << wrong;
     }
   }
-  EXPECT_EQ(message_of([] { return from_cells({"spheres"}); }), "1 cells; a row has 35");
+  EXPECT_EQ(message_of([] { return from_cells({"spheres"}); }), "1 cells; a row has 38");
 }
 
 TEST(SweepRowCells, FiguresThatDoNotFollowRejected) {
   std::vector<std::string> cells = to_cells(a_row());
-  cells[15] = "400001";  // box_tests
+  cells[16] = cells[17] = "400001";  // unit_tests, box_tests
   EXPECT_THAT(message_of([&] { return from_cells(cells); }),
               StartsWith("80 of occupancy_pct does not follow from the counts, which give 80.0002"));
+}
+
+TEST(SweepRowCells, BoxesThatTheTestsCannotAnswerForRejected) {
+  const auto refused = [](std::uint64_t unit_tests, std::uint64_t box_tests, int boxes_per_test) {
+    SweepRow row = a_row();
+    row.unit_tests = unit_tests;
+    row.box_tests = box_tests;
+    row.boxes_per_test = boxes_per_test;
+    return message_of([&] { return from_cells(to_cells(row)); });
+  };
+  EXPECT_EQ(refused(3, 6, 2), "nothing");
+  EXPECT_EQ(refused(3, 3, 2), "nothing");
+  EXPECT_EQ(refused(3, 7, 2), "7 of box_tests cannot be answered by 3 tests of 2 boxes");
+  EXPECT_EQ(refused(3, 2, 2), "2 of box_tests cannot be answered by 3 tests of 2 boxes");
+  EXPECT_EQ(refused(3, 4, 1), "4 of box_tests cannot be answered by 3 tests of 1 boxes");
+  EXPECT_EQ(refused(3, 3, 0), "0 of boxes_per_test is less than 1");
 }
 
 TEST(RowsFile, IsReadAsWritten) {
@@ -158,8 +202,9 @@ TEST(RowsFile, CutShortRejected) {
     refused += message == "nothing" ? 0 : 1;
   }
   fmt::print("{} of {} cuts refused\n", refused, text.size());
-  EXPECT_EQ(message_of([] { return parse_rows("# x\nscene\n", "rows.csv"); }),
-            "rows.csv: line 2 is not the header of a sweep; give a file that hitpipe sweep wrote");
+  EXPECT_EQ(
+      message_of([] { return parse_rows("# x\nscene\n", "rows.csv"); }),
+      "rows.csv: line 2 is not the header of a sweep by this version; give a file that hitpipe sweep wrote");
   EXPECT_EQ(message_of([] { return read_rows("/nonexistent/rows.csv"); }),
             "/nonexistent/rows.csv: cannot read the rows");
 }
@@ -328,7 +373,10 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     EXPECT_EQ(row.rays_primary, 384U);
     EXPECT_EQ(row.rays_shadow, counted.rays_shadow);
     EXPECT_EQ(row.rays_rejected, counted.rejected);
+    EXPECT_EQ(row.boxes_per_test, price.boxes);
+    EXPECT_EQ(row.unit_tests, counted.unit.tests);
     EXPECT_EQ(row.box_tests, counted.unit.box_tests);
+    EXPECT_DOUBLE_EQ(row.occupancy_pct(), counted.occupancy_pct());
     EXPECT_EQ(row.hits, counted.unit.hits);
     EXPECT_EQ(row.triangle_tests, counted.unit.triangle_tests);
     EXPECT_EQ(row.reference_box_tests, counted.reference.box_tests);
@@ -339,6 +387,31 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     EXPECT_TRUE(row.verified(point.design->conservative));
     EXPECT_EQ(row.false_hits > 0, row.bits == "6/6");
   }
+}
+
+/// Almost two boxes for each test and cycle.
+TEST(Sweep, APairAnswersForTwoBoxesInACycle) {
+  const ref::Scene scene = hills();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const rtl::Format bits = hls::MajorBits{12, 1, 12};
+  const std::vector<DesignFormats> designs{{&rtl::find_design("int_major"), {bits}},
+                                           {&rtl::find_design("int_major_pair"), {bits}}};
+  const std::vector<SweepRow> rows = swept(scene, bvh, plan_sweep(designs, std::vector<int>{32}), 2);
+  ASSERT_EQ(rows.size(), 2U);
+  const SweepRow& one = rows[0];
+  const SweepRow& pair = rows[1];
+  EXPECT_EQ(one.boxes_per_test, 1);
+  EXPECT_EQ(one.unit_tests, one.box_tests);
+  EXPECT_EQ(pair.boxes_per_test, 2);
+  EXPECT_LT(pair.unit_tests, pair.box_tests);
+  EXPECT_LE(pair.box_tests, 2 * pair.unit_tests);
+  EXPECT_GE(pair.cycles, pair.unit_tests);
+  EXPECT_LT(pair.cycles, pair.box_tests);
+  EXPECT_LE(pair.occupancy_pct(), 100.0);
+  EXPECT_GT(pair.occupancy_pct(), 90.0);
+  EXPECT_GT(pair.area_um2, one.area_um2);
+  EXPECT_LT(pair.area_delay_mm2_ns(), one.area_delay_mm2_ns());
+  for (const SweepRow& row : rows) EXPECT_TRUE(row.verified(true));
 }
 
 TEST(Sweep, RowsDoNotDependOnThreads) {
