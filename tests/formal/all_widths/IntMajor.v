@@ -110,7 +110,7 @@ Definition length_word f (major : Q) (l : option Q) : Z :=
   | None => largest_length f
   end.
 
-(* hls/box/int_major_operands.hpp: what the unit knows of a ray. *)
+(* hls/box/int_major_operands.hpp: what the unit knows of a ray, and its length. *)
 Record MajorRay := {
   major_y : bool; major_z : bool;
   back_m : bool; back_a : bool; back_b : bool;

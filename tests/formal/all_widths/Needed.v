@@ -1,10 +1,10 @@
-(* What the proof needs is needed: two rays in 20+1/12, the program's format, that a weaker rule misses.
+(* What the proof needs is needed: two rays in 20+1/13, the program's format, that a weaker rule misses.
    Both rays and boxes are binary32 numbers. They are checked by computation. *)
 From Coq Require Import ZArith QArith Qabs Qround Lia Lqa.
 From HitpipeMajor Require Import Numbers IntMajor.
 Open Scope Z_scope.
 
-Definition program_format : Format := {| coord := 20; finer := 1; mantissa := 12; fraction := 0 |}.
+Definition program_format : Format := {| coord := 20; finer := 1; mantissa := 13; fraction := 0 |}.
 
 Definition vector (cx cy cz : Q) (k : Axis) : Q := match k with x => cx | y => cy | z => cz end.
 

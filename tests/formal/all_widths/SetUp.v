@@ -305,3 +305,6 @@ Proof.
   apply Qmult_le_compat_r; [| lra]. apply Qmult_le_compat_r; [| exact G].
   apply Qmult_le_compat_r; assumption.
 Qed.
+
+Lemma length_word_at_most f major l : length_word f major l <= largest_length f.
+Proof. unfold length_word. destruct l; lia. Qed.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Proves with Coq that int_major never misses, in all widths: prove.sh. docs/formal.md explains.
+# Proves with Coq that int_major and int_major_pair never miss, in all widths: prove.sh. docs/formal.md explains.
 # It prints what each theorem assumes, and compares the definition with the C++ on random rays.
 # It fails if a proof fails, if a theorem assumes an axiom, or if a case differs.
 set -euo pipefail
@@ -7,10 +7,12 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../../.." && pwd)
 cases=500
 
-files=(Numbers IntMajor SetUp FloatQuotient FloatGrid NeverMisses Words Shifter Datapath Needed Compare)
+files=(Numbers IntMajor SetUp FloatQuotient FloatGrid NeverMisses Words Shifter Datapath Pair Needed Compare)
 theorems=(
   NeverMisses.never_misses
   Datapath.datapath_never_misses
+  Pair.pair_never_misses
+  Pair.interval_keeps_point
   Datapath.words_equal_integers
   Datapath.set_up_fits
   Shifter.saturating_shift_is_clamp
