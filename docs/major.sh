@@ -7,10 +7,11 @@ size=${1:-256}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-# figure FIELD DESIGN FORMAT SCENE
-row() {
+# run DESIGN FORMAT SCENE: one row of figures under their names.
+run() {
   build/hitpipe cosim "$1" --bits "$2" --scene "$3" --width "$size" --height "$size" --out "$out" --format csv 2>/dev/null
 }
+# field NAME
 field() {
   awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) at = i } NR == 2 { print $at }'
 }
@@ -27,9 +28,9 @@ for scene in spheres plant_front plant_north plant_boiler poppy branch statue ci
   printf '| %s |' "$(basename "$scene")"
   for unit in "${units[@]}"; do
     read -r design format <<<"$unit"
-    result=$(row "$design" "$format" "$scene")
+    result=$(run "$design" "$format" "$scene")
     [[ $(field rtl_mismatches <<<"$result") == 0 && $(field different_triangles <<<"$result") == 0 ]] || exit 1
-    printf ' %s |' "$(field extra_triangle_tests_pct <<<"$result")"
+    printf ' %.2f |' "$(field extra_triangle_tests_pct <<<"$result")"
   done
   echo
 done
