@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rtl_gen/catalogue/major_formats.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe::rtl {
@@ -146,8 +147,8 @@ TEST(Design, OriginAndBoxAreFoundByTheirRoles) {
   using hls::Role;
   for (const Design& design : designs()) {
     const std::vector<Port> ports = design.ports(design.default_format);
-    // A design with a major axis has its origin in slots, and its largest length is that of an endless ray.
-    const bool slots = design.name == "int_major";
+    // Designs with a major axis have the origin in slots, and their largest length is that of an endless ray.
+    const bool slots = design.default_format.is<hls::MajorBits>();
     for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
       for (const Role role : {Role::plane_low, Role::plane_high})
         EXPECT_TRUE(index_of(ports, role, axis)) << design.name;
