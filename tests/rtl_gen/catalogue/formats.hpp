@@ -41,7 +41,7 @@ inline std::ostream& operator<<(std::ostream& out, const DesignFormat& d) {
 
 /// Every design of the catalogue, each at the formats of its family: n/t, n+g/p, or the one of floats.
 inline std::vector<DesignFormat> every_design(const std::vector<std::string>& integers,
-                                              const std::vector<std::string>& major = {"20+1/12"}) {
+                                              const std::vector<std::string>& major = {"20+1/13"}) {
   std::vector<DesignFormat> all;
   for (const Design& design : designs()) {
     const Format& usual = design.default_format;
@@ -55,7 +55,7 @@ inline std::vector<DesignFormat> every_design(const std::vector<std::string>& in
 }
 inline std::vector<DesignFormat> every_design() {
   return every_design({"24/24", "20/24", "16/16", "12/12", "6/6", "6/11", "32/6", "32/63"},
-                      {"20+1/12", "16+0/8", "6+0/4", "12+2/10f1", "8+3/6f-1", "32+3/28"});
+                      {"20+1/13", "16+0/8", "6+0/4", "12+2/10f1", "8+3/6f-1", "32+3/28"});
 }
 
 /// "int_slabs_20_24", "int_major_8_3_6fm1".

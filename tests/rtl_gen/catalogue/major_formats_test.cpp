@@ -19,24 +19,24 @@ const Design& design() {
 }
 
 TEST(MajorFormats, AreWrittenAsPlanesFinerOriginAndMantissa) {
-  EXPECT_EQ(to_string(MajorBits{20, 1, 12}), "20+1/12");
+  EXPECT_EQ(to_string(MajorBits{20, 1, 13}), "20+1/13");
   EXPECT_EQ(to_string(MajorBits{16, 0, 8}), "16+0/8");
   EXPECT_EQ(to_string(MajorBits{12, 2, 10, 1}), "12+2/10f1");
   EXPECT_EQ(to_string(MajorBits{8, 3, 6, -1}), "8+3/6f-1");
-  EXPECT_EQ(to_string(design().default_format), "20+1/12");
+  EXPECT_EQ(to_string(design().default_format), "20+1/13");
 }
 
 TEST(MajorFormats, AreReadAsTheyAreWritten) {
-  EXPECT_EQ(design().parse_format("20+1/12"), Format(MajorBits{20, 1, 12, 0}));
+  EXPECT_EQ(design().parse_format("20+1/13"), Format(MajorBits{20, 1, 13, 0}));
   EXPECT_EQ(design().parse_format("6+0/4"), Format(MajorBits{6, 0, 4, 0}));
   EXPECT_EQ(design().parse_format("12+2/10f1"), Format(MajorBits{12, 2, 10, 1}));
   EXPECT_EQ(design().parse_format("8+3/6f-1"), Format(MajorBits{8, 3, 6, -1}));
   // A fraction of 0 may be given. It is not written.
-  EXPECT_EQ(design().parse_format("20+1/12f0"), design().default_format);
+  EXPECT_EQ(design().parse_format("20+1/13f0"), design().default_format);
 }
 
 TEST(MajorFormats, HaveATypeForHighLevelSynthesis) {
-  EXPECT_EQ(Format(MajorBits{20, 1, 12}).type(), "MajorFormat<20, 1, 12, 0>");
+  EXPECT_EQ(Format(MajorBits{20, 1, 13}).type(), "MajorFormat<20, 1, 13, 0>");
   EXPECT_EQ(Format(MajorBits{8, 3, 6, -1}).type(), "MajorFormat<8, 3, 6, -1>");
 }
 
@@ -52,33 +52,33 @@ TEST(MajorFormats, OtherTextRejected) {
                                  "20/12",
                                  "20/12+1",
                                  "20-1/12",
-                                 "20+1/12 ",
-                                 " 20+1/12",
+                                 "20+1/13 ",
+                                 " 20+1/13",
                                  "20 +1/12",
-                                 "20+1/12f",
-                                 "20+1/12F1",
-                                 "20+1/12f+1",
-                                 "20+1/12f1 ",
-                                 "20+1/12f1.",
-                                 "20+1/12/0",
-                                 "+20+1/12",
+                                 "20+1/13f",
+                                 "20+1/13F1",
+                                 "20+1/13f+1",
+                                 "20+1/13f1 ",
+                                 "20+1/13f1.",
+                                 "20+1/13/0",
+                                 "+20+1/13",
                                  "20++1/12",
                                  "20+1/+12",
                                  "20+1/x",
                                  "twenty+1/12",
-                                 "20+1/12-1",
+                                 "20+1/13-1",
                                  "fp32",
                                  "0x14+1/12",
                                  "5+1/12",
                                  "33+1/12",
-                                 "-20+1/12",
+                                 "-20+1/13",
                                  "20+-1/12",
                                  "20+4/12",
                                  "20+1/3",
                                  "20+1/33",
                                  "20+1/-12",
-                                 "20+1/12f-3",
-                                 "20+1/12f4",
+                                 "20+1/13f-3",
+                                 "20+1/13f4",
                                  "32+0/32",
                                  "31+1/32",
                                  "29+3/32",
@@ -86,11 +86,11 @@ TEST(MajorFormats, OtherTextRejected) {
                                  "4294967316+1/12",
                                  "20+4294967297/12",
                                  "20+1/4294967308",
-                                 "20+1/12f4294967296"}) {
+                                 "20+1/13f4294967296"}) {
     EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design().parse_format(text)); }),
               "bits " + text +
                   ": no format of int_major; allowed is n+g/p or n+g/pfF with n in 6..32, g in 0..3, p in "
-                  "4..32, F in -2..3 and n+g+p at most 63, for example 20+1/12");
+                  "4..32, F in -2..3 and n+g+p at most 63, for example 20+1/13");
   }
 }
 
@@ -100,11 +100,11 @@ TEST(MajorFormats, OfOtherDesignsRejected) {
         static_cast<void>(design().trace(hls::IntBits{20, 24}));
       }),
       "bits 20/24: no format of int_major; allowed is n+g/p or n+g/pfF with n in 6..32, g in 0..3, p in "
-      "4..32, F in -2..3 and n+g+p at most 63, for example 20+1/12");
+      "4..32, F in -2..3 and n+g+p at most 63, for example 20+1/13");
   EXPECT_EQ(message_of<std::runtime_error>([] {
-              static_cast<void>(find_design("int_slabs").evaluate(MajorBits{20, 1, 12}));
+              static_cast<void>(find_design("int_slabs").evaluate(MajorBits{20, 1, 13}));
             }),
-            "bits 20+1/12: no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for "
+            "bits 20+1/13: no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for "
             "example 20/24");
 }
 
@@ -135,7 +135,7 @@ TEST(MajorFormats, OfTheWholeRangeAreReadBackAndNoOthersExist) {
 
 /// Distances and lengths have no bit too few: their widths follow from the largest number.
 TEST(MajorFormats, PortsHaveTheWidthsOfTheFormat) {
-  for (const MajorBits bits : {MajorBits{20, 1, 12}, MajorBits{6, 0, 4}, MajorBits{8, 3, 6, -1},
+  for (const MajorBits bits : {MajorBits{20, 1, 13}, MajorBits{6, 0, 4}, MajorBits{8, 3, 6, -1},
                                MajorBits{12, 2, 10, 3}, MajorBits{32, 0, 31}, MajorBits{32, 3, 28, -2}}) {
     const std::vector<Port> ports = design().ports(bits);
     ASSERT_EQ(ports.size(), 21U);

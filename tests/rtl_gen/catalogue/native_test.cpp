@@ -82,7 +82,7 @@ TEST_P(NativeAndTraced, AgreeOnEveryVector) {
 INSTANTIATE_TEST_SUITE_P(Designs, NativeAndTraced,
                          testing::ValuesIn(every_design({"24/24", "20/24", "20/20", "16/16", "16/24", "12/12",
                                                          "12/6", "6/6", "6/11", "32/6", "32/32", "32/63"},
-                                                        {"20+1/12", "16+0/8", "6+0/4", "12+2/10f1",
+                                                        {"20+1/13", "16+0/8", "6+0/4", "12+2/10f1",
                                                          "8+3/6f-1", "32+3/28", "16+0/4f3", "32+0/31"})),
                          design_suffix);
 
@@ -143,7 +143,7 @@ void expect_equal_float_answers() {
 }
 
 void expect_equal_major_answers() {
-  expect_equal_answers<hls::IntMajor, hls::MajorFormat<20, 1, 12>>(321);
+  expect_equal_answers<hls::IntMajor, hls::MajorFormat<20, 1, 13>>(321);
   expect_equal_answers<hls::IntMajor, hls::MajorFormat<16, 0, 8>>(322);
   expect_equal_answers<hls::IntMajor, hls::MajorFormat<4, 0, 3>>(323);
   expect_equal_answers<hls::IntMajor, hls::MajorFormat<12, 2, 10, 1>>(324);
@@ -227,8 +227,8 @@ TEST(BuiltInFormat, HasAnInstanceOfItsOwn) {
   EXPECT_NE(native_function<hls::IntSlabs>({20, 24}), any);
   EXPECT_EQ(native_function<hls::IntSlabs>({20, 23}), any);
   const Evaluate::Run any_major = detail::run_any<hls::IntMajor>;
-  EXPECT_NE(native_function<hls::IntMajor>({20, 1, 12}), any_major);
-  EXPECT_EQ(native_function<hls::IntMajor>({20, 1, 12, 1}), any_major);
+  EXPECT_NE(native_function<hls::IntMajor>(hls::MajorBits{}), any_major) << "the default format";
+  EXPECT_EQ(native_function<hls::IntMajor>({20, 1, 13, 1}), any_major);
 }
 
 }  // namespace

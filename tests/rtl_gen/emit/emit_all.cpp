@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
       const std::vector<std::string> formats =
           usual.is<hitpipe::hls::IntBits>()
               ? std::vector<std::string>{"24/24", "20/24", "16/16", "6/11", "32/63"}
-          : usual.is<hitpipe::hls::MajorBits>() ? std::vector<std::string>{"20+1/12", "8+3/6f-1"}
+          : usual.is<hitpipe::hls::MajorBits>() ? std::vector<std::string>{"20+1/13", "8+3/6f-1"}
                                                 : std::vector<std::string>{to_string(usual)};
       for (std::string folder : formats) {
         const Format format = design.parse_format(folder);

@@ -10,7 +10,6 @@
 
 #include "host/files.hpp"
 #include "host/scratch_folder.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
 #include "sim/cosim.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -155,10 +154,9 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
   const World world(ref::demanding_octahedron());
   int fitted = 0;
   for (const rtl::Design& design : rtl::designs()) {
-    if (design.default_format.is<hls::MajorBits>()) continue;  // no rule for its operands yet
     ++fitted;
     const rtl::Format format =
-        !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{24, 24});
+        design.default_format.is<hls::IntBits>() ? rtl::Format(hls::IntBits{24, 24}) : design.default_format;
     const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
     const auto whole =
         by_name(rtl::emit(design, format, library(), rtl::make_pipeline(design.trace(format), library())));
@@ -166,7 +164,7 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
     EXPECT_EQ(unit.saved_um2(), 0) << design.name;
     EXPECT_TRUE(unit.left_out.empty()) << design.name;
   }
-  EXPECT_EQ(fitted, 5);
+  EXPECT_EQ(fitted, 7);
 }
 
 TEST(FittedFiles, ListTheDemandsAndCheckThem) {

@@ -228,8 +228,8 @@ TEST(IntMajorRaySetup, OfEqualComponentsTheFirstIsTheMajorAxis) {
 
 TEST(IntMajorRaySetup, EqualComponentsHaveTheQuotientOne) {
   const IntMajorRay ray = IntMajorRaySetup({{}, {-0x1.8p-149F, 0x1.8p-149F, -0x1.8p-149F}, 1}, {}).ray();
-  EXPECT_EQ(ray.quotient[0], (MajorQuotient{1U << 11, 1U << 11, 0}));
-  EXPECT_EQ(ray.quotient[1], (MajorQuotient{1U << 11, 1U << 11, 0}));
+  EXPECT_EQ(ray.quotient[0], (MajorQuotient{1U << 12, 1U << 12, 0}));
+  EXPECT_EQ(ray.quotient[1], (MajorQuotient{1U << 12, 1U << 12, 0}));
 }
 
 TEST(IntMajorRaySetup, ZeroOfEitherSignIsTheLargestQuotientAndNotBackward) {
@@ -297,8 +297,11 @@ TEST(IntMajorRaySetup, LengthsAreRoundedDownAndEndAtTheLargest) {
   EXPECT_EQ(length(1.0F, 1, {8, 1, 6, -2}), 15);
   EXPECT_EQ(length(Ray::infinite, 1, {8, 1, 6, -2}), 31);
   // A length that wraps at 64 or 128 bits would come out small.
-  for (int e = 0; e <= 127; ++e) {
-    EXPECT_EQ(length(std::ldexp(1.9F, e), 0x1.8p127F, {32, 3, 28, 3}), (std::int64_t{1} << 34) - 1) << e;
+  for (const float major : {1.0F, 0x1p127F}) {
+    for (int e = 2; e <= 127; ++e) {
+      EXPECT_EQ(length(std::ldexp(1.0F, e), major, {32, 3, 28, 3}), (std::int64_t{1} << 34) - 1) << e;
+      EXPECT_EQ(length(std::ldexp(1.9F, e), major, {32, 3, 28, 3}), (std::int64_t{1} << 34) - 1) << e;
+    }
   }
 }
 

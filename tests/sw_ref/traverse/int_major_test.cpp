@@ -123,7 +123,7 @@ void compare_with_native() {
 }
 
 TEST(IntMajorTest, SaysWhatTheDatapathSaysInBuiltInFormats) {
-  compare_with_native<MajorFormat<20, 1, 12>>();
+  compare_with_native<MajorFormat<20, 1, 13>>();
   compare_with_native<MajorFormat<6, 0, 4>>();
   compare_with_native<MajorFormat<8, 3, 6, -1>>();
   compare_with_native<MajorFormat<12, 2, 10, 3>>();
