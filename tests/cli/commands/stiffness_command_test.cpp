@@ -27,7 +27,7 @@ TEST(StiffnessCommand, PrintsATableForEachDesignInEightyColumns) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_LE(widest_line(outcome.out), 80U);
   const auto lines = lines_of(outcome.out);
-  ASSERT_EQ(lines.size(), 2 * (2 + ratios) + 1);
+  ASSERT_EQ(lines.size(), 4 * (2 + ratios) + 3);
   EXPECT_EQ(lines[0], "int_slabs: false hits, % of the boxes that the ray misses");
   EXPECT_EQ(lines[1], "ratio  24/24    20/24    16/16    12/12");
   EXPECT_THAT(lines[2], StartsWith("2^0 "));
@@ -35,6 +35,9 @@ TEST(StiffnessCommand, PrintsATableForEachDesignInEightyColumns) {
   EXPECT_THAT(lines[23], StartsWith("zero "));
   EXPECT_EQ(lines[24], "");
   EXPECT_EQ(lines[25], "int_plucker: false hits, % of the boxes that the ray misses");
+  EXPECT_EQ(lines[50], "int_major: false hits, % of the boxes that the ray misses");
+  EXPECT_EQ(lines[51], "ratio  20+1/13  16+1/12");
+  EXPECT_EQ(lines[75], "int_major_pair: false hits, % of the boxes that the ray misses");
 }
 
 TEST(StiffnessCommand, EightFormatsFitEightyColumns) {
