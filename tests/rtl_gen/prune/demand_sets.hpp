@@ -144,7 +144,7 @@ inline std::vector<DemandSet> major_demand_sets(const Design& design, Format for
   const auto fixed_origin = [&](Demands& demands) {
     const std::int64_t fine = grid << bits.finer;
     demand(demands, "origin_m", {{fine * 3 / 10, fine * 3 / 10}});
-    demand(demands, "origin_a", {{fine / 2, fine / 2}});
+    demand(demands, "origin_a", {{-fine / 2, -fine / 2}});  // below a narrow y
     demand(demands, "origin_b", {{-fine / 10, -fine / 10}});
   };
   const auto narrow = [&](Demands& demands) {
