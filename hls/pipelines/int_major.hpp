@@ -14,7 +14,7 @@ namespace hitpipe::hls {
 
 struct IntMajor {
   static constexpr const char* name = "int_major";
-  static constexpr const char* summary = "integer slabs along the major axis of the ray";
+  static constexpr const char* summary = "integer slabs along the ray's major axis";
   static constexpr bool conservative = true;
 
   using Bits = MajorBits;

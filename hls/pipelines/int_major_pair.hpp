@@ -36,7 +36,7 @@ constexpr NearFar<X> own_interval(char box, const NearFar<X>& parent, const Slot
 
 struct IntMajorPair {
   static constexpr const char* name = "int_major_pair";
-  static constexpr const char* summary = "integer slabs along the major axis, two boxes at a time";
+  static constexpr const char* summary = "as int_major, for two boxes at a time";
   static constexpr bool conservative = true;
 
   using Bits = MajorBits;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sim/feeds/set_up_feed.hpp"
+#include "sw_ref/adversary/major.hpp"
 #include "sw_ref/quantise/fine_grid.hpp"
 
 namespace hitpipe::sim {
@@ -166,11 +167,13 @@ void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, st
 }
 
 Software major_design_software() {
+  const auto own = ref::adversary::major_categories();
   return {.promise = major_promise,
           .up_to = major_up_to,
           .sweep_formats = major_sweep_formats(),
           .stiffness_formats = {MajorBits{20, 1, 13}, MajorBits{16, 1, 12}},
-          .fit_from = MajorBits{}};
+          .fit_from = MajorBits{},
+          .categories = {own.begin(), own.end()}};
 }
 
 }  // namespace hitpipe::sim

@@ -135,7 +135,7 @@ glm::dmat4 to_glm(const aiMatrix4x4& m) {
       {m.a1, m.b1, m.c1, m.d1}, {m.a2, m.b2, m.c2, m.d2}, {m.a3, m.b3, m.c3, m.d3}, {m.a4, m.b4, m.c4, m.d4}};
 }
 
-bool is_finite(const glm::dvec3& p) {
+bool is_finite_point(const glm::dvec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
@@ -146,12 +146,12 @@ void append(Mesh& out, const aiMesh& mesh, const glm::dmat4& transform) {
   out.vertices.reserve(base + mesh.mNumVertices);
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     const aiVector3D& p = mesh.mVertices[v];
-    if (!is_finite(glm::dvec3(p.x, p.y, p.z)))
+    if (!is_finite_point(glm::dvec3(p.x, p.y, p.z)))
       reject(fmt::format("a vertex lies at ({}, {}, {}); coordinates must be finite", p.x, p.y, p.z));
     const glm::dvec3 moved(transform * glm::dvec4(p.x, p.y, p.z, 1.0));
     // Adding +0 turns -0 into +0, so that equal positions have equal bits.
     const glm::vec3 position = glm::vec3(moved) + 0.0F;
-    if (!is_finite(glm::dvec3(position)))
+    if (!is_finite_point(glm::dvec3(position)))
       reject(
           fmt::format("a node transform moves a vertex to ({}, {}, {}); coordinates must stay below 3.4e38",
                       moved.x, moved.y, moved.z));
@@ -274,7 +274,7 @@ void join_positions(Mesh& mesh) {
 
 /// Text that this reader or Assimp quotes from a broken file can contain line breaks and other control
 /// characters.
-std::string one_line(std::string text) {
+std::string one_line_of_mesh_file(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
   return text;
@@ -303,7 +303,8 @@ Mesh load_mesh(const std::filesystem::path& file, std::vector<MeshGroup>& groups
     throw std::runtime_error(
         fmt::format("mesh file \"{}\": does not fit into memory; give a smaller mesh", file.string()));
   } catch (const std::exception& error) {
-    throw std::runtime_error(fmt::format("mesh file \"{}\": {}", file.string(), one_line(error.what())));
+    throw std::runtime_error(
+        fmt::format("mesh file \"{}\": {}", file.string(), one_line_of_mesh_file(error.what())));
   }
 }
 

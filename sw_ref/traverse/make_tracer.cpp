@@ -42,6 +42,11 @@ void check(const Bvh& bvh, const TracerOptions& options) {
   allow((integer && !major) || !options.coarse.any(), "tracer: coarse axes are of integer arithmetic");
   allow(options.ends || (options.bundle == 1 && !by_distance),
         "tracer: the order by distance and bundles need the ends of rays; take bundle 1 and another order");
+  if (major && !options.major_bits.valid()) {
+    const hls::MajorBits& bits = options.major_bits;
+    throw std::invalid_argument(fmt::format("tracer: there is no format {}+{}/{}f{}", bits.coord, bits.finer,
+                                            bits.mantissa, bits.fraction));
+  }
   if (!integer || major) return;
   check_format(options.bits, "tracer");
   check_coarse(options.coarse, options.bits.coord, "tracer");

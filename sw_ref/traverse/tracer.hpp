@@ -105,11 +105,11 @@ struct TracerOptions {
   Encoding encoding = Encoding::plain;
   bool look_up_table = false;  ///< integer-to-float conversion by table; hierarchical 4 and 8 bits only
   int bundle = 1;  ///< the most rays traced together: 1, 64 or 256 (section 5.5); 1 with integers, slabs_dist
-  hls::IntBits bits{24, 24};    ///< of integer arithmetic
-  hls::MajorBits major_bits{};  ///< of major arithmetic
+  hls::IntBits bits{24, 24};  ///< of integer arithmetic
   TriangleTest triangle_test = TriangleTest::exact;
   CoarseAxes coarse{};  ///< of integer arithmetic; rays and boxes must fit the coarser grid
   bool ends = true;     ///< box tests know where rays end; if not, single rays only and not slabs_dist
+  hls::MajorBits major_bits{};  ///< of major arithmetic
 };
 
 /// Encodes the nodes and picks the traversal loop. Throws std::invalid_argument, one line, for a combination

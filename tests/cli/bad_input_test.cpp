@@ -60,7 +60,8 @@ class BadInput : public testing::Test {
 
 TEST_F(BadInput, UnknownDesignRejected) {
   const std::string message =
-      "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct";
+      "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct, "
+      "int_major, int_major_pair";
   rejected({"cosim", "pluecker", "--scene", "spheres", "--out", out()}, message);
   rejected({"rtl", "pluecker", "--out", out()}, message);
   rejected(fit({"--designs", "int_slabs,pluecker"}, out()), message);

@@ -1,5 +1,5 @@
-// Every ray and box of the sweeps, for n = 4 and 5, every t, both integer units, also on coarser axes: there
-// is no false miss.
+// Every ray and box of the sweeps, for n = 4 and 5, every t, slabs and Pluecker, also on coarser axes, and
+// narrow units with a major axis: there is no false miss.
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -25,8 +25,8 @@ void judge(const NarrowUnit& unit, const Ray& ray, const std::vector<Aabb>& boxe
            const std::vector<IntBox>& rounded, const std::vector<char>& meets, const CoarseAxes& coarse,
            Counts& counts) {
   Operands operands{};
-  unit.set_up(ray, unit.bits, operands.data());
-  cut_origin(coarse, unit.bits.coord, operands.data());
+  unit.set_up(ray, unit.format, operands.data());
+  cut_origin(coarse, unit.coord, operands.data());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     put_box(rounded[i], operands.data() + unit.ray_operands);
     const bool hit = unit.evaluate(operands.data());
@@ -35,36 +35,38 @@ void judge(const NarrowUnit& unit, const Ray& ray, const std::vector<Aabb>& boxe
     counts.false_hits += hit && meets[i] == 0 ? 1 : 0;
     if (hit || meets[i] == 0) continue;
     if (counts.false_misses++ == 0) {
-      ADD_FAILURE() << unit.design.name << " " << unit.bits.coord << "/" << unit.bits.interval
+      ADD_FAILURE() << unit.design.name << " " << to_string(unit.format)
                     << " misses: " << adversary::to_text(adversary::Case{ray, boxes[i]});
     }
   }
 }
 
-/// Judges all units of one width over a sweep. Each must have this many tests and exact hits.
+/// Judges all units over a sweep. Each must have this many tests and exact hits.
 void expect_no_false_miss(const std::vector<NarrowUnit>& units, const Sweep& sweep, std::uint64_t tests,
                           std::uint64_t hits, const CoarseAxes& coarse = {}) {
-  const int coord_bits = units.front().bits.coord;
   const std::vector<Aabb> all_boxes = boxes(sweep.corners);
-  std::vector<IntBox> rounded;
-  for (const Aabb& box : all_boxes)
-    rounded.push_back(coarse_box(narrow_box(box, coord_bits), coarse, coord_bits));
+  std::vector<std::vector<IntBox>> rounded(units.size());
+  for (std::size_t u = 0; u < units.size(); ++u) {
+    const int n = units[u].coord;
+    for (const Aabb& box : all_boxes)
+      rounded[u].push_back(coarse_box(narrow_box(box, n, units[u].finer), coarse, n));
+  }
   std::vector<Counts> counts(units.size());
   std::vector<char> meets(all_boxes.size());
   for (const Ray& ray : sweep.rays()) {
     const BoxReferee referee(ray);
     for (std::size_t i = 0; i < all_boxes.size(); ++i) meets[i] = referee.meets(all_boxes[i]) ? 1 : 0;
     for (std::size_t u = 0; u < units.size(); ++u) {
-      judge(units[u], ray, all_boxes, rounded, meets, coarse, counts[u]);
+      judge(units[u], ray, all_boxes, rounded[u], meets, coarse, counts[u]);
     }
   }
   std::printf("%12s %10s %10s %7s  unit\n", "tests", "hits", "false", "missed");
   for (std::size_t u = 0; u < units.size(); ++u) {
     const Counts& c = counts[u];
-    std::printf("%12llu %10llu %10llu %7llu  %s %d/%d\n", static_cast<unsigned long long>(c.tests),
+    std::printf("%12llu %10llu %10llu %7llu  %s %s\n", static_cast<unsigned long long>(c.tests),
                 static_cast<unsigned long long>(c.hits), static_cast<unsigned long long>(c.false_hits),
                 static_cast<unsigned long long>(c.false_misses), std::string(units[u].design.name).c_str(),
-                units[u].bits.coord, units[u].bits.interval);
+                to_string(units[u].format).c_str());
     EXPECT_EQ(c.tests, tests);
     EXPECT_EQ(c.false_misses, 0U);
     EXPECT_EQ(c.hits, hits);
@@ -104,7 +106,8 @@ TEST(EveryRayAndBox, FiveBitPlueckerUnitsNeverMissWhereTheirDirectionLeans) {
 
 /// The axes do not depend on t, so every second t is enough.
 std::vector<NarrowUnit> of_even_t(std::vector<NarrowUnit> units) {
-  std::erase_if(units, [](const NarrowUnit& unit) { return unit.bits.interval % 2 != 0; });
+  std::erase_if(units,
+                [](const NarrowUnit& unit) { return unit.format.as<hls::IntBits>().interval % 2 != 0; });
   return units;
 }
 constexpr std::uint64_t inner_tests = 4088ULL * 8 * 2 * 216;
@@ -120,8 +123,29 @@ TEST(EveryRayAndBox, FiveBitPlueckerUnitsNeverMissOnCoarseAxesWhereTheirDirectio
   expect_no_false_miss(of_even_t(plucker_of(units(5))), leaning_5, leaning_tests, 41'568, {{1, 0, 1}});
 }
 
+constexpr std::uint64_t tied_tests = 4088ULL * 27 * 216;
+
+/// On the planes' grid, and finer with 4 and 5 bits.
+std::vector<NarrowUnit> three_of(const std::vector<NarrowUnit>& units) {
+  return {units[0], units[2], units[5]};
+}
+
+TEST(EveryRayAndBox, UnitsWithAMajorAxisNeverMissEndlessRays) {
+  expect_no_false_miss(three_of(major_units()), endless, endless_tests, 5'699'544);
+}
+TEST(EveryRayAndBox, UnitsWithAMajorAxisNeverMissRaysWithAnEnd) {
+  expect_no_false_miss(major_units(), ended, ended_tests, 2'796'541);
+}
+TEST(EveryRayAndBox, UnitsWithAMajorAxisNeverMissFromTiesOfTheirGridsAndAtTheirLargestExponents) {
+  expect_no_false_miss(major_units(), tied, tied_tests, 4'608'988);
+}
+
 TEST(EveryRayAndBox, BoxesAreRoundedAsForTheProgram) {
-  for (const Aabb& box : boxes(endless.corners)) EXPECT_EQ(narrow_box(box, 6), quantise_box(box, 6));
+  for (const Aabb& box : boxes(endless.corners)) {
+    EXPECT_EQ(narrow_box(box, 6), quantise_box(box, 6));
+    for (int finer = 0; finer <= 3; ++finer)
+      EXPECT_EQ(narrow_box(box, 6, finer), quantise_box(box, 6, finer));
+  }
 }
 
 }  // namespace

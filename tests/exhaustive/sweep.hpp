@@ -96,4 +96,11 @@ inline const Sweep leaning_4{
 inline const Sweep leaning_5{
     two_bits, {-0x1.924926p-1F, -0x1.492494p-1F, -0x1.6db6dcp-2F}, {-0x1.db6db4p-1F, 1.0F}, {Ray::infinite}};
 
+/// Components whose ratios reach over the largest exponents of 3 to 5, and origins at ties of grids that are
+/// finer by 0 and 1 bits, with faces there. 4088 directions, 27 origins, 216 boxes.
+inline const Sweep tied{{0.0F, 1.0F, 2.0F, 3.0F, 7.0F, 15.0F, 16.0F, 31.0F},
+                        {-0.5F, 0.25F, 0.75F},
+                        {-0.5F, 0.25F, 0.75F},
+                        {Ray::infinite}};
+
 }  // namespace hitpipe::ref::exhaustive

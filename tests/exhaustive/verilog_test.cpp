@@ -32,17 +32,17 @@ std::vector<Operands> distinct_rays(const NarrowUnit& unit) {
   for (const Sweep& sweep : {endless, ended}) {
     for (const Ray& ray : sweep.rays()) {
       Operands operands{};
-      unit.set_up(ray, unit.bits, operands.data());
+      unit.set_up(ray, unit.format, operands.data());
       found.insert(operands);
     }
   }
   return {found.begin(), found.end()};
 }
 
-std::vector<IntBox> distinct_boxes(int coord_bits) {
+std::vector<IntBox> distinct_boxes(const NarrowUnit& unit) {
   std::vector<IntBox> found;
   for (const Aabb& box : boxes(endless.corners)) {
-    const IntBox rounded = narrow_box(box, coord_bits);
+    const IntBox rounded = narrow_box(box, unit.coord, unit.finer);
     if (std::find(found.begin(), found.end(), rounded) == found.end()) found.push_back(rounded);
   }
   return found;
@@ -53,7 +53,7 @@ void expect_same_answers(const NarrowUnit& unit) {
   const sim::VerilatedDesign verilated(unit.design, unit.format, rtl::Library::thesis());
   ASSERT_EQ(verilated.operand_count(), unit.ray_operands + 6);
   const std::vector<Operands> rays = distinct_rays(unit);
-  const std::vector<IntBox> all_boxes = distinct_boxes(unit.bits.coord);
+  const std::vector<IntBox> all_boxes = distinct_boxes(unit);
   const std::size_t count = rays.size() * all_boxes.size();
   const auto vector_at = [&](std::size_t i) {
     Operands operands = rays[i / all_boxes.size()];
@@ -108,6 +108,12 @@ std::vector<NarrowUnit> ends_of(const std::vector<NarrowUnit>& units) {
   return ends;
 }
 
+/// 4+1/3: its origin is finer than its planes.
+std::vector<NarrowUnit> finer_major() {
+  return {major_units()[2]};
+}
+
+INSTANTIATE_TEST_SUITE_P(MajorAxis, EveryOperandTuple, testing::ValuesIn(finer_major()), name_of);
 INSTANTIATE_TEST_SUITE_P(FourBits, EveryOperandTuple, testing::ValuesIn(ends_of(units(4))), name_of);
 INSTANTIATE_TEST_SUITE_P(FiveBits, EveryOperandTuple, testing::ValuesIn(widest_of(units(5))), name_of);
 

@@ -34,7 +34,9 @@ std::vector<std::vector<std::int64_t>> raw_corner_vectors(const std::vector<rtl:
   auto vectors = rtl::operand_vectors(ports, count, seed);
   for (std::size_t p = 0; p < ports.size(); ++p) {
     if (ports[p].width == 1) continue;
-    const std::vector<CornerValue> corners = ports[p].is_signed ? integer_corners(ports[p]) : float_corners();
+    const std::vector<CornerValue> corners = ports[p].is_signed                    ? integer_corners(ports[p])
+                                             : ports[p].kind == hls::Kind::natural ? natural_corners(ports[p])
+                                                                                   : float_corners();
     for (auto& operands : vectors) {
       if (random.below(4) != 0) operands[p] = corners[random.below(corners.size())].value;
     }

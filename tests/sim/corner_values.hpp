@@ -33,6 +33,16 @@ inline std::vector<CornerValue> integer_corners(const rtl::Port& port) {
           {"bits 0101", std::int64_t{0x5555555555555555} & (top(port) - 1)}};
 }
 
+/// For an unsigned integer port of w bits.
+inline std::vector<CornerValue> natural_corners(const rtl::Port& port) {
+  return {{"zero", 0},
+          {"one", 1},
+          {"every bit set", 2 * top(port) - 1},
+          {"all but the lowest", 2 * top(port) - 2},
+          {"the top bit alone", top(port)},
+          {"all but the top bit", top(port) - 1}};
+}
+
 /// binary32 patterns.
 inline std::vector<CornerValue> float_corners() {
   return {{"+0", 0x00000000},

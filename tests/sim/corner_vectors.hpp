@@ -1,6 +1,7 @@
 // Operands at the corners of a unit, by name. Integer units: bit patterns where arithmetic breaks, and the
 // ends of the ranges of ray set-up and quantisation (section 6.2.1). Float units: every pair of corner
-// values. Each comes with rinf 0 and 1; if there is a length, with irlen 0 and the largest.
+// values. Each comes with rinf 0 and 1; if there is a length, with irlen 0 and the largest. Units with a
+// major axis: ends of the ranges of all ports, with each major axis, forward and backward.
 #pragma once
 
 #include <algorithm>
@@ -113,7 +114,55 @@ inline std::vector<CornerVector> integer_corner_vectors(const std::vector<rtl::P
   return vectors;
 }
 
+inline bool has_major_axis(const std::vector<rtl::Port>& ports) {
+  return std::any_of(ports.begin(), ports.end(), [](const auto& p) { return p.role == hls::Role::major; });
+}
+
+inline std::vector<CornerVector> major_corner_vectors(const std::vector<rtl::Port>& ports) {
+  struct Pattern {
+    const char* name;
+    std::int64_t (*value)(const rtl::Port& port, int index);
+  };
+  static constexpr Pattern patterns[] = {
+      {"all zero", [](const rtl::Port&, int) { return std::int64_t{0}; }},
+      {"every bit set", [](const rtl::Port&, int) { return std::int64_t{-1}; }},
+      {"all least", [](const rtl::Port& p, int) { return p.range->low; }},
+      {"all greatest", [](const rtl::Port& p, int) { return p.range->high; }},
+      {"greatest and least in turn",
+       [](const rtl::Port& p, int i) { return i % 2 == 0 ? p.range->high : p.range->low; }},
+      {"least and greatest in turn",
+       [](const rtl::Port& p, int i) { return i % 2 == 0 ? p.range->low : p.range->high; }},
+      {"an origin at one end of the cube, a box at the other, the largest quotient",
+       [](const rtl::Port& p, int) {
+         return p.role == hls::Role::origin                                         ? p.range->low + 1
+                : p.role == hls::Role::plane_low || p.role == hls::Role::plane_high ? p.range->high - 1
+                                                                                    : p.range->high;
+       }},
+      {"the same, from above",
+       [](const rtl::Port& p, int) {
+         return p.role == hls::Role::plane_low || p.role == hls::Role::plane_high ? p.range->low
+                                                                                  : p.range->high;
+       }},
+  };
+  std::vector<CornerVector> vectors;
+  for (const Pattern& pattern : patterns) {
+    for (const std::string major : {"", "major_y", "major_z"}) {
+      for (const bool backward : {false, true}) {
+        CornerVector corner{pattern.name + std::string(backward ? ", backward " : ", forward ") + major, {}};
+        for (int i = 0; const rtl::Port& port : ports) {
+          const std::int64_t flag = port.role == hls::Role::major ? port.name == major : backward;
+          corner.operands.push_back(port.width == 1 ? flag : pattern.value(port, i));
+          ++i;
+        }
+        vectors.push_back(std::move(corner));
+      }
+    }
+  }
+  return vectors;
+}
+
 inline std::vector<CornerVector> corner_vectors(const std::vector<rtl::Port>& ports) {
+  if (has_major_axis(ports)) return major_corner_vectors(ports);
   return ports.front().is_signed ? integer_corner_vectors(ports) : float_corner_vectors(ports);
 }
 

@@ -13,6 +13,7 @@
 #include "sw_ref/adversary/categories.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
 #include "sw_ref/quantise/int_box.hpp"
+#include "sw_ref/quantise/int_major_ray.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sim/formats.hpp"
@@ -75,6 +76,32 @@ Operands int_plucker_ray(const ref::Ray& ray, hls::IntBits bits, float length) {
           {"rinf", end.infinite ? 1 : 0}};
 }
 
+Operands int_major_box(const ref::Aabb& box, hls::MajorBits bits) {
+  const ref::IntBox b = ref::quantise_box(box, bits.coord, bits.finer);
+  return {{"xmin", b.min[0]}, {"ymin", b.min[1]}, {"zmin", b.min[2]},
+          {"xmax", b.max[0]}, {"ymax", b.max[1]}, {"zmax", b.max[2]}};
+}
+
+Operands int_major_ray(const ref::Ray& ray, hls::MajorBits bits, float length) {
+  const ref::IntMajorRaySetup setup(ray, bits);
+  const ref::IntMajorRay& r = setup.ray();
+  return {{"major_y", r.axes[0] == 1 ? 1 : 0},
+          {"major_z", r.axes[0] == 2 ? 1 : 0},
+          {"back_m", r.backward[0] ? 1 : 0},
+          {"back_a", r.backward[1] ? 1 : 0},
+          {"back_b", r.backward[2] ? 1 : 0},
+          {"origin_m", r.origin[0]},
+          {"origin_a", r.origin[1]},
+          {"origin_b", r.origin[2]},
+          {"floor_a", r.quotient[0].mantissa_low},
+          {"ceil_a", r.quotient[0].mantissa_high},
+          {"floor_b", r.quotient[1].mantissa_low},
+          {"ceil_b", r.quotient[1].mantissa_high},
+          {"exp_a", r.quotient[0].exponent},
+          {"exp_b", r.quotient[1].exponent},
+          {"len", setup.length(length)}};
+}
+
 Operands fp_slabs_ray(const ref::Ray& ray, float length) {
   return {{"rx", bits_of(ray.origin.x)},
           {"ry", bits_of(ray.origin.y)},
@@ -97,6 +124,12 @@ Operands fp_plucker_ray(const ref::Ray& ray, float length) {
 
 Operands expected(const Unit& unit, const ref::Ray& ray, float length, const ref::Aabb& box) {
   const std::string_view name = unit.name;
+  if (name == "int_major") {
+    const auto bits = unit.format.as<hls::MajorBits>();
+    Operands operands = int_major_ray(ray, bits, length);
+    operands.merge(int_major_box(box, bits));
+    return operands;
+  }
   Operands operands = name == "fp_slabs"     ? fp_slabs_ray(ray, length)
                       : name == "fp_plucker" ? fp_plucker_ray(ray, length)
                       : name == "int_slabs"  ? int_slabs_ray(ray, unit.format.as<hls::IntBits>(), length)

@@ -1,13 +1,14 @@
-// The units that the tests of sim/ run: every design, integer ones in the thesis's formats, in a narrow one
-// and in the widest. Each is built once, and loaded once by a program.
+// The units that the tests of sim/ run: the designs, integer ones in the thesis's formats, in a narrow one
+// and in the widest, and those with a major axis in their own format and in a narrow one. Each is built once,
+// and loaded once by a program.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <ostream>
 #include <string>
 
+#include "rtl_gen/catalogue/major_formats.hpp"
 #include "sim/verilated_design.hpp"
 
 namespace hitpipe::sim {
@@ -32,12 +33,16 @@ inline const std::array units{
     Unit{"int_slabs", hls::IntBits{16, 16}},      Unit{"int_slabs", hls::IntBits{12, 12}},
     Unit{"int_slabs", hls::IntBits{6, 6}},        Unit{"int_slabs", hls::IntBits{32, 63}},
     Unit{"int_plucker", hls::IntBits{24, 24}},    Unit{"int_plucker", hls::IntBits{20, 24}},
-    Unit{"int_plucker", hls::IntBits{6, 6}},      Unit{"int_plucker", hls::IntBits{32, 63}}};
+    Unit{"int_plucker", hls::IntBits{6, 6}},      Unit{"int_plucker", hls::IntBits{32, 63}},
+    Unit{"int_major", hls::MajorBits{}}, Unit{"int_major", hls::MajorBits{8, 3, 6, -1}}};
 
-/// The name of a test, for example "int_slabs_24_24".
+/// The name of a test, for example "int_slabs_24_24" or "int_major_8_3_6fm1".
 inline std::string test_name(const Unit& unit) {
   std::string format = rtl::to_string(unit.format);
-  std::replace(format.begin(), format.end(), '/', '_');
+  for (char& letter : format) {
+    if (letter == '/' || letter == '+') letter = '_';
+    if (letter == '-') letter = 'm';
+  }
   return std::string(unit.name) + "_" + format;
 }
 

@@ -71,6 +71,7 @@ class VerilatedUnit : public testing::TestWithParam<Unit> {
 TEST_P(VerilatedUnit, AgreesOnNamedCorners) {
   const std::vector<CornerVector> corners = corner_vectors(ports_);
   const std::size_t intended = GetParam().design().default_format.is<hls::FpBits>() ? 17 * 17 * 2
+                               : has_major_axis(ports_)                             ? 8 * 3 * 2
                                : ports_.size() == 17                                ? 13 * 4
                                                                                     : 13 * 2;
   EXPECT_EQ(corners.size(), intended);

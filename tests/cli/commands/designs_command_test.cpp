@@ -16,8 +16,8 @@ TEST(DesignsCommand, PrintsATable) {
     EXPECT_EQ(outcome.err, "");
     const auto lines = lines_of(outcome.out);
     ASSERT_EQ(lines.size(), rtl::designs().size() + 1);
-    EXPECT_EQ(lines[0], "design             bits   may_miss  what");
-    EXPECT_EQ(lines[2], "int_slabs          20/24  no        integer slabs test, figures 7.4-7.6");
+    EXPECT_EQ(lines[0], "design             bits     may_miss  what");
+    EXPECT_EQ(lines[2], "int_slabs          20/24    no        integer slabs test, figures 7.4-7.6");
     EXPECT_LE(widest_line(outcome.out), 80U);
   }
 }

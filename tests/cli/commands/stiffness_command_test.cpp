@@ -27,7 +27,7 @@ TEST(StiffnessCommand, PrintsATableForEachDesignInEightyColumns) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_LE(widest_line(outcome.out), 80U);
   const auto lines = lines_of(outcome.out);
-  ASSERT_EQ(lines.size(), 2 * (2 + ratios) + 1);
+  ASSERT_EQ(lines.size(), 4 * (2 + ratios) + 3);
   EXPECT_EQ(lines[0], "int_slabs: false hits, % of the boxes that the ray misses");
   EXPECT_EQ(lines[1], "ratio  24/24    20/24    16/16    12/12");
   EXPECT_THAT(lines[2], StartsWith("2^0 "));
@@ -35,6 +35,9 @@ TEST(StiffnessCommand, PrintsATableForEachDesignInEightyColumns) {
   EXPECT_THAT(lines[23], StartsWith("zero "));
   EXPECT_EQ(lines[24], "");
   EXPECT_EQ(lines[25], "int_plucker: false hits, % of the boxes that the ray misses");
+  EXPECT_EQ(lines[50], "int_major: false hits, % of the boxes that the ray misses");
+  EXPECT_EQ(lines[51], "ratio  20+1/13  16+1/12");
+  EXPECT_EQ(lines[75], "int_major_pair: false hits, % of the boxes that the ray misses");
 }
 
 TEST(StiffnessCommand, EightFormatsFitEightyColumns) {
@@ -153,9 +156,9 @@ void expect_error(const std::vector<std::string>& more, const std::string& messa
 }
 
 TEST(StiffnessCommand, BadInputRejected) {
-  expect_error(
-      {"--designs", "box"},
-      "design box: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct");
+  expect_error({"--designs", "box"},
+               "design box: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, "
+               "fp_plucker_direct, int_major, int_major_pair");
   expect_error(
       {"--bits", "5/6"},
       "bits 5/6: no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");

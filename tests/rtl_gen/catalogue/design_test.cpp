@@ -1,10 +1,12 @@
 // The catalogue: designs by name, formats by text, and the messages for those that do not exist.
 #include "rtl_gen/catalogue/design.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "rtl_gen/catalogue/major_formats.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe::rtl {
@@ -145,11 +147,21 @@ TEST(Design, OriginAndBoxAreFoundByTheirRoles) {
   using hls::Role;
   for (const Design& design : designs()) {
     const std::vector<Port> ports = design.ports(design.default_format);
+    // Designs with a major axis have the origin in slots, and their largest length is that of an endless ray.
+    const bool slots = design.default_format.is<hls::MajorBits>();
     for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
-      for (const Role role : {Role::origin, Role::plane_low, Role::plane_high})
+      for (const Role role : {Role::plane_low, Role::plane_high})
         EXPECT_TRUE(index_of(ports, role, axis)) << design.name;
+      EXPECT_EQ(index_of(ports, Role::origin, axis).has_value(), !slots) << design.name;
     }
-    EXPECT_TRUE(index_of(ports, Role::endless)) << design.name;
+    const auto count = [&](Role role) {
+      return std::count_if(ports.begin(), ports.end(), [&](const Port& port) { return port.role == role; });
+    };
+    EXPECT_EQ(count(Role::origin), 3) << design.name;
+    EXPECT_EQ(count(Role::endless), slots ? 0 : 1) << design.name;
+    EXPECT_EQ(count(Role::major), slots ? 2 : 0) << design.name;
+    EXPECT_EQ(count(Role::backward), slots ? 3 : 0) << design.name;
+    EXPECT_EQ(count(Role::exponent), slots ? 2 : 0) << design.name;
   }
 }
 

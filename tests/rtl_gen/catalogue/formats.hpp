@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/pipeline.hpp"
 
 namespace hitpipe::rtl {
@@ -38,23 +39,32 @@ inline std::ostream& operator<<(std::ostream& out, const DesignFormat& d) {
   return out << d.design << ' ' << d.format;
 }
 
-/// Every design of the catalogue: integer designs at each of the formats, float designs at theirs.
-inline std::vector<DesignFormat> every_design(const std::vector<std::string>& formats = {
-                                                  "24/24", "20/24", "16/16", "12/12", "6/6", "6/11", "32/6",
-                                                  "32/63"}) {
+/// Every design of the catalogue, each at the formats of its family: n/t, n+g/p, or the one of floats.
+inline std::vector<DesignFormat> every_design(const std::vector<std::string>& integers,
+                                              const std::vector<std::string>& major = {"20+1/13"}) {
   std::vector<DesignFormat> all;
   for (const Design& design : designs()) {
-    if (!design.conservative) all.push_back({std::string(design.name), to_string(design.default_format)});
-    if (!design.conservative) continue;
-    for (const std::string& format : formats) all.push_back({std::string(design.name), format});
+    const Format& usual = design.default_format;
+    const std::vector<std::string> one{to_string(usual)};
+    for (const std::string& format : usual.is<hls::IntBits>()     ? integers
+                                     : usual.is<hls::MajorBits>() ? major
+                                                                  : one)
+      all.push_back({std::string(design.name), format});
   }
   return all;
 }
+inline std::vector<DesignFormat> every_design() {
+  return every_design({"24/24", "20/24", "16/16", "12/12", "6/6", "6/11", "32/6", "32/63"},
+                      {"20+1/13", "16+0/8", "6+0/4", "12+2/10f1", "8+3/6f-1", "32+3/28"});
+}
 
-/// "int_slabs_20_24".
+/// "int_slabs_20_24", "int_major_8_3_6fm1".
 inline std::string design_suffix(const testing::TestParamInfo<DesignFormat>& info) {
   std::string name = info.param.design + "_" + info.param.format;
-  std::replace(name.begin(), name.end(), '/', '_');
+  for (char& letter : name) {
+    if (letter == '/' || letter == '+') letter = '_';
+    if (letter == '-') letter = 'm';
+  }
   return name;
 }
 

@@ -6,6 +6,7 @@
 
 #include "hls/pipelines/fp_plucker.hpp"
 #include "hls/pipelines/fp_slabs.hpp"
+#include "hls/pipelines/int_major.hpp"
 #include "hls/pipelines/int_plucker.hpp"
 #include "hls/pipelines/int_slabs.hpp"
 #include "rtl_gen/catalogue/traced.hpp"
@@ -80,7 +81,9 @@ TEST_P(NativeAndTraced, AgreeOnEveryVector) {
 
 INSTANTIATE_TEST_SUITE_P(Designs, NativeAndTraced,
                          testing::ValuesIn(every_design({"24/24", "20/24", "20/20", "16/16", "16/24", "12/12",
-                                                         "12/6", "6/6", "6/11", "32/6", "32/32", "32/63"})),
+                                                         "12/6", "6/6", "6/11", "32/6", "32/32", "32/63"},
+                                                        {"20+1/13", "16+0/8", "6+0/4", "12+2/10f1",
+                                                         "8+3/6f-1", "32+3/28", "16+0/4f3", "32+0/31"})),
                          design_suffix);
 
 TEST(Native, BitsAboveAPortsWidthAreIgnored) {
@@ -139,9 +142,20 @@ void expect_equal_float_answers() {
   expect_equal_answers<Pipeline, hls::FpFormat<8, 1>>(314);
 }
 
+void expect_equal_major_answers() {
+  expect_equal_answers<hls::IntMajor, hls::MajorFormat<20, 1, 13>>(321);
+  expect_equal_answers<hls::IntMajor, hls::MajorFormat<16, 0, 8>>(322);
+  expect_equal_answers<hls::IntMajor, hls::MajorFormat<4, 0, 3>>(323);
+  expect_equal_answers<hls::IntMajor, hls::MajorFormat<12, 2, 10, 1>>(324);
+  expect_equal_answers<hls::IntMajor, hls::MajorFormat<8, 3, 6, -1>>(325);
+  expect_equal_answers<hls::IntMajor, hls::MajorFormat<32, 3, 28, 3>>(326);
+  expect_equal_answers<hls::IntMajor, hls::MajorFormat<17, 0, 5, 3>>(327);
+}
+
 TEST(AnyFormat, AnswersAsTheBuiltInInstance) {
   expect_equal_integer_answers<hls::IntSlabs>();
   expect_equal_integer_answers<hls::IntPlucker>();
+  expect_equal_major_answers();
   expect_equal_float_answers<hls::FpSlabs>();
   expect_equal_float_answers<hls::FpPlucker>();
 }
@@ -176,6 +190,27 @@ TEST(AnyFormat, EveryIntegerFormatHasTheGraphOfItsAnswers) {
   EXPECT_GT(plucker_hits, formats * vectors / 200);
 }
 
+/// All n, g and F; p in turn.
+TEST(AnyFormat, EveryMajorAxisFormatHasTheGraphOfItsAnswers) {
+  constexpr int vectors = 10;
+  int formats = 0;
+  int hits = 0;
+  for (int n = hls::MajorBits::min_proved_coord; n <= hls::MajorBits::max_coord; ++n) {
+    for (int g = 0; g <= hls::MajorBits::max_finer; ++g) {
+      for (int f = hls::MajorBits::min_fraction; f <= hls::MajorBits::max_fraction; ++f) {
+        const hls::MajorBits bits{n, g, 4 + formats % 25, f};
+        ASSERT_TRUE(bits.proved());
+        SCOPED_TRACE(to_string(Format(bits)));
+        ASSERT_NO_FATAL_FAILURE(expect_graph_agrees<hls::IntMajor>(bits, vectors, hits));
+        ++formats;
+      }
+    }
+  }
+  EXPECT_EQ(formats, 29 * 4 * 6);
+  EXPECT_GT(hits, formats * vectors / 200);
+  EXPECT_LT(hits, formats * vectors / 2);
+}
+
 TEST(AnyFormat, FloatsOfAnyWidthHaveTheGraphOfTheirAnswers) {
   for (const hls::FpBits bits : {hls::FpBits{3, 2}, hls::FpBits{2, 1}, hls::FpBits{5, 10}, hls::FpBits{8, 7},
                                  hls::FpBits{2, 23}, hls::FpBits{8, 1}}) {
@@ -191,6 +226,9 @@ TEST(BuiltInFormat, HasAnInstanceOfItsOwn) {
   const Evaluate::Run any = detail::run_any<hls::IntSlabs>;
   EXPECT_NE(native_function<hls::IntSlabs>({20, 24}), any);
   EXPECT_EQ(native_function<hls::IntSlabs>({20, 23}), any);
+  const Evaluate::Run any_major = detail::run_any<hls::IntMajor>;
+  EXPECT_NE(native_function<hls::IntMajor>(hls::MajorBits{}), any_major) << "the default format";
+  EXPECT_EQ(native_function<hls::IntMajor>({20, 1, 13, 1}), any_major);
 }
 
 }  // namespace

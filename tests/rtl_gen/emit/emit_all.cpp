@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "host/files.hpp"
+#include "rtl_gen/catalogue/int_formats.hpp"
+#include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/emit/files.hpp"
 
 int main(int argc, char** argv) {
@@ -14,9 +16,12 @@ int main(int argc, char** argv) {
   try {
     if (argc != 2) throw std::runtime_error("usage: emit_all FOLDER");
     for (const Design& design : designs()) {
+      const Format& usual = design.default_format;
       const std::vector<std::string> formats =
-          !design.conservative ? std::vector<std::string>{to_string(design.default_format)}
-                               : std::vector<std::string>{"24/24", "20/24", "16/16", "6/11", "32/63"};
+          usual.is<hitpipe::hls::IntBits>()
+              ? std::vector<std::string>{"24/24", "20/24", "16/16", "6/11", "32/63"}
+          : usual.is<hitpipe::hls::MajorBits>() ? std::vector<std::string>{"20+1/13", "8+3/6f-1"}
+                                                : std::vector<std::string>{to_string(usual)};
       for (std::string folder : formats) {
         const Format format = design.parse_format(folder);
         std::replace(folder.begin(), folder.end(), '/', '_');

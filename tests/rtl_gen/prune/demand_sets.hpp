@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/prune/draw.hpp"
 #include "rtl_gen/prune/promises.hpp"
 #include "tests/rtl_gen/seeded.hpp"
@@ -129,7 +130,53 @@ class Scene {
   const std::string axis_ = "xyz";
 };
 
+/// Of designs with a major axis: their ray is in slots, so a set speaks of slots, and of boxes by axis.
+inline std::vector<DemandSet> major_demand_sets(const Design& design, Format format) {
+  const auto bits = format.as<hls::MajorBits>();
+  const std::int64_t grid = bits.largest_point();
+  const auto upward = [](Demands& demands) {
+    for (const char* const port : {"back_m", "back_a", "back_b"}) demand(demands, port, {{0, 0}});
+  };
+  const auto along_z = [](Demands& demands) {
+    demand(demands, "major_y", {{0, 0}});
+    demand(demands, "major_z", {{1, 1}});
+  };
+  const auto fixed_origin = [&](Demands& demands) {
+    const std::int64_t fine = grid << bits.finer;
+    demand(demands, "origin_m", {{fine * 3 / 10, fine * 3 / 10}});
+    demand(demands, "origin_a", {{-fine / 2, -fine / 2}});  // below a narrow y
+    demand(demands, "origin_b", {{-fine / 10, -fine / 10}});
+  };
+  const auto narrow = [&](Demands& demands) {
+    for (const char* const port : {"ymin", "ymax"}) demand(demands, port, {{-(grid / 64), grid / 64}});
+  };
+  const auto coarse = [](Demands& demands) {
+    for (const char* const port : {"ymin", "ymax"}) demand_on(demands, port).low_zeros = 3;
+  };
+  const auto no_zero = [&](Demands& demands) {
+    for (const char* const port : {"exp_a", "exp_b"})
+      demand(demands, port, {{0, bits.largest_exponent() - 1}});
+  };
+  const auto ordered = [](Demands& demands) {
+    for (const std::string a : {"x", "y", "z"}) demands.orders.push_back({a + "min", a + "max"});
+  };
+  const auto with = [&](const auto&... parts) {
+    Demands demands = promises(design, format);
+    (parts(demands), ...);
+    return demands;
+  };
+  return {{"upward", with(upward)},
+          {"one major axis", with(along_z)},
+          {"fixed origin", with(fixed_origin)},
+          {"narrow y", with(narrow)},
+          {"coarse y", with(coarse)},
+          {"no zero component", with(no_zero)},
+          {"min <= max", with(ordered)},
+          {"all of these", with(upward, along_z, fixed_origin, narrow, coarse, no_zero, ordered)}};
+}
+
 inline std::vector<DemandSet> demand_sets(const Design& design, Format format) {
+  if (format.is<hls::MajorBits>()) return major_demand_sets(design, format);
   const auto scene = [&] { return Scene(design, format); };
   Scene all = scene();  // the camera stands outside the slab
   all.infinite_rays().one_direction().narrow_axis().coarse_axis().fixed_origin().ordered_boxes();

@@ -15,15 +15,17 @@ namespace {
 
 constexpr int vector_count = 500;
 
-/// As the design's own vector file: operands first port first, then HIT in bit 0, without leading zeros'
-/// rule.
+/// As the design's own vector file: operands first port first, then the results with the last in bit 0,
+/// without leading zeros' rule.
 std::string vector_line(const std::vector<Port>& ports, const std::vector<std::uint64_t>& operands,
-                        bool hit) {
+                        const std::vector<hls::Result>& results, const std::vector<std::int64_t>& values) {
   std::string bits;
   for (std::size_t i = 0; i < ports.size(); ++i) {
     for (int b = ports[i].width - 1; b >= 0; --b) bits += (operands[i] >> b & 1) != 0 ? '1' : '0';
   }
-  bits += hit ? '1' : '0';
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    for (int b = results[i].width - 1; b >= 0; --b) bits += (values[i] >> b & 1) != 0 ? '1' : '0';
+  }
   while (bits.size() % 4 != 0) bits.insert(bits.begin(), '0');
   std::string text;
   for (std::size_t i = 0; i < bits.size(); i += 4)
@@ -56,8 +58,9 @@ class Fitted {
                      const std::vector<std::vector<std::int64_t>>& vectors) const {
     std::string lines;
     for (const auto& operands : vectors) {
-      const bool hit = design.evaluate(format)(operands.data());
-      lines += vector_line(left, operands_left(graph, ports, operands), hit);
+      const Vector vector = judged(operands, design.evaluate(format));
+      lines +=
+          vector_line(left, operands_left(graph, ports, operands), design.results(format), vector.results);
     }
     write_text(folder / "tb" / fmt::format("{}_vectors.hex", design.name), lines);
   }

@@ -77,7 +77,10 @@ TEST_P(PrunedDesign, IsAFixedPoint) {
   }
 }
 
-TEST_P(PrunedDesign, InfiniteRaysHaveNoLength) {
+/// Designs that are told by a port of its own that a ray is infinite, and directions by axis.
+class PrunedDesignByAxis : public PrunedDesign {};
+
+TEST_P(PrunedDesignByAxis, InfiniteRaysHaveNoLength) {
   const Pruned pruned = prune(traced, {{{"rinf", {{1, 1}}}}, {}});
   for (const std::string& port : pruned.report.dropped_ports()) {
     EXPECT_TRUE(port == "rinf" || port.ends_with("rlen") || port.find("re") != std::string::npos) << port;
@@ -87,7 +90,7 @@ TEST_P(PrunedDesign, InfiniteRaysHaveNoLength) {
   EXPECT_LT(pruned.report.after.bits, pruned.report.before.bits);
 }
 
-TEST_P(PrunedDesign, OneDirectionClassHasNoMultiplexersOfTheClass) {
+TEST_P(PrunedDesignByAxis, OneDirectionClassHasNoMultiplexersOfTheClass) {
   const Pruned pruned = prune(traced, Scene(design, format).one_direction().demands(), {.shares = false});
   int before = 0;
   int after = 0;
@@ -104,6 +107,8 @@ TEST_P(PrunedDesign, OneDirectionClassHasNoMultiplexersOfTheClass) {
 
 INSTANTIATE_TEST_SUITE_P(Designs, PrunedDesign, testing::ValuesIn(every_design({"24/24", "20/24", "6/11"})),
                          design_suffix);
+INSTANTIATE_TEST_SUITE_P(Designs, PrunedDesignByAxis,
+                         testing::ValuesIn(every_design({"24/24", "20/24", "6/11"}, {})), design_suffix);
 
 TEST(Prune, KeepsTheOutputsOfRandomGraphs) {
   Seeded random(877);

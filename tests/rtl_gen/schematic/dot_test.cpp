@@ -94,7 +94,9 @@ TEST_P(Schematic, GroupsOfStagesShareOutTheWhole) {
       const std::string node = fmt::format("\n    r{}_{}_{}_{} [", r.value, r.boundary, r.high, r.low);
       EXPECT_EQ(times(part, node), inside(r.boundary) ? 1 : 0) << node;
     }
-    EXPECT_EQ(times(part, "\n  out_hit ["), group.last == p.schedule.stages ? 1 : 0);
+    for (const Output& output : p.graph.outputs())
+      EXPECT_EQ(times(part, "\n  out_" + output.name + " ["), group.last == p.schedule.stages ? 1 : 0)
+          << output.name;
     next = group.last + 1;
   }
   EXPECT_EQ(next, p.schedule.stages + 1);

@@ -56,10 +56,10 @@ Graph mutated(const Graph& right, GraphFault fault) {
 
 class MutatedDatapath final : public BoxTest {
  public:
-  MutatedDatapath(const rtl::Design& design, hls::IntBits bits, GraphFault fault)
-      : right_(make_box_test(design, bits)),
-        ports_(design.ports(bits)),
-        graph_(mutated(design.trace(bits), fault)),
+  MutatedDatapath(const rtl::Design& design, const rtl::Format& format, GraphFault fault)
+      : right_(make_box_test(design, format)),
+        ports_(design.ports(format)),
+        graph_(mutated(design.trace(format), fault)),
         inputs_(ports_.size()) {}
 
   void start(const ref::Ray& ray) override { right_->start(ray); }
@@ -85,8 +85,9 @@ NodeId swapped_mux(Graph& to, const Node& node, std::string_view name, Args args
 
 }  // namespace
 
-std::unique_ptr<BoxTest> mutated_datapath(const rtl::Design& design, hls::IntBits bits, GraphFault fault) {
-  return std::make_unique<MutatedDatapath>(design, bits, fault);
+std::unique_ptr<BoxTest> mutated_datapath(const rtl::Design& design, const rtl::Format& format,
+                                          GraphFault fault) {
+  return std::make_unique<MutatedDatapath>(design, format, fault);
 }
 
 NodeId near_floor_dropped(Graph& /*to*/, const Node& node, Args args) {

@@ -13,7 +13,7 @@ namespace hitpipe::sim {
 using GraphFault = rtl::NodeId (*)(rtl::Graph& to, const rtl::Node& node, std::span<const rtl::NodeId> args);
 
 /// The design with a fault in its datapath. Throws std::logic_error if the fault changes nothing.
-[[nodiscard]] std::unique_ptr<BoxTest> mutated_datapath(const rtl::Design& design, hls::IntBits bits,
+[[nodiscard]] std::unique_ptr<BoxTest> mutated_datapath(const rtl::Design& design, const rtl::Format& format,
                                                         GraphFault fault);
 
 // Slabs.

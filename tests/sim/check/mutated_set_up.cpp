@@ -23,8 +23,11 @@ constexpr std::size_t pluecker_rinf = 9;
 
 class MutatedSetUp final : public BoxTest {
  public:
-  MutatedSetUp(const rtl::Design& design, hls::IntBits bits, SetUpFault fault)
-      : right_(make_box_test(design, bits)), evaluate_(design.evaluate(bits)), bits_(bits), fault_(fault) {}
+  MutatedSetUp(const rtl::Design& design, const rtl::Format& format, SetUpFault fault)
+      : right_(make_box_test(design, format)),
+        evaluate_(design.evaluate(format)),
+        format_(format),
+        fault_(fault) {}
 
   void start(const Ray& ray) override {
     ray_ = ray;
@@ -33,14 +36,14 @@ class MutatedSetUp final : public BoxTest {
   bool hit(const Aabb& box) override {
     (void)right_->hit(box);
     operands_.assign(right_->operands().begin(), right_->operands().end());
-    fault_(ray_, box, bits_, operands_);
+    fault_(ray_, box, format_, operands_);
     return evaluate_(operands_.data());
   }
 
  private:
   std::unique_ptr<BoxTest> right_;
   rtl::Evaluate evaluate_;
-  hls::IntBits bits_;
+  rtl::Format format_;
   SetUpFault fault_;
   Ray ray_;
   std::vector<std::int64_t> operands_;
@@ -74,11 +77,13 @@ double endpoint(const Ray& ray, std::size_t axis) {
 
 }  // namespace
 
-std::unique_ptr<BoxTest> mutated_set_up(const rtl::Design& design, hls::IntBits bits, SetUpFault fault) {
-  return std::make_unique<MutatedSetUp>(design, bits, fault);
+std::unique_ptr<BoxTest> mutated_set_up(const rtl::Design& design, const rtl::Format& format,
+                                        SetUpFault fault) {
+  return std::make_unique<MutatedSetUp>(design, format, fault);
 }
 
-void half_unit_left_out(const Ray& /*ray*/, const Aabb& box, hls::IntBits bits, Operands in) {
+void half_unit_left_out(const Ray& /*ray*/, const Aabb& box, const rtl::Format& format, Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   const Operands faces = in.last(6);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     faces[2 * axis] = whole(std::floor(on_grid(box.min[at(axis)], bits)));
@@ -86,7 +91,8 @@ void half_unit_left_out(const Ray& /*ray*/, const Aabb& box, hls::IntBits bits, 
   }
 }
 
-void box_rounded_to_nearest(const Ray& /*ray*/, const Aabb& box, hls::IntBits bits, Operands in) {
+void box_rounded_to_nearest(const Ray& /*ray*/, const Aabb& box, const rtl::Format& format, Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   const Operands faces = in.last(6);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     faces[2 * axis] = whole(std::round(on_grid(box.min[at(axis)], bits) - 0.5));
@@ -94,7 +100,8 @@ void box_rounded_to_nearest(const Ray& /*ray*/, const Aabb& box, hls::IntBits bi
   }
 }
 
-void box_in_binary32(const Ray& /*ray*/, const Aabb& box, hls::IntBits bits, Operands in) {
+void box_in_binary32(const Ray& /*ray*/, const Aabb& box, const rtl::Format& format, Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   const auto unit = static_cast<float>(ref::grid_scale(bits.coord));
   const Operands faces = in.last(6);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -103,11 +110,13 @@ void box_in_binary32(const Ray& /*ray*/, const Aabb& box, hls::IntBits bits, Ope
   }
 }
 
-void origin_truncated(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits, Operands in) {
+void origin_truncated(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   for (std::size_t axis = 0; axis < 3; ++axis) in[axis] = whole(on_grid(ray.origin[at(axis)], bits));
 }
 
-void irdvc_in_binary32(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits, Operands in) {
+void irdvc_in_binary32(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   const float least = smallest(ray.direction);
   const float scale = static_cast<float>(limit(bits)) * least;
   if (least == 0 || std::isinf(scale)) return;
@@ -118,21 +127,24 @@ void irdvc_in_binary32(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits, O
   }
 }
 
-void irdvc_in_binary32_clamped(const Ray& ray, const Aabb& box, hls::IntBits bits, Operands in) {
+void irdvc_in_binary32_clamped(const Ray& ray, const Aabb& box, const rtl::Format& format, Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   irdvc_in_binary32(ray, box, bits, in);
   for (std::int64_t& bound : in.subspan(irdvc_floor_x, 6)) {
     bound = std::clamp(bound, -whole(limit(bits)), whole(limit(bits)));
   }
 }
 
-void irdvc_below_one_is_zero(const Ray& /*ray*/, const Aabb& /*box*/, hls::IntBits /*bits*/, Operands in) {
+void irdvc_below_one_is_zero(const Ray& /*ray*/, const Aabb& /*box*/, const rtl::Format& /*format*/,
+                             Operands in) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Operands bounds = in.subspan(irdvc_floor_x + 2 * axis, 2);
     if (bounds[0] == 0 || bounds[1] == 0) bounds[0] = bounds[1] = 0;
   }
 }
 
-void irlen_not_saturated(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits, Operands in) {
+void irlen_not_saturated(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   const double full = scaled_length(ray, bits) * static_cast<double>(ref::grid_scale(bits.coord));
   const double range = std::ldexp(1.0, bits.product());
   if (!std::isfinite(full) || full < range / 2) return;
@@ -141,17 +153,21 @@ void irlen_not_saturated(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits,
   in[irlen] = whole(std::floor(std::ldexp(kept, -bits.trimmed())));
 }
 
-void irlen_trimmed_one_bit_more(const Ray& /*ray*/, const Aabb& /*box*/, hls::IntBits /*bits*/, Operands in) {
+void irlen_trimmed_one_bit_more(const Ray& /*ray*/, const Aabb& /*box*/, const rtl::Format& /*format*/,
+                                Operands in) {
   in[irlen] /= 2;
 }
 
-void irlen_floored_before_the_grid(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits, Operands in) {
+void irlen_floored_before_the_grid(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format,
+                                   Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   const double full = std::floor(scaled_length(ray, bits)) * static_cast<double>(ref::grid_scale(bits.coord));
   const double trimmed = std::floor(std::ldexp(full, -bits.trimmed()));
   if (trimmed < static_cast<double>(in[irlen])) in[irlen] = whole(trimmed);
 }
 
-void endpoint_clamped(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits, Operands in) {
+void endpoint_clamped(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   if (in[pluecker_rinf] == 0 || ray.is_infinite()) return;
   in[pluecker_rinf] = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -161,15 +177,17 @@ void endpoint_clamped(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits, Op
   }
 }
 
-void pluecker_rinf_ignored(const Ray& /*ray*/, const Aabb& /*box*/, hls::IntBits /*bits*/, Operands in) {
+void pluecker_rinf_ignored(const Ray& /*ray*/, const Aabb& /*box*/, const rtl::Format& /*format*/,
+                           Operands in) {
   in[pluecker_rinf] = 0;
 }
 
-void slabs_rinf_ignored(const Ray& /*ray*/, const Aabb& /*box*/, hls::IntBits /*bits*/, Operands in) {
+void slabs_rinf_ignored(const Ray& /*ray*/, const Aabb& /*box*/, const rtl::Format& /*format*/, Operands in) {
   in[slabs_rinf] = 0;
 }
 
-void endpoint_rounded_inward(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits, Operands in) {
+void endpoint_rounded_inward(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   if (in[pluecker_rinf] != 0) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double on = static_cast<double>(ref::grid_scale(bits.coord)) * endpoint(ray, axis);
@@ -177,7 +195,8 @@ void endpoint_rounded_inward(const Ray& ray, const Aabb& /*box*/, hls::IntBits b
   }
 }
 
-void direction_truncated(const Ray& ray, const Aabb& /*box*/, hls::IntBits bits, Operands in) {
+void direction_truncated(const Ray& ray, const Aabb& /*box*/, const rtl::Format& format, Operands in) {
+  const auto bits = format.as<hls::IntBits>();
   const glm::vec3& d = ray.direction;
   const double largest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   for (std::size_t axis = 0; axis < 3; ++axis) {

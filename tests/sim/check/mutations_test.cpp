@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,10 +16,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "rtl_gen/catalogue/major_formats.hpp"
 #include "sim/check/check.hpp"
+#include "sim/software.hpp"
 #include "sw_ref/adversary/replay.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 #include "tests/sim/check/mutated_datapath.hpp"
+#include "tests/sim/check/mutated_major.hpp"
 #include "tests/sim/check/mutated_set_up.hpp"
 
 namespace hitpipe::sim {
@@ -28,17 +33,32 @@ using ref::adversary::Category;
 constexpr std::uint64_t seed = 20076;
 constexpr std::uint64_t most_tests = 1'000'000;
 
+using Formats = std::vector<rtl::Format>;
+
+/// The thesis's two.
+const Formats& thesis() {
+  static const Formats both{hls::IntBits{24, 24}, hls::IntBits{20, 24}};
+  return both;
+}
+Formats integers(std::initializer_list<hls::IntBits> bits) {
+  return {bits.begin(), bits.end()};
+}
+Formats major(std::initializer_list<hls::MajorBits> bits) {
+  return {bits.begin(), bits.end()};
+}
+
 struct Mutation {
   const char* name;
   const char* design;
   SetUpFault set_up = nullptr;
   GraphFault datapath = nullptr;
-  std::vector<hls::IntBits> formats = {{24, 24}, {20, 24}};
+  Formats formats = thesis();
   std::string_view category = "";  ///< drawn alone; empty: all are drawn
 
-  [[nodiscard]] std::unique_ptr<BoxTest> make(hls::IntBits bits) const {
+  [[nodiscard]] std::unique_ptr<BoxTest> make(const rtl::Format& format) const {
     const rtl::Design& right = rtl::find_design(design);
-    return set_up != nullptr ? mutated_set_up(right, bits, set_up) : mutated_datapath(right, bits, datapath);
+    return set_up != nullptr ? mutated_set_up(right, format, set_up)
+                             : mutated_datapath(right, format, datapath);
   }
 };
 
@@ -57,11 +77,11 @@ const std::vector<Mutation> faults{
     {.name = "IrdvcInBinary32Clamped",
      .design = "int_slabs",
      .set_up = irdvc_in_binary32_clamped,
-     .formats = {{32, 63}}},
+     .formats = integers({{32, 63}})},
     {.name = "IrdvcBelowOneIsZero",
      .design = "int_slabs",
      .set_up = irdvc_below_one_is_zero,
-     .formats = {{20, 24}, {24, 32}}},
+     .formats = integers({{20, 24}, {24, 32}})},
     {.name = "IrlenNotSaturated", .design = "int_slabs", .set_up = irlen_not_saturated},
     {.name = "IrlenTrimmedOneBitMore", .design = "int_slabs", .set_up = irlen_trimmed_one_bit_more},
     {.name = "IrlenFlooredBeforeTheGrid", .design = "int_slabs", .set_up = irlen_floored_before_the_grid},
@@ -71,42 +91,94 @@ const std::vector<Mutation> faults{
     {.name = "PlueckerHalfUnitLeftOut",
      .design = "int_plucker",
      .set_up = half_unit_left_out,
-     .formats = {{20, 24}, {16, 16}, {12, 12}, {12, 23}},
+     .formats = integers({{20, 24}, {16, 16}, {12, 12}, {12, 23}}),
      .category = "one_grid_unit"},
     {.name = "PlueckerBoxRoundedToNearest",
      .design = "int_plucker",
      .set_up = box_rounded_to_nearest,
-     .formats = {{20, 24}, {16, 16}, {12, 12}, {12, 23}},
+     .formats = integers({{20, 24}, {16, 16}, {12, 12}, {12, 23}}),
      .category = "one_grid_unit"},
     {.name = "EndpointClamped", .design = "int_plucker", .set_up = endpoint_clamped},
     {.name = "PlueckerRinfIgnored", .design = "int_plucker", .set_up = pluecker_rinf_ignored},
     {.name = "EdgeBoundOffByOne",
      .design = "int_plucker",
      .datapath = edge_bound_off_by_one,
-     .formats = {{24, 24}, {16, 16}, {12, 12}}},
+     .formats = integers({{24, 24}, {16, 16}, {12, 12}})},
     {.name = "EdgeBoundOffByOneWithFifteenBitsDropped",
      .design = "int_plucker",
      .datapath = edge_bound_off_by_one,
-     .formats = {{20, 24}},
+     .formats = integers({{20, 24}}),
      .category = "one_grid_unit"},
     {.name = "SideBitDropped", .design = "int_plucker", .datapath = side_bit_dropped},
     {.name = "EdgePlanesSwapped", .design = "int_plucker", .datapath = edge_planes_swapped},
     {.name = "LastPlaneForTheFirst", .design = "int_plucker", .datapath = last_plane_for_the_first},
+    {.name = "MajorBoxNotGrown",
+     .design = "int_major",
+     .set_up = major_box_not_grown,
+     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+    {.name = "MajorBoxGrownByHalfAsMuch",
+     .design = "int_major",
+     .set_up = major_box_grown_by_half_as_much,
+     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+    {.name = "MajorOriginTiesReversed",
+     .design = "int_major",
+     .set_up = major_origin_ties_reversed,
+     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+    {.name = "MajorMantissaToNearest",
+     .design = "int_major",
+     .set_up = major_mantissa_to_nearest,
+     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+    {.name = "MajorUpperMantissaOfTwoCut",
+     .design = "int_major",
+     .set_up = major_upper_mantissa_of_two_cut,
+     .formats = major({{20, 1, 12}, {16, 0, 8}, {24, 1, 10}})},
+    {.name = "MajorExponentCapOneLess",
+     .design = "int_major",
+     .set_up = major_exponent_cap_one_less,
+     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 6, 1}})},
+    {.name = "MajorLengthWraps",
+     .design = "int_major",
+     .set_up = major_length_wraps,
+     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+    {.name = "MajorShiftWraps",
+     .design = "int_major",
+     .datapath = major_shift_wraps,
+     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+    {.name = "MajorNearRoundedUp",
+     .design = "int_major",
+     .datapath = major_near_rounded_up,
+     .formats = major({{20, 1, 12}, {20, 1, 12, -2}, {16, 2, 14, 1}, {8, 3, 10, -1}})},
+    {.name = "MajorNearWithTheUpperBound",
+     .design = "int_major",
+     .datapath = major_near_with_the_upper_bound,
+     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+    {.name = "MajorFarWithTheLowerBound",
+     .design = "int_major",
+     .datapath = major_far_with_the_lower_bound,
+     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+    {.name = "MajorMirroredPlaneFilledWithZeros",
+     .design = "int_major",
+     .datapath = major_mirrored_plane_filled_with_zeros,
+     .formats = major({{20, 1, 12}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
 };
 
 /// Changes that are not faults; their comments prove it.
 const std::vector<Mutation> no_faults{
     {.name = "SlabsDatapathMadeAgain", .design = "int_slabs", .datapath = made_again},
     {.name = "PlueckerDatapathMadeAgain", .design = "int_plucker", .datapath = made_again},
+    {.name = "MajorDatapathMadeAgain",
+     .design = "int_major",
+     .datapath = made_again,
+     .formats = major({{20, 1, 12}, {8, 3, 6, -1}})},
     {.name = "SlabsRinfIgnored", .design = "int_slabs", .set_up = slabs_rinf_ignored},
     {.name = "EndpointRoundedInward",
      .design = "int_plucker",
      .set_up = endpoint_rounded_inward,
-     .formats = {{24, 24}, {12, 23}}},
+     .formats = integers({{24, 24}, {12, 23}})},
     {.name = "DirectionTruncated",
      .design = "int_plucker",
      .set_up = direction_truncated,
-     .formats = {{24, 24}, {12, 23}}},
+     .formats = integers({{24, 24}, {12, 23}})},
 };
 
 struct Verdict {
@@ -115,19 +187,23 @@ struct Verdict {
   CategoryResult worst;  ///< the category with most misses
 };
 
-Verdict judge(const Mutation& mutation, hls::IntBits bits, std::uint64_t tests) {
+Verdict judge(const Mutation& mutation, const rtl::Format& format, std::uint64_t tests) {
   std::vector<Category> drawn;
-  for (const Category& c : ref::adversary::categories()) {
-    if (mutation.category.empty() || mutation.category == c.name) drawn.push_back(c);
-  }
+  const auto draw = [&](std::span<const Category> from) {
+    for (const Category& c : from) {
+      if (mutation.category.empty() || mutation.category == c.name) drawn.push_back(c);
+    }
+  };
+  draw(ref::adversary::categories());
+  draw(software_of(rtl::find_design(mutation.design)).categories);
   Verdict verdict;
-  for (const CategoryResult& r : check([&] { return mutation.make(bits); },
+  for (const CategoryResult& r : check([&] { return mutation.make(format); },
                                        {.categories = std::move(drawn), .tests = tests, .seed = seed})) {
     verdict.tests += r.tests;
     verdict.false_misses += r.false_misses;
     if (r.false_misses > verdict.worst.false_misses) verdict.worst = r;
   }
-  fmt::print("{}/{}: {} false misses in {} tests of seed {}, most of them in {}\n", bits.coord, bits.interval,
+  fmt::print("{}: {} false misses in {} tests of seed {}, most of them in {}\n", to_string(format),
              verdict.false_misses, verdict.tests, seed,
              verdict.false_misses == 0 ? "none" : verdict.worst.category);
   return verdict;
@@ -137,16 +213,17 @@ class Mutations : public testing::TestWithParam<Mutation> {};
 
 /// Parts of the tests come first, because most faults show at once.
 TEST_P(Mutations, GiveAFalseMissWithinAMillionTests) {
-  for (const hls::IntBits bits : GetParam().formats) {
+  for (const rtl::Format& format : GetParam().formats) {
     Verdict verdict;
-    for (const std::uint64_t tests : {std::uint64_t{1}, most_tests / 5, most_tests * 19 / 20}) {
-      verdict = judge(GetParam(), bits, tests);
+    for (const std::uint64_t tests :
+         {std::uint64_t{1}, most_tests / 50, most_tests / 5, most_tests * 19 / 20}) {
+      verdict = judge(GetParam(), format, tests);
       if (verdict.false_misses > 0) break;
     }
     EXPECT_LE(verdict.tests, most_tests);
     ASSERT_GT(verdict.false_misses, 0U);
     ASSERT_TRUE(verdict.worst.false_miss);
-    EXPECT_TRUE(is_false_miss(*GetParam().make(bits), *verdict.worst.false_miss));
+    EXPECT_TRUE(is_false_miss(*GetParam().make(format), *verdict.worst.false_miss));
   }
 }
 
@@ -154,8 +231,8 @@ class HarmlessChanges : public testing::TestWithParam<Mutation> {};
 
 /// So the faults themselves cause what they show, and not the machinery that inserts them.
 TEST_P(HarmlessChanges, GiveNoFalseMiss) {
-  for (const hls::IntBits bits : GetParam().formats) {
-    const Verdict verdict = judge(GetParam(), bits, most_tests / 5);
+  for (const rtl::Format& format : GetParam().formats) {
+    const Verdict verdict = judge(GetParam(), format, most_tests / 5);
     EXPECT_EQ(verdict.false_misses, 0U);
     EXPECT_GE(verdict.tests, most_tests / 5);
   }

@@ -152,9 +152,11 @@ INSTANTIATE_TEST_SUITE_P(Designs, Endless, testing::Values("int_slabs", "int_plu
 
 TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
   const World world(ref::demanding_octahedron());
+  int fitted = 0;
   for (const rtl::Design& design : rtl::designs()) {
+    ++fitted;
     const rtl::Format format =
-        !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{24, 24});
+        design.default_format.is<hls::IntBits>() ? rtl::Format(hls::IntBits{24, 24}) : design.default_format;
     const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
     const auto whole =
         by_name(rtl::emit(design, format, library(), rtl::make_pipeline(design.trace(format), library())));
@@ -162,6 +164,7 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
     EXPECT_EQ(unit.saved_um2(), 0) << design.name;
     EXPECT_TRUE(unit.left_out.empty()) << design.name;
   }
+  EXPECT_EQ(fitted, 7);
 }
 
 TEST(FittedFiles, ListTheDemandsAndCheckThem) {

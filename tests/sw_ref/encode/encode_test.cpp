@@ -346,6 +346,20 @@ TEST(IntNodes, PackingReturnsTheQuantisedBoxesForEveryNumberOfBits) {
   }
 }
 
+TEST(IntNodes, PackingReturnsTheBoxesGrownForAFinerOrigin) {
+  const Bvh bvh = built(samples().front());
+  int smaller = 0;
+  for (int finer = 0; finer <= 3; ++finer) {
+    const IntNodes store(bvh, 12, {}, finer);
+    EXPECT_EQ(expect_same_tree(store, bvh), bvh.nodes.size());
+    for (std::uint32_t i = 0; i < bvh.nodes.size(); ++i) {
+      ASSERT_EQ(store.box(i), quantise_box(bvh.nodes[i].box, 12, finer)) << finer << ", node " << i;
+      smaller += store.box(i) == quantise_box(bvh.nodes[i].box, 12) ? 0 : 1;
+    }
+  }
+  EXPECT_GT(smaller, 0);
+}
+
 TEST(IntNodes, CoarseAxesTakeTheirBitsFromTheNodes) {
   const Bvh bvh = one_leaf(1);
   EXPECT_EQ(IntNodes(bvh, 16, {{0, 4, 0}}).bytes_per_node, 19U);

@@ -12,12 +12,12 @@
 
 #include "sw_ref/adversary/categories.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
-#include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/traverse/int_plucker.hpp"
 #include "sw_ref/traverse/int_slabs.hpp"
 #include "tests/sw_ref/adversary/halved.hpp"
 #include "tests/sw_ref/quantise/native_units.hpp"
+#include "tests/sw_ref/traverse/box_near.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -49,26 +49,6 @@ constexpr std::array<Unit, 10> units_of{{{{24, 24}, Design<IntFormat<24, 24>>::h
                                          {{32, 63}, Design<IntFormat<32, 63>>::hit},
                                          {{16, 16}, Design<IntFormat<16, 16>>::hit, {{0, 9, 2}}},
                                          {{12, 12}, Design<IntFormat<12, 12>>::hit, {{3, 0, 1}}}}};
-
-/// A box around a point of the ray, moved by up to a few of its sides: edges and faces near the ray.
-IntBox box_near(const Ray& ray, int coord_bits, Random& random) {
-  const auto limit = grid_limit(coord_bits);
-  const float t = std::abs(random.signed_unit()) * 2.0F;
-  const int side_bits = random.between(0, coord_bits - 2);
-  IntBox box;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<int>(i);
-    const double at = static_cast<double>(ray.origin[axis]) + t * static_cast<double>(ray.direction[axis]);
-    const auto centre =
-        static_cast<std::int64_t>(std::clamp(at, -1.0, 1.0) * static_cast<double>(grid_scale(coord_bits)));
-    const auto reach = (std::uint64_t{1} << side_bits) + 1;
-    const std::int64_t a = centre - static_cast<std::int64_t>(random.below(reach));
-    const std::int64_t b = centre + static_cast<std::int64_t>(random.below(reach)) - (random.coin() ? 1 : 0);
-    box.min[i] = static_cast<std::int32_t>(std::clamp(std::min(a, b), -limit, limit));
-    box.max[i] = static_cast<std::int32_t>(std::clamp(std::max(a, b), -limit, limit));
-  }
-  return box;
-}
 
 std::string describe(const Ray& ray, const IntBox& box, IntBits bits) {
   return fmt::format("{}/{}: {}, box {:#x} {:#x} {:#x} to {:#x} {:#x} {:#x}", bits.coord, bits.interval,

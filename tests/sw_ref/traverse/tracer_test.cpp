@@ -18,6 +18,7 @@
 #include "sw_ref/traverse/slabs.hpp"
 #include "sw_ref/traverse/trace_batch.hpp"
 #include "sw_ref/traverse/traversal.hpp"
+#include "tests/sw_ref/quantise/major_formats.hpp"
 #include "tests/sw_ref/traverse/tracer_scenes.hpp"
 
 namespace hitpipe::ref {
@@ -28,16 +29,16 @@ constexpr unsigned seed = 17;
 constexpr std::array algorithms{Algorithm::slabs, Algorithm::plu, Algorithm::slabs_dist, Algorithm::slabs_dsa,
                                 Algorithm::plu_dsa};
 constexpr std::array arithmetics{Arithmetic::binary32, Arithmetic::binary64, Arithmetic::robust,
-                                 Arithmetic::integer};
+                                 Arithmetic::integer, Arithmetic::major};
 constexpr std::array encodings{Encoding::plain, Encoding::hierarchical_4, Encoding::hierarchical_8,
                                Encoding::hierarchical_12, Encoding::hierarchical_16};
 
 std::string name(const TracerOptions& options) {
   return fmt::format(
-      "algorithm {} arithmetic {} encoding {} table {} bundle {} bits {}/{} dropped {} ends {}",
+      "algorithm {} arithmetic {} encoding {} table {} bundle {} bits {}/{} dropped {} ends {} major {}",
       static_cast<int>(options.algorithm), static_cast<int>(options.arithmetic),
       static_cast<int>(options.encoding), options.look_up_table, options.bundle, options.bits.coord,
-      options.bits.interval, to_text(options.coarse), options.ends);
+      options.bits.interval, to_text(options.coarse), options.ends, name_of(options.major_bits));
 }
 
 /// Written independently of the checks in make_tracer().
@@ -46,6 +47,10 @@ bool exists(const TracerOptions& options) {
   const bool by_distance = options.algorithm == Algorithm::slabs_dist;
   if (plucker && options.arithmetic == Arithmetic::robust) return false;
   if (!options.ends && (by_distance || options.bundle != 1)) return false;
+  if (options.arithmetic == Arithmetic::major) {
+    return !plucker && !by_distance && options.encoding == Encoding::plain && !options.look_up_table &&
+           options.bundle == 1 && !options.coarse.any();
+  }
   if (options.arithmetic == Arithmetic::integer) {
     return !by_distance && options.encoding == Encoding::plain && !options.look_up_table &&
            options.bundle == 1;
@@ -55,8 +60,8 @@ bool exists(const TracerOptions& options) {
          options.encoding == Encoding::hierarchical_8;
 }
 
-/// Every combination with the exact triangle test: three formats of integers, two with coarser axes, and some
-/// without the ends of rays.
+/// Every combination with the exact triangle test: three formats of integers, two with coarser axes, six with
+/// a major axis, and some without the ends of rays.
 std::vector<TracerOptions> all_combinations() {
   std::vector<TracerOptions> all;
   for (const Algorithm algorithm : algorithms)
@@ -73,7 +78,7 @@ std::vector<TracerOptions> all_combinations() {
       all.push_back(
           {algorithm, Arithmetic::integer, Encoding::plain, false, 1, {12, 12}, TriangleTest::exact, coarse});
   for (const Algorithm algorithm : algorithms)
-    for (const Arithmetic arithmetic : {Arithmetic::binary32, Arithmetic::integer})
+    for (const Arithmetic arithmetic : {Arithmetic::binary32, Arithmetic::integer, Arithmetic::major})
       for (const int bundle : {1, 64})
         all.push_back({algorithm,
                        arithmetic,
@@ -84,6 +89,12 @@ std::vector<TracerOptions> all_combinations() {
                        TriangleTest::exact,
                        CoarseAxes{},
                        false});
+  for (const Algorithm algorithm : algorithms)
+    for (const hls::MajorBits bits :
+         {hls::MajorBits{16, 0, 8}, hls::MajorBits{12, 2, 10, 3}, hls::MajorBits{8, 3, 6, -1},
+          hls::MajorBits{6, 0, 4}, hls::MajorBits{32, 3, 28}})
+      all.push_back({.algorithm = algorithm, .arithmetic = Arithmetic::major, .major_bits = bits});
+  all.push_back({.arithmetic = Arithmetic::major, .coarse = {{0, 1, 0}}});
   return all;
 }
 
@@ -147,7 +158,7 @@ TEST_P(EveryTracer, FindsWhatTestingEveryTriangleFinds) {
     ASSERT_LE(any.counts.triangle_tests, closest.counts.triangle_tests) << name(options);
   }
   fmt::print("seed {}: {} tracers, {} rays, {} hit\n", seed, tracers, rays.size(), hits);
-  EXPECT_EQ(tracers, 33 + 4 + 8 + 8 + 8 + 6 * 33);
+  EXPECT_EQ(tracers, 33 + 4 + 8 + 8 + 8 + 6 * 33 + 2 + 2 * 5 + 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -253,6 +264,8 @@ TEST_F(TracersOnHills, NodesHaveTheBytesOfTables51And61) {
   EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {24, 24}}), 26U);
   EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {16, 16}, .coarse = {{1, 0, 2}}}), 20U);
   EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {16, 16}, .coarse = {{1, 0, 3}}}), 19U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::major, .major_bits = {20, 2, 12}}), 23U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::major, .major_bits = {16, 0, 8}}), 20U);
   EXPECT_EQ(make_tracer(mesh_, bvh_, {})->node_count(), bvh_.nodes.size());
 }
 
@@ -382,9 +395,14 @@ TEST(Tracer, CombinationsThatDoNotExistAreRejected) {
   messages.insert(message({.arithmetic = Arithmetic::integer, .bits = {5, 24}}));
   messages.insert(message({.coarse = {{1, 0, 0}}}));
   messages.insert(message({.arithmetic = Arithmetic::integer, .bits = {16, 16}, .coarse = {{0, 0, 15}}}));
+  messages.insert(message({.arithmetic = Arithmetic::major, .major_bits = {20, 1, 33}}));
+  EXPECT_EQ(message({.arithmetic = Arithmetic::major, .major_bits = {5, 1, 12}}),
+            "tracer: there is no format 5+1/12f0");
   EXPECT_THAT(
       messages,
       testing::UnorderedElementsAre(
+          "tracer: a major axis is for slabs; take slabs or slabs_dsa",
+          "tracer: there is no format 20+1/33f0",
           "tracer: robust arithmetic is for slabs; with Pluecker take binary32 or binary64",
           "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa",
           "tracer: integer arithmetic has nodes of its own; take the plain encoding",
