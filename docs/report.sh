@@ -5,7 +5,7 @@ set -eu
 program=${1:-build/hitpipe}
 out=out/report
 "$program" report --scene spheres --width 64 --height 64 \
-  --bits 24/32,24/28,24/24,20/28,20/24,20/20,16/24,16/20,16/16,12/12,10/12,8/8,20+1/12,16+1/12,12+1/10 --out "$out"
+  --bits 24/32,24/28,24/24,20/28,20/24,20/20,16/24,16/20,16/16,12/12,10/12,8/8,20+1/13,16+1/12,12+1/10 --out "$out"
 mkdir -p docs/report
 cp "$out"/*.svg docs/report/
 

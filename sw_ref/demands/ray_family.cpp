@@ -12,7 +12,7 @@ namespace hitpipe::ref {
 namespace {
 
 /// A margin for the errors of double arithmetic and one rounding to binary32, for numbers of about 1 at most.
-constexpr double slack = 0x1p-22;
+constexpr double rounding = 0x1p-22;
 
 float below(double x) {
   return std::nextafter(static_cast<float>(x), -Ray::infinite);
@@ -36,10 +36,10 @@ Aabb parallel_origins(const Camera& camera, const ViewOptions& view) {
   for (int axis = 0; axis < 3; ++axis) {
     const double middle = camera.eye[axis];
     const double reach = across * std::abs(camera.right[axis]) + upward * std::abs(camera.up[axis]);
-    inside = inside && std::abs(middle) + reach <= 1.0 - slack;
+    inside = inside && std::abs(middle) + reach <= 1.0 - rounding;
     // Without reach every start has the eye's coordinate exactly.
-    box.min[axis] = reach == 0.0 ? camera.eye[axis] : std::max(-1.0F, below(middle - reach - slack));
-    box.max[axis] = reach == 0.0 ? camera.eye[axis] : std::min(1.0F, above(middle + reach + slack));
+    box.min[axis] = reach == 0.0 ? camera.eye[axis] : std::max(-1.0F, below(middle - reach - rounding));
+    box.max[axis] = reach == 0.0 ? camera.eye[axis] : std::min(1.0F, above(middle + reach + rounding));
   }
   return inside ? box : Aabb{glm::vec3(-1.0F), glm::vec3(1.0F)};
 }
@@ -49,11 +49,12 @@ Aabb parallel_origins(const Camera& camera, const ViewOptions& view) {
 Aabb primary_directions(const Camera& camera, const ViewOptions& view) {
   const double upward = camera.tan_half_height;
   const double across = upward * view.width / view.height;
-  const double longest = std::sqrt(1.0 + across * across + upward * upward) + slack;
+  const double longest = std::sqrt(1.0 + across * across + upward * upward) + rounding;
   Aabb box;
   for (int axis = 0; axis < 3; ++axis) {
     const double middle = camera.forward[axis];
-    const double reach = across * std::abs(camera.right[axis]) + upward * std::abs(camera.up[axis]) + slack;
+    const double reach =
+        across * std::abs(camera.right[axis]) + upward * std::abs(camera.up[axis]) + rounding;
     const double low = middle - reach;
     const double high = middle + reach;
     box.min[axis] = std::max(-1.0F, below(low < 0.0 ? low : low / longest));
@@ -81,7 +82,7 @@ Aabb surface_origins(const Mesh& mesh) {
   const Bounds bounds = mesh_bounds(mesh);
   Aabb box;
   for (int axis = 0; axis < 3; ++axis) {
-    const double reach = shadow_offset + slack;
+    const double reach = shadow_offset + rounding;
     box.min[axis] = std::max(-1.0F, below(bounds.min[axis] - reach));
     box.max[axis] = std::min(1.0F, above(bounds.max[axis] + reach));
   }
