@@ -98,7 +98,7 @@ std::string csim(const Design& design, const Format& format) {
   std::string lines;
   for (const std::string& include : includes) lines += fmt::format("#include \"{}\"\n", include);
   return fmt::format(
-      R"(// C simulation of the top function of {}: its results against those of the native pipeline.
+      R"(// C simulation of the top function of {}: its results against the native pipeline's.
 {}
 using namespace hitpipe::hls;
 

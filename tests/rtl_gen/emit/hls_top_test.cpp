@@ -147,7 +147,7 @@ void hitpipe_fp_slabs(top::Pattern<32> rx, top::Pattern<32> ry, top::Pattern<32>
 TEST(HlsTop, CsimComparesTheTopWithItsPipeline) {
   EXPECT_EQ(
       top_of("int_plucker", "12/12").csim.contents,
-      R"(// C simulation of the top function of int_plucker 12/12: its results against those of the native pipeline.
+      R"(// C simulation of the top function of int_plucker 12/12: its results against the native pipeline's.
 #include "hls/pipelines/int_plucker.hpp"
 #include "hls/top/csim.hpp"
 #include "int_plucker.hpp"
