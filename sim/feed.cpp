@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "sim/feeds/coarse.hpp"
 #include "sim/software.hpp"
 
@@ -12,6 +14,11 @@ std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, const rtl::Forma
                                      const ref::Bvh& bvh, const ref::CoarseAxes& coarse) {
   if (const std::string why = why_not_traced(design); !why.empty()) throw std::runtime_error(why);
   std::unique_ptr<SceneFeed> feed = software_of(design).feed(format, bvh);
+  const int boxes = design.boxes_per_test();
+  if (const int fed = feed->pairs() == nullptr ? 1 : 2; boxes != fed)
+    throw std::runtime_error(fmt::format("design {}: answers for {} {} at a time, and its feed is for {}",
+                                         design.name, boxes, boxes == 1 ? "box" : "boxes",
+                                         fed == 1 ? "one" : "two"));
   if (!coarse.any()) return feed;
   return with_step(std::move(feed), coarse_step(design.ports(format), coarse));
 }

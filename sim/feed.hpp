@@ -49,7 +49,7 @@ class SceneFeed {
 };
 
 /// The format must be one of the design's. Coarse axes are for designs with integer coordinates. Throws
-/// std::runtime_error when the design has no set-up, and
+/// std::runtime_error when the design has no set-up, or one for another number of boxes, and
 /// std::out_of_range for a box outside the cube. RayFeed::operands() throws std::out_of_range when an origin
 /// or box leaves the coarse grid. The hierarchy need not outlive the feed.
 [[nodiscard]] std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, const rtl::Format& format,

@@ -47,9 +47,9 @@ template <class X, class W>
 constexpr auto without_low_bits(const X& x, const W& low) {
   return as_signed(slice(x, width_of(x) - 1_w, low));
 }
-template <class X, class Zeros>
-constexpr auto with_low_bits(const X& x, const Zeros& zeros) {
-  return as_signed(cat(x, zeros));
+template <class D, class X, class W>
+constexpr auto with_low_bits(const X& x, const W& low) {
+  return as_signed(cat(x, D::lit(0, low)));
 }
 
 }  // namespace detail
@@ -76,7 +76,7 @@ constexpr typename F::template Distance<D> major_distance(const F& format,
     return detail::without_low_bits(all, format.finer - format.fraction);
   });
   const auto more = change_if(format.finer < format.fraction, fewer, [&](const auto& all) {
-    return detail::with_low_bits(all, D::lit(0, format.fraction - format.finer));
+    return detail::with_low_bits<D>(all, format.fraction - format.finer);
   });
   return resize(more, format.distance());
 }

@@ -15,13 +15,10 @@ namespace {
 
 using hls::MajorBits;
 
-/// n = 12, 14, .. 24, with an origin that is 0 to 2 bits finer and mantissas of 10, 12 and 14 bits.
+/// From few bits to many, and around the default.
 std::vector<rtl::Format> major_sweep_formats() {
-  std::vector<rtl::Format> formats;
-  for (int n = 12; n <= 24; n += 2)
-    for (int finer = 0; finer <= 2; ++finer)
-      for (int mantissa = 10; mantissa <= 14; mantissa += 2) formats.push_back(MajorBits{n, finer, mantissa});
-  return formats;
+  return {MajorBits{12, 1, 9},  MajorBits{16, 1, 11}, MajorBits{18, 1, 12}, MajorBits{20, 0, 13},
+          MajorBits{20, 1, 11}, MajorBits{20, 1, 13}, MajorBits{20, 2, 13}, MajorBits{24, 1, 16}};
 }
 
 /// n from the least on, each with g = 0 .. most and every mantissa up to the most.

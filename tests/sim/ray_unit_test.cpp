@@ -63,10 +63,10 @@ class RayUnitOnHills : public testing::TestWithParam<Unit> {
     outcome.triangles.resize(jobs_.size());
     std::size_t given = 0;
     unit.run([&] { return given < jobs_.size() ? std::optional(jobs_[given++]) : std::nullopt; },
-             [&](const RayJob& job, const ref::Traversal& traversal) {
+             [&](const RayJob& job, const ref::Hit& hit) {
                ++outcome.ended;
-               const bool only_blocked = job.query == ref::Query::any && traversal.hit().found();
-               outcome.triangles[job.id] = only_blocked ? 0 : traversal.hit().triangle;
+               const bool only_blocked = job.query == ref::Query::any && hit.found();
+               outcome.triangles[job.id] = only_blocked ? 0 : hit.triangle;
              });
     outcome.counts = unit.counts();
     return outcome;
@@ -108,23 +108,30 @@ TEST_P(RayUnitOnHills, CountsWhatTheDatapathSays) {
   UnitCounts expected = UnitCounts::zeros(true);
   const auto rays = feed_->unit(1);
   std::vector<std::int64_t> operands(verilated(GetParam()).operand_count());
-  for (const RayJob& job : jobs_) {
-    rays->start(0, job.ray);
-    ref::Traversal traversal(bvh_, scene_.mesh, job.ray, job.query);
-    while (!traversal.done()) {
-      rays->operands(0, traversal.node(), traversal.length(), operands.data());
-      const bool hit = datapath()(operands.data());
-      ref::Ray cut = job.ray;
-      cut.length = traversal.length();
-      const bool meets = ref::ray_meets_box_exact(cut, bvh_.nodes[traversal.node()].box);
-      ++expected.box_tests;
-      expected.hits += hit ? 1 : 0;
-      *expected.false_hits += hit && !meets ? 1 : 0;
-      *expected.false_misses += !hit && meets ? 1 : 0;
-      traversal.answer(hit);
+  const std::vector<hls::Result> results = GetParam().design().results(GetParam().format);
+  std::vector<std::int64_t> answers(results.size());
+  with_walk({feed_.get(), &bvh_, &scene_.mesh}, results, [&](const auto& walk) {
+    for (const RayJob& job : jobs_) {
+      rays->start(0, job.ray);
+      auto traversal = walk.start(job.ray, job.query);
+      while (!traversal.done()) {
+        walk.ask(*rays, 0, traversal, operands.data());
+        datapath()(operands.data(), answers.data());
+        ref::Ray cut = job.ray;
+        cut.length = traversal.length();
+        ++expected.tests;
+        walk.each_box(traversal, answers.data(), [&](const ref::Aabb& box, bool hit) {
+          const bool meets = ref::ray_meets_box_exact(cut, box);
+          ++expected.box_tests;
+          expected.hits += hit ? 1 : 0;
+          *expected.false_hits += hit && !meets ? 1 : 0;
+          *expected.false_misses += !hit && meets ? 1 : 0;
+        });
+        walk.answer(traversal, answers.data());
+      }
+      expected.triangle_tests += traversal.counts().triangle_tests;
     }
-    expected.triangle_tests += traversal.counts().triangle_tests;
-  }
+  });
   const Outcome outcome = run(32, datapath());
   expected.cycles = outcome.counts.cycles;
   EXPECT_EQ(outcome.counts, expected);
@@ -136,7 +143,7 @@ TEST_P(RayUnitOnHills, OneRayInFlightWaitsForEachAnswer) {
   // A box is sent in one cycle. Its answer is latched `latency` edges after the edge that took it, and seen
   // in the next cycle. The next box is sent in the cycle after that.
   const auto cycles_per_test = static_cast<std::uint64_t>(verilated(GetParam()).latency()) + 2;
-  EXPECT_EQ(outcome.counts.cycles, outcome.counts.box_tests * cycles_per_test);
+  EXPECT_EQ(outcome.counts.cycles, outcome.counts.tests * cycles_per_test);
 }
 
 TEST_P(RayUnitOnHills, OnlyCyclesDependOnRaysInFlight) {
@@ -145,7 +152,7 @@ TEST_P(RayUnitOnHills, OnlyCyclesDependOnRaysInFlight) {
   for (const int rays_in_flight : {2, 5, 32, 1500}) {
     Outcome many = run(rays_in_flight, datapath());
     EXPECT_LT(many.counts.cycles, cycles) << rays_in_flight;
-    EXPECT_GE(many.counts.cycles, many.counts.box_tests) << rays_in_flight;
+    EXPECT_GE(many.counts.cycles, many.counts.tests) << rays_in_flight;
     cycles = many.counts.cycles;
     EXPECT_EQ(many.triangles, one.triangles) << rays_in_flight;
     many.counts.cycles = one.counts.cycles;

@@ -10,6 +10,7 @@
 #include "sim/ray_unit.hpp"
 #include "sim/software.hpp"
 #include "sim/verilated_design.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/emit/two_boxes.hpp"
 #include "tests/sim/slabs_with_entry.hpp"
 #include "tests/sim/small_scene.hpp"
@@ -168,7 +169,7 @@ UnitCounts traced(const rtl::Evaluate::Run cpp) {
     return RayJob{
         {{along, 0.9F, -along}, {along / 2, -1, 0.3F}, ref::Ray::infinite}, ref::Query::closest, given++};
   };
-  unit.run(next, [](const RayJob&, const ref::Traversal&) {});
+  unit.run(next, [](const RayJob&, const ref::Hit&) {});
   return unit.counts();
 }
 
@@ -188,12 +189,16 @@ TEST(SeveralResultsOfOneBox, AreAllComparedWhileASceneIsTraced) {
   EXPECT_EQ(differing.hits, same.hits);
 }
 
-TEST_F(SeveralResults, OfTwoBoxesTraceNoScene) {
+TEST_F(SeveralResults, OfTwoBoxesTraceNoSceneWithAFeedForOne) {
   Software software;
-  software.feed = [](const rtl::Format&, const ref::Bvh&) { return std::unique_ptr<SceneFeed>(); };
+  software.feed = software_of(rtl::find_design("int_slabs")).feed;
   add_software(design.name, software);
-  EXPECT_EQ(why_not_traced(design),
-            "design two_boxes: answers for 2 boxes at a time; traversals ask about one");
+  EXPECT_EQ(why_not_traced(design), "");
+  const ref::Bvh bvh = ref::build_bvh(hills().mesh);
+  EXPECT_EQ(message_of<std::runtime_error>([&] {
+              static_cast<void>(make_feed(design, hls::IntBits{12, 12}, bvh));
+            }),
+            "design two_boxes: answers for 2 boxes at a time, and its feed is for one");
 }
 
 }  // namespace

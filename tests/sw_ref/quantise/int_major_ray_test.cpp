@@ -87,10 +87,10 @@ void expect_rational(const Ray& ray, MajorBits bits) {
     const Integer nearest = oracle::ceil(mirrored - half);
     ASSERT_EQ(result.origin[slot], backward ? nearest - 1 : nearest) << "slot " << slot;
     ASSERT_LE(std::abs(result.origin[slot] + (backward ? 1 : 0)), grid(bits.coord) << bits.finer);
-    if (slot > 0)
-      ASSERT_EQ(result.quotient[slot - 1],
-                expected_quotient(ray.direction[major], ray.direction[axes[slot]], bits))
-          << "slot " << slot;
+    if (slot == 0) continue;
+    ASSERT_EQ(result.quotient[slot - 1],
+              expected_quotient(ray.direction[major], ray.direction[axes[slot]], bits))
+        << "slot " << slot;
   }
   ASSERT_EQ(set_up.length(ray.length), expected_length(ray.length, ray.direction[major], bits));
 }
@@ -278,8 +278,8 @@ TEST(IntMajorRaySetup, SubnormalComponentsKeepTheirRatio) {
 }
 
 TEST(IntMajorRaySetup, LengthsAreRoundedDownAndEndAtTheLargest) {
-  const auto length = [](float length, float major, MajorBits bits) {
-    return IntMajorRaySetup({{}, {0, major, 0}, 1}, bits).length(length);
+  const auto length = [](float of_ray, float major, MajorBits bits) {
+    return IntMajorRaySetup({{}, {0, major, 0}, 1}, bits).length(of_ray);
   };
   const MajorBits bits{8, 1, 6, 1};  // G = 63, in units of 1/2
   EXPECT_EQ(length(0.0F, 1, bits), 0);
