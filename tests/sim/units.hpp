@@ -34,7 +34,7 @@ inline const std::array units{
     Unit{"int_slabs", hls::IntBits{6, 6}},        Unit{"int_slabs", hls::IntBits{32, 63}},
     Unit{"int_plucker", hls::IntBits{24, 24}},    Unit{"int_plucker", hls::IntBits{20, 24}},
     Unit{"int_plucker", hls::IntBits{6, 6}},      Unit{"int_plucker", hls::IntBits{32, 63}},
-    Unit{"int_major", hls::MajorBits{}}, Unit{"int_major", hls::MajorBits{8, 3, 6, -1}}};
+    Unit{"int_major", hls::MajorBits{}},          Unit{"int_major", hls::MajorBits{8, 3, 6, -1}}};
 
 /// The name of a test, for example "int_slabs_24_24" or "int_major_8_3_6fm1".
 inline std::string test_name(const Unit& unit) {
