@@ -137,9 +137,9 @@ std::vector<Material> paints() {
   for (int tone = 0; tone < roof_tones; ++tone) {
     const float part = static_cast<float>(tone) / (roof_tones - 1);
     const float high = part * std::sqrt(part);  // the low tones, which most roofs have, stay dark
-    all[static_cast<std::size_t>(warm_roof + tone)].albedo =
+    all[static_cast<std::size_t>(warm_roof) + static_cast<std::size_t>(tone)].albedo =
         glm::mix(glm::vec3(0.25F, 0.09F, 0.06F), glm::vec3(0.92F, 0.80F, 0.58F), high);
-    all[static_cast<std::size_t>(cool_roof + tone)].albedo =
+    all[static_cast<std::size_t>(cool_roof) + static_cast<std::size_t>(tone)].albedo =
         glm::mix(glm::vec3(0.09F, 0.11F, 0.15F), glm::vec3(0.80F, 0.87F, 0.92F), high);
   }
   return all;

@@ -77,8 +77,8 @@ SceneDescription terrain(std::size_t triangles) {
   Shapes shapes(scene.mesh, Shapes::Normals::smooth);
   const double cell = 2.0 * half_land / side;
   shapes.sheet(side, rows, [&](double u, double v) {
-    const int column = static_cast<int>(u * side + 0.5);
-    const int row = static_cast<int>(v * rows + 0.5);
+    const auto column = static_cast<int>(std::lround(u * side));
+    const auto row = static_cast<int>(std::lround(v * rows));
     // Points stay within a quarter of a cell, so no triangle turns over.
     const double x = half_land * (2.0 * u - 1.0) + 0.25 * cell * error_of(column, row, 0);
     const double z = half_land * (1.0 - 2.0 * v) + 0.25 * cell * error_of(column, row, 1);
