@@ -87,7 +87,7 @@ class Town {
     shapes_.material(water);
     add_box(shapes_, {x - 8.0, x + 8.0, z - 6.0, z + 6.0}, kerb, kerb + 0.625);
     const int trees = scaled(dice.between(60.0, 90.0), detail_, 8);
-    Dice own(dice.below(1 << 20));
+    Dice own(static_cast<std::uint64_t>(dice.below(1 << 20)));
     for (int i = 0; i < trees; ++i) {
       const double at_x = on_grid(own.between(plot.low_x + 3.0, plot.high_x - 3.0));
       const double at_z = on_grid(own.between(plot.low_z + 3.0, plot.high_z - 3.0));

@@ -1,11 +1,12 @@
 // The text of one ray and box, as `check --replay` takes it. When it is read, printed and read again it stays
 // the same; the exact referees agree; and no integer unit misses a box that the ray meets (sections 6.2,
 // 6.3).
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/box_test.hpp"
@@ -18,11 +19,21 @@ namespace {
 using namespace hitpipe;
 using fuzz::expect;
 
-const std::array<std::unique_ptr<sim::BoxTest>, 4>& integer_units() {
-  static const std::array units{sim::make_box_test(rtl::find_design("int_slabs"), {20, 24}),
-                                sim::make_box_test(rtl::find_design("int_slabs"), {12, 12}),
-                                sim::make_box_test(rtl::find_design("int_plucker"), {24, 24}),
-                                sim::make_box_test(rtl::find_design("int_plucker"), {20, 24})};
+const auto& integer_units() {
+  static const auto units = [] {
+    std::vector<std::unique_ptr<sim::BoxTest>> all;
+    for (const auto& [name, bits] : {std::pair{"int_slabs", "20/24"},
+                                     {"int_slabs", "12/12"},
+                                     {"int_plucker", "24/24"},
+                                     {"int_plucker", "20/24"},
+                                     {"int_major", "20+1/13"},
+                                     {"int_major", "12+2/8f1"},
+                                     {"int_major_pair", "16+0/9"}}) {
+      const rtl::Design& design = rtl::find_design(name);
+      all.push_back(sim::make_box_test(design, design.parse_format(bits)));
+    }
+    return all;
+  }();
   return units;
 }
 

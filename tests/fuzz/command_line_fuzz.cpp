@@ -11,7 +11,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/text/help.hpp"
-#include "rtl_gen/catalogue/format.hpp"
+#include "rtl_gen/catalogue/design.hpp"
 #include "tests/fuzz/expect.hpp"
 
 namespace {
@@ -51,12 +51,14 @@ int parse(std::vector<std::string> words) {
 }
 
 void parse_format(const std::string& word) {
-  try {
-    expect(rtl::parse_bits(word).valid(), "formats are valid");
-    expect(rtl::parse_bits(rtl::to_string(rtl::parse_bits(word))) == rtl::parse_bits(word),
-           "formats are printed as they are read");
-  } catch (const std::runtime_error& error) {
-    expect(!std::string(error.what()).empty(), "a message says what is wrong");
+  for (const rtl::Design& design : rtl::designs()) {
+    try {
+      const rtl::Format format = design.parse_format(word);
+      expect(format.valid(), "formats are valid");
+      expect(design.parse_format(rtl::to_string(format)) == format, "formats are printed as they are read");
+    } catch (const std::runtime_error& error) {
+      expect(!std::string(error.what()).empty(), "a message says what is wrong");
+    }
   }
 }
 
