@@ -5,7 +5,7 @@
 
 namespace hitpipe::sim {
 
-std::size_t place_of(std::span<const hls::Result> results, hls::Meaning meaning, int box) {
+std::size_t place_of_result(std::span<const hls::Result> results, hls::Meaning meaning, int box) {
   const auto found = std::find_if(results.begin(), results.end(), [&](const hls::Result& each) {
     return each.meaning == meaning && each.box == box;
   });
@@ -18,12 +18,12 @@ PairWalk::PairWalk(const WalkScene& scene, std::span<const hls::Result> results)
     : scene_(scene),
       pairs_{&scene.feed->pairs()->records, scene.mesh, scene.bvh->order,
              &ref::leaf_test(ref::TriangleTest::exact)},
-      order_(place_of(results, hls::Meaning::order, 0)) {
+      order_(place_of_result(results, hls::Meaning::order, 0)) {
   for (std::size_t box = 0; box < 2; ++box) {
     const int number = static_cast<int>(box);
-    hit_[box] = place_of(results, hls::Meaning::hit, number);
-    near_[box] = place_of(results, hls::Meaning::entry, number);
-    far_[box] = place_of(results, hls::Meaning::exit, number);
+    hit_[box] = place_of_result(results, hls::Meaning::hit, number);
+    near_[box] = place_of_result(results, hls::Meaning::entry, number);
+    far_[box] = place_of_result(results, hls::Meaning::exit, number);
   }
 }
 

@@ -22,14 +22,15 @@ struct WalkScene {
 };
 
 /// The place of a result among those of a design. Throws std::runtime_error, one line, when there is none.
-[[nodiscard]] std::size_t place_of(std::span<const hls::Result> results, hls::Meaning meaning, int box);
+[[nodiscard]] std::size_t place_of_result(std::span<const hls::Result> results, hls::Meaning meaning,
+                                          int box);
 
 class OneBoxWalk {
  public:
   using Traversal = ref::Traversal;
 
   OneBoxWalk(const WalkScene& scene, std::span<const hls::Result> results)
-      : scene_(scene), hit_(place_of(results, hls::Meaning::hit, 0)) {}
+      : scene_(scene), hit_(rtl::place_of_hit(results)) {}
 
   [[nodiscard]] Traversal start(const ref::Ray& ray, ref::Query query) const {
     return {*scene_.bvh, *scene_.mesh, ray, query};
@@ -59,7 +60,7 @@ class PairWalk {
   PairWalk(const WalkScene& scene, std::span<const hls::Result> results);
 
   [[nodiscard]] Traversal start(const ref::Ray& ray, ref::Query query) const {
-    return {pairs_, ray, query, scene_.feed->pairs()->bits};
+    return {pairs_, ray, query, ref::IntMajorRaySetup(ray, scene_.feed->pairs()->bits)};
   }
   static void ask(const RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
     rays.pair_operands(slot, traversal.record(), traversal.parent(), operands);

@@ -71,7 +71,7 @@ double mm2(std::int64_t area_um2) {
   return static_cast<double>(area_um2) * 1e-6;
 }
 
-/// Area times delay for each box of a test, in mm2 ns.
+/// Area for each box, times delay, in mm2 ns.
 double area_delay(const area::Price& price) {
   return static_cast<double>(price.area_delay_per_box()) * 1e-9;
 }

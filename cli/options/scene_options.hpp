@@ -23,8 +23,7 @@ struct SceneChoice {
 };
 
 /// Adds --scene (required), --triangles, --eye, --target, --up, --fov, --orthographic, --perspective,
-/// --light,
-/// --sun, --width, --height, --threads.
+/// --light, --sun, --width, --height, --threads.
 void add_scene_options(CLI::App& command, SceneChoice& choice);
 
 }  // namespace hitpipe::cli

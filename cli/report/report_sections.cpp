@@ -245,8 +245,8 @@ std::string report_html(const ReportFacts& facts) {
                   [](const sim::SweepRow& row) { return row.boxes_per_test > 1; })) {
     page.paragraph(
         "A unit that answers for two boxes in a test is compared as two units: its area per box is half of "
-        "its "
-        "area. Area × run time takes the whole area, because such a unit needs fewer cycles for its boxes.");
+        "its area. Area × run time takes the whole area, because such a unit needs fewer cycles for its "
+        "boxes.");
   }
   page.table(sweep_table(rows, rays));
   const PageTable occupancy = occupancy_table(rows);

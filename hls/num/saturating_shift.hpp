@@ -23,7 +23,7 @@ constexpr auto shifted_in(const X& fill, const X& x, const W& amount) {
   return cat(slice(x, width_of(x) - 1_w - amount, 0_w), slice(fill, amount - 1_w, 0_w));
 }
 
-/// A magnitude on its way through the levels of the shifter.
+/// The magnitude after some levels of the shifter.
 template <class Word, class Bit>
 struct Shifted {
   Word magnitude;

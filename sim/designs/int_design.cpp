@@ -47,9 +47,7 @@ std::optional<ScenePromise> int_promise(const rtl::Port& port, const rtl::Format
 }
 
 std::size_t int_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& coarse) {
-  ref::Bvh one;
-  one.nodes.push_back({{glm::vec3(0), glm::vec3(0)}, 1, 0});
-  return ref::IntNodes(one, format.as<IntBits>().coord, coarse).bytes_per_node;
+  return ref::IntNodes::node_bytes(format.as<IntBits>().coord, coarse);
 }
 
 bool int_fits_coarse(const rtl::Format& format, const ref::SceneDemands& scene,

@@ -40,9 +40,7 @@ ref::TracerOptions int_major_traversal(const rtl::Format& format) {
 }
 
 std::size_t int_major_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& /*none*/) {
-  ref::Bvh one;
-  one.nodes.push_back({{glm::vec3(0), glm::vec3(0)}, 1, 0});
-  return ref::IntNodes(one, format.as<MajorBits>().coord).bytes_per_node;
+  return ref::IntNodes::node_bytes(format.as<MajorBits>().coord);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // The operands of hls::IntMajorPairOperands, in that order (docs/major.md).
 #include <algorithm>
-#include <optional>
 
 #include "sim/designs/major_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sim/walk.hpp"
+#include "sw_ref/adversary/random.hpp"
 #include "sw_ref/encode/pair_nodes.hpp"
 
 namespace hitpipe::sim {
@@ -66,20 +66,20 @@ std::unique_ptr<SceneFeed> pair_feed(const rtl::Format& format, const ref::Bvh& 
   return std::make_unique<PairScene>(format.as<MajorBits>(), bvh);
 }
 
-/// Judges one box as the first of two. Its faces are in turn its own and its parent's: a parent is made for
-/// it, which is looser where the face is its own, and a sibling, which has the other planes. The unit tests
-/// the parent first, as it would a root. The answer does not depend on the parent.
+/// Judges one box as the first of two. Its sibling reaches beyond it on some faces and ends before it on
+/// others, so its planes are in turn its own and the parent's. The unit tests the parent first, as it would a
+/// root. The answer does not depend on the sibling.
 class PairTest final : public BoxTest {
  public:
   PairTest(const rtl::Design& design, const rtl::Format& format)
       : evaluate_(design.evaluate(format)),
         format_(format),
-        limit_((std::int32_t{1} << (format.as<MajorBits>().coord - 2))),
+        limit_(format.as<MajorBits>().largest_point() + 1),
         operands_(design.ports(format).size()),
         results_(evaluate_.result_count()) {
     const std::vector<hls::Result> results = design.results(format);
-    near_ = place_of(results, hls::Meaning::entry, 0);
-    far_ = place_of(results, hls::Meaning::exit, 0);
+    near_ = place_of_result(results, hls::Meaning::entry, 0);
+    far_ = place_of_result(results, hls::Meaning::exit, 0);
   }
 
   void start(const ref::Ray& ray) override {
@@ -91,55 +91,31 @@ class PairTest final : public BoxTest {
   bool hit(const ref::Aabb& box) override {
     ref::IntBox first;
     major_boxes({&box, 1}, format_, {&first, 1});
-    const auto [parent, boxes] = family(first);
-    if (!test({0, length_}, {parent, 0})) return false;
-    return test({results_[near_], results_[far_]}, boxes);
+    const ref::IntBox second = sibling(first);
+    if (!test({0, length_}, {union_of(first, second), 0})) return false;
+    return test({results_[near_], results_[far_]}, ref::pair_boxes(first, second));
   }
   [[nodiscard]] std::span<const std::int64_t> operands() const override { return operands_; }
   [[nodiscard]] std::span<const std::int64_t> results() const override { return results_; }
 
  private:
-  struct Family {
-    ref::IntBox parent;
-    ref::PairBoxes boxes;
-  };
-
-  /// The same for the same box.
-  [[nodiscard]] Family family(const ref::IntBox& box) const {
-    std::uint64_t random = 0x9E3779B97F4A7C15U;
-    const auto draw = [&](std::uint64_t more) {
-      random = (random ^ more) * 0xBF58476D1CE4E5B9U;
-      random ^= random >> 31;
-      return random;
-    };
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      draw(static_cast<std::uint32_t>(box.min[axis]));
-      draw(static_cast<std::uint32_t>(box.max[axis]));
-    }
-    Family made{box, {box, 0}};
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      const std::uint64_t low = draw(axis);
-      const std::uint64_t high = draw(axis);
-      const auto away = [](std::uint64_t bits) {
-        return static_cast<std::int32_t>((bits >> 8 & 0xFFFFFF) >> (bits >> 32 & 31));
-      };
-      std::int32_t& min = made.boxes.planes.min[axis];
-      std::int32_t& max = made.boxes.planes.max[axis];
-      if ((low & 1U) != 0) {
-        min = static_cast<std::int32_t>(std::min<std::int64_t>(limit_, std::int64_t{min} + away(low)));
-        made.boxes.owners |= static_cast<std::uint8_t>(1U << axis);
-      } else {
-        made.parent.min[axis] = std::max(-limit_, min - away(low));
-      }
-      if ((high & 1U) != 0) {
-        max = static_cast<std::int32_t>(std::max<std::int64_t>(-limit_, std::int64_t{max} - away(high)));
-        made.boxes.owners |= static_cast<std::uint8_t>(1U << (axis + 3));
-      } else {
-        made.parent.max[axis] =
-            static_cast<std::int32_t>(std::min<std::int64_t>(limit_, std::int64_t{max} + away(high)));
+  /// The same for the same box. It may be turned inside out: only its planes count.
+  [[nodiscard]] ref::IntBox sibling(const ref::IntBox& box) const {
+    std::uint64_t seed = 0;
+    for (const auto& corner : {box.min, box.max})
+      for (const std::int32_t plane : corner)
+        seed = seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(plane);
+    ref::adversary::Random random(seed);
+    ref::IntBox other = box;
+    for (auto* const corner : {&other.min, &other.max}) {
+      for (std::int32_t& plane : *corner) {
+        // Of any magnitude, to either side.
+        const auto away = static_cast<std::int64_t>(random.below(std::uint64_t{1} << random.between(0, 31)));
+        const std::int64_t moved = random.coin() ? plane + away : plane - away;
+        plane = static_cast<std::int32_t>(std::clamp(moved, -limit_, limit_));
       }
     }
-    return made;
+    return other;
   }
 
   bool test(const ref::MajorInterval& parent, const ref::PairBoxes& boxes) {
@@ -150,7 +126,7 @@ class PairTest final : public BoxTest {
 
   rtl::Evaluate evaluate_;
   rtl::Format format_;
-  std::int32_t limit_;  ///< of a plane
+  std::int64_t limit_;  ///< of a plane
   std::vector<std::int64_t> operands_;
   std::vector<std::int64_t> results_;
   std::size_t near_ = 0;
@@ -173,10 +149,8 @@ ref::TracerOptions pair_traversal(const rtl::Format& format) {
 }
 
 std::size_t pair_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& /*none*/) {
-  ref::Bvh one;
-  one.nodes.push_back({{glm::vec3(0), glm::vec3(0)}, 1, 0});
-  const auto bits = format.as<MajorBits>();
-  return ref::PairNodes(one, bits.coord, bits.finer).bytes_per_record;
+  // A record is for two nodes.
+  return (ref::PairNodes::record_bytes(format.as<MajorBits>().coord) + 1) / 2;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sim/feeds/set_up_feed.hpp"
+#include "sim/fit/port_ranges.hpp"
 #include "sw_ref/adversary/major.hpp"
 #include "sw_ref/quantise/fine_grid.hpp"
 
@@ -36,68 +37,55 @@ std::vector<std::vector<rtl::Format>> major_up_to(const rtl::Format& most) {
   return groups;
 }
 
-/// What a family of rays can have in the slots m, a and b when its major axis is `major`.
+/// A family of rays whose major axis is axes[0]; axes are in the slots m, a and b.
 struct Slotted {
   const ref::RayFamily* family;
+  Magnitudes direction;
   std::array<int, 3> axes;
 };
-
-double magnitude_from(const ref::RayFamily& family, int axis) {
-  const double low = family.direction.min[axis];
-  const double high = family.direction.max[axis];
-  return low <= 0.0 && high >= 0.0 ? 0.0 : std::min(std::abs(low), std::abs(high));
-}
-double magnitude_to(const ref::RayFamily& family, int axis) {
-  return std::max(std::abs(double{family.direction.min[axis]}), std::abs(double{family.direction.max[axis]}));
-}
 
 /// Every family with every axis that can be its major one.
 std::vector<Slotted> slotted(const ref::SceneDemands& scene) {
   std::vector<Slotted> all;
   for (const ref::RayFamily& family : scene.rays) {
-    double largest = 0.0;
-    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, magnitude_from(family, axis));
-    for (int major = 0; major < 3; ++major) {
-      if (magnitude_to(family, major) < largest) continue;
-      Slotted each{&family, {0, 1, 2}};
-      std::swap(each.axes[0], each.axes[static_cast<std::size_t>(major)]);
+    const Magnitudes direction(family.direction);
+    const double largest = *std::max_element(direction.least.begin(), direction.least.end());
+    for (std::size_t major = 0; major < 3; ++major) {
+      if (direction.most[major] < largest) continue;
+      Slotted each{&family, direction, {0, 1, 2}};
+      std::swap(each.axes[0], each.axes[major]);
       all.push_back(each);
     }
   }
   return all;
 }
 
-rtl::Interval either(const std::optional<rtl::Interval>& a, const rtl::Interval& b) {
-  return a ? rtl::Interval{std::min(a->low, b.low), std::max(a->high, b.high)} : b;
-}
-
 rtl::Interval origins(const Slotted& ray, std::size_t slot, const MajorBits& bits) {
   const int axis = ray.axes[slot];
   const auto rounded = [&](float x) { return ref::fine_nearest(x, bits.coord, bits.finer); };
-  std::optional<rtl::Interval> range;
   const float low = ray.family->origin.min[axis];
   const float high = ray.family->origin.max[axis];
-  if (ray.family->direction.max[axis] >= 0.0F) range = rtl::Interval{-rounded(-low), -rounded(-high)};
-  if (ray.family->direction.min[axis] < 0.0F) range = either(range, {-rounded(high) - 1, -rounded(low) - 1});
+  Range range;
+  if (ray.family->direction.max[axis] >= 0.0F) grow(range, {-rounded(-low), -rounded(-high)});
+  if (ray.family->direction.min[axis] < 0.0F) grow(range, {-rounded(high) - 1, -rounded(low) - 1});
   return *range;
 }
 
 /// The margin is for the rounding of the quotient.
 rtl::Interval exponents(const Slotted& ray, std::size_t slot, const MajorBits& bits) {
   constexpr double margin = 1e-12;
-  const double major_from = magnitude_from(*ray.family, ray.axes[0]);
-  const double major_to = magnitude_to(*ray.family, ray.axes[0]);
-  const double other_from = magnitude_from(*ray.family, ray.axes[slot]);
-  const double other_to = magnitude_to(*ray.family, ray.axes[slot]);
+  const auto major = static_cast<std::size_t>(ray.axes[0]);
+  const auto other = static_cast<std::size_t>(ray.axes[slot]);
+  const auto& [least, most] = ray.direction;
   const int cap = bits.largest_exponent();
-  const auto power = [&](double quotient) {
-    return !std::isfinite(quotient) || quotient > std::ldexp(1.0, cap) ? cap
-                                                                       : std::ilogb(std::max(1.0, quotient));
+  const auto power = [&](double above, double below) {
+    const double quotient = above / below;
+    if (below == 0.0 || quotient > std::ldexp(1.0, cap)) return cap;
+    return std::ilogb(std::max(1.0, quotient));
   };
-  const int least = other_to == 0.0 ? cap : power(major_from / other_to * (1.0 - margin));
-  const int most = other_from == 0.0 ? cap : power(major_to / other_from * (1.0 + margin));
   // An upper mantissa that would be 2 takes the next exponent.
-  return {least, std::min(cap, most + 1)};
+  return {power(least[major] * (1.0 - margin), most[other]),
+          std::min(cap, power(most[major] * (1.0 + margin), least[other]) + 1)};
 }
 
 /// Ports of slots are named after them, with the slot's letter at the end.
@@ -115,7 +103,7 @@ std::optional<ScenePromise> major_promise(const rtl::Port& port, const rtl::Form
     const auto axis = static_cast<std::size_t>(port.axis) - static_cast<std::size_t>(hls::Axis::x);
     return ScenePromise{{box.min[axis], box.max[axis]}, spare};
   }
-  const auto range_of = [&](const Slotted& ray) -> std::optional<rtl::Interval> {
+  const auto range_of = [&](const Slotted& ray) -> Range {
     const std::size_t slot = slot_of(port);
     const int axis = ray.axes[slot];
     switch (port.role) {
@@ -134,11 +122,11 @@ std::optional<ScenePromise> major_promise(const rtl::Port& port, const rtl::Form
         return std::nullopt;
     }
   };
-  std::optional<rtl::Interval> range;
+  Range range;
   for (const Slotted& ray : slotted(scene)) {
-    const std::optional<rtl::Interval> one = range_of(ray);
+    const Range one = range_of(ray);
     if (!one) return std::nullopt;
-    range = either(range, *one);
+    grow(range, *one);
   }
   if (!range) return std::nullopt;
   return ScenePromise{*range, port.role == hls::Role::origin ? spare : 0};

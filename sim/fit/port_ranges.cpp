@@ -12,22 +12,6 @@ namespace hitpipe::sim {
 
 namespace {
 
-/// Bounds of the magnitudes of a family's direction components.
-struct Magnitudes {
-  std::array<double, 3> least{};
-  std::array<double, 3> most{};
-
-  explicit Magnitudes(const ref::Aabb& direction) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double low = direction.min[axis];
-      const double high = direction.max[axis];
-      const auto i = static_cast<std::size_t>(axis);
-      most[i] = std::max(std::abs(low), std::abs(high));
-      least[i] = low <= 0.0 && high >= 0.0 ? 0.0 : std::min(std::abs(low), std::abs(high));
-    }
-  }
-};
-
 /// M a / b, rounded up to a whole number, plus 1 for the rounding of the double (M a / b < 2^31 after the
 /// cut). The result is in 0..M.
 std::int64_t scaled_up(double a, double b, std::int64_t limit) {
@@ -41,10 +25,6 @@ std::int64_t scaled_down(double a, double b, std::int64_t limit) {
   return std::max<std::int64_t>(0, static_cast<std::int64_t>(std::floor(quotient)) - 1);
 }
 
-void grow(Range& range, const rtl::Interval& by) {
-  range = range ? rtl::Interval{std::min(range->low, by.low), std::max(range->high, by.high)} : by;
-}
-
 /// The directions of all families along the axis. Nothing if one may be 0 or if signs differ.
 std::optional<ref::Aabb> one_sided(const ref::SceneDemands& scene, int axis) {
   ref::Aabb all;
@@ -54,6 +34,20 @@ std::optional<ref::Aabb> one_sided(const ref::SceneDemands& scene, int axis) {
 }
 
 }  // namespace
+
+Magnitudes::Magnitudes(const ref::Aabb& direction) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = direction.min[axis];
+    const double high = direction.max[axis];
+    const auto i = static_cast<std::size_t>(axis);
+    most[i] = std::max(std::abs(low), std::abs(high));
+    least[i] = low <= 0.0 && high >= 0.0 ? 0.0 : std::min(std::abs(low), std::abs(high));
+  }
+}
+
+void grow(Range& range, const rtl::Interval& by) {
+  range = range ? rtl::Interval{std::min(range->low, by.low), std::max(range->high, by.high)} : by;
+}
 
 Range int_origin(const ref::SceneDemands& scene, int axis, int coord_bits, const ref::CoarseAxes& coarse) {
   const ref::Aabb origins = scene.origins();

@@ -1,6 +1,7 @@
 // Integer ranges of the ports of one axis, for all rays and boxes of a scene. Empty if nothing is known.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "hls/box/int_format.hpp"
@@ -11,6 +12,16 @@
 namespace hitpipe::sim {
 
 using Range = std::optional<rtl::Interval>;
+/// The smallest range that holds both.
+void grow(Range& range, const rtl::Interval& by);
+
+/// Bounds of the magnitudes of a family's direction components, by axis.
+struct Magnitudes {
+  std::array<double, 3> least{};
+  std::array<double, 3> most{};
+
+  explicit Magnitudes(const ref::Aabb& direction);
+};
 
 /// Grid coordinates of ray origins, and of both corners of boxes. `coarse` must fit the scene.
 [[nodiscard]] Range int_origin(const ref::SceneDemands& scene, int axis, int coord_bits,

@@ -112,8 +112,7 @@ inline constexpr std::size_t sweep_time_columns = 2;
 [[nodiscard]] std::vector<std::string> to_cells(const SweepRow& row);
 
 /// Throws std::runtime_error, one line, for a wrong number of cells, a cell that is not a number of its type,
-/// a figure that does not follow from the counts, or more box tests than
-/// the tests can have answered.
+/// a figure that does not follow from the counts, or more box tests than the tests can have answered.
 [[nodiscard]] SweepRow from_cells(const std::vector<std::string>& cells);
 
 }  // namespace hitpipe::sim

@@ -7,7 +7,7 @@ namespace hitpipe::ref {
 static_assert(NodeStore<IntNodes>);
 
 IntNodes::IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse, int finer)
-    : bytes_per_node(box_bytes(coord_bits, coarse) + tail_bytes), coord_bits_(coord_bits) {
+    : bytes_per_node(node_bytes(coord_bits, coarse)), coord_bits_(coord_bits) {
   // This also checks coord_bits before memory is allocated for it.
   (void)quantise_box({glm::vec3(0), glm::vec3(0)}, coord_bits);
   check_coarse(coarse, coord_bits, "IntNodes");
@@ -29,10 +29,10 @@ IntNodes::IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse, int
   }
 }
 
-std::size_t IntNodes::box_bytes(int coord_bits, const CoarseAxes& coarse) {
+std::size_t IntNodes::node_bytes(int coord_bits, const CoarseAxes& coarse) {
   int bits = 6 * coord_bits;
   for (const int dropped : coarse.dropped) bits -= 2 * dropped;
-  return (static_cast<std::size_t>(bits) + 7) / 8;
+  return (static_cast<std::size_t>(bits) + 7) / 8 + tail_bytes;
 }
 
 /// The bytes must be zero.

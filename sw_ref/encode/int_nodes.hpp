@@ -26,6 +26,7 @@ class IntNodes {
   using Box = IntBox;
   using Node = std::uint32_t;  ///< index as in Bvh::nodes
   const std::size_t bytes_per_node;
+  [[nodiscard]] static std::size_t node_bytes(int coord_bits, const CoarseAxes& coarse = {});
 
   /// `finer` is that of quantise_box(). `bvh` needs at least one node; its data is copied. Throws as
   /// quantise_box() and coarse_box() do, for n outside 6..32 and for boxes that leave the grid.
@@ -58,7 +59,6 @@ class IntNodes {
 
   static constexpr std::size_t tail_bytes = sizeof(BvhNode::count) + sizeof(BvhNode::first);
 
-  static std::size_t box_bytes(int coord_bits, const CoarseAxes& coarse);
   template <class Word>
   static Word read(const std::byte* at) {
     Word word;

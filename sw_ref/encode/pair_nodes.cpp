@@ -12,22 +12,10 @@ std::vector<IntBox> refitted(const Bvh& bvh, int coord_bits, int finer) {
   std::vector<IntBox> boxes(bvh.nodes.size());
   for (std::size_t i = boxes.size(); i-- > 0;) {
     const BvhNode& node = bvh.nodes[i];
-    if (node.is_leaf()) {
-      boxes[i] = quantise_box(node.box, coord_bits, finer);
-      continue;
-    }
-    const IntBox& a = boxes[node.first];
-    const IntBox& b = boxes[node.first + 1];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      boxes[i].min[axis] = std::min(a.min[axis], b.min[axis]);
-      boxes[i].max[axis] = std::max(a.max[axis], b.max[axis]);
-    }
+    boxes[i] = node.is_leaf() ? quantise_box(node.box, coord_bits, finer)
+                              : union_of(boxes[node.first], boxes[node.first + 1]);
   }
   return boxes;
-}
-
-std::size_t plane_bytes(int coord_bits) {
-  return (static_cast<std::size_t>(6 * coord_bits + 8) + 7) / 8;
 }
 
 /// Bits of a record that start anywhere. They never leave it, because 16 bytes follow the planes.
@@ -53,7 +41,7 @@ PairBoxes pair_boxes(const IntBox& first, const IntBox& second) {
 }
 
 PairNodes::PairNodes(const Bvh& bvh, int coord_bits, int finer)
-    : bytes_per_record(plane_bytes(coord_bits) + 2 * sizeof(PairChild)), coord_bits_(coord_bits) {
+    : bytes_per_record(record_bytes(coord_bits)), coord_bits_(coord_bits) {
   const std::vector<IntBox> boxes = refitted(bvh, coord_bits, finer);
   // The records of branches follow the root's in the order of their nodes.
   std::vector<std::uint32_t> record_of(bvh.nodes.size());

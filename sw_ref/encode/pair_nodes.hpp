@@ -42,6 +42,9 @@ class PairNodes {
 
  public:
   const std::size_t bytes_per_record;
+  [[nodiscard]] static constexpr std::size_t record_bytes(int coord_bits) {
+    return (static_cast<std::size_t>(6 * coord_bits + 8) + 7) / 8 + 2 * sizeof(PairChild);
+  }
 
   /// `bvh` needs at least one node; its data is copied. Boxes of branches are taken anew from their children,
   /// so a hierarchy with looser ones works too. Throws as quantise_box() does.

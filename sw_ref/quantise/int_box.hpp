@@ -2,7 +2,9 @@
 // the origin is rounded, and then rounded outward.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -17,6 +19,16 @@ struct IntBox {
 
   friend bool operator==(const IntBox&, const IntBox&) = default;
 };
+
+/// The smallest box that holds both.
+[[nodiscard]] inline IntBox union_of(const IntBox& a, const IntBox& b) {
+  IntBox both;
+  for (std::size_t i = 0; i < 3; ++i) {
+    both.min[i] = std::min(a.min[i], b.min[i]);
+    both.max[i] = std::max(a.max[i], b.max[i]);
+  }
+  return both;
+}
 
 /// min = floor(G * min - h), max = ceil(G * max + h), both exact, with h = 1/2, or 2^-(g+1) for origins on a
 /// grid that is finer by g bits (`finer`, 0..3). `coord_bits` is n, 6..32. Throws std::out_of_range if a

@@ -6,8 +6,8 @@ namespace hitpipe::ref {
 
 static_assert(BoxTest<IntMajorTest, IntBox>);
 
-MajorDistances::MajorDistances(const Ray& ray, hls::MajorBits bits)
-    : set_up_(ray, bits),
+MajorDistances::MajorDistances(const IntMajorRaySetup& set_up, hls::MajorBits bits)
+    : set_up_(set_up),
       finer_(bits.finer),
       fraction_(bits.fraction),
       mantissa_(bits.mantissa - 1),

@@ -24,7 +24,9 @@ struct MajorInterval {
 class MajorDistances {
  public:
   /// Throws as IntMajorRaySetup does.
-  MajorDistances(const Ray& ray, hls::MajorBits bits);
+  MajorDistances(const Ray& ray, hls::MajorBits bits) : MajorDistances(IntMajorRaySetup(ray, bits), bits) {}
+  /// For a ray that is set up for this format already.
+  MajorDistances(const IntMajorRaySetup& set_up, hls::MajorBits bits);
 
   /// Of the lower and upper plane of slot m, a or b.
   [[nodiscard]] MajorInterval slab(std::size_t slot, const IntBox& box) const {

@@ -1,5 +1,3 @@
-#include <stdexcept>
-
 #include "sw_ref/traverse/pair_traversal.hpp"
 #include "sw_ref/traverse/tracer_kinds.hpp"
 
@@ -15,15 +13,13 @@ class MajorPairTracer final : public Tracer {
         scene_{&records_, &parts.mesh, parts.bvh.order, &leaf_test(parts.options.triangle_test)} {}
 
   void trace(const TraceJob& job, TraceCounts& counts) const override {
-    if (job.triangles.size() != job.rays.size() ||
-        (!job.work.empty() && job.work.size() != job.rays.size())) {
-      throw std::invalid_argument("tracer: places for answers and work must be as many as the rays");
-    }
+    check_places(job);
     counts.rays += job.rays.size();
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
       const Ray& ray = job.rays[i];
-      const MajorDistances distances(ray, bits_);
-      PairTraversal traversal(scene_, ray, job.query, bits_);
+      const IntMajorRaySetup set_up(ray, bits_);
+      const MajorDistances distances(set_up, bits_);
+      PairTraversal traversal(scene_, ray, job.query, set_up);
       while (!traversal.done()) {
         ++counts.nodes_loaded;
         traversal.answer(test_pair(distances, records_.boxes(traversal.record()), traversal.parent()));

@@ -54,6 +54,11 @@ void check(const Bvh& bvh, const TracerOptions& options) {
 
 }  // namespace
 
+void check_places(const TraceJob& job) {
+  allow(job.triangles.size() == job.rays.size() && (job.work.empty() || job.work.size() == job.rays.size()),
+        "tracer: places for answers and work must be as many as the rays");
+}
+
 std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh, const TracerOptions& options) {
   check(bvh, options);
   const TracerParts parts{mesh, bvh, options};

@@ -28,10 +28,10 @@ struct PairScene {
 
 class PairTraversal {
  public:
-  /// Throws as IntMajorRaySetup does.
-  PairTraversal(const PairScene& scene, const Ray& ray, Query query, hls::MajorBits bits)
+  /// `set_up` is that of the ray.
+  PairTraversal(const PairScene& scene, const Ray& ray, Query query, const IntMajorRaySetup& set_up)
       : scene_(scene),
-        set_up_(ray, bits),
+        set_up_(set_up),
         ray_(ray),
         length_(ray.length),
         cut_(set_up_.length(ray.length)),

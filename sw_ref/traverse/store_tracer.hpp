@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -49,10 +48,7 @@ class StoreTracer final : public Tracer {
         ends_(parts.options.ends) {}
 
   void trace(const TraceJob& job, TraceCounts& counts) const override {
-    if (job.triangles.size() != job.rays.size() ||
-        (!job.work.empty() && job.work.size() != job.rays.size())) {
-      throw std::invalid_argument("tracer: places for answers and work must be as many as the rays");
-    }
+    check_places(job);
     NoObserver observer;
     trace_batch(TraceWith<Store, Maker>{store_, make_test_, leaves_, order_, bundle_, ends_}, job, counts,
                 observer);

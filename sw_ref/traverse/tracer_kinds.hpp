@@ -14,6 +14,9 @@ struct TracerParts {
   TracerOptions options;  ///< a combination that exists
 };
 
+/// Throws std::invalid_argument unless there are as many places for answers, and for work if any, as rays.
+void check_places(const TraceJob& job);
+
 [[nodiscard]] std::unique_ptr<Tracer> make_plain_tracer(const TracerParts& parts);
 [[nodiscard]] std::unique_ptr<Tracer> make_double_tracer(const TracerParts& parts);
 [[nodiscard]] std::unique_ptr<Tracer> make_integer_tracer(const TracerParts& parts);

@@ -10,6 +10,7 @@
 
 #include "host/files.hpp"
 #include "host/scratch_folder.hpp"
+#include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
 #include "sim/cosim.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -209,6 +210,8 @@ TEST(BytesPerNode, AreThoseOfTable61) {
   const rtl::Design& slabs = rtl::find_design("int_slabs");
   EXPECT_EQ(bytes_per_node(slabs, hls::IntBits{24, 24}), 26U);
   EXPECT_EQ(bytes_per_node(slabs, hls::IntBits{16, 24}), 20U);
+  EXPECT_EQ(bytes_per_node(rtl::find_design("int_major"), hls::MajorBits{20, 1, 13}), 23U);
+  EXPECT_EQ(bytes_per_node(rtl::find_design("int_major_pair"), hls::MajorBits{20, 1, 13}), 16U);
   EXPECT_EQ(bytes_per_node(slabs, hls::IntBits{16, 24}, {{0, 3, 1}}), 19U);
 }
 

@@ -201,7 +201,7 @@ TEST(IntMajorRaySetup, IsTheRationalForAnyFiniteDirectionAndLength) {
 }
 
 /// Both mirrorings: n = 6, G = 15, and on the grid of g = 0 a half is 7.5. A ray that goes up starts at 7.
-/// One that goes down starts at 8, which is -8 in its world, and -8 - 1 stands for it.
+/// A ray that goes down starts at 8, and its operand is -8 - 1.
 TEST(IntMajorRaySetup, OriginTiesGoAgainstTheDirection) {
   const Ray up{{0.5F, -0.5F, 0.5F}, {1, 1, 0.0F}, 1};
   EXPECT_EQ(IntMajorRaySetup(up, {6, 0, 4}).ray().origin, (Triple{7, -8, 7}));

@@ -199,14 +199,20 @@ TEST_F(Render, TellsHowFarItIs) {
     EXPECT_DOUBLE_EQ(shares[i], static_cast<double>(i + 1) / 12.0);
 }
 
-TEST(RenderShadow, FallsBehindTheBlocker) {
-  // A floor seen from above, and a small plate between it and the light.
+/// The plate is at a height of 0.5.
+SceneDescription floor_under_a_plate() {
   SceneDescription description;
   description.mesh.vertices = {{-1, 0, -1},          {-1, 0, 3},          {3, 0, -1},
                                {-0.2F, 0.5F, -0.2F}, {-0.2F, 0.5F, 0.2F}, {0.2F, 0.5F, 0.2F},
                                {0.2F, 0.5F, -0.2F}};
   description.mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {3, 5, 6}};
   description.materials = {{glm::vec3(0.5F)}};
+  return description;
+}
+
+TEST(RenderShadow, FallsBehindTheBlocker) {
+  // A floor seen from above, and a small plate between it and the light.
+  SceneDescription description = floor_under_a_plate();
   description.eye = {1.5, 3.0, 0.0};
   description.target = {0.0, 0.0, 0.0};
   description.fov_degrees = 1.0;
@@ -230,12 +236,7 @@ TEST(RenderShadow, FallsBehindTheBlocker) {
 TEST(RenderShadow, OfASunFallsAlongItsDirection) {
   // The plan of a floor under a plate at a height of 0.5. The sun stands in the east at 45 degrees, so the
   // shadow lies 0.5 to the west of the plate.
-  SceneDescription description;
-  description.mesh.vertices = {{-1, 0, -1},          {-1, 0, 3},          {3, 0, -1},
-                               {-0.2F, 0.5F, -0.2F}, {-0.2F, 0.5F, 0.2F}, {0.2F, 0.5F, 0.2F},
-                               {0.2F, 0.5F, -0.2F}};
-  description.mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {3, 5, 6}};
-  description.materials = {{glm::vec3(0.5F)}};
+  SceneDescription description = floor_under_a_plate();
   description.eye = {0.0, 1.0, 0.0};
   description.up = {0.0, 0.0, -1.0};
   description.fov_degrees = 2.0 * std::atan(0.75) * 180.0 / 3.141592653589793;  // the image is 1.5 high

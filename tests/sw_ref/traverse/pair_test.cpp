@@ -22,15 +22,6 @@ using hls::MajorBits;
 
 constexpr unsigned seed = 2022;
 
-IntBox union_of(const IntBox& a, const IntBox& b) {
-  IntBox both;
-  for (std::size_t i = 0; i < 3; ++i) {
-    both.min[i] = std::min(a.min[i], b.min[i]);
-    both.max[i] = std::max(a.max[i], b.max[i]);
-  }
-  return both;
-}
-
 /// The box of a child: its own planes, and else its parent's.
 IntBox box_of_child(const PairBoxes& pair, unsigned which, const IntBox& parent) {
   IntBox box;
@@ -308,6 +299,26 @@ TEST(PairTraversal, FindsTheTrianglesThatTheRobustTraversalFinds) {
       }
     }
   }
+}
+
+TEST(PairTraversal, DeepestHierarchyFitsTheStack) {
+  const Mesh mesh = one_triangle_a_level();
+  const Bvh bvh = build_bvh(mesh, {.max_triangles = 1, .min_split = 0.0F});
+  ASSERT_EQ(bvh.depth, BuildOptions::deepest);
+  const auto tracer = make_tracer(
+      mesh, bvh,
+      {.algorithm = Algorithm::slabs_dsa, .arithmetic = Arithmetic::major, .encoding = Encoding::pairs});
+  const std::vector<Ray> rays{{{0.95F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}},
+                              {{-0.95F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}},
+                              {{0.95F, 0.9F, 0.0F}, {-1.0F, 0.0F, 0.0F}}};
+  std::vector<std::uint32_t> found(rays.size());
+  std::vector<RayWork> work(rays.size());
+  TraceCounts counts;
+  tracer->trace({rays, Query::closest, found, work}, counts);
+  EXPECT_EQ(found[0], 0U);
+  EXPECT_NE(found[1], Hit::none);
+  EXPECT_EQ(found[2], Hit::none);
+  EXPECT_GE(work[1].box_tests, std::uint32_t{BuildOptions::deepest});
 }
 
 TEST(PairTraversal, NeedsItsOwnRecordsAndOrder) {

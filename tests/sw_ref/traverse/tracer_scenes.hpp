@@ -38,6 +38,16 @@ inline void add_triangle(Mesh& mesh, const glm::vec3& a, const glm::vec3& b, con
   mesh.triangles.emplace_back(base, base + 1, base + 2);
 }
 
+/// Centres at powers of two leave one triangle for each level of a hierarchy, which is as deep as it can be.
+inline Mesh one_triangle_a_level() {
+  Mesh mesh;
+  for (int i = 0; i < 100; ++i) {
+    const float x = std::ldexp(0.9F, -i);
+    add_triangle(mesh, {x, -0.5F, -0.5F}, {x, 0.5F, -0.5F}, {x, 0.0F, 0.5F});
+  }
+  return mesh;
+}
+
 /// Small triangles anywhere.
 inline Mesh soup(Random& random, int triangles) {
   Mesh mesh;

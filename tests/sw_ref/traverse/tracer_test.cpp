@@ -344,16 +344,8 @@ TEST(MoellerTrumboreTest, IsTwoSidedAndTakesTheNearestWithTiesToTheLowerIndex) {
 }
 
 TEST(Tracer, DeepestHierarchyFitsTheStacks) {
-  // Centres at powers of two leave one triangle per level.
-  Mesh mesh;
-  for (int i = 0; i < 100; ++i) {
-    const float x = std::ldexp(0.9F, -i);
-    add_triangle(mesh, {x, -0.5F, -0.5F}, {x, 0.5F, -0.5F}, {x, 0.0F, 0.5F});
-  }
-  BuildOptions build;
-  build.max_triangles = 1;
-  build.min_split = 0.0F;
-  const Bvh bvh = build_bvh(mesh, build);
+  const Mesh mesh = one_triangle_a_level();
+  const Bvh bvh = build_bvh(mesh, {.max_triangles = 1, .min_split = 0.0F});
   ASSERT_EQ(bvh.depth, BuildOptions::deepest);
   std::vector<Ray> rays(256, Ray{{0.95F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}});
   rays.resize(512, Ray{{-0.95F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}});

@@ -1,0 +1,153 @@
+// Rows of a sweep: their figures follow from their counts, and cells and files give them back.
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/sweep/row.hpp"
+#include "sim/sweep/rows_file.hpp"
+#include "tests/message_of.hpp"
+#include "tests/sim/sweep/sample_rows.hpp"
+#include "tests/sim/temporary_folder.hpp"
+
+namespace hitpipe::sim {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(SweepRowFigures, AreThoseOfTheirDefinitions) {
+  const SweepRow row = a_row();
+  EXPECT_EQ(row.rays_traced(), 8000U);
+  EXPECT_DOUBLE_EQ(row.occupancy_pct(), 80.0);
+  EXPECT_DOUBLE_EQ(row.false_hits_per_million(), 307.5);
+  EXPECT_DOUBLE_EQ(row.extra_box_tests_per_ray(), -0.1);
+  EXPECT_DOUBLE_EQ(row.extra_triangle_tests_per_ray(), 0.125);
+  EXPECT_DOUBLE_EQ(row.run_time_ms(), 1.588);  // 500,000 cycles of 3.176 ns
+  EXPECT_DOUBLE_EQ(row.area_per_box_mm2(), 1.234567);
+  EXPECT_DOUBLE_EQ(row.area_delay_mm2_ns(), 1.234567 * 3.176);
+  EXPECT_DOUBLE_EQ(row.area_run_time_mm2_ms(), 1.234567 * 1.588);
+}
+
+TEST(SweepRowFigures, OfAPairAreForEachBox) {
+  const SweepRow row = a_pair();
+  EXPECT_DOUBLE_EQ(row.occupancy_pct(), 80.0);
+  EXPECT_DOUBLE_EQ(row.false_hits_per_million(), 307.5);
+  EXPECT_DOUBLE_EQ(row.extra_box_tests_per_ray(), -0.1);
+  EXPECT_DOUBLE_EQ(row.run_time_ms(), 1.588 / 2);
+  EXPECT_DOUBLE_EQ(row.area_per_box_mm2(), 1.234567 / 2);
+  EXPECT_DOUBLE_EQ(row.area_delay_mm2_ns(), 1.234567 / 2 * 3.176);
+  // The run time is that of the whole unit, so the area is too.
+  EXPECT_DOUBLE_EQ(row.area_run_time_mm2_ms(), 1.234567 * 1.588 / 2);
+}
+
+TEST(SweepRowFigures, OfNothingAreZero) {
+  const SweepRow row;
+  for (const double figure :
+       {row.occupancy_pct(), row.false_hits_per_million(), row.extra_box_tests_per_ray(),
+        row.extra_triangle_tests_per_ray(), row.run_time_ms()})
+    EXPECT_EQ(figure, 0.0);
+}
+
+TEST(SweepRowFigures, NothingThatMustBeZeroIsForgiven) {
+  EXPECT_TRUE(a_row().verified(true));
+  for (const auto count :
+       {&SweepRow::rtl_mismatches, &SweepRow::different_triangles, &SweepRow::different_pixels}) {
+    SweepRow row = a_row();
+    row.*count = 1;
+    EXPECT_FALSE(row.verified(true));
+    EXPECT_FALSE(row.verified(false));
+  }
+  SweepRow row = a_row();
+  row.false_misses = 1;
+  EXPECT_FALSE(row.verified(true));
+  EXPECT_TRUE(row.verified(false));
+}
+
+TEST(SweepRowCells, GiveTheRowBack) {
+  const std::vector<std::string> cells = to_cells(a_row());
+  ASSERT_EQ(cells.size(), sweep_columns.size());
+  EXPECT_EQ(cells[8], "1");
+  EXPECT_EQ(cells[10], "3.176");
+  EXPECT_EQ(cells[11], "1.234567");
+  EXPECT_EQ(from_cells(cells), a_row());
+  EXPECT_EQ(from_cells(to_cells(a_pair())), a_pair());
+}
+
+TEST(SweepRowCells, NumbersThatDoNotBelongRejected) {
+  for (std::size_t column = 0; column < sweep_columns.size(); ++column) {
+    if (is_text_column(sweep_columns[column])) continue;
+    for (const char* const wrong : {"", "x", "1x", "1e", "12345.5", "0x1"}) {
+      std::vector<std::string> cells = to_cells(a_row());
+      cells[column] = wrong;
+      const bool time = column + sweep_time_columns >= sweep_columns.size();
+      if (time && std::string(wrong) == "12345.5") continue;
+      EXPECT_THAT(message_of<std::runtime_error>([&] { return from_cells(cells); }),
+                  HasSubstr(sweep_columns[column]))
+          << sweep_columns[column] << " = " << wrong;
+    }
+  }
+  EXPECT_EQ(message_of<std::runtime_error>([] { return from_cells({"spheres"}); }), "1 cells; a row has 38");
+}
+
+TEST(SweepRowCells, FiguresThatDoNotFollowRejected) {
+  std::vector<std::string> cells = to_cells(a_row());
+  cells[16] = cells[17] = "400001";  // unit_tests, box_tests
+  EXPECT_THAT(message_of<std::runtime_error>([&] { return from_cells(cells); }),
+              StartsWith("80 of occupancy_pct does not follow from the counts, which give 80.0002"));
+}
+
+TEST(SweepRowCells, BoxesThatTheTestsCannotAnswerForRejected) {
+  const auto refused = [](std::uint64_t unit_tests, std::uint64_t box_tests, int boxes_per_test) {
+    SweepRow row = a_row();
+    row.unit_tests = unit_tests;
+    row.box_tests = box_tests;
+    row.boxes_per_test = boxes_per_test;
+    return message_of<std::runtime_error>([&] { return from_cells(to_cells(row)); });
+  };
+  EXPECT_EQ(refused(3, 6, 2), "no exception");
+  EXPECT_EQ(refused(3, 3, 2), "no exception");
+  EXPECT_EQ(refused(3, 7, 2), "7 of box_tests cannot be answered by 3 tests of 2 boxes");
+  EXPECT_EQ(refused(3, 2, 2), "2 of box_tests cannot be answered by 3 tests of 2 boxes");
+  EXPECT_EQ(refused(3, 4, 1), "4 of box_tests cannot be answered by 3 tests of 1 boxes");
+  EXPECT_EQ(refused(3, 3, 0), "0 of boxes_per_test is less than 1");
+}
+
+TEST(RowsFile, IsReadAsWritten) {
+  const TemporaryFolder folder;
+  const RowsFile rows{"a sweep", {a_row(), a_row()}};
+  write_rows(folder.path() / "rows.csv", rows);
+  const RowsFile again = read_rows(folder.path() / "rows.csv");
+  EXPECT_EQ(again.about, "a sweep");
+  EXPECT_EQ(again.rows, rows.rows);
+  const std::string text = to_text(rows);
+  EXPECT_THAT(text, StartsWith("# a sweep\nscene,triangles,bvh_nodes,width,height,rays_in_flight,design,"));
+  EXPECT_THAT(text, HasSubstr(",rtl_seconds,software_ratio\n\"two, \"\"quoted\"\"\",24578,"));
+}
+
+/// Any part may be cut off. A file with whole lines is a sweep that is not finished; any other file is
+/// refused.
+TEST(RowsFile, CutShortRejected) {
+  const std::string text = to_text({"a sweep", {a_row(), a_row()}});
+  std::size_t refused = 0;
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    const std::string cut = text.substr(0, length);
+    const std::string message = message_of<std::runtime_error>([&] { return parse_rows(cut, "rows.csv"); });
+    const bool whole_lines = cut.ends_with('\n') && std::count(cut.begin(), cut.end(), '\n') >= 2;
+    EXPECT_EQ(message == "no exception", whole_lines) << length << ": " << message;
+    refused += message == "no exception" ? 0 : 1;
+  }
+  fmt::print("{} of {} cuts refused\n", refused, text.size());
+  EXPECT_EQ(
+      message_of<std::runtime_error>([] { return parse_rows("# x\nscene\n", "rows.csv"); }),
+      "rows.csv: line 2 is not the header of a sweep by this version; give a file that hitpipe sweep wrote");
+  EXPECT_EQ(message_of<std::runtime_error>([] { return read_rows("/nonexistent/rows.csv"); }),
+            "/nonexistent/rows.csv: cannot read the rows");
+}
+
+}  // namespace
+}  // namespace hitpipe::sim
