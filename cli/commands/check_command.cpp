@@ -105,17 +105,21 @@ int judge(const CheckCommand& command) {
   }
   progress.emplace("judging");
   const sim::MakeBoxTest make = [&] { return sim::make_box_test(design, format); };
+  const sim::MakeBoxTest& make_beside = sim::software_of(design).beside;
+  const double runs = make_beside ? 2.0 : 1.0;
+  double finished = 0;
   sim::CheckOptions options{.categories = categories,
                             .tests = command.tests,
                             .seed = command.seed,
                             .threads = command.threads,
                             .rtl = verilated ? &*verilated : nullptr,
-                            .progress = [&](double share) { progress->show(share); }};
+                            .progress = [&](double share) { progress->show((finished + share) / runs); }};
   const std::vector<sim::CategoryResult> results = sim::check(make, options);
   std::vector<sim::CategoryResult> robust;
-  if (const sim::MakeBoxTest& beside = sim::software_of(design).beside) {
+  if (make_beside) {
+    finished = 1;
     options.rtl = nullptr;
-    robust = sim::check(beside, options);
+    robust = sim::check(make_beside, options);
   }
   progress.reset();
 

@@ -1,30 +1,53 @@
-// Shows on a terminal what is being done, on one line of standard error. After two seconds a bar shows how
-// much is done. The line disappears when the work is done.
+// Shows on standard error what is being done, how much of it is finished and how long the rest takes. On a
+// terminal that is one line, which disappears at the end. Elsewhere it is a line every ten seconds.
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace hitpipe::cli {
 
 class Progress {
  public:
-  /// Shows `what` at once.
-  explicit Progress(std::string what);
+  /// How often it writes. The first bar on a terminal comes after `first_bar`.
+  struct Pace {
+    std::chrono::milliseconds first_bar{2000};
+    std::chrono::milliseconds bar{500};
+    std::chrono::milliseconds line{10'000};
+  };
+
+  /// On a terminal it shows `what` at once.
+  explicit Progress(std::string what) : Progress(std::move(what), Pace{}) {}
+  Progress(std::string what, const Pace& pace);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Sets the finished share, 0..1. Any thread may call it. Not called for work whose share is unknown.
+  /// Sets the finished share, 0..1. Any thread may call it. It is not called for work whose share is unknown.
   void show(double share);
 
  private:
-  std::string what_;
-  bool terminal_;
-  double shown_ = 0;
-  std::chrono::steady_clock::time_point start_;
-  std::mutex drawing_;
+  using Clock = std::chrono::steady_clock;
+
+  void write_until_the_end();
+  void write_bar(Clock::duration elapsed) const;
+  void write_line(Clock::duration elapsed) const;
+
+  const std::string what_;
+  const Pace pace_;
+  const bool terminal_;
+  const Clock::time_point start_;
+  std::mutex state_;  // guards both members below
+  double share_ = 0;
+  bool ended_ = false;
+  std::condition_variable end_;
+  std::thread writer_;
 };
+
+/// "45 s", "3 min 20 s" or "2 h 5 min".
+[[nodiscard]] std::string duration_text(std::chrono::seconds duration);
 
 }  // namespace hitpipe::cli

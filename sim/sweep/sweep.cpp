@@ -92,15 +92,23 @@ class Run {
   void work() {
     while (const SweepPoint* const point = next()) {
       try {
-        const SweepRow row = measure(*point);
+        double share = 0;
+        const SweepRow row = measure(*point, share);
         const std::scoped_lock lock(state_);
         finished_(row);
-        options_.progress(static_cast<double>(++rows_done_) / static_cast<double>(points_.size()));
+        report(share, 1);
       } catch (...) {
         const std::scoped_lock lock(state_);
         if (!failure_) failure_ = std::current_exception();
       }
     }
+  }
+
+  /// A row's finished share has grown. state_ is locked.
+  void report(double& share, double grown) {
+    rows_done_ += std::max(0.0, grown - share);
+    share = std::max(share, grown);
+    options_.progress(rows_done_ / static_cast<double>(points_.size()));
   }
 
   /// Null at the end and after a failure.
@@ -121,15 +129,21 @@ class Run {
     return unit;
   }
 
-  SweepRow measure(const SweepPoint& point) {
+  /// `share` is the part of the row that is finished; state_ guards it.
+  SweepRow measure(const SweepPoint& point, double& share) {
     const Unit& unit = unit_of(point);
+    const auto progress = [&](double grown) {
+      const std::scoped_lock lock(state_);
+      report(share, grown);
+    };
     const CosimResult result = cosimulate(*point.design, point.format, *unit.verilated, scene_, bvh_,
                                           {.width = options_.width,
                                            .height = options_.height,
                                            .rays_in_flight = point.rays_in_flight,
                                            .threads = threads_of_a_row_,
                                            .referee = true,
-                                           .light = options_.light});
+                                           .light = options_.light,
+                                           .progress = progress});
     return {.scene = printable(scene_.name),
             .triangles = scene_.mesh.triangles.size(),
             .bvh_nodes = bvh_.nodes.size(),
@@ -182,7 +196,7 @@ class Run {
   int threads_of_a_row_ = 1;
   std::mutex state_;  // guards all members below
   std::size_t next_ = 0;
-  std::size_t rows_done_ = 0;
+  double rows_done_ = 0;  // with parts of rows
   std::exception_ptr failure_;
 };
 

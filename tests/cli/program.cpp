@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 
 #include <fcntl.h>
@@ -25,6 +26,12 @@ namespace {
   _exit(127);
 }
 
+/// A slow machine may make any command write lines of progress.
+std::string without_progress(const std::string& text) {
+  static const std::regex line("hitpipe: [^\n]*: [0-9]+ (s|min|h)[^\n]*\n");
+  return std::regex_replace(text, line, "");
+}
+
 }  // namespace
 
 Outcome run_hitpipe(const std::vector<std::string>& arguments, const Variables& variables) {
@@ -33,7 +40,7 @@ Outcome run_hitpipe(const std::vector<std::string>& arguments, const Variables& 
   words.emplace_back(HITPIPE_PROGRAM);
   words.insert(words.end(), arguments.begin(), arguments.end());
   const host::Outcome ended = host::run(words);
-  return {ended.signal == 0 ? ended.exit_code : -1, ended.out, ended.err};
+  return {ended.signal == 0 ? ended.exit_code : -1, ended.out, without_progress(ended.err)};
 }
 
 pid_t start_hitpipe(const std::vector<std::string>& arguments) {
