@@ -163,19 +163,20 @@ fs::path default_cache() {
 VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
                                  const fs::path& cache) {
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
-  const std::string verilog = rtl::to_verilog(
-      pipeline, library, {.module_name = std::string(design.name), .bits = rtl::to_string(format)});
-  *this = VerilatedDesign(design, format, pipeline, verilog, cache);
+  const std::string module = design.module_at(format);
+  const std::string verilog =
+      rtl::to_verilog(pipeline, library, {.module_name = module, .bits = rtl::to_string(format)});
+  *this = VerilatedDesign(design, format, pipeline, verilog, module, cache);
 }
 
 VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
-                                 const std::string& verilog, const fs::path& cache)
+                                 const std::string& verilog, const std::string& module, const fs::path& cache)
     : results_(design.results(format)), latency_(pipeline.latency()) {
   const std::vector<rtl::Port> operands = design.ports(format);
   operand_count_ = operands.size();
 
   Sources sources;
-  sources.module = design.name;
+  sources.module = module;
   sources.verilog = verilog;
   sources.wrapper = model_source(sources.module, operands, rtl::input_ports(pipeline.graph), results_);
 

@@ -30,9 +30,10 @@ class VerilatedDesign {
                   const std::filesystem::path& cache = default_cache());
 
   /// The same for a unit made from the design at that format, which may have lost ports or bits of ports.
-  /// `verilog` is the pipeline's. Operands stay those of the whole design.
+  /// `verilog` is the pipeline's, with the top `module`. Operands stay those of the whole design.
   VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
-                  const std::string& verilog, const std::filesystem::path& cache = default_cache());
+                  const std::string& verilog, const std::string& module,
+                  const std::filesystem::path& cache = default_cache());
 
   [[nodiscard]] int latency() const { return latency_; }
   [[nodiscard]] std::size_t operand_count() const { return operand_count_; }

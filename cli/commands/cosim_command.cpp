@@ -118,8 +118,8 @@ int cosimulate(const CosimCommand& command) {
     row["image"] = image.string();
   }
   if (emits) {
-    row["verilog"] = (folder / (command.choice.name + ".v")).string();
-    row["schematic"] = (folder / (command.choice.name + ".svg")).string();
+    row["verilog"] = (folder / (unit.module + ".v")).string();
+    row["schematic"] = (folder / (unit.module + ".svg")).string();
   }
   fmt::print("{}", record_text(row, command.format));
   const bool must_not_miss = design.conservative && command.referee;
@@ -142,9 +142,10 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
   command
       ->add_option(
           "--unit", options->unit,
-          "Run the unit in this folder, which `hitpipe fit` or `hitpipe rtl` wrote; it may be edited")
+          "Run the unit in this folder, which `hitpipe fit` or `hitpipe rtl` wrote; it may be edited. "
+          "Where the folder has several units of the design: the manifest of one")
       ->excludes("--bits")
-      ->type_name("DIR");
+      ->type_name("DIR|MANIFEST");
   add_scene_options(*command, options->scene);
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight,
                    {1, sim::RayUnit::most_rays_in_flight}, "Rays that share one pipeline")

@@ -11,6 +11,7 @@
 #include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/verilog/module_name.hpp"
 
 namespace hitpipe::cli {
 
@@ -20,6 +21,7 @@ struct RtlOptions {
   DesignChoice choice;
   std::string out;
   std::string library;
+  std::optional<std::string> name;
   std::optional<int> clock_ps;
   bool axi_stream = false;
   bool hls = false;
@@ -29,11 +31,14 @@ struct RtlOptions {
 void emit_rtl(const RtlOptions& options) {
   const rtl::Design& design = options.choice.design();
   const rtl::Format format = options.choice.format();
+  if (options.name) rtl::check_module_name(*options.name);
   const rtl::Library library =
       options.library.empty() ? rtl::Library::thesis() : rtl::Library::load(options.library);
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
-  const std::vector<rtl::File> files = rtl::files_and_drawings(
-      rtl::emit(design, format, library, pipeline, {.axi_stream = options.axi_stream, .hls = options.hls}));
+  const rtl::EmittedDesign emitted =
+      rtl::emit(design, format, library, pipeline,
+                {.module = options.name.value_or(""), .axi_stream = options.axi_stream, .hls = options.hls});
+  const std::vector<rtl::File> files = rtl::files_and_drawings(emitted);
   host::write_files(options.out, files);
 
   std::vector<std::string> names;
@@ -41,6 +46,7 @@ void emit_rtl(const RtlOptions& options) {
     names.push_back((std::filesystem::path(options.out) / file.name).string());
   const Row row{{"design", design.name},
                 {"bits", rtl::to_string(format)},
+                {"module", emitted.module},
                 {"stages", pipeline.schedule.stages},
                 {"latency", pipeline.latency()},
                 {"clock_ps", pipeline.schedule.clock_ps},
@@ -62,8 +68,13 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
       ->type_name("FILE");
   add_count_option(*command, "--clock-ps", options->clock_ps, {1, 1'000'000'000},
                    "Clock period in picoseconds; by default what the slowest component needs");
+  command
+      ->add_option("--name", options->name,
+                   "Name of the Verilog module, which also begins the names of all files. Default: the "
+                   "design's name, with the format behind it unless that is the design's default")
+      ->type_name("MODULE");
   command->add_flag("--axi-stream", options->axi_stream,
-                    "Also write an AXI4-Stream wrapper of the design, <design>_axis.v");
+                    "Also write an AXI4-Stream wrapper of the design, <module>_axis.v");
   command->add_flag("--hls", options->hls,
                     "Also write hls/: the design as a C++ top function for high-level synthesis, with a "
                     "script for Vitis HLS");

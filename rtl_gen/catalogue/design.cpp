@@ -67,6 +67,10 @@ std::string Design::name_at(const Format& format) const {
   return format.family().single ? std::string(name) : fmt::format("{} {}", name, to_string(format));
 }
 
+std::string Design::module_at(const Format& format) const {
+  return format == default_format ? std::string(name) : fmt::format("{}_{}", name, format.identifier());
+}
+
 std::string Design::bits_option(const Format& format) const {
   return format.family().single ? "" : " --bits " + to_string(format);
 }

@@ -25,7 +25,7 @@ struct DesignSource {
 };
 
 struct Design {
-  std::string_view name;     ///< also the Verilog module's
+  std::string_view name;
   std::string_view summary;  ///< one line, with its figures in the thesis
   bool conservative;         ///< HIT whenever the exact ray meets the closed box
   Format default_format;     ///< of the family that all its formats are of
@@ -48,6 +48,9 @@ struct Design {
   [[nodiscard]] int boxes_per_test() const;
   /// The name and the format, or the name alone where there is one format only.
   [[nodiscard]] std::string name_at(const Format& format) const;
+  /// The name of its Verilog module unless the user gives another: the design's name at the default format,
+  /// "int_slabs_16_16" at another.
+  [[nodiscard]] std::string module_at(const Format& format) const;
   /// " --bits 20/24", or nothing when it has one format only: as a command takes it.
   [[nodiscard]] std::string bits_option(const Format& format) const;
 };

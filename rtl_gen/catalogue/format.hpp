@@ -23,6 +23,8 @@ struct FormatFamily {
   bool single;               ///< it has one format only, which needs no mention beside a design's name
   bool (*valid)(const FormatNumbers& numbers);
   std::string (*print)(const FormatNumbers& numbers);
+  /// "20_24": the same as a part of a Verilog or C++ identifier. No two formats of a family have the same.
+  std::string (*identifier)(const FormatNumbers& numbers);
   /// Nothing when the text is not spelled so; what it says may still be invalid.
   std::optional<FormatNumbers> (*parse)(std::string_view text);
   /// "IntFormat<20, 24>": the format as a type of hitpipe::hls.
@@ -53,6 +55,7 @@ class Format {
   [[nodiscard]] constexpr const FormatNumbers& numbers() const { return numbers_; }
   [[nodiscard]] bool valid() const { return family_->valid(numbers_); }
   [[nodiscard]] std::string type() const { return family_->type(numbers_); }
+  [[nodiscard]] std::string identifier() const { return family_->identifier(numbers_); }
 
   template <format_bits Bits>
   [[nodiscard]] constexpr bool is() const {

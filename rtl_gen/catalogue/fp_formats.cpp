@@ -20,6 +20,10 @@ std::string print(const FormatNumbers& numbers) {
   return numbers == binary32 ? "fp32" : fmt::format("e{}m{}", numbers[0], numbers[1]);
 }
 
+std::string identifier(const FormatNumbers& numbers) {
+  return print(numbers);
+}
+
 std::optional<FormatNumbers> parse(std::string_view text) {
   if (text == "fp32") return binary32;
   if (!text.starts_with('e')) return std::nullopt;

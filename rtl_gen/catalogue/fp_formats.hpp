@@ -10,6 +10,7 @@ namespace fp_formats {
 /// The set-up of rays and boxes makes binary32 operands only.
 [[nodiscard]] bool valid(const FormatNumbers& numbers);
 [[nodiscard]] std::string print(const FormatNumbers& numbers);
+[[nodiscard]] std::string identifier(const FormatNumbers& numbers);
 [[nodiscard]] std::optional<FormatNumbers> parse(std::string_view text);
 [[nodiscard]] std::string type(const FormatNumbers& numbers);
 }  // namespace fp_formats
@@ -22,6 +23,7 @@ struct FamilyOf<hls::FpBits> {
                                        .single = true,
                                        .valid = fp_formats::valid,
                                        .print = fp_formats::print,
+                                       .identifier = fp_formats::identifier,
                                        .parse = fp_formats::parse,
                                        .type = fp_formats::type};
 };

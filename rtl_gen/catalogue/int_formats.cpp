@@ -17,6 +17,10 @@ std::string print(const FormatNumbers& numbers) {
   return fmt::format("{}/{}", numbers[0], numbers[1]);
 }
 
+std::string identifier(const FormatNumbers& numbers) {
+  return fmt::format("{}_{}", numbers[0], numbers[1]);
+}
+
 std::optional<FormatNumbers> parse(std::string_view text) {
   FormatNumbers numbers{};
   const char* const end = text.data() + text.size();

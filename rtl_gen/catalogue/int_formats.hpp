@@ -9,6 +9,7 @@ namespace hitpipe::rtl {
 namespace int_formats {
 [[nodiscard]] bool valid(const FormatNumbers& numbers);
 [[nodiscard]] std::string print(const FormatNumbers& numbers);
+[[nodiscard]] std::string identifier(const FormatNumbers& numbers);
 [[nodiscard]] std::optional<FormatNumbers> parse(std::string_view text);
 [[nodiscard]] std::string type(const FormatNumbers& numbers);
 }  // namespace int_formats
@@ -21,6 +22,7 @@ struct FamilyOf<hls::IntBits> {
                                        .single = false,
                                        .valid = int_formats::valid,
                                        .print = int_formats::print,
+                                       .identifier = int_formats::identifier,
                                        .parse = int_formats::parse,
                                        .type = int_formats::type};
 };

@@ -38,6 +38,14 @@ std::string print(const FormatNumbers& numbers) {
   return fraction == 0 ? text : fmt::format("{}f{}", text, fraction);
 }
 
+// "20p1_13", "20p1_13f2", "20p1_13fm2": p for plus, m for minus.
+std::string identifier(const FormatNumbers& numbers) {
+  const auto [coord, finer, mantissa, fraction] = numbers;
+  const std::string text = fmt::format("{}p{}_{}", coord, finer, mantissa);
+  if (fraction == 0) return text;
+  return fraction < 0 ? fmt::format("{}fm{}", text, -fraction) : fmt::format("{}f{}", text, fraction);
+}
+
 std::optional<FormatNumbers> parse(std::string_view text) {
   FormatNumbers numbers{};
   auto& [coord, finer, mantissa, fraction] = numbers;

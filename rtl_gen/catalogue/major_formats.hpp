@@ -9,6 +9,7 @@ namespace hitpipe::rtl {
 namespace major_formats {
 [[nodiscard]] bool valid(const FormatNumbers& numbers);
 [[nodiscard]] std::string print(const FormatNumbers& numbers);
+[[nodiscard]] std::string identifier(const FormatNumbers& numbers);
 [[nodiscard]] std::optional<FormatNumbers> parse(std::string_view text);
 [[nodiscard]] std::string type(const FormatNumbers& numbers);
 }  // namespace major_formats
@@ -22,6 +23,7 @@ struct FamilyOf<hls::MajorBits> {
       .single = false,
       .valid = major_formats::valid,
       .print = major_formats::print,
+      .identifier = major_formats::identifier,
       .parse = major_formats::parse,
       .type = major_formats::type};
 };

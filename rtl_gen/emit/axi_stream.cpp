@@ -59,11 +59,11 @@ int stream_bits(const std::vector<Port>& ports) {
   return bits;
 }
 
-std::string stream_module(const Design& design) {
-  return fmt::format("{}_axis", design.name);
+std::string stream_module(const std::string& module) {
+  return module + "_axis";
 }
 
-std::string axi_stream(const Design& design, const std::vector<Port>& ports,
+std::string axi_stream(const std::string& module, const std::vector<Port>& ports,
                        const std::vector<hls::Result>& results) {
   std::string layout;
   std::string connections;
@@ -125,7 +125,7 @@ module {0}_axis #(
   assign m_axis_tid = spare_valid ? spare_tag : out_tag;
 {4}endmodule
 )",
-      design.name, layout, stream_bits(ports) - 1, connections, unused, fmt::join(result.layout, ", "),
+      module, layout, stream_bits(ports) - 1, connections, unused, fmt::join(result.layout, ", "),
       stream_bits(out) - 1, result.spares, result.wires, fmt::join(result.connections, ",\n"), result.moves,
       result.data);
 }

@@ -1,4 +1,4 @@
-// An AXI4-Stream wrapper for block designs and DMA engines: the module <design>_axis contains the emitted
+// An AXI4-Stream wrapper for block designs and DMA engines: the module <module>_axis contains the emitted
 // module. A beat of s_axis is one test, and its tid is the tag. A beat of m_axis holds the results of one.
 // There is a register on every path from input to output: when m_axis_tready falls, a spare latch holds the
 // result that has already left the pipeline. Latency and throughput stay those of the design.
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/catalogue/port.hpp"
 
 namespace hitpipe::rtl {
 
@@ -22,10 +22,10 @@ struct StreamField {
 /// The width of tdata, a whole number of bytes.
 [[nodiscard]] int stream_bits(const std::vector<Port>& ports);
 
-/// "<design>_axis", the module's name.
-[[nodiscard]] std::string stream_module(const Design& design);
-/// The wrapper in Verilog-2001, without the module of the design.
-[[nodiscard]] std::string axi_stream(const Design& design, const std::vector<Port>& ports,
+/// The name of the wrapper of a unit's module.
+[[nodiscard]] std::string stream_module(const std::string& module);
+/// The wrapper in Verilog-2001, without the unit's module.
+[[nodiscard]] std::string axi_stream(const std::string& module, const std::vector<Port>& ports,
                                      const std::vector<hls::Result>& results);
 
 }  // namespace hitpipe::rtl

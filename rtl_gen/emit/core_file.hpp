@@ -13,6 +13,7 @@ struct CoreParts {
   bool check = false;       ///< for a fitted unit: fileset and target check (lint); sim checks operands
 };
 
-[[nodiscard]] std::string core_file(const Design& design, Format format, const CoreParts& parts);
+[[nodiscard]] std::string core_file(const Design& design, Format format, const std::string& module,
+                                    const CoreParts& parts);
 
 }  // namespace hitpipe::rtl

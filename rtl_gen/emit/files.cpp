@@ -17,6 +17,7 @@
 #include "rtl_gen/prune/demand_fields.hpp"
 #include "rtl_gen/schematic/dot.hpp"
 #include "rtl_gen/verilog/module.hpp"
+#include "rtl_gen/verilog/module_name.hpp"
 
 namespace hitpipe::rtl {
 
@@ -40,6 +41,12 @@ std::vector<Vector> vectors(Evaluate evaluate, const std::vector<Port>& left, co
   std::vector<Vector> drawn;
   for (int i = 0; i < vector_count; ++i) drawn.push_back(draw());
   return drawn;
+}
+
+/// "int_slabs 20/24"; of a unit that the user named also that name: "box_test: int_slabs 20/24".
+std::string title_of(const Design& design, const Format& format, const std::string& module) {
+  const std::string title = design.name_at(format);
+  return module == design.module_at(format) ? title : fmt::format("{}: {}", module, title);
 }
 
 /// None when there is one group only.
@@ -83,10 +90,11 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
   const PrunedFrom* const from = options.pruned_from;
   const std::vector<Port> left = input_ports(pipeline.graph);
   const std::vector<hls::Result> results = design.results(format);
-  const std::string name(design.name);
-  const std::string title = fmt::format("{} {}", name, to_string(format));
+  const std::string name = options.module.empty() ? design.module_at(format) : options.module;
+  check_module_name(name);
+  const std::string title = title_of(design, format, name);
   std::string verilog = to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format)});
-  std::string json = manifest(design, format, pipeline, library, options.axi_stream);
+  std::string json = manifest(design, format, name, pipeline, library, options.axi_stream);
   if (from != nullptr) {
     verilog = with_check_block(verilog, check_block(name, from->demands, from->ports, left));
     json = with_demand_fields(json, from->demands, from->report);
@@ -94,11 +102,12 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
   const std::string summary = fmt::format("{}{}: {} stages, {} ps", title, from == nullptr ? "" : ", fitted",
                                           pipeline.schedule.stages, pipeline.schedule.clock_ps);
   const CoreParts parts{.axi_stream = options.axi_stream, .check = from != nullptr};
-  EmittedDesign emitted{.verilog = {name + ".v", std::move(verilog)},
+  EmittedDesign emitted{.module = name,
+                        .verilog = {name + ".v", std::move(verilog)},
                         .manifest = {name + ".json", std::move(json)},
-                        .core = {name + ".core", core_file(design, format, parts)},
+                        .core = {name + ".core", core_file(design, format, name, parts)},
                         .schematic = {name + ".dot", to_dot(pipeline, summary)},
-                        .testbench = {"tb/" + name + "_tb.v", testbench(design, left, results, vector_count)},
+                        .testbench = {"tb/" + name + "_tb.v", testbench(name, left, results, vector_count)},
                         .vectors = {"tb/" + name + "_vectors.hex",
                                     vector_file(from == nullptr ? left : from->ports, left, results,
                                                 vectors(design.evaluate(format), left, from))},
@@ -108,10 +117,9 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
                         .hls = {}};
   if (from != nullptr)
     emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
-  if (options.axi_stream)
-    emitted.axi_stream = {stream_module(design) + ".v", axi_stream(design, left, results)};
+  if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(name, left, results)};
   if (options.hls) {
-    emitted.hls = hls_top(design, format).files();
+    emitted.hls = hls_top(design, format, name).files();
     for (File& file : emitted.hls) file.name.insert(0, "hls/");
   }
   return emitted;

@@ -23,6 +23,7 @@ struct PrunedFrom {
 };
 
 struct EmitOptions {
+  std::string module{};     ///< empty: design.module_at(format)
   bool axi_stream = false;  ///< adds the AXI4-Stream wrapper; core and manifest name it
   bool hls = false;         ///< adds the top function for high-level synthesis
   /// Set for a fitted unit. It adds the check module, a check block in the Verilog and the demands in the
@@ -32,14 +33,15 @@ struct EmitOptions {
 
 /// The files of a design, each by what it is.
 struct EmittedDesign {
-  File verilog;                          ///< <design>.v
-  File manifest;                         ///< <design>.json
-  File core;                             ///< <design>.core, for FuseSoC
-  File schematic;                        ///< <design>.dot, all stages
-  File testbench;                        ///< tb/<design>_tb.v
-  File vectors;                          ///< tb/<design>_vectors.hex
-  std::optional<File> check_module;      ///< <design>_check.v, of a fitted unit
-  std::optional<File> axi_stream;        ///< <design>_axis.v, if asked for
+  std::string module;                    ///< the unit's; it begins the name of every other module and file
+  File verilog;                          ///< <module>.v
+  File manifest;                         ///< <module>.json
+  File core;                             ///< <module>.core, for FuseSoC
+  File schematic;                        ///< <module>.dot, all stages
+  File testbench;                        ///< tb/<module>_tb.v
+  File vectors;                          ///< tb/<module>_vectors.hex
+  std::optional<File> check_module;      ///< <module>_check.v, of a fitted unit
+  std::optional<File> axi_stream;        ///< <module>_axis.v, if asked for
   std::vector<File> stage_schematics{};  ///< a .dot for each group of stages; none for a single group
   std::vector<File> hls{};               ///< hls/: the top function and its script, if asked for
 
@@ -49,7 +51,7 @@ struct EmittedDesign {
 };
 
 /// The same bytes for the same design, format and library. `pipeline` is the design's at that format, or what
-/// pruning left of it. Throws as hls_top() does.
+/// pruning left of it. Throws as hls_top() and check_module_name() do.
 [[nodiscard]] EmittedDesign emit(const Design& design, Format format, const Library& library,
                                  const Pipeline& pipeline, const EmitOptions& options = {});
 

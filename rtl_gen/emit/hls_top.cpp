@@ -16,10 +16,15 @@ std::string top_type(int width, bool is_signed) {
   return fmt::format("{}<{}>", is_signed ? "Integer" : "Pattern", width);
 }
 
+/// " --name N", or nothing for the name that the unit has by itself.
+std::string name_option(const Design& design, const Format& format, const std::string& module) {
+  return module == design.module_at(format) ? "" : " --name " + module;
+}
+
 /// The function with its arguments, then `end`, wrapped as clang-format does. `types` is the prefix of its
 /// types.
-std::string signature(const Design& design, const Format& format, const std::string& types,
-                      const std::string& end) {
+std::string signature(const Design& design, const Format& format, const std::string& module,
+                      const std::string& types, const std::string& end) {
   std::vector<std::string> arguments;
   for (const Port& port : design.ports(format))
     arguments.push_back(fmt::format("{}{} {}", types, top_type(port.width, port.is_signed), port.name));
@@ -27,7 +32,7 @@ std::string signature(const Design& design, const Format& format, const std::str
     arguments.push_back(
         fmt::format("{}{}& {}", types, top_type(result.width, result.is_signed), result.name));
 
-  std::string text = fmt::format("void {}(", hls_function(design));
+  std::string text = fmt::format("void {}(", hls_function(module));
   const std::string indent(text.size(), ' ');
   std::size_t column = text.size();
   for (const std::string& argument : arguments) {
@@ -44,9 +49,9 @@ std::string signature(const Design& design, const Format& format, const std::str
   return text + end;
 }
 
-std::string header(const Design& design, const Format& format) {
+std::string header(const Design& design, const Format& format, const std::string& module) {
   return fmt::format(R"(// Top function of {} for high-level synthesis: {}.
-// Written by `hitpipe rtl {}{} --hls`.
+// Written by `hitpipe rtl {}{}{} --hls`.
 #pragma once
 
 #include "hls/top/top_domain.hpp"
@@ -54,10 +59,11 @@ std::string header(const Design& design, const Format& format) {
 {}
 )",
                      design.name_at(format), design.summary, design.name, design.bits_option(format),
-                     signature(design, format, "hitpipe::hls::top::", ");"));
+                     name_option(design, format, module),
+                     signature(design, format, module, "hitpipe::hls::top::", ");"));
 }
 
-std::string source(const Design& design, const Format& format) {
+std::string source(const Design& design, const Format& format, const std::string& module) {
   std::string interfaces, operands, results;
   for (const Port& port : design.ports(format)) {
     interfaces += fmt::format("#pragma HLS INTERFACE mode = ap_none port = {}\n", port.name);
@@ -85,15 +91,15 @@ using namespace hitpipe::hls;
 {operands}  const auto out = {pipeline}::test<top::Domain>(Format(), in);
 {results}}}
 )",
-      fmt::arg("name", design.name), fmt::arg("header", design.source.header),
-      fmt::arg("signature", signature(design, format, "top::", ") {")), fmt::arg("interfaces", interfaces),
-      fmt::arg("format", format.type()), fmt::arg("pipeline", design.source.pipeline),
-      fmt::arg("operands", operands), fmt::arg("results", results));
+      fmt::arg("name", module), fmt::arg("header", design.source.header),
+      fmt::arg("signature", signature(design, format, module, "top::", ") {")),
+      fmt::arg("interfaces", interfaces), fmt::arg("format", format.type()),
+      fmt::arg("pipeline", design.source.pipeline), fmt::arg("operands", operands),
+      fmt::arg("results", results));
 }
 
-std::string csim(const Design& design, const Format& format) {
-  std::vector<std::string> includes{std::string(design.source.header), "hls/top/csim.hpp",
-                                    fmt::format("{}.hpp", design.name)};
+std::string csim(const Design& design, const Format& format, const std::string& module) {
+  std::vector<std::string> includes{std::string(design.source.header), "hls/top/csim.hpp", module + ".hpp"};
   std::sort(includes.begin(), includes.end());
   std::string lines;
   for (const std::string& include : includes) lines += fmt::format("#include \"{}\"\n", include);
@@ -106,7 +112,7 @@ int main() {{
   return top::csim<{}, {}>({});
 }}
 )",
-      design.name_at(format), lines, design.source.pipeline, format.type(), hls_function(design));
+      design.name_at(format), lines, design.source.pipeline, format.type(), hls_function(module));
 }
 
 constexpr const char* script_steps = R"(proc setting {name otherwise} {
@@ -114,7 +120,7 @@ constexpr const char* script_steps = R"(proc setting {name otherwise} {
   return $otherwise
 }
 
-set project [setting PROJECT hitpipe_$design]
+set project [setting PROJECT hitpipe_$module]
 set here [file dirname [file normalize [info script]]]
 set include [file normalize [setting INCLUDE .]]
 if {![file exists [file join $include hls top top_domain.hpp]]} {
@@ -123,9 +129,9 @@ if {![file exists [file join $include hls top top_domain.hpp]]} {
 set flags "[setting CXXFLAGS -std=c++20] -I$include -DHITPIPE_VENDOR"
 
 open_project -reset $project
-set_top hitpipe_$design
-add_files [file join $here $design.cpp] -cflags $flags
-add_files -tb [file join $here ${design}_csim.cpp] -cflags $flags
+set_top hitpipe_$module
+add_files [file join $here $module.cpp] -cflags $flags
+add_files -tb [file join $here ${module}_csim.cpp] -cflags $flags
 open_solution -reset solution
 set_part [setting PART xc7a100tcsg324-1]
 create_clock -period [setting CLOCK 5]
@@ -135,18 +141,22 @@ export_design -format ip_catalog
 exit
 )";
 
-std::string script(const Design& design, const Format& format) {
+std::string script_name(const std::string& module) {
+  return module + "_vitis_hls.tcl";
+}
+
+std::string script(const Design& design, const Format& format, const std::string& module) {
   return fmt::format(
              R"(# {} through Vitis HLS: C simulation, synthesis, export as IP. Settings come from the environment.
-#   INCLUDE=/path/to/hitpipe PART=xc7a100tcsg324-1 vitis_hls -f vitis_hls.tcl
+#   INCLUDE=/path/to/hitpipe PART=xc7a100tcsg324-1 vitis_hls -f {}
 # INCLUDE   the folder that holds hitpipe's hls/: its sources, or include/hitpipe where it is installed (. unless given)
 # PART      the device
 # CLOCK     period in ns (5 unless given)
-# PROJECT   folder to work in (hitpipe_<design> unless given)
+# PROJECT   folder to work in (hitpipe_<module> unless given)
 # CXXFLAGS  what the compiler needs to take C++20 (-std=c++20 unless given)
-set design {}
+set module {}
 )",
-             design.name_at(format), design.name) +
+             design.name_at(format), script_name(module), module) +
          script_steps;
 }
 
@@ -156,20 +166,19 @@ std::vector<host::File> HlsTop::files() const {
   return {header, source, csim, script};
 }
 
-HlsTop hls_top(const Design& design, const Format& format) {
+HlsTop hls_top(const Design& design, const Format& format, const std::string& module) {
   if (design.source.header.empty())
     throw std::runtime_error(
         fmt::format("{}: no top function for high-level synthesis; the design does not say where its C++ is",
                     design.name));
-  const std::string name(design.name);
-  return {.header = {name + ".hpp", header(design, format)},
-          .source = {name + ".cpp", source(design, format)},
-          .csim = {name + "_csim.cpp", csim(design, format)},
-          .script = {"vitis_hls.tcl", script(design, format)}};
+  return {.header = {module + ".hpp", header(design, format, module)},
+          .source = {module + ".cpp", source(design, format, module)},
+          .csim = {module + "_csim.cpp", csim(design, format, module)},
+          .script = {script_name(module), script(design, format, module)}};
 }
 
-std::string hls_function(const Design& design) {
-  return fmt::format("hitpipe_{}", design.name);
+std::string hls_function(const std::string& module) {
+  return "hitpipe_" + module;
 }
 
 }  // namespace hitpipe::rtl

@@ -11,17 +11,17 @@
 namespace hitpipe::rtl {
 
 struct HlsTop {
-  host::File header;  ///< <design>.hpp
-  host::File source;  ///< <design>.cpp
-  host::File csim;    ///< <design>_csim.cpp: a program that compares the top with the native pipeline
-  host::File script;  ///< vitis_hls.tcl
+  host::File header;  ///< <module>.hpp
+  host::File source;  ///< <module>.cpp
+  host::File csim;    ///< <module>_csim.cpp: a program that compares the top with the native pipeline
+  host::File script;  ///< <module>_vitis_hls.tcl
 
   [[nodiscard]] std::vector<host::File> files() const;
 };
 
 /// Throws std::runtime_error, one line, when the design does not say where its C++ is.
-[[nodiscard]] HlsTop hls_top(const Design& design, const Format& format);
+[[nodiscard]] HlsTop hls_top(const Design& design, const Format& format, const std::string& module);
 /// "hitpipe_int_slabs"
-[[nodiscard]] std::string hls_function(const Design& design);
+[[nodiscard]] std::string hls_function(const std::string& module);
 
 }  // namespace hitpipe::rtl

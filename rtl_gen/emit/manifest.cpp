@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "rtl_gen/emit/axi_stream.hpp"
+#include "rtl_gen/verilog/module_name.hpp"
 
 namespace hitpipe::rtl {
 
@@ -83,10 +84,10 @@ Json stream_side(const std::vector<Port>& ports) {
   return {{"tdata_bits", stream_bits(ports)}, {"fields", fields}};
 }
 
-Json stream_json(const Design& design, const std::vector<Port>& ports,
+Json stream_json(const std::string& module, const std::vector<Port>& ports,
                  const std::vector<hls::Result>& results) {
-  return {{"module", stream_module(design)},
-          {"file", stream_module(design) + ".v"},
+  return {{"module", stream_module(module)},
+          {"file", stream_module(module) + ".v"},
           {"clock", "aclk, rising edge"},
           {"reset", "aresetn, synchronous, active low"},
           {"tid", "the tag, TAG_BITS"},
@@ -96,14 +97,13 @@ Json stream_json(const Design& design, const std::vector<Port>& ports,
 
 }  // namespace
 
-std::string manifest(const Design& design, Format format, const Pipeline& pipeline, const Library& library,
-                     bool stream) {
-  const std::string name(design.name);
+std::string manifest(const Design& design, Format format, const std::string& module, const Pipeline& pipeline,
+                     const Library& library, bool stream) {
   const std::vector<hls::Result> results = design.results(format);
-  Json json{{"design", name},
+  Json json{{"design", std::string(design.name)},
             {"bits", to_string(format)},
-            {"module", name},
-            {"files", {name + ".v"}},
+            {"module", module},
+            {"files", {module + ".v"}},
             {"clock", "clk, rising edge"},
             {"reset", "rst, synchronous, active high, valid bits only"},
             {"handshake", "valid/ready; results in order; the whole pipeline waits for out_ready"},
@@ -115,17 +115,19 @@ std::string manifest(const Design& design, Format format, const Pipeline& pipeli
             {"clock_ps", pipeline.schedule.clock_ps},
             {"library", library.name()},
             {"by_stage", stages(pipeline)}};
-  if (stream) json["axi_stream"] = stream_json(design, input_ports(pipeline.graph), results);
+  if (stream) json["axi_stream"] = stream_json(module, input_ports(pipeline.graph), results);
   return json.dump(2) + "\n";
 }
 
 ManifestHead head_of(const std::string& manifest) {
   try {
     const Json json = Json::parse(manifest);
-    return {json.at("design").get<std::string>(), json.at("bits").get<std::string>(),
-            json.at("latency").get<int>()};
+    ManifestHead head{json.at("design").get<std::string>(), json.at("bits").get<std::string>(),
+                      json.at("module").get<std::string>(), json.at("latency").get<int>()};
+    check_module_name(head.module);
+    return head;
   } catch (const Json::exception&) {
-    throw std::runtime_error("no manifest: it must be JSON with design, bits and latency");
+    throw std::runtime_error("no manifest: it must be JSON with design, bits, module and latency");
   }
 }
 

@@ -13,13 +13,14 @@ namespace hitpipe::rtl {
 /// results (name, meaning, box, width), stages, latency, clock_ps, library, by_stage (for each stage, its
 /// components with their counts and the latch bits at its end). With `stream` also axi_stream: the wrapper's
 /// module, file, clock, reset, and the fields of its tdata and tid.
-[[nodiscard]] std::string manifest(const Design& design, Format format, const Pipeline& pipeline,
-                                   const Library& library, bool stream = false);
+[[nodiscard]] std::string manifest(const Design& design, Format format, const std::string& module,
+                                   const Pipeline& pipeline, const Library& library, bool stream = false);
 
 /// What a manifest says about its unit.
 struct ManifestHead {
   std::string design;
   std::string bits;
+  std::string module;  ///< its Verilog is in MODULE.v
   int latency = 0;
 };
 

@@ -124,7 +124,7 @@ std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>&
   return text;
 }
 
-std::string testbench(const Design& design, const std::vector<Port>& ports,
+std::string testbench(const std::string& module, const std::vector<Port>& ports,
                       const std::vector<hls::Result>& results, int count) {
   const int width = total_width(ports) + total_width(result_ports(results));
   const std::vector<std::string> operands = fields("operands", ports, width);
@@ -189,8 +189,8 @@ module {0}_tb;
   end
 endmodule
 )",
-                     design.name, fmt::format("{}_vectors.hex", design.name), count, width - 1, connections,
-                     result.bits, result.wires, fmt::join(result.connections, ",\n"),
+                     module, module + "_vectors.hex", count, width - 1, connections, result.bits,
+                     result.wires, fmt::join(result.connections, ",\n"),
                      fmt::join(result.differences, " || "), result.formats, result.values);
 }
 

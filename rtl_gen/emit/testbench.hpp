@@ -27,7 +27,7 @@ namespace hitpipe::rtl {
 
 /// Sends the vectors with gaps and stalls, and compares every result and every tag. The last line printed is
 /// "PASS <n> vectors" or "FAIL" with the first mismatch.
-[[nodiscard]] std::string testbench(const Design& design, const std::vector<Port>& ports,
+[[nodiscard]] std::string testbench(const std::string& module, const std::vector<Port>& ports,
                                     const std::vector<hls::Result>& results, int count);
 
 }  // namespace hitpipe::rtl

@@ -1,42 +1,14 @@
 #include "rtl_gen/verilog/names.hpp"
 
 #include <bit>
-#include <iterator>
-#include <sstream>
 
 #include <fmt/format.h>
+
+#include "rtl_gen/verilog/keywords.hpp"
 
 namespace hitpipe::rtl {
 
 namespace {
-
-/// Keywords of Verilog (IEEE 1364-2001) and of SystemVerilog (IEEE 1800-2012): some tools read every design
-/// as SystemVerilog.
-std::set<std::string> keywords() {
-  std::istringstream words(
-      "always and assign automatic begin buf bufif0 bufif1 case casex casez cell cmos config deassign "
-      "default defparam design disable edge else end endcase endconfig endfunction endgenerate "
-      "endmodule endprimitive endspecify endtable endtask event for force forever fork function "
-      "generate genvar highz0 highz1 if ifnone incdir include initial inout input instance integer join "
-      "large liblist library localparam macromodule medium module nand negedge nmos nor noshowcancelled "
-      "not notif0 notif1 or output parameter pmos posedge primitive pull0 pull1 pulldown pullup "
-      "pulsestyle_ondetect pulsestyle_onevent rcmos real realtime reg release repeat rnmos rpmos rtran "
-      "rtranif0 rtranif1 scalared showcancelled signed small specify specparam strong0 strong1 supply0 "
-      "supply1 table task time tran tranif0 tranif1 tri tri0 tri1 triand trior trireg unsigned use "
-      "vectored wait wand weak0 weak1 while wire wor xnor xor accept_on alias always_comb always_ff "
-      "always_latch assert assume before bind bins binsof bit break byte chandle checker class clocking "
-      "const constraint context continue cover covergroup coverpoint cross dist do endchecker endclass "
-      "endclocking endgroup endinterface endpackage endprogram endproperty endsequence enum eventually "
-      "expect export extends extern final first_match foreach forkjoin global iff ignore_bins "
-      "illegal_bins implements implies import inside int interconnect interface intersect join_any "
-      "join_none let local logic longint matches modport nettype new nexttime null package packed "
-      "priority program property protected pure rand randc randcase randsequence ref reject_on restrict "
-      "return s_always s_eventually s_nexttime s_until s_until_with sequence shortint shortreal soft "
-      "solve static string strong struct super sync_accept_on sync_reject_on tagged this throughout "
-      "timeprecision timeunit type typedef union unique unique0 until until_with untyped uwire var "
-      "virtual void wait_order weak wildcard with within");
-  return {std::istream_iterator<std::string>(words), {}};
-}
 
 /// The name of `value`, or of its nearest reader that the C++ names.
 std::string name_downstream(const Graph& graph, NodeId value,
@@ -58,7 +30,8 @@ BitSpan used_span(const Graph& graph, const Placement& placement, NodeId value) 
 
 std::vector<std::string> value_names(const Graph& graph, const Placement& placement,
                                      std::set<std::string> taken) {
-  taken.merge(keywords());
+  const std::set<std::string>& keywords = verilog_keywords();
+  taken.insert(keywords.begin(), keywords.end());
   std::vector<std::string> part(graph.size());  // the C++'s name for exactly the used bits
   std::vector<std::vector<NodeId>> readers(graph.size());
   for (NodeId id = 0; id < graph.size(); ++id) {

@@ -85,7 +85,8 @@ FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, con
                    [](const LeftOut& a, const LeftOut& b) { return a.area_um2 > b.area_um2; });
   const rtl::EmittedDesign emitted = fitted_files(unit, library);
   start_step(options, name + ": compiling the Verilog");
-  const VerilatedDesign verilated(design, unit.format, unit.pipeline, emitted.verilog.contents);
+  const VerilatedDesign verilated(design, unit.format, unit.pipeline, emitted.verilog.contents,
+                                  emitted.module);
   if (!options.folder.empty()) host::write_files(options.folder / name, rtl::files_and_drawings(emitted));
   const VectorResult vectors = check_vectors({.verilated = &verilated,
                                               .evaluate = design.evaluate(unit.format),

@@ -9,13 +9,14 @@ namespace hitpipe::sim {
 WrittenUnit whole_unit(const rtl::Design& design, rtl::Format format, const rtl::Library& library) {
   const rtl::Graph traced = design.trace(format);
   rtl::Pipeline pipeline = rtl::make_pipeline(traced, library);
-  std::string verilog = rtl::to_verilog(
-      pipeline, library, {.module_name = std::string(design.name), .bits = rtl::to_string(format)});
-  return {format, {}, rtl::input_ports(traced), std::move(pipeline), std::move(verilog)};
+  std::string module = design.module_at(format);
+  std::string verilog =
+      rtl::to_verilog(pipeline, library, {.module_name = module, .bits = rtl::to_string(format)});
+  return {format, std::move(module), {}, rtl::input_ports(traced), std::move(pipeline), std::move(verilog)};
 }
 
 VerilatedDesign verilate(const rtl::Design& design, const WrittenUnit& unit) {
-  return {design, unit.format, unit.pipeline, unit.verilog};
+  return {design, unit.format, unit.pipeline, unit.verilog, unit.module};
 }
 
 CosimResult cosimulate_unit(const rtl::Design& design, const WrittenUnit& unit,

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
@@ -24,13 +25,51 @@ const rtl::PortDemand* demand_on(const rtl::Demands& demands, const std::string&
   return found == demands.ports.end() ? nullptr : &*found;
 }
 
-std::string text_of(const fs::path& folder, const std::string& name, std::string_view design) {
-  std::ifstream in(folder / name, std::ios::binary);
+std::string text_of(const fs::path& file, std::string_view design) {
+  std::ifstream in(file, std::ios::binary);
   if (!in)
     throw std::runtime_error(
         fmt::format("{}: cannot be read; give a folder that `hitpipe fit` or `hitpipe rtl` wrote for {}",
-                    (folder / name).string(), design));
+                    file.string(), design));
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Manifest {
+  fs::path file;
+  std::string text;
+};
+
+/// The design that a manifest is of; nothing when the text is no manifest.
+std::string design_of_manifest(const std::string& text) {
+  try {
+    return rtl::head_of(text).design;
+  } catch (const std::runtime_error&) {
+    return "";
+  }
+}
+
+/// The manifest at that place. In a folder it is known by what it says, because users name their units.
+Manifest manifest_at(const fs::path& place, std::string_view design) {
+  std::error_code error;
+  if (!fs::is_directory(place, error)) return {place, text_of(place, design)};
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(place, error))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<Manifest> all;
+  for (const fs::path& file : files) all.push_back({file, text_of(file, design)});
+  // The only one is taken as it is, so that the caller says what is wrong with it.
+  if (all.size() == 1) return all.front();
+  std::erase_if(all, [&](const Manifest& each) { return design_of_manifest(each.text) != design; });
+  if (all.size() == 1) return all.front();
+  if (all.empty())
+    throw std::runtime_error(
+        fmt::format("{}: no manifest of {}; give a folder that `hitpipe fit` or `hitpipe rtl` wrote for it",
+                    place.string(), design));
+  std::vector<std::string> names;
+  for (const Manifest& each : all) names.push_back(each.file.string());
+  throw std::runtime_error(fmt::format("{}: {} units of {}; give the manifest of one: {}", place.string(),
+                                       all.size(), design, fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -53,16 +92,16 @@ bool WrittenUnit::ends() const {
   return demand == nullptr || hull(*demand) != rtl::Interval{1, 1};
 }
 
-WrittenUnit read_unit(const fs::path& folder, const rtl::Design& design, const rtl::Library& library) {
-  const std::string name(design.name);
-  const std::string manifest = text_of(folder, name + ".json", design.name);
-  const auto where = [&](const std::exception& error) {
-    return std::runtime_error(fmt::format("{}: {}", (folder / (name + ".json")).string(), error.what()));
+WrittenUnit read_unit(const fs::path& place, const rtl::Design& design, const rtl::Library& library) {
+  const auto [file, manifest] = manifest_at(place, design.name);
+  const auto where = [&file = file](const std::exception& error) {
+    return std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
   };
   try {
     const rtl::ManifestHead head = rtl::head_of(manifest);
     if (head.design != design.name)
-      throw std::runtime_error(fmt::format("the manifest of {}; allowed is that of {}", head.design, name));
+      throw std::runtime_error(
+          fmt::format("the manifest of {}; allowed is that of {}", head.design, design.name));
     const rtl::Format format = design.parse_format(head.bits);
     const rtl::Graph traced = design.trace(format);
     rtl::Demands demands = rtl::demands_of_manifest(manifest);
@@ -72,8 +111,12 @@ WrittenUnit read_unit(const fs::path& folder, const rtl::Design& design, const r
       throw std::runtime_error(
           fmt::format("a latency of {} cycles, {} is that of the library {}; write the unit again",
                       head.latency, pipeline.latency(), library.name()));
-    return {format, std::move(demands), design.ports(format), std::move(pipeline),
-            text_of(folder, name + ".v", design.name)};
+    return {format,
+            head.module,
+            std::move(demands),
+            design.ports(format),
+            std::move(pipeline),
+            text_of(file.parent_path() / (head.module + ".v"), design.name)};
   } catch (const std::invalid_argument& error) {
     throw where(error);
   } catch (const std::runtime_error& error) {

@@ -15,6 +15,7 @@ namespace hitpipe::sim {
 
 struct WrittenUnit {
   rtl::Format format;
+  std::string module;            ///< the top of its Verilog
   rtl::Demands demands;          ///< none if the unit is whole
   std::vector<rtl::Port> ports;  ///< of the whole design
   rtl::Pipeline pipeline;        ///< of the unit
@@ -26,9 +27,10 @@ struct WrittenUnit {
   [[nodiscard]] bool ends() const;
 };
 
-/// Reads NAME.json and NAME.v. Throws std::runtime_error or std::invalid_argument, one line, when a file is
-/// missing or damaged, or belongs to another design or library.
-[[nodiscard]] WrittenUnit read_unit(const std::filesystem::path& folder, const rtl::Design& design,
+/// `place` is the unit's manifest, or a folder with one manifest of the design; the Verilog is beside it.
+/// Throws std::runtime_error or std::invalid_argument, one line, when a file is missing or damaged, or
+/// belongs to another design or library, and when the folder has units of the design under several names.
+[[nodiscard]] WrittenUnit read_unit(const std::filesystem::path& place, const rtl::Design& design,
                                     const rtl::Library& library);
 
 }  // namespace hitpipe::sim

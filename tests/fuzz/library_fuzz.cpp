@@ -47,7 +47,7 @@ void schedule(const rtl::Library& library) {
   const std::string verilog = rtl::to_verilog(pipeline, library, {.module_name = "int_slabs", .bits = {}});
   for (std::size_t at = 0; !verilog.substr(at).starts_with("module "); at = verilog.find('\n', at) + 1)
     expect(verilog.substr(at, 2) == "//", "the library's name stays in its comment");
-  expect(!rtl::manifest(design, design.default_format, pipeline, library, false).empty(),
+  expect(!rtl::manifest(design, design.default_format, "int_slabs", pipeline, library, false).empty(),
          "a manifest is written");
 }
 

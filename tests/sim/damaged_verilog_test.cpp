@@ -36,7 +36,7 @@ VerilatedDesign damaged(const std::string& sed) {
   std::ifstream in(file);
   const std::string edited{std::istreambuf_iterator<char>(in), {}};
   EXPECT_NE(edited, whole) << sed;
-  return {int_slabs(), damaged_bits, pipeline, edited};
+  return {int_slabs(), damaged_bits, pipeline, edited, "int_slabs"};
 }
 
 TestbenchReport driven(const VerilatedDesign& design, const Traffic& with = traffic) {

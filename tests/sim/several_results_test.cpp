@@ -20,7 +20,7 @@ namespace {
 
 class SeveralResults : public testing::Test {
  protected:
-  [[nodiscard]] VerilatedDesign built() const { return {design, format, pipeline, verilog}; }
+  [[nodiscard]] VerilatedDesign built() const { return {design, format, pipeline, verilog, "two_boxes"}; }
   void invert(const std::string& result) {
     const std::string assign = "assign " + result + " = ";
     const std::size_t at = verilog.find(assign);

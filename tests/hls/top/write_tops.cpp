@@ -25,11 +25,12 @@ std::vector<host::File> tops_and_tests(const std::string& text) {
   std::string includes = "#include \"tests/hls/top/agreement.hpp\"\n", tests;
   for (const rtl::Design& design : rtl::designs()) {
     const rtl::Format format = format_of(design, text);
-    const rtl::HlsTop top = rtl::hls_top(design, format);
+    const std::string module(design.name);
+    const rtl::HlsTop top = rtl::hls_top(design, format, module);
     files.insert(files.end(), {top.header, top.source, top.csim});
     includes += fmt::format("#include \"{}\"\n#include \"{}\"\n", design.source.header, top.header.name);
     tests += fmt::format("TEST(Top, {}) {{\n  expect_agreement<{}, {}>({});\n}}\n", design.name,
-                         design.source.pipeline, format.type(), rtl::hls_function(design));
+                         design.source.pipeline, format.type(), rtl::hls_function(module));
   }
   files.push_back({"tops_test.cpp", fmt::format("{}\nnamespace hitpipe::hls {{\n{}}}\n", includes, tests)});
   return files;

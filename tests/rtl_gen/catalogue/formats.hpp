@@ -31,6 +31,8 @@ struct DesignFormat {
 
   [[nodiscard]] const Design& found() const { return find_design(design); }
   [[nodiscard]] Format parsed() const { return found().parse_format(format); }
+  /// The name of the unit's module and of its files.
+  [[nodiscard]] std::string module() const { return found().module_at(parsed()); }
   [[nodiscard]] Pipeline pipeline() const {
     return make_pipeline(found().trace(parsed()), Library::thesis());
   }

@@ -56,7 +56,7 @@ inline std::string stream_beats(const Design& design, Format format, int count, 
   return text;
 }
 
-/// Of the module <design>_axis.
+/// Of the module <module>_axis.
 inline std::string stream_bench(const Design& design, Format format, int count) {
   return fmt::format(R"(module axis_bench;
   localparam COUNT = {2};
@@ -146,7 +146,7 @@ inline std::string stream_bench(const Design& design, Format format, int count) 
   end
 endmodule
 )",
-                     design.name, stream_width(design.ports(format)), count,
+                     design.module_at(format), stream_width(design.ports(format)), count,
                      stream_width(result_ports(design.results(format))));
 }
 
@@ -155,9 +155,9 @@ inline std::string streamed(const std::filesystem::path& folder, const Design& d
                             int count, std::uint64_t seed, int mode) {
   write_text(folder / "beats.hex", stream_beats(design, format, count, seed));
   write_text(folder / "bench.v", stream_bench(design, format, count));
-  const ToolResult compiled =
-      run_tool(folder, "iverilog", "iverilog",
-               fmt::format("-g2001 -Wall -Wno-timescale -o bench bench.v {0}_axis.v {0}.v", design.name));
+  const ToolResult compiled = run_tool(
+      folder, "iverilog", "iverilog",
+      fmt::format("-g2001 -Wall -Wno-timescale -o bench bench.v {0}_axis.v {0}.v", design.module_at(format)));
   if (compiled.status != 0) return "iverilog: " + compiled.output;
   std::istringstream printed(run_tool(folder, "iverilog", "vvp", fmt::format("bench +mode={}", mode)).output);
   std::string line;

@@ -96,7 +96,7 @@ class CoreFile : public testing::TestWithParam<DesignFormat> {
 
 TEST_P(CoreFile, HasItsFilesetsAndTargets) {
   read_core(false);
-  EXPECT_EQ(core.at("name"), "hitpipe:ray_box:" + GetParam().design + ":0");
+  EXPECT_EQ(core.at("name"), "hitpipe:ray_box:" + GetParam().module() + ":" HITPIPE_VERSION);
   EXPECT_THAT(core.at("description").get<std::string>(), testing::EndsWith(" at " + GetParam().format));
   EXPECT_EQ(core.at("targets").size(), 4U);
   EXPECT_FALSE(core.at("filesets").contains("axis"));

@@ -23,7 +23,7 @@ using testing::StartsWith;
 
 HlsTop top_of(std::string_view name, std::string_view bits) {
   const Design& design = find_design(name);
-  return hls_top(design, design.parse_format(bits));
+  return hls_top(design, design.parse_format(bits), design.module_at(design.parse_format(bits)));
 }
 
 constexpr const char* stand_ins = R"(
@@ -33,7 +33,7 @@ foreach name {open_project set_top add_files open_solution set_part create_clock
 }
 rename exit leave
 proc exit {} { puts "> exit"; leave 0 }
-if {[catch {source vitis_hls.tcl} message]} { puts "> error $message"; leave 1 }
+if {[catch {source [lindex [glob *_vitis_hls.tcl] 0]} message]} { puts "> error $message"; leave 1 }
 )";
 
 class VitisHls : public testing::Test {
@@ -150,12 +150,12 @@ TEST(HlsTop, CsimComparesTheTopWithItsPipeline) {
       R"(// C simulation of the top function of int_plucker 12/12: its results against the native pipeline's.
 #include "hls/pipelines/int_plucker.hpp"
 #include "hls/top/csim.hpp"
-#include "int_plucker.hpp"
+#include "int_plucker_12_12.hpp"
 
 using namespace hitpipe::hls;
 
 int main() {
-  return top::csim<IntPlucker, IntFormat<12, 12>>(hitpipe_int_plucker);
+  return top::csim<IntPlucker, IntFormat<12, 12>>(hitpipe_int_plucker_12_12);
 }
 )");
 }
@@ -163,12 +163,13 @@ int main() {
 TEST(HlsTop, FilesAreNamedAfterTheDesign) {
   std::vector<std::string> names;
   for (const host::File& file : top_of("fp_plucker", "fp32").files()) names.push_back(file.name);
-  EXPECT_THAT(names, ElementsAre("fp_plucker.hpp", "fp_plucker.cpp", "fp_plucker_csim.cpp", "vitis_hls.tcl"));
+  EXPECT_THAT(names, ElementsAre("fp_plucker.hpp", "fp_plucker.cpp", "fp_plucker_csim.cpp",
+                                 "fp_plucker_vitis_hls.tcl"));
 }
 
 TEST(HlsTop, HasEveryPortOfEveryDesignOnce) {
   for (const Design& design : designs()) {
-    const std::string text = hls_top(design, design.default_format).source.contents;
+    const std::string text = hls_top(design, design.default_format, std::string(design.name)).source.contents;
     const auto count = [&](const std::string& part) {
       int found = 0;
       for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
@@ -188,7 +189,7 @@ TEST(HlsTop, SeveralResultsAreArgumentsOfTheirKinds) {
                                     {"entry", hls::Meaning::entry, 0, 24, true},
                                     {"steps", hls::Meaning::exit, 0, 7, false}};
   };
-  const std::string text = hls_top(toy, hls::IntBits{20, 24}).source.contents;
+  const std::string text = hls_top(toy, hls::IntBits{20, 24}, "int_slabs").source.contents;
   EXPECT_THAT(text, HasSubstr("top::Bit& hit"));
   EXPECT_THAT(text, HasSubstr("top::Integer<24>& entry"));
   EXPECT_THAT(text, HasSubstr("top::Pattern<7>& steps"));
@@ -198,8 +199,8 @@ TEST(HlsTop, SeveralResultsAreArgumentsOfTheirKinds) {
 TEST(HlsTop, IsFormattedAsTheProjectIs) {
   const host::ScratchFolder folder;
   for (const Design& design : designs()) {
-    for (const host::File& file : hls_top(design, design.default_format).files()) {
-      if (file.name == "vitis_hls.tcl") continue;
+    for (const host::File& file : hls_top(design, design.default_format, std::string(design.name)).files()) {
+      if (file.name.ends_with(".tcl")) continue;
       write_text(folder / file.name, file.contents);
       const ToolResult formatted =
           run_tool(folder.path(), "clang-format", "clang-format",
@@ -212,7 +213,8 @@ TEST(HlsTop, IsFormattedAsTheProjectIs) {
 TEST(HlsTop, DesignThatDoesNotSayWhereItsCodeIsRejected) {
   Design toy = find_design("int_slabs");
   toy.source = {};
-  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(hls_top(toy, toy.default_format)); }),
+  EXPECT_EQ(message_of<std::runtime_error>(
+                [&] { static_cast<void>(hls_top(toy, toy.default_format, "int_slabs")); }),
             "int_slabs: no top function for high-level synthesis; the design does not say where its C++ is");
 }
 

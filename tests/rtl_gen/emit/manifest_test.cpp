@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 struct Emitted {
   explicit Emitted(const DesignFormat& d)
       : pipeline(d.pipeline()),
-        json(Json::parse(manifest(d.found(), d.parsed(), pipeline, Library::thesis()))) {}
+        json(Json::parse(manifest(d.found(), d.parsed(), d.module(), pipeline, Library::thesis()))) {}
   explicit Emitted(hls::IntBits bits) : Emitted(DesignFormat{"int_slabs", to_string(Format(bits))}) {}
   Pipeline pipeline;
   Json json;
@@ -110,8 +110,8 @@ TEST(Manifest, OfAFloatDesignSaysBinary32) {
 TEST(Manifest, SpeaksOfAxiStreamOnlyWhenAsked) {
   const Emitted emitted({20, 24});
   EXPECT_FALSE(emitted.json.contains("axi_stream"));
-  const Json with = Json::parse(
-      manifest(find_design("int_slabs"), hls::IntBits{20, 24}, emitted.pipeline, Library::thesis(), true));
+  const Json with = Json::parse(manifest(find_design("int_slabs"), hls::IntBits{20, 24}, "int_slabs",
+                                         emitted.pipeline, Library::thesis(), true));
   EXPECT_EQ(with.at("axi_stream").at("module"), "int_slabs_axis");
   EXPECT_EQ(with.at("axi_stream").at("s_axis").at("tdata_bits"), 392);
 }

@@ -73,9 +73,11 @@ TEST_F(SeveralResults, AreAllComparedByTheTestbench) {
 TEST_F(SeveralResults, LintIsSilent) {
   for (const char* const bits : {"6/6", "16/16"}) {
     write(design.parse_format(bits));
-    EXPECT_EQ(run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall two_boxes.v").output, "");
+    const std::string module = design.module_at(design.parse_format(bits));
+    EXPECT_EQ(run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall " + module + ".v").output,
+              "");
     EXPECT_EQ(run_tool(folder.path(), "verilator", "verilator",
-                       "--lint-only -Wall --top-module two_boxes_axis two_boxes_axis.v two_boxes.v")
+                       fmt::format("--lint-only -Wall --top-module {0}_axis {0}_axis.v {0}.v", module))
                   .output,
               "");
   }

@@ -22,10 +22,10 @@ namespace hitpipe::rtl {
 namespace {
 
 /// What the testbench prints about the files in a folder.
-std::string replayed(const ScratchFolder& folder, const std::string& design) {
+std::string replayed(const ScratchFolder& folder, const std::string& module) {
   const std::filesystem::path tb = folder / "tb";
   const ToolResult compiled =
-      run_tool(tb, "iverilog", "iverilog", "-g2001 -o tb " + design + "_tb.v ../" + design + ".v");
+      run_tool(tb, "iverilog", "iverilog", "-g2001 -o tb " + module + "_tb.v ../" + module + ".v");
   if (compiled.status != 0) return "iverilog: " + compiled.output;
   std::istringstream printed(run_tool(tb, "iverilog", "vvp", "tb").output);
   std::string line;
@@ -193,21 +193,13 @@ void evaluate_graph(const Format& /*its own*/, const std::int64_t* operands, std
 
 /// What Icarus prints about a graph with one output, "hit", compared with evaluate().
 std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library& library, int vectors) {
-  const Design design{.name = "toy",
-                      .summary = "",
-                      .conservative = false,
-                      .default_format = hls::IntBits{},
-                      .results_at = nullptr,
-                      .ports_at = nullptr,
-                      .trace_at = nullptr,
-                      .run_at = nullptr};
   const std::vector<Port> ports = input_ports(pipeline.graph);
   const ScratchFolder folder;
   evaluated_graph = &graph;
   const std::vector<Vector> expected =
       judged(operand_vectors(ports, vectors, 5), Evaluate(evaluate_graph, hls::IntBits{}, hit_alone));
   host::write_files(folder.path(), {{"toy.v", to_verilog(pipeline, library)},
-                                    {"tb/toy_tb.v", testbench(design, ports, hit_alone, vectors)},
+                                    {"tb/toy_tb.v", testbench("toy", ports, hit_alone, vectors)},
                                     {"tb/toy_vectors.hex", vector_file(ports, ports, hit_alone, expected)}});
   evaluated_graph = nullptr;
   return replayed(folder, "toy");

@@ -52,7 +52,7 @@ class Fitted {
         to_verilog(pipeline, Library::thesis(), {.module_name = name, .bits = to_string(format)});
     write_text(folder / (name + ".v"), with_check_block(verilog, check_block(name, demands, ports, left)));
     std::filesystem::create_directories(folder / "tb");
-    write_text(folder / "tb" / (name + "_tb.v"), testbench(design, left, design.results(format), vectors));
+    write_text(folder / "tb" / (name + "_tb.v"), testbench(name, left, design.results(format), vectors));
   }
   void write_vectors(const ScratchFolder& folder,
                      const std::vector<std::vector<std::int64_t>>& vectors) const {

@@ -220,7 +220,7 @@ TEST(DemandFields, AreInTheManifestAndComeBack) {
                         {{"ixmin", "ixmax"}}};
   const Pruned pruned = prune(design.trace(hls::IntBits{20, 24}), demands);
   const Pipeline pipeline = make_pipeline(pruned.graph, Library::thesis());
-  const std::string plain = manifest(design, hls::IntBits{20, 24}, pipeline, Library::thesis());
+  const std::string plain = manifest(design, hls::IntBits{20, 24}, "int_slabs", pipeline, Library::thesis());
   EXPECT_EQ(with_demand_fields(plain, {}, {}), plain);
   EXPECT_EQ(demands_of_manifest(plain), Demands{});
   const std::string fitted = with_demand_fields(plain, demands, pruned.report);

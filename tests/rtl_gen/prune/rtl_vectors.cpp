@@ -25,7 +25,7 @@ bool run(const char* name, std::uint64_t vectors) {
       rtl::make_pipeline(rtl::prune(traced, demands, {.shares = false}).graph, library);
   const sim::VerilatedDesign verilated(
       design, format, pipeline,
-      rtl::to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format)}));
+      rtl::to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format)}), name);
   const std::vector<rtl::Port> ports = rtl::input_ports(traced);
   const sim::VectorResult result = sim::check_vectors({.verilated = &verilated,
                                                        .evaluate = design.evaluate(format),

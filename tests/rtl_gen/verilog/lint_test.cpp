@@ -23,7 +23,7 @@ class Lint : public testing::TestWithParam<DesignFormat> {
     EXPECT_EQ(result.output, "");
   }
 
-  const std::string name = GetParam().design;
+  const std::string name = GetParam().module();
   ScratchFolder folder;
 };
 
@@ -53,7 +53,7 @@ class LintOfADamagedDesign : public testing::Test {
         emit(find_design("int_slabs"), hls::IntBits{6, 6}, Library::thesis(), pipeline).verilog.contents;
     const std::size_t at = text.find(good);
     ASSERT_NE(at, std::string::npos);
-    write_text(folder / "int_slabs.v", text.replace(at, good.size(), bad));
+    write_text(folder / "int_slabs_6_6.v", text.replace(at, good.size(), bad));
   }
   ScratchFolder folder;
 };
@@ -61,16 +61,16 @@ class LintOfADamagedDesign : public testing::Test {
 TEST_F(LintOfADamagedDesign, VerilatorSeesAWidth) {
   damage("wire [5:0] d0_x", "wire [6:0] d0_x");
   const ToolResult result =
-      run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall int_slabs.v");
+      run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall int_slabs_6_6.v");
   EXPECT_NE(result.status, 0);
   EXPECT_NE(result.output.find("%Warning-WIDTH"), std::string::npos) << result.output;
 }
 
 TEST_F(LintOfADamagedDesign, YosysSeesAWireWithoutDriver) {
   damage("wire [5:0] d0_x = ixmin_s0 - irx_s0;", "wire [5:0] d0_x;");
-  const ToolResult result =
-      run_tool(folder.path(), "yosys", "yosys",
-               "-q -p 'read_verilog int_slabs.v; hierarchy -check -top int_slabs; proc; check -assert'");
+  const ToolResult result = run_tool(
+      folder.path(), "yosys", "yosys",
+      "-q -p 'read_verilog int_slabs_6_6.v; hierarchy -check -top int_slabs_6_6; proc; check -assert'");
   EXPECT_NE(result.status, 0);
   EXPECT_NE(result.output.find("d0_x"), std::string::npos) << result.output;
 }
@@ -78,7 +78,7 @@ TEST_F(LintOfADamagedDesign, YosysSeesAWireWithoutDriver) {
 TEST_F(LintOfADamagedDesign, IcarusSeesAnUnknownName) {
   damage("wire [5:0] d0_x", "wire [5:0] d0_w");
   const ToolResult result =
-      run_tool(folder.path(), "iverilog", "iverilog", "-g2001 -Wall -o design int_slabs.v");
+      run_tool(folder.path(), "iverilog", "iverilog", "-g2001 -Wall -o design int_slabs_6_6.v");
   EXPECT_NE(result.status, 0);
   EXPECT_NE(result.output.find("d0_x"), std::string::npos) << result.output;
 }

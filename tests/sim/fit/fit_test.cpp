@@ -46,8 +46,9 @@ std::map<std::string, std::string> by_name(const rtl::EmittedDesign& emitted) {
 }
 
 CosimResult run(const FittedUnit& unit, const World& world, const World& fitted_to) {
-  const VerilatedDesign verilated(*unit.design, unit.format, unit.pipeline,
-                                  fitted_files(unit, library()).verilog.contents);
+  const rtl::EmittedDesign files = fitted_files(unit, library());
+  const VerilatedDesign verilated(*unit.design, unit.format, unit.pipeline, files.verilog.contents,
+                                  files.module);
   const OperandGuard guard(unit.demands, unit.ports);
   return cosimulate(*unit.design, unit.format, verilated, world.scene, world.bvh,
                     {.width = World::width,
@@ -177,7 +178,7 @@ TEST(FittedFiles, ListTheDemandsAndCheckThem) {
   EXPECT_EQ(rtl::demands_of_manifest(emitted.manifest.contents), unit.demands);
   EXPECT_THAT(emitted.verilog.contents, HasSubstr("`ifdef HITPIPE_CHECK"));
   ASSERT_TRUE(emitted.check_module.has_value());
-  EXPECT_EQ(emitted.check_module->name, "int_slabs_check.v");
+  EXPECT_EQ(emitted.check_module->name, "int_slabs_12_12_check.v");
   for (const rtl::PortDemand& demand : unit.demands.ports)
     EXPECT_THAT(emitted.check_module->contents, HasSubstr(demand.port));
 }
@@ -191,7 +192,8 @@ TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
   host::write_files(folder.path(), fitted_files(unit, library()).files());
   const rtl::ToolResult compiled =
       rtl::run_tool(folder / "tb", "iverilog", "iverilog",
-                    "-g2001 -Wall -DHITPIPE_CHECK -o tb int_slabs_tb.v ../int_slabs.v ../int_slabs_check.v");
+                    "-g2001 -Wall -DHITPIPE_CHECK -o tb int_slabs_12_12_tb.v ../int_slabs_12_12.v "
+                    "../int_slabs_12_12_check.v");
   ASSERT_EQ(compiled.status, 0) << compiled.output;
   EXPECT_THAT(rtl::run_tool(folder / "tb", "iverilog", "vvp", "tb").output, HasSubstr("PASS 1000 vectors"));
 }

@@ -21,7 +21,8 @@ class Vectors : public testing::Test {
   Vectors() : unit_(made()), verilog_(fitted_files(unit_, rtl::Library::thesis()).verilog.contents) {}
 
   [[nodiscard]] VectorResult sent(std::uint64_t count = vectors, std::uint64_t seed = 1) const {
-    const VerilatedDesign verilated(*unit_.design, unit_.format, unit_.pipeline, verilog_);
+    const VerilatedDesign verilated(*unit_.design, unit_.format, unit_.pipeline, verilog_,
+                                    unit_.design->module_at(unit_.format));
     return check_vectors({.verilated = &verilated,
                           .evaluate = unit_.design->evaluate(unit_.format),
                           .ports = &unit_.ports,
