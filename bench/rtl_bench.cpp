@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "sim/cosim.hpp"
 

@@ -14,7 +14,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
-#include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/fit/unit_cosim.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/render/image_file.hpp"
@@ -81,6 +81,14 @@ Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref:
   return row;
 }
 
+/// The drawings, or what they would be drawn from.
+std::vector<std::string> schematics(const fs::path& folder, const rtl::UnitFiles& written) {
+  std::vector<std::string> names;
+  for (const rtl::File& file : written.files)
+    if (file.name.ends_with(written.drawn ? ".svg" : ".dot")) names.push_back((folder / file.name).string());
+  return names;
+}
+
 int cosimulate(const CosimCommand& command) {
   const rtl::Design& design = command.choice.design();
   if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
@@ -95,9 +103,10 @@ int cosimulate(const CosimCommand& command) {
   const bool emits = !command.out.empty() && command.unit.empty();
   // Done before the long run, so that a folder that cannot be written is reported at once.
   if (!command.out.empty()) host::make_folder(folder);
+  rtl::UnitFiles written;
   if (emits) {
     const rtl::EmittedDesign emitted = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
-    host::write_files(folder, rtl::files_and_drawings(emitted));
+    written = rtl::write_unit(folder, emitted);
   }
   progress.emplace("co-simulating");
   const sim::CosimResult result =
@@ -119,9 +128,10 @@ int cosimulate(const CosimCommand& command) {
   }
   if (emits) {
     row["verilog"] = (folder / (unit.module + ".v")).string();
-    row["schematic"] = (folder / (unit.module + ".svg")).string();
+    row["schematics"] = schematics(folder, written);
   }
   fmt::print("{}", record_text(row, command.format));
+  if (!written.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
   const bool must_not_miss = design.conservative && command.referee;
   if (result.verified(must_not_miss)) return 0;
   const std::string false_misses =
@@ -152,7 +162,7 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   add_bounces_option(*command, options->light);
   command->add_flag("--referee", options->referee, "Exact arithmetic judges every answer");
-  add_folder_option(*command, options->out, "Folder for the image, the Verilog and the schematic");
+  add_folder_option(*command, options->out, "Folder for the image, the Verilog and the schematics");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = cosimulate(*options); });
 }

@@ -16,6 +16,7 @@
 #include "cli/text/fit_text.hpp"
 #include "cli/text/progress.hpp"
 #include "host/files.hpp"
+#include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/fit/fit_scene.hpp"
 
 namespace hitpipe::cli {
@@ -88,7 +89,7 @@ Row kept_whole(const sim::FittedUnit& unit) {
 }
 
 Row record(const sim::FitResult& fitted, const std::string& scene) {
-  const auto& [unit, vectors, result] = fitted;
+  const auto& [unit, vectors, result, drawn] = fitted;
   Row left_out = Row::array();
   for (const sim::LeftOut& left : unit.left_out)
     left_out.push_back(fmt::format("{} ({}): {:.2f} % of the area", left.what, left.why,
@@ -175,14 +176,17 @@ int fit(const FitCommand& command) {
   // Done before the long run, so that a folder that cannot be written is reported at once.
   host::make_folder(command.out);
   std::vector<FitReport> reports;
+  bool drawn = true;
   for (const Wanted& wanted : designs) {
     const sim::FitResult fitted =
         sim::fit_to_scene(*wanted.design, wanted.before, scene, options, rtl::Library::thesis());
+    drawn = drawn && fitted.drawn;
     reports.push_back(
         {record(fitted, scene.scene.name), fitted.unit.left_out, fitted.vectors.first_mismatch});
   }
   steps.end();
   fmt::print("{}", reports_text(reports, scene, command.format));
+  if (!drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
   int exit_code = 0;
   for (const FitReport& report : reports) {
     const std::string wrong = wrong_text(report);

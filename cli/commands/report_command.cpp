@@ -179,6 +179,11 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                 {"different_triangles", wrong.different_triangles},
                                 {"different_pixels", wrong.different_pixels}},
                                command.format));
+  if (facts.schematics.empty())
+    fmt::print(
+        stderr,
+        "hitpipe: the page has no schematics, because Graphviz's dot was not found; install the package "
+        "graphviz\n");
   if (!wrong.any()) return 0;
   fmt::print(stderr, "hitpipe: a count that must be 0 is not; see {}\n", page);
   return 1;

@@ -8,8 +8,7 @@
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
-#include "host/files.hpp"
-#include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module_name.hpp"
 
@@ -38,11 +37,10 @@ void emit_rtl(const RtlOptions& options) {
   const rtl::EmittedDesign emitted =
       rtl::emit(design, format, library, pipeline,
                 {.module = options.name.value_or(""), .axi_stream = options.axi_stream, .hls = options.hls});
-  const std::vector<rtl::File> files = rtl::files_and_drawings(emitted);
-  host::write_files(options.out, files);
+  const rtl::UnitFiles written = rtl::write_unit(options.out, emitted);
 
   std::vector<std::string> names;
-  for (const rtl::File& file : files)
+  for (const rtl::File& file : written.files)
     names.push_back((std::filesystem::path(options.out) / file.name).string());
   const Row row{{"design", design.name},
                 {"bits", rtl::to_string(format)},
@@ -52,13 +50,14 @@ void emit_rtl(const RtlOptions& options) {
                 {"clock_ps", pipeline.schedule.clock_ps},
                 {"files", names}};
   fmt::print("{}", record_text(row, options.format));
+  if (!written.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
 }
 
 }  // namespace
 
 void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command = program.add_subcommand(
-      "rtl", "Write a design's Verilog, manifest, FuseSoC core, schematic, testbench and vectors");
+      "rtl", "Write a design's Verilog, manifest, FuseSoC core, schematics, testbench and vectors");
   const auto options = std::make_shared<RtlOptions>();
   add_design_options(*command, options->choice);
   add_folder_option(*command, options->out, "Folder to write to; made if it is not there")->required();

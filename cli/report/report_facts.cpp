@@ -85,12 +85,11 @@ std::vector<Schematic> draw_schematics() {
     const rtl::Format format = design.default_format;
     const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
     const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline);
-    // The whole schematic is too wide to read on a page.
-    const std::vector<rtl::File> groups =
-        emitted.stage_schematics.empty() ? emitted.schematics() : emitted.stage_schematics;
+    std::optional<std::vector<rtl::File>> drawings = rtl::draw(emitted.schematics);
+    if (!drawings) return {};
     Schematic schematic{
         fmt::format("{} {}: {} stages", design.name, rtl::to_string(format), pipeline.schedule.stages), {}};
-    for (rtl::File& file : rtl::draw(groups)) {
+    for (rtl::File& file : *drawings) {
       std::string words = file.name.substr(0, file.name.rfind('.'));
       std::replace(words.begin(), words.end(), '_', ' ');
       schematic.drawings.push_back({file.name, std::move(file.contents), "Schematic of " + words, words});

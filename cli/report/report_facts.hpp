@@ -46,7 +46,7 @@ struct Schematic {
   std::string title;
   std::vector<Drawing> drawings;
 };
-/// One for each design, at its default format.
+/// One for each design, at its default format. None when Graphviz is not installed.
 [[nodiscard]] std::vector<Schematic> draw_schematics();
 
 /// Versions of the compiler that built this program and of the programs that it calls.

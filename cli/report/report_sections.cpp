@@ -259,6 +259,7 @@ std::string report_html(const ReportFacts& facts) {
   page.table(page_table("stability.csv.", stability_rows(facts)));
 
   page.heading("Schematics");
+  if (facts.schematics.empty()) page.paragraph("Not drawn: Graphviz was not installed.");
   for (const Schematic& schematic : facts.schematics) {
     page.open(schematic.title);
     for (const Drawing& d : schematic.drawings) page.drawing(d.svg, d.alternative, d.caption);

@@ -45,7 +45,8 @@ constexpr typename D::bit int_outside(const F& format, char number, const Silhou
   const auto q = side_term(format, "q", number, edge.q);
   const auto p = side_term(format, "p", number, edge.p);
   const auto side = as("side", number, q - p);
-  return as("outside", number, Bit(side < as_signed(D::lit(edge_bound(format), width_of(side)))));
+  const auto ebnd = as("EBND", as_signed(D::lit(edge_bound(format), width_of(side))));
+  return as("outside", number, Bit(side < ebnd));
 }
 
 struct IntPlucker {

@@ -26,13 +26,13 @@ namespace {
 constexpr int vector_count = 1000;
 constexpr std::uint64_t vector_seed = 1;
 
-File drawing_of(const File& dot) {
+/// Nothing when dot is not installed.
+std::optional<File> drawing_of(const File& dot) {
   host::Outcome drawn = host::run({"dot", "-Tsvg"}, {.input = dot.contents});
-  if (!drawn.succeeded() || drawn.out.empty()) {
-    throw std::runtime_error(fmt::format("{}: Graphviz's dot {}{}", dot.name, drawn.failure(),
-                                         drawn.not_found() ? "; install the package graphviz" : ""));
-  }
-  return {std::filesystem::path(dot.name).replace_extension(".svg").string(), std::move(drawn.out)};
+  if (drawn.not_found()) return std::nullopt;
+  if (!drawn.succeeded() || drawn.out.empty())
+    throw std::runtime_error(fmt::format("{}: Graphviz's dot {}", dot.name, drawn.failure()));
+  return File{std::filesystem::path(dot.name).replace_extension(".svg").string(), std::move(drawn.out)};
 }
 
 std::vector<Vector> vectors(Evaluate evaluate, const std::vector<Port>& left, const PrunedFrom* from) {
@@ -49,38 +49,29 @@ std::string title_of(const Design& design, const Format& format, const std::stri
   return module == design.module_at(format) ? title : fmt::format("{}: {}", module, title);
 }
 
-/// None when there is one group only.
-std::vector<File> stage_schematics(const Pipeline& pipeline, const std::string& name,
-                                   const std::string& title) {
+std::vector<File> stage_schematics(const Pipeline& pipeline, const std::vector<Port>& ports,
+                                   const std::string& name, const std::string& title) {
   std::vector<File> files;
-  const std::vector<StageRange> groups = stage_groups(pipeline);
-  for (const StageRange& group : groups) {
-    if (groups.size() == 1) break;
+  for (const StageRange& group : stage_groups(pipeline)) {
     const std::string stages = group.first == group.last
                                    ? fmt::format("stage_{}", group.first)
                                    : fmt::format("stages_{}-{}", group.first, group.last);
     std::string words = stages;
     std::replace(words.begin(), words.end(), '_', ' ');
-    files.push_back(
-        {fmt::format("{}_{}.dot", name, stages),
-         to_dot(pipeline, fmt::format("{}: {} of {}", title, words, pipeline.schedule.stages), group)});
+    files.push_back({fmt::format("{}_{}.dot", name, stages),
+                     to_dot(pipeline, ports,
+                            fmt::format("{}: {} of {}", title, words, pipeline.schedule.stages), group)});
   }
   return files;
 }
 
 }  // namespace
 
-std::vector<File> EmittedDesign::schematics() const {
-  std::vector<File> all{schematic};
-  all.insert(all.end(), stage_schematics.begin(), stage_schematics.end());
-  return all;
-}
-
 std::vector<File> EmittedDesign::files() const {
-  std::vector<File> all{verilog, manifest, core, schematic, testbench, vectors};
+  std::vector<File> all{verilog, manifest, core, testbench, vectors};
   if (check_module) all.push_back(*check_module);
   if (axi_stream) all.push_back(*axi_stream);
-  all.insert(all.end(), stage_schematics.begin(), stage_schematics.end());
+  all.insert(all.end(), schematics.begin(), schematics.end());
   all.insert(all.end(), hls.begin(), hls.end());
   return all;
 }
@@ -99,21 +90,19 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
     verilog = with_check_block(verilog, check_block(name, from->demands, from->ports, left));
     json = with_demand_fields(json, from->demands, from->report);
   }
-  const std::string summary = fmt::format("{}{}: {} stages, {} ps", title, from == nullptr ? "" : ", fitted",
-                                          pipeline.schedule.stages, pipeline.schedule.clock_ps);
   const CoreParts parts{.axi_stream = options.axi_stream, .check = from != nullptr};
   EmittedDesign emitted{.module = name,
                         .verilog = {name + ".v", std::move(verilog)},
                         .manifest = {name + ".json", std::move(json)},
                         .core = {name + ".core", core_file(design, format, name, parts)},
-                        .schematic = {name + ".dot", to_dot(pipeline, summary)},
                         .testbench = {"tb/" + name + "_tb.v", testbench(name, left, results, vector_count)},
                         .vectors = {"tb/" + name + "_vectors.hex",
                                     vector_file(from == nullptr ? left : from->ports, left, results,
                                                 vectors(design.evaluate(format), left, from))},
                         .check_module = {},
                         .axi_stream = {},
-                        .stage_schematics = stage_schematics(pipeline, name, title),
+                        .schematics = stage_schematics(pipeline, design.ports(format), name,
+                                                       title + (from == nullptr ? "" : ", fitted")),
                         .hls = {}};
   if (from != nullptr)
     emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
@@ -122,19 +111,20 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
     emitted.hls = hls_top(design, format, name).files();
     for (File& file : emitted.hls) file.name.insert(0, "hls/");
   }
+  std::vector<std::string> names;
+  for (const File& file : emitted.files()) names.push_back(file.name);
+  emitted.manifest.contents = with_files(emitted.manifest.contents, names);
   return emitted;
 }
 
-std::vector<File> draw(const std::vector<File>& schematics) {
+std::optional<std::vector<File>> draw(const std::vector<File>& schematics) {
   std::vector<File> drawings;
-  for (const File& schematic : schematics) drawings.push_back(drawing_of(schematic));
+  for (const File& schematic : schematics) {
+    std::optional<File> drawing = drawing_of(schematic);
+    if (!drawing) return std::nullopt;
+    drawings.push_back(*std::move(drawing));
+  }
   return drawings;
-}
-
-std::vector<File> files_and_drawings(const EmittedDesign& emitted) {
-  std::vector<File> all = emitted.files();
-  for (File& drawing : draw(emitted.schematics())) all.push_back(std::move(drawing));
-  return all;
 }
 
 }  // namespace hitpipe::rtl

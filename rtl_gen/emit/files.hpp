@@ -33,20 +33,17 @@ struct EmitOptions {
 
 /// The files of a design, each by what it is.
 struct EmittedDesign {
-  std::string module;                    ///< the unit's; it begins the name of every other module and file
-  File verilog;                          ///< <module>.v
-  File manifest;                         ///< <module>.json
-  File core;                             ///< <module>.core, for FuseSoC
-  File schematic;                        ///< <module>.dot, all stages
-  File testbench;                        ///< tb/<module>_tb.v
-  File vectors;                          ///< tb/<module>_vectors.hex
-  std::optional<File> check_module;      ///< <module>_check.v, of a fitted unit
-  std::optional<File> axi_stream;        ///< <module>_axis.v, if asked for
-  std::vector<File> stage_schematics{};  ///< a .dot for each group of stages; none for a single group
-  std::vector<File> hls{};               ///< hls/: the top function and its script, if asked for
+  std::string module;                ///< the unit's; it begins the name of every other module and file
+  File verilog;                      ///< <module>.v
+  File manifest;                     ///< <module>.json
+  File core;                         ///< <module>.core, for FuseSoC
+  File testbench;                    ///< tb/<module>_tb.v
+  File vectors;                      ///< tb/<module>_vectors.hex
+  std::optional<File> check_module;  ///< <module>_check.v, of a fitted unit
+  std::optional<File> axi_stream;    ///< <module>_axis.v, if asked for
+  std::vector<File> schematics{};    ///< a .dot for each group of stages, from the first on
+  std::vector<File> hls{};           ///< hls/: the top function and its script, if asked for
 
-  /// Every .dot: the whole first, then the groups from the first stage on.
-  [[nodiscard]] std::vector<File> schematics() const;
   [[nodiscard]] std::vector<File> files() const;
 };
 
@@ -55,10 +52,8 @@ struct EmittedDesign {
 [[nodiscard]] EmittedDesign emit(const Design& design, Format format, const Library& library,
                                  const Pipeline& pipeline, const EmitOptions& options = {});
 
-/// An .svg for each .dot, drawn by Graphviz's dot. Throws std::runtime_error when dot is missing or fails.
-[[nodiscard]] std::vector<File> draw(const std::vector<File>& schematics);
-
-/// The files of a design and the drawings of its schematics. Throws as draw() does.
-[[nodiscard]] std::vector<File> files_and_drawings(const EmittedDesign& emitted);
+/// An .svg for each .dot, drawn by Graphviz's dot; nothing when dot is not installed. Throws
+/// std::runtime_error when dot fails.
+[[nodiscard]] std::optional<std::vector<File>> draw(const std::vector<File>& schematics);
 
 }  // namespace hitpipe::rtl

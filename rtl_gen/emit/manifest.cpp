@@ -103,7 +103,7 @@ std::string manifest(const Design& design, Format format, const std::string& mod
   Json json{{"design", std::string(design.name)},
             {"bits", to_string(format)},
             {"module", module},
-            {"files", {module + ".v"}},
+            {"verilog", {module + ".v"}},
             {"clock", "clk, rising edge"},
             {"reset", "rst, synchronous, active high, valid bits only"},
             {"handshake", "valid/ready; results in order; the whole pipeline waits for out_ready"},
@@ -119,11 +119,18 @@ std::string manifest(const Design& design, Format format, const std::string& mod
   return json.dump(2) + "\n";
 }
 
+std::string with_files(const std::string& manifest, const std::vector<std::string>& files) {
+  Json json = Json::parse(manifest);
+  json["files"] = files;
+  return json.dump(2) + "\n";
+}
+
 ManifestHead head_of(const std::string& manifest) {
   try {
     const Json json = Json::parse(manifest);
     ManifestHead head{json.at("design").get<std::string>(), json.at("bits").get<std::string>(),
-                      json.at("module").get<std::string>(), json.at("latency").get<int>()};
+                      json.at("module").get<std::string>(), json.at("latency").get<int>(),
+                      json.value("files", std::vector<std::string>{})};
     check_module_name(head.module);
     return head;
   } catch (const Json::exception&) {

@@ -1,6 +1,7 @@
 #include "rtl_gen/schematic/dot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <map>
 #include <set>
@@ -8,130 +9,220 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/graph/sources.hpp"
+#include "rtl_gen/schematic/axis_order.hpp"
 #include "rtl_gen/verilog/names.hpp"
 
 namespace hitpipe::rtl {
 
 namespace {
 
-std::string unit_symbol(const std::string& component) {
-  if (component == "fp_subtract") return "label=\"\u2212\" shape=circle fillcolor=\"#cfe3f5\"";
-  if (component == "fp_multiply") return "label=\"\u00d7\" shape=circle width=0.55 fillcolor=\"#f6d5a8\"";
-  if (component == "fp_compare") return "label=\"<>\" shape=circle fillcolor=\"#d9ecd0\"";
-  return fmt::format("label=\"{}\" shape=box", component);
+constexpr const char* difference = "label=\"\u2212\" shape=circle fillcolor=\"#cfe3f5\"";
+constexpr const char* product = "label=\"\u00d7\" shape=circle width=0.55 fillcolor=\"#f6d5a8\"";
+
+std::string comparator(std::string_view sign) {
+  return fmt::format("label=\"{}\" shape=circle fillcolor=\"#d9ecd0\"", sign);
 }
 
-std::string symbol(const Graph& graph, NodeId id) {
-  switch (graph[id].op) {
-    case Op::sub:
-      return "label=\"\u2212\" shape=circle fillcolor=\"#cfe3f5\"";
-    case Op::add:
-      return "label=\"+\" shape=circle fillcolor=\"#cfe3f5\"";
-    case Op::mul:
-      return "label=\"\u00d7\" shape=circle width=0.55 fillcolor=\"#f6d5a8\"";
-    case Op::less:
-      return "label=\"<>\" shape=circle fillcolor=\"#d9ecd0\"";
-    case Op::equal:
-      return "label=\"=\" shape=circle fillcolor=\"#d9ecd0\"";
-    case Op::mux:
-      return fmt::format("label=\"{}2:1\" shape=trapezium orientation=270 fillcolor=\"#eadcf2\"",
-                         graph[id].width == 1 ? "b:" : "");
-    case Op::bit_and:
-      return "label=\"AND\" shape=box style=\"filled,rounded\"";
-    case Op::bit_or:
-      return "label=\"OR\" shape=box style=\"filled,rounded\"";
-    case Op::bit_xor:
-      return "label=\"XOR\" shape=box style=\"filled,rounded\"";
-    case Op::call:
-      return unit_symbol(graph.unit_of(id)->component);
-    default:
-      return "shape=plaintext fillcolor=white";
-  }
+/// The arms are named by the value of the select input, which is the lowest of the three.
+std::string multiplexer(int width, bool one_above) {
+  const std::string_view row = "<tr><td port=\"{0}\">{0}</td>{1}</tr>";
+  const std::string label = fmt::format("<td rowspan=\"3\">{}2:1</td>", width == 1 ? "b:" : "");
+  return fmt::format(
+      "shape=plain style=\"\" label=<<table border=\"1\" cellborder=\"0\" cellspacing=\"0\" "
+      "cellpadding=\"2\" "
+      "bgcolor=\"#eadcf2\">{}{}{}</table>>",
+      fmt::format(fmt::runtime(row), one_above ? "1" : "0", label),
+      fmt::format(fmt::runtime(row), one_above ? "0" : "1", ""), fmt::format(fmt::runtime(row), "s", ""));
 }
 
-/// The base of Whole and Part.
+/// What a comparator of units tells by each bit of its result.
+constexpr std::array<std::string_view, 2> order_signs{"<", ">"};
+
+std::string_view turned(std::string_view sign) {
+  return sign == "<" ? ">" : "<";
+}
+
+std::string number_text(const Node& constant, const Node& reader) {
+  if (reader.op == Op::call && constant.value != 0) return fmt::format("{:#x}", constant.value);
+  const int spare = 64 - constant.width;
+  return reader.is_signed ? fmt::format("{}", static_cast<std::int64_t>(constant.value << spare) >> spare)
+                          : fmt::format("{}", constant.value);
+}
+
 class Drawing {
  public:
-  [[nodiscard]] std::string take() { return std::move(text_) + "}\n"; }
-
- protected:
-  /// `spread`: a component of several stages takes as many columns.
-  Drawing(const Pipeline& pipeline, const std::string& title, bool spread)
-      : spread_(spread),
-        graph_(pipeline.graph),
+  Drawing(const Pipeline& pipeline, const std::vector<Port>& ports, const std::string& title,
+          StageRange range)
+      : graph_(pipeline.graph),
         schedule_(pipeline.schedule),
         placement_(pipeline.placement),
-        names_(value_names(graph_, placement_, {})) {
+        names_(value_names(graph_, placement_, {})),
+        places_(axis_order(graph_, ports)),
+        entry_(range.first - 1) {
     text_ = fmt::format(
         "digraph schematic {{\n"
         "  graph [rankdir=LR label=\"{}\" labelloc=t fontname=\"Helvetica\" fontsize=20 nodesep=0.12 "
-        "ranksep=0.5"
-        " newrank=true]\n"
+        "ranksep=0.5 newrank=true]\n"
         "  node [fontname=\"Helvetica\" fontsize=11 style=filled fillcolor=white height=0.3 width=0.3"
         " margin=\"0.06,0.03\"]\n"
         "  edge [fontname=\"Helvetica\" fontsize=9 arrowsize=0.5 color=\"#555555\"]\n",
         title);
+    for (int stage = range.first; stage <= range.last; ++stage) {
+      write_stage(stage);
+      write_latches(stage);
+      if (stage > range.first)
+        edges_ += fmt::format("  after_{} -> after_{} [style=invis]\n", stage - 1, stage);
+    }
+    if (range.last == schedule_.stages) write_outputs();
+    text_ += edges_;
   }
 
-  /// Components and gates that start in a stage; stage 0: the ports.
-  void write_stage(int stage, const char* indent, bool spans) {
-    for (NodeId n = 0; n < graph_.size(); ++n) {
-      const Node& node = graph_[n];
-      if (!is_root(node.op) || schedule_.slots[n].stage != stage) continue;
-      if (node.op == Op::input) {
-        text_ += fmt::format("{}v{} [label=\"{}\" shape=plaintext fillcolor=none]\n", indent, n, node.name);
+  [[nodiscard]] std::string take() { return std::move(text_) + "}\n"; }
+
+ private:
+  [[nodiscard]] bool is_above(NodeId a, NodeId b) const {
+    return places_[a] < places_[b] || (places_[a] == places_[b] && a < b);
+  }
+
+  /// Components and gates that start in a stage, one column for each of their depths.
+  void write_stage(int stage) {
+    std::map<int, std::vector<NodeId>> columns;
+    std::vector<int> depth(graph_.size(), 0);
+    for (NodeId id = 0; id < graph_.size(); ++id) {
+      if (graph_[id].op == Op::input || !is_root(graph_[id].op) || schedule_.slots[id].stage != stage)
         continue;
+      for_each_source(graph_, id, [&](NodeId source, std::uint64_t) {
+        depth[id] = std::max(depth[id], depth[source] + 1);
+      });
+      columns[depth[id]].push_back(id);
+    }
+    for (auto& [unused, column] : columns) {
+      std::sort(column.begin(), column.end(), [&](NodeId a, NodeId b) { return is_above(a, b); });
+      std::vector<std::string> nodes;
+      for (const NodeId id : column) {
+        nodes.push_back(fmt::format("v{}", id));
+        text_ += fmt::format("  v{} [{} tooltip=\"{}\"]\n", id, symbol(id), names_[id]);
+        connect_operands(id, stage);
       }
-      const int last = schedule_.slots[n].finish;
-      const std::string note =
-          spans && last > stage ? fmt::format(" xlabel=\"stages {}-{}\"", stage, last) : "";
-      text_ += fmt::format("{}v{} [{} tooltip=\"{}\"{}]\n", indent, n, symbol(graph_, n), names_[n], note);
-      for (const NodeId arg : node.operands()) connect(arg, stage, fmt::format("v{}", n));
+      write_order(nodes);
     }
   }
 
-  void write_latches(int boundary, const char* indent) {
-    for (const Register& r : placement_.registers) {
-      if (r.boundary != boundary) continue;
-      text_ += fmt::format("{}{} [label=\"L:{}\" shape=box fillcolor=\"#ffffff\" tooltip=\"{}\"]\n", indent,
-                           node_of(r), r.width(), names_[r.value]);
-      const bool is_input = graph_[r.value].op == Op::input;
-      const bool first = boundary == (is_input ? 0 : schedule_.slots[r.value].finish);
-      const Slot& slot = schedule_.slots[r.value];
-      const int columns = spread_ ? std::max(1, slot.finish - slot.stage) : 1;
-      const std::string wire =
-          first && !is_input ? fmt::format(" [label=\"{}\" minlen={}]", names_[r.value], columns) : "";
-      edges_ +=
-          fmt::format("  {} -> {}{}\n",
-                      first ? fmt::format("v{}", r.value) : source_of(r.value, r.high, r.low, boundary - 1),
-                      node_of(r), wire);
+  void write_latches(int boundary) {
+    std::vector<const Register*> column;
+    for (const Register& r : placement_.registers)
+      if (r.boundary == boundary) column.push_back(&r);
+    std::stable_sort(column.begin(), column.end(), [&](const Register* a, const Register* b) {
+      return a->value != b->value && is_above(a->value, b->value);
+    });
+    std::vector<std::string> nodes{fmt::format("after_{}", boundary)};
+    text_ += fmt::format("  after_{0} [label=\"stage {0}\" shape=plaintext fontsize=14]\n", boundary);
+    for (const Register* const r : column) {
+      nodes.push_back(node_of(*r));
+      text_ += fmt::format("  {} [label=\"L:{}\" shape=box fillcolor=\"#ffffff\" tooltip=\"{}\"]\n",
+                           nodes.back(), r->width(), names_[r->value]);
+      const Slot& slot = schedule_.slots[r->value];
+      const bool first = graph_[r->value].op != Op::input && boundary == slot.finish;
+      // A component of several stages takes as many columns.
+      const std::string wire = first ? fmt::format(" [label=\"{}\" minlen={}]", names_[r->value],
+                                                   std::max(1, slot.finish - slot.stage))
+                                     : "";
+      const std::string from =
+          first ? fmt::format("v{}", r->value) : source_of(r->value, r->high, r->low, boundary - 1);
+      edges_ += fmt::format("  {} -> {}{}\n", from, nodes.back(), wire);
     }
+    write_order(nodes);
   }
 
   void write_outputs() {
     for (const Output& out : graph_.outputs()) {
       text_ += fmt::format("  out_{0} [label=\"{0}\" shape=plaintext fontsize=14]\n", out.name);
-      connect(out.node, schedule_.stages + 1, fmt::format("out_{}", out.name));
+      connect(out.node, schedule_.stages + 1, fmt::format("out_{}", out.name), graph_[out.node]);
     }
   }
 
-  void write_edges() { text_ += edges_; }
-
-  static std::string node_of(const Register& r) {
-    return fmt::format("r{}_{}_{}_{}", r.value, r.boundary, r.high, r.low);
+  /// Puts nodes into one column, the first on top.
+  void write_order(const std::vector<std::string>& nodes) {
+    text_ += fmt::format("  {{ rank=same {} }}\n", fmt::join(nodes, " "));
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+      edges_ += fmt::format("  {} -> {} [style=invis]\n", nodes[i - 1], nodes[i]);
   }
 
-  /// The drawn node that holds these bits of a value: a latch at the boundary, or the node that makes the
-  /// value.
-  virtual std::string source_of(NodeId value, int high, int low, int boundary) {
-    for (const Register& r : placement_.registers) {
-      if (r.value == value && r.boundary == boundary && r.low <= low && r.high >= high) return node_of(r);
+  [[nodiscard]] bool is_order(NodeId id) const {
+    return graph_[id].op == Op::call && graph_.unit_of(id)->component == "fp_compare";
+  }
+  /// The second of two operands is drawn above the first. A difference keeps the order of its operands.
+  [[nodiscard]] bool is_turned(NodeId id) const {
+    const Node& n = graph_[id];
+    if (n.op != Op::less && !is_order(id)) return false;
+    return graph_[n.args[0]].op == Op::constant || places_[n.args[1]] < places_[n.args[0]];
+  }
+
+  /// What the result, or a bit of it, says of the upper operand and the lower one.
+  [[nodiscard]] std::string_view sign_of(NodeId id, int bit) const {
+    const std::string_view sign = order_signs.at(static_cast<std::size_t>(bit));
+    return is_turned(id) ? turned(sign) : sign;
+  }
+
+  [[nodiscard]] std::string symbol(NodeId id) const {
+    const Node& n = graph_[id];
+    switch (n.op) {
+      case Op::sub:
+        return difference;
+      case Op::add:
+        return "label=\"+\" shape=circle fillcolor=\"#cfe3f5\"";
+      case Op::mul:
+        return product;
+      case Op::less:
+        return comparator(sign_of(id, 0));
+      case Op::equal:
+        return comparator("=");
+      case Op::mux:
+        return multiplexer(n.width, one_is_above(id));
+      case Op::bit_and:
+        return "label=\"AND\" shape=box style=\"filled,rounded\"";
+      case Op::bit_or:
+        return "label=\"OR\" shape=box style=\"filled,rounded\"";
+      case Op::bit_xor:
+        return "label=\"XOR\" shape=box style=\"filled,rounded\"";
+      default:
+        return unit_symbol(id);
     }
-    return fmt::format("v{}", value);
   }
 
-  void connect(NodeId value, int stage, const std::string& to) {
+  [[nodiscard]] std::string unit_symbol(NodeId id) const {
+    const std::string& component = graph_.unit_of(id)->component;
+    if (component == "fp_subtract") return difference;
+    if (component == "fp_multiply") return product;
+    if (!is_order(id)) return fmt::format("label=\"{}\" shape=box", component);
+    std::string signs;
+    for (const int bit : {0, 1})
+      if ((placement_.used_bits[id] >> bit & 1) != 0) signs += sign_of(id, bit);
+    return comparator(signs);
+  }
+
+  [[nodiscard]] bool one_is_above(NodeId mux) const {
+    const Node& n = graph_[mux];
+    return places_[n.args[1]] <= places_[n.args[2]];
+  }
+
+  /// The point of a node where an operand enters. Where the order of operands matters it is drawn.
+  [[nodiscard]] std::string point_of(NodeId id, std::size_t operand) const {
+    const Node& n = graph_[id];
+    if (n.op == Op::mux) return fmt::format("v{}:{}:w", id, operand == 0 ? "s" : operand == 1 ? "1" : "0");
+    if (n.arity() != 2 || n.op == Op::bit_and || n.op == Op::bit_or || n.op == Op::bit_xor)
+      return fmt::format("v{}", id);
+    return fmt::format("v{}:{}", id, (operand == 0) != is_turned(id) ? "nw" : "sw");
+  }
+
+  void connect_operands(NodeId id, int stage) {
+    const Node& n = graph_[id];
+    for (std::size_t i = 0; i < n.operands().size(); ++i) connect(n.operands()[i], stage, point_of(id, i), n);
+  }
+
+  void connect(NodeId value, int stage, const std::string& to, const Node& reader) {
     const bool inverted = graph_[value].op == Op::invert;
+    connect_constants(value, to, reader);
     for_each_source_of(graph_, value, [&](NodeId source, std::uint64_t bits) {
       const int high = 63 - std::countl_zero(bits);
       const int low = std::countr_zero(bits);
@@ -144,74 +235,55 @@ class Drawing {
     });
   }
 
-  std::string bit_label(NodeId value, int bit) const {
+  /// A constant stands at its reader, with its name if the C++ gives one.
+  void connect_constants(NodeId value, const std::string& to, const Node& reader) {
     const Node& n = graph_[value];
-    if (n.op == Op::call && graph_.unit_of(value)->component == "fp_compare") return bit == 0 ? "<" : ">";
-    return bit == n.width - 1 ? "sign" : fmt::format("[{}]", bit);
+    if (is_wire(n.op)) {
+      for (const NodeId arg : n.operands()) connect_constants(arg, to, reader);
+    }
+    if (n.op != Op::constant) return;
+    const std::string number = number_text(n, reader);
+    write_entry(n.name.empty() ? number : fmt::format("{} = {}", n.name, number), to);
   }
 
-  ~Drawing() = default;
+  /// The drawn node that holds these bits of a value: a latch at the boundary, the node that makes the value,
+  /// or its name.
+  std::string source_of(NodeId value, int high, int low, int boundary) {
+    if (boundary == entry_ && schedule_.slots[value].finish <= entry_) return entry(names_[value]);
+    for (const Register& r : placement_.registers) {
+      if (r.value == value && r.boundary == boundary && r.low <= low && r.high >= high) return node_of(r);
+    }
+    return fmt::format("v{}", value);
+  }
 
-  bool spread_;
+  static std::string node_of(const Register& r) {
+    return fmt::format("r{}_{}_{}_{}", r.value, r.boundary, r.high, r.low);
+  }
+
+  std::string entry(const std::string& label) {
+    const std::string id = fmt::format("in{}", entries_++);
+    edges_ += fmt::format("  {} [label=\"{}\" shape=plaintext fillcolor=none]\n", id, label);
+    return id;
+  }
+  void write_entry(const std::string& label, const std::string& to) {
+    const std::string id = entry(label);
+    edges_ += fmt::format("  {} -> {} []\n", id, to);
+  }
+
+  [[nodiscard]] std::string bit_label(NodeId value, int bit) const {
+    if (is_order(value)) return std::string(sign_of(value, bit));
+    return bit == graph_[value].width - 1 ? "sign" : fmt::format("[{}]", bit);
+  }
+
   const Graph& graph_;
   const Schedule& schedule_;
   const Placement& placement_;
   std::vector<std::string> names_;
-  std::string edges_;  // also nodes outside all frames
-  std::string text_;
-};
-
-/// All stages, each in a frame, with every wire.
-class Whole final : public Drawing {
- public:
-  Whole(const Pipeline& pipeline, const std::string& title) : Drawing(pipeline, title, false) {
-    for (int stage = 0; stage <= schedule_.stages; ++stage) {
-      const std::string id = stage == 0 ? "inputs" : fmt::format("stage_{}", stage);
-      const std::string label = stage == 0 ? "input latches" : fmt::format("stage {}", stage);
-      text_ += fmt::format(
-          "  subgraph cluster_{} {{\n    label=\"{}\"; fontsize=14; style=\"filled,rounded\"; "
-          "color=\"#bbbbbb\"; fillcolor=\"{}\"\n",
-          id, label, stage % 2 == 0 ? "#f4f4f4" : "#fbfbfb");
-      write_stage(stage, "    ", true);
-      write_latches(stage, "    ");
-      text_ += "  }\n";
-    }
-    write_outputs();
-    write_edges();
-  }
-};
-
-/// Some stages as the thesis draws them. A value from an earlier stage stands by its name at each of its
-/// readers, and the latches of one boundary are in one column.
-class Part final : public Drawing {
- public:
-  Part(const Pipeline& pipeline, const std::string& title, StageRange range)
-      : Drawing(pipeline, title, true), entry_(range.first - 1) {
-    for (int stage = range.first; stage <= range.last; ++stage) {
-      write_stage(stage, "  ", false);
-      text_ += fmt::format(
-          "  {{ rank=same\n    after_{0} [label=\"stage {0}\" shape=plaintext fontsize=14]\n", stage);
-      write_latches(stage, "    ");
-      text_ += "  }\n";
-      if (stage > range.first)
-        edges_ += fmt::format("  after_{} -> after_{} [style=invis]\n", stage - 1, stage);
-    }
-    if (range.last == schedule_.stages) write_outputs();
-    write_edges();
-  }
-
- private:
-  std::string source_of(NodeId value, int high, int low, int boundary) override {
-    if (boundary != entry_ || schedule_.slots[value].finish > entry_) {
-      return Drawing::source_of(value, high, low, boundary);
-    }
-    const std::string id = fmt::format("in{}", entries_++);
-    edges_ += fmt::format("  {} [label=\"{}\" shape=plaintext fillcolor=none]\n", id, names_[value]);
-    return id;
-  }
-
-  int entry_;
+  std::vector<double> places_;  ///< by node, from the top
+  int entry_;                   ///< the boundary before the first stage
   int entries_ = 0;
+  std::string edges_;  // also nodes that stand at one reader
+  std::string text_;
 };
 
 }  // namespace
@@ -229,12 +301,9 @@ std::vector<StageRange> stage_groups(const Pipeline& pipeline) {
   return groups;
 }
 
-std::string to_dot(const Pipeline& pipeline, const std::string& title) {
-  return Whole(pipeline, title).take();
-}
-
-std::string to_dot(const Pipeline& pipeline, const std::string& title, StageRange range) {
-  return Part(pipeline, title, range).take();
+std::string to_dot(const Pipeline& pipeline, const std::vector<Port>& ports, const std::string& title,
+                   StageRange range) {
+  return Drawing(pipeline, ports, title, range).take();
 }
 
 }  // namespace hitpipe::rtl

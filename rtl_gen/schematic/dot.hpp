@@ -1,15 +1,14 @@
-// The schematic of a pipeline as Graphviz text, stage by stage, with the thesis's symbols (section 7.3):
-//   "-" subtract   "x" multiply   "<>" compare   "2:1" multiplexer   "L:24" a 24-bit latch   a bubble inverts
+// The schematic of a pipeline as Graphviz text, stage by stage, with the thesis's symbols (section 7.3) and
+// the axes from top to bottom. docs/designs.md lists the symbols.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "rtl_gen/catalogue/port.hpp"
 #include "rtl_gen/pipeline.hpp"
 
 namespace hitpipe::rtl {
-
-[[nodiscard]] std::string to_dot(const Pipeline& pipeline, const std::string& title);
 
 /// Stages first..last.
 struct StageRange {
@@ -20,8 +19,9 @@ struct StageRange {
 /// A group starts at each stage in which some component starts, as in the thesis's figures: 1-7, 8-12, 13.
 [[nodiscard]] std::vector<StageRange> stage_groups(const Pipeline& pipeline);
 
-/// One group, to compare with a figure of the thesis. A value that comes from an earlier stage stands by its
-/// name at each of its readers.
-[[nodiscard]] std::string to_dot(const Pipeline& pipeline, const std::string& title, StageRange range);
+/// One group. A value that comes from an earlier stage stands by its name at each of its readers. The axes
+/// are those of `ports`, the design's.
+[[nodiscard]] std::string to_dot(const Pipeline& pipeline, const std::vector<Port>& ports,
+                                 const std::string& title, StageRange range);
 
 }  // namespace hitpipe::rtl

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "host/files.hpp"
+#include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/software.hpp"
 
 namespace hitpipe::sim {
@@ -87,7 +87,7 @@ FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, con
   start_step(options, name + ": compiling the Verilog");
   const VerilatedDesign verilated(design, unit.format, unit.pipeline, emitted.verilog.contents,
                                   emitted.module);
-  if (!options.folder.empty()) host::write_files(options.folder / name, rtl::files_and_drawings(emitted));
+  const bool drawn = options.folder.empty() || rtl::write_unit(options.folder / name, emitted).drawn;
   const VectorResult vectors = check_vectors({.verilated = &verilated,
                                               .evaluate = design.evaluate(unit.format),
                                               .ports = &unit.ports,
@@ -106,7 +106,7 @@ FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, con
                                   .scene_demands = &scene.demands,
                                   .guard = &guard,
                                   .progress = start_step(options, name + ": co-simulating")});
-  return {std::move(unit), vectors, std::move(image)};
+  return {std::move(unit), vectors, std::move(image), drawn};
 }
 
 }  // namespace hitpipe::sim

@@ -50,11 +50,12 @@ struct FitResult {
   FittedUnit unit;  ///< what is left out is sorted by area, largest first
   VectorResult vectors;
   CosimResult image;  ///< the referee judges it if the design is conservative
+  bool drawn = true;  ///< false: the schematics are not drawn, because Graphviz is not installed
 
   [[nodiscard]] bool verified() const;
 };
 
-/// Throws what fewest_bits(), fit(), VerilatedDesign, host::write_files() and cosimulate() throw.
+/// Throws what fewest_bits(), fit(), VerilatedDesign, rtl::write_unit() and cosimulate() throw.
 [[nodiscard]] FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before,
                                      const FitScene& scene, const FitOptions& options,
                                      const rtl::Library& library);

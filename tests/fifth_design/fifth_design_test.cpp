@@ -38,8 +38,8 @@ TEST_F(FifthDesign, IsEmitted) {
   const json emitted =
       of(run_hitpipe({"rtl", "endless_slabs", "--bits", "13/15", "--out", out("rtl"), "--format", "json"}));
   EXPECT_EQ(emitted.at("bits"), "13/15");
-  EXPECT_TRUE(std::filesystem::exists(out("rtl/endless_slabs.v")));
-  EXPECT_TRUE(std::filesystem::exists(out("rtl/endless_slabs.svg")));
+  EXPECT_TRUE(std::filesystem::exists(out("rtl/endless_slabs_13_15.v")));
+  EXPECT_TRUE(std::filesystem::exists(out("rtl/endless_slabs_13_15_stage_1.svg")));
 }
 
 TEST_F(FifthDesign, IsPricedBelowTheUnitWithEnds) {

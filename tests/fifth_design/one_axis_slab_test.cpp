@@ -11,8 +11,8 @@
 #include "host/files.hpp"
 #include "host/scratch_folder.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"
-#include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "sim/verilated_design.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -59,9 +59,10 @@ TEST(OneAxisSlab, IsScheduledAndPriced) {
 TEST(OneAxisSlab, IsEmittedDrawnAndLintClean) {
   const host::ScratchFolder folder;
   const rtl::Pipeline pipeline = rtl::make_pipeline(slab.trace(bits), rtl::Library::thesis());
-  const rtl::EmittedDesign emitted = rtl::emit(slab, bits, rtl::Library::thesis(), pipeline);
-  host::write_files(folder.path(), rtl::files_and_drawings(emitted));
-  EXPECT_TRUE(std::filesystem::exists(folder / "one_axis_slab.svg"));
+  const rtl::EmittedDesign emitted =
+      rtl::emit(slab, bits, rtl::Library::thesis(), pipeline, {.module = "one_axis_slab"});
+  EXPECT_TRUE(rtl::write_unit(folder.path(), emitted).drawn);
+  EXPECT_FALSE(emitted.schematics.empty());
   const rtl::ToolResult lint =
       rtl::run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall one_axis_slab.v");
   EXPECT_EQ(lint.status, 0);

@@ -125,22 +125,50 @@ TEST(CosimCommand, WritesImageVerilogAndSchematicWhereTold) {
   const std::filesystem::path out = folder.path() / "a" / "b";
   const Outcome outcome = run_hitpipe(cosim({"--out", out.string(), "--format", "json"}));
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(files_below(out),
-            (std::vector<std::string>{"int_slabs.core", "int_slabs.dot", "int_slabs.json", "int_slabs.svg",
-                                      "int_slabs.v", "int_slabs_stage_1.dot", "int_slabs_stage_1.svg",
-                                      "int_slabs_stage_4.dot", "int_slabs_stage_4.svg",
-                                      "int_slabs_stages_2-3.dot", "int_slabs_stages_2-3.svg", "spheres.png",
-                                      "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex"}));
+  EXPECT_EQ(files_below(out), (std::vector<std::string>{
+                                  "int_slabs.core", "int_slabs.json", "int_slabs.v", "int_slabs_stage_1.dot",
+                                  "int_slabs_stage_1.svg", "int_slabs_stage_4.dot", "int_slabs_stage_4.svg",
+                                  "int_slabs_stages_2-3.dot", "int_slabs_stages_2-3.svg", "spheres.png",
+                                  "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex"}));
   const json object = json::parse(outcome.out);
   EXPECT_EQ(object.at("image"), (out / "spheres.png").string());
   EXPECT_EQ(object.at("verilog"), (out / "int_slabs.v").string());
-  EXPECT_EQ(object.at("schematic"), (out / "int_slabs.svg").string());
+  EXPECT_EQ(object.at("schematics"),
+            json({(out / "int_slabs_stage_1.svg").string(), (out / "int_slabs_stages_2-3.svg").string(),
+                  (out / "int_slabs_stage_4.svg").string()}));
   // The image is the software renderer's, byte for byte.
   const std::string image = (folder.path() / "software.png").string();
   ASSERT_EQ(run_hitpipe({"render", "--scene", "spheres", "--width", "40", "--height", "30", "--out", image})
                 .exit_code,
             0);
   EXPECT_EQ(contents_of(out / "spheres.png"), contents_of(image));
+}
+
+TEST(CosimCommand, FindsTheUnitInItsFolderByItsManifest) {
+  const sim::TemporaryFolder folder;
+  const std::string out = (folder.path() / "rtl").string();
+  const auto unit = [](const std::string& place) {
+    return run_hitpipe({"cosim", "int_slabs", "--unit", place, "--scene", "spheres", "--width", "16",
+                        "--height", "16", "--format", "json"});
+  };
+  ASSERT_EQ(run_hitpipe({"rtl", "fp_slabs", "--out", out}).exit_code, 0);
+  ASSERT_EQ(
+      run_hitpipe({"rtl", "int_slabs", "--bits", "12/12", "--name", "box_test", "--out", out}).exit_code, 0);
+  const Outcome named = unit(out);
+  EXPECT_EQ(named.exit_code, 0) << named.err;
+  EXPECT_EQ(json::parse(named.out).at("bits"), "12/12");
+
+  ASSERT_EQ(run_hitpipe({"rtl", "int_slabs", "--out", out}).exit_code, 0);
+  const std::string one = (folder.path() / "rtl/box_test.json").string();
+  EXPECT_EQ(unit(out).err, "hitpipe: " + out + ": 2 units of int_slabs; give the manifest of one: " + one +
+                               ", " + out + "/int_slabs.json\n");
+  EXPECT_EQ(json::parse(unit(one).out).at("bits"), "12/12");
+
+  folder.write("empty/readme.txt", "no unit");
+  const std::string empty = (folder.path() / "empty").string();
+  EXPECT_EQ(unit(empty).err, "hitpipe: " + empty +
+                                 ": no manifest of int_slabs; give a folder that `hitpipe fit` or `hitpipe "
+                                 "rtl` wrote for it\n");
 }
 
 TEST(CosimCommand, ReadsMeshFilesAndCountsWhatItDrops) {

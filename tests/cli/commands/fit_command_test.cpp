@@ -165,9 +165,10 @@ TEST_F(FitCommand, ListsCutsLargestFirstAndWritesACheckBesideTheWholeDesignsFile
   EXPECT_GT(shares.size(), 1U);
   EXPECT_TRUE(std::is_sorted(shares.rbegin(), shares.rend())) << outcome.out;
   std::vector<std::string> files = files_below(whole);
-  files.emplace_back("int_slabs_check.v");
+  files.emplace_back("int_slabs_12_12_check.v");
   EXPECT_THAT(files_below(out() + "/int_slabs"), testing::UnorderedElementsAreArray(files));
-  EXPECT_THAT(contents_of(out() + "/int_slabs/int_slabs.core"), HasSubstr("files: [int_slabs_check.v]"));
+  EXPECT_THAT(contents_of(out() + "/int_slabs/int_slabs_12_12.core"),
+              HasSubstr("files: [int_slabs_12_12_check.v]"));
 }
 
 TEST_F(FitCommand, WrittenUnitRunsAgainAndRefusesWhatItWasNotFittedTo) {
@@ -197,15 +198,16 @@ TEST_F(FitCommand, WrittenUnitRunsAgainAndRefusesWhatItWasNotFittedTo) {
   EXPECT_EQ(lines_of(other.err).size(), 1U) << other.err;
   EXPECT_THAT(cosim({"--scene", "spheres", "--bits", "12/12"}).err, HasSubstr("--bits excludes --unit"));
 
-  const std::string manifest = contents_of(unit + "/int_slabs.json");
+  const std::string manifest = contents_of(unit + "/int_slabs_12_12.json");
   const auto error_with = [&](const std::string& text) {
-    folder_.write("out/int_slabs/int_slabs.json", text);
+    folder_.write("out/int_slabs/int_slabs_12_12.json", text);
     return cosim({"--scene", "spheres"}).err;
   };
-  EXPECT_THAT(error_with("no JSON"), HasSubstr("int_slabs.json: no manifest: it must be JSON with design, "));
+  EXPECT_THAT(error_with("no JSON"),
+              HasSubstr("int_slabs_12_12.json: no manifest: it must be JSON with design, "));
   json damaged = json::parse(manifest);
   damaged["latency"] = 99;
-  EXPECT_THAT(error_with(damaged.dump()), HasSubstr("int_slabs.json: a latency of 99 cycles, "));
+  EXPECT_THAT(error_with(damaged.dump()), HasSubstr("int_slabs_12_12.json: a latency of 99 cycles, "));
   damaged = json::parse(manifest);
   damaged["design"] = "int_plucker";
   EXPECT_THAT(error_with(damaged.dump()),
@@ -213,8 +215,8 @@ TEST_F(FitCommand, WrittenUnitRunsAgainAndRefusesWhatItWasNotFittedTo) {
   damaged = json::parse(manifest);
   damaged["demands"][0]["port"] = "nowhere";
   EXPECT_THAT(error_with(damaged.dump()), HasSubstr("demand on nowhere: no such port; "));
-  std::filesystem::remove(unit + "/int_slabs.json");
-  EXPECT_THAT(cosim({"--scene", "spheres"}).err, HasSubstr("int_slabs.json: cannot be read; give a folder "));
+  std::filesystem::remove(unit + "/int_slabs_12_12.json");
+  EXPECT_THAT(cosim({"--scene", "spheres"}).err, HasSubstr("no manifest of int_slabs; give a folder "));
 }
 
 TEST_F(FitCommand, PrintsALineForEachDesignAsCsv) {

@@ -2,6 +2,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -25,6 +26,38 @@ TEST(Designs, UnknownNameRejected) {
             "design slabs: unknown; there are: " + names);
   EXPECT_EQ(message_of<std::runtime_error>([] { static_cast<void>(find_design("")); }),
             "design : unknown; there are: " + names);
+}
+
+TEST(Designs, NameTheirModulesByFormat) {
+  const auto module = [](const char* design, const char* bits) {
+    return find_design(design).module_at(find_design(design).parse_format(bits));
+  };
+  EXPECT_EQ(module("int_slabs", "20/24"), "int_slabs");
+  EXPECT_EQ(module("int_slabs", "16/16"), "int_slabs_16_16");
+  EXPECT_EQ(module("fp_plucker", "e8m23"), "fp_plucker");
+  EXPECT_EQ(module("int_major", "20+1/13"), "int_major");
+  EXPECT_EQ(module("int_major", "16+1/12"), "int_major_16p1_12");
+  EXPECT_EQ(module("int_major_pair", "16+1/12f2"), "int_major_pair_16p1_12f2");
+  EXPECT_EQ(module("int_major_pair", "16+1/12f-2"), "int_major_pair_16p1_12fm2");
+  EXPECT_EQ(Format(hls::FpBits{5, 10}).identifier(), "e5m10");
+}
+
+TEST(Designs, HaveNoModuleNameTwice) {
+  std::set<std::string> units, modules;
+  for (const Design& design : designs()) {
+    const FormatFamily& family = design.default_format.family();
+    for (int a = 6; a <= 32; a += 2)
+      for (int b = 0; b <= 33; ++b)
+        for (int c = 0; c <= 32; c += 4)
+          for (int d = -2; d <= 3; ++d) {
+            const Format format(family, {a, b, c, d});
+            if (!format.valid()) continue;
+            units.insert(std::string(design.name) + " " + to_string(format));
+            modules.insert(design.module_at(format));
+          }
+  }
+  EXPECT_GT(modules.size(), 2000U);
+  EXPECT_EQ(modules.size(), units.size());
 }
 
 TEST(ParseBits, TakesTheThesissNotation) {

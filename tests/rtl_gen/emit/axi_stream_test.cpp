@@ -98,9 +98,12 @@ TEST_P(AxiStream, ManifestGivesTheFieldsOnlyWhenAsked) {
   nlohmann::json with = nlohmann::json::parse(read_text(folder / (module + ".json")));
   nlohmann::json stream = with.at("axi_stream");
   with.erase("axi_stream");
+  with.erase("files");
   for (const File& file : emitted(GetParam(), false)) {
     if (file.name == module + ".json") {
-      EXPECT_EQ(with, nlohmann::json::parse(file.contents));
+      nlohmann::json without = nlohmann::json::parse(file.contents);
+      without.erase("files");
+      EXPECT_EQ(with, without);
     }
   }
   int offset = 0;

@@ -252,7 +252,7 @@ TEST_F(VitisHls, TestProgramFindsAWrongTop) {
   const std::string right = "in.ixmin = ixmin;";
   text.replace(text.find(right), right.size(), "in.ixmin = ixmin + ixmax;");
   write(top);
-  EXPECT_THAT(simulated("int_slabs"), HasSubstr("mismatches\nexit 1"));
+  EXPECT_THAT(simulated("int_slabs_16_16"), HasSubstr("mismatches\nexit 1"));
 }
 
 }  // namespace

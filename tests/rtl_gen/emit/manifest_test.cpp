@@ -27,7 +27,7 @@ TEST(Manifest, NamesTheDesignAndItsConventions) {
   EXPECT_EQ(json.at("design"), "int_slabs");
   EXPECT_EQ(json.at("bits"), "20/24");
   EXPECT_EQ(json.at("module"), "int_slabs");
-  EXPECT_EQ(json.at("files"), Json::array({"int_slabs.v"}));
+  EXPECT_EQ(json.at("verilog"), Json::array({"int_slabs.v"}));
   EXPECT_EQ(json.at("clock"), "clk, rising edge");
   EXPECT_EQ(json.at("reset"), "rst, synchronous, active high, valid bits only");
   EXPECT_EQ(json.at("handshake"), "valid/ready; results in order; the whole pipeline waits for out_ready");
