@@ -9,7 +9,7 @@ CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 .PHONY: demo test build lint format bench sanitize fuzz prove prove-all-widths packages clean help
 
 help:
-	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematic in out/demo'
+	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
 	@echo 'make test      all tests'
 	@echo 'make build     the program, build/hitpipe'
 	@echo 'make bench     benchmarks'

@@ -8,7 +8,7 @@ bits=${2:-20/24}
 mkdir -p "$out"
 for design in int_slabs int_plucker fp_slabs fp_plucker; do
   case $design in fp_*) format=fp32 ;; *) format=$bits ;; esac
-  build/hitpipe rtl "$design" --bits "$format" --out "$out/$design" >/dev/null
+  build/hitpipe rtl "$design" --bits "$format" --name "$design" --out "$out/$design" >/dev/null
   for command in synth synth_xilinx; do
     report=$out/$design.$command.txt
     begin=$(date +%s)

@@ -10,8 +10,8 @@ trap 'rm -rf "$out"' EXIT
 
 # area DESIGN FORMAT: "um2 registers"
 area() {
-  build/hitpipe rtl "$1" --bits "$2" --out "$out" >/dev/null
-  yosys -q -p "read_verilog $out/$1.v; hierarchy -top $1; proc; flatten; connect -set out_ready 1'b1; synth -flatten -top $1;
+  build/hitpipe rtl "$1" --bits "$2" --name unit --out "$out" >/dev/null
+  yosys -q -p "read_verilog $out/unit.v; hierarchy -top unit; proc; flatten; connect -set out_ready 1'b1; synth -flatten -top unit;
     dfflibmap -liberty $cells; abc -liberty $cells; opt_clean; tee -o $out/stat stat -liberty $cells" >/dev/null
   awk '/Chip area/ { area = $NF } /DFF/ { registers += $2 } END { printf "%.0f %d\n", area, registers }' "$out/stat"
 }
