@@ -17,6 +17,7 @@ class App;
   COMMAND(sweep)                  \
   COMMAND(table)                  \
   COMMAND(check)                  \
+  COMMAND(operands)               \
   COMMAND(stiffness)              \
   COMMAND(rescale)                \
   COMMAND(fit)                    \

@@ -2,8 +2,10 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <deque>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -19,50 +21,6 @@ namespace {
       fmt::format("{}: cannot {}: {}", path.string(), what, std::generic_category().message(error)));
 }
 
-/// Writes files under other names and renames them at the end. Removes the files that it did not rename.
-class Replacement {
- public:
-  Replacement() = default;
-  ~Replacement() {
-    std::error_code ignored;
-    for (const Written& each : written_) fs::remove(each.aside, ignored);
-  }
-  Replacement(const Replacement&) = delete;
-  Replacement& operator=(const Replacement&) = delete;
-
-  void write(const fs::path& place, std::string_view contents) {
-    const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
-    make_folder(folder);
-    // No rename may fail half-way, and none may replace a device such as /dev/null.
-    std::error_code ignored;
-    if (fs::is_directory(place, ignored)) fail(place, "write the file", EISDIR);
-    if (fs::exists(place, ignored) && !fs::is_regular_file(place, ignored))
-      throw std::runtime_error(fmt::format("{}: is not a file that can be replaced", place.string()));
-    written_.push_back({folder / fmt::format(".{}.{}", place.filename().string(), getpid()), place});
-    std::FILE* const file = std::fopen(written_.back().aside.c_str(), "wbe");
-    if (file == nullptr) fail(place, "write the file", errno);
-    const bool taken = std::fwrite(contents.data(), 1, contents.size(), file) == contents.size();
-    const bool closed = std::fclose(file) == 0;
-    if (!taken || !closed) fail(place, "write the file", errno);
-  }
-
-  void rename() {
-    std::error_code error;
-    for (const Written& each : written_) {
-      fs::rename(each.aside, each.place, error);
-      if (error) fail(each.place, "write the file", error.value());
-    }
-    written_.clear();
-  }
-
- private:
-  struct Written {
-    fs::path aside;
-    fs::path place;
-  };
-  std::vector<Written> written_;
-};
-
 }  // namespace
 
 void make_folder(const fs::path& folder) {
@@ -72,16 +30,55 @@ void make_folder(const fs::path& folder) {
   if (access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, "write to the folder", errno);
 }
 
+PendingFile::PendingFile(fs::path place) : place_(std::move(place)) {
+  const fs::path folder = place_.has_parent_path() ? place_.parent_path() : fs::path(".");
+  make_folder(folder);
+  // No rename may fail half-way, and none may replace a device such as /dev/null.
+  std::error_code ignored;
+  if (fs::is_directory(place_, ignored)) fail(place_, "write the file", EISDIR);
+  if (fs::exists(place_, ignored) && !fs::is_regular_file(place_, ignored))
+    throw std::runtime_error(fmt::format("{}: is not a file that can be replaced", place_.string()));
+  aside_ = folder / fmt::format(".{}.{}", place_.filename().string(), getpid());
+  file_ = std::fopen(aside_.c_str(), "wbe");
+  if (file_ == nullptr) fail(place_, "write the file", errno);
+}
+
+PendingFile::~PendingFile() {
+  if (file_ != nullptr) static_cast<void>(std::fclose(file_));
+  std::error_code ignored;
+  if (!aside_.empty()) fs::remove(aside_, ignored);
+}
+
+void PendingFile::write(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail(place_, "write the file", errno);
+}
+
+void PendingFile::close() {
+  if (std::fclose(std::exchange(file_, nullptr)) != 0) fail(place_, "write the file", errno);
+}
+
+void PendingFile::rename() {
+  std::error_code error;
+  fs::rename(aside_, place_, error);
+  if (error) fail(place_, "write the file", error.value());
+  aside_.clear();
+}
+
 void write_files(const fs::path& folder, const std::vector<File>& files) {
-  Replacement replacement;
-  for (const File& file : files) replacement.write(folder / file.name, file.contents);
-  replacement.rename();
+  std::deque<PendingFile> pending;
+  for (const File& file : files) {
+    pending.emplace_back(folder / file.name);
+    pending.back().write(file.contents);
+    pending.back().close();
+  }
+  for (PendingFile& file : pending) file.rename();
 }
 
 void write_file(const fs::path& file, std::string_view contents) {
-  Replacement replacement;
-  replacement.write(file, contents);
-  replacement.rename();
+  PendingFile pending(file);
+  pending.write(contents);
+  pending.close();
+  pending.rename();
 }
 
 }  // namespace hitpipe::host

@@ -42,6 +42,10 @@ class RobustFloatSlabsTest final : public BoxTest {
 
 }  // namespace
 
+std::array<bool, 2> BoxTest::siblings(const ref::Aabb& /*first*/, const ref::Aabb& /*second*/) {
+  throw std::logic_error("a test of one box at a time has no siblings");
+}
+
 std::unique_ptr<BoxTest> make_box_test(const rtl::Design& design, const rtl::Format& format) {
   const Software& software = software_of(design);
   if (software.box_test == nullptr) throw std::runtime_error(missing(design, set_up_part));

@@ -1,6 +1,7 @@
 // A ray-box test as a whole, with set-up and datapath, as the check judges it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -23,7 +24,11 @@ class BoxTest {
   virtual void hits(std::span<const ref::Aabb> boxes, std::span<bool> out) {
     for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = hit(boxes[i]);
   }
-  /// The operands that a Verilated design gets for the last hit(), in port order. Empty if the test has none.
+  /// Tests it against two children of one parent, for a design that answers for two boxes at a time. Their
+  /// common box is tested first, as at a root. If the ray misses it, the last test is that one. Throws
+  /// std::logic_error where the design answers for one box.
+  virtual std::array<bool, 2> siblings(const ref::Aabb& first, const ref::Aabb& second);
+  /// The operands that a Verilated design gets for the last test, in port order. Empty if the test has none.
   [[nodiscard]] virtual std::span<const std::int64_t> operands() const { return {}; }
   /// All results that the design must then give; empty if it has none.
   [[nodiscard]] virtual std::span<const std::int64_t> results() const { return {}; }

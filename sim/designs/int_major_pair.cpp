@@ -1,5 +1,6 @@
 // The operands of hls::IntMajorPairOperands, in that order (docs/major.md).
 #include <algorithm>
+#include <array>
 
 #include "sim/designs/major_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
@@ -78,6 +79,7 @@ class PairTest final : public BoxTest {
         operands_(design.ports(format).size()),
         results_(evaluate_.result_count()) {
     const std::vector<hls::Result> results = design.results(format);
+    second_hit_ = place_of_result(results, hls::Meaning::hit, 1);
     near_ = place_of_result(results, hls::Meaning::entry, 0);
     far_ = place_of_result(results, hls::Meaning::exit, 0);
   }
@@ -89,11 +91,11 @@ class PairTest final : public BoxTest {
   }
 
   bool hit(const ref::Aabb& box) override {
-    ref::IntBox first;
-    major_boxes({&box, 1}, format_, {&first, 1});
-    const ref::IntBox second = sibling(first);
-    if (!test({0, length_}, {union_of(first, second), 0})) return false;
-    return test({results_[near_], results_[far_]}, ref::pair_boxes(first, second));
+    const ref::IntBox first = on_grid(box);
+    return both(first, sibling(first))[0];
+  }
+  std::array<bool, 2> siblings(const ref::Aabb& first, const ref::Aabb& second) override {
+    return both(on_grid(first), on_grid(second));
   }
   [[nodiscard]] std::span<const std::int64_t> operands() const override { return operands_; }
   [[nodiscard]] std::span<const std::int64_t> results() const override { return results_; }
@@ -118,6 +120,18 @@ class PairTest final : public BoxTest {
     return other;
   }
 
+  [[nodiscard]] ref::IntBox on_grid(const ref::Aabb& box) const {
+    ref::IntBox rounded;
+    major_boxes({&box, 1}, format_, {&rounded, 1});
+    return rounded;
+  }
+
+  std::array<bool, 2> both(const ref::IntBox& first, const ref::IntBox& second) {
+    if (!test({0, length_}, {union_of(first, second), 0})) return {false, false};
+    const bool hit = test({results_[near_], results_[far_]}, ref::pair_boxes(first, second));
+    return {hit, results_[second_hit_] != 0};
+  }
+
   bool test(const ref::MajorInterval& parent, const ref::PairBoxes& boxes) {
     write(ray_, parent, boxes, operands_.data());
     evaluate_(operands_.data(), results_.data());
@@ -129,6 +143,7 @@ class PairTest final : public BoxTest {
   std::int64_t limit_;  ///< of a plane
   std::vector<std::int64_t> operands_;
   std::vector<std::int64_t> results_;
+  std::size_t second_hit_ = 0;
   std::size_t near_ = 0;
   std::size_t far_ = 0;
   ref::IntMajorRay ray_;

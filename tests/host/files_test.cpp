@@ -159,5 +159,31 @@ TEST(WriteFile, UnwritableFolderRejected) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(PendingFile, AppearsOnlyWhenItIsRenamed) {
+  const ScratchFolder folder;
+  write_text(folder / "a.csv", "before");
+  {
+    PendingFile file(folder / "a.csv");
+    file.write("one,");
+    file.write("two\n");
+    file.close();
+    EXPECT_EQ(read_text(folder / "a.csv"), "before");
+    file.rename();
+  }
+  EXPECT_EQ(read_text(folder / "a.csv"), "one,two\n");
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"a.csv"});
+}
+
+TEST(PendingFile, LeavesNothingWhenItIsGivenUp) {
+  const ScratchFolder folder;
+  PendingFile(folder / "open.csv").write("text");
+  {
+    PendingFile closed(folder / "closed.csv");
+    closed.write("text");
+    closed.close();
+  }
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
+}
+
 }  // namespace
 }  // namespace hitpipe::host
