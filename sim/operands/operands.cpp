@@ -75,8 +75,8 @@ class Parts {
         const NumberFile& shorter = ray ? boxes_.lines() : rays_.lines();
         longer.reject(
             ray ? *ray : *box,
-            fmt::format("{} ends after {} lines of numbers; line i of the one file is tested with line "
-                        "i of the other, or all with all",
+            fmt::format("{} has no line for it, only {}; line i of the one file is tested with line i of the "
+                        "other, or all with all",
                         shorter.name(), number_));
       }
       if (!ray) break;

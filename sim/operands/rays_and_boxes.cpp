@@ -36,8 +36,8 @@ double checked_number(const NumberFile& lines, const NumberLine& line, std::size
                           std::string_view word, const Placement& placement) {
   const char* const where = placement.has_bounds() ? "beyond the bounds" : "outside the cube";
   const char* const how = placement.has_bounds() ? "" : "; for other units give the bounds of all boxes";
-  lines.reject(line, fmt::format("{} {} lies {}; allowed is {} to {}{}", lines.column(column), word, where,
-                                 placement.least(axis), placement.most(axis), how));
+  lines.reject(line, fmt::format("{} {} lies {}; allowed is {:.9g} to {:.9g}{}", lines.column(column), word,
+                                 where, placement.least(axis), placement.most(axis), how));
 }
 
 bool is_infinity(std::string_view word) {

@@ -1,6 +1,6 @@
 // Writes the seeds that follow from files of hitpipe: seeds SOURCE FOLDER. These are rays and boxes of every
-// category of the adversary, component libraries with each value replaced in turn, and the commands in the
-// docs.
+// category of the adversary, and of CSV files, component libraries with each value replaced in turn, and the
+// commands in the docs.
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -81,6 +81,27 @@ void add_cases(Seeds seeds) {
       seeds.add(text);
     }
   }
+}
+
+/// Rays, "--", boxes: every kind of number, and files that are refused.
+void add_operands(Seeds seeds) {
+  const std::string rays = "ox,oy,oz,dx,dy,dz,length\n";
+  const std::string boxes = "min_x,min_y,min_z,max_x,max_y,max_z\n";
+  const auto add = [&](std::string_view ray, std::string_view box) {
+    for (const char choice : {'0', '1', '2', '3'})
+      seeds.add(fmt::format("{}{}{}\n--\n{}{}\n", choice, rays, ray, boxes, box));
+  };
+  add("0.3,0.8,-0.4,0.25,-1,0.5,0.75", "0.4,-0.1,-0.2,0.6,0.2,0.1");
+  add("0x1p-2,-0x1.8p-1,0,1e-3,0,-0,inf\n\n# a comment\n 0 ,0,0,1,1,1,", "-1,-1,-1,1,1,1\r\n0,0,0,0,0,0");
+  add("1,0.05,500,1,0,0,1e30", "-3,0,10,4,0.1,1e3");
+  for (const std::string_view word : {"nan", "1e400", "1e-400", "-", "0x", "2", "1.00000000000000000001"}) {
+    add(fmt::format("{},0,0,1,0,0,1", word), "0,0,0,1,1,1");
+    add(fmt::format("0,0,0,{0},0,0,{0}", word), fmt::format("0,0,0,{},1,1", word));
+  }
+  add("0,0,0,1,0,0", "0,0,0,1,1,1");
+  for (const std::string_view refused :
+       {"0\n--\n", "0ox\n--\nmin_x\n", "0dz,dy,dx,oz,oy,ox\n--\n\xEF\xBB\xBF#\n"})
+    seeds.add(refused);
 }
 
 /// JSON to put in place of a value, one in each line. Some of it is wrong.
@@ -273,6 +294,7 @@ int main(int argc, char** argv) try {
   const fs::path source = argv[1];
   const fs::path folder = argv[2];
   add_cases(Seeds(folder / "case"));
+  add_operands(Seeds(folder / "operands"));
   add_libraries(Seeds(folder / "library"), source);
   add_commands(Seeds(folder / "command_line"), source);
 } catch (const std::exception& error) {
