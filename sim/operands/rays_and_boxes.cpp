@@ -78,7 +78,7 @@ ref::Ray RayFile::ray(const NumberLine& line) const {
     ray.origin[axis] = placement_.has_bounds() ? static_cast<float>(place) : nearest_binary32(words[column]);
   }
   for (int axis = 0; axis < 3; ++axis) {
-    const auto column = static_cast<std::size_t>(axis + 3);
+    const auto column = static_cast<std::size_t>(axis) + 3;
     static_cast<void>(number(line, column, words[column]));
     ray.direction[axis] = nearest_binary32(words[column]);
     if (std::isinf(ray.direction[axis]))
