@@ -11,16 +11,6 @@ namespace {
 constexpr std::size_t ray_columns = 7;
 constexpr std::size_t planes_of_box = 6;
 
-std::vector<std::string> box_columns(std::size_t boxes_per_line) {
-  std::vector<std::string> names;
-  for (std::size_t box = 0; box < boxes_per_line; ++box)
-    for (const char* const side : {"min", "max"})
-      for (const char axis : {'x', 'y', 'z'})
-        names.push_back(boxes_per_line == 1 ? fmt::format("{}_{}", side, axis)
-                                            : fmt::format("{}_{}_{}", side, axis, box));
-  return names;
-}
-
 double checked_number(const NumberFile& lines, const NumberLine& line, std::size_t column,
                       std::string_view word) {
   const std::optional<double> value = read_double(word);
@@ -90,6 +80,16 @@ ref::Ray RayFile::ray(const NumberLine& line) const {
     lines_.reject(line, "the direction is (0, 0, 0) in binary32; one component must differ from 0");
   ray.length = length(line, words[ray_columns - 1]);
   return ray;
+}
+
+std::vector<std::string> box_columns(std::size_t boxes_per_line) {
+  std::vector<std::string> names;
+  for (std::size_t box = 0; box < boxes_per_line; ++box)
+    for (const char* const side : {"min", "max"})
+      for (const char axis : {'x', 'y', 'z'})
+        names.push_back(boxes_per_line == 1 ? fmt::format("{}_{}", side, axis)
+                                            : fmt::format("{}_{}_{}", side, axis, box));
+  return names;
 }
 
 BoxFile::BoxFile(const std::string& file, const Placement& placement, std::size_t boxes_per_line)

@@ -32,7 +32,10 @@ class RayFile {
 /// One or two boxes.
 using Boxes = std::array<ref::Aabb, 2>;
 
-/// Columns min_x,min_y,min_z,max_x,max_y,max_z. With two boxes a line, min_x_0,...,max_z_1.
+/// min_x,min_y,min_z,max_x,max_y,max_z; with two boxes a line, min_x_0,...,max_z_1.
+[[nodiscard]] std::vector<std::string> box_columns(std::size_t boxes_per_line);
+
+/// Has those columns.
 class BoxFile {
  public:
   BoxFile(const std::string& file, const Placement& placement, std::size_t boxes_per_line);

@@ -65,11 +65,7 @@ TestLayout::TestLayout(const rtl::Design& design, const rtl::Format& format, con
   columns_ = {{"ray"}, {"box"}};
   if (with_input_) {
     for (const char* const name : {"ox", "oy", "oz", "dx", "dy", "dz", "length"}) columns_.push_back({name});
-    for (std::size_t box = 0; box < boxes_; ++box)
-      for (const char* const side : {"min", "max"})
-        for (const char axis : {'x', 'y', 'z'})
-          columns_.push_back(
-              {boxes_ == 1 ? fmt::format("{}_{}", side, axis) : fmt::format("{}_{}_{}", side, axis, box)});
+    for (const std::string& name : box_columns(boxes_)) columns_.push_back({name});
   }
   if (boxes_ > 1) columns_.push_back({"of_parent"});
   for (const rtl::Port& port : ports_)
