@@ -11,7 +11,7 @@ CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
 	@echo 'make test      all tests'
-	@echo 'make build     the program, build/hitpipe'
+	@echo 'make build     the program, build/hitpipe, and the library hitpipe::ref'
 	@echo 'make bench     benchmarks'
 	@echo 'make lint      formatting and clang-tidy; make format mends the first'
 	@echo 'make sanitize  all tests under ASan and UBSan'
@@ -25,7 +25,7 @@ packages:
 
 build: packages
 	@cmake --preset release $(CONFIGURE) >build.log 2>&1 || { cat build.log; exit 1; }
-	@cmake --build --preset release -j $(JOBS) --target hitpipe
+	@cmake --build --preset release -j $(JOBS) --target hitpipe hitpipe_ref
 
 demo: build
 	@build/hitpipe cosim int_slabs --bits 20/24 --scene spheres --width 512 --height 512 --referee --out out/demo
@@ -66,7 +66,7 @@ lint: packages
 	@clang-format --dry-run --Werror $(CXX_FILES)
 	@cmake --preset lint >build.log 2>&1 || { cat build.log; exit 1; }
 	@run-clang-tidy -quiet -j $(JOBS) -p build/lint -checks=-bugprone-suspicious-include \
-	  '^$(CURDIR)/(build/lint/)?(host|rtl_gen|area_model|sw_ref|sim|cli)/' >build/tidy.log 2>/dev/null \
+	  '^$(CURDIR)/(build/lint/)?(host|rtl_gen|area_model|sw_ref|sim|library|cli)/' >build/tidy.log 2>/dev/null \
 	  || { grep -E 'warning|error' build/tidy.log; exit 1; }
 	@echo 'lint: clean'
 

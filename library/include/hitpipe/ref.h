@@ -1,0 +1,216 @@
+/* hitpipe's ray-box units in software: the operands of my ray and my box, the HIT that the unit must give,
+ * and the answer of exact arithmetic. C99; <hitpipe/ref.hpp> is the same for C++20. docs/library.md has
+ * examples.
+ *
+ * Numbers: rays and boxes are binary32, in the cube [-1, 1]^3. Nothing is clamped or flushed: what is outside
+ *   is refused. hitpipe_fit() and hitpipe_to_cube_...() take a scene of any size there.
+ * Errors: a function that returns a status writes nothing but the error when it fails. hitpipe_error() is
+ * then one line that says what is wrong and what is allowed. Ownership: the library owns every string and
+ * every pointer that it gives. Only hitpipe_close() frees. Threads: two threads must not use one unit at a
+ * time. Everything else may be called from any thread. */
+#ifndef HITPIPE_REF_H
+#define HITPIPE_REF_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__) || defined(__clang__)
+#define HITPIPE_API __attribute__((visibility("default")))
+#else
+#define HITPIPE_API
+#endif
+
+typedef enum hitpipe_status {
+  HITPIPE_OK = 0,
+  HITPIPE_BAD_ARGUMENT = 1, /* a null pointer, an index or a number of boxes that is not allowed */
+  HITPIPE_BAD_DESIGN = 2,   /* there is no design of that name */
+  HITPIPE_BAD_FORMAT = 3,   /* the design has no such format */
+  HITPIPE_BAD_RAY = 4,      /* outside the cube, no direction, NaN, a negative length */
+  HITPIPE_BAD_BOX = 5,      /* outside the cube, inverted, NaN */
+  HITPIPE_NO_RAY = 6,       /* hitpipe_set_ray() comes first */
+  HITPIPE_FAILED = 7        /* out of memory, or an error of hitpipe itself */
+} hitpipe_status;
+
+/* Why the last call of this thread that failed did so: one line, "" if none did. Valid until the next failure
+ * in this thread. */
+HITPIPE_API const char* hitpipe_error(void);
+
+/* "0.1.0" */
+HITPIPE_API const char* hitpipe_version(void);
+
+/* ---- Rays and boxes ---- */
+
+/* The points origin + t * direction, 0 <= t <= length. */
+typedef struct hitpipe_ray {
+  float origin[3];    /* each in [-1, 1] */
+  float direction[3]; /* finite and not all zero; need not have unit length */
+  float length;       /* in units of direction; >= 0, or INFINITY */
+} hitpipe_ray;
+
+/* The closed set min <= p <= max. */
+typedef struct hitpipe_box {
+  float min[3]; /* -1 <= min <= max on each axis */
+  float max[3]; /* max <= 1 */
+} hitpipe_box;
+
+/* met[i] = 1 if the ray and box i have a point in common, touching included, else 0. Exact arithmetic on the
+ * binary32 values as given. */
+HITPIPE_API hitpipe_status hitpipe_exact(const hitpipe_ray* ray, const hitpipe_box* boxes, size_t box_count,
+                                         uint8_t* met);
+
+/* ---- Designs ---- */
+
+typedef struct hitpipe_design_info {
+  const char* name;           /* "int_slabs" */
+  const char* summary;        /* one line */
+  const char* default_format; /* "24/24" */
+  const char* formats;        /* which there are: "n/t with n in 6..32 and t in 6..2n-1" */
+  int conservative;           /* 1: HIT whenever the exact ray meets the box */
+  int boxes_per_test;         /* 1 or 2 */
+} hitpipe_design_info;
+
+HITPIPE_API size_t hitpipe_design_count(void);
+/* index < hitpipe_design_count() */
+HITPIPE_API hitpipe_status hitpipe_design(size_t index, hitpipe_design_info* out);
+
+/* ---- A unit: a design at a format ---- */
+
+typedef struct hitpipe_unit hitpipe_unit;
+
+/* What an operand tells the unit. */
+typedef enum hitpipe_role {
+  HITPIPE_ORIGIN,       /* of the ray */
+  HITPIPE_ENDPOINT,     /* of the ray */
+  HITPIPE_DIRECTION,    /* of the ray */
+  HITPIPE_INVERSE,      /* reciprocal of a direction component */
+  HITPIPE_INVERSE_LOW,  /* lower bound of a reciprocal */
+  HITPIPE_INVERSE_HIGH, /* upper bound of a reciprocal */
+  HITPIPE_LENGTH,       /* of the ray */
+  HITPIPE_ENDLESS,      /* 1: the ray has no end, so length or endpoint is ignored */
+  HITPIPE_PLANE_LOW,    /* lower plane of a box */
+  HITPIPE_PLANE_HIGH,   /* upper plane of a box */
+  HITPIPE_EXPONENT,     /* power of two that belongs to bounds of a reciprocal */
+  HITPIPE_BACKWARD,     /* 1: the ray's direction is negative */
+  HITPIPE_ENTRY,        /* distance at which the ray enters a parent box */
+  HITPIPE_OWNER,        /* which of two boxes has a plane */
+  HITPIPE_MAJOR,        /* 1: the axis is that of the direction's largest component */
+  HITPIPE_OTHER
+} hitpipe_role;
+
+/* How an operand's bits are read. */
+typedef enum hitpipe_kind {
+  HITPIPE_INTEGER, /* two's complement */
+  HITPIPE_NATURAL, /* unsigned */
+  HITPIPE_REAL,    /* the pattern of a float */
+  HITPIPE_FLAG     /* one bit */
+} hitpipe_kind;
+
+/* What a result tells the traversal. */
+typedef enum hitpipe_meaning {
+  HITPIPE_HIT,         /* 1: the ray meets the box */
+  HITPIPE_ENTERS,      /* distance at which the ray enters the box */
+  HITPIPE_LEAVES,      /* distance at which the ray leaves the box */
+  HITPIPE_SECOND_FIRST /* 1: the second box comes first */
+} hitpipe_meaning;
+
+typedef struct hitpipe_port_info {
+  const char* name;  /* that of the Verilog port */
+  int width;         /* bits, 1..64 */
+  int is_signed;     /* 1: two's complement */
+  hitpipe_kind kind; /* a float is the unsigned number with its bits */
+  hitpipe_role role;
+  int axis;         /* 0, 1, 2 for x, y, z; -1: none */
+  int box;          /* for planes: of which box, 0 or 1 */
+  int64_t min, max; /* the set-up gives numbers from min to max */
+} hitpipe_port_info;
+
+typedef struct hitpipe_result_info {
+  const char* name; /* that of the Verilog port */
+  int width;        /* bits, 1..64 */
+  int is_signed;    /* 1: two's complement */
+  hitpipe_meaning meaning;
+  int box; /* for which box it answers, 0 or 1 */
+} hitpipe_result_info;
+
+/* `format` is spelled as for `hitpipe rtl --bits`: "20/24"; NULL or "" is the default. On success *out is a
+ * unit that hitpipe_close() must free; otherwise *out does not change. */
+HITPIPE_API hitpipe_status hitpipe_open(const char* design, const char* format, hitpipe_unit** out);
+/* NULL is allowed. */
+HITPIPE_API void hitpipe_close(hitpipe_unit* unit);
+
+/* The unit's format, with those of hitpipe_design_info that do not depend on it. Strings live as long as the
+ * unit. */
+HITPIPE_API const char* hitpipe_unit_design(const hitpipe_unit* unit);
+HITPIPE_API const char* hitpipe_unit_format(const hitpipe_unit* unit);
+HITPIPE_API int hitpipe_unit_conservative(const hitpipe_unit* unit);
+HITPIPE_API size_t hitpipe_unit_boxes_per_test(const hitpipe_unit* unit);
+
+/* Operand and result ports, in the order of the Verilog, the manifest and the vector file. */
+HITPIPE_API size_t hitpipe_port_count(const hitpipe_unit* unit);
+HITPIPE_API hitpipe_status hitpipe_port(const hitpipe_unit* unit, size_t index, hitpipe_port_info* out);
+HITPIPE_API size_t hitpipe_result_count(const hitpipe_unit* unit);
+HITPIPE_API hitpipe_status hitpipe_result(const hitpipe_unit* unit, size_t index, hitpipe_result_info* out);
+
+/* ---- Tests ---- */
+
+/* Sets up the ray of all tests that follow. If it is refused, the unit has no ray. */
+HITPIPE_API hitpipe_status hitpipe_set_ray(hitpipe_unit* unit, const hitpipe_ray* ray);
+
+/* What a call of hitpipe_test() writes. Each may be NULL. T is the number of tests: box_count / boxes per
+ * test. */
+typedef struct hitpipe_answers {
+  uint8_t* hit;      /* box_count: HIT of the unit's C++ datapath, bit for bit that of the Verilog */
+  uint8_t* exact;    /* box_count: as hitpipe_exact() */
+  int64_t* operands; /* T * port count: each test's operands, in port order */
+  int64_t* results;  /* T * result count: what the unit answers, in the order of the results */
+} hitpipe_answers;
+
+/* Tests the ray against boxes. All boxes are checked before anything is written; an error names the first bad
+ * one by its index. A unit with two boxes a test takes boxes 2i and 2i + 1 as the two children of a parent,
+ * so box_count must be even. It gets the parent, their union, tested first, as at the root of a hierarchy. If
+ * the ray misses it, both hits are 0, and operands and results are those of that first test. */
+HITPIPE_API hitpipe_status hitpipe_test(hitpipe_unit* unit, const hitpipe_box* boxes, size_t box_count,
+                                        const hitpipe_answers* out);
+
+/* The bits of an operand or result of this width, as a port or $readmemh takes it: two's complement cut to
+ * the width.
+ */
+HITPIPE_API uint64_t hitpipe_bits(int64_t value, int width);
+
+/* ---- From a scene's own units into the cube ---- */
+
+/* A point in the scene's units. */
+typedef struct hitpipe_bounds {
+  double min[3];
+  double max[3];
+} hitpipe_bounds;
+
+/* cube = (own - offset) * scale, the same scale for all axes. */
+typedef struct hitpipe_transform {
+  double offset[3];
+  double scale; /* > 0 */
+} hitpipe_transform;
+
+/* The transform that takes the bounds into the cube: their centre to 0, their longest side to +-(1 - 2^-10).
+ * The margin leaves room for padded boxes and computed points. Bounds are finite with some extent. */
+HITPIPE_API hitpipe_status hitpipe_fit(const hitpipe_bounds* bounds, hitpipe_transform* out);
+
+/* The least binary32 box that holds the box, moved by the transform; in rare doubt a coordinate is one
+ * binary32 farther out. So a ray that meets the moved box meets what is written. NULL does not move it. Fails
+ * if it is not in the cube then. */
+HITPIPE_API hitpipe_status hitpipe_to_cube_box(const hitpipe_transform* transform, const hitpipe_bounds* box,
+                                               hitpipe_box* out);
+
+/* Numbers are rounded to nearest. The direction stays as it is, so the length is scaled. The ray is then the
+ * rounded one: everything judges that. NULL does not move it. */
+HITPIPE_API hitpipe_status hitpipe_to_cube_ray(const hitpipe_transform* transform, const double origin[3],
+                                               const double direction[3], double length, hitpipe_ray* out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,22 @@
+// Rays and boxes of the C interface, checked.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hitpipe/ref.h"
+#include "sw_ref/geometry/aabb.hpp"
+#include "sw_ref/geometry/ray.hpp"
+
+namespace hitpipe::library {
+
+/// Throws a Refusal that says what is wrong with the ray.
+[[nodiscard]] ref::Ray checked(const hitpipe_ray& ray);
+
+/// Throws a Refusal that names the first bad box by its place and says what is wrong with it.
+[[nodiscard]] std::vector<ref::Aabb> checked(std::span<const hitpipe_box> boxes);
+
+/// Throws a Refusal for a number of boxes without boxes.
+[[nodiscard]] std::span<const hitpipe_box> given(const hitpipe_box* boxes, std::size_t count);
+
+}  // namespace hitpipe::library

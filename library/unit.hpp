@@ -1,0 +1,33 @@
+// A design at a format, as the C interface holds it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitpipe/ref.h"
+#include "rtl_gen/catalogue/design.hpp"
+#include "sim/check/box_test.hpp"
+#include "sw_ref/exact/box_referee.hpp"
+
+struct hitpipe_unit {
+  /// Throws what make_box_test() throws.
+  hitpipe_unit(const hitpipe::rtl::Design& its_design, const hitpipe::rtl::Format& its_format)
+      : design(&its_design),
+        name(its_design.name),
+        format(to_string(its_format)),
+        ports(its_design.ports(its_format)),
+        results(its_design.results(its_format)),
+        boxes_per_test(static_cast<std::size_t>(its_design.boxes_per_test())),
+        test(hitpipe::sim::make_box_test(its_design, its_format)) {}
+
+  const hitpipe::rtl::Design* design;
+  std::string name;
+  std::string format;
+  std::vector<hitpipe::rtl::Port> ports;
+  std::vector<hitpipe::hls::Result> results;
+  std::size_t boxes_per_test;
+  std::unique_ptr<hitpipe::sim::BoxTest> test;
+  std::optional<hitpipe::ref::BoxReferee> referee{};  ///< of the ray; nothing: there is no ray
+};

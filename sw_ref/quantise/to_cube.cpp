@@ -1,0 +1,52 @@
+#include "sw_ref/quantise/to_cube.hpp"
+
+#include <cmath>
+#include <limits>
+
+#ifdef __FAST_MATH__
+#error "directed rounding needs IEEE arithmetic: build without -ffast-math"
+#endif
+
+namespace hitpipe::ref {
+namespace {
+
+/// The least binary32 >= most + rest, or the next one in doubt. |rest| is at most an ulp of `most`.
+float binary32_above(double most, double rest, bool in_doubt) {
+  const auto nearest = static_cast<float>(most);
+  const double past = most - nearest;  // exact
+  const bool below = past > -rest || (rest != 0 && past == -rest) || in_doubt;
+  return below ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
+}
+
+/// The same for (own - offset) * scale. Knuth's two-sum has the error of the difference, and fused operations
+/// have that of the product and the sum of both errors, rounded once. A rounded sum of zero or one that is a
+/// tie with a binary32 does not tell on which side the exact one lies.
+float moved_up(double own, double offset, double scale) {
+  const double difference = own - offset;
+  const double back = difference - own;
+  const double lost = (own - (difference - back)) - (offset + back);
+  const double product = difference * scale;
+  const double rest = std::fma(lost, scale, std::fma(difference, scale, -product));
+  // The error of a smaller product may not be a double.
+  constexpr double error_fits = 0x1p-900;
+  return binary32_above(product, rest, difference != 0 && std::abs(product) < error_fits);
+}
+
+}  // namespace
+
+Aabb box_to_cube(const BasicAabb<double>& box, const Normalisation& transform) {
+  Aabb moved;
+  for (int axis = 0; axis < 3; ++axis) {
+    moved.min[axis] = -moved_up(-box.min[axis], -transform.offset[axis], transform.scale);
+    moved.max[axis] = moved_up(box.max[axis], transform.offset[axis], transform.scale);
+  }
+  return moved;
+}
+
+Ray ray_to_cube(const glm::dvec3& origin, const glm::dvec3& direction, double length,
+                const Normalisation& transform) {
+  return {glm::vec3(transform.to_cube(origin)), glm::vec3(direction),
+          static_cast<float>(length * transform.scale)};
+}
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,21 @@
+// Rays and boxes in a scene's own units, moved into the cube and rounded to binary32 so that a ray that meets
+// a box there meets the rounded box too.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "sw_ref/geometry/aabb.hpp"
+#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/normalise.hpp"
+
+namespace hitpipe::ref {
+
+/// The least box that holds the moved one, or in doubt a binary32 larger. A coordinate that binary32 cannot
+/// hold becomes infinite.
+[[nodiscard]] Aabb box_to_cube(const BasicAabb<double>& box, const Normalisation& transform);
+
+/// All numbers are rounded to nearest. The direction stays as it is, so the length is scaled.
+[[nodiscard]] Ray ray_to_cube(const glm::dvec3& origin, const glm::dvec3& direction, double length,
+                              const Normalisation& transform);
+
+}  // namespace hitpipe::ref
