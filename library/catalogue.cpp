@@ -56,8 +56,8 @@ auto or_refuse(hitpipe_status status, Found&& find) {
 }
 
 std::unique_ptr<hitpipe_unit> opened(const char* design_name, const char* format_text) {
-  const rtl::Design& design =
-      *or_refuse(HITPIPE_BAD_DESIGN, [&] { return &rtl::find_design(&given(design_name, "design")); });
+  const char* const name = &given(design_name, "design");
+  const rtl::Design& design = *or_refuse(HITPIPE_BAD_DESIGN, [&] { return &rtl::find_design(name); });
   const bool is_default = format_text == nullptr || *format_text == '\0';
   const rtl::Format format =
       is_default ? design.default_format

@@ -1,0 +1,33 @@
+# Installs the build into a prefix, and looks at what lies there.
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+file(REMOVE_RECURSE ${PREFIX})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX})
+
+# The program runs where it is installed.
+run(${PREFIX}/bin/hitpipe --version)
+run(${PREFIX}/bin/hitpipe area int_slabs)
+
+# The library needs the C++ runtime and nothing else, and exports the functions of its header and nothing else.
+file(GLOB library ${PREFIX}/lib*/libhitpipe_ref.so ${PREFIX}/lib/*/libhitpipe_ref.so)
+run(objdump -p ${library})
+string(REGEX MATCHALL "NEEDED +[^\n]+" needed "${printed}")
+foreach(each IN LISTS needed)
+  if(NOT each MATCHES " (libstdc\\+\\+|libm|libgcc_s|libc|ld-linux[^.]*)\\.so\\.[0-9]+$")
+    message(FATAL_ERROR "${library} needs more than the C++ runtime: ${each}")
+  endif()
+endforeach()
+run(nm -D --defined-only --format=posix ${library})
+string(REGEX MATCHALL "[^\n]+\n" exported "${printed}")
+file(READ ${PREFIX}/include/hitpipe/ref.h header)
+foreach(line IN LISTS exported)
+  string(REGEX REPLACE " .*" "" name "${line}")
+  if(NOT header MATCHES "HITPIPE_API [^;]*[ *]${name}\\(")
+    message(FATAL_ERROR "${library} exports ${name}, which <hitpipe/ref.h> does not declare")
+  endif()
+endforeach()
+string(REGEX MATCHALL "\nHITPIPE_API [^(;]*\\(" declared "${header}")
+list(LENGTH declared functions)
+list(LENGTH exported symbols)
+if(NOT functions EQUAL symbols OR functions EQUAL 0)
+  message(FATAL_ERROR "<hitpipe/ref.h> declares ${functions} functions, ${library} exports ${symbols}")
+endif()

@@ -1,0 +1,122 @@
+// What the library refuses: the status, the whole line, and that nothing is written.
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <hitpipe/ref.hpp>
+
+namespace hitpipe {
+namespace {
+
+const Ray ray{{0, 0, 0}, {1, 0, 0}, 1};
+const Box box{{0, 0, 0}, {0.5F, 0.5F, 0.5F}};
+
+/// "4: line"
+template <class Call>
+std::string refusal(Call&& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return std::to_string(error.status()) + ": " + error.what();
+  }
+  return "no refusal";
+}
+
+TEST(LibraryRefusal, NamesWhatIsWrongWithADesign) {
+  EXPECT_EQ(refusal([] { Unit("slabs"); }),
+            "2: design slabs: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, "
+            "fp_plucker_direct, int_major, int_major_pair");
+  EXPECT_EQ(refusal([] { Unit("int_slabs", "40/24"); }),
+            "3: bits 40/24: no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for "
+            "example 20/24");
+  DesignInfo info;
+  EXPECT_EQ(refusal([&] { check(hitpipe_design(99, &info)); }), "1: design 99: allowed is 0..6");
+}
+
+TEST(LibraryRefusal, NamesWhatIsWrongWithARay) {
+  Unit unit("int_slabs");
+  const auto refused = [&](const Ray& bad) { return refusal([&] { unit.set_ray(bad); }); };
+  EXPECT_EQ(refused({{0, 1.5F, 0}, {1, 0, 0}, 1}),
+            "4: ray: origin.y = 1.5 is outside the cube; allowed is [-1, 1]");
+  EXPECT_EQ(refused({{0, 0, 0}, {1, 0, INFINITY}, 1}),
+            "4: ray: direction.z = inf; components must be finite");
+  EXPECT_EQ(refused({{0, 0, 0}, {0, -0.0F, 0}, 1}),
+            "4: ray: direction is (0, 0, 0); one component must differ from 0");
+  EXPECT_EQ(refused({{0, 0, 0}, {1, 0, 0}, -1}), "4: ray: length = -1; it must be >= 0 or infinite");
+  EXPECT_EQ(refused({{0, 0, 0}, {1, 0, 0}, NAN}), "4: ray: length = nan; it must be >= 0 or infinite");
+  EXPECT_EQ(refused({{NAN, 0, 0}, {1, 0, 0}, 1}),
+            "4: ray: origin.x = nan is outside the cube; allowed is [-1, 1]");
+}
+
+TEST(LibraryRefusal, ARefusedRayLeavesNoRay) {
+  Unit unit("int_slabs");
+  const auto test = [&] { return refusal([&] { static_cast<void>(unit.test(box)); }); };
+  const std::string no_ray = "6: design int_slabs: no ray is set; set one before a test";
+  EXPECT_EQ(test(), no_ray);
+  unit.set_ray(ray);
+  EXPECT_EQ(test(), "no refusal");
+  EXPECT_NE(refusal([&] { unit.set_ray({{2, 0, 0}, {1, 0, 0}, 1}); }), "no refusal");
+  EXPECT_EQ(test(), no_ray);
+}
+
+TEST(LibraryRefusal, NamesTheFirstBadBox) {
+  Unit unit("fp_slabs");
+  unit.set_ray(ray);
+  const auto refused = [&](const Box& bad) {
+    const Box boxes[] = {box, bad, bad};
+    return refusal([&] { static_cast<void>(unit.test(boxes)); });
+  };
+  EXPECT_EQ(refused({{-1.5F, 0, 0}, {0, 0, 0}}),
+            "5: box 1: min.x = -1.5 is outside the cube; allowed is [-1, 1]");
+  EXPECT_EQ(refused({{0, 0, 0}, {0, NAN, 0}}),
+            "5: box 1: max.y = nan is outside the cube; allowed is [-1, 1]");
+  EXPECT_EQ(refused({{0, 0, 0.5F}, {0, 0, 0.25F}}), "5: box 1: min.z = 0.5 is above max.z = 0.25");
+  EXPECT_EQ(refusal([&] {
+              static_cast<void>(exact(ray, {{0, 0, 0}, {2, 0, 0}}));
+            }),
+            "5: box 0: max.x = 2 is outside the cube; allowed is [-1, 1]");
+}
+
+TEST(LibraryRefusal, WritesNothing) {
+  Unit unit("int_slabs");
+  unit.set_ray(ray);
+  hitpipe_unit* handle = nullptr;
+  ASSERT_EQ(hitpipe_open("int_slabs", nullptr, &handle), HITPIPE_OK);
+  ASSERT_EQ(hitpipe_set_ray(handle, &ray), HITPIPE_OK);
+  const Box boxes[] = {box, {{0, 0, 0}, {2, 0, 0}}};
+  std::uint8_t hit[2] = {7, 7};
+  std::uint8_t met[2] = {7, 7};
+  std::vector<std::int64_t> operands(2 * hitpipe_port_count(handle), 7);
+  const hitpipe_answers out{hit, met, operands.data(), nullptr};
+  EXPECT_EQ(hitpipe_test(handle, boxes, 2, &out), HITPIPE_BAD_BOX);
+  EXPECT_EQ(hit[0] + hit[1] + met[0] + met[1], 28);
+  EXPECT_EQ(operands, std::vector<std::int64_t>(operands.size(), 7));
+  hitpipe_unit* const before = handle;
+  EXPECT_EQ(hitpipe_open("int_slabs", "1/1", &handle), HITPIPE_BAD_FORMAT);
+  EXPECT_EQ(handle, before);
+  hitpipe_close(handle);
+}
+
+TEST(LibraryRefusal, TwoBoxesATestNeedAnEvenNumber) {
+  Unit unit("int_major_pair");
+  unit.set_ray(ray);
+  EXPECT_EQ(refusal([&] { static_cast<void>(unit.test(box)); }),
+            "1: design int_major_pair: 1 boxes; a test takes 2, so allowed are multiples of 2");
+}
+
+TEST(LibraryRefusal, NullPointersAreNamed) {
+  hitpipe_unit* unit = nullptr;
+  EXPECT_EQ(refusal([&] { check(hitpipe_open(nullptr, nullptr, &unit)); }),
+            "1: design: a null pointer is not allowed");
+  EXPECT_EQ(refusal([&] { check(hitpipe_open("int_slabs", nullptr, nullptr)); }),
+            "1: out: a null pointer is not allowed");
+  EXPECT_EQ(refusal([&] { check(hitpipe_set_ray(nullptr, &ray)); }),
+            "1: unit: a null pointer is not allowed");
+  EXPECT_EQ(refusal([&] { check(hitpipe_exact(&ray, nullptr, 1, nullptr)); }),
+            "1: boxes: a null pointer is not allowed");
+  EXPECT_EQ(refusal([&] { check(hitpipe_exact(&ray, &box, 1, nullptr)); }),
+            "1: met: a null pointer is not allowed");
+  hitpipe_close(nullptr);
+}
+
+}  // namespace
+}  // namespace hitpipe
