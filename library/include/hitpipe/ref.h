@@ -142,14 +142,14 @@ HITPIPE_API hitpipe_status hitpipe_open(const char* design, const char* format, 
 /* NULL is allowed. */
 HITPIPE_API void hitpipe_close(hitpipe_unit* unit);
 
-/* The unit's format, with those of hitpipe_design_info that do not depend on it. Strings live as long as the
- * unit. */
+/* What the unit is; it must not be NULL. The strings live as long as it does. */
 HITPIPE_API const char* hitpipe_unit_design(const hitpipe_unit* unit);
 HITPIPE_API const char* hitpipe_unit_format(const hitpipe_unit* unit);
 HITPIPE_API int hitpipe_unit_conservative(const hitpipe_unit* unit);
 HITPIPE_API size_t hitpipe_unit_boxes_per_test(const hitpipe_unit* unit);
 
-/* Operand and result ports, in the order of the Verilog, the manifest and the vector file. */
+/* Operand and result ports, in the order of the Verilog, the manifest and the vector file. Counts need a unit
+ * that is not NULL. */
 HITPIPE_API size_t hitpipe_port_count(const hitpipe_unit* unit);
 HITPIPE_API hitpipe_status hitpipe_port(const hitpipe_unit* unit, size_t index, hitpipe_port_info* out);
 HITPIPE_API size_t hitpipe_result_count(const hitpipe_unit* unit);
@@ -177,8 +177,7 @@ HITPIPE_API hitpipe_status hitpipe_test(hitpipe_unit* unit, const hitpipe_box* b
                                         const hitpipe_answers* out);
 
 /* The bits of an operand or result of this width, as a port or $readmemh takes it: two's complement cut to
- * the width.
- */
+ * the width. */
 HITPIPE_API uint64_t hitpipe_bits(int64_t value, int width);
 
 /* ---- From a scene's own units into the cube ---- */
