@@ -61,6 +61,26 @@ TEST(LibraryCube, AMovedBoxHoldsTheExactOneAndIsTheLeastThatDoes) {
   EXPECT_EQ(tests, 50 * 40 * 3U);
 }
 
+TEST(LibraryCube, WhatADoubleRoundsOffMovesAPlaneOutward) {
+  const float below = std::nextafter(0.5F, 0.0F);
+  const float above = std::nextafter(0.5F, 1.0F);
+  // 0.5 -+ 2^-80: the difference is rounded to 0.5.
+  const Box by_offset = to_cube({{0x1p-80, -0x1p-80, 0}, 1}, {{0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}});
+  EXPECT_EQ(by_offset.min[0], below);
+  EXPECT_EQ(by_offset.max[0], 0.5F);
+  EXPECT_EQ(by_offset.min[1], 0.5F);
+  EXPECT_EQ(by_offset.max[1], above);
+  EXPECT_EQ(by_offset.min[2], 0.5F);
+  EXPECT_EQ(by_offset.max[2], 0.5F);
+  // 0.5 (1 + 2^-30) (1 - 2^-30): the product is rounded to 0.5.
+  const double own = 0.5 + 0x1p-31;
+  const Box by_scale = to_cube({{0, 0, 0}, 1 - 0x1p-30}, {{own, -own, 0}, {own, -own, 0}});
+  EXPECT_EQ(by_scale.min[0], below);
+  EXPECT_EQ(by_scale.max[0], 0.5F);
+  EXPECT_EQ(by_scale.min[1], -0.5F);
+  EXPECT_EQ(by_scale.max[1], -below);
+}
+
 TEST(LibraryCube, BinaryThirtyTwoIsNotMovedWithoutATransform) {
   const Box box = rounded_outward({{-1, 0.1, 0x1p-149}, {0.25, 0.1, 1}});
   EXPECT_EQ(box.min[0], -1.0F);
