@@ -3,7 +3,8 @@
 
 #include "hls/box/operand.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 template <class Bit>
 struct BoxHit {
@@ -16,4 +17,5 @@ struct BoxHit {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

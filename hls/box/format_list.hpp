@@ -2,9 +2,11 @@
 // as values.
 #pragma once
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 template <class... Formats>
 struct FormatList {};
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -4,7 +4,8 @@
 #include "hls/box/operand.hpp"
 #include "hls/num/width.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// A float format whose widths are known at run time; the default is binary32.
 struct FpBits {
@@ -45,4 +46,5 @@ struct FpFormat {
 /// IEEE 754 binary32, the thesis's "32 bit FP".
 using Fp32 = FpFormat<8, 23>;
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

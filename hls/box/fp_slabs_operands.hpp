@@ -5,7 +5,8 @@
 #include "hls/box/fp_format.hpp"
 #include "hls/num/fp.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// for_each calls visit(Operand, field) for every port, in the order of figure 7.1. `Self` may be const.
 template <class D, class F>
@@ -40,4 +41,5 @@ struct FpSlabsOperands {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -8,7 +8,8 @@
 #include "hls/box/operand.hpp"
 #include "hls/num/width.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// An integer format whose widths are known at run time.
 struct IntBits {
@@ -79,4 +80,5 @@ struct IntFormat {
   constexpr operator IntBits() const { return bits; }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -6,7 +6,8 @@
 
 #include "hls/box/major_format.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// What the unit knows of a ray. The unit for two boxes has the same.
 template <class D, class F>
@@ -74,4 +75,5 @@ struct IntMajorOperands : MajorRay<D, F>, MajorPlanes<D, F> {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -4,7 +4,8 @@
 
 #include "hls/box/int_major_operands.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// Which box has a plane that differs from the parent's: 0 the first, 1 the second.
 template <class D>
@@ -66,4 +67,5 @@ struct IntMajorPairResults {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -4,7 +4,8 @@
 
 #include "hls/box/int_format.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// for_each calls visit(Operand, field) for every port, in the order of figure 7.1. `Self` may be const.
 template <class D, class F>
@@ -41,4 +42,5 @@ struct IntPluckerOperands {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -10,7 +10,8 @@
 #include "hls/box/operand.hpp"
 #include "hls/num/width.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// A format whose widths are known at run time.
 struct MajorBits {
@@ -135,4 +136,5 @@ struct MajorFormat {
   constexpr operator MajorBits() const { return bits; }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -4,7 +4,8 @@
 
 #include <cstdint>
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 enum class Axis { none, x, y, z };
 
@@ -83,4 +84,5 @@ struct Result {
   bool is_signed;
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

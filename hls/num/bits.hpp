@@ -13,7 +13,8 @@
 
 #include "hls/num/width.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// The types of domain D for a width of type W: Width<N> or int.
 template <class D, class W>
@@ -51,4 +52,5 @@ constexpr auto spread(const Bit& bit, const W& w) {
   return as_unsigned(resize(as_signed(bit), w));
 }
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

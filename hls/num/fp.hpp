@@ -8,7 +8,8 @@
 #include "hls/num/bits.hpp"
 #include "hls/num/fp_logic.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// A number of domain D in format F: its widths are F's `exponent` (E) and `fraction` (M), Width<N> or int.
 template <class D, class F>
@@ -76,4 +77,5 @@ constexpr Fp<D, F> as(const char* /*name*/, char /*axis*/, const Fp<D, F>& x) {
   return x;
 }
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

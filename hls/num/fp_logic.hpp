@@ -7,7 +7,9 @@
 #include "hls/num/fp_round.hpp"
 #include "hls/num/fp_sum.hpp"
 
-namespace hitpipe::hls::fp_logic {
+namespace hitpipe {
+namespace hls {
+namespace fp_logic {
 
 /// a - b.
 template <class D, class F, class X>
@@ -72,4 +74,6 @@ constexpr auto compare(const F& format, const X& a, const X& b) {
   return cat(greater, less);
 }
 
-}  // namespace hitpipe::hls::fp_logic
+}  // namespace fp_logic
+}  // namespace hls
+}  // namespace hitpipe

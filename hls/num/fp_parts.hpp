@@ -5,7 +5,9 @@
 #include "hls/num/bits.hpp"
 #include "hls/num/levels.hpp"
 
-namespace hitpipe::hls::fp_logic {
+namespace hitpipe {
+namespace hls {
+namespace fp_logic {
 
 /// x times 2^(2^s - 1 - amount), exactly, for an amount of s bits: shifts right without losing a bit. Each
 /// level adds 1, 2, 4, ... bits.
@@ -63,4 +65,6 @@ constexpr auto leading_zeros(const X& x) {
   return count_ones_above<D>(count_width, filled);
 }
 
-}  // namespace hitpipe::hls::fp_logic
+}  // namespace fp_logic
+}  // namespace hls
+}  // namespace hitpipe

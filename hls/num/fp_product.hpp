@@ -4,7 +4,9 @@
 
 #include "hls/num/fp_round.hpp"
 
-namespace hitpipe::hls::fp_logic {
+namespace hitpipe {
+namespace hls {
+namespace fp_logic {
 
 /// a * b by the two halves of b: bits of weight 2^1 down to 2^-2M.
 template <class F, class Significand>
@@ -91,4 +93,6 @@ constexpr Raw<D, F> raw_product(const F& format, const Unpacked<D, F>& a, const 
   return raw;
 }
 
-}  // namespace hitpipe::hls::fp_logic
+}  // namespace fp_logic
+}  // namespace hls
+}  // namespace hitpipe

@@ -5,7 +5,9 @@
 
 #include "hls/num/fp_parts.hpp"
 
-namespace hitpipe::hls::fp_logic {
+namespace hitpipe {
+namespace hls {
+namespace fp_logic {
 
 /// At most one of nan, infinite and zero is set.
 template <class D, class F>
@@ -90,4 +92,6 @@ constexpr auto round_and_pack(const F& format, const Raw<D, F>& raw, const Speci
   return select(special.any | overflow, exceptional, cat(raw.sign, rounded));
 }
 
-}  // namespace hitpipe::hls::fp_logic
+}  // namespace fp_logic
+}  // namespace hls
+}  // namespace hitpipe

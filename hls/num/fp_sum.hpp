@@ -4,7 +4,9 @@
 
 #include "hls/num/fp_round.hpp"
 
-namespace hitpipe::hls::fp_logic {
+namespace hitpipe {
+namespace hls {
+namespace fp_logic {
 
 /// A significand shifted right by `distance`, with two more bits and a lowest one that is the OR of all
 /// below.
@@ -69,4 +71,6 @@ constexpr Raw<D, F> raw_difference(const F& format, const Unpacked<D, F>& a, con
   return normalise<D>(format, select(swap, ~b.sign, a.sign), exponent, sum);
 }
 
-}  // namespace hitpipe::hls::fp_logic
+}  // namespace fp_logic
+}  // namespace hls
+}  // namespace hitpipe

@@ -5,7 +5,8 @@
 
 #include "hls/num/width.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 template <int Level, int Count>
 struct Levels {
@@ -49,4 +50,5 @@ constexpr X change_if(bool condition, const X& x, const Change& change) {
   return x;
 }
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -4,7 +4,8 @@
 #include "hls/num/bits.hpp"
 #include "hls/num/levels.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 namespace detail {
 
@@ -67,4 +68,5 @@ constexpr X saturating_shift(const X& x, const E& e) {
   return as_signed(cat(sign(x), (shifted.magnitude | spread(shifted.lost, bits)) ^ fill));
 }
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -12,7 +12,8 @@
 
 #include "hls/num/bits.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 struct Vendor {
   template <int W>
@@ -44,7 +45,8 @@ struct VendorShape<::ap_uint<W>> {
   using resized = ::ap_uint<To>;
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe
 
 template <class T, int W = hitpipe::hls::VendorShape<T>::width>
 inline hitpipe::hls::Width<W> width_of(const T& /*x*/) {

@@ -2,7 +2,8 @@
 // In a domain whose widths are known at run time the same expressions are ints: `e + m - 1_w` works in both.
 #pragma once
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 template <int N>
 struct Width {
@@ -83,4 +84,5 @@ constexpr Width<decimal_number<Digits...>()> operator""_w() {
   return {};
 }
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

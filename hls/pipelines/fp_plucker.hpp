@@ -8,7 +8,8 @@
 #include "hls/box/fp_plucker_operands.hpp"
 #include "hls/pipelines/plucker_parts.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// Planes less the origin: stages 1 to 7, figure 7.8.
 template <class Real>
@@ -83,4 +84,5 @@ struct FpPlucker {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

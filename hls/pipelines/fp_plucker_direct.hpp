@@ -11,7 +11,8 @@
 
 #include "hls/pipelines/fp_plucker.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 struct FpLesserTerm {
   template <class Real>
@@ -39,4 +40,5 @@ struct FpPluckerDirect {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -8,7 +8,8 @@
 #include "hls/box/format_list.hpp"
 #include "hls/box/fp_slabs_operands.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// Distances at which a ray enters and leaves a slab.
 template <class Real>
@@ -65,4 +66,5 @@ struct FpSlabs {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

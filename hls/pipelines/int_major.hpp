@@ -10,7 +10,8 @@
 #include "hls/box/int_major_operands.hpp"
 #include "hls/pipelines/major_parts.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 struct IntMajor {
   static constexpr const char* name = "int_major";
@@ -39,4 +40,5 @@ struct IntMajor {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

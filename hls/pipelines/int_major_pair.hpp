@@ -9,7 +9,8 @@
 #include "hls/box/int_major_pair_operands.hpp"
 #include "hls/pipelines/major_parts.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// A near distance that does not bind: 0 where the plane is not the box's own.
 template <class Bit, class X>
@@ -80,4 +81,5 @@ struct IntMajorPair {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -12,7 +12,8 @@
 #include "hls/box/int_plucker_operands.hpp"
 #include "hls/pipelines/plucker_parts.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// EBND, the smallest side relation of a ray that passes inside an edge: -ceil((2^(n-1)-2) / 2^k) with
 /// k = 2n-1-t dropped bits; proved in sw_ref/quantise/int_plucker_ray.cpp. -1 at 24/24, -16 at 20/24.
@@ -85,4 +86,5 @@ struct IntPlucker {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

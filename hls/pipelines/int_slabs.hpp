@@ -9,7 +9,8 @@
 #include "hls/box/int_slabs_operands.hpp"
 #include "hls/num/bits.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// Operands of the two multipliers of one axis: end of stage 1, figure 7.4.
 template <class Coord>
@@ -88,4 +89,5 @@ struct IntSlabs {
   }
 };
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -8,7 +8,8 @@
 #include "hls/num/levels.hpp"
 #include "hls/num/saturating_shift.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// What belongs to each slot.
 template <class X>
@@ -131,4 +132,5 @@ constexpr X lesser(const X& x, const X& y) {
   return select(Bit(y < x), y, x);
 }
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -6,7 +6,8 @@
 
 #include "hls/num/fp.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe {
+namespace hls {
 
 /// Gives both orders of two integers; for floats there is fp_compare.
 template <class Bit>
@@ -95,4 +96,5 @@ constexpr EdgePair<Value> edge_pair(const AxisView<Bit, Value>& i, const AxisVie
            side_factors("p_plane", number_second, j, i.b, i.a)}};
 }
 
-}  // namespace hitpipe::hls
+}  // namespace hls
+}  // namespace hitpipe

@@ -8,7 +8,9 @@
 #include "hls/num/domain.hpp"
 #endif
 
-namespace hitpipe::hls::top {
+namespace hitpipe {
+namespace hls {
+namespace top {
 
 #if defined(HITPIPE_VENDOR) || defined(__SYNTHESIS__)
 using Domain = Vendor;
@@ -23,4 +25,6 @@ using Integer = Domain::sint<W>;
 template <int W>
 using Pattern = Domain::uint<W>;
 
-}  // namespace hitpipe::hls::top
+}  // namespace top
+}  // namespace hls
+}  // namespace hitpipe
