@@ -58,7 +58,7 @@ constexpr auto leading_zeros(const X& x) {
   const auto w = width_of(x);
   const auto count_width = count_bits(w);
   const auto counted = power_of_two(count_width) - 1_w;
-  const auto zeros = ~smear<D>(slice(x, w - 1_w, 1_w));
+  const Word<D, decltype(w - 1_w)> zeros = ~smear<D>(slice(x, w - 1_w, 1_w));
   const auto filled = change_if(w - 1_w < counted, zeros, [&](const auto& upper) {
     return cat(upper, D::lit(0, counted - width_of(upper)));
   });

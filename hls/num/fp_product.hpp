@@ -67,7 +67,7 @@ constexpr Raw<D, F> raw_product(const F& format, const Unpacked<D, F>& a, const 
   const auto limit = change_if(span < bias - 2_w, low_exponent, [&](const auto& limited) {
     // After `span` places to the right, the whole product lies below the guard bit.
     const Bit far(exponent < as_signed(D::lit(-span, e + 2_w)));
-    return limited & spread(~far, shift_bits);
+    return limited & spread(Bit(~far), shift_bits);
   });
   const auto shift = product_shift(as("shift", select(reaches, zeros, limit)), sign(exponent));
   const auto product = significand_product(format, a.significand, b.significand);

@@ -31,7 +31,7 @@ constexpr Unpacked<D, F> unpack(const F& format, const X& x) {
 
   Unpacked<D, F> u;
   u.sign = sign(x);
-  u.exponent = field | resize(~normal, e);
+  u.exponent = field | resize(Bit(~normal), e);
   u.significand = cat(normal, fraction);
   u.nan = beyond & fractional;
   u.infinite = beyond & ~fractional;
@@ -64,7 +64,7 @@ constexpr auto special_bits(const F& format, const Bit& negative, const Bit& nan
   const auto e = format.exponent;
   const auto m = format.fraction;
   const auto quiet = select(nan, D::lit(1 << (m - 1), m), D::lit(0, m));
-  return cat(negative & ~nan, cat(spread(nan | infinite, e), quiet));
+  return cat(Bit(negative & ~nan), cat(spread(nan | infinite, e), quiet));
 }
 
 /// The nearest number, and the even one of two. Half an ulp beyond the largest it is infinity. Special

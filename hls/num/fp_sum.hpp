@@ -68,7 +68,7 @@ constexpr Raw<D, F> raw_difference(const F& format, const Unpacked<D, F>& a, con
   const auto first = cat(resize(larger, m + 2_w), cat(D::lit(0, 3_w), opposite));
   const auto second = cat(opposite, cat(inverted, opposite));
   const auto sum = as("raw_sum", slice(first + second, m + 5_w, 1_w));
-  return normalise<D>(format, select(swap, ~b.sign, a.sign), exponent, sum);
+  return normalise<D>(format, select(swap, typename D::bit(~b.sign), a.sign), exponent, sum);
 }
 
 }  // namespace fp_logic

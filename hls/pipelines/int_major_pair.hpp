@@ -21,7 +21,7 @@ constexpr X own_near(const Bit& own, const X& t) {
 template <class Bit, class X>
 constexpr X own_far(const Bit& own, const X& t) {
   const auto magnitude = width_of(t) - 1_w;
-  return as_signed(cat(sign(t) & own, slice(t, magnitude - 1_w, 0_w) | spread(~own, magnitude)));
+  return as_signed(cat(sign(t) & own, slice(t, magnitude - 1_w, 0_w) | spread(Bit(~own), magnitude)));
 }
 
 /// The parent's interval, cut by the planes of one box.

@@ -1,198 +1,144 @@
-// The test program of a top function: random operands, its results against the native pipeline's. With a
-// vendor's ap_int.h this compares that vendor's arithmetic with hitpipe's. Not for synthesis.
+// The test program of a top function: it replays a file of vectors and compares every result. The vectors
+// come from hitpipe's own integers, so a vendor's arithmetic is tested too. Not for synthesis. C++14, as the
+// tops.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <random>
+#include <fstream>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
-#include "hls/box/operand.hpp"
-#include "hls/num/domain.hpp"
-#include "hls/num/fp.hpp"
 #include "hls/top/top_domain.hpp"
 
-namespace hitpipe::hls::top {
+namespace hitpipe {
+namespace hls {
+namespace top {
 
-constexpr std::uint64_t low_bits(int width) {
-  return ~std::uint64_t{0} >> (64 - width);
-}
+/// A port of a top function: an operand is passed by value, a result by reference.
+template <class Port>
+struct PortOf {
+  using Word = typename std::remove_reference<Port>::type;
+  static constexpr bool is_result = std::is_reference<Port>::value;
+  /// Bits, 1 to 64.
+  static constexpr int width = decltype(width_of(std::declval<const Word&>()))();
 
-/// A port and the word on it; the word's low bits count.
-struct OperandWord {
-  Operand port;
-  std::uint64_t word;
-};
-struct ResultWord {
-  Result port;
-  std::uint64_t word;
-};
-
-/// Draws a word for each operand: an integer that is small more often than not, or a float of magnitude 2^-8
-/// to 2. With `any`, any pattern of bits.
-struct DrawOperands {
-  template <class Field>
-  void operator()(const Operand& port, const Field& /*field*/) {
-    const std::uint64_t bits = random();
-    if (any || port.kind == Kind::flag) return keep(port, bits);
-    const int dropped = 64 - port.width + static_cast<int>(random() % 6);
-    keep(port, static_cast<std::uint64_t>(static_cast<std::int64_t>(bits) >> std::min(dropped, 63)));
-  }
-  template <class D, class F>
-  void operator()(const Operand& port, const Fp<D, F>& field) {
-    const std::uint64_t bits = random();
-    if (any) return keep(port, bits);
-    const int fraction = field.format.fraction;
-    const int smallest = std::max(1, (1 << (field.format.exponent - 1)) - 1 - 8);
-    const std::uint64_t exponent = static_cast<std::uint64_t>(smallest) + random() % 9;
-    const std::uint64_t sign = std::uint64_t{1} << (port.width - 1);
-    keep(port, (bits & (sign | low_bits(fraction))) | exponent << fraction);
-  }
-
-  void keep(const Operand& port, std::uint64_t word) {
-    const bool positive = port.role == Role::length;
-    words.push_back({port, positive ? word & low_bits(port.width - 1) : word});
-  }
-
-  bool any;
-  std::mt19937_64& random;
-  std::vector<OperandWord> words{};
+  static constexpr std::uint64_t mask() { return ~std::uint64_t{0} >> (64 - width); }
 };
 
-/// Whether the number on a is below that on b; of floats, whether its pattern is, signs considered.
-inline bool is_below(const OperandWord& a, const OperandWord& b) {
-  const auto number = [](const OperandWord& x) {
-    return static_cast<std::int64_t>(x.word << (64 - x.port.width));
-  };
-  const bool both_negative = number(a) < 0 && number(b) < 0;
-  return a.port.kind == Kind::real && both_negative ? number(b) < number(a) : number(a) < number(b);
-}
+/// A line of a vector file: the operands and then the expected results as one number in hexadecimal, the
+/// first port in the high bits. Zeros fill the first digit.
+class Vector {
+ public:
+  explicit Vector(const std::string& digits) : digits_(digits) {}
 
-/// Words in port order: planes of a box in order, lengths not negative. One draw in eight is any pattern of
-/// bits, NaN and infinities included.
-template <class Pipeline, class F>
-std::vector<OperandWord> random_operands(std::mt19937_64& random) {
-  using Operands = typename Pipeline::template Operands<Native, F>;
-  const bool any = random() % 8 == 0;
-  DrawOperands draw{any, random};
-  const Operands shape{};
-  Operands::for_each(F(), shape, draw);
-  for (OperandWord& high : draw.words) {
-    if (any || high.port.role != Role::plane_high) continue;
-    for (OperandWord& low : draw.words) {
-      const bool same_slab = low.port.axis == high.port.axis && low.port.box == high.port.box;
-      if (low.port.role == Role::plane_low && same_slab && is_below(high, low))
-        std::swap(low.word, high.word);
+  static std::size_t digits_for(int bits) { return static_cast<std::size_t>(bits + 3) / 4; }
+  /// Goes past the bits that fill the first digit of a vector of so many bits.
+  void begin(int bits) { at_ = 4 * digits_.size() - static_cast<std::size_t>(bits); }
+  /// The next bits, at most 64.
+  std::uint64_t take(int width) {
+    std::uint64_t word = 0;
+    for (int i = 0; i < width; ++i, ++at_) word = word << 1 | bit(at_);
+    return word;
+  }
+
+ private:
+  std::uint64_t bit(std::size_t place) const {
+    const char digit = digits_[place / 4];
+    const int value = digit <= '9' ? digit - '0' : (digit | 0x20) - 'a' + 10;
+    return static_cast<std::uint64_t>(value) >> (3 - place % 4) & 1;
+  }
+
+  const std::string& digits_;
+  std::size_t at_ = 0;
+};
+
+/// Calls a top function on vectors.
+template <class... Ports>
+class Replay {
+ public:
+  using Top = void (*)(Ports...);
+
+  explicit Replay(Top top) : top_(top) {}
+
+  /// Bits of a vector.
+  static int bits() {
+    int sum = 0;
+    for (const int width : {PortOf<Ports>::width...}) sum += width;
+    return sum;
+  }
+  /// True when every result is the expected one. Prints the first that is not.
+  bool operator()(Vector vector, unsigned long number) {
+    vector.begin(bits());
+    return run(vector, number, std::index_sequence_for<Ports...>());
+  }
+
+ private:
+  template <std::size_t... I>
+  bool run(Vector& vector, unsigned long number, std::index_sequence<I...> /*places*/) {
+    std::tuple<typename PortOf<Ports>::Word...> words;
+    const std::uint64_t given[] = {start<Ports>(std::get<I>(words), vector)...};
+    top_(std::get<I>(words)...);
+    bool right = true;
+    for (const bool same : {is_right<Ports>(std::get<I>(words), given[I], number)...}) right = right && same;
+    return right;
+  }
+
+  /// An operand gets its number. A result starts as the opposite of what is expected, so that one that is not
+  /// written shows.
+  template <class Port>
+  static std::uint64_t start(typename PortOf<Port>::Word& word, Vector& vector) {
+    const std::uint64_t given = vector.take(PortOf<Port>::width);
+    word = PortOf<Port>::is_result ? ~given : given;
+    return given;
+  }
+  template <class Port>
+  bool is_right(const typename PortOf<Port>::Word& word, std::uint64_t expected, unsigned long number) {
+    if (!PortOf<Port>::is_result) return true;
+    const std::uint64_t result = static_cast<std::uint64_t>(word.to_uint64()) & PortOf<Port>::mask();
+    if (result == expected) return true;
+    if (!printed_) {
+      std::printf("vector %lu: a result is %llx, expected %llx\n", number,
+                  static_cast<unsigned long long>(result), static_cast<unsigned long long>(expected));
     }
-  }
-  return draw.words;
-}
-
-/// Takes words as operands, in port order.
-struct WordReader {
-  template <class Field>
-  void operator()(const Operand& /*port*/, Field& field) {
-    field = (next++)->word;
-  }
-  template <class D, class F>
-  void operator()(const Operand& /*port*/, Fp<D, F>& field) {
-    field.bits = (next++)->word;
+    printed_ = true;
+    return false;
   }
 
-  const OperandWord* next;
+  Top top_;
+  bool printed_ = false;
 };
 
-/// The pipeline's results in domain D.
-template <class Pipeline, class D, class F>
-std::vector<ResultWord> pipeline_results(const std::vector<OperandWord>& words) {
-  using Operands = typename Pipeline::template Operands<D, F>;
-  using Results = typename Pipeline::template Results<D, F>;
-  Operands in;
-  Operands::for_each(F(), in, WordReader{words.data()});
-  const Results out = Pipeline::template test<D>(F(), in);
-  std::vector<ResultWord> results;
-  Results::for_each(F(), out, [&](const Result& port, const auto& field) {
-    results.push_back({port, static_cast<std::uint64_t>(field.to_int64()) & low_bits(port.width)});
-  });
-  return results;
-}
-
-/// HIT of the first box.
-inline bool is_hit(const std::vector<ResultWord>& results) {
-  return std::any_of(results.begin(), results.end(), [](const ResultWord& result) {
-    return result.port.meaning == Meaning::hit && result.port.box == 0 && result.word != 0;
-  });
-}
-
-/// The top's results, in order. Each starts as the opposite of what is expected: an output that is not
-/// written shows.
-template <class... Words>
-std::vector<std::uint64_t> top_results(void (*top)(Words...), const std::vector<OperandWord>& words,
-                                       const std::vector<ResultWord>& expected) {
-  std::tuple<std::remove_reference_t<Words>...> ports;
-  std::vector<std::uint64_t> results;
-  std::size_t place = 0;
-  const auto start = [&](auto& port) {
-    port = place < words.size() ? words[place].word : ~expected.at(place - words.size()).word;
+/// The main() of a C simulation: replays the file that the first argument names, or `file`. 0 when every
+/// result is right, 1 when one is wrong, 2 when the file cannot be used.
+template <class... Ports>
+int csim(int argc, char** argv, const char* file, void (*top)(Ports...)) {
+  if (argc > 1) file = argv[1];
+  std::ifstream in(file);
+  Replay<Ports...> replay(top);
+  const std::size_t digits = Vector::digits_for(replay.bits());
+  unsigned long vectors = 0, mismatches = 0, place = 0;
+  for (std::string line; std::getline(in, line);) {
     ++place;
-  };
-  const auto keep_result = [&](const auto& port) {
-    if (place++ < words.size()) return;
-    const int width = expected.at(results.size()).port.width;
-    results.push_back(static_cast<std::uint64_t>(port.to_int64()) & low_bits(width));
-  };
-  std::apply(
-      [&](auto&... port) {
-        (start(port), ...);
-        top(port...);
-        place = 0;
-        (keep_result(port), ...);
-      },
-      ports);
-  return results;
-}
-
-struct Comparison {
-  int tests = 0, hits = 0, mismatches = 0;
-};
-
-/// Prints the first mismatch, with its operands in hexadecimal.
-template <class Pipeline, class F, class... Words>
-Comparison compare(void (*top)(Words...), int tests, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  Comparison comparison;
-  for (; comparison.tests < tests; ++comparison.tests) {
-    const std::vector<OperandWord> words = random_operands<Pipeline, F>(random);
-    const std::vector<ResultWord> expected = pipeline_results<Pipeline, Native, F>(words);
-    comparison.hits += is_hit(expected) ? 1 : 0;
-    const std::vector<std::uint64_t> results = top_results(top, words, expected);
-    std::size_t wrong = 0;
-    while (wrong < expected.size() && results.at(wrong) == expected[wrong].word) ++wrong;
-    if (wrong == expected.size()) continue;
-    if (comparison.mismatches++ > 0) continue;
-    std::printf("%s test %d: %s %llx, expected %llx; operands", Pipeline::name, comparison.tests,
-                expected[wrong].port.name, static_cast<unsigned long long>(results[wrong]),
-                static_cast<unsigned long long>(expected[wrong].word));
-    for (const OperandWord& operand : words)
-      std::printf(" %llx", static_cast<unsigned long long>(operand.word));
-    std::printf("\n");
+    if (line.empty() || line.compare(0, 2, "//") == 0) continue;
+    if (line.size() != digits || line.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
+      std::printf("%s, line %lu: not a vector of %d bits in %lu hexadecimal digits\n", file, place,
+                  replay.bits(), static_cast<unsigned long>(digits));
+      return 2;
+    }
+    mismatches += replay(Vector(line), vectors++) ? 0 : 1;
   }
-  return comparison;
+  if (vectors == 0) {
+    std::printf("%s: there are no vectors, or no such file\n", file);
+    return 2;
+  }
+  std::printf("%s: %lu vectors, %lu mismatches\n", file, vectors, mismatches);
+  return mismatches == 0 ? 0 : 1;
 }
 
-/// The main() of a C simulation: 0 when every test agrees.
-template <class Pipeline, class F, class... Words>
-int csim(void (*top)(Words...)) {
-  constexpr int tests = 10000;
-  constexpr std::uint64_t seed = 11;
-  const Comparison result = compare<Pipeline, F>(top, tests, seed);
-  std::printf("%s: seed %d, %d tests, %d hits, %d mismatches\n", Pipeline::name, static_cast<int>(seed),
-              result.tests, result.hits, result.mismatches);
-  return result.mismatches == 0 && result.hits > 0 && result.hits < result.tests ? 0 : 1;
-}
-
-}  // namespace hitpipe::hls::top
+}  // namespace top
+}  // namespace hls
+}  // namespace hitpipe

@@ -1,8 +1,11 @@
-// The value domain and the types of a top function: a vendor's ap_int.h where HITPIPE_VENDOR is defined or a
-// synthesiser runs (__SYNTHESIS__), else hitpipe's own integers.
+// The value domain and the types of a top function: ac_int with HITPIPE_AC_TYPES, a vendor's ap_int.h with
+// HITPIPE_VENDOR or where a synthesiser runs (__SYNTHESIS__), else hitpipe's own integers. The last need
+// C++20, the others C++14.
 #pragma once
 
-#if defined(HITPIPE_VENDOR) || defined(__SYNTHESIS__)
+#if defined(HITPIPE_AC_TYPES)
+#include "hls/num/ac_types.hpp"
+#elif defined(HITPIPE_VENDOR) || defined(__SYNTHESIS__)
 #include "hls/num/vendor.hpp"
 #else
 #include "hls/num/domain.hpp"
@@ -12,7 +15,9 @@ namespace hitpipe {
 namespace hls {
 namespace top {
 
-#if defined(HITPIPE_VENDOR) || defined(__SYNTHESIS__)
+#if defined(HITPIPE_AC_TYPES)
+using Domain = AcTypes;
+#elif defined(HITPIPE_VENDOR) || defined(__SYNTHESIS__)
 using Domain = Vendor;
 #else
 using Domain = Native;

@@ -1,9 +1,10 @@
 #include "rtl_gen/emit/hls_top.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "rtl_gen/emit/hls_scripts.hpp"
 
 namespace hitpipe::rtl {
 
@@ -83,7 +84,7 @@ std::string source(const Design& design, const Format& format, const std::string
 using namespace hitpipe::hls;
 
 {signature}
-#ifdef __SYNTHESIS__
+#if defined(__SYNTHESIS__) && !defined(HITPIPE_AC_TYPES)
 #pragma HLS PIPELINE II = 1
 {interfaces}#endif
   using Format = {format};
@@ -99,71 +100,26 @@ using namespace hitpipe::hls;
 }
 
 std::string csim(const Design& design, const Format& format, const std::string& module) {
-  std::vector<std::string> includes{std::string(design.source.header), "hls/top/csim.hpp", module + ".hpp"};
-  std::sort(includes.begin(), includes.end());
-  std::string lines;
-  for (const std::string& include : includes) lines += fmt::format("#include \"{}\"\n", include);
   return fmt::format(
-      R"(// C simulation of the top function of {}: its results against the native pipeline's.
-{}
-using namespace hitpipe::hls;
+      R"(// C simulation of the top function of {0}: replays vectors and compares the results.
+//   csim [FILE]    {1}_vectors.hex unless given
+#include "hls/top/csim.hpp"
 
-int main() {{
-  return top::csim<{}, {}>({});
+#include "{1}.hpp"
+
+int main(int argc, char** argv) {{
+  return hitpipe::hls::top::csim(argc, argv, "{1}_vectors.hex", {2});
 }}
 )",
-      design.name_at(format), lines, design.source.pipeline, format.type(), hls_function(module));
-}
-
-constexpr const char* script_steps = R"(proc setting {name otherwise} {
-  if {[info exists ::env($name)]} { return $::env($name) }
-  return $otherwise
-}
-
-set project [setting PROJECT hitpipe_$module]
-set here [file dirname [file normalize [info script]]]
-set include [file normalize [setting INCLUDE .]]
-if {![file exists [file join $include hls top top_domain.hpp]]} {
-  error "INCLUDE=$include: there is no hls/top/top_domain.hpp in that folder"
-}
-set flags "[setting CXXFLAGS -std=c++20] -I$include -DHITPIPE_VENDOR"
-
-open_project -reset $project
-set_top hitpipe_$module
-add_files [file join $here $module.cpp] -cflags $flags
-add_files -tb [file join $here ${module}_csim.cpp] -cflags $flags
-open_solution -reset solution
-set_part [setting PART xc7a100tcsg324-1]
-create_clock -period [setting CLOCK 5]
-csim_design
-csynth_design
-export_design -format ip_catalog
-exit
-)";
-
-std::string script_name(const std::string& module) {
-  return module + "_vitis_hls.tcl";
-}
-
-std::string script(const Design& design, const Format& format, const std::string& module) {
-  return fmt::format(
-             R"(# {} through Vitis HLS: C simulation, synthesis, export as IP. Settings come from the environment.
-#   INCLUDE=/path/to/hitpipe PART=xc7a100tcsg324-1 vitis_hls -f {}
-# INCLUDE   the folder that holds hitpipe's hls/: its sources, or include/hitpipe where it is installed (. unless given)
-# PART      the device
-# CLOCK     period in ns (5 unless given)
-# PROJECT   folder to work in (hitpipe_<module> unless given)
-# CXXFLAGS  what the compiler needs to take C++20 (-std=c++20 unless given)
-set module {}
-)",
-             design.name_at(format), script_name(module), module) +
-         script_steps;
+      design.name_at(format), module, hls_function(module));
 }
 
 }  // namespace
 
 std::vector<host::File> HlsTop::files() const {
-  return {header, source, csim, script};
+  std::vector<host::File> all{header, source, csim};
+  all.insert(all.end(), scripts.begin(), scripts.end());
+  return all;
 }
 
 HlsTop hls_top(const Design& design, const Format& format, const std::string& module) {
@@ -174,7 +130,7 @@ HlsTop hls_top(const Design& design, const Format& format, const std::string& mo
   return {.header = {module + ".hpp", header(design, format, module)},
           .source = {module + ".cpp", source(design, format, module)},
           .csim = {module + "_csim.cpp", csim(design, format, module)},
-          .script = {script_name(module), script(design, format, module)}};
+          .scripts = hls_scripts(design.name_at(format), module)};
 }
 
 std::string hls_function(const std::string& module) {

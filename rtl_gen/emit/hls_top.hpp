@@ -1,5 +1,5 @@
 // A design for tools of high-level synthesis: a top function with an argument for each port, written from the
-// ports that the design states, and what Vitis HLS needs to simulate and synthesise it.
+// ports that the design states, and what the tools need to simulate and synthesise it.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 namespace hitpipe::rtl {
 
 struct HlsTop {
-  host::File header;  ///< <module>.hpp
-  host::File source;  ///< <module>.cpp
-  host::File csim;    ///< <module>_csim.cpp: a program that compares the top with the native pipeline
-  host::File script;  ///< <module>_vitis_hls.tcl
+  host::File header;                ///< <module>.hpp
+  host::File source;                ///< <module>.cpp
+  host::File csim;                  ///< <module>_csim.cpp: a program that replays vectors through the top
+  std::vector<host::File> scripts;  ///< rtl_gen/emit/hls_scripts.hpp
 
   [[nodiscard]] std::vector<host::File> files() const;
 };

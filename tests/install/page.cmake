@@ -1,24 +1,7 @@
 # Builds and runs the project that docs/library.md prints: its CMakeLists.txt, its C++ and its C, and compares what they print.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE ${WORK})
-file(READ ${SOURCE}/docs/library.md page)
-
-# The text of the n-th block of this language.
-function(fence language n out)
-  set(rest "${page}")
-  foreach(i RANGE 1 ${n})
-    string(FIND "${rest}" "```${language}\n" from)
-    if(from EQUAL -1)
-      message(FATAL_ERROR "docs/library.md has no block ${n} of ${language}")
-    endif()
-    string(LENGTH "```${language}\n" opening)
-    math(EXPR from "${from} + ${opening}")
-    string(SUBSTRING "${rest}" ${from} -1 rest)
-  endforeach()
-  string(FIND "${rest}" "```" to)
-  string(SUBSTRING "${rest}" 0 ${to} text)
-  set(${out} "${text}" PARENT_SCOPE)
-endfunction()
+set(page docs/library.md)
 
 fence(cmake 1 lists)
 fence(cpp 1 cpp)

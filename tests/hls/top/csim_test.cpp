@@ -1,151 +1,86 @@
-// The comparison of a top function with its pipeline, on a design with two results.
+// The replay of vectors through a top function, on one with two results.
 #include "hls/top/csim.hpp"
 
-#include <random>
+#include <fstream>
+#include <string>
 
 #include <gtest/gtest.h>
 
-#include "hls/box/format_list.hpp"
-#include "hls/box/fp_slabs_operands.hpp"
-#include "hls/box/int_format.hpp"
-#include "hls/box/int_slabs_operands.hpp"
-#include "hls/num/bits.hpp"
+#include "host/scratch_folder.hpp"
 
 namespace hitpipe::hls {
 namespace {
 
-constexpr std::uint64_t seed = 92;
-using Format = IntFormat<12, 16>;
-
-template <class D, class F>
-struct DepthOperands {
-  typename F::template Coord<D> low, high;
-
-  template <class Self, class Visit>
-  static constexpr void for_each(const IntBits& format, Self& self, Visit&& visit) {
-    visit(format.plane("low", Role::plane_low, Axis::x), self.low);
-    visit(format.plane("high", Role::plane_high, Axis::x), self.high);
-  }
-};
-
-template <class D, class F>
-struct DepthResults {
-  typename F::template Coord<D> entry;
-  typename D::bit hit;
-
-  template <class Self, class Visit>
-  static constexpr void for_each(const IntBits& format, Self& self, Visit&& visit) {
-    visit(Result{"entry", Meaning::entry, 0, format.coord, true}, self.entry);
-    visit(Result{"hit", Meaning::hit, 0, 1, false}, self.hit);
-  }
-};
-
 /// The lower plane as a distance, and whether the higher one lies ahead.
-struct Depth {
-  static constexpr const char* name = "depth";
-  template <class D, class F>
-  using Operands = DepthOperands<D, F>;
-  template <class D, class F>
-  using Results = DepthResults<D, F>;
-
-  template <class D, class F>
-  static constexpr Results<D, F> test(const F& /*format*/, const DepthOperands<D, F>& in) {
-    using Bit = typename D::bit;
-    return {in.low, Bit(~Bit(sign(in.high)))};
-  }
-};
-
-void answers(top::Integer<12> low, top::Integer<12> high, top::Integer<12>& entry, top::Bit& hit) {
+void depth(top::Integer<12> low, top::Integer<12> high, top::Integer<12>& entry, top::Bit& hit) {
   entry = low;
   hit = high >= 0;
 }
-void answers_hit_alone(top::Integer<12> /*low*/, top::Integer<12> high, top::Integer<12>& /*entry*/,
-                       top::Bit& hit) {
+void depth_hit_alone(top::Integer<12> /*low*/, top::Integer<12> high, top::Integer<12>& /*entry*/,
+                     top::Bit& hit) {
   hit = high >= 0;
 }
-void answers_entry_alone(top::Integer<12> low, top::Integer<12> /*high*/, top::Integer<12>& entry,
-                         top::Bit& /*hit*/) {
-  entry = low;
-}
-void answers_wrong_once(top::Integer<12> low, top::Integer<12> high, top::Integer<12>& entry, top::Bit& hit) {
-  static int calls = 0;
-  answers(low, high, entry, hit);
-  if (++calls == 50) entry = low + 1;
+void depth_one_bit_wrong(top::Integer<12> low, top::Integer<12> high, top::Integer<12>& entry,
+                         top::Bit& hit) {
+  depth(low, high, entry, hit);
+  entry = low ^ top::Integer<12>(low == 5 ? 1 : 0);
 }
 
-TEST(Comparison, AcceptsRightAnswers) {
-  const top::Comparison result = top::compare<Depth, Format>(answers, 1000, seed);
-  EXPECT_EQ(result.mismatches, 0);
-  EXPECT_EQ(result.tests, 1000);
-  EXPECT_GT(result.hits, 100);
-  EXPECT_LT(result.hits, 900);
-}
+class Csim : public testing::Test {
+ protected:
+  int replay(const std::string& text,
+             void (*top)(top::Integer<12>, top::Integer<12>, top::Integer<12>&, top::Bit&)) {
+    const std::string file = (folder_.path() / "vectors.hex").string();
+    std::ofstream(file) << text;
+    std::string program = "csim", name = file;
+    char* arguments[] = {program.data(), name.data()};
+    testing::internal::CaptureStdout();
+    const int code = top::csim(2, arguments, "nothing.hex", top);
+    printed_ = testing::internal::GetCapturedStdout();
+    return code;
+  }
+  /// A vector of `depth` as a line: 37 bits in ten digits.
+  static std::string line(int low, int high, int entry, int hit) {
+    const auto bits = [](int number) { return static_cast<std::uint64_t>(number) & 0xfff; };
+    const std::uint64_t vector =
+        bits(low) << 25 | bits(high) << 13 | bits(entry) << 1 | static_cast<std::uint64_t>(hit);
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "%010llx\n", static_cast<unsigned long long>(vector));
+    return digits;
+  }
 
-TEST(Comparison, CountsEveryResultThatIsNotWritten) {
-  EXPECT_EQ((top::compare<Depth, Format>(answers_hit_alone, 100, seed).mismatches), 100);
-  EXPECT_EQ((top::compare<Depth, Format>(answers_entry_alone, 100, seed).mismatches), 100);
-}
-
-TEST(Comparison, CountsAWrongDistance) {
-  EXPECT_EQ((top::compare<Depth, Format>(answers_wrong_once, 100, seed).mismatches), 1);
-}
-
-TEST(Csim, TellsRightFromWrong) {
-  EXPECT_EQ((top::csim<Depth, Format>(answers)), 0);
-  EXPECT_EQ((top::csim<Depth, Format>(answers_hit_alone)), 1);
-}
-
-/// A design of which the operands alone matter.
-template <template <class, class> class In>
-struct OperandsOf {
-  template <class D, class F>
-  using Operands = In<D, F>;
+  const std::string right_ = "// low, high, entry, hit\n" + line(5, 3, 5, 1) + "\n" + line(-1, -5, -1, 0) +
+                             line(-2048, 2047, -2048, 1);
+  host::ScratchFolder folder_;
+  std::string printed_;
 };
 
-TEST(RandomOperands, AreAsTheDesignStatesThem) {
-  std::mt19937_64 random(seed);
-  int in_order = 0, out_of_order = 0, draws = 0;
-  for (; draws < 4000; ++draws) {
-    const auto words = top::random_operands<OperandsOf<IntSlabsOperands>, Format>(random);
-    ASSERT_EQ(words.size(), 17U);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      const top::OperandWord& operand = words[i];
-      if (operand.port.role == Role::length) {
-        EXPECT_EQ(operand.word >> (operand.port.width - 1) & 1, 0U);
-      }
-      if (operand.port.role == Role::plane_high)
-        ++(top::is_below(operand, words[i - 1]) ? out_of_order : in_order);
-    }
-  }
-  // Any bits, one draw in eight: half of those slabs are out of order.
-  EXPECT_NEAR(out_of_order, 3 * draws / 16, 3 * draws / 64);
-  EXPECT_EQ(in_order + out_of_order, 3 * draws);
+TEST_F(Csim, AcceptsRightResults) {
+  EXPECT_EQ(replay(right_, depth), 0);
+  EXPECT_NE(printed_.find("vectors.hex: 3 vectors, 0 mismatches\n"), std::string::npos) << printed_;
 }
 
-TEST(RandomOperands, FloatsAreOfAnyFormat) {
-  std::mt19937_64 random(seed);
-  int ordinary = 0;
-  constexpr int draws = 4000;
-  for (int i = 0; i < draws; ++i) {
-    const auto words = top::random_operands<OperandsOf<FpSlabsOperands>, FpFormat<5, 10>>(random);
-    // 2^-8 to 2 in binary16 has the exponents 7 to 15.
-    const auto is_ordinary = [](const top::OperandWord& x) {
-      const std::uint64_t exponent = x.word >> 10 & 31;
-      return x.port.kind == Kind::flag || (exponent >= 7 && exponent <= 15);
-    };
-    ordinary += std::all_of(words.begin(), words.end(), is_ordinary) ? 1 : 0;
-  }
-  EXPECT_NEAR(ordinary, draws * 7 / 8, draws / 32);
+TEST_F(Csim, FindsAResultThatIsNotWritten) {
+  EXPECT_EQ(replay(right_, depth_hit_alone), 1);
+  EXPECT_NE(printed_.find("3 vectors, 3 mismatches\n"), std::string::npos) << printed_;
 }
 
-TEST(RandomOperands, FloatsAreOrderedByTheirNumbers) {
-  const Operand port = real_operand("x", Role::other, Axis::none, 32);
-  const auto below = [&](std::uint64_t a, std::uint64_t b) { return top::is_below({port, a}, {port, b}); };
-  EXPECT_TRUE(below(0x3f800000, 0x40000000));  // 1 and 2
-  EXPECT_FALSE(below(0x40000000, 0x3f800000));
-  EXPECT_TRUE(below(0xc0000000, 0xbf800000));  // -2 and -1
-  EXPECT_FALSE(below(0xbf800000, 0xc0000000));
-  EXPECT_TRUE(below(0xbf800000, 0x3f800000));  // -1 and 1
+TEST_F(Csim, FindsOneWrongBitAndPrintsIt) {
+  EXPECT_EQ(replay(right_, depth_one_bit_wrong), 1);
+  EXPECT_NE(printed_.find("vector 0: a result is 4, expected 5\n"), std::string::npos) << printed_;
+  EXPECT_NE(printed_.find("3 vectors, 1 mismatches\n"), std::string::npos) << printed_;
+}
+
+TEST_F(Csim, RefusesFilesThatAreNoVectors) {
+  EXPECT_EQ(replay("", depth), 2);
+  EXPECT_NE(printed_.find("there are no vectors, or no such file\n"), std::string::npos) << printed_;
+  EXPECT_EQ(replay(right_ + "0123456789a\n", depth), 2);
+  EXPECT_NE(printed_.find("line 6: not a vector of 37 bits in 10 hexadecimal digits\n"), std::string::npos)
+      << printed_;
+  EXPECT_EQ(replay("000000000g\n", depth), 2);
+  char program[] = "csim";
+  char* arguments[] = {program};
+  EXPECT_EQ(top::csim(1, arguments, "/nowhere/vectors.hex", depth), 2);
 }
 
 }  // namespace

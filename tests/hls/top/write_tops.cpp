@@ -1,5 +1,5 @@
-// Writes the top function of every design into a folder, and a test of each. A design that does not have the
-// format takes its default one.
+// Writes into a folder the top function of every design, its vectors, and a program that replays them all. A
+// design that does not have the format takes its default one.
 #include <exception>
 #include <iostream>
 #include <string>
@@ -9,10 +9,14 @@
 
 #include "host/files.hpp"
 #include "rtl_gen/emit/hls_top.hpp"
+#include "rtl_gen/emit/testbench.hpp"
 
 using namespace hitpipe;
 
 namespace {
+
+constexpr int vector_count = 20'000;
+constexpr std::uint64_t seed = 91;
 
 rtl::Format format_of(const rtl::Design& design, const std::string& text) {
   const rtl::FormatFamily& family = design.default_format.family();
@@ -20,19 +24,32 @@ rtl::Format format_of(const rtl::Design& design, const std::string& text) {
   return numbers && family.valid(*numbers) ? rtl::Format(family, *numbers) : design.default_format;
 }
 
-std::vector<host::File> tops_and_tests(const std::string& text) {
+/// Half of the vectors hit.
+std::string vectors_of(const rtl::Design& design, const rtl::Format& format) {
+  const std::vector<rtl::Port> ports = design.ports(format);
+  rtl::DrawVectors draw(ports, {}, design.evaluate(format), seed);
+  std::vector<rtl::Vector> vectors;
+  for (int i = 0; i < vector_count; ++i) vectors.push_back(draw());
+  return rtl::vector_file(ports, ports, design.results(format), vectors);
+}
+
+std::vector<host::File> tops_and_program(const std::string& text) {
   std::vector<host::File> files;
-  std::string includes = "#include \"tests/hls/top/agreement.hpp\"\n", tests;
+  std::string includes = "#include \"hls/top/csim.hpp\"\n", calls;
   for (const rtl::Design& design : rtl::designs()) {
     const rtl::Format format = format_of(design, text);
     const std::string module(design.name);
     const rtl::HlsTop top = rtl::hls_top(design, format, module);
-    files.insert(files.end(), {top.header, top.source, top.csim});
-    includes += fmt::format("#include \"{}\"\n#include \"{}\"\n", design.source.header, top.header.name);
-    tests += fmt::format("TEST(Top, {}) {{\n  expect_agreement<{}, {}>({});\n}}\n", design.name,
-                         design.source.pipeline, format.type(), rtl::hls_function(module));
+    const std::string vectors = module + "_vectors.hex";
+    files.insert(files.end(), {top.header, top.source, {vectors, vectors_of(design, format)}});
+    includes += fmt::format("#include \"{}\"\n", top.header.name);
+    calls += fmt::format("  wrong += hitpipe::hls::top::csim(1, argv, \"{}\", {}) != 0;\n", vectors,
+                         rtl::hls_function(module));
   }
-  files.push_back({"tops_test.cpp", fmt::format("{}\nnamespace hitpipe::hls {{\n{}}}\n", includes, tests)});
+  files.push_back(
+      {"replay.cpp", fmt::format("{}\nint main(int /*argc*/, char** argv) {{\n  int wrong = 0;\n{}"
+                                 "  return wrong;\n}}\n",
+                                 includes, calls)});
   return files;
 }
 
@@ -44,7 +61,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    host::write_files(argv[1], tops_and_tests(argv[2]));
+    host::write_files(argv[1], tops_and_program(argv[2]));
   } catch (const std::exception& error) {
     std::cerr << "write_tops: " << error.what() << "\n";
     return 1;

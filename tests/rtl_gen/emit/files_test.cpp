@@ -83,9 +83,10 @@ TEST(Emit, AddsTheWrapperOnlyWhenAsked) {
 TEST(Emit, AddsTheTopFunctionOnlyWhenAsked) {
   for (const DesignFormat& d : every_design({"20/24"})) {
     const EmittedDesign with = emitted(d, {.hls = true});
-    EXPECT_EQ(names_of(with.hls), (std::vector<std::string>{
-                                      "hls/" + d.design + ".hpp", "hls/" + d.design + ".cpp",
-                                      "hls/" + d.design + "_csim.cpp", "hls/" + d.design + "_vitis_hls.tcl"}))
+    EXPECT_EQ(names_of(with.hls),
+              (std::vector<std::string>{"hls/" + d.design + ".hpp", "hls/" + d.design + ".cpp",
+                                        "hls/" + d.design + "_csim.cpp", "hls/" + d.design + "_vitis_hls.tcl",
+                                        "hls/" + d.design + "_hls.cfg", "hls/" + d.design + "_catapult.tcl"}))
         << d;
     std::vector<std::string> names = names_of(with.files());
     std::erase_if(names, [](const std::string& name) { return name.starts_with("hls/"); });

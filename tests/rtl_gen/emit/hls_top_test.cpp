@@ -1,6 +1,7 @@
-// The top function of a design as text, and the Vitis HLS script: run with stand-ins for the tool's own
-// commands by the Tcl that is in Yosys, it gives the right commands, and the test program beside it passes.
-// The tool itself is not run. tests/hls/top compiles the tops of all designs and compares their results.
+// The top function of a design as text, and the scripts for its tools: run with stand-ins for a tool's own
+// commands by the Tcl that is in Yosys, they give the right commands, and the test program beside them
+// passes. The tools themselves are not run. tests/hls/top compiles the tops of all designs and compares their
+// results.
 #include "rtl_gen/emit/hls_top.hpp"
 
 #include <sstream>
@@ -9,6 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "host/scratch_folder.hpp"
+#include "rtl_gen/catalogue/fp_formats.hpp"
+#include "rtl_gen/catalogue/int_formats.hpp"
+#include "rtl_gen/emit/testbench.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
@@ -28,24 +32,24 @@ HlsTop top_of(std::string_view name, std::string_view bits) {
 
 constexpr const char* stand_ins = R"(
 foreach name {open_project set_top add_files open_solution set_part create_clock csim_design csynth_design
-              export_design} {
+              export_design solution go directive} {
   proc $name {args} "puts \"> \[join \[linsert \$args 0 $name\]\]\""
 }
 rename exit leave
 proc exit {} { puts "> exit"; leave 0 }
-if {[catch {source [lindex [glob *_vitis_hls.tcl] 0]} message]} { puts "> error $message"; leave 1 }
+if {[catch {source [lindex [glob *_$::env(TOOL).tcl] 0]} message]} { puts "> error $message"; leave 1 }
 )";
 
-class VitisHls : public testing::Test {
+class HlsTools : public testing::Test {
  protected:
   void write(const HlsTop& top) {
     host::write_files(folder.path(), top.files());
     write_text(folder / "stand_ins.tcl", stand_ins);
   }
-  /// Commands that the script gives, settings as a shell writes them.
-  std::vector<std::string> commands(const std::string& settings) {
-    const ToolResult result =
-        run_tool(folder.path(), "yosys", "env", settings + " yosys -q -c stand_ins.tcl");
+  /// Commands that the script of a tool gives, settings as a shell writes them.
+  std::vector<std::string> commands(const std::string& tool, const std::string& settings) {
+    const ToolResult result = run_tool(folder.path(), "yosys", "env",
+                                       "TOOL=" + tool + " " + settings + " yosys -q -c stand_ins.tcl");
     std::istringstream lines(result.output);
     std::vector<std::string> list;
     std::string line;
@@ -54,8 +58,14 @@ class VitisHls : public testing::Test {
     }
     return list;
   }
-  /// Compiles the test program with the top that it is for, and runs it.
-  std::string simulated(const std::string& design) {
+  /// Compiles the test program with the top that it is for, and runs it on vectors of which half hit.
+  std::string simulated(const std::string& design, const Format& format) {
+    const std::vector<Port> ports = find_design(design).ports(format);
+    DrawVectors draw(ports, {}, find_design(design).evaluate(format), 17);
+    std::vector<Vector> vectors;
+    for (int i = 0; i < 1000; ++i) vectors.push_back(draw());
+    write_text(folder / (design + "_vectors.hex"),
+               vector_file(ports, ports, find_design(design).results(format), vectors));
     const ToolResult compiled =
         run_tool(folder.path(), "g++", HITPIPE_CXX,
                  std::string("-std=c++20 -O1 -Wall -Wextra -Wconversion -Wshadow -Werror '-I") +
@@ -104,7 +114,7 @@ void hitpipe_fp_slabs(top::Pattern<32> rx, top::Pattern<32> ry, top::Pattern<32>
                       top::Pattern<32> ri_inv, top::Pattern<32> rj_inv, top::Pattern<32> rk_inv,
                       top::Bit rinf, top::Pattern<32> xmin, top::Pattern<32> xmax, top::Pattern<32> ymin,
                       top::Pattern<32> ymax, top::Pattern<32> zmin, top::Pattern<32> zmax, top::Bit& hit) {
-#ifdef __SYNTHESIS__
+#if defined(__SYNTHESIS__) && !defined(HITPIPE_AC_TYPES)
 #pragma HLS PIPELINE II = 1
 #pragma HLS INTERFACE mode = ap_none port = rx
 #pragma HLS INTERFACE mode = ap_none port = ry
@@ -144,18 +154,17 @@ void hitpipe_fp_slabs(top::Pattern<32> rx, top::Pattern<32> ry, top::Pattern<32>
 )");
 }
 
-TEST(HlsTop, CsimComparesTheTopWithItsPipeline) {
+TEST(HlsTop, CsimReplaysVectorsThroughTheTop) {
   EXPECT_EQ(
       top_of("int_plucker", "12/12").csim.contents,
-      R"(// C simulation of the top function of int_plucker 12/12: its results against the native pipeline's.
-#include "hls/pipelines/int_plucker.hpp"
+      R"(// C simulation of the top function of int_plucker 12/12: replays vectors and compares the results.
+//   csim [FILE]    int_plucker_12_12_vectors.hex unless given
 #include "hls/top/csim.hpp"
+
 #include "int_plucker_12_12.hpp"
 
-using namespace hitpipe::hls;
-
-int main() {
-  return top::csim<IntPlucker, IntFormat<12, 12>>(hitpipe_int_plucker_12_12);
+int main(int argc, char** argv) {
+  return hitpipe::hls::top::csim(argc, argv, "int_plucker_12_12_vectors.hex", hitpipe_int_plucker_12_12);
 }
 )");
 }
@@ -163,8 +172,9 @@ int main() {
 TEST(HlsTop, FilesAreNamedAfterTheDesign) {
   std::vector<std::string> names;
   for (const host::File& file : top_of("fp_plucker", "fp32").files()) names.push_back(file.name);
-  EXPECT_THAT(names, ElementsAre("fp_plucker.hpp", "fp_plucker.cpp", "fp_plucker_csim.cpp",
-                                 "fp_plucker_vitis_hls.tcl"));
+  EXPECT_THAT(names,
+              ElementsAre("fp_plucker.hpp", "fp_plucker.cpp", "fp_plucker_csim.cpp",
+                          "fp_plucker_vitis_hls.tcl", "fp_plucker_hls.cfg", "fp_plucker_catapult.tcl"));
 }
 
 TEST(HlsTop, HasEveryPortOfEveryDesignOnce) {
@@ -200,7 +210,7 @@ TEST(HlsTop, IsFormattedAsTheProjectIs) {
   const host::ScratchFolder folder;
   for (const Design& design : designs()) {
     for (const host::File& file : hls_top(design, design.default_format, std::string(design.name)).files()) {
-      if (file.name.ends_with(".tcl")) continue;
+      if (file.name.ends_with(".tcl") || file.name.ends_with(".cfg")) continue;
       write_text(folder / file.name, file.contents);
       const ToolResult formatted =
           run_tool(folder.path(), "clang-format", "clang-format",
@@ -218,41 +228,79 @@ TEST(HlsTop, DesignThatDoesNotSayWhereItsCodeIsRejected) {
             "int_slabs: no top function for high-level synthesis; the design does not say where its C++ is");
 }
 
-TEST_F(VitisHls, GivesTheStepsInOrder) {
+TEST_F(HlsTools, VitisHlsGetsTheStepsInOrder) {
   write(top_of("int_plucker", "20/24"));
   EXPECT_THAT(
-      commands(sources + " PART=some-part CLOCK=4"),
+      commands("vitis_hls", sources + " PART=some-part CLOCK=4"),
       ElementsAre("open_project -reset hitpipe_int_plucker", "set_top hitpipe_int_plucker",
                   AllOf(StartsWith("add_files "), HasSubstr("/int_plucker.cpp -cflags"),
-                        HasSubstr(std::string("-std=c++20 -I") + HITPIPE_SOURCE + " -DHITPIPE_VENDOR")),
+                        HasSubstr(std::string("-std=c++14 -I") + HITPIPE_SOURCE + " -DHITPIPE_VENDOR")),
                   AllOf(StartsWith("add_files -tb "), HasSubstr("/int_plucker_csim.cpp -cflags")),
+                  AllOf(StartsWith("add_files -tb "), EndsWith("/tb/int_plucker_vectors.hex")),
                   "open_solution -reset solution", "set_part some-part", "create_clock -period 4",
-                  "csim_design", "csynth_design", "export_design -format ip_catalog", "exit"));
+                  AllOf(StartsWith("csim_design -argv "), EndsWith("/tb/int_plucker_vectors.hex")),
+                  "csynth_design", "export_design -format ip_catalog", "exit"));
 }
 
-TEST_F(VitisHls, FolderWithoutTheHeadersRejected) {
+TEST_F(HlsTools, CatapultGetsTheStepsInOrder) {
   write(top_of("int_plucker", "20/24"));
-  EXPECT_THAT(commands("INCLUDE=/nowhere"),
-              ElementsAre("error INCLUDE=/nowhere: there is no hls/top/top_domain.hpp in that folder"));
+  const std::vector<std::string> given = commands("catapult", sources + " CLOCK=4");
+  EXPECT_THAT(given,
+              ElementsAre("solution new -state initial", "solution options defaults",
+                          "solution options set /Input/CppStandard c++14",
+                          "solution options set /Input/CompilerFlags -DHITPIPE_AC_TYPES",
+                          std::string("solution options set /Input/SearchPath ") + HITPIPE_SOURCE,
+                          AllOf(StartsWith("solution file add "), EndsWith("/int_plucker.cpp -type C++")),
+                          AllOf(StartsWith("solution file add "),
+                                EndsWith("/int_plucker_csim.cpp -type C++ -exclude true")),
+                          "go analyze", "directive set -DESIGN_HIERARCHY hitpipe_int_plucker", "go compile",
+                          StartsWith("solution library add nangate-45nm_beh -- -rtlsyntool"), "go libraries",
+                          "directive set -CLOCKS clk {-CLOCK_PERIOD 4}", "go assembly",
+                          "directive set /hitpipe_int_plucker/core/main -PIPELINE_INIT_INTERVAL 1",
+                          "go architect", "go extract"));
 }
 
-TEST_F(VitisHls, TestProgramPassesOnIntegers) {
+TEST_F(HlsTools, UnifiedVitisReadsFilesThatAreThere) {
+  const HlsTop top = top_of("int_plucker", "12/12");
+  write(top);
+  std::istringstream lines(top.scripts.at(1).contents);
+  std::vector<std::string> files;
+  for (std::string line; std::getline(lines, line);) {
+    for (const std::string key : {"syn.file=", "tb.file="})
+      if (line.starts_with(key)) files.push_back(line.substr(key.size()));
+  }
+  EXPECT_THAT(files, ElementsAre("int_plucker_12_12.cpp", "int_plucker_12_12_csim.cpp",
+                                 "../tb/int_plucker_12_12_vectors.hex"));
+  for (int i = 0; i < 2; ++i)
+    EXPECT_TRUE(std::filesystem::exists(folder / files[static_cast<std::size_t>(i)]));
+  EXPECT_THAT(top.scripts.at(1).contents, HasSubstr("syn.top=hitpipe_int_plucker_12_12\n"));
+}
+
+TEST_F(HlsTools, FolderWithoutTheHeadersRejected) {
   write(top_of("int_plucker", "20/24"));
-  EXPECT_THAT(simulated("int_plucker"), AllOf(HasSubstr("10000 tests"), HasSubstr(" 0 mismatches\nexit 0")));
+  for (const char* const tool : {"vitis_hls", "catapult"}) {
+    EXPECT_THAT(commands(tool, "INCLUDE=/nowhere"),
+                ElementsAre("error INCLUDE=/nowhere: there is no hls/top/top_domain.hpp in that folder"));
+  }
 }
 
-TEST_F(VitisHls, TestProgramPassesOnFloats) {
+TEST_F(HlsTools, TestProgramPassesOnIntegers) {
+  write(top_of("int_plucker", "20/24"));
+  EXPECT_THAT(simulated("int_plucker", hls::IntBits{20, 24}), EndsWith("1000 vectors, 0 mismatches\nexit 0"));
+}
+
+TEST_F(HlsTools, TestProgramPassesOnFloats) {
   write(top_of("fp_slabs", "fp32"));
-  EXPECT_THAT(simulated("fp_slabs"), AllOf(HasSubstr("10000 tests"), HasSubstr(" 0 mismatches\nexit 0")));
+  EXPECT_THAT(simulated("fp_slabs", hls::FpBits{}), EndsWith("1000 vectors, 0 mismatches\nexit 0"));
 }
 
-TEST_F(VitisHls, TestProgramFindsAWrongTop) {
-  HlsTop top = top_of("int_slabs", "16/16");
+TEST_F(HlsTools, TestProgramFindsAWrongTop) {
+  HlsTop top = top_of("int_slabs", "20/24");
   std::string& text = top.source.contents;
   const std::string right = "in.ixmin = ixmin;";
   text.replace(text.find(right), right.size(), "in.ixmin = ixmin + ixmax;");
   write(top);
-  EXPECT_THAT(simulated("int_slabs_16_16"), HasSubstr("mismatches\nexit 1"));
+  EXPECT_THAT(simulated("int_slabs", hls::IntBits{20, 24}), HasSubstr("mismatches\nexit 1"));
 }
 
 }  // namespace
