@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "sw_ref/quantise/to_cube.hpp"
+
 namespace hitpipe::sim {
 
 namespace {
@@ -40,22 +42,9 @@ double Placement::place(double own, int axis) const {
 
 float Placement::plane(double own, int axis, Rounding side) const {
   if (!has_bounds_) return to_binary32(own, 0.0, side);
-  // (own - offset) * scale = product + rest. Knuth's two-sum gives the error of the difference, and fused
-  // operations give that of the product and the sum of both errors, rounded once.
-  const double offset = -transform_.offset[axis];
-  const double difference = own + offset;
-  const double part = difference - own;
-  const double lost = (own - (difference - part)) + (offset - part);
-  const double product = difference * transform_.scale;
-  const double error = std::fma(difference, transform_.scale, -product);
-  const double rest = std::fma(lost, transform_.scale, error);
-  // So small a product has an error that a double may not hold. A tie hides the sign of what `rest` lost.
-  constexpr double smallest_product = 0x1p-900;
-  const auto nearest = static_cast<float>(product);
-  const bool in_doubt =
-      (difference != 0 && std::abs(product) < smallest_product) || (rest != 0 && product - nearest == -rest);
-  if (in_doubt) return std::nextafter(nearest, side == Rounding::down ? -2.0F : 2.0F);
-  return to_binary32(product, rest, side);
+  const double offset = transform_.offset[axis];
+  return side == Rounding::up ? ref::plane_above(own, offset, transform_.scale)
+                              : ref::plane_below(own, offset, transform_.scale);
 }
 
 }  // namespace hitpipe::sim

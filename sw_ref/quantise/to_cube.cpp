@@ -18,10 +18,12 @@ float binary32_above(double most, double rest, bool in_doubt) {
   return below ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
 }
 
-/// The same for (own - offset) * scale. Knuth's two-sum has the error of the difference, and fused operations
-/// have that of the product and the sum of both errors, rounded once. A rounded sum of zero or one that is a
-/// tie with a binary32 does not tell on which side the exact one lies.
-float moved_up(double own, double offset, double scale) {
+}  // namespace
+
+// Knuth's two-sum has the error of the difference, and fused operations have that of the product and the sum
+// of both errors, rounded once. A rounded sum of zero or one that is a tie with a binary32 does not tell on
+// which side the exact one lies.
+float plane_above(double own, double offset, double scale) {
   const double difference = own - offset;
   const double back = difference - own;
   const double lost = (own - (difference - back)) - (offset + back);
@@ -32,13 +34,15 @@ float moved_up(double own, double offset, double scale) {
   return binary32_above(product, rest, difference != 0 && std::abs(product) < error_fits);
 }
 
-}  // namespace
+float plane_below(double own, double offset, double scale) {
+  return -plane_above(-own, -offset, scale);
+}
 
 Aabb box_to_cube(const BasicAabb<double>& box, const Normalisation& transform) {
   Aabb moved;
   for (int axis = 0; axis < 3; ++axis) {
-    moved.min[axis] = -moved_up(-box.min[axis], -transform.offset[axis], transform.scale);
-    moved.max[axis] = moved_up(box.max[axis], transform.offset[axis], transform.scale);
+    moved.min[axis] = plane_below(box.min[axis], transform.offset[axis], transform.scale);
+    moved.max[axis] = plane_above(box.max[axis], transform.offset[axis], transform.scale);
   }
   return moved;
 }

@@ -10,6 +10,11 @@
 
 namespace hitpipe::ref {
 
+/// The least binary32 that is not below the moved coordinate (own - offset) * scale; in doubt the next one.
+[[nodiscard]] float plane_above(double own, double offset, double scale);
+/// The greatest that is not above it, in the same way.
+[[nodiscard]] float plane_below(double own, double offset, double scale);
+
 /// The least box that holds the moved one, or in doubt a binary32 larger. A coordinate that binary32 cannot
 /// hold becomes infinite.
 [[nodiscard]] Aabb box_to_cube(const BasicAabb<double>& box, const Normalisation& transform);
