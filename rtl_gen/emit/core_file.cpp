@@ -9,11 +9,10 @@ namespace hitpipe::rtl {
 namespace {
 
 constexpr const char* check_target = R"(  check:
-    default_tool: verilator
+    flow: lint
+    flow_options: {{tool: verilator, verilator_options: [-Wall]}}
     filesets: [check]
     toplevel: {}_check
-    tools:
-      verilator: {{mode: lint-only, verilator_options: [-Wall]}}
 )";
 
 }  // namespace
@@ -40,7 +39,11 @@ filesets:
     file_type: verilogSource
 {3}  tb:
     files:
-      - tb/{0}_tb.v: {{file_type: verilogSource}}
+      - tb/{0}_tb.sv: {{file_type: systemVerilogSource}}
+      - tb/{0}_vectors.hex: {{file_type: user, copyto: {0}_vectors.hex}}
+  harness:
+    files:
+      - tb/{0}_harness.cpp: {{file_type: cppSource}}
       - tb/{0}_vectors.hex: {{file_type: user, copyto: {0}_vectors.hex}}
 
 targets:
@@ -48,24 +51,35 @@ targets:
     filesets: {4}
     toplevel: {5}
   lint:
-    default_tool: verilator
+    flow: lint
+    flow_options: {{tool: verilator, verilator_options: [-Wall]}}
     filesets: {4}
     toplevel: {5}
-    tools:
-      verilator: {{mode: lint-only, verilator_options: [-Wall]}}
   sim:
-    default_tool: icarus
+    flow: sim
+    flow_options: {{tool: icarus, iverilog_options: [-g2012, -Wall{6}]}}
     filesets: [rtl, tb]
     toplevel: {0}_tb
-    tools:
-      icarus: {{iverilog_options: [-g2001, -Wall{6}]}}
+  sim_verilator:
+    flow: sim
+    flow_options: {{tool: verilator, mode: binary, verilator_options: [-Wall{6}]}}
+    filesets: [rtl, tb]
+    toplevel: {0}_tb
+  harness:
+    flow: sim
+    flow_options: {{tool: verilator, mode: cc, verilator_options: [-Wall{6}]}}
+    filesets: [rtl, harness]
+    toplevel: {0}
   synth:
-    default_tool: yosys
+    flow: generic
+    flow_options: {{tool: yosys, arch: xilinx, output_format: edif}}
     filesets: {4}
     toplevel: {5}
-    tools:
-      yosys: {{arch: xilinx, output_format: edif}}
-      vivado: {{part: xc7a100tcsg324-1, pnr: none}}
+  synth_vivado:
+    flow: vivado
+    flow_options: {{part: xc7a100tcsg324-1, pnr: none}}
+    filesets: {4}
+    toplevel: {5}
 {8})",
                      module, design.summary, to_string(format), more, filesets, top,
                      parts.check ? ", -DHITPIPE_CHECK" : "", parts.check ? ", fitted" : "",

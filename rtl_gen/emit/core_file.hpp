@@ -1,5 +1,6 @@
-// The FuseSoC core file (CAPI 2) of an emitted design: targets default, lint (Verilator), sim (Icarus) and
-// synth (Yosys; Vivado with --tool). Paths are relative to the core file.
+// The FuseSoC core file (CAPI 2, flow API) of an emitted design. Its targets are default, lint (Verilator),
+// sim (Icarus), sim_verilator, harness (C++ around the Verilated unit), synth (Yosys) and synth_vivado. Paths
+// are relative to the core file.
 #pragma once
 
 #include <string>
@@ -9,8 +10,8 @@
 namespace hitpipe::rtl {
 
 struct CoreParts {
-  bool axi_stream = false;  ///< a fileset axis; the wrapper is the top of lint and synth
-  bool check = false;       ///< for a fitted unit: fileset and target check (lint); sim checks operands
+  bool axi_stream = false;  ///< a fileset axis; the wrapper is the top of default, lint and synth
+  bool check = false;  ///< for a fitted unit: fileset and target check (lint); simulations check operands
 };
 
 [[nodiscard]] std::string core_file(const Design& design, Format format, const std::string& module,

@@ -10,6 +10,7 @@
 #include "host/process.hpp"
 #include "rtl_gen/emit/axi_stream.hpp"
 #include "rtl_gen/emit/core_file.hpp"
+#include "rtl_gen/emit/harness.hpp"
 #include "rtl_gen/emit/hls_top.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
@@ -35,7 +36,7 @@ std::optional<File> drawing_of(const File& dot) {
   return File{std::filesystem::path(dot.name).replace_extension(".svg").string(), std::move(drawn.out)};
 }
 
-std::vector<Vector> vectors(Evaluate evaluate, const std::vector<Port>& left, const PrunedFrom* from) {
+std::vector<Vector> vectors_of(Evaluate evaluate, const std::vector<Port>& left, const PrunedFrom* from) {
   if (from == nullptr) return judged(operand_vectors(left, vector_count, vector_seed), evaluate);
   DrawVectors draw(from->ports, from->demands, evaluate, vector_seed);
   std::vector<Vector> drawn;
@@ -68,7 +69,7 @@ std::vector<File> stage_schematics(const Pipeline& pipeline, const std::vector<P
 }  // namespace
 
 std::vector<File> EmittedDesign::files() const {
-  std::vector<File> all{verilog, manifest, core, testbench, vectors};
+  std::vector<File> all{verilog, manifest, core, testbench, harness, makefile, vectors};
   if (check_module) all.push_back(*check_module);
   if (axi_stream) all.push_back(*axi_stream);
   all.insert(all.end(), schematics.begin(), schematics.end());
@@ -90,20 +91,24 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
     verilog = with_check_block(verilog, check_block(name, from->demands, from->ports, left));
     json = with_demand_fields(json, from->demands, from->report);
   }
+  const std::vector<Vector> vectors = vectors_of(design.evaluate(format), left, from);
+  const int count = static_cast<int>(vectors.size());
   const CoreParts parts{.axi_stream = options.axi_stream, .check = from != nullptr};
-  EmittedDesign emitted{.module = name,
-                        .verilog = {name + ".v", std::move(verilog)},
-                        .manifest = {name + ".json", std::move(json)},
-                        .core = {name + ".core", core_file(design, format, name, parts)},
-                        .testbench = {"tb/" + name + "_tb.v", testbench(name, left, results, vector_count)},
-                        .vectors = {"tb/" + name + "_vectors.hex",
-                                    vector_file(from == nullptr ? left : from->ports, left, results,
-                                                vectors(design.evaluate(format), left, from))},
-                        .check_module = {},
-                        .axi_stream = {},
-                        .schematics = stage_schematics(pipeline, design.ports(format), name,
-                                                       title + (from == nullptr ? "" : ", fitted")),
-                        .hls = {}};
+  EmittedDesign emitted{
+      .module = name,
+      .verilog = {name + ".v", std::move(verilog)},
+      .manifest = {name + ".json", std::move(json)},
+      .core = {name + ".core", core_file(design, format, name, parts)},
+      .testbench = {"tb/" + name + "_tb.sv", testbench(name, left, results, count)},
+      .harness = {"tb/" + name + "_harness.cpp", harness(name, left, results, count)},
+      .makefile = {"tb/Makefile", testbench_makefile()},
+      .vectors = {"tb/" + name + "_vectors.hex",
+                  vector_file(from == nullptr ? left : from->ports, left, results, vectors)},
+      .check_module = {},
+      .axi_stream = {},
+      .schematics =
+          stage_schematics(pipeline, design.ports(format), name, title + (from == nullptr ? "" : ", fitted")),
+      .hls = {}};
   if (from != nullptr)
     emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
   if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(name, left, results)};

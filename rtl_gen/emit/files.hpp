@@ -37,7 +37,9 @@ struct EmittedDesign {
   File verilog;                      ///< <module>.v
   File manifest;                     ///< <module>.json
   File core;                         ///< <module>.core, for FuseSoC
-  File testbench;                    ///< tb/<module>_tb.v
+  File testbench;                    ///< tb/<module>_tb.sv
+  File harness;                      ///< tb/<module>_harness.cpp
+  File makefile;                     ///< tb/Makefile, the same for all
   File vectors;                      ///< tb/<module>_vectors.hex
   std::optional<File> check_module;  ///< <module>_check.v, of a fitted unit
   std::optional<File> axi_stream;    ///< <module>_axis.v, if asked for

@@ -126,72 +126,140 @@ std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>&
 
 std::string testbench(const std::string& module, const std::vector<Port>& ports,
                       const std::vector<hls::Result>& results, int count) {
-  const int width = total_width(ports) + total_width(result_ports(results));
+  const int result_width = total_width(result_ports(results));
+  const int width = total_width(ports) + result_width;
   const std::vector<std::string> operands = fields("operands", ports, width);
   std::string connections;
   for (std::size_t i = 0; i < ports.size(); ++i)
     connections += fmt::format("    .{}({}),\n", ports[i].name, operands[i]);
   const ResultText result(results, "expected");
-  return fmt::format(R"(// Replays {1} against {0}.v with random gaps and stalls.
-//   iverilog -g2001 -o tb {0}_tb.v ../{0}.v && vvp tb
-module {0}_tb;
-  localparam COUNT = {2};
-  reg [{3}:0] vectors [0:COUNT-1];
-  reg clk, rst, in_valid, out_ready;
-  reg [15:0] sent, received;
-  integer seed, errors, cycles;
-  wire in_ready, out_valid{5};
-{6}  wire [15:0] out_tag;
-  wire [{3}:0] operands = vectors[sent];
-  wire [{3}:0] expected = vectors[received];
+  return fmt::format(
+      R"(// Replays {module}_vectors.hex against {module}.v with random gaps and stalls. Compares every result and
+// every tag. Prints PASS, or FAIL with the reason; $fatal then makes the exit code of the simulator non-zero.
+//   make icarus, make verilator or make waves; without make,
+//   in Icarus Verilog: iverilog -g2012 -o tb {module}_tb.sv ../{module}.v && vvp -n tb
+//   in Verilator: verilator --binary -Wall {module}_tb.sv ../{module}.v && obj_dir/V{module}_tb
+// +waves=FILE writes the waves of all signals (Verilator needs --trace too).
+module {module}_tb;
+  localparam integer COUNT = {count};
+  // A vector is a line of hexadecimal digits: the operands in port order, then the results.
+  localparam integer BITS = {width};
+  localparam integer RESULT_BITS = {result_width};
+  localparam integer DIGITS = (BITS + 3) / 4;
 
-  {0} #(.TAG_BITS(16)) dut (
-    .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_tag(sent),
+  reg [BITS-1:0] vectors [0:COUNT-1];
+  reg clk, rst, in_valid, out_ready;
+  integer sent, received, cycles;
+  reg [31:0] random;
+  reg [8*256-1:0] waves;
+  wire in_ready, out_valid{result_bits};
+{result_wires}  wire [15:0] out_tag;
+  wire [BITS-1:RESULT_BITS] operands = vectors[sent][BITS-1:RESULT_BITS];
+  wire [RESULT_BITS-1:0] expected = vectors[received][RESULT_BITS-1:0];
+
+  {module} #(.TAG_BITS(16)) dut (
+    .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_tag(sent[15:0]),
     .out_valid(out_valid), .out_ready(out_ready), .out_tag(out_tag),
-{4}{7}
+{connections}{result_connections}
   );
 
-  always #5 clk = ~clk;
+  // Unlike $readmemh, this sees every damage of the file, and sees the same in every simulator.
+  task read_vectors;
+    integer file, length, line, found;
+    reg in_comment;
+    reg [8*(DIGITS+1)-1:0] text;
+    reg [8*DIGITS-1:0] digits;
+    reg [BITS-1:0] vector;
+    begin
+      file = $fopen("{module}_vectors.hex", "r");
+      if (file == 0) begin
+        $display("FAIL {module}_vectors.hex: cannot be opened");
+        $fatal(1);
+      end
+      line = 1; found = 0; in_comment = 1'b0;
+      length = $fgets(text, file);
+      while (length != 0) begin
+        if (text[8*(length-1) +: 8] == "/") in_comment = 1'b1;
+        if (!in_comment && length > 1) begin
+          // A good line is the one that %h writes for its number.
+          if ($sscanf(text, "%h", vector) != 1) vector = {{BITS{{1'b0}}}};
+          $sformat(digits, "%h", vector);
+          if (text != {{digits, 8'h0a}} || ^vector === 1'bx) begin
+            $display("FAIL {module}_vectors.hex, line %0d: not %0d lower-case hexadecimal digits of %0d bits",
+                     line, DIGITS, BITS);
+            $fatal(1);
+          end
+          if (found < COUNT) vectors[found] = vector;
+          found = found + 1;
+        end
+        if (text[7:0] == 8'h0a) begin
+          in_comment = 1'b0;
+          line = line + 1;
+        end
+        length = $fgets(text, file);
+      end
+      $fclose(file);
+      if (found != COUNT) begin
+        $display("FAIL {module}_vectors.hex: %0d vectors, expected %0d", found, COUNT);
+        $fatal(1);
+      end
+    end
+  endtask
+
+  initial begin
+    clk = 1'b0;
+    forever #5 clk = ~clk;
+  end
 
   // Values change at the falling edge; handshakes are seen as they stand before the rising one.
   initial begin
-    $readmemh("{1}", vectors);
-    clk = 1'b0; rst = 1'b1; in_valid = 1'b0; out_ready = 1'b0;
-    sent = 16'd0; received = 16'd0; seed = 1; errors = 0; cycles = 0;
-    // Unread vectors would agree with themselves.
-    if (^{{vectors[0], vectors[COUNT-1]}} === 1'bx) begin
-      $display("FAIL {1}: not there, or not of %0d vectors", COUNT);
-      errors = 1;
+    if ($value$plusargs("waves=%s", waves)) begin
+      $dumpfile(waves);
+      $dumpvars(0, {module}_tb);
     end
+    rst = 1'b1; in_valid = 1'b0; out_ready = 1'b0;
+    sent = 0; received = 0; cycles = 0; random = 32'd1;
+    read_vectors;
     repeat (4) @(negedge clk);
     rst = 1'b0;
-    while (received != COUNT && errors == 0 && cycles < 16 * COUNT + 1000) begin
-      in_valid = sent != COUNT && ($random(seed) & 3) != 0;
-      out_ready = ($random(seed) & 3) != 0;
+    while (received != COUNT && cycles < 16 * COUNT + 1000) begin
+      // Gaps and stalls are the same in every simulator.
+      random = random ^ (random << 13);
+      random = random ^ (random >> 17);
+      random = random ^ (random << 5);
+      in_valid = sent != COUNT && random[9:8] != 2'd0;
+      out_ready = random[17:16] != 2'd0;
       #1;
       if (out_valid && out_ready) begin
-        if ({8} || out_tag !== received) begin
-          $display("FAIL vector %0d (%h): {9}tag %0d", received, expected, {10}out_tag);
-          errors = errors + 1;
+        if ({differences} || out_tag !== received[15:0]) begin
+          $display("FAIL vector %0d (%h): {formats}tag %0d", received, vectors[received],
+                   {values}out_tag);
+          $fatal(1);
         end
-        received = received + 16'd1;
+        received = received + 1;
       end
       if (in_valid && in_ready) begin
         @(posedge clk);
-        #1 sent = sent + 16'd1;
+        #1 sent = sent + 1;
       end
       @(negedge clk);
       cycles = cycles + 1;
     end
-    if (errors == 0 && received == COUNT) $display("PASS %0d vectors", received);
-    else if (errors == 0) $display("FAIL %0d of %0d vectors came back", received, COUNT);
+    if (received != COUNT) begin
+      $display("FAIL %0d of %0d vectors came back", received, COUNT);
+      $fatal(1);
+    end
+    $display("PASS %0d vectors", received);
     $finish;
   end
 endmodule
 )",
-                     module, module + "_vectors.hex", count, width - 1, connections, result.bits,
-                     result.wires, fmt::join(result.connections, ",\n"),
-                     fmt::join(result.differences, " || "), result.formats, result.values);
+      fmt::arg("module", module), fmt::arg("count", count), fmt::arg("width", width),
+      fmt::arg("result_width", result_width), fmt::arg("result_bits", result.bits),
+      fmt::arg("result_wires", result.wires), fmt::arg("connections", connections),
+      fmt::arg("result_connections", fmt::join(result.connections, ",\n")),
+      fmt::arg("differences", fmt::join(result.differences, " || ")), fmt::arg("formats", result.formats),
+      fmt::arg("values", result.values));
 }
 
 }  // namespace hitpipe::rtl

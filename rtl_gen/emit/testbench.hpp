@@ -1,4 +1,4 @@
-// Vectors for a design and a Verilog testbench that replays them in any simulator, without hitpipe.
+// Vectors for a design and a testbench that replays them in a simulator, without hitpipe.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,12 @@ namespace hitpipe::rtl {
                                       const std::vector<hls::Result>& results,
                                       const std::vector<Vector>& vectors);
 
-/// Sends the vectors with gaps and stalls, and compares every result and every tag. The last line printed is
-/// "PASS <n> vectors" or "FAIL" with the first mismatch.
+/// tb/<module>_tb.sv in SystemVerilog, for Icarus Verilog and Verilator. It sends the vectors with gaps and
+/// stalls, and compares every result and every tag. It prints "PASS <n> vectors"; or it prints "FAIL" with
+/// the first mismatch or what is wrong with the file, and ends with $fatal.
 [[nodiscard]] std::string testbench(const std::string& module, const std::vector<Port>& ports,
                                     const std::vector<hls::Result>& results, int count);
+/// tb/Makefile: icarus, verilator, harness and waves, for all units in the folder. It names none of them.
+[[nodiscard]] std::string testbench_makefile();
 
 }  // namespace hitpipe::rtl

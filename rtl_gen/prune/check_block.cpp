@@ -152,7 +152,7 @@ std::string check_block(const std::string& module, const Demands& demands, const
     tests += fmt::format("      if ({}) begin\n", *check.broken);
     tests += fmt::format("        $display(\"{}: {} is broken by", module, check.demand);
     for (const std::string& port : check.ports) tests += fmt::format(" {} = %h", port);
-    tests += fmt::format("\", {});\n        $finish;\n      end\n", fmt::join(check.ports, ", "));
+    tests += fmt::format("\", {});\n        $fatal(1);\n      end\n", fmt::join(check.ports, ", "));
   }
   if (tests.empty()) return text;
   return text + fmt::format(

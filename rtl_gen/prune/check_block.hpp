@@ -10,9 +10,9 @@ namespace hitpipe::rtl {
 
 /// A block for a module with these ports and with clk, rst, in_valid, in_ready. It is active when
 /// HITPIPE_CHECK is defined and SYNTHESIS is not. When an accepted operand breaks a demand it prints demand
-/// and operand and ends the simulation. `original` are the ports of the design before pruning. A comment
-/// names the demands on ports that are gone or too narrow to tell; check_module() checks those too. Empty
-/// without demands.
+/// and operand and ends the simulation with $fatal. `original` are the ports of the design before pruning. A
+/// comment names the demands on ports that are gone or too narrow to tell; check_module() checks those too.
+/// Empty without demands.
 [[nodiscard]] std::string check_block(const std::string& module, const Demands& demands,
                                       const std::vector<Port>& original, const std::vector<Port>& ports);
 

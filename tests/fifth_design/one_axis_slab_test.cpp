@@ -69,7 +69,7 @@ TEST(OneAxisSlab, IsEmittedDrawnAndLintClean) {
   EXPECT_EQ(lint.output, "");
   const rtl::ToolResult replay =
       rtl::run_tool(folder.path(), "iverilog", "iverilog",
-                    "-g2001 -Wall -o run tb/one_axis_slab_tb.v one_axis_slab.v && cd tb && vvp ../run");
+                    "-g2012 -Wall -o run tb/one_axis_slab_tb.sv one_axis_slab.v && cd tb && vvp ../run");
   EXPECT_NE(replay.output.find("PASS 1000 vectors"), std::string::npos) << replay.output;
 }
 

@@ -125,11 +125,12 @@ TEST(CosimCommand, WritesImageVerilogAndSchematicWhereTold) {
   const std::filesystem::path out = folder.path() / "a" / "b";
   const Outcome outcome = run_hitpipe(cosim({"--out", out.string(), "--format", "json"}));
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(files_below(out), (std::vector<std::string>{
-                                  "int_slabs.core", "int_slabs.json", "int_slabs.v", "int_slabs_stage_1.dot",
-                                  "int_slabs_stage_1.svg", "int_slabs_stage_4.dot", "int_slabs_stage_4.svg",
-                                  "int_slabs_stages_2-3.dot", "int_slabs_stages_2-3.svg", "spheres.png",
-                                  "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex"}));
+  EXPECT_EQ(files_below(out),
+            (std::vector<std::string>{
+                "int_slabs.core", "int_slabs.json", "int_slabs.v", "int_slabs_stage_1.dot",
+                "int_slabs_stage_1.svg", "int_slabs_stage_4.dot", "int_slabs_stage_4.svg",
+                "int_slabs_stages_2-3.dot", "int_slabs_stages_2-3.svg", "spheres.png", "tb/Makefile",
+                "tb/int_slabs_harness.cpp", "tb/int_slabs_tb.sv", "tb/int_slabs_vectors.hex"}));
   const json object = json::parse(outcome.out);
   EXPECT_EQ(object.at("image"), (out / "spheres.png").string());
   EXPECT_EQ(object.at("verilog"), (out / "int_slabs.v").string());

@@ -13,11 +13,19 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::vector<std::string> all_files{
-    "int_slabs.core",        "int_slabs.json",           "int_slabs.v",
-    "int_slabs_stage_1.dot", "int_slabs_stage_1.svg",    "int_slabs_stage_4.dot",
-    "int_slabs_stage_4.svg", "int_slabs_stages_2-3.dot", "int_slabs_stages_2-3.svg",
-    "tb/int_slabs_tb.v",     "tb/int_slabs_vectors.hex"};
+const std::vector<std::string> all_files{"int_slabs.core",
+                                         "int_slabs.json",
+                                         "int_slabs.v",
+                                         "int_slabs_stage_1.dot",
+                                         "int_slabs_stage_1.svg",
+                                         "int_slabs_stage_4.dot",
+                                         "int_slabs_stage_4.svg",
+                                         "int_slabs_stages_2-3.dot",
+                                         "int_slabs_stages_2-3.svg",
+                                         "tb/Makefile",
+                                         "tb/int_slabs_harness.cpp",
+                                         "tb/int_slabs_tb.sv",
+                                         "tb/int_slabs_vectors.hex"};
 
 class RtlCommand : public testing::Test {
  protected:
@@ -52,10 +60,10 @@ TEST_F(RtlCommand, PrintsStagesClockAndFiles) {
       "latency   4\n"
       "clock_ps  3,176\n";
   const char* label = "files     ";
-  for (const char* file :
-       {"int_slabs.v", "int_slabs.json", "int_slabs.core", "tb/int_slabs_tb.v", "tb/int_slabs_vectors.hex",
-        "int_slabs_stage_1.dot", "int_slabs_stages_2-3.dot", "int_slabs_stage_4.dot", "int_slabs_stage_1.svg",
-        "int_slabs_stages_2-3.svg", "int_slabs_stage_4.svg"}) {
+  for (const char* file : {"int_slabs.v", "int_slabs.json", "int_slabs.core", "tb/int_slabs_tb.sv",
+                           "tb/int_slabs_harness.cpp", "tb/Makefile", "tb/int_slabs_vectors.hex",
+                           "int_slabs_stage_1.dot", "int_slabs_stages_2-3.dot", "int_slabs_stage_4.dot",
+                           "int_slabs_stage_1.svg", "int_slabs_stages_2-3.svg", "int_slabs_stage_4.svg"}) {
     expected += label + (out_ / file).string() + "\n";
     label = "          ";
   }

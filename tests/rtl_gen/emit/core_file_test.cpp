@@ -75,19 +75,43 @@ class CoreFile : public testing::TestWithParam<DesignFormat> {
   std::string sources(const std::string& target) {
     std::string list;
     for (const Placed& file : place(target)) {
-      if (file.type == "verilogSource") list += " " + file.name;
+      if (file.type == "verilogSource" || file.type == "systemVerilogSource") list += " " + file.name;
     }
     return list;
   }
   [[nodiscard]] std::string top(const std::string& target) const {
     return core.at("targets").at(target).at("toplevel");
   }
-  [[nodiscard]] std::string options(const std::string& target, const std::string& tool) const {
+  [[nodiscard]] const Json& flow_options(const std::string& target) const {
+    return core.at("targets").at(target).at("flow_options");
+  }
+  [[nodiscard]] std::string options(const std::string& target) const {
+    const std::string tool = flow_options(target).at("tool");
     std::string list;
-    for (const Json& option : core.at("targets").at(target).at("tools").at(tool).at(
-             tool == "icarus" ? "iverilog_options" : "verilator_options"))
+    for (const Json& option :
+         flow_options(target).at(tool == "icarus" ? "iverilog_options" : "verilator_options"))
       list += option.get<std::string>() + " ";
     return list;
+  }
+  /// Verilator with a target's files, top and options, and with more options.
+  void expect_lint_clean(const std::string& target, const std::string& more = "") {
+    const std::string files = sources(target);
+    const ToolResult result =
+        run_tool(folder / "work" / target, "verilator", "verilator",
+                 "--lint-only " + more + options(target) + "--top-module " + top(target) + files);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.output, "");
+  }
+  void expect_icarus_to_pass() {
+    const std::string files = sources("sim");
+    const std::filesystem::path root = folder / "work" / "sim";
+    const ToolResult compiled =
+        run_tool(root, "iverilog", "iverilog", options("sim") + "-o sim -s " + top("sim") + files);
+    ASSERT_EQ(compiled.status, 0) << compiled.output;
+    EXPECT_EQ(compiled.output, "");
+    const ToolResult replay = run_tool(root, "iverilog", "vvp", "-n sim");
+    EXPECT_EQ(replay.status, 0);
+    EXPECT_THAT(replay.output, testing::HasSubstr("PASS 1000 vectors"));
   }
 
   ScratchFolder folder;
@@ -98,12 +122,17 @@ TEST_P(CoreFile, HasItsFilesetsAndTargets) {
   read_core(false);
   EXPECT_EQ(core.at("name"), "hitpipe:ray_box:" + GetParam().module() + ":" HITPIPE_VERSION);
   EXPECT_THAT(core.at("description").get<std::string>(), testing::EndsWith(" at " + GetParam().format));
-  EXPECT_EQ(core.at("targets").size(), 4U);
+  EXPECT_EQ(core.at("targets").size(), 7U);
   EXPECT_FALSE(core.at("filesets").contains("axis"));
   EXPECT_EQ(top("default"), GetParam().design);
-  EXPECT_EQ(core.at("targets").at("lint").at("default_tool"), "verilator");
-  EXPECT_EQ(core.at("targets").at("sim").at("default_tool"), "icarus");
-  EXPECT_EQ(core.at("targets").at("synth").at("default_tool"), "yosys");
+  EXPECT_EQ(flow_options("lint").at("tool"), "verilator");
+  EXPECT_EQ(flow_options("sim").at("tool"), "icarus");
+  EXPECT_EQ(flow_options("sim_verilator").at("tool"), "verilator");
+  EXPECT_EQ(flow_options("sim_verilator").at("mode"), "binary");
+  EXPECT_EQ(flow_options("harness").at("tool"), "verilator");
+  EXPECT_EQ(flow_options("harness").at("mode"), "cc");
+  EXPECT_EQ(flow_options("synth").at("tool"), "yosys");
+  EXPECT_EQ(flow_options("synth_vivado").at("pnr"), "none");
 }
 
 TEST_P(CoreFile, LintTargetIsSilentWithAndWithoutTheWrapper) {
@@ -111,55 +140,46 @@ TEST_P(CoreFile, LintTargetIsSilentWithAndWithoutTheWrapper) {
     std::filesystem::remove_all(folder / "work");
     read_core(axi_stream);
     EXPECT_EQ(top("lint"), GetParam().design + (axi_stream ? "_axis" : ""));
-    const std::string files = sources("lint");
-    const ToolResult result =
-        run_tool(folder / "work" / "lint", "verilator", "verilator",
-                 "--lint-only " + options("lint", "verilator") + "--top-module " + top("lint") + files);
-    EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(result.output, "");
+    expect_lint_clean("lint");
   }
 }
 
 TEST_P(CoreFile, SimTargetPasses) {
   read_core(false);
-  const std::string files = sources("sim");
-  const std::filesystem::path root = folder / "work" / "sim";
-  const ToolResult compiled =
-      run_tool(root, "iverilog", "iverilog", options("sim", "icarus") + "-o sim -s " + top("sim") + files);
-  ASSERT_EQ(compiled.status, 0) << compiled.output;
-  EXPECT_EQ(compiled.output, "");
-  EXPECT_THAT(run_tool(root, "iverilog", "vvp", "sim").output, testing::HasSubstr("PASS 1000 vectors"));
+  expect_icarus_to_pass();
+}
+
+TEST_P(CoreFile, VerilatorTargetsAreLintClean) {
+  read_core(false);
+  EXPECT_EQ(top("sim_verilator"), GetParam().design + "_tb");
+  expect_lint_clean("sim_verilator", "--timing ");
+  EXPECT_EQ(top("harness"), GetParam().design);
+  expect_lint_clean("harness");
+  EXPECT_TRUE(std::filesystem::exists(folder / "work/harness/tb" / (GetParam().design + "_harness.cpp")));
+  EXPECT_TRUE(std::filesystem::exists(folder / "work/harness" / (GetParam().design + "_vectors.hex")));
 }
 
 TEST_P(CoreFile, OfAFittedUnitHasItsCheckModule) {
   read_fitted_core();
   EXPECT_THAT(core.at("description").get<std::string>(), testing::EndsWith(GetParam().format + ", fitted"));
-  EXPECT_EQ(core.at("targets").size(), 5U);
+  EXPECT_EQ(core.at("targets").size(), 8U);
   EXPECT_EQ(top("check"), GetParam().design + "_check");
   EXPECT_EQ(sources("check"), " " + GetParam().design + "_check.v");
-  const ToolResult result = run_tool(folder / "work" / "check", "verilator", "verilator",
-                                     "--lint-only " + options("check", "verilator") + "--top-module " +
-                                         top("check") + " " + GetParam().design + "_check.v");
-  EXPECT_EQ(result.status, 0);
-  EXPECT_EQ(result.output, "");
+  std::filesystem::remove_all(folder / "work");
+  expect_lint_clean("check");
 }
 
 TEST_P(CoreFile, SimTargetOfAFittedUnitPassesWithItsChecksOn) {
   read_fitted_core();
-  const std::string files = sources("sim");
-  const std::filesystem::path root = folder / "work" / "sim";
-  EXPECT_THAT(options("sim", "icarus"), testing::HasSubstr("-DHITPIPE_CHECK "));
-  const ToolResult compiled =
-      run_tool(root, "iverilog", "iverilog", options("sim", "icarus") + "-o sim -s " + top("sim") + files);
-  ASSERT_EQ(compiled.status, 0) << compiled.output;
-  EXPECT_EQ(compiled.output, "");
-  EXPECT_THAT(run_tool(root, "iverilog", "vvp", "sim").output, testing::HasSubstr("PASS 1000 vectors"));
+  for (const char* const target : {"sim", "sim_verilator", "harness"})
+    EXPECT_THAT(options(target), testing::HasSubstr("-DHITPIPE_CHECK ")) << target;
+  expect_icarus_to_pass();
 }
 
 TEST_P(CoreFile, SynthTargetHasItsTop) {
   read_core(true);
   const std::string files = sources("synth");
-  EXPECT_EQ(core.at("targets").at("synth").at("tools").at("yosys").at("arch"), "xilinx");
+  EXPECT_EQ(flow_options("synth").at("arch"), "xilinx");
   const ToolResult result =
       run_tool(folder / "work" / "synth", "yosys", "yosys",
                "-q -p 'read_verilog" + files + "; hierarchy -check -top " + top("synth") + "'");
@@ -168,6 +188,36 @@ TEST_P(CoreFile, SynthTargetHasItsTop) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, CoreFile, testing::ValuesIn(every_design({"20/24"})), design_suffix);
+
+/// FuseSoC itself, where it is installed.
+TEST(FuseSoC, RunsTheTargetsAndFailsWithAWrongVector) {
+  const ScratchFolder folder;
+  if (host::run({"sh", "-c", "command -v fusesoc"}).out.empty())
+    GTEST_SKIP() << "fusesoc was not found: its targets are run by a script alone";
+  const DesignFormat d{"int_slabs", "6/6"};
+  host::write_files(folder / "rtl", emit(d.found(), d.parsed(), Library::thesis(), d.pipeline()).files());
+  const auto run = [&](const std::string& target) {
+    return run_tool(folder.path(), "fusesoc", "fusesoc",
+                    "--cores-root rtl run --target=" + target + " hitpipe:ray_box:int_slabs");
+  };
+  const ToolResult lint = run("lint");
+  EXPECT_EQ(lint.status, 0) << lint.output;
+  for (const char* const target : {"sim", "sim_verilator", "harness"}) {
+    const ToolResult good = run(target);
+    EXPECT_EQ(good.status, 0) << good.output;
+    EXPECT_THAT(good.output, testing::HasSubstr("PASS 1000 vectors")) << target;
+  }
+  const std::filesystem::path vectors = folder / "rtl/tb/int_slabs_vectors.hex";
+  std::string text = read_text(vectors);
+  char& last_hit = text[text.size() - 2];
+  last_hit = "1032547698badcfe"[std::stoi(std::string(1, last_hit), nullptr, 16)];
+  write_text(vectors, text);
+  for (const char* const target : {"sim", "sim_verilator", "harness"}) {
+    const ToolResult bad = run(target);
+    EXPECT_NE(bad.status, 0) << target;
+    EXPECT_THAT(bad.output, testing::HasSubstr("FAIL vector 999 (")) << target;
+  }
+}
 
 }  // namespace
 }  // namespace hitpipe::rtl

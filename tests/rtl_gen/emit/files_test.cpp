@@ -34,7 +34,9 @@ TEST(Emit, NamesEveryPart) {
   EXPECT_EQ(d.verilog.name, "int_slabs.v");
   EXPECT_EQ(d.manifest.name, "int_slabs.json");
   EXPECT_EQ(d.core.name, "int_slabs.core");
-  EXPECT_EQ(d.testbench.name, "tb/int_slabs_tb.v");
+  EXPECT_EQ(d.testbench.name, "tb/int_slabs_tb.sv");
+  EXPECT_EQ(d.harness.name, "tb/int_slabs_harness.cpp");
+  EXPECT_EQ(d.makefile.name, "tb/Makefile");
   EXPECT_EQ(d.vectors.name, "tb/int_slabs_vectors.hex");
   EXPECT_EQ(d.axi_stream.value().name, "int_slabs_axis.v");
   EXPECT_FALSE(d.check_module.has_value());
@@ -50,6 +52,8 @@ TEST(Emit, PutsInEveryPartWhatItIs) {
   EXPECT_TRUE(d.core.contents.starts_with("CAPI=2:"));
   for (const File& each : d.schematics) EXPECT_TRUE(each.contents.starts_with("digraph"));
   EXPECT_NE(d.testbench.contents.find("module int_slabs_tb;"), std::string::npos);
+  EXPECT_NE(d.harness.contents.find("#include \"Vint_slabs.h\""), std::string::npos);
+  EXPECT_NE(d.makefile.contents.find("harness:"), std::string::npos);
   EXPECT_EQ(std::count(d.vectors.contents.begin(), d.vectors.contents.end(), '\n'), 1000);
   EXPECT_NE(d.axi_stream.value().contents.find("module int_slabs_axis #("), std::string::npos);
 }
@@ -62,9 +66,10 @@ TEST(Emit, GivesTheStageSchematicsOfAFloatDesign) {
 
 TEST(Emit, FilesAreAllPartsEachOnce) {
   EXPECT_EQ(names_of(emitted({"int_slabs", "20/24"}, {.axi_stream = true}).files()),
-            (std::vector<std::string>{"int_slabs.v", "int_slabs.json", "int_slabs.core", "tb/int_slabs_tb.v",
-                                      "tb/int_slabs_vectors.hex", "int_slabs_axis.v", "int_slabs_stage_1.dot",
-                                      "int_slabs_stages_2-3.dot", "int_slabs_stage_4.dot"}));
+            (std::vector<std::string>{"int_slabs.v", "int_slabs.json", "int_slabs.core", "tb/int_slabs_tb.sv",
+                                      "tb/int_slabs_harness.cpp", "tb/Makefile", "tb/int_slabs_vectors.hex",
+                                      "int_slabs_axis.v", "int_slabs_stage_1.dot", "int_slabs_stages_2-3.dot",
+                                      "int_slabs_stage_4.dot"}));
 }
 
 TEST(Emit, AddsTheWrapperOnlyWhenAsked) {

@@ -28,8 +28,8 @@ class SeveralResults : public testing::Test {
                       emit(design, at, Library::thesis(), pipeline, {.axi_stream = true}).files());
   }
   [[nodiscard]] std::string replayed() const {
-    const ToolResult compiled = run_tool(folder / "tb", "iverilog", "iverilog",
-                                         "-g2001 -Wall -Wno-timescale -o tb two_boxes_tb.v ../two_boxes.v");
+    const ToolResult compiled =
+        run_tool(folder / "tb", "iverilog", "iverilog", "-g2012 -Wall -o tb two_boxes_tb.sv ../two_boxes.v");
     EXPECT_EQ(compiled.output, "");
     return run_tool(folder / "tb", "iverilog", "vvp", "-n tb").output;
   }

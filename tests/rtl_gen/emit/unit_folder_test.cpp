@@ -60,7 +60,7 @@ TEST_F(UnitFolder, WrittenAgainHasOnlyWhatIsAskedFor) {
   EXPECT_FALSE(has("int_slabs_12_12_axis.v"));
   EXPECT_FALSE(has("hls")) << "nothing is left in it";
   EXPECT_TRUE(has("int_slabs_12_12.v"));
-  EXPECT_TRUE(has("tb/int_slabs_12_12_tb.v"));
+  EXPECT_TRUE(has("tb/int_slabs_12_12_tb.sv"));
 }
 
 TEST_F(UnitFolder, AnotherDesignUnderTheSameNameLeavesNothingOfTheFirst) {

@@ -52,7 +52,7 @@ class Fitted {
         to_verilog(pipeline, Library::thesis(), {.module_name = name, .bits = to_string(format)});
     write_text(folder / (name + ".v"), with_check_block(verilog, check_block(name, demands, ports, left)));
     std::filesystem::create_directories(folder / "tb");
-    write_text(folder / "tb" / (name + "_tb.v"), testbench(name, left, design.results(format), vectors));
+    write_text(folder / "tb" / (name + "_tb.sv"), testbench(name, left, design.results(format), vectors));
   }
   void write_vectors(const ScratchFolder& folder,
                      const std::vector<std::vector<std::int64_t>>& vectors) const {
@@ -87,12 +87,15 @@ class Fitted {
 
 void compile(const ScratchFolder& folder, const std::string& name) {
   const ToolResult compiled = run_tool(folder / "tb", "iverilog", "iverilog",
-                                       "-g2001 -DHITPIPE_CHECK -o tb " + name + "_tb.v ../" + name + ".v");
+                                       "-g2012 -DHITPIPE_CHECK -o tb " + name + "_tb.sv ../" + name + ".v");
   ASSERT_EQ(compiled.status, 0) << compiled.output;
 }
 
+/// What the testbench prints. The exit code must agree.
 std::string replayed(const ScratchFolder& folder) {
-  return run_tool(folder / "tb", "iverilog", "vvp", "-n tb").output;
+  const ToolResult result = run_tool(folder / "tb", "iverilog", "vvp", "-n tb");
+  EXPECT_EQ(result.status == 0, result.output.find("PASS") != std::string::npos) << result.output;
+  return result.output;
 }
 
 class FittedVerilog : public testing::TestWithParam<DesignFormat> {
@@ -189,13 +192,13 @@ TEST(CheckBlock, TestsOnlyWhatAPortCanBreak) {
       "`ifdef HITPIPE_CHECK\n`ifndef SYNTHESIS\n  always @(posedge clk) begin\n    if (in_valid && in_ready "
       "&& !rst) begin\n"
       "      if (!($signed(a) <= 8'sh5)) begin\n"
-      "        $display(\"unit: a in [-128, 5] is broken by a = %h\", a);\n        $finish;\n      end\n"
+      "        $display(\"unit: a in [-128, 5] is broken by a = %h\", a);\n        $fatal(1);\n      end\n"
       "      if (!(($signed(b) >= 8'shf7 && $signed(b) <= 8'shff) || ($signed(b) >= 8'sh1 && $signed(b) <= "
       "8'sh9))) begin\n"
-      "        $display(\"unit: b in [-9, -1] or [1, 9] is broken by b = %h\", b);\n        $finish;\n"
+      "        $display(\"unit: b in [-9, -1] or [1, 9] is broken by b = %h\", b);\n        $fatal(1);\n"
       "      end\n"
       "      if ($signed(a) > $signed(b)) begin\n"
-      "        $display(\"unit: a <= b is broken by a = %h b = %h\", a, b);\n        $finish;\n      end\n"
+      "        $display(\"unit: a <= b is broken by a = %h b = %h\", a, b);\n        $fatal(1);\n      end\n"
       "    end\n  end\n`endif\n`endif\n");
 }
 
@@ -212,14 +215,15 @@ TEST(CheckBlock, NamesWhatNarrowPortsCannotTell) {
   const std::vector<Port> ports{{"a", 8, true}, {"b", 8, true}};
   const Demands demands{{{"a", {{3, 3}}}, {"b", {{-7, -3}}}}, {}};
   // b is -8 and what its three bits say.
-  EXPECT_EQ(check_block("unit", demands, ports, {{"b", 3, false}}),
-            "\n  // Demands that the unit was fitted to.\n"
-            "  //   a = 3: not seen at these ports\n"
-            "`ifdef HITPIPE_CHECK\n`ifndef SYNTHESIS\n  always @(posedge clk) begin\n    if (in_valid && "
-            "in_ready && !rst) begin\n"
-            "      if (!(b >= 3'h1 && b <= 3'h5)) begin\n"
-            "        $display(\"unit: b in [-7, -3] is broken by b = %h\", b);\n        $finish;\n      end\n"
-            "    end\n  end\n`endif\n`endif\n");
+  EXPECT_EQ(
+      check_block("unit", demands, ports, {{"b", 3, false}}),
+      "\n  // Demands that the unit was fitted to.\n"
+      "  //   a = 3: not seen at these ports\n"
+      "`ifdef HITPIPE_CHECK\n`ifndef SYNTHESIS\n  always @(posedge clk) begin\n    if (in_valid && "
+      "in_ready && !rst) begin\n"
+      "      if (!(b >= 3'h1 && b <= 3'h5)) begin\n"
+      "        $display(\"unit: b in [-7, -3] is broken by b = %h\", b);\n        $fatal(1);\n      end\n"
+      "    end\n  end\n`endif\n`endif\n");
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ class Lint : public testing::TestWithParam<DesignFormat> {
 
 TEST_P(Lint, VerilatorIsSilent) {
   expect_silence("verilator", "verilator", "--lint-only -Wall " + name + ".v");
+  expect_silence(
+      "verilator", "verilator",
+      "--lint-only --timing -Wall --top-module " + name + "_tb tb/" + name + "_tb.sv " + name + ".v");
 }
 
 TEST_P(Lint, YosysIsSilent) {
@@ -39,7 +42,7 @@ TEST_P(Lint, YosysIsSilent) {
 
 TEST_P(Lint, IcarusIsSilent) {
   expect_silence("iverilog", "iverilog", "-g2001 -Wall -o design " + name + ".v");
-  expect_silence("iverilog", "iverilog", "-g2001 -Wall -o testbench tb/" + name + "_tb.v " + name + ".v");
+  expect_silence("iverilog", "iverilog", "-g2012 -Wall -o testbench tb/" + name + "_tb.sv " + name + ".v");
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, Lint, testing::ValuesIn(every_design()), design_suffix);

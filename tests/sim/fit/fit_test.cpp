@@ -192,7 +192,7 @@ TEST(FittedFiles, TestbenchPassesInIcarusWithTheChecksOn) {
   host::write_files(folder.path(), fitted_files(unit, library()).files());
   const rtl::ToolResult compiled =
       rtl::run_tool(folder / "tb", "iverilog", "iverilog",
-                    "-g2001 -Wall -DHITPIPE_CHECK -o tb int_slabs_12_12_tb.v ../int_slabs_12_12.v "
+                    "-g2012 -Wall -DHITPIPE_CHECK -o tb int_slabs_12_12_tb.sv ../int_slabs_12_12.v "
                     "../int_slabs_12_12_check.v");
   ASSERT_EQ(compiled.status, 0) << compiled.output;
   EXPECT_THAT(rtl::run_tool(folder / "tb", "iverilog", "vvp", "tb").output, HasSubstr("PASS 1000 vectors"));

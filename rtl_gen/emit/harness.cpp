@@ -1,0 +1,183 @@
+#include "rtl_gen/emit/harness.hpp"
+
+#include <fmt/format.h>
+
+namespace hitpipe::rtl {
+
+std::string harness(const std::string& module, const std::vector<Port>& ports,
+                    const std::vector<hls::Result>& results, int count) {
+  int width = 0;
+  for (const Port& port : ports) width += port.width;
+  for (const hls::Result& result : results) width += result.width;
+  std::string operands;
+  std::string comparisons;
+  int above = width;
+  for (const Port& port : ports) {
+    operands +=
+        fmt::format("  set(dut.{}, bits(vector, {}, {}));\n", port.name, above - 1, above - port.width);
+    above -= port.width;
+  }
+  for (const hls::Result& result : results) {
+    comparisons += fmt::format("  text += difference(\"{0}\", dut.{0}, bits(vector, {1}, {2}));\n",
+                               result.name, above - 1, above - result.width);
+    above -= result.width;
+  }
+  return fmt::format(
+      R"(// Drives {module}, which Verilator compiles to C++, with the vectors of {module}_vectors.hex. Tests go in and
+// results come out through the valid/ready handshake, with random gaps and stalls. Every result and every tag
+// is compared. It is an example: start your own testbench from it.
+//   make harness              builds and runs it: PASS and exit code 0, or FAIL and exit code 1
+//   make harness WAVES=vcd    also writes {module}.vcd; WAVES=fst writes {module}.fst
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <verilated.h>
+#if VM_TRACE_FST
+#include <verilated_fst_c.h>
+using Waves = VerilatedFstC;
+#elif VM_TRACE
+#include <verilated_vcd_c.h>
+using Waves = VerilatedVcdC;
+#endif
+
+#include "V{module}.h"
+
+namespace {{
+
+// A vector is a line of hexadecimal digits: {width} bits, the operands in port order and then the results.
+constexpr std::size_t vector_count = {count};
+constexpr std::size_t digit_count = {digits};
+constexpr char most_in_first_digit = '{first_digit}';
+
+/// Bits high..low of a number in hexadecimal digits.
+std::uint64_t bits(const std::string& digits, int high, int low) {{
+  std::uint64_t value = 0;
+  for (int bit = high; bit >= low; --bit) {{
+    const char digit = digits[digits.size() - 1 - static_cast<std::size_t>(bit / 4)];
+    const int nibble = digit <= '9' ? digit - '0' : digit - 'a' + 10;
+    value = value << 1 | static_cast<std::uint64_t>(nibble >> bit % 4 & 1);
+  }}
+  return value;
+}}
+
+/// The lines of the file; empty ones and comments (//) are skipped.
+std::vector<std::string> read_vectors(const std::string& name) {{
+  std::ifstream file(name);
+  if (!file) throw std::runtime_error(name + ": cannot be opened");
+  std::vector<std::string> vectors;
+  std::string text;
+  for (int line = 1; std::getline(file, text); ++line) {{
+    if (text.empty() || text.compare(0, 2, "//") == 0) continue;
+    if (text.size() != digit_count || text.find_first_not_of("0123456789abcdef") != std::string::npos ||
+        text.front() > most_in_first_digit)
+      throw std::runtime_error(name + ", line " + std::to_string(line) +
+                               ": not {digits} lower-case hexadecimal digits of {width} bits");
+    vectors.push_back(text);
+  }}
+  if (vectors.size() != vector_count)
+    throw std::runtime_error(name + ": " + std::to_string(vectors.size()) + " vectors, expected " +
+                             std::to_string(vector_count));
+  return vectors;
+}}
+
+/// A port of 8, 16, 32 or 64 bits, as Verilator declares it. Bits above the port's width must be 0.
+template <class Port>
+void set(Port& port, std::uint64_t value) {{
+  port = static_cast<Port>(value);
+}}
+
+void set_operands(V{module}& dut, const std::string& vector) {{
+{operands}}}
+
+std::string difference(const char* name, std::uint64_t found, std::uint64_t expected) {{
+  if (found == expected) return "";
+  return std::string(" ") + name + " " + std::to_string(found) + ", expected " + std::to_string(expected) + ";";
+}}
+
+/// Empty when results and tag are right.
+std::string differences(const V{module}& dut, const std::string& vector, std::uint64_t tag) {{
+  std::string text;
+{comparisons}  text += difference("tag", dut.out_tag, tag);
+  return text;
+}}
+
+void run() {{
+  const std::vector<std::string> vectors = read_vectors("{module}_vectors.hex");
+  VerilatedContext context;
+#if VM_TRACE
+  context.traceEverOn(true);
+#endif
+  V{module} dut{{&context}};
+#if VM_TRACE
+  Waves waves;
+  dut.trace(&waves, 99);
+  waves.open(VM_TRACE_FST ? "{module}.fst" : "{module}.vcd");
+#endif
+  const auto eval_with_clock = [&](bool clock) {{
+    dut.clk = clock;
+    dut.eval();
+#if VM_TRACE
+    waves.dump(context.time());
+#endif
+    context.timeInc(5);
+  }};
+
+  dut.in_valid = 0;
+  dut.out_ready = 0;
+  dut.rst = 1;
+  eval_with_clock(false);
+  eval_with_clock(true);
+  dut.rst = 0;
+
+  std::mt19937 random(1);
+  std::size_t sent = 0;
+  std::size_t received = 0;
+  for (std::size_t cycle = 0; received < vectors.size(); ++cycle) {{
+    if (cycle > 16 * vectors.size() + 1000)
+      throw std::runtime_error(std::to_string(received) + " of " + std::to_string(vectors.size()) +
+                               " vectors came back");
+    // Before the rising edge: offer a test and take a result, each in three cycles of four.
+    dut.in_valid = sent < vectors.size() && random() % 4 != 0;
+    dut.out_ready = random() % 4 != 0;
+    if (dut.in_valid) {{
+      set_operands(dut, vectors[sent]);
+      set(dut.in_tag, sent & 0xffff);
+    }}
+    eval_with_clock(false);
+    // The handshakes count as they stand now.
+    if (dut.in_valid && dut.in_ready) ++sent;
+    if (dut.out_valid && dut.out_ready) {{
+      const std::string text = differences(dut, vectors[received], received & 0xffff);
+      if (!text.empty())
+        throw std::runtime_error("vector " + std::to_string(received) + " (" + vectors[received] + "):" + text);
+      ++received;
+    }}
+    eval_with_clock(true);
+  }}
+  std::printf("PASS %zu vectors\n", received);
+}}
+
+}}  // namespace
+
+int main() {{
+  try {{
+    run();
+  }} catch (const std::exception& error) {{
+    std::printf("FAIL %s\n", error.what());
+    return 1;
+  }}
+}}
+)",
+      fmt::arg("module", module), fmt::arg("width", width), fmt::arg("count", count),
+      fmt::arg("digits", (width + 3) / 4), fmt::arg("first_digit", "137f"[(width + 3) % 4]),
+      fmt::arg("operands", operands), fmt::arg("comparisons", comparisons));
+}
+
+}  // namespace hitpipe::rtl

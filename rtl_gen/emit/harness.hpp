@@ -1,0 +1,17 @@
+// A C++ program that drives the unit as Verilator compiles it, for engineers to start their own from. It
+// replays the vectors as the testbench does, without hitpipe.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rtl_gen/catalogue/design.hpp"
+
+namespace hitpipe::rtl {
+
+/// Sends the `count` vectors of tb/<module>_vectors.hex with gaps and stalls, and compares every result and
+/// every tag. Prints "PASS <n> vectors" and returns 0, or prints "FAIL" with the reason and returns 1.
+[[nodiscard]] std::string harness(const std::string& module, const std::vector<Port>& ports,
+                                  const std::vector<hls::Result>& results, int count);
+
+}  // namespace hitpipe::rtl
