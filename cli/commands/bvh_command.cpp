@@ -12,6 +12,8 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "host/files.hpp"
+#include "sw_ref/bvh/bvh_text.hpp"
 #include "sw_ref/bvh/statistics.hpp"
 #include "sw_ref/bvh/sweep.hpp"
 
@@ -22,6 +24,8 @@ namespace {
 struct BvhCommand {
   SceneChoice scene;
   ref::BuildOptions build;
+  std::string bvh;
+  std::string out;
   bool sweep = false;
   Format format = Format::text;
 };
@@ -41,33 +45,45 @@ Row leaf_sizes(const std::vector<std::size_t>& leaves_of) {
   return sizes;
 }
 
-Row record(const BvhCommand& command, const ref::Scene& scene, const ref::BvhStatistics& s, double seconds) {
-  return {{"scene", scene.name},
-          {"triangles", s.triangles},
-          {"degenerate_dropped", scene.mesh.degenerate_dropped},
-          {"builder", builder_name(command.build.builder)},
-          {"max_triangles", command.build.max_triangles},
-          {"bvh_nodes", s.nodes},
-          {"leaves", s.leaves},
-          {"depth", s.depth},
-          {"triangles_per_leaf", s.mean_in_leaf()},
-          {"triangles_in_largest_leaf", s.most_in_leaf()},
-          {"leaves_by_triangles", leaf_sizes(s.leaves_of)},
-          {"sah_cost", s.sah_cost},
-          {"child_overlap_pct", 100.0 * s.child_overlap},
-          {"node_bytes", s.node_bytes},
-          {"order_bytes", s.order_bytes},
-          {"build_seconds", seconds}};
+Row record(const BvhCommand& command, const ref::Scene& scene, const ref::LoadedBvh& hierarchy,
+           double seconds) {
+  const ref::BvhStatistics s = ref::statistics(hierarchy.bvh);
+  Row row{{"scene", scene.name},
+          {"triangles", scene.mesh.triangles.size()},
+          {"degenerate_dropped", scene.mesh.dropped.size()}};
+  if (command.bvh.empty()) {
+    row["builder"] = builder_name(command.build.builder);
+    row["max_triangles"] = command.build.max_triangles;
+  } else {
+    row["bvh"] = command.bvh;
+    row["bvh_boxes_grown"] = hierarchy.boxes_grown;
+  }
+  row.update({{"bvh_nodes", s.nodes},
+              {"leaves", s.leaves},
+              {"depth", s.depth},
+              {"triangles_per_leaf", s.mean_in_leaf()},
+              {"triangles_in_largest_leaf", s.most_in_leaf()},
+              {"leaves_by_triangles", leaf_sizes(s.leaves_of)},
+              {"sah_cost", s.sah_cost},
+              {"child_overlap_pct", 100.0 * s.child_overlap},
+              {"node_bytes", s.node_bytes},
+              {"order_bytes", s.order_bytes},
+              {command.bvh.empty() ? "build_seconds" : "read_seconds", seconds}});
+  return row;
 }
 
 void print_one(const BvhCommand& command, const ref::Scene& scene) {
-  std::optional<Progress> progress("building the hierarchy");
+  std::optional<Progress> progress(command.bvh.empty() ? "building the hierarchy" : "reading the hierarchy");
   const auto start = std::chrono::steady_clock::now();
-  const ref::Bvh bvh = ref::build_bvh(scene.mesh, command.build);
+  const ref::LoadedBvh hierarchy = make_hierarchy(command.bvh, scene, command.build);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const ref::BvhStatistics statistics = ref::statistics(bvh);
+  Row row = record(command, scene, hierarchy, seconds.count());
+  if (!command.out.empty()) {
+    host::write_file(command.out, ref::bvh_text(hierarchy.bvh, scene.mesh));
+    row["file"] = command.out;
+  }
   progress.reset();
-  fmt::print("{}", record_text(record(command, scene, statistics, seconds.count()), command.format));
+  fmt::print("{}", record_text(row, command.format));
 }
 
 void print_sweep(const BvhCommand& command, const ref::Scene& scene) {
@@ -114,8 +130,13 @@ void add_bvh_command(CLI::App& program, int& /*exit_code*/) {
     command->remove_option(command->get_option(of_an_image));
   }
   add_build_options(*command, options->build);
+  add_bvh_file_option(*command, options->bvh);
+  command->add_option("--out", options->out, "Write the hierarchy to this file, which --bvh reads")
+      ->type_name("FILE");
   command->add_flag("--sweep", options->sweep, "A row for each leaf size of Appendix B, 1 to 512 triangles")
-      ->excludes("--max-triangles");
+      ->excludes("--max-triangles")
+      ->excludes("--bvh")
+      ->excludes("--out");
   add_format_option(*command, options->format);
   command->callback([options] { report(*options); });
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/options/build_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
@@ -28,6 +29,7 @@ namespace fs = std::filesystem;
 struct CosimCommand {
   DesignChoice choice;
   SceneChoice scene;
+  std::string bvh;
   int rays_in_flight = 32;
   bool referee = false;
   std::string unit;
@@ -45,7 +47,7 @@ sim::WrittenUnit unit_of(const CosimCommand& command) {
 }
 
 Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref::Scene& scene,
-           const ref::Bvh& bvh, const sim::CosimResult& r) {
+           const ref::LoadedBvh& hierarchy, const sim::CosimResult& r) {
   const auto judged = [](std::optional<std::uint64_t> count) { return count ? Row(*count) : Row(nullptr); };
   // Where each test answers for one box, tests and boxes are the same.
   const bool several_boxes = command.choice.design().boxes_per_test() > 1;
@@ -53,12 +55,13 @@ Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref:
           {"bits", rtl::to_string(unit.format)},
           {"scene", scene.name},
           {"triangles", scene.mesh.triangles.size()},
-          {"degenerate_dropped", scene.mesh.degenerate_dropped},
-          {"bvh_nodes", bvh.nodes.size()},
-          {"rays_primary", r.rays_primary},
-          {"rays_secondary", r.rays_secondary},
-          {"rays_shadow", r.rays_shadow},
-          {"rays_rejected", r.rejected}};
+          {"degenerate_dropped", scene.mesh.dropped.size()},
+          {"bvh_nodes", hierarchy.bvh.nodes.size()}};
+  if (!command.bvh.empty()) row.update({{"bvh", command.bvh}, {"bvh_boxes_grown", hierarchy.boxes_grown}});
+  row.update({{"rays_primary", r.rays_primary},
+              {"rays_secondary", r.rays_secondary},
+              {"rays_shadow", r.rays_shadow},
+              {"rays_rejected", r.rejected}});
   if (several_boxes) row["unit_tests"] = r.unit.tests;
   row.update({{"box_tests", r.unit.box_tests},
               {"hits", r.unit.hits},
@@ -96,7 +99,7 @@ int cosimulate(const CosimCommand& command) {
 
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
-  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const ref::LoadedBvh hierarchy = make_hierarchy(command.bvh, scene);
   progress.emplace("compiling the Verilog");
   const sim::VerilatedDesign verilated = sim::verilate(design, unit);
   const fs::path folder = command.out;
@@ -110,7 +113,7 @@ int cosimulate(const CosimCommand& command) {
   }
   progress.emplace("co-simulating");
   const sim::CosimResult result =
-      sim::cosimulate_unit(design, unit, verilated, scene, bvh,
+      sim::cosimulate_unit(design, unit, verilated, scene, hierarchy.bvh,
                            {.width = command.scene.width,
                             .height = command.scene.height,
                             .rays_in_flight = command.rays_in_flight,
@@ -120,7 +123,7 @@ int cosimulate(const CosimCommand& command) {
                             .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
-  Row row = record(command, unit, scene, bvh, result);
+  Row row = record(command, unit, scene, hierarchy, result);
   if (!command.out.empty()) {
     const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
     ref::write_image(image, command.scene.width, command.scene.height, result.image);
@@ -157,6 +160,7 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
       ->excludes("--bits")
       ->type_name("DIR|MANIFEST");
   add_scene_options(*command, options->scene);
+  add_bvh_file_option(*command, options->bvh);
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight,
                    {1, sim::RayUnit::most_rays_in_flight}, "Rays that share one pipeline")
       ->capture_default_str();

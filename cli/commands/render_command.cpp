@@ -24,6 +24,7 @@ namespace {
 struct RenderCommand {
   SceneChoice scene;
   ref::BuildOptions build;
+  std::string bvh;
   TraceChoice trace;
   ref::WhittedOptions light;
   std::string out;
@@ -68,11 +69,11 @@ void render_scene(const RenderCommand& command) {
   const ref::TracerOptions tracing = command.trace.options();
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
-  progress.emplace("building the hierarchy");
+  progress.emplace(command.bvh.empty() ? "building the hierarchy" : "reading the hierarchy");
   ref::BuildOptions build = command.build;
   build.threads = command.scene.threads;
-  const ref::Bvh bvh = ref::build_bvh(scene.mesh, build);
-  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, bvh, tracing);
+  const ref::LoadedBvh hierarchy = make_hierarchy(command.bvh, scene, build);
+  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, hierarchy.bvh, tracing);
   progress.emplace("rendering");
   const auto start = std::chrono::steady_clock::now();
   const ref::RenderResult result = ref::render(scene, *tracer,
@@ -90,18 +91,19 @@ void render_scene(const RenderCommand& command) {
   Row row{{"scene", scene.name},
           {"stands_for", scene.stand_in_for},
           {"triangles", scene.mesh.triangles.size()},
-          {"degenerate_dropped", scene.mesh.degenerate_dropped},
-          {"bvh_nodes", tracer->node_count()},
-          {"bytes_per_node", tracer->bytes_per_node()},
-          {"node_bytes", tracer->node_count() * tracer->bytes_per_node()},
-          {"rays_primary", counts.primary.rays},
-          {"rays_secondary", counts.secondary.rays},
-          {"rays_shadow", counts.shadow.rays},
-          {"surface_points", result.shading.surface_points},
-          {"light_evaluations", result.shading.light_evaluations},
-          {"queue_bytes_primary", result.shading.queue_bytes_of(ref::RayKind::primary)},
-          {"queue_bytes_secondary", result.shading.queue_bytes_of(ref::RayKind::secondary)},
-          {"queue_bytes_shadow", result.shading.queue_bytes_of(ref::RayKind::shadow)}};
+          {"degenerate_dropped", scene.mesh.dropped.size()},
+          {"bvh_nodes", tracer->node_count()}};
+  if (!command.bvh.empty()) row.update({{"bvh", command.bvh}, {"bvh_boxes_grown", hierarchy.boxes_grown}});
+  row.update({{"bytes_per_node", tracer->bytes_per_node()},
+              {"node_bytes", tracer->node_count() * tracer->bytes_per_node()},
+              {"rays_primary", counts.primary.rays},
+              {"rays_secondary", counts.secondary.rays},
+              {"rays_shadow", counts.shadow.rays},
+              {"surface_points", result.shading.surface_points},
+              {"light_evaluations", result.shading.light_evaluations},
+              {"queue_bytes_primary", result.shading.queue_bytes_of(ref::RayKind::primary)},
+              {"queue_bytes_secondary", result.shading.queue_bytes_of(ref::RayKind::secondary)},
+              {"queue_bytes_shadow", result.shading.queue_bytes_of(ref::RayKind::shadow)}});
   add_work(row, counts, "box_tests", &ref::TraceCounts::box_tests);
   add_work(row, counts, "triangle_tests", &ref::TraceCounts::triangle_tests);
   add_work(row, counts, "nodes_loaded", &ref::TraceCounts::nodes_loaded);
@@ -126,6 +128,7 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   add_scene_options(*command, options->scene);
   add_bounces_option(*command, options->light);
   add_build_options(*command, options->build);
+  add_bvh_file_option(*command, options->bvh);
   add_trace_options(*command, options->trace);
   const auto file = [&](const char* name, std::string& value, const char* what) {
     command->add_option(name, value, what)->type_name("FILE");

@@ -56,4 +56,23 @@ void add_build_options(CLI::App& command, ref::BuildOptions& options) {
       ->type_name("n");
 }
 
+void add_bvh_file_option(CLI::App& command, std::string& file) {
+  const auto named = [](const std::string& name) {
+    return name.empty() ? "is empty; give the name of a file" : std::string();
+  };
+  CLI::Option* const option =
+      command.add_option("--bvh", file, "Take the hierarchy of boxes from this file instead of building one")
+          ->check(named)
+          ->type_name("FILE");
+  for (const char* const of_a_build : {"--builder", "--max-triangles", "--max-depth", "--grid-bits"}) {
+    if (CLI::Option* const other = command.get_option_no_throw(of_a_build)) option->excludes(other);
+  }
+}
+
+ref::LoadedBvh make_hierarchy(const std::string& file, const ref::Scene& scene,
+                              const ref::BuildOptions& build) {
+  if (file.empty()) return {ref::build_bvh(scene.mesh, build)};
+  return ref::load_bvh(file, scene, build.padding);
+}
+
 }  // namespace hitpipe::cli

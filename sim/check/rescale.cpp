@@ -78,7 +78,7 @@ MovedScene moved(const ref::SceneDescription& scene, const Transform& transform)
 Picture picture(const ref::SceneDescription& scene, const PictureOptions& options) {
   const ref::Scene placed = ref::place(scene);
   Picture result = rendered(placed, options);
-  result.degenerate_dropped = placed.mesh.degenerate_dropped - scene.mesh.degenerate_dropped;
+  result.degenerate_dropped = placed.mesh.dropped.size() - scene.mesh.dropped.size();
   const std::vector<std::uint32_t> numbers = numbers_before_placing(scene.mesh, placed.mesh);
   for (std::uint32_t& triangle : result.triangles) {
     if (triangle != ref::Hit::none) triangle = numbers[triangle];

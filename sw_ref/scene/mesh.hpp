@@ -14,7 +14,9 @@ struct Mesh {
   std::vector<glm::vec3> normals;       ///< one unit vector per vertex for smooth shading; empty: flat
   std::vector<glm::uvec3> triangles;    ///< indices into `vertices`
   std::vector<std::uint8_t> materials;  ///< one per triangle, index into Scene::materials; empty: all 0
-  std::size_t degenerate_dropped = 0;   ///< triangles without area that the reader or the normaliser left out
+  /// Triangles without area that the reader or the normaliser left out, by their numbers in the source,
+  /// ascending. The source numbers all its triangles from 0.
+  std::vector<std::uint32_t> dropped;
 
   struct Corners {
     glm::vec3 a, b, c;

@@ -30,9 +30,9 @@
 #include <fmt/format.h>
 #include <glm/mat4x4.hpp>
 
-#include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/reject.hpp"
 #include "sw_ref/scene/ply_check.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -224,18 +224,17 @@ Mesh import(const std::filesystem::path& file, std::vector<MeshGroup>& groups) {
   return flatten(*scene, groups);
 }
 
-void drop_degenerate(Mesh& mesh, std::vector<MeshGroup>& groups) {
-  std::uint32_t kept = 0;
+/// The groups without the triangles that were dropped.
+void renumber(std::vector<MeshGroup>& groups, const std::vector<std::uint32_t>& dropped) {
+  const auto kept_below = [&](std::uint32_t number) {
+    const auto gone = std::lower_bound(dropped.begin(), dropped.end(), number) - dropped.begin();
+    return number - static_cast<std::uint32_t>(gone);
+  };
   for (MeshGroup& group : groups) {
-    const std::uint32_t first = kept;
-    for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
-      if (has_area(mesh.corners(i))) mesh.triangles[kept++] = mesh.triangles[i];
-    }
-    group.first = first;
-    group.count = kept - first;
+    const std::uint32_t end = kept_below(group.first + group.count);
+    group.first = kept_below(group.first);
+    group.count = end - group.first;
   }
-  mesh.degenerate_dropped += mesh.triangles.size() - kept;
-  mesh.triangles.resize(kept);
 }
 
 std::uint64_t hash(const glm::vec3& p) {
@@ -293,10 +292,11 @@ Mesh load_mesh(const std::filesystem::path& file, std::vector<MeshGroup>& groups
     check_file(file);
     Mesh mesh = import(file, groups);
     if (mesh.triangles.empty()) reject("has no triangle; at least one is needed");
-    drop_degenerate(mesh, groups);
+    drop_degenerate(mesh);
+    renumber(groups, mesh.dropped);
     if (mesh.triangles.empty())
       reject(fmt::format("has only triangles without area ({}); at least one with area is needed",
-                         mesh.degenerate_dropped));
+                         mesh.dropped.size()));
     join_positions(mesh);
     return mesh;
   } catch (const std::bad_alloc&) {

@@ -8,7 +8,7 @@
 
 #include <glm/common.hpp>
 
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
 
 namespace hitpipe::ref {
 
@@ -55,17 +55,8 @@ void normalise(Mesh& mesh, const Normalisation& normalisation) {
     vertex = used[v] ? normalised(glm::dvec3(vertex), normalisation)
                      : glm::clamp(glm::vec3(normalisation.to_cube(glm::dvec3(vertex))), -bound, bound);
   }
-  std::size_t kept = 0;
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (!has_area(mesh.corners(i))) continue;
-    mesh.triangles[kept] = mesh.triangles[i];
-    if (!mesh.materials.empty()) mesh.materials[kept] = mesh.materials[i];
-    ++kept;
-  }
-  mesh.degenerate_dropped += mesh.triangles.size() - kept;
-  mesh.triangles.resize(kept);
-  if (!mesh.materials.empty()) mesh.materials.resize(kept);
-  if (kept == 0)
+  drop_degenerate(mesh);
+  if (mesh.triangles.empty())
     throw std::runtime_error(
         "scene: no triangle keeps an area when its corners are rounded to binary32 in the cube; at least one "
         "must");

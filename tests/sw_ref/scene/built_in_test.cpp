@@ -51,7 +51,7 @@ TEST_P(BuiltIn, IsWhatItsTablePromises) {
   EXPECT_EQ(scene.name, promised.name);
   EXPECT_EQ(scene.stand_in_for, promised.stands_for);
   EXPECT_EQ(scene.lights.size(), static_cast<std::size_t>(promised.lights));
-  EXPECT_EQ(scene.mesh.degenerate_dropped, 0U);
+  EXPECT_EQ(scene.mesh.dropped.size(), 0U);
   ASSERT_EQ(scene.mesh.materials.size(), scene.mesh.triangles.size());
   EXPECT_LT(*std::max_element(scene.mesh.materials.begin(), scene.mesh.materials.end()),
             scene.materials.size());

@@ -173,13 +173,13 @@ TEST_F(MeshFile, GlbIsRead) {
 TEST_F(MeshFile, PolygonsAreTriangulatedAndLinesDropped) {
   const Mesh mesh = load("m.obj", obj_corners + "v 1 1 0\nv 0.5 0.5 1\nf 1 2 4 3\nl 1 5\nf -5 -4 -1\n");
   EXPECT_EQ(mesh.triangles.size(), 3U);
-  EXPECT_EQ(mesh.degenerate_dropped, 0U);
+  EXPECT_EQ(mesh.dropped.size(), 0U);
 }
 
 TEST_F(MeshFile, DegenerateTrianglesAreDroppedAndCounted) {
   const Mesh mesh = load("m.obj", obj_corners + "v 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 3\nf 2 4 3\n");
   EXPECT_EQ(mesh.triangles.size(), 2U);
-  EXPECT_EQ(mesh.degenerate_dropped, 2U);
+  EXPECT_EQ(mesh.dropped.size(), 2U);
 }
 
 TEST_F(MeshFile, UnusedVerticesAreLeftOut) {

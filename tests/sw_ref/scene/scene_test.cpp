@@ -96,7 +96,7 @@ TEST(Placing, TrianglesThatLoseTheirAreaAreDroppedWithTheirMaterial) {
   const Scene placed = place(scene);
   EXPECT_EQ(placed.mesh.triangles, (std::vector<glm::uvec3>{{0, 2, 3}, {1, 2, 3}}));
   EXPECT_EQ(placed.mesh.materials, (std::vector<std::uint8_t>{5, 7}));
-  EXPECT_EQ(placed.mesh.degenerate_dropped, 1U);
+  EXPECT_EQ(placed.mesh.dropped.size(), 1U);
 
   scene.mesh.triangles = {{0, 1, 4}};
   scene.mesh.materials = {6};

@@ -14,7 +14,7 @@ namespace {
 TEST(Spheres, HasTheTrianglesAndLightsOfTheThesis) {
   const Scene scene = load_scene("spheres");
   EXPECT_EQ(scene.mesh.triangles.size(), 24'578U);
-  EXPECT_EQ(scene.mesh.degenerate_dropped, 0U);
+  EXPECT_EQ(scene.mesh.dropped.size(), 0U);
   EXPECT_EQ(scene.lights.size(), 2U);
   for (int ball = 1; ball <= 12; ++ball)
     EXPECT_EQ(std::count(scene.mesh.materials.begin(), scene.mesh.materials.end(), ball), 2'048) << ball;
