@@ -40,8 +40,14 @@ bool WordReader::next_line() {
         c = peek();
       }
     }
-    if (c == end_of_file) return false;
-    if (c != '\n' && !is_blank(c)) return true;
+    if (c == end_of_file) {
+      line_ = last_with_words_;
+      return false;
+    }
+    if (c != '\n' && !is_blank(c)) {
+      last_with_words_ = line_;
+      return true;
+    }
     line_ += c == '\n' ? 1 : 0;
     ++at_;
   }

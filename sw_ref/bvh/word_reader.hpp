@@ -25,7 +25,7 @@ class WordReader {
   bool next_line();
   /// The next word of the line; empty at its end. It is valid until the next call of a function.
   std::string_view word();
-  /// Of the current line, from 1. At the end of the file, of the last line.
+  /// Of the current line, from 1. At the end of the file, of the last line with a word.
   [[nodiscard]] std::uint64_t line() const { return line_; }
 
  private:
@@ -43,6 +43,7 @@ class WordReader {
   std::size_t at_ = 0;
   std::size_t end_ = 0;
   std::uint64_t line_ = 1;
+  std::uint64_t last_with_words_ = 1;
   bool started_ = false;
 };
 
