@@ -22,7 +22,7 @@ bool is_blank(int c) {
 
 }  // namespace
 
-WordReader::WordReader(const std::filesystem::path& file) : buffer_(std::size_t{1} << 20U) {
+WordReader::WordReader(const std::filesystem::path& file) : buffer_(std::size_t{1} << 16U) {
   file_.reset(std::fopen(file.c_str(), "rbe"));
   if (!file_) reject_errno(errno);
 }
