@@ -6,17 +6,23 @@
 
 namespace hitpipe::sim {
 
-std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
-                         const std::vector<rtl::Port>& ports, const std::vector<hls::Result>& results) {
+std::string drive_lines(const std::vector<rtl::Port>& ports, const std::vector<rtl::Port>& operands,
+                        const char* array) {
   std::string drive;
   for (const rtl::Port& port : ports) {
     const auto operand = std::find_if(operands.begin(), operands.end(),
                                       [&](const rtl::Port& each) { return each.name == port.name; });
     // A Verilated port must not be given bits above its width.
     const std::uint64_t mask = port.width >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << port.width) - 1;
-    drive +=
-        fmt::format("    top.{0} = operands[{1}] & {2:#x}LL;\n", port.name, operand - operands.begin(), mask);
+    drive += fmt::format("    top.{0} = {3}[{1}] & {2:#x}LL;\n", port.name, operand - operands.begin(), mask,
+                         array);
   }
+  return drive;
+}
+
+std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
+                         const std::vector<rtl::Port>& ports, const std::vector<hls::Result>& results,
+                         const MorePins& more) {
   std::string read;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const hls::Result& result = results[i];
@@ -54,18 +60,19 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
   top.out_ready = pins->out_ready;
   if (pins->in_valid) {{
 {1}  }}
-  top.eval();
+{4}  top.eval();
   pins->in_ready = top.in_ready;
   pins->out_valid = top.out_valid;
   pins->hit = top.{2};
   pins->out_tag = top.out_tag;
   if (pins->results != nullptr) {{
 {3}  }}
-  top.clk = 1;
+{5}  top.clk = 1;
   top.eval();
 }}
 )",
-                     module, drive, results[rtl::place_of_hit(results)].name, read);
+                     module, drive_lines(ports, operands, "operands"),
+                     results[rtl::place_of_hit(results)].name, read, more.drive, more.read);
 }
 
 }  // namespace hitpipe::sim

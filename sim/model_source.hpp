@@ -8,10 +8,19 @@
 
 namespace hitpipe::sim {
 
+/// Lines before and after the outputs are settled, for pins that only some modules have.
+struct MorePins {
+  std::string drive{}, read{};
+};
+
+/// Lines that give each port its number from an array of all operands.
+[[nodiscard]] std::string drive_lines(const std::vector<rtl::Port>& ports,
+                                      const std::vector<rtl::Port>& operands, const char* array);
+
 /// `ports` are the module's, each named as one of the operands, of which it takes as many low bits as it has.
 /// `results` are the design's, each an output of the module.
 [[nodiscard]] std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
                                        const std::vector<rtl::Port>& ports,
-                                       const std::vector<hls::Result>& results);
+                                       const std::vector<hls::Result>& results, const MorePins& more = {});
 
 }  // namespace hitpipe::sim

@@ -24,10 +24,17 @@ const RayUnit::Setup& checked(const RayUnit::Setup& setup) {
   if (setup.rays_in_flight < 1 || setup.rays_in_flight > RayUnit::most_rays_in_flight)
     throw std::invalid_argument(fmt::format("{} rays in flight: allowed is 1 to {}", setup.rays_in_flight,
                                             RayUnit::most_rays_in_flight));
+  if (const auto& slots = setup.verilated->ray_slots()) check_slots(setup.rays_in_flight, slots->slots());
   return setup;
 }
 
 }  // namespace
+
+void check_slots(int rays_in_flight, int slots) {
+  if (rays_in_flight > slots)
+    throw std::invalid_argument(fmt::format(
+        "{} rays in flight: each needs a slot, and there are {} ray slots", rays_in_flight, slots));
+}
 
 UnitCounts UnitCounts::zeros(bool referee) {
   UnitCounts counts;
@@ -44,6 +51,8 @@ UnitCounts& UnitCounts::operator+=(const UnitCounts& other) {
   add(false_misses, other.false_misses);
   add(false_hits, other.false_hits);
   cycles += other.cycles;
+  ray_writes += other.ray_writes;
+  end_writes += other.end_writes;
   return *this;
 }
 
@@ -53,7 +62,10 @@ RayUnit::RayUnit(const Setup& setup)
       rays_(setup.feed->unit(static_cast<std::size_t>(setup.rays_in_flight))),
       operands_(setup.verilated->operand_count()),
       results_(setup.verilated->results().size()),
-      counts_(UnitCounts::zeros(setup.referee)) {}
+      counts_(UnitCounts::zeros(setup.referee)) {
+  if (const auto& slots = setup.verilated->ray_slots())
+    writer_.emplace(*slots, operands_.size(), static_cast<std::size_t>(setup.rays_in_flight));
+}
 
 template <class Walk>
 void RayUnit::receive(const Walk& walk, Slot<Walk>& slot, bool in_turn) {
@@ -76,6 +88,9 @@ void RayUnit::run(const std::function<std::optional<RayJob>()>& next,
                   const std::function<void(const RayJob&, const ref::Hit&)>& ended) {
   with_walk({setup_.feed, setup_.bvh, setup_.mesh}, setup_.verilated->results(),
             [&](const auto& one) { walk(one, next, ended); });
+  if (!writer_) return;
+  counts_.ray_writes = writer_->rays_written();
+  counts_.end_writes = writer_->ends_written();
 }
 
 template <class Walk>
@@ -90,9 +105,17 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
   std::uint64_t sent = 0;
   std::uint64_t answered = 0;
   std::size_t in_pipeline = 0;
-  // A test is in the pipeline in every cycle. When no answer comes for longer than that takes, the Verilog
-  // has lost one.
+  // A test is in the pipeline in every cycle, or a ray is written. When no answer comes for longer than that
+  // takes, the Verilog has lost one.
   int silent_cycles = 0;
+  const int longest_silence = setup_.verilated->latency() + (writer_ ? 3 : 2);
+  const auto can_send = [&](std::size_t slot) {
+    if (writer_) {
+      Walk::ask(*rays_, slot, *slots[slot].traversal, operands_.data());
+      if (!writer_->holds(slot, operands_.data())) return;
+    }
+    ready.push_back(slot);
+  };
 
   while (true) {
     while (!free.empty()) {
@@ -103,9 +126,10 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
       rays_->start(slot, job->ray);
       slots[slot].traversal.emplace(walk.start(job->ray, job->query));
       slots[slot].job = *job;
-      ready.push_back(slot);
+      if (writer_) writer_->start(slot);
+      can_send(slot);
     }
-    if (ready.empty() && in_pipeline == 0) return;
+    if (ready.empty() && in_pipeline == 0 && (!writer_ || writer_->idle())) return;
 
     Pins pins{.results = results_.data()};
     const bool sending = !ready.empty();
@@ -116,6 +140,7 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
       pins.in_valid = true;
       pins.in_tag = static_cast<std::uint16_t>(sender);
     }
+    if (writer_) writer_->drive(pins);
     rtl_time_.run([&] { model_.cycle(operands_.data(), pins); });
     ++counts_.cycles;
     if (sending && pins.in_ready) {
@@ -124,7 +149,10 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
       slots[sender].turn = sent++;
       ++in_pipeline;
     }
-    if (++silent_cycles > setup_.verilated->latency() + 2) {
+    if (writer_) {
+      if (const std::optional<std::size_t> written = writer_->written()) ready.push_back(*written);
+    }
+    if (++silent_cycles > longest_silence) {
       throw WrongHardware("the Verilog did not answer a box test within its latency");
     }
     if (!pins.out_valid) continue;
@@ -141,7 +169,7 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
     Slot<Walk>& s = slots[slot];
     receive(walk, s, s.turn == turn);
     if (!s.traversal->done()) {
-      ready.push_back(slot);
+      can_send(slot);
       continue;
     }
     counts_.triangle_tests += s.traversal->counts().triangle_tests;

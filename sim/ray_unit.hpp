@@ -10,6 +10,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/feed.hpp"
+#include "sim/ray_writer.hpp"
 #include "sim/sampled_time.hpp"
 #include "sim/verilated_design.hpp"
 #include "sim/walk.hpp"
@@ -28,6 +29,9 @@ struct UnitCounts {
   std::optional<std::uint64_t> false_misses;  ///< counted by the exact referee; nothing without it
   std::optional<std::uint64_t> false_hits;
   std::uint64_t cycles = 0;
+  /// Writes to the slots of a unit that has them: of whole rays, and of their ends only.
+  std::uint64_t ray_writes = 0;
+  std::uint64_t end_writes = 0;
 
   /// Zeros. The referee's counts are there only with a referee.
   [[nodiscard]] static UnitCounts zeros(bool referee);
@@ -43,6 +47,9 @@ struct RayJob {
   std::uint32_t id = 0;
 };
 
+/// Throws std::invalid_argument, one line, when there are not enough slots.
+void check_slots(int rays_in_flight, int slots);
+
 class RayUnit {
  public:
   struct Setup {
@@ -51,13 +58,14 @@ class RayUnit {
     const SceneFeed* feed;
     const ref::Bvh* bvh;
     const ref::Mesh* mesh;
-    int rays_in_flight;  ///< 1..most_rays_in_flight
+    int rays_in_flight;  ///< 1..most_rays_in_flight, and no more than there are ray slots
     bool referee;        ///< exact arithmetic judges every answer
   };
 
   static constexpr int most_rays_in_flight = 65'536;  ///< a tag has 16 bits
 
-  /// Throws std::invalid_argument, one line, for a number of rays in flight that is not allowed.
+  /// A ray in flight has the slot of its number when the unit has slots. Throws std::invalid_argument, one
+  /// line, for a number of rays in flight that is not allowed.
   explicit RayUnit(const Setup& setup);
 
   /// Runs until `next` has no more rays and all have ended. `ended` may make new rays for `next` to hand out.
@@ -87,6 +95,7 @@ class RayUnit {
   Setup setup_;
   Model model_;
   std::unique_ptr<RayFeed> rays_;
+  std::optional<RayWriter> writer_;  // of a unit with ray slots
   std::vector<std::int64_t> operands_;
   std::vector<std::int64_t> results_;  ///< of the Verilog
   UnitCounts counts_;

@@ -17,6 +17,7 @@
 #include "sim/build_cache.hpp"
 #include "sim/model_source.hpp"
 #include "sim/pins_source.hpp"
+#include "sim/ray_slot_pins.hpp"
 #include "sim/tool.hpp"
 
 namespace hitpipe::sim {
@@ -170,7 +171,8 @@ VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, 
 }
 
 VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
-                                 const std::string& verilog, const std::string& module, const fs::path& cache)
+                                 const std::string& verilog, const std::string& module, const fs::path& cache,
+                                 const std::optional<RayMemory>& rays)
     : results_(design.results(format)), latency_(pipeline.latency()) {
   const std::vector<rtl::Port> operands = design.ports(format);
   operand_count_ = operands.size();
@@ -178,7 +180,16 @@ VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, 
   Sources sources;
   sources.module = module;
   sources.verilog = verilog;
-  sources.wrapper = model_source(sources.module, operands, rtl::input_ports(pipeline.graph), results_);
+  if (rays) {
+    ray_slots_ = rays->slots;
+    ++latency_;
+    sources.module = rays->slots.module();
+    sources.verilog += rays->verilog;
+    sources.wrapper = model_source(sources.module, operands, rays->slots.test, results_,
+                                   ray_slot_pins(rays->slots, operands));
+  } else {
+    sources.wrapper = model_source(sources.module, operands, rtl::input_ports(pipeline.graph), results_);
+  }
 
   const fs::path entry = cached({.name = sources.module,
                                  .identity = sources.identity(),

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "sim/pins.hpp"
 
@@ -17,6 +19,12 @@ namespace hitpipe::sim {
 
 /// $HITPIPE_CACHE, else $XDG_CACHE_HOME/hitpipe, else ~/.cache/hitpipe.
 [[nodiscard]] std::filesystem::path default_cache();
+
+/// A memory of rays before a unit, and its Verilog.
+struct RayMemory {
+  rtl::RaySlots slots;
+  std::string verilog;
+};
 
 class VerilatedDesign {
  public:
@@ -30,12 +38,16 @@ class VerilatedDesign {
                   const std::filesystem::path& cache = default_cache());
 
   /// The same for a unit made from the design at that format, which may have lost ports or bits of ports.
-  /// `verilog` is the pipeline's, with the top `module`. Operands stay those of the whole design.
+  /// `verilog` is the pipeline's, with the top `module`. Operands stay those of the whole design. With a
+  /// memory of rays, the unit is driven through it.
   VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
                   const std::string& verilog, const std::string& module,
-                  const std::filesystem::path& cache = default_cache());
+                  const std::filesystem::path& cache = default_cache(),
+                  const std::optional<RayMemory>& rays = {});
 
+  /// With a memory of rays: its latency too.
   [[nodiscard]] int latency() const { return latency_; }
+  [[nodiscard]] const std::optional<rtl::RaySlots>& ray_slots() const { return ray_slots_; }
   [[nodiscard]] std::size_t operand_count() const { return operand_count_; }
   /// As the design states them; Pins::results has room for these.
   [[nodiscard]] const std::vector<hls::Result>& results() const { return results_; }
@@ -45,6 +57,7 @@ class VerilatedDesign {
   struct Loaded;
   std::shared_ptr<const Loaded> loaded_;
   std::vector<hls::Result> results_;
+  std::optional<rtl::RaySlots> ray_slots_;
   int latency_ = 0;
   std::size_t operand_count_ = 0;
 };

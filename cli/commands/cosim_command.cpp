@@ -31,6 +31,7 @@ struct CosimCommand {
   SceneChoice scene;
   std::string bvh;
   int rays_in_flight = 32;
+  std::optional<int> ray_slots;
   bool referee = false;
   std::string unit;
   ref::WhittedOptions light;
@@ -47,7 +48,8 @@ sim::WrittenUnit unit_of(const CosimCommand& command) {
 }
 
 Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref::Scene& scene,
-           const ref::LoadedBvh& hierarchy, const sim::CosimResult& r) {
+           const ref::LoadedBvh& hierarchy, const std::optional<rtl::RaySlots>& slots,
+           const sim::CosimResult& r) {
   const auto judged = [](std::optional<std::uint64_t> count) { return count ? Row(*count) : Row(nullptr); };
   // Where each test answers for one box, tests and boxes are the same.
   const bool several_boxes = command.choice.design().boxes_per_test() > 1;
@@ -81,6 +83,19 @@ Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref:
     row["rtl_boxes_per_s"] = r.rtl_boxes_per_s();
     row["loop_boxes_per_s"] = r.loop_boxes_per_s();
   }
+  if (slots) {
+    const auto bits = [](int of_one, std::uint64_t count) { return of_one * static_cast<double>(count); };
+    const auto per_box_test = [&](double all) {
+      return r.unit.box_tests == 0 ? 0.0 : all / static_cast<double>(r.unit.box_tests);
+    };
+    row.update({{"ray_slots", slots->slots()},
+                {"ray_writes", r.unit.ray_writes},
+                {"ray_end_writes", r.unit.end_writes},
+                {"bits_per_box_test_without_slots", per_box_test(bits(slots->bits_without(), r.unit.tests))},
+                {"bits_per_box_test", per_box_test(bits(slots->bits_of_test(), r.unit.tests) +
+                                                   bits(slots->bits_of_ray(), r.unit.ray_writes) +
+                                                   bits(slots->bits_of_end(), r.unit.end_writes))}});
+  }
   return row;
 }
 
@@ -95,20 +110,22 @@ std::vector<std::string> schematics(const fs::path& folder, const rtl::UnitFiles
 int cosimulate(const CosimCommand& command) {
   const rtl::Design& design = command.choice.design();
   if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
+  if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
   const sim::WrittenUnit unit = unit_of(command);
 
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   const ref::LoadedBvh hierarchy = make_hierarchy(command.bvh, scene);
   progress.emplace("compiling the Verilog");
-  const sim::VerilatedDesign verilated = sim::verilate(design, unit);
+  const sim::VerilatedDesign verilated = sim::verilate(design, unit, command.ray_slots);
   const fs::path folder = command.out;
   const bool emits = !command.out.empty() && command.unit.empty();
   // Done before the long run, so that a folder that cannot be written is reported at once.
   if (!command.out.empty()) host::make_folder(folder);
   rtl::UnitFiles written;
   if (emits) {
-    const rtl::EmittedDesign emitted = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline);
+    const rtl::EmittedDesign emitted = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline,
+                                                 {.ray_slots = command.ray_slots});
     written = rtl::write_unit(folder, emitted);
   }
   progress.emplace("co-simulating");
@@ -123,7 +140,7 @@ int cosimulate(const CosimCommand& command) {
                             .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
-  Row row = record(command, unit, scene, hierarchy, result);
+  Row row = record(command, unit, scene, hierarchy, verilated.ray_slots(), result);
   if (!command.out.empty()) {
     const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
     ref::write_image(image, command.scene.width, command.scene.height, result.image);
@@ -164,6 +181,10 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight,
                    {1, sim::RayUnit::most_rays_in_flight}, "Rays that share one pipeline")
       ->capture_default_str();
+  add_count_option(
+      *command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
+      "Run the unit behind a memory of N rays, as `hitpipe rtl --ray-slots` writes it, with a slot "
+      "for each ray in flight");
   add_bounces_option(*command, options->light);
   command->add_flag("--referee", options->referee, "Exact arithmetic judges every answer");
   add_folder_option(*command, options->out, "Folder for the image, the Verilog and the schematics");

@@ -8,6 +8,7 @@
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
+#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module_name.hpp"
@@ -23,6 +24,7 @@ struct RtlOptions {
   std::optional<std::string> name;
   std::optional<int> clock_ps;
   bool axi_stream = false;
+  std::optional<int> ray_slots;
   bool hls = false;
   Format format = Format::text;
 };
@@ -34,9 +36,11 @@ void emit_rtl(const RtlOptions& options) {
   const rtl::Library library =
       options.library.empty() ? rtl::Library::thesis() : rtl::Library::load(options.library);
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
-  const rtl::EmittedDesign emitted =
-      rtl::emit(design, format, library, pipeline,
-                {.module = options.name.value_or(""), .axi_stream = options.axi_stream, .hls = options.hls});
+  const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline,
+                                               {.module = options.name.value_or(""),
+                                                .axi_stream = options.axi_stream,
+                                                .ray_slots = options.ray_slots,
+                                                .hls = options.hls});
   const rtl::UnitFiles written = rtl::write_unit(options.out, emitted);
 
   std::vector<std::string> names;
@@ -74,6 +78,10 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
       ->type_name("MODULE");
   command->add_flag("--axi-stream", options->axi_stream,
                     "Also write an AXI4-Stream wrapper of the design, <module>_axis.v");
+  add_count_option(*command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
+                   "Also write <module>_slots.v, the design behind a memory of N rays: a ray is sent once, "
+                   "and its tests name its slot; N is rounded up to a power of two")
+      ->excludes("--axi-stream");
   command->add_flag("--hls", options->hls,
                     "Also write hls/: the design as a C++ top function for high-level synthesis, with a "
                     "script for Vitis HLS");

@@ -13,6 +13,7 @@
 #include "rtl_gen/emit/harness.hpp"
 #include "rtl_gen/emit/hls_top.hpp"
 #include "rtl_gen/emit/manifest.hpp"
+#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/prune/check_block.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
@@ -72,6 +73,7 @@ std::vector<File> EmittedDesign::files() const {
   std::vector<File> all{verilog, manifest, core, testbench, harness, makefile, vectors};
   if (check_module) all.push_back(*check_module);
   if (axi_stream) all.push_back(*axi_stream);
+  if (ray_slots) all.push_back(*ray_slots);
   all.insert(all.end(), schematics.begin(), schematics.end());
   all.insert(all.end(), hls.begin(), hls.end());
   return all;
@@ -79,6 +81,8 @@ std::vector<File> EmittedDesign::files() const {
 
 EmittedDesign emit(const Design& design, Format format, const Library& library, const Pipeline& pipeline,
                    const EmitOptions& options) {
+  if (options.axi_stream && options.ray_slots)
+    throw std::invalid_argument("AXI4-Stream and ray slots: a unit has one wrapper or the other");
   const PrunedFrom* const from = options.pruned_from;
   const std::vector<Port> left = input_ports(pipeline.graph);
   const std::vector<hls::Result> results = design.results(format);
@@ -93,7 +97,13 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
   }
   const std::vector<Vector> vectors = vectors_of(design.evaluate(format), left, from);
   const int count = static_cast<int>(vectors.size());
-  const CoreParts parts{.axi_stream = options.axi_stream, .check = from != nullptr};
+  std::optional<RaySlots> slots;
+  if (options.ray_slots) {
+    slots = ray_slots(name, left, design.ports(format), results, *options.ray_slots);
+    json = with_ray_slots(json, *slots);
+  }
+  const CoreParts parts{
+      .axi_stream = options.axi_stream, .slots = slots ? slots->module() : "", .check = from != nullptr};
   EmittedDesign emitted{
       .module = name,
       .verilog = {name + ".v", std::move(verilog)},
@@ -106,12 +116,14 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
                   vector_file(from == nullptr ? left : from->ports, left, results, vectors)},
       .check_module = {},
       .axi_stream = {},
+      .ray_slots = {},
       .schematics =
           stage_schematics(pipeline, design.ports(format), name, title + (from == nullptr ? "" : ", fitted")),
       .hls = {}};
   if (from != nullptr)
     emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
   if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(name, left, results)};
+  if (slots) emitted.ray_slots = {slots->module() + ".v", to_verilog(*slots)};
   if (options.hls) {
     emitted.hls = hls_top(design, format, name).files();
     for (File& file : emitted.hls) file.name.insert(0, "hls/");

@@ -25,7 +25,10 @@ struct PrunedFrom {
 struct EmitOptions {
   std::string module{};     ///< empty: design.module_at(format)
   bool axi_stream = false;  ///< adds the AXI4-Stream wrapper; core and manifest name it
-  bool hls = false;         ///< adds the top function for high-level synthesis
+  /// Adds the wrapper with as many ray slots, rounded up to a power of two; core and manifest name it. Not
+  /// together with axi_stream.
+  std::optional<int> ray_slots{};
+  bool hls = false;  ///< adds the top function for high-level synthesis
   /// Set for a fitted unit. It adds the check module, a check block in the Verilog and the demands in the
   /// manifest, and the vectors meet the demands.
   const PrunedFrom* pruned_from = nullptr;
@@ -43,6 +46,7 @@ struct EmittedDesign {
   File vectors;                      ///< tb/<module>_vectors.hex
   std::optional<File> check_module;  ///< <module>_check.v, of a fitted unit
   std::optional<File> axi_stream;    ///< <module>_axis.v, if asked for
+  std::optional<File> ray_slots{};   ///< <module>_slots.v, if asked for
   std::vector<File> schematics{};    ///< a .dot for each group of stages, from the first on
   std::vector<File> hls{};           ///< hls/: the top function and its script, if asked for
 
@@ -50,7 +54,7 @@ struct EmittedDesign {
 };
 
 /// The same bytes for the same design, format and library. `pipeline` is the design's at that format, or what
-/// pruning left of it. Throws as hls_top() and check_module_name() do.
+/// pruning left of it. Throws as hls_top(), ray_slots() and check_module_name() do.
 [[nodiscard]] EmittedDesign emit(const Design& design, Format format, const Library& library,
                                  const Pipeline& pipeline, const EmitOptions& options = {});
 

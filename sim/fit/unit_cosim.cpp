@@ -15,8 +15,18 @@ WrittenUnit whole_unit(const rtl::Design& design, rtl::Format format, const rtl:
   return {format, std::move(module), {}, rtl::input_ports(traced), std::move(pipeline), std::move(verilog)};
 }
 
-VerilatedDesign verilate(const rtl::Design& design, const WrittenUnit& unit) {
-  return {design, unit.format, unit.pipeline, unit.verilog, unit.module};
+VerilatedDesign verilate(const rtl::Design& design, const WrittenUnit& unit, std::optional<int> ray_slots) {
+  if (!ray_slots) return {design, unit.format, unit.pipeline, unit.verilog, unit.module};
+  const rtl::RaySlots slots =
+      rtl::ray_slots(unit.module, rtl::input_ports(unit.pipeline.graph), design.ports(unit.format),
+                     design.results(unit.format), *ray_slots);
+  return {design,
+          unit.format,
+          unit.pipeline,
+          unit.verilog,
+          unit.module,
+          default_cache(),
+          RayMemory{slots, rtl::to_verilog(slots)}};
 }
 
 CosimResult cosimulate_unit(const rtl::Design& design, const WrittenUnit& unit,

@@ -11,8 +11,10 @@ namespace hitpipe::sim {
 [[nodiscard]] WrittenUnit whole_unit(const rtl::Design& design, rtl::Format format,
                                      const rtl::Library& library);
 
-/// Throws as VerilatedDesign does.
-[[nodiscard]] VerilatedDesign verilate(const rtl::Design& design, const WrittenUnit& unit);
+/// With as many ray slots, the unit is behind a memory of rays. Throws as VerilatedDesign and
+/// rtl::ray_slots() do.
+[[nodiscard]] VerilatedDesign verilate(const rtl::Design& design, const WrittenUnit& unit,
+                                       std::optional<int> ray_slots = {});
 
 /// The unit says which coarse axes, ends of rays and guard there are, whatever `options` say of them. Throws
 /// as cosimulate() does, and std::out_of_range, one line, for a scene that does not keep to the unit's

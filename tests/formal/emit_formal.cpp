@@ -13,6 +13,7 @@
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/formal/fitted_set.hpp"
 #include "tests/formal/properties.hpp"
+#include "tests/formal/slots.hpp"
 
 namespace {
 
@@ -41,6 +42,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& form
       {"flow.v", formal::design_flow(pipeline, name)},
       {"stalled.v", formal::stalled_design(pipeline, name)},
       {"control.v", formal::control_properties(pipeline)},
+      {"slots.v", formal::slots_proof(name, design.ports(bits))},
       {"latency", fmt::format("{}\n", pipeline.latency())},
       {"results", results}};
   for (const formal::Component& part : parts) {

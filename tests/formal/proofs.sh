@@ -110,6 +110,22 @@ END
     yosys-smtbmc --noprogress -s z3 -t 3 control.smt2 >>control.log 2>&1 && covers control $(($(cat latency) + 4))
 }
 
+# A memory of rays before the unit, whose stand-in shows what it is given.
+prove_slots() {
+  to_smt2 slots <<END || return
+read_verilog -formal slots.v
+hierarchy -check -top $1_slots
+proc
+flatten
+memory -nordff
+opt_clean
+check -assert
+write_smt2 -wires slots.raw.smt2
+END
+  yosys-smtbmc --noprogress -s z3 "${symbolic[@]}" -i -t 2 slots.smt2 >>slots.log 2>&1 &&
+    yosys-smtbmc --noprogress -s z3 "${symbolic[@]}" -t 2 slots.smt2 >>slots.log 2>&1 && covers slots 4 "${symbolic[@]}"
+}
+
 # One step of the whole design with in_ready and rst low, its arithmetic cut out: no register of it or of its components
 # changes.
 prove_hold() {

@@ -41,6 +41,7 @@ all_of() {
   row "$1: stands still when it must" "$2" proved prove_hold "$1"
   row "$1: valid, ready, tags" "$2" proved prove_control "$1"
   row "$1: HIT and tag of its operands" "$2" proved prove_flow "$1"
+  row "$1: ray slots give it the ray" "$2" proved prove_slots "$1"
   local module
   while read -r module _; do
     row "  ${module#"$1"_}" "$2" proved prove_component "$1" "$module"
@@ -48,14 +49,14 @@ all_of() {
 }
 
 # damage DESIGN FORMAT WHAT SED PROOF...: the proof must fail of a copy that sed has changed, by a
-# counterexample.
+# counterexample. The copy is of design.v, or of $file.
 damage() {
-  local name=$1 format=$2 what=$3 sed=$4
+  local name=$1 format=$2 what=$3 sed=$4 verilog=${file:-design.v}
   shift 4
   cd "$(design "$name" "$format")" || exit 1
-  sed "$sed" design.v >damaged.v
-  cmp -s design.v damaged.v && { echo "no damage done: $what" >&2; failed=1; return; }
-  mv damaged.v design.v
+  sed "$sed" "$verilog" >damaged.v
+  cmp -s "$verilog" damaged.v && { echo "no damage done: $what" >&2; failed=1; return; }
+  mv damaged.v "$verilog"
   row "damage: $what" "$format" damaged refuted_not "$@"
 }
 
@@ -95,6 +96,9 @@ damage int_slabs 20/24 'valid bits ignore theirs' 's/else if (advance) valid/els
 damage int_slabs 20/24 'a tag overtakes' 's/tag_s2 <= tag_s1/tag_s2 <= tag_s0/' prove_control int_slabs
 damage int_slabs 20/24 'a product of other pieces' 's/ + piece_1_s1/ - piece_1_s1/' \
   prove_component int_slabs int_slabs_mul_20x20s_to_38_15
+file=slots.v damage int_slabs 20/24 'a test beside a write to its slot' 's/ & ~(written & (ray_slot == in_slot))//' prove_slots int_slabs
+file=slots.v damage int_slabs 20/24 'a stalled test reads again' 's/if (read) line_read/line_read/' prove_slots int_slabs
+file=slots.v damage int_slabs 20/24 'an end is written with the line' 's/written & ~ray_end_only/written/' prove_slots int_slabs
 if [[ -z $short ]]; then
   damage fp_slabs fp32 'a stage less in an operator' 's/larger_s3 <= larger_s2;/larger_s3 <= larger_s1;/' \
     prove_component fp_slabs fp_slabs_fp_subtract_8_23

@@ -203,9 +203,9 @@ INSTANTIATE_TEST_SUITE_P(Units, RayUnitOnHills, testing::ValuesIn(conservative_u
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 TEST(UnitCountsSum, AddsEveryField) {
-  UnitCounts sum{1, 2, 3, 4, 5, 6, 7};
-  sum += {10, 20, 30, 40, 50, 60, 70};
-  EXPECT_EQ(sum, (UnitCounts{11, 22, 33, 44, 55, 66, 77}));
+  UnitCounts sum{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  sum += {10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
+  EXPECT_EQ(sum, (UnitCounts{11, 22, 33, 44, 55, 66, 77, 88, 99, 110}));
 }
 
 /// If one side did not count, the sum has no count.

@@ -120,6 +120,40 @@ TEST(CosimCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   EXPECT_THAT(lines[1], StartsWith("int_slabs,20/24,spheres,24578,0,"));
 }
 
+/// The unit behind ray slots answers the same, and is sent less.
+TEST(CosimCommand, RaySlotsAreTheUnitWithFewerBits) {
+  const sim::TemporaryFolder folder;
+  const Outcome outcome = run_hitpipe(cosim({"--ray-slots", "20", "--rays-in-flight", "24", "--out",
+                                             folder.path().string(), "--referee", "--format", "json"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json slots = json::parse(outcome.out);
+  const json bare = json::parse(run_hitpipe(cosim({"--referee", "--format", "json"})).out);
+  for (const char* const same :
+       {"box_tests", "hits", "rtl_mismatches", "false_misses", "false_hits", "rays_shadow"})
+    EXPECT_EQ(slots.at(same), bare.at(same)) << same;
+  EXPECT_EQ(slots.at("latency"), bare.at("latency").get<int>() + 1);
+  EXPECT_EQ(slots.at("ray_slots"), 32);
+  const int rays = slots.at("rays_primary").get<int>() + slots.at("rays_secondary").get<int>() +
+                   slots.at("rays_shadow").get<int>() - slots.at("rays_rejected").get<int>();
+  EXPECT_EQ(slots.at("ray_writes"), rays);
+  EXPECT_GT(slots.at("ray_end_writes"), 0);
+  // 15 words of 20 bits, the length and its flag. A test has six of the words and a slot.
+  EXPECT_EQ(slots.at("bits_per_box_test_without_slots"), 325.0);
+  const double tests = slots.at("box_tests");
+  const double writes =
+      211.0 * slots.at("ray_writes").get<double>() + 31.0 * slots.at("ray_end_writes").get<double>();
+  EXPECT_NEAR(slots.at("bits_per_box_test").get<double>(), 125.0 + writes / tests, 1e-9);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "int_slabs_slots.v"));
+  EXPECT_FALSE(bare.contains("ray_slots"));
+}
+
+TEST(CosimCommand, RaysInFlightWithoutASlotAreRefused) {
+  const Outcome outcome = run_hitpipe(cosim({"--ray-slots", "16"}));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "hitpipe: 32 rays in flight: each needs a slot, and there are 16 ray slots\n");
+}
+
 TEST(CosimCommand, WritesImageVerilogAndSchematicWhereTold) {
   const sim::TemporaryFolder folder;
   const std::filesystem::path out = folder.path() / "a" / "b";

@@ -90,6 +90,33 @@ TEST_F(RtlCommand, WritesTheAxiStreamWrapperOnlyWhenAsked) {
   EXPECT_EQ(contents_of(out_ / "int_slabs.v"), bare);
 }
 
+TEST_F(RtlCommand, WritesTheRaySlotsOnlyWhenAsked) {
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--ray-slots", "33", "--out", out_.string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::vector<std::string> expected = all_files;
+  expected.insert(std::find(expected.begin(), expected.end(), "int_slabs_stage_1.dot"), "int_slabs_slots.v");
+  EXPECT_EQ(files_below(out_), expected);
+  EXPECT_THAT(outcome.out, HasSubstr((out_ / "int_slabs_slots.v").string() + "\n"));
+  EXPECT_THAT(contents_of(out_ / "int_slabs_slots.v"), HasSubstr("behind a memory of 64 rays"));
+  EXPECT_EQ(nlohmann::json::parse(contents_of(out_ / "int_slabs.json")).at("ray_slots").at("slots"), 64);
+}
+
+TEST_F(RtlCommand, RefusesRaySlotsThatItCannotMake) {
+  const Outcome both =
+      run_hitpipe({"rtl", "int_slabs", "--ray-slots", "64", "--axi-stream", "--out", out_.string()});
+  EXPECT_NE(both.exit_code, 0);
+  EXPECT_EQ(lines_of(both.err).size(), 1U) << both.err;
+  EXPECT_THAT(both.err, HasSubstr("--axi-stream excludes --ray-slots"));
+  for (const char* const wrong : {"1", "65537", "many"}) {
+    const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--ray-slots", wrong, "--out", out_.string()});
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.err, HasSubstr("--ray-slots"));
+    EXPECT_THAT(outcome.err, HasSubstr("2 to 65536"));
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
 TEST_F(RtlCommand, WritesTheTopFunctionOnlyWhenAsked) {
   const Outcome outcome =
       run_hitpipe({"rtl", "int_slabs", "--bits", "20/24", "--hls", "--out", out_.string()});
