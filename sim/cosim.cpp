@@ -58,6 +58,9 @@ class Tile {
     CosimResult counts;
     RayUnit unit({.verilated = &frame_.verilated,
                   .evaluate = frame_.design.evaluate(frame_.format),
+                  .on_float_unit = frame_.options.bit_level
+                                       ? std::nullopt
+                                       : frame_.design.evaluate_on_float_unit(frame_.format),
                   .feed = &frame_.feed,
                   .bvh = &frame_.bvh,
                   .mesh = &frame_.scene.mesh,

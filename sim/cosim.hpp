@@ -23,6 +23,7 @@ struct CosimOptions {
   int rays_in_flight = 32;  ///< 1..RayUnit::most_rays_in_flight
   int threads = 1;
   bool referee = false;
+  bool bit_level = false;       ///< the bit-level C++ datapath judges every test of a float design
   ref::WhittedOptions light{};  ///< how far secondary rays are followed
   ref::CoarseAxes coarse{};     ///< of the unit's operands; the referee judges the original boxes
   bool ends = true;             ///< false: the unit is given endless rays; the picture stays the same

@@ -1,6 +1,5 @@
 #include "sim/ray_unit.hpp"
 
-#include <deque>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -19,6 +18,28 @@ void add(std::optional<std::uint64_t>& sum, const std::optional<std::uint64_t>& 
     sum.reset();
   }
 }
+
+/// First in, first out. Each slot is in it once at most.
+class SlotQueue {
+ public:
+  explicit SlotQueue(std::size_t slots) : ring_(slots) {}
+
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] std::size_t front() const { return ring_[front_]; }
+  void push(std::size_t slot) {
+    const std::size_t end = front_ + count_++;
+    ring_[end < ring_.size() ? end : end - ring_.size()] = slot;
+  }
+  void pop() {
+    --count_;
+    if (++front_ == ring_.size()) front_ = 0;
+  }
+
+ private:
+  std::vector<std::size_t> ring_;
+  std::size_t front_ = 0;
+  std::size_t count_ = 0;
+};
 
 const RayUnit::Setup& checked(const RayUnit::Setup& setup) {
   if (setup.rays_in_flight < 1 || setup.rays_in_flight > RayUnit::most_rays_in_flight)
@@ -53,6 +74,7 @@ UnitCounts& UnitCounts::operator+=(const UnitCounts& other) {
   cycles += other.cycles;
   ray_writes += other.ray_writes;
   end_writes += other.end_writes;
+  bit_level_tests += other.bit_level_tests;
   return *this;
 }
 
@@ -70,7 +92,10 @@ RayUnit::RayUnit(const Setup& setup)
 template <class Walk>
 void RayUnit::receive(const Walk& walk, Slot<Walk>& slot, bool in_turn) {
   ++counts_.tests;
-  counts_.rtl_mismatches += results_ != slot.expected || !in_turn ? 1 : 0;
+  // A library call would take longer than the few results.
+  bool same = in_turn;
+  for (std::size_t i = 0; i < results_.size(); ++i) same = same && results_[i] == slot.expected[i];
+  counts_.rtl_mismatches += same ? 0 : 1;
   walk.each_box(*slot.traversal, results_.data(), [&](const ref::Aabb& box, bool hit) {
     ++counts_.box_tests;
     counts_.hits += hit ? 1 : 0;
@@ -97,10 +122,8 @@ template <class Walk>
 void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()>& next,
                    const std::function<void(const RayJob&, const ref::Hit&)>& ended) {
   std::vector<Slot<Walk>> slots(static_cast<std::size_t>(setup_.rays_in_flight));
-  for (Slot<Walk>& slot : slots) slot.expected.resize(results_.size());
-  std::deque<std::size_t> ready;  // slots whose ray can send a test
+  SlotQueue ready(slots.size());  // slots whose ray can send a test
   std::vector<std::size_t> free;
-  std::vector<bool> waiting(slots.size(), false);  // the slot waits for an answer
   for (std::size_t slot = slots.size(); slot-- > 0;) free.push_back(slot);
   std::uint64_t sent = 0;
   std::uint64_t answered = 0;
@@ -114,7 +137,7 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
       Walk::ask(*rays_, slot, *slots[slot].traversal, operands_.data());
       if (!writer_->holds(slot, operands_.data())) return;
     }
-    ready.push_back(slot);
+    ready.push(slot);
   };
 
   while (true) {
@@ -134,9 +157,10 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
     Pins pins{.results = results_.data()};
     const bool sending = !ready.empty();
     const std::size_t sender = sending ? ready.front() : 0;
+    const bool bit_level = !setup_.on_float_unit || sent % bit_level_stride == 0;
     if (sending) {
       Walk::ask(*rays_, sender, *slots[sender].traversal, operands_.data());
-      setup_.evaluate(operands_.data(), slots[sender].expected.data());
+      (bit_level ? setup_.evaluate : *setup_.on_float_unit)(operands_.data(), slots[sender].expected.data());
       pins.in_valid = true;
       pins.in_tag = static_cast<std::uint16_t>(sender);
     }
@@ -144,13 +168,14 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
     rtl_time_.run([&] { model_.cycle(operands_.data(), pins); });
     ++counts_.cycles;
     if (sending && pins.in_ready) {
-      ready.pop_front();
-      waiting[sender] = true;
+      ready.pop();
+      slots[sender].waiting = true;
       slots[sender].turn = sent++;
+      counts_.bit_level_tests += bit_level ? 1 : 0;
       ++in_pipeline;
     }
     if (writer_) {
-      if (const std::optional<std::size_t> written = writer_->written()) ready.push_back(*written);
+      if (const std::optional<std::size_t> written = writer_->written()) ready.push(*written);
     }
     if (++silent_cycles > longest_silence) {
       throw WrongHardware("the Verilog did not answer a box test within its latency");
@@ -159,14 +184,14 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
 
     const std::size_t slot = pins.out_tag;
     const std::uint64_t turn = answered++;
-    if (slot >= slots.size() || !waiting[slot]) {
+    if (slot >= slots.size() || !slots[slot].waiting) {
       ++counts_.rtl_mismatches;
       continue;
     }
     silent_cycles = 0;
-    waiting[slot] = false;
     --in_pipeline;
     Slot<Walk>& s = slots[slot];
+    s.waiting = false;
     receive(walk, s, s.turn == turn);
     if (!s.traversal->done()) {
       can_send(slot);

@@ -3,6 +3,7 @@
 // belongs to.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -32,6 +33,7 @@ struct UnitCounts {
   /// Writes to the slots of a unit that has them: of whole rays, and of their ends only.
   std::uint64_t ray_writes = 0;
   std::uint64_t end_writes = 0;
+  std::uint64_t bit_level_tests = 0;  ///< tests whose results were compared with the bit-level C++ datapath
 
   /// Zeros. The referee's counts are there only with a referee.
   [[nodiscard]] static UnitCounts zeros(bool referee);
@@ -54,7 +56,10 @@ class RayUnit {
  public:
   struct Setup {
     const VerilatedDesign* verilated;
-    rtl::Evaluate evaluate;  ///< the same datapath in C++
+    rtl::Evaluate evaluate;  ///< the same datapath in C++, bit by bit
+    /// The same by the host's floating-point unit. It takes the place of `evaluate` in all tests but one in
+    /// bit_level_stride. Nothing: all tests are compared bit by bit.
+    std::optional<rtl::Evaluate> on_float_unit{};
     const SceneFeed* feed;
     const ref::Bvh* bvh;
     const ref::Mesh* mesh;
@@ -63,6 +68,8 @@ class RayUnit {
   };
 
   static constexpr int most_rays_in_flight = 65'536;  ///< a tag has 16 bits
+  /// A prime, so that the tests compared bit by bit are not always those of the same rays.
+  static constexpr int bit_level_stride = 61;
 
   /// A ray in flight has the slot of its number when the unit has slots. Throws std::invalid_argument, one
   /// line, for a number of rays in flight that is not allowed.
@@ -82,8 +89,10 @@ class RayUnit {
   struct Slot {
     RayJob job;
     std::optional<typename Walk::Traversal> traversal;
-    std::vector<std::int64_t> expected{};  ///< results by the C++ datapath for the test on its way
-    std::uint64_t turn = 0;                ///< tests that were sent before it; answers keep their order
+    /// Results by the C++ datapath for the test on its way.
+    std::array<std::int64_t, rtl::Evaluate::most_results> expected{};
+    std::uint64_t turn = 0;  ///< tests that were sent before it; answers keep their order
+    bool waiting = false;    ///< for an answer
   };
 
   template <class Walk>

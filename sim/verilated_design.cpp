@@ -40,17 +40,34 @@ struct VerilatedDesign::Loaded {
 
 namespace {
 
+// The operators of a float design stay functions of their own (--inline-mult 1): merged into one function of
+// many thousand instructions they are slower. docs/speed.md has the figures.
 constexpr std::string_view verilator_options =
-    "--cc -O3 --x-assign fast --x-initial fast --noassert -Wno-fatal --Mdir obj";
-constexpr std::string_view compiler_options = "-std=c++17 -O2 -w -fPIC -fvisibility=hidden -pthread";
+    "--cc -O3 --inline-mult 1 --x-assign fast --x-initial fast --noassert -Wno-fatal --Mdir obj";
+// The vectors of g++ gather registers that are apart, and that takes longer.
+constexpr std::string_view compiler_options =
+    "-std=c++17 -O2 -fno-tree-vectorize -DNDEBUG -w -fPIC -fvisibility=hidden -pthread";
 constexpr std::string_view link_options = "-shared -Wl,-Bsymbolic";
 
 /// Verilator's own code, which every model needs.
 constexpr std::array runtime_files{"verilated", "verilated_threads"};
 
+/// $CXX. Without it clang++ where it runs and finds a C++ library, since its models are faster and compile
+/// sooner; otherwise c++.
+Tool find_compiler() {
+  if (host::environment("CXX", "").empty()) {
+    Tool clang{{"clang++"}, ""};
+    clang.version = clang.answer({"--version"});
+    if (!clang.version.empty() &&
+        clang.run({"-E", "-x", "c++", "-include", "cstdint", "/dev/null"}).succeeded())
+      return clang;
+  }
+  return find_tool("CXX", "c++", "g++");
+}
+
 struct Tools {
   Tool verilator = find_tool("VERILATOR", "verilator", "verilator");
-  Tool compiler = find_tool("CXX", "c++", "g++");
+  Tool compiler = find_compiler();
 
   [[nodiscard]] std::string identity() const {
     return fmt::format("{}\n{}\n{}\n{}", verilator.version, compiler.name(), compiler.version,

@@ -30,10 +30,10 @@ class VerilatedDesign {
  public:
   /// Emits the design and loads it. Verilator and the C++ compiler build it unless the cache already holds a
   /// build of these sources. Two processes may do this at once: each builds in a folder of its own, and the
-  /// first to finish is kept. $VERILATOR and $CXX name other programs than `verilator` and `c++`; they may
-  /// hold arguments ("env g++"). Throws std::runtime_error, one line, when Verilator or the compiler is
-  /// missing or fails (the line says where the log is), when the cache cannot be written, or when an entry
-  /// cannot be loaded.
+  /// first to finish is kept. $VERILATOR and $CXX name other programs than `verilator` and `clang++` (`c++`
+  /// where that cannot compile); they may hold arguments ("env g++"). Throws std::runtime_error, one line,
+  /// when Verilator or the compiler is missing or fails (the line says where the log is), when the cache
+  /// cannot be written, or when an entry cannot be loaded.
   VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
                   const std::filesystem::path& cache = default_cache());
 

@@ -33,6 +33,7 @@ struct CosimCommand {
   int rays_in_flight = 32;
   std::optional<int> ray_slots;
   bool referee = false;
+  bool bit_level = false;
   std::string unit;
   ref::WhittedOptions light;
   std::string out;
@@ -68,6 +69,7 @@ Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref:
   row.update({{"box_tests", r.unit.box_tests},
               {"hits", r.unit.hits},
               {"rtl_mismatches", r.unit.rtl_mismatches},
+              {"bit_level_tests", r.unit.bit_level_tests},
               {"false_misses", judged(r.unit.false_misses)},
               {"false_hits", judged(r.unit.false_hits)},
               {"different_triangles", r.different_triangles},
@@ -136,6 +138,7 @@ int cosimulate(const CosimCommand& command) {
                             .rays_in_flight = command.rays_in_flight,
                             .threads = command.scene.threads,
                             .referee = command.referee,
+                            .bit_level = command.bit_level,
                             .light = command.light,
                             .progress = [&](double share) { progress->show(share); }});
   progress.reset();
@@ -187,6 +190,9 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
       "for each ray in flight");
   add_bounces_option(*command, options->light);
   command->add_flag("--referee", options->referee, "Exact arithmetic judges every answer");
+  command->add_flag("--bit-level", options->bit_level,
+                    "Compare every test of a float design with the bit-level C++; otherwise one in 61, and "
+                    "the others with the host's floating-point unit");
   add_folder_option(*command, options->out, "Folder for the image, the Verilog and the schematics");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = cosimulate(*options); });

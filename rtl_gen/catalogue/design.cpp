@@ -57,6 +57,13 @@ Evaluate Design::evaluate(const Format& format) const {
   return {run_at(format), format, results_at(format)};
 }
 
+std::optional<Evaluate> Design::evaluate_on_float_unit(const Format& format) const {
+  check(*this, format);
+  const Evaluate::Run run = float_unit_run_at == nullptr ? nullptr : float_unit_run_at(format);
+  if (run == nullptr) return std::nullopt;
+  return Evaluate(run, format, results_at(format));
+}
+
 int Design::boxes_per_test() const {
   int last = 0;
   for (const hls::Result& result : results_at(default_format)) last = std::max(last, result.box);

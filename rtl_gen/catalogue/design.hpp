@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -32,7 +33,9 @@ struct Design {
   std::vector<hls::Result> (*results_at)(const Format&);
   std::vector<Port> (*ports_at)(const Format&);
   Graph (*trace_at)(const Format&);
-  Evaluate::Run (*run_at)(const Format&);
+  Evaluate::Run (*run_at)(const Format&);  ///< bit by bit
+  /// The same answers by the host's floating-point unit. Null, or gives null: there is no such function.
+  Evaluate::Run (*float_unit_run_at)(const Format&) = nullptr;
   Printed printed{};      ///< nothing of a design that the thesis does not have
   DesignSource source{};  ///< nothing: no top function for high-level synthesis is written
 
@@ -44,6 +47,8 @@ struct Design {
   [[nodiscard]] std::vector<hls::Result> results(const Format& format) const;
   [[nodiscard]] Graph trace(const Format& format) const;
   [[nodiscard]] Evaluate evaluate(const Format& format) const;
+  /// The same answers by the host's floating-point unit. Nothing when no part of the design is for that unit.
+  [[nodiscard]] std::optional<Evaluate> evaluate_on_float_unit(const Format& format) const;
   /// Boxes that one test answers for.
   [[nodiscard]] int boxes_per_test() const;
   /// The name and the format, or the name alone where there is one format only.

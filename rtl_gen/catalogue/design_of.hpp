@@ -20,6 +20,8 @@ Design design_of(DesignSource source = {}) {
           .ports_at = [](const Format& format) { return ports_of<Pipeline>(format.as<Bits>()); },
           .trace_at = [](const Format& format) { return traced<Pipeline>(format.as<Bits>()); },
           .run_at = [](const Format& format) { return native_function<Pipeline>(format.as<Bits>()); },
+          .float_unit_run_at =
+              [](const Format& format) { return float_unit_function<Pipeline>(format.as<Bits>()); },
           .source = source};
 }
 

@@ -10,6 +10,7 @@
 #include "hls/num/fp.hpp"
 #include "hls/num/sized.hpp"
 #include "rtl_gen/catalogue/evaluate.hpp"
+#include "rtl_gen/catalogue/host_float.hpp"
 
 namespace hitpipe::rtl {
 
@@ -69,6 +70,12 @@ HITPIPE_FLATTEN void run_built_in(const Format& /*its own*/, const std::int64_t*
   run<Pipeline, hls::Native>(F(), operands, results);
 }
 
+template <class Pipeline, class F>
+HITPIPE_FLATTEN void run_on_float_unit(const Format& /*its own*/, const std::int64_t* operands,
+                                       std::int64_t* results) {
+  run<Pipeline, HostFloat>(F(), operands, results);
+}
+
 template <class Pipeline>
 HITPIPE_FLATTEN void run_any(const Format& format, const std::int64_t* operands, std::int64_t* results) {
   run<Pipeline, hls::Sized>(format.as<typename Pipeline::Bits>(), operands, results);
@@ -77,13 +84,27 @@ HITPIPE_FLATTEN void run_any(const Format& format, const std::int64_t* operands,
 
 }  // namespace detail
 
-/// The fastest host function for a format; call it with that format.
+/// The fastest bit-level host function for a format; call it with that format.
 template <class Pipeline>
 Evaluate::Run native_function(const typename Pipeline::Bits& format) {
   Evaluate::Run found = detail::run_any<Pipeline>;
   const auto choose = [&]<class... F>(hls::FormatList<F...>) {
     ((format == F::bits ? void(found = detail::run_built_in<Pipeline, F>) : void()), ...);
   };
+  choose(typename Pipeline::BuiltIn());
+  return found;
+}
+
+/// The same with float operators by the host's floating-point unit. Null when the host has no such numbers.
+template <class Pipeline>
+Evaluate::Run float_unit_function([[maybe_unused]] const typename Pipeline::Bits& format) {
+  Evaluate::Run found = nullptr;
+  const auto choose_one = [&]<class F>(F) {
+    if constexpr (host_format<F>) {
+      if (format == F::bits) found = detail::run_on_float_unit<Pipeline, F>;
+    }
+  };
+  const auto choose = [&]<class... F>(hls::FormatList<F...>) { (choose_one(F()), ...); };
   choose(typename Pipeline::BuiltIn());
   return found;
 }

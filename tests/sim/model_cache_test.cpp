@@ -2,6 +2,9 @@
 // says in one line what was wrong and what to do.
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
+#include <set>
+#include <string>
 #include <thread>
 
 #include <fmt/format.h>
@@ -278,6 +281,29 @@ TEST_F(ModelCache, TakesACompilerWithArguments) {
   const EnvironmentValue missing("CXX", "env no-such-compiler");
   EXPECT_EQ(error_of_build(cache_),
             "env no-such-compiler: cannot be run; install the package g++ or set CXX to the program");
+}
+
+/// A stand-in for clang++ comes first in PATH.
+TEST_F(ModelCache, TakesClangWhereItFindsItsLibraryAndElseTheOtherCompiler) {
+  const fs::path clang = folder_.write_program("clang++", "#!/bin/sh\nexec c++ \"$@\"\n");
+  const std::string path = clang.parent_path().string() + ":" + std::getenv("PATH");
+  const EnvironmentValue variable("CXX", "");
+  const EnvironmentValue programs("PATH", path);
+  const auto compilers = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(cache_)) {
+      std::ifstream identity(entry.path() / "identity");
+      std::string line;
+      while (std::getline(identity, line))
+        if (line == "clang++" || line == "c++") names.insert(line);
+    }
+    return names;
+  };
+  build_in(cache_);
+  EXPECT_EQ(compilers(), (std::set<std::string>{"clang++"}));
+  folder_.write_program("clang++", "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\nexit 1\n");
+  build_in(cache_);
+  EXPECT_EQ(compilers(), (std::set<std::string>{"c++", "clang++"}));
 }
 
 TEST_F(ModelCache, TakesAPathOfACompilerWithBlanks) {

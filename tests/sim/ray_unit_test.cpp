@@ -120,6 +120,7 @@ TEST_P(RayUnitOnHills, CountsWhatTheDatapathSays) {
         ref::Ray cut = job.ray;
         cut.length = traversal.length();
         ++expected.tests;
+        ++expected.bit_level_tests;
         walk.each_box(traversal, answers.data(), [&](const ref::Aabb& box, bool hit) {
           const bool meets = ref::ray_meets_box_exact(cut, box);
           ++expected.box_tests;
@@ -199,13 +200,41 @@ TEST_P(RayUnitOnHills, NumberOfRaysInFlightThatATagCannotHoldIsRefused) {
   EXPECT_EQ(run(65'536, datapath()).ended, ray_count);
 }
 
+/// The bit-level datapath judges the first test and every 61st after it, the other function all others.
+TEST_P(RayUnitOnHills, ShareOfTheTestsIsComparedBitByBit) {
+  using Operands = const std::int64_t*;
+  const std::vector<hls::Result> results = GetParam().design().results(GetParam().format);
+  const auto counts = [&](const rtl::Evaluate& bit_level, const rtl::Evaluate& on_float_unit) {
+    RayUnit unit({.verilated = &verilated(GetParam()),
+                  .evaluate = bit_level,
+                  .on_float_unit = on_float_unit,
+                  .feed = feed_.get(),
+                  .bvh = &bvh_,
+                  .mesh = &scene_.mesh,
+                  .rays_in_flight = 32,
+                  .referee = false});
+    std::size_t given = 0;
+    unit.run([&] { return given < jobs_.size() ? std::optional(jobs_[given++]) : std::nullopt; },
+             [](const RayJob&, const ref::Hit&) {});
+    return unit.counts();
+  };
+  // 2 is no answer of any Verilog.
+  const rtl::Evaluate wrong([](const rtl::Format&, Operands, std::int64_t* out) { *out = 2; },
+                            GetParam().format, results);
+  const UnitCounts wrong_bits = counts(wrong, datapath());
+  EXPECT_EQ(wrong_bits.bit_level_tests, (wrong_bits.tests + 60) / 61);
+  EXPECT_EQ(wrong_bits.rtl_mismatches, wrong_bits.bit_level_tests);
+  const UnitCounts wrong_floats = counts(datapath(), wrong);
+  EXPECT_EQ(wrong_floats.rtl_mismatches, wrong_floats.tests - wrong_floats.bit_level_tests);
+}
+
 INSTANTIATE_TEST_SUITE_P(Units, RayUnitOnHills, testing::ValuesIn(conservative_units()),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 TEST(UnitCountsSum, AddsEveryField) {
-  UnitCounts sum{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
-  sum += {10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
-  EXPECT_EQ(sum, (UnitCounts{11, 22, 33, 44, 55, 66, 77, 88, 99, 110}));
+  UnitCounts sum{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  sum += {10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110};
+  EXPECT_EQ(sum, (UnitCounts{11, 22, 33, 44, 55, 66, 77, 88, 99, 110, 121}));
 }
 
 /// If one side did not count, the sum has no count.

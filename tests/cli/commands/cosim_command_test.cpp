@@ -44,6 +44,7 @@ TEST(CosimCommand, PrintsEveryNumberAsJson) {
   EXPECT_GE(object.at("rays_secondary"), 0);
   EXPECT_EQ(object.at("rays_rejected"), 0);
   EXPECT_EQ(object.at("rtl_mismatches"), 0);
+  EXPECT_EQ(object.at("bit_level_tests"), object.at("box_tests"));
   EXPECT_EQ(object.at("false_misses"), 0);
   EXPECT_EQ(object.at("different_triangles"), 0);
   EXPECT_GT(object.at("rays_shadow"), 100);
@@ -93,6 +94,29 @@ TEST(CosimCommand, ExtraTestsAreOverTheSoftwareTraversal) {
               1e-9);
 }
 
+/// The host's floating-point unit judges most tests of a float design, unless told otherwise.
+TEST(CosimCommand, ComparesAShareOfFloatTestsBitByBitOrAllOfThem) {
+  std::vector<std::string> words{"cosim", "fp_slabs", "--scene", "spheres",  "--width",
+                                 "16",    "--height", "12",      "--format", "json"};
+  const Outcome share = run_hitpipe(words);
+  EXPECT_EQ(share.exit_code, 0) << share.err;
+  words.emplace_back("--bit-level");
+  const Outcome all = run_hitpipe(words);
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  json of_share = json::parse(share.out);
+  json of_all = json::parse(all.out);
+  EXPECT_EQ(of_share.at("rtl_mismatches"), 0);
+  const int tests = of_share.at("box_tests");
+  EXPECT_EQ(of_all.at("bit_level_tests"), tests);
+  // One unit for each tile of 64 x 64 pixels; here there is one.
+  EXPECT_EQ(of_share.at("bit_level_tests"), (tests + 60) / 61);
+  for (const char* const key : {"bit_level_tests", "rtl_tests_per_s", "loop_tests_per_s"}) {
+    of_share.erase(key);
+    of_all.erase(key);
+  }
+  EXPECT_EQ(of_share, of_all);
+}
+
 TEST(CosimCommand, SaysThatNothingWasJudgedWithoutReferee) {
   const json object = json::parse(run_hitpipe(cosim({"--format", "json"})).out);
   EXPECT_TRUE(object.at("false_misses").is_null());
@@ -114,7 +138,8 @@ TEST(CosimCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   EXPECT_EQ(
       lines[0],
       "design,bits,scene,triangles,degenerate_dropped,bvh_nodes,rays_primary,rays_secondary,rays_shadow,"
-      "rays_rejected,box_tests,hits,rtl_mismatches,false_misses,false_hits,different_triangles,"
+      "rays_rejected,box_tests,hits,rtl_mismatches,bit_level_tests,false_misses,false_hits,different_"
+      "triangles,"
       "extra_box_tests_pct,extra_triangle_tests_pct,cycles,latency,rays_in_flight,occupancy_pct,"
       "rtl_tests_per_s,loop_tests_per_s");
   EXPECT_THAT(lines[1], StartsWith("int_slabs,20/24,spheres,24578,0,"));
