@@ -224,7 +224,7 @@ TEST(CosimCommand, FindsTheUnitInItsFolderByItsManifest) {
                                ", " + out + "/int_slabs.json\n");
   EXPECT_EQ(json::parse(unit(one).out).at("bits"), "12/12");
 
-  folder.write("empty/readme.txt", "no unit");
+  std::filesystem::create_directory(folder.path() / "empty");
   const std::string empty = (folder.path() / "empty").string();
   EXPECT_EQ(unit(empty).err, "hitpipe: " + empty +
                                  ": no manifest of int_slabs; give a folder that `hitpipe fit` or `hitpipe "

@@ -5,7 +5,6 @@
 
 #include "rtl_gen/emit/files.hpp"
 #include "tests/cli/program.hpp"
-#include "tests/sim/environment.hpp"
 
 namespace hitpipe::cli {
 namespace {
@@ -154,8 +153,7 @@ TEST_F(RtlCommand, NameThatIsNoneRejected) {
 }
 
 TEST_F(RtlCommand, WithoutGraphvizSaysThatItDoesNotDraw) {
-  const sim::EnvironmentValue path("PATH", "/nowhere");
-  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string()});
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string()}, {{"PATH", "/nowhere"}});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err,
             "hitpipe: the schematics are .dot files only, because Graphviz's dot was not found; install the "
