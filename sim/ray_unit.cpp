@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/slot_queue.hpp"
 #include "sim/wrong_hardware.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 
@@ -18,28 +19,6 @@ void add(std::optional<std::uint64_t>& sum, const std::optional<std::uint64_t>& 
     sum.reset();
   }
 }
-
-/// First in, first out. Each slot is in it once at most.
-class SlotQueue {
- public:
-  explicit SlotQueue(std::size_t slots) : ring_(slots) {}
-
-  [[nodiscard]] bool empty() const { return count_ == 0; }
-  [[nodiscard]] std::size_t front() const { return ring_[front_]; }
-  void push(std::size_t slot) {
-    const std::size_t end = front_ + count_++;
-    ring_[end < ring_.size() ? end : end - ring_.size()] = slot;
-  }
-  void pop() {
-    --count_;
-    if (++front_ == ring_.size()) front_ = 0;
-  }
-
- private:
-  std::vector<std::size_t> ring_;
-  std::size_t front_ = 0;
-  std::size_t count_ = 0;
-};
 
 const RayUnit::Setup& checked(const RayUnit::Setup& setup) {
   if (setup.rays_in_flight < 1 || setup.rays_in_flight > RayUnit::most_rays_in_flight)
