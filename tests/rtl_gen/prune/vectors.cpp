@@ -37,8 +37,8 @@ int main(int argc, char** argv) {
     const std::size_t vectors = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
     bool all = true;
     for (const char* const name : {"int_slabs", "int_plucker"}) {
-      all = run(name, {24, 24}, vectors) && all;
-      all = run(name, {20, 24}, vectors) && all;
+      all = run(name, rtl::Format(hls::IntBits{24, 24}), vectors) && all;
+      all = run(name, rtl::Format(hls::IntBits{20, 24}), vectors) && all;
     }
     for (const char* const name : {"fp_slabs", "fp_plucker"})
       all = run(name, rtl::Format(hls::FpBits{}), vectors) && all;
