@@ -12,6 +12,7 @@
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module_name.hpp"
+#include "sim/vectors/design_vectors.hpp"
 
 namespace hitpipe::cli {
 
@@ -26,6 +27,8 @@ struct RtlOptions {
   bool axi_stream = false;
   std::optional<int> ray_slots;
   bool hls = false;
+  int vectors = sim::usual_vectors;
+  std::uint64_t seed = sim::usual_seed;
   Format format = Format::text;
 };
 
@@ -36,23 +39,23 @@ void emit_rtl(const RtlOptions& options) {
   const rtl::Library library =
       options.library.empty() ? rtl::Library::thesis() : rtl::Library::load(options.library);
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
+  const rtl::VectorSet vectors =
+      sim::design_vectors(design, format, static_cast<std::size_t>(options.vectors), options.seed);
   const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline,
                                                {.module = options.name.value_or(""),
                                                 .axi_stream = options.axi_stream,
                                                 .ray_slots = options.ray_slots,
-                                                .hls = options.hls});
+                                                .hls = options.hls,
+                                                .vectors = &vectors});
   const rtl::UnitFiles written = rtl::write_unit(options.out, emitted);
 
   std::vector<std::string> names;
   for (const rtl::File& file : written.files)
     names.push_back((std::filesystem::path(options.out) / file.name).string());
-  const Row row{{"design", design.name},
-                {"bits", rtl::to_string(format)},
-                {"module", emitted.module},
-                {"stages", pipeline.schedule.stages},
-                {"latency", pipeline.latency()},
-                {"clock_ps", pipeline.schedule.clock_ps},
-                {"files", names}};
+  const Row row{{"design", design.name},         {"bits", rtl::to_string(format)},
+                {"module", emitted.module},      {"stages", pipeline.schedule.stages},
+                {"latency", pipeline.latency()}, {"clock_ps", pipeline.schedule.clock_ps},
+                {"vectors", vectors.size()},     {"files", names}};
   fmt::print("{}", record_text(row, options.format));
   if (!written.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
 }
@@ -85,6 +88,9 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   command->add_flag("--hls", options->hls,
                     "Also write hls/: the design as a C++ top function for high-level synthesis, with a "
                     "script for Vitis HLS");
+  add_count_option(*command, "--vectors", options->vectors, {1, 10'000'000}, "Vectors of the testbench")
+      ->capture_default_str();
+  add_seed_option(*command, options->seed);
   add_format_option(*command, options->format);
   command->callback([options] { emit_rtl(*options); });
 }

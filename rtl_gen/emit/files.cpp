@@ -13,6 +13,7 @@
 #include "rtl_gen/emit/harness.hpp"
 #include "rtl_gen/emit/hls_top.hpp"
 #include "rtl_gen/emit/manifest.hpp"
+#include "rtl_gen/emit/port_vectors.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/prune/check_block.hpp"
@@ -25,7 +26,7 @@ namespace hitpipe::rtl {
 
 namespace {
 
-constexpr int vector_count = 1000;
+constexpr std::size_t drawn_vectors = 1000;
 constexpr std::uint64_t vector_seed = 1;
 
 /// Nothing when dot is not installed.
@@ -35,14 +36,6 @@ std::optional<File> drawing_of(const File& dot) {
   if (!drawn.succeeded() || drawn.out.empty())
     throw std::runtime_error(fmt::format("{}: Graphviz's dot {}", dot.name, drawn.failure()));
   return File{std::filesystem::path(dot.name).replace_extension(".svg").string(), std::move(drawn.out)};
-}
-
-std::vector<Vector> vectors_of(Evaluate evaluate, const std::vector<Port>& left, const PrunedFrom* from) {
-  if (from == nullptr) return judged(operand_vectors(left, vector_count, vector_seed), evaluate);
-  DrawVectors draw(from->ports, from->demands, evaluate, vector_seed);
-  std::vector<Vector> drawn;
-  for (int i = 0; i < vector_count; ++i) drawn.push_back(draw());
-  return drawn;
 }
 
 /// "int_slabs 20/24"; of a unit that the user named also that name: "box_test: int_slabs 20/24".
@@ -89,13 +82,21 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
   const std::string name = options.module.empty() ? design.module_at(format) : options.module;
   check_module_name(name);
   const std::string title = title_of(design, format, name);
+  const std::vector<Port> ports = from == nullptr ? left : from->ports;
+  VectorSet drawn;
+  if (options.vectors == nullptr) {
+    const Evaluate evaluate = design.evaluate(format);
+    const Demands demands = from == nullptr ? Demands{} : from->demands;
+    PortVectors at_ports({pipeline.graph, ports, demands, evaluate, results}, vector_seed);
+    drawn = {vector_seed, at_ports.groups(drawn_vectors)};
+  }
+  const VectorSet& vectors = options.vectors == nullptr ? drawn : *options.vectors;
   std::string verilog = to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format)});
   std::string json = manifest(design, format, name, pipeline, library, options.axi_stream);
   if (from != nullptr) {
     verilog = with_check_block(verilog, check_block(name, from->demands, from->ports, left));
     json = with_demand_fields(json, from->demands, from->report);
   }
-  const std::vector<Vector> vectors = vectors_of(design.evaluate(format), left, from);
   const int count = static_cast<int>(vectors.size());
   std::optional<RaySlots> slots;
   if (options.ray_slots) {
@@ -113,7 +114,7 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
       .harness = {"tb/" + name + "_harness.cpp", harness(name, left, results, count)},
       .makefile = {"tb/Makefile", testbench_makefile()},
       .vectors = {"tb/" + name + "_vectors.hex",
-                  vector_file(from == nullptr ? left : from->ports, left, results, vectors)},
+                  vector_summary(title, vectors, results) + vector_file(ports, left, results, vectors.all())},
       .check_module = {},
       .axi_stream = {},
       .ray_slots = {},

@@ -8,6 +8,7 @@
 #include "host/files.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/emit/vector_set.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/prune/report.hpp"
 
@@ -32,6 +33,8 @@ struct EmitOptions {
   /// Set for a fitted unit. It adds the check module, a check block in the Verilog and the demands in the
   /// manifest, and the vectors meet the demands.
   const PrunedFrom* pruned_from = nullptr;
+  /// Vectors for the testbench, of all ports of the whole design. Null: 1000 that are drawn at the ports.
+  const VectorSet* vectors = nullptr;
 };
 
 /// The files of a design, each by what it is.

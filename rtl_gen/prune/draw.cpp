@@ -78,6 +78,50 @@ std::int64_t moved(Random& random, const PortDemand& wanted, std::int64_t from) 
   return up ? above(from, step) : beneath(from, step);
 }
 
+/// Ends of what the port can have or the set-up gives, and of what floats can be, with the numbers beside
+/// them.
+std::vector<std::int64_t> ends_of(const Port& port, const PortDemand& wanted) {
+  std::vector<std::int64_t> candidates;
+  const auto add = [&](std::int64_t end) {
+    for (const std::uint64_t below : {0, 1, 2}) candidates.push_back(above(end, below - 1));
+  };
+  for (const Interval& each : wanted.within) add(each.low), add(each.high);
+  if (port.range) add(port.range->low), add(port.range->high);
+  if (port.kind == hls::Kind::real) {
+    // The patterns of binary32, with the sign in the port's own highest bit.
+    for (const std::int64_t magnitude : {0x00000000, 0x00800000, 0x3F800000, 0x7F800000, 0x7FC00000})
+      for (const std::int64_t sign : {0, 1}) add(magnitude | sign << (port.width - 1));
+  }
+  std::vector<std::int64_t> ends;
+  for (const std::int64_t each : candidates)
+    if (meets(wanted, each)) ends.push_back(each);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+/// A zero, an infinity or NaN.
+std::int64_t special_float(Random& random, int width) {
+  const std::int64_t sign = static_cast<std::int64_t>(below(random, 2)) << (width - 1);
+  switch (below(random, 4)) {
+    case 0:
+      return sign | 0x7F800000;
+    case 1:
+      return sign | 0x7FC00000;
+    default:
+      return sign;
+  }
+}
+
+/// A float's pattern as a number that grows with its value; -0 comes before +0. pattern_of() is the way back.
+std::int64_t by_value(std::int64_t pattern, int width) {
+  const std::int64_t sign = std::int64_t{1} << (width - 1);
+  return (pattern & sign) != 0 ? ~(pattern & (sign - 1)) : pattern;
+}
+std::int64_t pattern_of(std::int64_t number, int width) {
+  return number < 0 ? ~number | std::int64_t{1} << (width - 1) : number;
+}
+
 // Draws that do not meet the orders are seldom; where nearly all fail, the demands are at odds.
 constexpr int most_tries = 100'000;
 
@@ -91,12 +135,13 @@ void put_in_order(std::int64_t& lesser, std::int64_t& greater) {
 
 }  // namespace
 
-Draw::Draw(const std::vector<Port>& ports, const Demands& demands) {
+Draw::Draw(const std::vector<Port>& ports, const Demands& demands) : ports_(ports) {
   for (const Port& port : ports) {
     const std::size_t i = wanted_.size();
     wanted_.push_back({port.name, {all_numbers(port)}});
     for (const PortDemand& each : demands.ports)
       if (each.port == port.name) wanted_.back() = each;
+    ends_.push_back(ends_of(port, wanted_[i]));
     if (hull(wanted_[i]).low < hull(wanted_[i]).high) free_.push_back(i);
     for (std::size_t j = 0; j < ports.size() && port.role == hls::Role::plane_low; ++j) {
       const Port& other = ports[j];
@@ -111,6 +156,10 @@ Draw::Draw(const std::vector<Port>& ports, const Demands& demands) {
 bool Draw::put_in_order(std::vector<std::int64_t>& operands) const {
   for (const Order& order : orders_) rtl::put_in_order(operands[order.lesser], operands[order.greater]);
   // A later order can undo an earlier one.
+  return meets_all(operands);
+}
+
+bool Draw::meets_all(const std::vector<std::int64_t>& operands) const {
   for (const Order& order : orders_)
     if (operands[order.lesser] > operands[order.greater]) return false;
   for (std::size_t i = 0; i < operands.size(); ++i)
@@ -141,6 +190,82 @@ std::vector<std::int64_t> Draw::beside(const std::vector<std::int64_t>& operands
     if (put_in_order(near)) return near;
   }
   refuse_demands();
+}
+
+std::int64_t Draw::corner(const std::vector<std::int64_t>& operands, std::size_t port, Random& random) const {
+  const PortDemand& wanted = wanted_[port];
+  const bool is_real = ports_[port].kind == hls::Kind::real;
+  for (int tries = 0; tries < 16; ++tries) {
+    std::int64_t drawn = 0;
+    const std::uint64_t power = std::uint64_t{1}
+                                << below(random, static_cast<std::uint64_t>(ports_[port].width));
+    switch (below(random, 4)) {
+      case 0:
+        if (ends_[port].empty()) continue;
+        return ends_[port][below(random, ends_[port].size())];
+      case 1:
+        drawn = is_real ? special_float(random, ports_[port].width)
+                        : static_cast<std::int64_t>(below(random, 4)) - 2;
+        break;
+      case 2:
+        drawn = is_real ? special_float(random, ports_[port].width)
+                        : above(coin(random) ? 0 : -1, coin(random) ? power : std::uint64_t{0} - power);
+        break;
+      default:
+        drawn = operands[below(random, operands.size())];
+        if (coin(random)) drawn = above(drawn, coin(random) ? power : std::uint64_t{0} - power);
+    }
+    if (meets(wanted, drawn)) return drawn;
+  }
+  return operands[port];
+}
+
+std::vector<std::int64_t> Draw::corners(Random& random) const {
+  for (int tries = 0; tries < most_tries; ++tries) {
+    std::vector<std::int64_t> operands = (*this)(random);
+    for (const std::size_t port : free_)
+      if (below(random, 8) != 0) operands[port] = corner(operands, port, random);
+    if (put_in_order(operands)) return operands;
+  }
+  refuse_demands();
+}
+
+std::vector<std::int64_t> Draw::corners_beside(const std::vector<std::int64_t>& operands,
+                                               Random& random) const {
+  for (int tries = 0; tries < most_tries; ++tries) {
+    std::vector<std::int64_t> near = operands;
+    for (std::uint64_t changes = 1 + below(random, 4); changes > 0 && !free_.empty(); --changes) {
+      const std::size_t port = free_[below(random, free_.size())];
+      near[port] = corner(near, port, random);
+    }
+    if (put_in_order(near)) return near;
+  }
+  refuse_demands();
+}
+
+std::int64_t Draw::another(const std::vector<std::int64_t>& operands, std::size_t port,
+                           Random& random) const {
+  return moved(random, wanted_[port], operands[port]);
+}
+
+std::int64_t Draw::one_bit_changed(std::int64_t from, std::size_t port, Random& random) const {
+  const auto bit = static_cast<int>(below(random, static_cast<std::uint64_t>(ports_[port].width)));
+  // The sign stands for all bits above it.
+  const std::uint64_t bits = ~std::uint64_t{0} << bit;
+  const bool is_sign = ports_[port].is_signed && bit == ports_[port].width - 1;
+  return from ^ static_cast<std::int64_t>(is_sign ? bits : bits & ~(bits << 1));
+}
+
+std::int64_t Draw::halfway(std::size_t port, std::int64_t low, std::int64_t high) const {
+  const int zeros = wanted_[port].low_zeros;
+  const auto middle = [zeros](std::int64_t from, std::int64_t to) {
+    const std::uint64_t apart = from < to ? size_of({from, to}) : size_of({to, from});
+    const std::uint64_t half = apart / 2 >> zeros << zeros;
+    return from < to ? above(from, half) : beneath(from, half);
+  };
+  const int width = ports_[port].width;
+  if (ports_[port].kind != hls::Kind::real) return middle(low, high);
+  return pattern_of(middle(by_value(low, width), by_value(high, width)), width);
 }
 
 Vector judged(std::vector<std::int64_t> operands, const Evaluate& evaluate) {

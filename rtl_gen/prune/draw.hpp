@@ -21,15 +21,40 @@ class Draw {
   /// One or two ports of `operands`, as demanded themselves, are drawn again or moved a little.
   [[nodiscard]] std::vector<std::int64_t> beside(const std::vector<std::int64_t>& operands,
                                                  std::mt19937_64& random) const;
+  /// Most ports at a corner: an end of their numbers or of those that the set-up gives, near 0, a power of
+  /// two, or as far as that from the number of another port; of a float also infinity, NaN and the ends of
+  /// the subnormals.
+  [[nodiscard]] std::vector<std::int64_t> corners(std::mt19937_64& random) const;
+  /// A few ports of `operands`, as demanded themselves, are put at a corner.
+  [[nodiscard]] std::vector<std::int64_t> corners_beside(const std::vector<std::int64_t>& operands,
+                                                         std::mt19937_64& random) const;
+
+  /// Ports that may have more than one number.
+  [[nodiscard]] const std::vector<std::size_t>& free_ports() const { return free_; }
+  /// Another number of that port, from the same interval as the one in `operands`.
+  [[nodiscard]] std::int64_t another(const std::vector<std::int64_t>& operands, std::size_t port,
+                                     std::mt19937_64& random) const;
+  /// `from` with one of the port's bits changed.
+  [[nodiscard]] std::int64_t one_bit_changed(std::int64_t from, std::size_t port,
+                                             std::mt19937_64& random) const;
+  /// The multiple of the port's unit that lies halfway between two of them, rounded towards `low`; `low`
+  /// where there is none between. Floats are ordered by value.
+  [[nodiscard]] std::int64_t halfway(std::size_t port, std::int64_t low, std::int64_t high) const;
+  [[nodiscard]] bool meets_all(const std::vector<std::int64_t>& operands) const;
 
  private:
   struct Order {
     std::size_t lesser, greater;
   };
+  /// As demanded, or the number that the port has where chance finds none.
+  [[nodiscard]] std::int64_t corner(const std::vector<std::int64_t>& operands, std::size_t port,
+                                    std::mt19937_64& random) const;
   /// As the orders want them; false when an order or a port's number is then not as demanded.
   [[nodiscard]] bool put_in_order(std::vector<std::int64_t>& operands) const;
 
-  std::vector<PortDemand> wanted_;  ///< of each port
+  std::vector<Port> ports_;
+  std::vector<PortDemand> wanted_;               ///< of each port
+  std::vector<std::vector<std::int64_t>> ends_;  ///< of each port, as demanded
   std::vector<Order> orders_;
   std::vector<Order> boxes_;       ///< lower and upper plane of a box on an axis
   std::vector<std::size_t> free_;  ///< ports of more than one number

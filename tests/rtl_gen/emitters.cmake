@@ -11,6 +11,9 @@ endif()
 # What a sanitizer watches, the first compiler's build runs.
 if(HITPIPE_OTHER_CXX AND NOT HITPIPE_SANITIZE)
   get_target_property(rtl_sources hitpipe_rtl_gen SOURCES)
+  get_target_property(design_sources hitpipe_designs SOURCES)
+  list(FILTER rtl_sources EXCLUDE REGEX TARGET_OBJECTS)
+  list(APPEND rtl_sources ${design_sources})
   get_target_property(rtl_folder hitpipe_rtl_gen SOURCE_DIR)
   # All in one file: most of the time goes into headers.
   set(other_compiler ${CMAKE_CURRENT_BINARY_DIR}/other_compiler)

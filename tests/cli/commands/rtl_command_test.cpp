@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "rtl_gen/emit/files.hpp"
+#include "sim/vectors/design_vectors.hpp"
 #include "tests/cli/program.hpp"
 
 namespace hitpipe::cli {
@@ -40,8 +41,11 @@ TEST_F(RtlCommand, WritesAllFilesIntoAFreshFolder) {
   const hls::IntBits bits{20, 24};
   const rtl::Design& design = rtl::find_design("int_slabs");
   const rtl::Library& library = rtl::Library::thesis();
+  const rtl::VectorSet vectors = sim::design_vectors(design, bits, sim::usual_vectors, sim::usual_seed);
   for (const rtl::File& file :
-       rtl::emit(design, bits, library, rtl::make_pipeline(design.trace(bits), library)).files()) {
+       rtl::emit(design, bits, library, rtl::make_pipeline(design.trace(bits), library),
+                 {.vectors = &vectors})
+           .files()) {
     if (file.name == "int_slabs.json") continue;  // it also lists the pictures
     EXPECT_EQ(contents_of(out_ / file.name), file.contents) << file.name;
   }
@@ -57,7 +61,8 @@ TEST_F(RtlCommand, PrintsStagesClockAndFiles) {
       "module    int_slabs\n"
       "stages    4\n"
       "latency   4\n"
-      "clock_ps  3,176\n";
+      "clock_ps  3,176\n"
+      "vectors   6,000\n";
   const char* label = "files     ";
   for (const char* file : {"int_slabs.v", "int_slabs.json", "int_slabs.core", "tb/int_slabs_tb.sv",
                            "tb/int_slabs_harness.cpp", "tb/Makefile", "tb/int_slabs_vectors.hex",
@@ -166,9 +171,9 @@ TEST_F(RtlCommand, PrintsCsv) {
   const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--format", "csv"});
   const auto lines = lines_of(outcome.out);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0], "design,bits,module,stages,latency,clock_ps,files");
+  EXPECT_EQ(lines[0], "design,bits,module,stages,latency,clock_ps,vectors,files");
   EXPECT_THAT(lines[1],
-              StartsWith("int_slabs,20/24,int_slabs,4,4,3176," + (out_ / "int_slabs.v").string() + " "));
+              StartsWith("int_slabs,20/24,int_slabs,4,4,3176,6000," + (out_ / "int_slabs.v").string() + " "));
 }
 
 TEST_F(RtlCommand, PrintsJson) {
@@ -194,6 +199,30 @@ TEST_F(RtlCommand, WritesTheSameBytesAgain) {
   EXPECT_EQ(files_below(out_), all_files);
   for (std::size_t i = 0; i < before.size(); ++i)
     EXPECT_EQ(contents_of(out_ / all_files[i]), before[i]) << all_files[i];
+}
+
+TEST_F(RtlCommand, WritesAsManyVectorsAsAsked) {
+  const std::filesystem::path file = out_ / "tb/int_slabs_vectors.hex";
+  const auto vectors_of = [&](const std::string& count, const std::string& seed) {
+    EXPECT_EQ(run_hitpipe({"rtl", "int_slabs", "--vectors", count, "--seed", seed, "--out", out_.string()})
+                  .exit_code,
+              0);
+    return contents_of(file);
+  };
+  const std::string few = vectors_of("300", "7");
+  EXPECT_THAT(few, StartsWith("// int_slabs 20/24: 300 vectors of seed 7, of which "));
+  const auto lines = lines_of(few);
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(), [](const auto& l) { return !l.starts_with("//"); }),
+            300);
+  EXPECT_THAT(contents_of(out_ / "tb/int_slabs_tb.v"), HasSubstr("localparam COUNT = 300;"));
+  EXPECT_EQ(vectors_of("300", "7"), few);
+  EXPECT_NE(vectors_of("300", "8"), few);
+}
+
+TEST_F(RtlCommand, MoreVectorsThanTagsRejected) {
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--vectors", "65536", "--out", out_.string()});
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("Value 65536 not in range 1 to 65535"));
 }
 
 TEST_F(RtlCommand, SlowerClockTakesFewerStages) {

@@ -56,8 +56,8 @@ std::string flip_hit(const std::filesystem::path& file, int vector) {
   std::string text;
   std::string line;
   std::string flipped;
-  for (int i = 0; std::getline(in, line); ++i) {
-    if (i == vector) {
+  for (int i = 0; std::getline(in, line); i += line.starts_with("//") ? 0 : 1) {
+    if (i == vector && !line.starts_with("//")) {
       char& digit = line.back();
       const int value = digit <= '9' ? digit - '0' : digit - 'a' + 10;
       digit = "0123456789abcdef"[value ^ 1];

@@ -1,0 +1,47 @@
+// Runs a graph on up to 64 vectors at a time, and again with wrong values at one node: which vectors show it?
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rtl_gen/graph/graph.hpp"
+
+namespace hitpipe::rtl {
+
+inline constexpr std::size_t most_lanes = 64;
+/// A value for each lane. Lanes without a vector have those of the last.
+using Lanes = std::array<std::uint64_t, most_lanes>;
+
+/// The value of a word of that width, read as two's complement.
+constexpr std::int64_t two_s_complement(std::uint64_t value, int width) {
+  return static_cast<std::int64_t>(value << (64 - width)) >> (64 - width);
+}
+
+/// The output of a unit.
+using RunUnit = std::uint64_t (*)(const Unit& unit, std::span<const std::uint64_t> operands);
+[[nodiscard]] std::uint64_t run_body(const Unit& unit, std::span<const std::uint64_t> operands);
+
+class GraphLanes {
+ public:
+  /// The graph must outlive it.
+  explicit GraphLanes(const Graph& graph, RunUnit run_unit = run_body);
+
+  /// One to 64 vectors, each with a number for each input in order; bits above an input's width are ignored.
+  void load(std::span<const std::vector<std::int64_t>> operands);
+  /// What the graph gives for each node.
+  [[nodiscard]] const Lanes& right(NodeId id) const { return right_[id]; }
+  /// A bit for each lane whose outputs change when the node has these values instead.
+  [[nodiscard]] std::uint64_t shown_by(NodeId node, const Lanes& wrong);
+
+ private:
+  const Graph& graph_;
+  RunUnit run_unit_;
+  std::vector<Lanes> right_, wrong_;
+  std::vector<char> differs_;
+  std::vector<std::vector<NodeId>>
+      readers_;  ///< every node that an output needs and that depends on the node
+};
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,70 @@
+// The float components of a graph on the host, binary32 only, and what their faults are made of. Numbers are
+// patterns.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+
+#include "hls/box/fp_format.hpp"
+#include "hls/num/domain.hpp"
+#include "hls/num/fp.hpp"
+#include "rtl_gen/graph/graph.hpp"
+
+namespace hitpipe::sim::fp {
+
+inline constexpr std::uint64_t sign_bit = 0x80000000U;
+inline constexpr std::uint64_t infinity = 0x7F800000U;
+
+enum class Operator { subtract, multiply, compare };
+
+inline Operator operator_of(const rtl::Unit& unit) {
+  if (unit.bits != 32) throw std::logic_error("a float that is no binary32");
+  if (unit.component == "fp_subtract") return Operator::subtract;
+  if (unit.component == "fp_multiply") return Operator::multiply;
+  if (unit.component == "fp_compare") return Operator::compare;
+  throw std::logic_error("an unknown float component: " + unit.component);
+}
+
+using Pattern = hls::ap_uint<32>;
+
+inline Pattern pattern(std::uint64_t bits) {
+  return static_cast<std::int64_t>(bits);
+}
+inline std::uint64_t subtract(std::uint64_t a, std::uint64_t b) {
+  return hls::fp_logic::subtract<hls::Native>(hls::Fp32(), pattern(a), pattern(b)).word();
+}
+inline std::uint64_t multiply(std::uint64_t a, std::uint64_t b) {
+  return hls::fp_logic::multiply<hls::Native>(hls::Fp32(), pattern(a), pattern(b)).word();
+}
+/// Bit 0: less. Bit 1: greater.
+inline std::uint64_t compare(std::uint64_t a, std::uint64_t b) {
+  return hls::fp_logic::compare<hls::Native>(hls::Fp32(), pattern(a), pattern(b)).word();
+}
+
+inline std::uint64_t negated(std::uint64_t x) {
+  return x ^ sign_bit;
+}
+inline std::uint64_t magnitude(std::uint64_t x) {
+  return x & ~sign_bit;
+}
+inline bool is_nan(std::uint64_t x) {
+  return magnitude(x) > infinity;
+}
+inline bool unordered(std::uint64_t a, std::uint64_t b) {
+  return is_nan(a) || is_nan(b);
+}
+inline bool are_equal(std::uint64_t a, std::uint64_t b) {
+  return !unordered(a, b) && compare(a, b) == 0;
+}
+/// Less for greater.
+inline std::uint64_t swapped(std::uint64_t order) {
+  return order >> 1 | (order & 1U) << 1;
+}
+inline std::uint64_t farther_from_0(std::uint64_t x) {
+  return magnitude(x) < infinity ? x + 1 : x;
+}
+inline std::uint64_t nearer_to_0(std::uint64_t x) {
+  return magnitude(x) != 0 && !is_nan(x) ? x - 1 : x;
+}
+
+}  // namespace hitpipe::sim::fp
