@@ -16,8 +16,8 @@ namespace hitpipe::rtl {
 
 namespace {
 
-constexpr const char* difference = "label=\"\u2212\" shape=circle fillcolor=\"#cfe3f5\"";
-constexpr const char* product = "label=\"\u00d7\" shape=circle width=0.55 fillcolor=\"#f6d5a8\"";
+constexpr const char* difference_style = "label=\"\u2212\" shape=circle fillcolor=\"#cfe3f5\"";
+constexpr const char* product_style = "label=\"\u00d7\" shape=circle width=0.55 fillcolor=\"#f6d5a8\"";
 
 std::string comparator(std::string_view sign) {
   return fmt::format("label=\"{}\" shape=circle fillcolor=\"#d9ecd0\"", sign);
@@ -168,11 +168,11 @@ class Drawing {
     const Node& n = graph_[id];
     switch (n.op) {
       case Op::sub:
-        return difference;
+        return difference_style;
       case Op::add:
         return "label=\"+\" shape=circle fillcolor=\"#cfe3f5\"";
       case Op::mul:
-        return product;
+        return product_style;
       case Op::less:
         return comparator(sign_of(id, 0));
       case Op::equal:
@@ -192,8 +192,8 @@ class Drawing {
 
   [[nodiscard]] std::string unit_symbol(NodeId id) const {
     const std::string& component = graph_.unit_of(id)->component;
-    if (component == "fp_subtract") return difference;
-    if (component == "fp_multiply") return product;
+    if (component == "fp_subtract") return difference_style;
+    if (component == "fp_multiply") return product_style;
     if (!is_order(id)) return fmt::format("label=\"{}\" shape=box", component);
     std::string signs;
     for (const int bit : {0, 1})

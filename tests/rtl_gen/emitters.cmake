@@ -25,7 +25,7 @@ if(HITPIPE_OTHER_CXX AND NOT HITPIPE_SANITIZE)
   file(GENERATE OUTPUT ${other_compiler}/all.cpp CONTENT "${includes}")
   set(other_emit_all ${other_compiler}/emit_all)
   add_custom_command(OUTPUT ${other_emit_all}
-    COMMAND ${HITPIPE_OTHER_CXX} -std=c++20 -O0 -I${PROJECT_SOURCE_DIR} -I${PROJECT_BINARY_DIR}/generated
+    COMMAND ${HITPIPE_OTHER_CXX} -std=c++20 -O0 -DHITPIPE_VERSION="${PROJECT_VERSION}" -I${PROJECT_SOURCE_DIR} -I${PROJECT_BINARY_DIR}/generated
             -MD -MF ${other_emit_all}.d -MT ${other_emit_all} ${other_compiler}/all.cpp $<TARGET_FILE:hitpipe_host> -lfmt -ltbb -o ${other_emit_all}
     DEPENDS ${other_compiler}/all.cpp hitpipe_host DEPFILE ${other_emit_all}.d
     COMMENT "Building emit_all with the other compiler" VERBATIM)

@@ -35,8 +35,13 @@ VerilatedDesign behind_slots(const Unit& unit, int slots, const std::string& goo
                                               unit.design().results(unit.format), slots);
   const std::string verilog =
       rtl::to_verilog(pipeline, library, {.module_name = unit.name, .bits = rtl::to_string(unit.format)});
-  return {unit.design(), unit.format,     pipeline,
-          verilog,       default_cache(), RayMemory{memory, replaced(rtl::to_verilog(memory), good, bad)}};
+  return {unit.design(),
+          unit.format,
+          pipeline,
+          verilog,
+          unit.name,
+          default_cache(),
+          RayMemory{memory, replaced(rtl::to_verilog(memory), good, bad)}};
 }
 
 std::vector<std::vector<std::int64_t>> vectors_of(const Unit& unit) {
