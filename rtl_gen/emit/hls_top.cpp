@@ -1,5 +1,6 @@
 #include "rtl_gen/emit/hls_top.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -100,18 +101,19 @@ using namespace hitpipe::hls;
 }
 
 std::string csim(const Design& design, const Format& format, const std::string& module) {
+  std::vector<std::string> includes{"hls/top/csim.hpp", module + ".hpp"};
+  std::sort(includes.begin(), includes.end());
   return fmt::format(
       R"(// C simulation of the top function of {0}: replays vectors and compares the results.
 //   csim [FILE]    {1}_vectors.hex unless given
-#include "hls/top/csim.hpp"
-
-#include "{1}.hpp"
+#include "{3}"
+#include "{4}"
 
 int main(int argc, char** argv) {{
   return hitpipe::hls::top::csim(argc, argv, "{1}_vectors.hex", {2});
 }}
 )",
-      design.name_at(format), module, hls_function(module));
+      design.name_at(format), module, hls_function(module), includes[0], includes[1]);
 }
 
 }  // namespace

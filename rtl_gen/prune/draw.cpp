@@ -197,6 +197,8 @@ std::int64_t Draw::corner(const std::vector<std::int64_t>& operands, std::size_t
   const bool is_real = ports_[port].kind == hls::Kind::real;
   for (int tries = 0; tries < 16; ++tries) {
     std::int64_t drawn = 0;
+    // Drawn one after the other: compilers differ in the order of arguments.
+    const auto up_or_down = [&](std::uint64_t step) { return coin(random) ? step : std::uint64_t{0} - step; };
     const std::uint64_t power = std::uint64_t{1}
                                 << below(random, static_cast<std::uint64_t>(ports_[port].width));
     switch (below(random, 4)) {
@@ -208,12 +210,16 @@ std::int64_t Draw::corner(const std::vector<std::int64_t>& operands, std::size_t
                         : static_cast<std::int64_t>(below(random, 4)) - 2;
         break;
       case 2:
-        drawn = is_real ? special_float(random, ports_[port].width)
-                        : above(coin(random) ? 0 : -1, coin(random) ? power : std::uint64_t{0} - power);
+        if (is_real) {
+          drawn = special_float(random, ports_[port].width);
+        } else {
+          const std::uint64_t step = up_or_down(power);
+          drawn = above(coin(random) ? 0 : -1, step);
+        }
         break;
       default:
         drawn = operands[below(random, operands.size())];
-        if (coin(random)) drawn = above(drawn, coin(random) ? power : std::uint64_t{0} - power);
+        if (coin(random)) drawn = above(drawn, up_or_down(power));
     }
     if (meets(wanted, drawn)) return drawn;
   }

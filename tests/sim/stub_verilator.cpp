@@ -19,7 +19,9 @@ echo run >>"$home/runs"
 sleep "$(cat "$home/seconds")"
 code=$(cat "$home/code")
 if [ "$code" != 0 ]; then echo 'stub fails'; exit "$code"; fi
-mkdir obj && cp "$home/Vint_slabs.h" obj/
+for file; do :; done
+module=$(basename "$file" .v)
+mkdir obj && sed "s/Vint_slabs/V$module/g" "$home/Vint_slabs.h" >"obj/V$module.h"
 )script");
   std::string ports = "clk, rst, in_valid, in_ready, in_tag, out_valid, out_ready, out_tag, hit";
   for (const rtl::Port& port : int_slabs().ports(hls::IntBits{20, 24})) ports += ", " + port.name;

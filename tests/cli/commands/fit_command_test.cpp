@@ -85,8 +85,11 @@ TEST_F(FitCommand, KeepsEveryByteOfADesignThatIsNeededWhole) {
   EXPECT_EQ(run_hitpipe({"rtl", "int_slabs", "--bits", "12/12", "--out", whole}).exit_code, 0);
   const auto files = files_below(whole);
   EXPECT_EQ(files_below(out() + "/int_slabs"), files);
-  for (const std::string& file : files)
+  // The vectors of a fitted unit are others, because they meet the scene's demands.
+  for (const std::string& file : files) {
+    if (file.starts_with("tb/")) continue;
     EXPECT_EQ(contents_of(out() + "/int_slabs/" + file), contents_of(whole + "/" + file)) << file;
+  }
 }
 
 TEST_F(FitCommand, FindsFewerBitsAndSaysSo) {
@@ -130,7 +133,7 @@ TEST_F(FitCommand, FailsWhenVectorsFindWhatTheImageDoesNot) {
   const std::string verilator = folder_
                                     .write_program("verilator", R"(#!/bin/sh
 if [ "$1" = --version ]; then echo losing tests; exit; fi
-if [ "$1" = --cc ]; then sed -i 's/else if (advance) valid/else valid/' int_slabs.v; fi
+if [ "$1" = --cc ]; then sed -i 's/else if (advance) valid/else valid/' int_slabs*.v; fi
 exec verilator "$@"
 )")
                                     .string();

@@ -160,7 +160,6 @@ TEST(HlsTop, CsimReplaysVectorsThroughTheTop) {
       R"(// C simulation of the top function of int_plucker 12/12: replays vectors and compares the results.
 //   csim [FILE]    int_plucker_12_12_vectors.hex unless given
 #include "hls/top/csim.hpp"
-
 #include "int_plucker_12_12.hpp"
 
 int main(int argc, char** argv) {

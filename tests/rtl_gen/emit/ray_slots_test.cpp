@@ -152,7 +152,10 @@ TEST_P(RaySlotsOfDesign, LeavesTheUnitAndTellsOfItself) {
   nlohmann::json manifest = nlohmann::json::parse(files.at(bare.manifest.name));
   const nlohmann::json slots = manifest.at("ray_slots");
   manifest.erase("ray_slots");
-  EXPECT_EQ(manifest, nlohmann::json::parse(bare.manifest.contents));
+  nlohmann::json without = nlohmann::json::parse(bare.manifest.contents);
+  auto& all = without.at("files");
+  all.insert(all.begin() + 7, design + "_slots.v");
+  EXPECT_EQ(manifest, without);
   EXPECT_EQ(slots.at("module"), design + "_slots");
   EXPECT_TRUE(files.contains(slots.at("file")));
   EXPECT_EQ(slots.at("slots"), 64);

@@ -219,7 +219,7 @@ TEST_P(EmittedFiles, AreTheSameEachTime) {
   const std::vector<File> first = emitted().files();
   const std::vector<File> second = emitted().files();
   const std::size_t groups = stage_groups(GetParam().pipeline()).size();
-  ASSERT_EQ(first.size(), 5 + groups) << "five files, and a schematic for each group of stages";
+  ASSERT_EQ(first.size(), 7 + groups) << "seven files, and a schematic for each group of stages";
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].name, second[i].name);
