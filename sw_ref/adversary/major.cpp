@@ -188,7 +188,8 @@ Case saturation(Random& random) {
 std::span<const Category> major_categories() {
   static constexpr Category table[] = {
       {"fine_ties",
-       "origin halfway between two points of a fine grid, a face at the origin or on the ray's way", fine_ties},
+       "origin halfway between two points of a fine grid, a face at the origin or on the ray's way",
+       fine_ties},
       {"equal_components", "direction components that are equal, or within 2 ulps", equal_components},
       {"exponent_cap", "component ratios about 2^(n+g-1), the largest exponent, and zeros", exponent_cap},
       {"mantissa_ends", "component ratios at steps of a p-bit mantissa and just below 2", mantissa_ends},

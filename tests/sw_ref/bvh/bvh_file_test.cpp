@@ -333,11 +333,9 @@ TEST_F(BvhFile, OfWrongWordsIsRejectedWithItsLine) {
 
 /// The reader keeps a piece of the file at a time; words and lines go over its ends.
 TEST_F(BvhFile, MayBeLongerThanThePiecesInWhichItIsRead) {
-  std::string text =
-      changed("\n0 1\n", "\n" + std::string(300'001, ' ') + "0 # " + std::string(200'003, 'x') + "\n1" +
-                             std::string(150'000, '\n'));
-  text =
-      changed("triangles 2\n", std::string(65'530 - text.find("triangles"), ' ') + "triangles 2\n", text);
+  std::string text = changed("\n0 1\n", "\n" + std::string(300'001, ' ') + "0 # " +
+                                            std::string(200'003, 'x') + "\n1" + std::string(150'000, '\n'));
+  text = changed("triangles 2\n", std::string(65'530 - text.find("triangles"), ' ') + "triangles 2\n", text);
   EXPECT_TRUE(same_bits(load(text, two_).bvh, load(two_triangles(), two_).bvh));
 }
 
