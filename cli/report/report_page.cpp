@@ -15,7 +15,7 @@ namespace hitpipe::cli {
 
 namespace {
 
-constexpr std::string_view style = R"(
+constexpr std::string_view page_style = R"(
 :root{color-scheme:light}
 *{box-sizing:border-box}
 body{margin:0 auto;max-width:1180px;padding:16px;font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;background:#fff}
@@ -231,7 +231,7 @@ std::string Page::html() const {
       "<link rel=\"icon\" href=\"data:,\">\n<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n"
       "<h1>{0}</h1>\n<nav "
       "aria-label=\"Contents\"><ul>\n{2}</ul></nav>\n<main>\n{3}</main>\n</body>\n</html>\n",
-      escaped(title_), style, links, body_);
+      escaped(title_), page_style, links, body_);
 }
 
 }  // namespace hitpipe::cli

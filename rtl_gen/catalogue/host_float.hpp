@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cfloat>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -50,7 +51,7 @@ auto host_number(const hls::Fp<HostFloat, F>& x) {
 template <class F>
 hls::Fp<HostFloat, F> from_host(const typename HostNumbers<F>::Number& number, const F& format) {
   constexpr std::uint32_t nan = ((1U << (F::bits.exponent + 1)) - 1) << (F::bits.fraction - 1);
-  return {{number == number ? HostNumbers<F>::pattern(number) : nan}, format};
+  return {{std::isnan(number) ? nan : HostNumbers<F>::pattern(number)}, format};
 }
 
 }  // namespace detail

@@ -129,9 +129,9 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
     emitted.hls = hls_top(design, format, name).files();
     for (File& file : emitted.hls) file.name.insert(0, "hls/");
   }
-  std::vector<std::string> names;
-  for (const File& file : emitted.files()) names.push_back(file.name);
-  emitted.manifest.contents = with_files(emitted.manifest.contents, names);
+  std::vector<std::string> listed;
+  for (const File& file : emitted.files()) listed.push_back(file.name);
+  emitted.manifest.contents = with_files(emitted.manifest.contents, listed);
   return emitted;
 }
 

@@ -83,7 +83,7 @@ std::int64_t moved(Random& random, const PortDemand& wanted, std::int64_t from) 
 std::vector<std::int64_t> ends_of(const Port& port, const PortDemand& wanted) {
   std::vector<std::int64_t> candidates;
   const auto add = [&](std::int64_t end) {
-    for (const std::uint64_t below : {0, 1, 2}) candidates.push_back(above(end, below - 1));
+    for (const int step : {-1, 0, 1}) candidates.push_back(above(end, static_cast<std::uint64_t>(step)));
   };
   for (const Interval& each : wanted.within) add(each.low), add(each.high);
   if (port.range) add(port.range->low), add(port.range->high);
