@@ -1,6 +1,7 @@
 // The bit-level float operators in binary32 against the host's floating-point unit, as co-simulation uses it
 // (rtl_gen/catalogue/host_float.hpp). First 10^8 pairs, many of them at corner cases, must agree bit for bit.
-// Then both are timed on the same pairs. One item is one pair; times_host is our time divided by the host's.
+// Then both are timed on the same pairs. An item is a pair. times_host is our
+// time divided by the host's.
 #include <chrono>
 #include <cstddef>
 #include <cstdint>

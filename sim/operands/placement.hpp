@@ -23,7 +23,7 @@ class Placement {
   [[nodiscard]] const ref::Normalisation& transform() const { return transform_; }
   [[nodiscard]] bool has_bounds() const { return has_bounds_; }
 
-  /// Place of an own coordinate on an axis, in double.
+  /// Where a coordinate in the user's units lies in the cube, in double.
   [[nodiscard]] double place(double own, int axis) const;
   /// A binary32 on this side of the place of `own`; the nearest one, except in doubt.
   [[nodiscard]] float plane(double own, int axis, Rounding side) const;

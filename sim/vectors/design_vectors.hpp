@@ -1,6 +1,7 @@
-// The vectors that `hitpipe rtl` writes. Three eighths are operands of hard rays and boxes, made by the
-// design's own set-up, as many are drawn at the ports, and the rest shows what these leave hidden. Rays and
-// boxes reach what drawn operands hardly do, such as an origin in a plane. Ports reach what no set-up gives.
+// The vectors that `hitpipe rtl` writes. Three eighths are operands of hard rays and boxes, which the
+// design's own set-up makes. They have cases that drawn operands seldom have, such as an origin in a plane.
+// As many are drawn at the ports. They have numbers that no set-up gives. The rest is chosen to show faults
+// that all these leave hidden.
 #pragma once
 
 #include <cstdint>
