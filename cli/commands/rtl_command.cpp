@@ -86,8 +86,8 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
                    "and its tests name its slot; N is rounded up to a power of two")
       ->excludes("--axi-stream");
   command->add_flag("--hls", options->hls,
-                    "Also write hls/: the design as a C++ top function for high-level synthesis, with a "
-                    "script for Vitis HLS");
+                    "Also write hls/: the design as a C++ top function for high-level synthesis, with "
+                    "scripts for Vitis HLS and Catapult");
   add_count_option(*command, "--vectors", options->vectors, {1, 10'000'000}, "Vectors of the testbench")
       ->capture_default_str();
   add_seed_option(*command, options->seed);
