@@ -16,6 +16,7 @@
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/render/image_file.hpp"
 #include "sw_ref/render/render.hpp"
+#include "sw_ref/render/stiff_rays.hpp"
 
 namespace hitpipe::cli {
 
@@ -75,15 +76,18 @@ void render_scene(const RenderCommand& command) {
   const ref::LoadedBvh hierarchy = make_hierarchy(command.bvh, scene, build);
   const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, hierarchy.bvh, tracing);
   progress.emplace("rendering");
+  ref::StiffRays stiff;
   const auto start = std::chrono::steady_clock::now();
-  const ref::RenderResult result = ref::render(scene, *tracer,
-                                               {.width = command.scene.width,
-                                                .height = command.scene.height,
-                                                .threads = command.scene.threads,
-                                                .tile_side = ref::tile_side_for(tracing.bundle),
-                                                .light = command.light,
-                                                .maps = command.maps(),
-                                                .progress = [&](double share) { progress->show(share); }});
+  const ref::RenderResult result =
+      ref::render(scene, *tracer,
+                  {.width = command.scene.width,
+                   .height = command.scene.height,
+                   .threads = command.scene.threads,
+                   .tile_side = ref::tile_side_for(tracing.bundle),
+                   .light = command.light,
+                   .maps = command.maps(),
+                   .progress = [&](double share) { progress->show(share); },
+                   .traced = [&](ref::RayKind, const ref::TraceJob& job) { stiff.add(job.rays); }});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   progress.reset();
 
@@ -99,6 +103,8 @@ void render_scene(const RenderCommand& command) {
               {"rays_primary", counts.primary.rays},
               {"rays_secondary", counts.secondary.rays},
               {"rays_shadow", counts.shadow.rays},
+              {"stiff_rays_pct", stiff.stiff_pct()},
+              {"zero_component_rays_pct", stiff.zero_component_pct()},
               {"surface_points", result.shading.surface_points},
               {"light_evaluations", result.shading.light_evaluations},
               {"queue_bytes_primary", result.shading.queue_bytes_of(ref::RayKind::primary)},

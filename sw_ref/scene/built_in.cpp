@@ -10,6 +10,7 @@
 #include "sw_ref/scene/city.hpp"
 #include "sw_ref/scene/plant.hpp"
 #include "sw_ref/scene/poppy.hpp"
+#include "sw_ref/scene/reading_room.hpp"
 #include "sw_ref/scene/statue.hpp"
 #include "sw_ref/scene/terrain.hpp"
 #include "sw_ref/scene/waves.hpp"
@@ -22,7 +23,7 @@ SceneDescription only_spheres(std::size_t /*triangles*/) {
 }
 
 // Default sizes are the thesis's. Scenes that would take a minute default to a million triangles.
-constexpr std::array<BuiltInScene, 14> scenes{{
+constexpr std::array<BuiltInScene, 15> scenes{{
     {"spheres", "Spheres", 24'578, 24'578, 24'578, 2, "balls, some mirrors, some of glass", only_spheres},
     {"branch", "Branch", 312'706, 80'000, 10'000'000, 2, "a spruce branch with cones", branch},
     {"poppy", "Poppy", 395'460, 25'000, 10'000'000, 2, "a clump of poppies", poppy},
@@ -39,6 +40,7 @@ constexpr std::array<BuiltInScene, 14> scenes{{
     {"waves", "", 30'000, 1'000, 10'000'000, 1, "a sea seen and lit along one class", waves},
     {"city", "", 250'000, 100'000, 10'000'000, 1, "a city of boxes, its plan from above", city},
     {"city_oblique", "", 250'000, 100'000, 10'000'000, 2, "seen at a slant", city_oblique},
+    {"reading_room", "", 250'000, 60'000, 10'000'000, 1, "a library, the sun straight above", reading_room},
     {"terrain", "", 2'000'000, 10'000, 50'000'000, 1, "a scanned landscape, seen along it", terrain},
 }};
 

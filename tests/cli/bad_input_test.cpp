@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "sw_ref/scene/built_in.hpp"
 #include "tests/cli/program.hpp"
 
 namespace hitpipe::cli {
@@ -86,9 +87,7 @@ TEST_F(BadInput, BitsRejected) {
 TEST_F(BadInput, UnknownSceneRejected) {
   scene_rejected(
       {"--scene", "bunny"},
-      "scene \"bunny\": no built-in scene and no file of that name; built-in are: spheres, branch, "
-      "poppy, plant, plant_front, plant_north, plant_boiler, statue, two_statues, "
-      "plant_slice, waves, city, city_oblique, terrain");
+      "scene \"bunny\": no built-in scene and no file of that name; built-in are: " + ref::built_in_names());
 }
 
 TEST_F(BadInput, MissingMeshRejected) {

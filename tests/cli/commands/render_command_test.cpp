@@ -31,6 +31,10 @@ TEST(RenderCommand, PrintsCountsAndWritesTheImage) {
     EXPECT_EQ(object.at("rays_primary"), 1200);
     EXPECT_GE(object.at("rays_secondary"), 0);
     EXPECT_GT(object.at("rays_shadow"), 100);
+    // A few of the camera's rays are nearly parallel to the plane x = 0.
+    EXPECT_GT(object.at("stiff_rays_pct"), 0.0);
+    EXPECT_LT(object.at("stiff_rays_pct"), 5.0);
+    EXPECT_LE(object.at("zero_component_rays_pct"), object.at("stiff_rays_pct"));
     EXPECT_EQ(object.at("bytes_per_node"), 32);
     EXPECT_EQ(object.at("node_bytes"), 32 * object.at("bvh_nodes").get<int>());
     EXPECT_EQ(object.at("image"), image);
@@ -65,17 +69,18 @@ TEST(RenderCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
           "scene                           spheres\nstands_for                      Spheres\ntriangles "));
   const auto lines = lines_of(run_hitpipe(with(small, {"--format", "csv"})).out);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0],
-            "scene,stands_for,triangles,degenerate_dropped,bvh_nodes,bytes_per_node,node_bytes,rays_primary,"
-            "rays_secondary,rays_shadow,surface_points,light_evaluations,"
-            "queue_bytes_primary,queue_bytes_secondary,queue_bytes_shadow,"
-            "box_tests,box_tests_per_ray,box_tests_per_primary,box_tests_per_secondary,box_tests_per_shadow,"
-            "triangle_tests,triangle_tests_per_ray,triangle_tests_per_primary,triangle_tests_per_secondary,"
-            "triangle_tests_per_shadow,"
-            "nodes_loaded,nodes_loaded_per_ray,nodes_loaded_per_primary,nodes_loaded_per_secondary,"
-            "nodes_loaded_per_shadow,"
-            "triangles_loaded,triangles_loaded_per_ray,triangles_loaded_per_primary,"
-            "triangles_loaded_per_secondary,triangles_loaded_per_shadow,seconds");
+  EXPECT_EQ(
+      lines[0],
+      "scene,stands_for,triangles,degenerate_dropped,bvh_nodes,bytes_per_node,node_bytes,rays_primary,"
+      "rays_secondary,rays_shadow,stiff_rays_pct,zero_component_rays_pct,surface_points,light_evaluations,"
+      "queue_bytes_primary,queue_bytes_secondary,queue_bytes_shadow,"
+      "box_tests,box_tests_per_ray,box_tests_per_primary,box_tests_per_secondary,box_tests_per_shadow,"
+      "triangle_tests,triangle_tests_per_ray,triangle_tests_per_primary,triangle_tests_per_secondary,"
+      "triangle_tests_per_shadow,"
+      "nodes_loaded,nodes_loaded_per_ray,nodes_loaded_per_primary,nodes_loaded_per_secondary,"
+      "nodes_loaded_per_shadow,"
+      "triangles_loaded,triangles_loaded_per_ray,triangles_loaded_per_primary,"
+      "triangles_loaded_per_secondary,triangles_loaded_per_shadow,seconds");
   EXPECT_THAT(lines[1], StartsWith("spheres,Spheres,24578,0,"));
 }
 

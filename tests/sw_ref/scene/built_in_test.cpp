@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Small{"statue", 0x19385A9A4F16B5D2}, Small{"two_statues", 0x06BA5CAF1DDCE6F9},
                     Small{"plant_slice", 0x0ECD82323750C5CD}, Small{"waves", 0xD4B1C229A29C7609},
                     Small{"city", 0x761D6AE4C624BD71}, Small{"city_oblique", 0x761D6AE4C624BD71},
-                    Small{"terrain", 0x4BA098A095EF2ABD}),
+                    Small{"reading_room", 0x4FBBB262563A7AB3}, Small{"terrain", 0x4BA098A095EF2ABD}),
     [](const auto& parameter) { return std::string(parameter.param.name); });
 
 TEST(BuiltInScenes, HaveTheNumberOfTrianglesAskedFor) {
@@ -84,6 +84,7 @@ TEST(BuiltInScenes, HaveTheNumberOfTrianglesAskedFor) {
                                         {"two_statues", 50'000U},
                                         {"waves", 20'000U},
                                         {"city", 140'000U},
+                                        {"reading_room", 100'000U},
                                         {"terrain", 50'000U}}) {
     const std::size_t count = make_built_in(name, triangles).mesh.triangles.size();
     EXPECT_NEAR(static_cast<double>(count), triangles, 0.02 * triangles) << name;
