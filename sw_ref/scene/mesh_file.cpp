@@ -31,6 +31,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "sw_ref/reject.hpp"
+#include "sw_ref/scene/obj_material.hpp"
 #include "sw_ref/scene/ply_check.hpp"
 #include "sw_ref/scene/triangle_numbers.hpp"
 
@@ -171,8 +172,14 @@ std::string material_name(const aiScene& scene, const aiMesh& mesh) {
                                                    : "";
 }
 
+/// Only OBJ files have materials that are read.
+std::optional<Material> surface(const aiScene& scene, const aiMesh& mesh, bool is_obj) {
+  if (!is_obj || mesh.mMaterialIndex >= scene.mNumMaterials) return std::nullopt;
+  return obj_material(*scene.mMaterials[mesh.mMaterialIndex]);
+}
+
 /// Adds all meshes of the node tree, each moved by the product of the transforms above it.
-Mesh flatten(const aiScene& scene, std::vector<MeshGroup>& groups) {
+Mesh flatten(const aiScene& scene, bool is_obj, std::vector<MeshGroup>& groups) {
   Mesh out;
   std::size_t faces = 0;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) faces += scene.mMeshes[m]->mNumFaces;
@@ -186,7 +193,7 @@ Mesh flatten(const aiScene& scene, std::vector<MeshGroup>& groups) {
       const aiMesh& mesh = *scene.mMeshes[node->mMeshes[m]];
       const auto first = static_cast<std::uint32_t>(out.triangles.size());
       append(out, mesh, transform);
-      groups.push_back({mesh.mName.C_Str(), material_name(scene, mesh), first,
+      groups.push_back({mesh.mName.C_Str(), material_name(scene, mesh), surface(scene, mesh, is_obj), first,
                         static_cast<std::uint32_t>(out.triangles.size()) - first});
     }
     for (unsigned c = node->mNumChildren; c-- > 0;) pending.emplace_back(node->mChildren[c], transform);
@@ -221,7 +228,7 @@ Mesh import(const std::filesystem::path& file, std::vector<MeshGroup>& groups) {
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
     if (!scene) reject("has polygons that cannot be cut into triangles; give triangles");
   }
-  return flatten(*scene, groups);
+  return flatten(*scene, lower_extension(file) == ".obj", groups);
 }
 
 /// The groups without the triangles that were dropped.

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sw_ref/scene/mesh.hpp"
+#include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::ref {
 
@@ -21,7 +23,8 @@ namespace hitpipe::ref {
 struct MeshGroup {
   std::string name;
   std::string material;
-  std::uint32_t first = 0;  ///< triangle of the mesh
+  std::optional<Material> surface;  ///< of an OBJ with materials: what its MTL file says (obj_material.hpp)
+  std::uint32_t first = 0;          ///< triangle of the mesh
   std::uint32_t count = 0;
 };
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -31,9 +33,40 @@ void move_inside(SceneDescription& scene, const Bounds& walls, const Bounds& con
   scene.lights[1].position = glm::mix(low, high, glm::dvec3(0.9, 0.8, 0.6));
 }
 
+float distance(const Material& a, const Material& b) {
+  const float index = a.refractive_index - b.refractive_index;
+  return glm::dot(a.albedo - b.albedo, a.albedo - b.albedo) +
+         glm::dot(a.reflect - b.reflect, a.reflect - b.reflect) +
+         glm::dot(a.transmit - b.transmit, a.transmit - b.transmit) + index * index;
+}
+
+/// The number of the surface among the materials, where it is added if there is room.
+std::uint8_t number_of(const Material& surface, std::vector<Material>& materials) {
+  constexpr std::size_t most = 256;  // the index of a triangle's material is one byte
+  const auto nearest = std::min_element(
+      materials.begin(), materials.end(),
+      [&](const Material& a, const Material& b) { return distance(a, surface) < distance(b, surface); });
+  if (distance(*nearest, surface) == 0.0F || materials.size() == most)
+    return static_cast<std::uint8_t>(nearest - materials.begin());
+  materials.push_back(surface);
+  return static_cast<std::uint8_t>(materials.size() - 1);
+}
+
+void assign_surfaces(SceneDescription& scene, std::span<const MeshGroup> groups) {
+  if (std::none_of(groups.begin(), groups.end(),
+                   [](const MeshGroup& group) { return group.surface.has_value(); }))
+    return;
+  scene.mesh.materials.assign(scene.mesh.triangles.size(), 0);
+  for (const MeshGroup& group : groups) {
+    if (!group.surface) continue;
+    std::fill_n(scene.mesh.materials.begin() + group.first, group.count,
+                number_of(*group.surface, scene.materials));
+  }
+}
+
 }  // namespace
 
-SceneDescription mesh_scene(Mesh mesh, std::string name) {
+SceneDescription mesh_scene(Mesh mesh, std::string name, std::span<const MeshGroup> groups) {
   const Bounds box = mesh_bounds(mesh);
   const double radius = glm::length((box.max - box.min) / box.longest()) * 0.5 * box.longest();
   SceneDescription scene{std::move(name), std::move(mesh), {}, {}, box.centre(), {0.0, 1.0, 0.0}, 40.0, {}};
@@ -42,6 +75,7 @@ SceneDescription mesh_scene(Mesh mesh, std::string name) {
                                  (radius / std::sin(glm::radians(scene.fov_degrees / 2.0)));
   scene.lights.push_back({scene.target + glm::dvec3(-1.2, 1.8, 1.6) * radius, {0.85, 0.80, 0.72}});
   scene.lights.push_back({scene.target + glm::dvec3(2.0, 0.7, 1.2) * radius, {0.22, 0.25, 0.30}});
+  assign_surfaces(scene, groups);
   if (const auto contents = room_contents(scene.mesh, box)) move_inside(scene, box, *contents);
   return scene;
 }

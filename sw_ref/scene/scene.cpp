@@ -147,7 +147,9 @@ SceneDescription describe(const std::string& name_or_path, std::optional<std::si
     reject(
         fmt::format("scene \"{}\": a mesh file has the triangles it has; their number can be chosen for: {}",
                     name_or_path, scaling_names()));
-  return mesh_scene(load_mesh(path), path.stem().string());
+  std::vector<MeshGroup> groups;
+  Mesh mesh = load_mesh(path, groups);
+  return mesh_scene(std::move(mesh), path.stem().string(), groups);
 }
 
 }  // namespace

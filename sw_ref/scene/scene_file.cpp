@@ -161,7 +161,8 @@ SceneDescription read_base(const Place& top, const std::filesystem::path& file,
       top.fail(fmt::format("a mesh file has the triangles it has; their number can be chosen for: {}",
                            scaling_names()));
     const std::filesystem::path mesh = file.parent_path() / top.at("mesh").word();
-    return mesh_scene(load_mesh(mesh, groups), file.stem().string());
+    Mesh triangles_of_file = load_mesh(mesh, groups);
+    return mesh_scene(std::move(triangles_of_file), file.stem().string(), groups);
   }
   const Place name = top.at("built_in");
   if (!find_built_in(name.word()))
