@@ -7,6 +7,7 @@ class App;
 
 #define HITPIPE_COMMANDS(COMMAND) \
   COMMAND(designs)                \
+  COMMAND(libraries)              \
   COMMAND(scenes)                 \
   COMMAND(rtl)                    \
   COMMAND(area)                   \

@@ -9,9 +9,11 @@
 #include "area_model/price.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/library_option.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/area_text.hpp"
 #include "cli/text/table.hpp"
+#include "rtl_gen/component/built_in.hpp"
 
 namespace hitpipe::cli {
 
@@ -24,7 +26,7 @@ using area::Price;
 struct AreaOptions {
   DesignsChoice units;
   Account account = Account::built;
-  std::string library;
+  std::string library{rtl::default_library};
   Format format = Format::text;
   bool by_stage = false;
 };
@@ -109,8 +111,7 @@ std::vector<Row> stage_rows(const std::vector<Price>& prices, Format format) {
 }
 
 void print_prices(const AreaOptions& options) {
-  const rtl::Library library =
-      options.library.empty() ? rtl::Library::thesis() : rtl::Library::load(options.library);
+  const rtl::Library library = rtl::library_called(options.library);
   const auto priced = [&](const area::Entry& entry) {
     return area::price(rtl::find_design(entry.design), entry.format, library, options.account);
   };
@@ -145,10 +146,7 @@ void add_area_command(CLI::App& program, int& /*exit_code*/) {
   add_choice_option<Account>(*command, "--account", options->account,
                              {{"printed", Account::printed}, {"built", Account::built}},
                              "built: all that is emitted; printed: counted as the thesis counts");
-  command
-      ->add_option("--library", options->library,
-                   "Component library (JSON) in place of the thesis's Table 7.1")
-      ->type_name("FILE");
+  add_library_option(*command, options->library);
   add_format_option(*command, options->format);
   command->add_flag("--by-stage", options->by_stage, "Components and area of every pipeline stage");
   command->callback([options] { print_prices(*options); });

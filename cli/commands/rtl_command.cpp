@@ -6,8 +6,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/library_option.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
+#include "rtl_gen/component/built_in.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
@@ -21,7 +23,7 @@ namespace {
 struct RtlOptions {
   DesignChoice choice;
   std::string out;
-  std::string library;
+  std::string library{rtl::default_library};
   std::optional<std::string> name;
   std::optional<int> clock_ps;
   bool axi_stream = false;
@@ -36,8 +38,7 @@ void emit_rtl(const RtlOptions& options) {
   const rtl::Design& design = options.choice.design();
   const rtl::Format format = options.choice.format();
   if (options.name) rtl::check_module_name(*options.name);
-  const rtl::Library library =
-      options.library.empty() ? rtl::Library::thesis() : rtl::Library::load(options.library);
+  const rtl::Library library = rtl::library_called(options.library);
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
   const rtl::VectorSet vectors =
       sim::design_vectors(design, format, static_cast<std::size_t>(options.vectors), options.seed);
@@ -68,10 +69,7 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   const auto options = std::make_shared<RtlOptions>();
   add_design_options(*command, options->choice);
   add_folder_option(*command, options->out, "Folder to write to; made if it is not there")->required();
-  command
-      ->add_option("--library", options->library,
-                   "Component library (JSON) in place of the thesis's Table 7.1")
-      ->type_name("FILE");
+  add_library_option(*command, options->library);
   add_count_option(*command, "--clock-ps", options->clock_ps, {1, 1'000'000'000},
                    "Clock period in picoseconds; by default what the slowest component needs");
   command

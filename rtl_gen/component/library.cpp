@@ -11,8 +11,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "rtl_gen/component/thesis_250nm.hpp"
-
 namespace hitpipe::rtl {
 
 namespace {
@@ -138,6 +136,7 @@ Library Library::from_json(std::string_view text, std::string_view origin) {
   if (std::any_of(library.name_.begin(), library.name_.end(), [](unsigned char c) { return c < ' '; })) {
     throw std::runtime_error(fmt::format("{}: \"name\" must be one line", origin));
   }
+  if (json.contains("source")) library.source_ = text_of(json, "source", origin);
   library.gate_delay_ps_ = count_of(json, "gate_delay_ps", origin, delay_limits);
   const FileJson& components = required(json, "components", origin);
   for (std::size_t i = 0; i < component_count; ++i) {
@@ -162,11 +161,6 @@ Library Library::load(const std::filesystem::path& file) {
   if (!in) throw std::runtime_error(fmt::format("{}: cannot read the component library", file.string()));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   return from_json(text, file.string());
-}
-
-const Library& Library::thesis() {
-  static const Library library = from_json(thesis_250nm_json, "thesis_250nm.json");
-  return library;
 }
 
 const Library::Family& Library::found(Component component) const {

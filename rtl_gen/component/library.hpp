@@ -1,6 +1,7 @@
-// A component library: area, delay and stages of circuits by width. One data file (component/libraries)
-// drives the schedule and the prices; the default is the thesis's Table 7.1. Delays are in picoseconds and
-// areas in square micrometres. Both are integers, so that no result depends on the order of a sum.
+// A component library: area, delay and stages of circuits by width. One data file
+// (component/libraries/*.json) drives the schedule and the prices; the default is the thesis's Table 7.1.
+// Delays are in picoseconds and areas in square micrometres. Both are integers, so that no result depends on
+// the order of a sum.
 #pragma once
 
 #include <array>
@@ -69,6 +70,8 @@ class Library {
   [[nodiscard]] int latch_delay_ps() const { return timing(Component::latch, 1).delay_ps; }
   [[nodiscard]] int gate_delay_ps() const { return gate_delay_ps_; }
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// Where the figures come from, in the words of the file; may be empty.
+  [[nodiscard]] const std::string& source() const { return source_; }
 
  private:
   struct Family {
@@ -83,6 +86,7 @@ class Library {
   [[nodiscard]] const Family& found(Component component) const;
 
   std::string name_;
+  std::string source_;
   int gate_delay_ps_ = 0;
   std::array<Family, component_count> families_;
 };

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "rtl_gen/component/logic_levels.hpp"
+#include "rtl_gen/schedule/logic_levels.hpp"
 
 namespace hitpipe::rtl {
 

@@ -24,7 +24,7 @@ Graph chain(int length) {
   return g;
 }
 
-constexpr int product_levels = 30;  // logic_levels.json, int_multiply up to 32 bits
+constexpr int product_levels = 30;  // schedule/logic_levels.json, int_multiply up to 32 bits
 
 /// Multiplexers in each stage.
 std::vector<int> shares(const Graph& graph, const Schedule& schedule) {
