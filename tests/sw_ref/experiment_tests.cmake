@@ -1,2 +1,3 @@
 # The thesis's experiments and the paging model.
-hitpipe_test(experiment_test SOURCES experiment/experiment_test.cpp experiment/paging_test.cpp LIBS hitpipe_sw_ref)
+hitpipe_test(experiment_test SOURCES experiment/experiment_test.cpp experiment/interval_test.cpp
+  experiment/paging_test.cpp LIBS hitpipe_sw_ref)

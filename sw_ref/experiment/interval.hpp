@@ -1,0 +1,47 @@
+// 95 % intervals of figures that are measured on a sample.
+#pragma once
+
+#include <cstdint>
+
+namespace hitpipe::ref {
+
+struct Interval {
+  double low;
+  double high;
+};
+
+/// Wilson's score interval of a share, `part` of `whole` independent cases. 0..1 when `whole` is 0.
+[[nodiscard]] Interval wilson_interval(std::uint64_t part, std::uint64_t whole);
+
+/// A sum over another sum, when cases come in groups that resemble each other: the boxes of one ray, the rays
+/// of one tile. The groups are independent, the cases of a group are not.
+class GroupedRatio {
+ public:
+  /// A group's share of both sums. A group with nothing below the line says nothing and is not counted.
+  void add(double above, double below);
+  GroupedRatio& operator+=(const GroupedRatio& other);
+
+  [[nodiscard]] std::uint64_t groups() const { return groups_; }
+  /// 0 when there is no group.
+  [[nodiscard]] double ratio() const;
+  /// By the spread among the groups, linearised; symmetrical, so its ends may be less than 0. From minus to
+  /// plus infinity with less than two groups.
+  [[nodiscard]] Interval interval() const;
+  /// When the sum above counts some of what the sum below counts. Wilson's interval for as many independent
+  /// cases as would spread as much as the groups do, at most all cases. When no case or every case is counted
+  /// the spread says nothing, and each group is one case.
+  [[nodiscard]] Interval share_interval() const;
+
+ private:
+  [[nodiscard]] double variance() const;
+
+  // Whole numbers, exact up to 2^53, so the order of adding changes nothing.
+  std::uint64_t groups_ = 0;
+  double above_ = 0;
+  double below_ = 0;
+  double above_squared_ = 0;
+  double below_squared_ = 0;
+  double product_ = 0;
+};
+
+}  // namespace hitpipe::ref
