@@ -22,7 +22,9 @@ RECIPES = ("timed", "small")
 
 
 def fail(message):
-    sys.exit(f"{Path(sys.argv[0]).name}: {message}")
+    """Asked wrongly, or a tool or file is not there."""
+    print(f"{Path(sys.argv[0]).name}: {message}", file=sys.stderr)
+    sys.exit(2)
 
 
 def missing():
