@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/flow_control_option.hpp"
 #include "cli/options/library_option.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
@@ -26,7 +27,9 @@ struct RtlOptions {
   std::string library{rtl::default_library};
   std::optional<std::string> name;
   std::optional<int> clock_ps;
+  rtl::FlowControl flow_control = rtl::FlowControl::stall;
   bool axi_stream = false;
+  bool fifo = false;
   std::optional<int> ray_slots;
   bool hls = false;
   int vectors = sim::usual_vectors;
@@ -44,7 +47,9 @@ void emit_rtl(const RtlOptions& options) {
       sim::design_vectors(design, format, static_cast<std::size_t>(options.vectors), options.seed);
   const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline,
                                                {.module = options.name.value_or(""),
+                                                .flow_control = options.flow_control,
                                                 .axi_stream = options.axi_stream,
+                                                .fifo = options.fifo,
                                                 .ray_slots = options.ray_slots,
                                                 .hls = options.hls,
                                                 .vectors = &vectors});
@@ -53,10 +58,15 @@ void emit_rtl(const RtlOptions& options) {
   std::vector<std::string> names;
   for (const rtl::File& file : written.files)
     names.push_back((std::filesystem::path(options.out) / file.name).string());
-  const Row row{{"design", design.name},         {"bits", rtl::to_string(format)},
-                {"module", emitted.module},      {"stages", pipeline.schedule.stages},
-                {"latency", pipeline.latency()}, {"clock_ps", pipeline.schedule.clock_ps},
-                {"vectors", vectors.size()},     {"files", names}};
+  const Row row{{"design", design.name},
+                {"bits", rtl::to_string(format)},
+                {"module", emitted.module},
+                {"stages", pipeline.schedule.stages},
+                {"latency", pipeline.latency()},
+                {"flow_control", rtl::flow_control_name(options.flow_control)},
+                {"clock_ps", pipeline.schedule.clock_ps},
+                {"vectors", vectors.size()},
+                {"files", names}};
   fmt::print("{}", record_text(row, options.format));
   if (!written.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
 }
@@ -77,12 +87,19 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
                    "Name of the Verilog module, which also begins the names of all files. Default: the "
                    "design's name, with the format behind it unless that is the design's default")
       ->type_name("MODULE");
+  CLI::Option* const flow = add_flow_control_option(*command, options->flow_control,
+                                                    ". With --axi-stream or --fifo the default is none");
   command->add_flag("--axi-stream", options->axi_stream,
                     "Also write an AXI4-Stream wrapper of the design, <module>_axis.v");
+  command->add_flag(
+      "--fifo", options->fifo,
+      "Also write <module>_fifo.v: valid and ready around a design without flow control, by a FIFO "
+      "for its results and a count of the places in it");
   add_count_option(*command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
                    "Also write <module>_slots.v, the design behind a memory of N rays: a ray is sent once, "
                    "and its tests name its slot; N is rounded up to a power of two")
-      ->excludes("--axi-stream");
+      ->excludes("--axi-stream")
+      ->excludes("--fifo");
   command->add_flag("--hls", options->hls,
                     "Also write hls/: the design as a C++ top function for high-level synthesis, with "
                     "scripts for Vitis HLS and Catapult");
@@ -90,7 +107,12 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
       ->capture_default_str();
   add_seed_option(*command, options->seed);
   add_format_option(*command, options->format);
-  command->callback([options] { emit_rtl(*options); });
+  command->callback([options, flow] {
+    // docs/flow.md has the figures: a wrapper costs less around a unit that never waits.
+    if (flow->count() == 0 && (options->axi_stream || options->fifo))
+      options->flow_control = rtl::FlowControl::none;
+    emit_rtl(*options);
+  });
 }
 
 }  // namespace hitpipe::cli

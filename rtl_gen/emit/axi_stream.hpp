@@ -1,13 +1,15 @@
 // An AXI4-Stream wrapper for block designs and DMA engines: the module <module>_axis contains the emitted
 // module. A beat of s_axis is one test, and its tid is the tag. A beat of m_axis holds the results of one.
-// There is a register on every path from input to output: when m_axis_tready falls, a spare latch holds the
-// result that has already left the pipeline. Latency and throughput stay those of the design.
+// There is a register on every path from input to output. In front of a unit that stalls, a spare latch holds
+// the result that has already left the pipeline when m_axis_tready falls. A unit without flow control is
+// behind its result FIFO. Latency and throughput stay those of the design.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "rtl_gen/catalogue/port.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 
 namespace hitpipe::rtl {
 
@@ -24,8 +26,10 @@ struct StreamField {
 
 /// The name of the wrapper of a unit's module.
 [[nodiscard]] std::string stream_module(const std::string& module);
-/// The wrapper in Verilog-2001, without the unit's module.
+/// The wrapper in Verilog-2001, without the unit's module and, of a unit without flow control, without that
+/// of its result FIFO.
 [[nodiscard]] std::string axi_stream(const std::string& module, const std::vector<Port>& ports,
-                                     const std::vector<hls::Result>& results);
+                                     const std::vector<hls::Result>& results,
+                                     FlowControl flow = FlowControl::stall);
 
 }  // namespace hitpipe::rtl

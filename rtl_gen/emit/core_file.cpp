@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/emit/axi_stream.hpp"
+#include "rtl_gen/emit/result_fifo.hpp"
 
 namespace hitpipe::rtl {
 
@@ -20,13 +21,18 @@ constexpr const char* check_target = R"(  check:
 std::string core_file(const Design& design, Format format, const std::string& module,
                       const CoreParts& parts) {
   const bool slots = !parts.slots.empty();
-  const std::string top = slots ? parts.slots : parts.axi_stream ? stream_module(module) : module;
-  const std::string filesets = slots ? "[rtl, slots]" : parts.axi_stream ? "[rtl, axis]" : "[rtl]";
+  const std::string top = slots              ? parts.slots
+                          : parts.axi_stream ? stream_module(module)
+                          : parts.fifo       ? fifo_module(module)
+                                             : module;
+  const std::string filesets = fmt::format("[rtl{}{}{}]", slots ? ", slots" : "", parts.fifo ? ", fifo" : "",
+                                           parts.axi_stream ? ", axis" : "");
   const auto fileset = [](bool there, const std::string& name, const std::string& top_module) {
     return there ? fmt::format("  {}:\n    files: [{}.v]\n    file_type: verilogSource\n", name, top_module)
                  : "";
   };
-  const std::string more = fileset(parts.axi_stream, "axis", top) + fileset(slots, "slots", top) +
+  const std::string more = fileset(parts.fifo, "fifo", fifo_module(module)) +
+                           fileset(parts.axi_stream, "axis", top) + fileset(slots, "slots", top) +
                            fileset(parts.check, "check", module + "_check");
   // A simulator runs in the work root, where the testbench looks for its vectors: they are copied there.
   return fmt::format(R"(CAPI=2:

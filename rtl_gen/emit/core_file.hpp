@@ -11,6 +11,7 @@ namespace hitpipe::rtl {
 
 struct CoreParts {
   bool axi_stream = false;  ///< a fileset axis; the wrapper is the top of default, lint and synth
+  bool fifo = false;        ///< a fileset fifo; that wrapper is the top of the same, if there is no axis
   std::string slots{};      ///< module of the wrapper with ray slots: a fileset slots, top of the same
   bool check = false;  ///< for a fitted unit: fileset and target check (lint); simulations check operands
 };

@@ -15,6 +15,7 @@
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/port_vectors.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
+#include "rtl_gen/emit/result_fifo.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/prune/check_block.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
@@ -28,6 +29,18 @@ namespace {
 
 constexpr std::size_t drawn_vectors = 1000;
 constexpr std::uint64_t vector_seed = 1;
+
+void check_together(const EmitOptions& options) {
+  if (options.axi_stream && options.ray_slots)
+    throw std::invalid_argument("AXI4-Stream and ray slots: a unit has one wrapper or the other");
+  if (options.fifo && options.ray_slots)
+    throw std::invalid_argument("result FIFO and ray slots: a unit has one wrapper or the other");
+  if (options.fifo && options.flow_control == FlowControl::stall)
+    throw std::invalid_argument(
+        "result FIFO: only for a unit with flow control none; with stall the unit itself holds its results");
+  if (options.ray_slots && options.flow_control == FlowControl::none)
+    throw std::invalid_argument("ray slots: only for a unit with flow control stall");
+}
 
 /// Nothing when dot is not installed.
 std::optional<File> drawing_of(const File& dot) {
@@ -65,6 +78,7 @@ std::vector<File> stage_schematics(const Pipeline& pipeline, const std::vector<P
 std::vector<File> EmittedDesign::files() const {
   std::vector<File> all{verilog, manifest, core, testbench, harness, makefile, vectors};
   if (check_module) all.push_back(*check_module);
+  if (fifo) all.push_back(*fifo);
   if (axi_stream) all.push_back(*axi_stream);
   if (ray_slots) all.push_back(*ray_slots);
   all.insert(all.end(), schematics.begin(), schematics.end());
@@ -74,8 +88,9 @@ std::vector<File> EmittedDesign::files() const {
 
 EmittedDesign emit(const Design& design, Format format, const Library& library, const Pipeline& pipeline,
                    const EmitOptions& options) {
-  if (options.axi_stream && options.ray_slots)
-    throw std::invalid_argument("AXI4-Stream and ray slots: a unit has one wrapper or the other");
+  check_together(options);
+  const FlowControl flow = options.flow_control;
+  const bool stalls = flow == FlowControl::stall;
   const PrunedFrom* const from = options.pruned_from;
   const std::vector<Port> left = input_ports(pipeline.graph);
   const std::vector<hls::Result> results = design.results(format);
@@ -91,10 +106,11 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
     drawn = {vector_seed, at_ports.groups(drawn_vectors)};
   }
   const VectorSet& vectors = options.vectors == nullptr ? drawn : *options.vectors;
-  std::string verilog = to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format)});
-  std::string json = manifest(design, format, name, pipeline, library, options.axi_stream);
+  std::string verilog =
+      to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format), .flow_control = flow});
+  std::string json = manifest(design, format, name, pipeline, library, options.axi_stream, flow);
   if (from != nullptr) {
-    verilog = with_check_block(verilog, check_block(name, from->demands, from->ports, left));
+    verilog = with_check_block(verilog, check_block(name, from->demands, from->ports, left, flow));
     json = with_demand_fields(json, from->demands, from->report);
   }
   const int count = static_cast<int>(vectors.size());
@@ -103,19 +119,25 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
     slots = ray_slots(name, left, design.ports(format), results, *options.ray_slots);
     json = with_ray_slots(json, *slots);
   }
-  const CoreParts parts{
-      .axi_stream = options.axi_stream, .slots = slots ? slots->module() : "", .check = from != nullptr};
+  const bool fifo = options.fifo || (options.axi_stream && !stalls);
+  if (fifo) json = with_result_fifo(json);
+  const std::optional<int> fixed_latency = stalls ? std::nullopt : std::optional(pipeline.latency());
+  const CoreParts parts{.axi_stream = options.axi_stream,
+                        .fifo = fifo,
+                        .slots = slots ? slots->module() : "",
+                        .check = from != nullptr};
   EmittedDesign emitted{
       .module = name,
       .verilog = {name + ".v", std::move(verilog)},
       .manifest = {name + ".json", std::move(json)},
       .core = {name + ".core", core_file(design, format, name, parts)},
-      .testbench = {"tb/" + name + "_tb.sv", testbench(name, left, results, count)},
-      .harness = {"tb/" + name + "_harness.cpp", harness(name, left, results, count)},
+      .testbench = {"tb/" + name + "_tb.sv", testbench(name, left, results, count, fixed_latency)},
+      .harness = {"tb/" + name + "_harness.cpp", harness(name, left, results, count, fixed_latency)},
       .makefile = {"tb/Makefile", testbench_makefile()},
       .vectors = {"tb/" + name + "_vectors.hex",
                   vector_summary(title, vectors, results) + vector_file(ports, left, results, vectors.all())},
       .check_module = {},
+      .fifo = {},
       .axi_stream = {},
       .ray_slots = {},
       .schematics =
@@ -123,7 +145,9 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
       .hls = {}};
   if (from != nullptr)
     emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
-  if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(name, left, results)};
+  if (fifo) emitted.fifo = {fifo_module(name) + ".v", result_fifo(name, left, results, pipeline.latency())};
+  if (options.axi_stream)
+    emitted.axi_stream = {stream_module(name) + ".v", axi_stream(name, left, results, flow)};
   if (slots) emitted.ray_slots = {slots->module() + ".v", to_verilog(*slots)};
   if (options.hls) {
     emitted.hls = hls_top(design, format, name).files();

@@ -11,6 +11,7 @@
 #include "rtl_gen/emit/vector_set.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/prune/report.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 
 namespace hitpipe::rtl {
 
@@ -24,10 +25,13 @@ struct PrunedFrom {
 };
 
 struct EmitOptions {
-  std::string module{};     ///< empty: design.module_at(format)
+  std::string module{};  ///< empty: design.module_at(format)
+  /// Of the unit. A wrapper of a unit without flow control contains the result FIFO.
+  FlowControl flow_control = FlowControl::stall;
   bool axi_stream = false;  ///< adds the AXI4-Stream wrapper; core and manifest name it
+  bool fifo = false;        ///< adds the result FIFO, only with FlowControl::none; core and manifest name it
   /// Adds the wrapper with as many ray slots, rounded up to a power of two; core and manifest name it. Not
-  /// together with axi_stream.
+  /// together with another wrapper, and only with FlowControl::stall.
   std::optional<int> ray_slots{};
   bool hls = false;  ///< adds the top function for high-level synthesis
   /// Set for a fitted unit. It adds the check module, a check block in the Verilog and the demands in the
@@ -48,6 +52,7 @@ struct EmittedDesign {
   File makefile;                     ///< tb/Makefile, the same for all
   File vectors;                      ///< tb/<module>_vectors.hex
   std::optional<File> check_module;  ///< <module>_check.v, of a fitted unit
+  std::optional<File> fifo;          ///< <module>_fifo.v, if asked for or needed by the AXI4-Stream wrapper
   std::optional<File> axi_stream;    ///< <module>_axis.v, if asked for
   std::optional<File> ray_slots{};   ///< <module>_slots.v, if asked for
   std::vector<File> schematics{};    ///< a .dot for each group of stages, from the first on
@@ -57,7 +62,8 @@ struct EmittedDesign {
 };
 
 /// The same bytes for the same design, format and library. `pipeline` is the design's at that format, or what
-/// pruning left of it. Throws as hls_top(), ray_slots() and check_module_name() do.
+/// pruning left of it. Throws as hls_top(), ray_slots(), result_fifo() and check_module_name() do, and
+/// std::invalid_argument, one line, for options that do not go together.
 [[nodiscard]] EmittedDesign emit(const Design& design, Format format, const Library& library,
                                  const Pipeline& pipeline, const EmitOptions& options = {});
 

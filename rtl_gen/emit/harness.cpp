@@ -4,8 +4,70 @@
 
 namespace hitpipe::rtl {
 
+namespace {
+
+constexpr const char* with_handshake = R"(  std::mt19937 random(1);
+  std::size_t sent = 0;
+  std::size_t received = 0;
+  for (std::size_t cycle = 0; received < vectors.size(); ++cycle) {
+    if (cycle > 16 * vectors.size() + 1000)
+      throw std::runtime_error(std::to_string(received) + " of " + std::to_string(vectors.size()) +
+                               " vectors came back");
+    // Before the rising edge: offer a test and take a result, each in three cycles of four.
+    dut.in_valid = sent < vectors.size() && random() % 4 != 0;
+    dut.out_ready = random() % 4 != 0;
+    if (dut.in_valid) {
+      set_operands(dut, vectors[sent]);
+      set(dut.in_tag, sent & 0xffff);
+    }
+    eval_with_clock(false);
+    // The handshakes count as they stand now.
+    if (dut.in_valid && dut.in_ready) ++sent;
+    if (dut.out_valid && dut.out_ready) {
+      const std::string text = differences(dut, vectors[received], received & 0xffff);
+      if (!text.empty())
+        throw std::runtime_error("vector " + std::to_string(received) + " (" + vectors[received] + "):" + text);
+      ++received;
+    }
+    eval_with_clock(true);
+  }
+)";
+
+constexpr const char* with_fixed_latency = R"(  std::mt19937 random(1);
+  std::size_t sent = 0;
+  std::size_t received = 0;
+  std::deque<bool> sent_before(latency + 1, false);  // in each of the last cycles, the oldest first
+  // After the last result the unit must stay silent.
+  for (std::size_t idle = 0; idle < 2 * latency + 8; idle += received == vectors.size()) {
+    // Before the rising edge: send a test in three cycles of four.
+    dut.in_valid = sent < vectors.size() && random() % 4 != 0;
+    if (dut.in_valid) {
+      set_operands(dut, vectors[sent]);
+      set(dut.in_tag, sent & 0xffff);
+    }
+    eval_with_clock(false);
+    const bool due = sent_before.front();
+    sent_before.pop_front();
+    sent_before.push_back(dut.in_valid);
+    if (dut.in_valid) ++sent;
+    if (dut.out_valid && !due)
+      throw std::runtime_error("a result, and no test was sent " + std::to_string(latency) + " cycles before");
+    if (due) {
+      const std::string vector = "vector " + std::to_string(received) + " (" + vectors[received] + "):";
+      if (!dut.out_valid)
+        throw std::runtime_error(vector + " no result " + std::to_string(latency) + " cycles after its operands");
+      const std::string text = differences(dut, vectors[received], received & 0xffff);
+      if (!text.empty()) throw std::runtime_error(vector + text);
+      ++received;
+    }
+    eval_with_clock(true);
+  }
+)";
+
+}  // namespace
+
 std::string harness(const std::string& module, const std::vector<Port>& ports,
-                    const std::vector<hls::Result>& results, int count) {
+                    const std::vector<hls::Result>& results, int count, std::optional<int> fixed_latency) {
   int width = 0;
   for (const Port& port : ports) width += port.width;
   for (const hls::Result& result : results) width += result.width;
@@ -23,15 +85,14 @@ std::string harness(const std::string& module, const std::vector<Port>& ports,
     above -= result.width;
   }
   return fmt::format(
-      R"(// Drives {module}, which Verilator compiles to C++, with the vectors of {module}_vectors.hex. Tests go in and
-// results come out through the valid/ready handshake, with random gaps and stalls. Every result and every tag
+      R"(// Drives {module}, which Verilator compiles to C++, with the vectors of {module}_vectors.hex. {how} Every result and every tag
 // is compared. It is an example: start your own testbench from it.
 //   make harness              builds and runs it: PASS and exit code 0, or FAIL and exit code 1
 //   make harness WAVES=vcd    also writes {module}.vcd; WAVES=fst writes {module}.fst
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
+{deque}#include <exception>
 #include <fstream>
 #include <random>
 #include <stdexcept>
@@ -53,7 +114,7 @@ namespace {{
 
 // A vector is a line of hexadecimal digits: {width} bits, the operands in port order and then the results.
 constexpr std::size_t vector_count = {count};
-constexpr std::size_t digit_count = {digits};
+{latency}constexpr std::size_t digit_count = {digits};
 constexpr char most_in_first_digit = '{first_digit}';
 
 /// Bits high..low of a number in hexadecimal digits.
@@ -130,38 +191,12 @@ void run() {{
   }};
 
   dut.in_valid = 0;
-  dut.out_ready = 0;
-  dut.rst = 1;
+{no_out_ready}  dut.rst = 1;
   eval_with_clock(false);
   eval_with_clock(true);
   dut.rst = 0;
 
-  std::mt19937 random(1);
-  std::size_t sent = 0;
-  std::size_t received = 0;
-  for (std::size_t cycle = 0; received < vectors.size(); ++cycle) {{
-    if (cycle > 16 * vectors.size() + 1000)
-      throw std::runtime_error(std::to_string(received) + " of " + std::to_string(vectors.size()) +
-                               " vectors came back");
-    // Before the rising edge: offer a test and take a result, each in three cycles of four.
-    dut.in_valid = sent < vectors.size() && random() % 4 != 0;
-    dut.out_ready = random() % 4 != 0;
-    if (dut.in_valid) {{
-      set_operands(dut, vectors[sent]);
-      set(dut.in_tag, sent & 0xffff);
-    }}
-    eval_with_clock(false);
-    // The handshakes count as they stand now.
-    if (dut.in_valid && dut.in_ready) ++sent;
-    if (dut.out_valid && dut.out_ready) {{
-      const std::string text = differences(dut, vectors[received], received & 0xffff);
-      if (!text.empty())
-        throw std::runtime_error("vector " + std::to_string(received) + " (" + vectors[received] + "):" + text);
-      ++received;
-    }}
-    eval_with_clock(true);
-  }}
-  std::printf("PASS %zu vectors\n", received);
+{drive}  std::printf("PASS %zu vectors\n", received);
 }}
 
 }}  // namespace
@@ -177,7 +212,22 @@ int main() {{
 )",
       fmt::arg("module", module), fmt::arg("width", width), fmt::arg("count", count),
       fmt::arg("digits", (width + 3) / 4), fmt::arg("first_digit", "137f"[(width + 3) % 4]),
-      fmt::arg("operands", operands), fmt::arg("comparisons", comparisons));
+      fmt::arg("how", fixed_latency ? "Tests go in with random gaps.\n// A result comes out a fixed number "
+                                      "of cycles later, and in no other cycle."
+                                    : "Tests go in and\n// results come out through the valid/ready "
+                                      "handshake, with random gaps and stalls."),
+      fmt::arg("deque", fixed_latency ? "#include <deque>\n" : ""),
+      fmt::arg(
+          "latency",
+          fixed_latency
+              ? fmt::format(
+                    "// Edges from the one that takes the operands to the one that latches the results.\n"
+                    "constexpr std::size_t latency = {};\n",
+                    *fixed_latency)
+              : ""),
+      fmt::arg("no_out_ready", fixed_latency ? "" : "  dut.out_ready = 0;\n"),
+      fmt::arg("drive", fixed_latency ? with_fixed_latency : with_handshake), fmt::arg("operands", operands),
+      fmt::arg("comparisons", comparisons));
 }
 
 }  // namespace hitpipe::rtl

@@ -2,6 +2,7 @@
 // replays the vectors as the testbench does, without hitpipe.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,10 @@
 namespace hitpipe::rtl {
 
 /// Sends the `count` vectors of tb/<module>_vectors.hex with gaps and stalls, and compares every result and
-/// every tag. Prints "PASS <n> vectors" and returns 0, or prints "FAIL" with the reason and returns 1.
+/// every tag. Prints "PASS <n> vectors" and returns 0, or prints "FAIL" with the reason and returns 1. With a
+/// `fixed_latency` the unit has no ready, as in testbench().
 [[nodiscard]] std::string harness(const std::string& module, const std::vector<Port>& ports,
-                                  const std::vector<hls::Result>& results, int count);
+                                  const std::vector<hls::Result>& results, int count,
+                                  std::optional<int> fixed_latency = {});
 
 }  // namespace hitpipe::rtl

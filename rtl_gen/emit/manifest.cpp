@@ -1,9 +1,11 @@
 #include "rtl_gen/emit/manifest.hpp"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "rtl_gen/emit/axi_stream.hpp"
@@ -40,16 +42,16 @@ Json results_json(const std::vector<hls::Result>& results) {
   return list;
 }
 
-Json ports(const Graph& graph, const std::vector<hls::Result>& results) {
+Json ports(const Graph& graph, const std::vector<hls::Result>& results, FlowControl flow) {
   Json list = Json::array();
   const auto add = [&](const std::string& name, const char* direction, const Json& width, bool is_signed) {
     list.push_back({{"name", name}, {"direction", direction}, {"width", width}, {"signed", is_signed}});
   };
   for (const char* name : {"clk", "rst", "in_valid"}) add(name, "in", 1, false);
-  add("in_ready", "out", 1, false);
+  if (flow == FlowControl::stall) add("in_ready", "out", 1, false);
   add("in_tag", "in", "TAG_BITS", false);
   add("out_valid", "out", 1, false);
-  add("out_ready", "in", 1, false);
+  if (flow == FlowControl::stall) add("out_ready", "in", 1, false);
   add("out_tag", "out", "TAG_BITS", false);
   for (const NodeId id : graph.inputs()) add(graph[id].name, "in", graph[id].width, graph[id].is_signed);
   for (const hls::Result& result : results) add(result.name, "out", result.width, result.is_signed);
@@ -98,23 +100,27 @@ Json stream_json(const std::string& module, const std::vector<Port>& ports,
 }  // namespace
 
 std::string manifest(const Design& design, Format format, const std::string& module, const Pipeline& pipeline,
-                     const Library& library, bool stream) {
+                     const Library& library, bool stream, FlowControl flow) {
   const std::vector<hls::Result> results = design.results(format);
-  Json json{{"design", std::string(design.name)},
-            {"bits", to_string(format)},
-            {"module", module},
-            {"verilog", {module + ".v"}},
-            {"clock", "clk, rising edge"},
-            {"reset", "rst, synchronous, active high, valid bits only"},
-            {"handshake", "valid/ready; results in order; the whole pipeline waits for out_ready"},
-            {"parameters", {{"TAG_BITS", 16}}},
-            {"ports", ports(pipeline.graph, results)},
-            {"results", results_json(results)},
-            {"stages", pipeline.schedule.stages},
-            {"latency", pipeline.latency()},
-            {"clock_ps", pipeline.schedule.clock_ps},
-            {"library", library.name()},
-            {"by_stage", stages(pipeline)}};
+  Json json{
+      {"design", std::string(design.name)},
+      {"bits", to_string(format)},
+      {"module", module},
+      {"verilog", {module + ".v"}},
+      {"clock", "clk, rising edge"},
+      {"reset", "rst, synchronous, active high, valid bits only"},
+      {"flow_control", flow_control_name(flow)},
+      {"handshake", flow == FlowControl::stall
+                        ? "valid/ready; results in order; the whole pipeline waits for out_ready"
+                        : "valid; results in order, each `latency` cycles after its operands; nothing waits"},
+      {"parameters", {{"TAG_BITS", 16}}},
+      {"ports", ports(pipeline.graph, results, flow)},
+      {"results", results_json(results)},
+      {"stages", pipeline.schedule.stages},
+      {"latency", pipeline.latency()},
+      {"clock_ps", pipeline.schedule.clock_ps},
+      {"library", library.name()},
+      {"by_stage", stages(pipeline)}};
   if (stream) json["axi_stream"] = stream_json(module, input_ports(pipeline.graph), results);
   return json.dump(2) + "\n";
 }
@@ -125,11 +131,28 @@ std::string with_files(const std::string& manifest, const std::vector<std::strin
   return json.dump(2) + "\n";
 }
 
+namespace {
+
+FlowControl flow_control_of(const Json& json) {
+  // Manifests of older versions do not say it.
+  const std::string word = json.value("flow_control", std::string(flow_control_name(FlowControl::stall)));
+  const auto found = std::find(flow_control_names.begin(), flow_control_names.end(), word);
+  if (found == flow_control_names.end())
+    throw std::runtime_error(
+        fmt::format("\"flow_control\" is \"{}\", allowed are {}", word, fmt::join(flow_control_names, ", ")));
+  return static_cast<FlowControl>(found - flow_control_names.begin());
+}
+
+}  // namespace
+
 ManifestHead head_of(const std::string& manifest) {
   try {
     const Json json = Json::parse(manifest);
-    ManifestHead head{json.at("design").get<std::string>(), json.at("bits").get<std::string>(),
-                      json.at("module").get<std::string>(), json.at("latency").get<int>(),
+    ManifestHead head{json.at("design").get<std::string>(),
+                      json.at("bits").get<std::string>(),
+                      json.at("module").get<std::string>(),
+                      json.at("latency").get<int>(),
+                      flow_control_of(json),
                       json.value("files", std::vector<std::string>{})};
     check_module_name(head.module);
     return head;

@@ -77,6 +77,66 @@ struct ResultText {
   std::string formats, values;  ///< to print what differs
 };
 
+/// What differs between a unit that takes part in a handshake and one whose latency is fixed.
+struct FlowText {
+  explicit FlowText(std::optional<int> fixed_latency) : ready(!fixed_latency) {
+    if (ready) return;
+    const int latency = *fixed_latency;
+    // Long enough to show what comes that was never sent.
+    constants = fmt::format(
+        "  // Edges from the one that takes the operands to the one that latches the results.\n"
+        "  localparam integer LATENCY = {};\n  localparam integer IDLE = 2 * LATENCY + 8;\n",
+        latency);
+    more = "\n  reg [LATENCY:0] due;  // by boundary: there is a test\n  integer idle;";
+  }
+  [[nodiscard]] const char* only_with_ready(const char* text) const { return ready ? text : ""; }
+
+  /// From the choice of gaps to the last comparison. `compare` are lines that compare results and tag.
+  [[nodiscard]] std::string drive(const std::string& compare) const {
+    if (ready)
+      return fmt::format(R"(      out_ready = random[17:16] != 2'd0;
+      #1;
+      if (out_valid && out_ready) begin
+{}        received = received + 1;
+      end
+      if (in_valid && in_ready) begin
+        @(posedge clk);
+        #1 sent = sent + 1;
+      end
+      @(negedge clk);
+      cycles = cycles + 1;
+    end
+)",
+                         compare);
+    return fmt::format(R"(      #1;
+      if (due[LATENCY] && out_valid !== 1'b1) begin
+        $display("FAIL vector %0d (%h): no result %0d cycles after its operands", received, vectors[received],
+                 LATENCY);
+        $fatal(1);
+      end
+      if (!due[LATENCY] && out_valid !== 1'b0) begin
+        $display("FAIL cycle %0d: out_valid %b, and no test was sent %0d cycles before", cycles, out_valid,
+                 LATENCY);
+        $fatal(1);
+      end
+      if (due[LATENCY]) begin
+{}        received = received + 1;
+      end
+      @(posedge clk);
+      due = {{due[LATENCY-1:0], in_valid}};
+      #1 if (in_valid) sent = sent + 1;
+      @(negedge clk);
+      cycles = cycles + 1;
+      if (received == COUNT) idle = idle + 1;
+    end
+)",
+                       compare);
+  }
+
+  bool ready;
+  std::string constants, more;
+};
+
 }  // namespace
 
 std::vector<std::vector<std::int64_t>> operand_vectors(const std::vector<Port>& ports, int count,
@@ -125,7 +185,7 @@ std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>&
 }
 
 std::string testbench(const std::string& module, const std::vector<Port>& ports,
-                      const std::vector<hls::Result>& results, int count) {
+                      const std::vector<hls::Result>& results, int count, std::optional<int> fixed_latency) {
   const int result_width = total_width(result_ports(results));
   const int width = total_width(ports) + result_width;
   const std::vector<std::string> operands = fields("operands", ports, width);
@@ -133,8 +193,17 @@ std::string testbench(const std::string& module, const std::vector<Port>& ports,
   for (std::size_t i = 0; i < ports.size(); ++i)
     connections += fmt::format("    .{}({}),\n", ports[i].name, operands[i]);
   const ResultText result(results, "expected");
+  const FlowText flow(fixed_latency);
+  const std::string compare = fmt::format(
+      R"(        if ({} || out_tag !== received[15:0]) begin
+          $display("FAIL vector %0d (%h): {}tag %0d", received, vectors[received],
+                   {}out_tag);
+          $fatal(1);
+        end
+)",
+      fmt::join(result.differences, " || "), result.formats, result.values);
   return fmt::format(
-      R"(// Replays {module}_vectors.hex against {module}.v with random gaps and stalls. Compares every result and
+      R"(// Replays {module}_vectors.hex against {module}.v with random gaps{stalls}. Compares every result and
 // every tag. Prints PASS, or FAIL with the reason; $fatal then makes the exit code of the simulator non-zero.
 //   make icarus, make verilator or make waves; without make,
 //   in Icarus Verilog: iverilog -g2012 -o tb {module}_tb.sv ../{module}.v && vvp -n tb
@@ -146,20 +215,20 @@ module {module}_tb;
   localparam integer BITS = {width};
   localparam integer RESULT_BITS = {result_width};
   localparam integer DIGITS = (BITS + 3) / 4;
-
+{constants}
   reg [BITS-1:0] vectors [0:COUNT-1];
-  reg clk, rst, in_valid, out_ready;
+  reg clk, rst, in_valid{out_ready};{more}
   integer sent, received, cycles;
   reg [31:0] random;
   reg [8*256-1:0] waves;
-  wire in_ready, out_valid{result_bits};
+  wire {in_ready}out_valid{result_bits};
 {result_wires}  wire [15:0] out_tag;
   wire [BITS-1:RESULT_BITS] operands = vectors[sent][BITS-1:RESULT_BITS];
   wire [RESULT_BITS-1:0] expected = vectors[received][RESULT_BITS-1:0];
 
   {module} #(.TAG_BITS(16)) dut (
-    .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_tag(sent[15:0]),
-    .out_valid(out_valid), .out_ready(out_ready), .out_tag(out_tag),
+    .clk(clk), .rst(rst), .in_valid(in_valid), {in_ready_pin}.in_tag(sent[15:0]),
+    .out_valid(out_valid), {out_ready_pin}.out_tag(out_tag),
 {connections}{result_connections}
   );
 
@@ -211,41 +280,24 @@ module {module}_tb;
     forever #5 clk = ~clk;
   end
 
-  // Values change at the falling edge; handshakes are seen as they stand before the rising one.
+  // Values change at the falling edge; {seen} are seen as they stand before the rising one.
   initial begin
     if ($value$plusargs("waves=%s", waves)) begin
       $dumpfile(waves);
       $dumpvars(0, {module}_tb);
     end
-    rst = 1'b1; in_valid = 1'b0; out_ready = 1'b0;
-    sent = 0; received = 0; cycles = 0; random = 32'd1;
+    rst = 1'b1; in_valid = 1'b0;{no_out_ready}
+    sent = 0; received = 0; cycles = 0; random = 32'd1;{nothing_due}
     read_vectors;
     repeat (4) @(negedge clk);
     rst = 1'b0;
-    while (received != COUNT && cycles < 16 * COUNT + 1000) begin
-      // Gaps and stalls are the same in every simulator.
+    while ({running}) begin
+      // Gaps{stalls} are the same in every simulator.
       random = random ^ (random << 13);
       random = random ^ (random >> 17);
       random = random ^ (random << 5);
       in_valid = sent != COUNT && random[9:8] != 2'd0;
-      out_ready = random[17:16] != 2'd0;
-      #1;
-      if (out_valid && out_ready) begin
-        if ({differences} || out_tag !== received[15:0]) begin
-          $display("FAIL vector %0d (%h): {formats}tag %0d", received, vectors[received],
-                   {values}out_tag);
-          $fatal(1);
-        end
-        received = received + 1;
-      end
-      if (in_valid && in_ready) begin
-        @(posedge clk);
-        #1 sent = sent + 1;
-      end
-      @(negedge clk);
-      cycles = cycles + 1;
-    end
-    if (received != COUNT) begin
+{drive}    if (received != COUNT) begin
       $display("FAIL %0d of %0d vectors came back", received, COUNT);
       $fatal(1);
     end
@@ -258,8 +310,16 @@ endmodule
       fmt::arg("result_width", result_width), fmt::arg("result_bits", result.bits),
       fmt::arg("result_wires", result.wires), fmt::arg("connections", connections),
       fmt::arg("result_connections", fmt::join(result.connections, ",\n")),
-      fmt::arg("differences", fmt::join(result.differences, " || ")), fmt::arg("formats", result.formats),
-      fmt::arg("values", result.values));
+      fmt::arg("stalls", flow.only_with_ready(" and stalls")), fmt::arg("constants", flow.constants),
+      fmt::arg("more", flow.more), fmt::arg("out_ready", flow.only_with_ready(", out_ready")),
+      fmt::arg("in_ready", flow.only_with_ready("in_ready, ")),
+      fmt::arg("in_ready_pin", flow.only_with_ready(".in_ready(in_ready), ")),
+      fmt::arg("out_ready_pin", flow.only_with_ready(".out_ready(out_ready), ")),
+      fmt::arg("seen", flow.ready ? "handshakes" : "results"),
+      fmt::arg("no_out_ready", flow.only_with_ready(" out_ready = 1'b0;")),
+      fmt::arg("nothing_due", flow.ready ? "" : " due = 0; idle = 0;"),
+      fmt::arg("running", flow.ready ? "received != COUNT && cycles < 16 * COUNT + 1000" : "idle != IDLE"),
+      fmt::arg("drive", flow.drive(compare)));
 }
 
 }  // namespace hitpipe::rtl

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,12 @@ namespace hitpipe::rtl {
 
 /// tb/<module>_tb.sv in SystemVerilog, for Icarus Verilog and Verilator. It sends the vectors with gaps and
 /// stalls, and compares every result and every tag. It prints "PASS <n> vectors"; or it prints "FAIL" with
-/// the first mismatch or what is wrong with the file, and ends with $fatal.
+/// the first mismatch or what is wrong with the file, and ends with $fatal. With a `fixed_latency` the unit
+/// has no ready: there are gaps and no stalls, and in every cycle a result must be there exactly when one is
+/// due.
 [[nodiscard]] std::string testbench(const std::string& module, const std::vector<Port>& ports,
-                                    const std::vector<hls::Result>& results, int count);
+                                    const std::vector<hls::Result>& results, int count,
+                                    std::optional<int> fixed_latency = {});
 /// tb/Makefile: icarus, verilator, harness and waves, for all units in the folder. It names none of them.
 [[nodiscard]] std::string testbench_makefile();
 

@@ -139,7 +139,7 @@ std::vector<Check> checks(const Demands& demands, const std::vector<Port>& origi
 }  // namespace
 
 std::string check_block(const std::string& module, const Demands& demands, const std::vector<Port>& original,
-                        const std::vector<Port>& ports) {
+                        const std::vector<Port>& ports, FlowControl flow) {
   if (demands.empty()) return "";
   std::string text = "\n  // Demands that the unit was fitted to.\n";
   std::string tests;
@@ -157,8 +157,8 @@ std::string check_block(const std::string& module, const Demands& demands, const
   if (tests.empty()) return text;
   return text + fmt::format(
                     "`ifdef HITPIPE_CHECK\n`ifndef SYNTHESIS\n  always @(posedge clk) begin\n"
-                    "    if (in_valid && in_ready && !rst) begin\n{}    end\n  end\n`endif\n`endif\n",
-                    tests);
+                    "    if (in_valid{} && !rst) begin\n{}    end\n  end\n`endif\n`endif\n",
+                    flow == FlowControl::stall ? " && in_ready" : "", tests);
 }
 
 std::string with_check_block(const std::string& verilog, const std::string& block) {

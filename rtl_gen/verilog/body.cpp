@@ -163,6 +163,10 @@ void Body::write_value(NodeId id) {
   text_ += fmt::format("  wire {}{} = {};\n", vector_range(n.width), names_[id], right);
 }
 
+std::string Body::clock_pins() const {
+  return options_.enable.empty() ? ".clk(clk), " : fmt::format(".clk(clk), .en({}), ", options_.enable);
+}
+
 void Body::write_multiplier(NodeId id) {
   const Node& n = graph_[id];
   const Slot& slot = schedule_.slots[id];
@@ -176,7 +180,7 @@ void Body::write_multiplier(NodeId id) {
   const std::string base = fmt::format("{}_mul_{}x{}{}_to_{}_{}", options_.prefix, shape.width_a,
                                        shape.width_b, shape.is_signed ? "s" : "u", shape.high, shape.low);
   const std::string& module = multipliers_.try_emplace(shape, base).first->second;
-  const std::string clocked = shape.stages > 1 ? fmt::format(".clk(clk), .en({}), ", options_.enable) : "";
+  const std::string clocked = shape.stages > 1 ? clock_pins() : "";
   text_ += fmt::format("  wire {}{};  // bits {}:{}, there in stage {}\n", vector_range(used.width()),
                        names_[id], used.high, used.low, slot.finish);
   text_ += fmt::format("  {} {} ({}.a({}), .b({}), .p({}));\n", module, claim("mul_" + names_[id]), clocked,
@@ -195,7 +199,7 @@ void Body::write_unit(NodeId id) {
     operands +=
         fmt::format(".{}({}), ", body[body.inputs()[i]].name, expression(graph_[id].args[i], slot.stage));
   }
-  const std::string clocked = use.stages > 1 ? fmt::format(".clk(clk), .en({}), ", options_.enable) : "";
+  const std::string clocked = use.stages > 1 ? clock_pins() : "";
   text_ += fmt::format("  wire {}{};  // there in stage {}\n", vector_range(graph_[id].width), names_[id],
                        slot.finish);
   text_ += fmt::format("  {} {} ({}{}.{}({}));\n", module,
@@ -210,11 +214,12 @@ void Body::write_registers(int boundary) {
     const std::string& name = register_name(r);
     text_ += fmt::format("  reg {}{};  // stage {}{}\n", vector_range(r.width()), name, boundary,
                          source_comment(r.value));
-    load += fmt::format("      {} <= {};\n", name, bits_of(r.value, r.high, r.low, boundary));
+    load += fmt::format("{}{} <= {};\n", options_.enable.empty() ? "    " : "      ", name,
+                        bits_of(r.value, r.high, r.low, boundary));
   }
   if (load.empty()) return;
-  text_ += fmt::format("  always @(posedge clk) begin\n    if ({}) begin\n{}    end\n  end\n",
-                       options_.enable, load);
+  if (!options_.enable.empty()) load = fmt::format("    if ({}) begin\n{}    end\n", options_.enable, load);
+  text_ += fmt::format("  always @(posedge clk) begin\n{}  end\n", load);
 }
 
 void Body::write_stage(int stage) {

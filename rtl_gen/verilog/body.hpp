@@ -18,7 +18,7 @@ namespace hitpipe::rtl {
 
 struct BodyOptions {
   std::string prefix;             ///< begins the names of component modules
-  std::string enable;             ///< the signal that lets the registers load
+  std::string enable;             ///< lets the registers load; empty: they load in every cycle
   std::set<std::string> taken{};  ///< names that are not free
 };
 
@@ -48,6 +48,8 @@ class Body {
   void write_multiplier(NodeId id);
   void write_unit(NodeId id);
   void write_unused();
+  /// The first pins of a component with stages, each with a comma behind it.
+  [[nodiscard]] std::string clock_pins() const;
   [[nodiscard]] std::string expression(NodeId value, int high, int low, int stage) const;
   [[nodiscard]] std::string bits_of(NodeId root, int high, int low, int stage) const;
   /// `wish`, with a number at its end when the name is taken.

@@ -26,11 +26,14 @@ std::string port_list(const Graph& graph, const std::vector<std::string>& fixed)
 }
 
 /// A component inside a pipeline. Its operands come out of latches; the pipeline latches its result.
-std::string component_module(const Graph& graph, const Schedule& schedule, const std::string& name) {
+std::string component_module(const Graph& graph, const Schedule& schedule, const std::string& name,
+                             FlowControl flow) {
   const Placement placement = place_registers(graph, schedule, Ports::direct);
-  const Body body(graph, schedule, placement, {.prefix = name, .enable = "en"});
+  const bool stalls = flow == FlowControl::stall;
+  const Body body(graph, schedule, placement, {.prefix = name, .enable = stalls ? "en" : ""});
   std::vector<std::string> fixed;
-  if (!placement.registers.empty()) fixed = {"input  wire clk", "input  wire en"};
+  if (!placement.registers.empty()) fixed.emplace_back("input  wire clk");
+  if (!placement.registers.empty() && stalls) fixed.emplace_back("input  wire en");
   std::string text = fmt::format("module {} (\n  {}\n);\n", name, port_list(graph, fixed));
   text += body.text();
   for (const Output& out : graph.outputs()) {
@@ -39,19 +42,44 @@ std::string component_module(const Graph& graph, const Schedule& schedule, const
   return text + "endmodule\n";
 }
 
-std::string multiplier_module(const MultiplierShape& shape, const std::string& name) {
+std::string multiplier_module(const MultiplierShape& shape, const std::string& name, FlowControl flow) {
   const std::string what = fmt::format(
       "// {} x {} bits{}, {} stages; p is bits {}:{} of the product, not latched.\n", shape.width_a,
       shape.width_b, shape.is_signed ? " signed" : "", shape.stages, shape.high, shape.low);
   const Graph graph = multiplier(shape, name);
-  return what + component_module(graph, schedule_as_stated(graph, shape.stages), name);
+  return what + component_module(graph, schedule_as_stated(graph, shape.stages), name, flow);
 }
 
-std::string unit_module(const UnitUse& use, const std::string& name) {
+std::string unit_module(const UnitUse& use, const std::string& name, FlowControl flow) {
   const std::string what = use.stages > 1 ? fmt::format("\n// {}: {} stages; the result is not latched.\n",
                                                         use.unit->body.name(), use.stages)
                                           : fmt::format("\n// {}: combinational.\n", use.unit->body.name());
-  return what + component_module(use.unit->body, balance(use.unit->body, use.stages), name);
+  return what + component_module(use.unit->body, balance(use.unit->body, use.stages), name, flow);
+}
+
+/// Valid bits and tags; with stalls also what moves them.
+std::string control(int last, FlowControl flow) {
+  const bool stalls = flow == FlowControl::stall;
+  std::string text = fmt::format(
+      "  reg [{0}:0] valid;  // by boundary: 0 the input latches, {0} the result\n"
+      "  assign out_valid = valid[{0}];\n",
+      last);
+  if (stalls)
+    text = "  // Everything moves together, or waits for out_ready.\n" + text +
+           "  wire advance = out_ready | ~out_valid;\n  assign in_ready = advance;\n";
+  text += fmt::format(
+      "  always @(posedge clk) begin\n"
+      "    if (rst) valid <= {0}'d0;\n"
+      "    else {2}valid <= {{valid[{1}:0], in_valid}};\n"
+      "  end\n",
+      last + 1, last - 1, stalls ? "if (advance) " : "");
+  for (int b = 0; b <= last; ++b) text += fmt::format("  reg [TAG_BITS-1:0] tag_s{};\n", b);
+  const char* const indent = stalls ? "      " : "    ";
+  std::string moves = fmt::format("{}tag_s0 <= in_tag;\n", indent);
+  for (int b = 1; b <= last; ++b) moves += fmt::format("{}tag_s{} <= tag_s{};\n", indent, b, b - 1);
+  if (stalls) moves = fmt::format("    if (advance) begin\n{}    end\n", moves);
+  return text +
+         fmt::format("  always @(posedge clk) begin\n{}  end\n  assign out_tag = tag_s{};\n", moves, last);
 }
 
 }  // namespace
@@ -60,9 +88,11 @@ std::string to_verilog(const Pipeline& pipeline, const Library& library, const V
   const Graph& graph = pipeline.graph;
   const int last = pipeline.schedule.stages;
   const std::string name = options.module_name.empty() ? graph.name() : options.module_name;
+  const FlowControl flow = options.flow_control;
+  const bool stalls = flow == FlowControl::stall;
   Body body(graph, pipeline.schedule, pipeline.placement,
             {.prefix = name,
-             .enable = "advance",
+             .enable = stalls ? "advance" : "",
              .taken = {"clk", "rst", "in_valid", "in_ready", "in_tag", "out_valid", "out_ready", "out_tag",
                        "advance", "valid", "TAG_BITS"}});
 
@@ -70,30 +100,18 @@ std::string to_verilog(const Pipeline& pipeline, const Library& library, const V
                                  options.bits.empty() ? "" : " ", options.bits, last);
   text += fmt::format(
       "// Clock of {} ps with the components of {}. HIT is latched {} cycles after the operands.\n"
-      "// Generated by hitpipe from the C++ lines named below; do not edit.\n",
-      pipeline.schedule.clock_ps, library.name(), pipeline.latency());
-  text += fmt::format(
-      "module {} #(\n  parameter TAG_BITS = 16\n) (\n  {}\n);\n", name,
-      port_list(graph, {"input  wire clk", "input  wire rst", "input  wire in_valid", "output wire in_ready",
-                        "input  wire [TAG_BITS-1:0] in_tag", "output wire out_valid", "input  wire out_ready",
-                        "output wire [TAG_BITS-1:0] out_tag"}));
+      "{}// Generated by hitpipe from the C++ lines named below; do not edit.\n",
+      pipeline.schedule.clock_ps, library.name(), pipeline.latency(),
+      stalls ? "" : "// Flow control: none. Nothing waits, and a result is there for one cycle.\n");
+  std::vector<std::string> fixed{"input  wire clk", "input  wire rst", "input  wire in_valid"};
+  if (stalls) fixed.emplace_back("output wire in_ready");
+  fixed.insert(fixed.end(), {"input  wire [TAG_BITS-1:0] in_tag", "output wire out_valid"});
+  if (stalls) fixed.emplace_back("input  wire out_ready");
+  fixed.emplace_back("output wire [TAG_BITS-1:0] out_tag");
+  text +=
+      fmt::format("module {} #(\n  parameter TAG_BITS = 16\n) (\n  {}\n);\n", name, port_list(graph, fixed));
 
-  text += fmt::format(
-      "  // Everything moves together, or waits for out_ready.\n"
-      "  reg [{0}:0] valid;  // by boundary: 0 the input latches, {0} the result\n"
-      "  assign out_valid = valid[{0}];\n"
-      "  wire advance = out_ready | ~out_valid;\n"
-      "  assign in_ready = advance;\n"
-      "  always @(posedge clk) begin\n"
-      "    if (rst) valid <= {1}'d0;\n"
-      "    else if (advance) valid <= {{valid[{2}:0], in_valid}};\n"
-      "  end\n",
-      last, last + 1, last - 1);
-  for (int b = 0; b <= last; ++b) text += fmt::format("  reg [TAG_BITS-1:0] tag_s{};\n", b);
-  text += "  always @(posedge clk) begin\n    if (advance) begin\n      tag_s0 <= in_tag;\n";
-  for (int b = 1; b <= last; ++b) text += fmt::format("      tag_s{} <= tag_s{};\n", b, b - 1);
-  text += fmt::format("    end\n  end\n  assign out_tag = tag_s{};\n", last);
-
+  text += control(last, flow);
   text += body.text();
   text += "\n";
   for (const Output& out : graph.outputs()) {
@@ -103,8 +121,8 @@ std::string to_verilog(const Pipeline& pipeline, const Library& library, const V
   if (!body.multipliers().empty() || !body.units().empty()) {
     // One file holds the whole design, so the components follow the top module.
     text += "\n/* verilator lint_off DECLFILENAME */\n";
-    for (const auto& [shape, module] : body.multipliers()) text += multiplier_module(shape, module);
-    for (const auto& [module, use] : body.units()) text += unit_module(use, module);
+    for (const auto& [shape, module] : body.multipliers()) text += multiplier_module(shape, module, flow);
+    for (const auto& [module, use] : body.units()) text += unit_module(use, module, flow);
     text += "\n/* verilator lint_on DECLFILENAME */\n";
   }
   return text;

@@ -5,12 +5,14 @@
 #include <string>
 
 #include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 
 namespace hitpipe::rtl {
 
 struct VerilogOptions {
   std::string module_name;  ///< empty: the graph's name
   std::string bits;         ///< for the header comment, e.g. "20/24"
+  FlowControl flow_control = FlowControl::stall;
 };
 
 /// The top module, then one module for each kind of pipelined component in it. Beside operands and results
@@ -20,6 +22,8 @@ struct VerilogOptions {
 ///   in_tag, out_tag       TAG_BITS bits that travel with the operands
 ///   out_valid, out_ready  a result is handed over at a rising edge with both high, and held until then
 /// in_ready falls only while a valid result waits for out_ready. The whole pipeline then stands still.
+/// With FlowControl::none there is no in_ready and no out_ready, and no register has an enable: what is valid
+/// at an edge comes out `latency` edges later, for one cycle.
 [[nodiscard]] std::string to_verilog(const Pipeline& pipeline, const Library& library,
                                      const VerilogOptions& options = {});
 

@@ -1,0 +1,30 @@
+// A FIFO for the results of a unit without flow control: the module <unit>_fifo contains the emitted module
+// and has valid and ready on both sides. The unit itself never waits. The wrapper counts credits: the FIFO
+// has a place for every test that is in flight or waits as a result, and in_ready is low while all places are
+// taken. So nothing is lost, whatever the consumer does. in_ready follows from registers alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rtl_gen/catalogue/port.hpp"
+
+namespace hitpipe::rtl {
+
+/// Places of the FIFO behind a unit of this latency. With one place less, a producer that always has a test
+/// would wait for a credit that is returned in the same cycle.
+[[nodiscard]] constexpr int fifo_places(int latency) {
+  return latency + 2;
+}
+
+/// The name of the wrapper of a unit's module.
+[[nodiscard]] std::string fifo_module(const std::string& module);
+/// The wrapper in Verilog-2001, without the unit's module. Throws std::runtime_error, one line, for a port
+/// that has the name of one of the wrapper's own.
+[[nodiscard]] std::string result_fifo(const std::string& module, const std::vector<Port>& ports,
+                                      const std::vector<hls::Result>& results, int latency);
+
+/// Adds the object result_fifo to a manifest: module, file, places, the width of a place, ports.
+[[nodiscard]] std::string with_result_fifo(const std::string& manifest);
+
+}  // namespace hitpipe::rtl
