@@ -11,6 +11,7 @@ class App;
   COMMAND(scenes)                 \
   COMMAND(rtl)                    \
   COMMAND(area)                   \
+  COMMAND(implement)              \
   COMMAND(bvh)                    \
   COMMAND(render)                 \
   COMMAND(compare)                \

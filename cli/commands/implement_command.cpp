@@ -1,0 +1,174 @@
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/design_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "host/files.hpp"
+#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/emit/unit_folder.hpp"
+#include "sim/implement/unit_implementation.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ImplementCommand {
+  DesignChoice choice;
+  std::string target;
+  sim::ImplementOptions options;
+  std::string out;
+  Format format = Format::text;
+};
+
+/// To as many digits as a tool's result is worth.
+Row rounded(std::optional<double> value) {
+  if (!value) return nullptr;
+  return std::round(*value * 100) / 100;
+}
+
+Row count_row(const sim::Implementation& unit, std::string_view resource) {
+  const sim::ResourceCount* const count = unit.count_of(resource);
+  return count == nullptr ? Row(nullptr) : Row(count->used);
+}
+
+/// The resource of which the unit takes the largest part of the chip.
+std::pair<Row, Row> largest_share(const sim::Implementation& unit) {
+  std::pair<Row, Row> largest{nullptr, nullptr};
+  double most = -1;
+  for (const sim::ResourceCount& count : unit.counts) {
+    if (!count.available || *count.available == 0) continue;
+    const double share = 100.0 * count.used / *count.available;
+    if (share <= most) continue;
+    most = share;
+    largest = {rounded(share), count.name};
+  }
+  return largest;
+}
+
+Row record(const rtl::Design& design, const rtl::Format& format, const sim::Target& target,
+           const sim::Implementation& unit) {
+  const auto [share, share_of] = largest_share(unit);
+  const bool placed = unit.placed && !unit.placed->seeds.empty();
+  const std::optional<double> fmax = unit.fmax_mhz();
+  Row row{{"design", design.name},   {"bits", rtl::to_string(format)},
+          {"target", target.name},   {"chip", target.chip},
+          {"library", unit.library}, {"module", unit.module},
+          {"latency", unit.latency}, {"cells", unit.synthesis.cell_count()}};
+  for (const std::string_view resource : sim::resource_names)
+    row[std::string(resource)] = count_row(unit, resource);
+  row.update(
+      {{"chip_share_pct", share},
+       {"chip_share_of", share_of},
+       {"cell_area_um2", rounded(unit.synthesis.area_um2)},
+       {"seeds", placed ? Row(unit.placed->seeds.size()) : Row(nullptr)},
+       {"fmax_mhz", rounded(fmax)},
+       {"fmax_best_mhz", placed ? rounded(unit.placed->best().fmax_mhz) : Row(nullptr)},
+       {"critical_path_ns", rounded(unit.critical_path_ns)},
+       {"critical_from", placed ? Row(unit.placed->median().critical.from) : Row(nullptr)},
+       {"critical_to", placed ? Row(unit.placed->median().critical.to) : Row(nullptr)},
+       {"latency_ns", unit.critical_path_ns ? rounded(unit.latency * *unit.critical_path_ns) : Row(nullptr)},
+       {"boxes_per_test", design.boxes_per_test()},
+       {"million_hits_per_s", fmax ? rounded(*fmax * design.boxes_per_test()) : Row(nullptr)},
+       {"netlist", unit.simulated ? Row(unit.simulated->said) : Row(nullptr)},
+       {"not_placed", target.placement ? Row(nullptr) : Row(target.not_placed)},
+       {"tools", fmt::format("{}", fmt::join(unit.tools, "; "))}});
+  return row;
+}
+
+/// For a reader: only what there is.
+Row without_nothing(const Row& row) {
+  Row left;
+  for (const auto& [key, value] : row.items())
+    if (!value.is_null()) left[key] = value;
+  return left;
+}
+
+/// What is wrong with the unit in this target; empty when nothing is.
+std::string wrong(const sim::Target& target, const sim::Implementation& unit) {
+  if (unit.simulated && !unit.simulated->agrees)
+    return fmt::format("its netlist is wrong: {}", unit.simulated->said);
+  if (const std::string excess = unit.excess(); !excess.empty())
+    return fmt::format("does not fit {}: {}", target.chip, excess);
+  if (unit.placed && !unit.placed->why_not.empty())
+    return fmt::format("fits {}, but not with the shift registers around it: {}", target.chip,
+                       unit.placed->why_not);
+  return "";
+}
+
+int implement(const ImplementCommand& command) {
+  const rtl::Design& design = command.choice.design();
+  const rtl::Format format = command.choice.format();
+  const sim::Target target = sim::target_called(command.target);
+  sim::ImplementOptions options = command.options;
+  options.folder = command.out;
+  std::optional<Progress> progress;
+  options.progress = [&](const std::string& step) { progress.emplace(step); };
+  const sim::Implementation unit = sim::implement_unit(design, format, target, options);
+  progress.reset();
+
+  Row row = record(design, format, target, unit);
+  const fs::path folder = fs::path(command.out) / target.name;
+  host::write_file(folder / (unit.module + "_implementation.json"), record_text(row, Format::json));
+  row["files"] = folder.string();
+  fmt::print("{}", record_text(command.format == Format::text ? without_nothing(row) : row, command.format));
+  if (!unit.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
+  const std::string what = wrong(target, unit);
+  if (what.empty()) return 0;
+  fmt::print(stderr, "hitpipe: {} {} {}\n", design.name, rtl::to_string(format), what);
+  return 1;
+}
+
+}  // namespace
+
+void add_implement_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command = program.add_subcommand(
+      "implement", "Put a unit into a chip or standard cells: counts, clock, and its netlist simulated");
+  const auto options = std::make_shared<ImplementCommand>();
+  sim::ImplementOptions& how = options->options;
+  add_design_options(*command, options->choice);
+  command
+      ->add_option(
+          "--target", options->target,
+          fmt::format("A built-in target ({}) or a file NAME.json", fmt::join(sim::target_names(), ", ")))
+      ->required()
+      ->type_name("NAME|FILE");
+  add_folder_option(*command, options->out,
+                    "Folder for the unit, and for the tools' files in a folder named after the target")
+      ->required();
+  command
+      ->add_option("--library", how.library,
+                   fmt::format("Component library that drives the schedule, a built-in one ({}) or a file "
+                               "NAME.json. Default: the target's",
+                               fmt::join(rtl::built_in_names(), ", ")))
+      ->type_name("NAME|FILE");
+  add_count_option(
+      *command, "--clock-ps", how.clock_ps, {1, 1'000'000'000},
+      "Clock period in picoseconds for the schedule; by default what the slowest component needs");
+  command->add_option("--name", how.module, "Name of the Verilog module. Default: as `hitpipe rtl` names it")
+      ->type_name("MODULE");
+  add_count_option(*command, "--seeds", how.seeds, {1, 100},
+                   "Place with seeds 1 to N; the clock is the median and the best")
+      ->capture_default_str();
+  add_count_option(*command, "--simulate", how.simulate, {1, 10'000'000},
+                   "Simulate the mapped netlist with N vectors, as `hitpipe rtl --vectors` chooses them, and "
+                   "compare it with the C++");
+  add_choice_option<sim::Simulator>(
+      *command, "--simulator", how.simulator,
+      {{"icarus", sim::Simulator::icarus}, {"verilator", sim::Simulator::verilator}},
+      "What simulates the netlist");
+  add_seed_option(*command, how.seed);
+  add_format_option(*command, options->format);
+  command->callback([options, &exit_code] { exit_code = implement(*options); });
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,94 @@
+#include "sim/implement/synthesis.hpp"
+
+#include <cstdlib>
+#include <numeric>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/implement/fill_in.hpp"
+
+namespace hitpipe::sim {
+
+int Synthesis::cell_count() const {
+  return std::accumulate(cells.begin(), cells.end(), 0,
+                         [](int sum, const auto& cell) { return sum + cell.second; });
+}
+
+std::map<std::string, int> mapped_cells(const std::string& stat) {
+  const auto refuse = [] { throw std::runtime_error("Yosys's counts of cells cannot be read"); };
+  const nlohmann::json json = nlohmann::json::parse(stat, nullptr, false);
+  if (!json.is_object() || !json.contains("design")) refuse();
+  const auto& design = json["design"];
+  if (!design.is_object() || !design.contains("num_cells_by_type")) refuse();
+  std::map<std::string, int> cells;
+  for (const auto& [kind, count] : design["num_cells_by_type"].items()) {
+    if (!count.is_number_unsigned()) refuse();
+    if (kind.starts_with('$'))
+      throw std::runtime_error(
+          fmt::format("Yosys left {} cells {} without a cell of the target", count.get<int>(), kind));
+    cells[kind] = count.get<int>();
+  }
+  return cells;
+}
+
+double cell_area(const std::string& stat) {
+  constexpr std::string_view before = "Chip area for ";
+  const std::size_t line = stat.rfind(before);
+  const std::size_t colon = line == std::string::npos ? line : stat.find("': ", line);
+  if (colon == std::string::npos) throw std::runtime_error("Yosys printed no cell area");
+  return std::strtod(stat.c_str() + colon + 3, nullptr);
+}
+
+std::vector<ResourceCount> count_resources(const Target& target, const std::map<std::string, int>& cells) {
+  std::vector<ResourceCount> counts;
+  for (const Resource& resource : target.resources) {
+    if (!resource.packed.empty()) continue;
+    ResourceCount count{resource.name, 0, resource.available};
+    for (const auto& [kind, number] : cells)
+      for (const auto& [pattern, weight] : resource.cells)
+        if (fnmatch(pattern.c_str(), kind.c_str(), 0) == 0) count.used += weight * number;
+    counts.push_back(std::move(count));
+  }
+  return counts;
+}
+
+std::string synthesis_lines(const Target& target, const std::string& top) {
+  std::string lines;
+  for (const std::string& line : target.synthesis)
+    lines += filled_in(line, {{"top", top}, {"liberty", target.liberty}}) + "\n";
+  return lines;
+}
+
+Synthesis synthesise(const Target& target, const ChipSources& sources, const Tool& yosys,
+                     const Workbench& bench) {
+  Synthesis result{.top = sources.top, .cells = {}, .counts = {}, .area_um2 = {}};
+  std::string script;
+  for (const host::File& file : sources.verilog) {
+    bench.put({"../" + file.name, file.contents});
+    script += fmt::format("read_verilog ../{}\n", file.name);
+  }
+  for (const auto& [name, contents] : target.files) bench.put_and_keep({name, contents});
+  const std::string cells = sources.top + "_cells.json";
+  const std::string area = sources.top + "_area.txt";
+  script += synthesis_lines(target, sources.top);
+  script += fmt::format("tee -q -o {} stat -json\n", cells);
+  if (!target.liberty.empty()) script += fmt::format("tee -q -o {} stat -liberty {}\n", area, target.liberty);
+  script += fmt::format("write_verilog -noattr {}\nwrite_json {}\nwrite_rtlil {}\n", result.verilog(),
+                        result.json(), result.rtlil());
+  const std::string script_name = sources.top + "_synthesis.ys";
+  bench.put_and_keep({script_name, script});
+  bench.run(yosys, {"-s", script_name}, sources.top + "_synthesis.log");
+  for (const std::string& name : {cells, result.verilog(), result.json()}) bench.keep(name);
+  result.cells = mapped_cells(bench.read(cells));
+  result.counts = count_resources(target, result.cells);
+  if (!target.liberty.empty()) {
+    bench.keep(area);
+    result.area_um2 = cell_area(bench.read(area));
+  }
+  return result;
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,58 @@
+// A module mapped to the cells of a target by Yosys, and the counts of these cells.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/files.hpp"
+#include "sim/implement/target.hpp"
+#include "sim/implement/workbench.hpp"
+
+namespace hitpipe::sim {
+
+/// Verilog that goes into a chip: a unit, or a top of the user's own around it.
+struct ChipSources {
+  std::string top;
+  std::vector<host::File> verilog;
+};
+
+struct ResourceCount {
+  std::string name;  ///< one of resource_names
+  int used = 0;
+  std::optional<int> available;
+
+  [[nodiscard]] bool fits() const { return !available || used <= *available; }
+};
+
+struct Synthesis {
+  std::string top;
+  std::map<std::string, int> cells;   ///< how many of each kind
+  std::vector<ResourceCount> counts;  ///< those that mapped cells decide
+  std::optional<double> area_um2;     ///< of standard cells
+
+  [[nodiscard]] int cell_count() const;
+  /// The mapped module in the workbench, as Verilog, as JSON for nextpnr, and as Yosys's own text.
+  [[nodiscard]] std::string verilog() const { return top + "_netlist.v"; }
+  [[nodiscard]] std::string json() const { return top + "_netlist.json"; }
+  [[nodiscard]] std::string rtlil() const { return top + "_netlist.il"; }
+};
+
+/// Cells by kind in what Yosys's `stat -json` prints. Throws std::runtime_error, one line, when a cell is not
+/// mapped, or the text is another.
+[[nodiscard]] std::map<std::string, int> mapped_cells(const std::string& stat);
+/// The area in what Yosys's `stat -liberty` prints.
+[[nodiscard]] double cell_area(const std::string& stat);
+[[nodiscard]] std::vector<ResourceCount> count_resources(const Target& target,
+                                                         const std::map<std::string, int>& cells);
+
+/// The target's lines for Yosys, with the names filled in.
+[[nodiscard]] std::string synthesis_lines(const Target& target, const std::string& top);
+
+/// Keeps script, log, counts and netlists, each beginning with the top's name. Throws std::runtime_error, one
+/// line, when Yosys fails.
+[[nodiscard]] Synthesis synthesise(const Target& target, const ChipSources& sources, const Tool& yosys,
+                                   const Workbench& bench);
+
+}  // namespace hitpipe::sim

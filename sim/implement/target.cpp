@@ -1,0 +1,144 @@
+#include "sim/implement/target.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace hitpipe::sim {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// An entry of the file, and the words that lead to it in a message.
+struct Entry {
+  const OrderedJson& json;
+  std::string path;
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw std::runtime_error(fmt::format("{}: {}", path, what));
+  }
+  void check_keys(const std::vector<std::string>& allowed) const {
+    if (!json.is_object()) fail("is not an object");
+    for (const auto& [key, value] : json.items())
+      if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
+        fail(fmt::format("{}: unknown; allowed are {}", key, fmt::join(allowed, ", ")));
+  }
+  [[nodiscard]] bool has(const char* key) const { return json.contains(key); }
+  [[nodiscard]] Entry at(const std::string& key) const {
+    if (!json.contains(key)) fail(fmt::format("{} is missing", key));
+    return {json[key], fmt::format("{}: {}", path, key)};
+  }
+  [[nodiscard]] std::string text() const {
+    if (!json.is_string()) fail("is not a text");
+    return json.get<std::string>();
+  }
+  [[nodiscard]] std::string text(const char* key) const { return has(key) ? at(key).text() : ""; }
+  [[nodiscard]] int count() const {
+    if (!json.is_number_unsigned() || json > 1'000'000'000) fail("is not a whole number from 0 to 10^9");
+    return json.get<int>();
+  }
+  [[nodiscard]] std::vector<std::string> texts() const {
+    if (!json.is_array()) fail("is not a list of texts");
+    std::vector<std::string> all;
+    for (const OrderedJson& each : json) all.push_back(Entry{each, path}.text());
+    return all;
+  }
+  [[nodiscard]] std::vector<std::string> texts(const char* key) const {
+    return has(key) ? at(key).texts() : std::vector<std::string>{};
+  }
+};
+
+Resource resource_of(const std::string& name, const Entry& entry) {
+  entry.check_keys({"cells", "packed", "available"});
+  Resource resource{name, {}, entry.text("packed"), {}};
+  if (entry.has("available")) resource.available = entry.at("available").count();
+  if (entry.has("cells") == entry.has("packed")) entry.fail("has either cells or packed");
+  if (!entry.has("cells")) return resource;
+  const Entry cells = entry.at("cells");
+  if (!cells.json.is_object()) cells.fail("is not an object");
+  for (const auto& [cell, weight] : cells.json.items())
+    resource.cells.emplace_back(cell, Entry{weight, fmt::format("{}: {}", cells.path, cell)}.count());
+  return resource;
+}
+
+std::vector<Resource> resources_of(const Entry& entry) {
+  entry.check_keys({std::begin(resource_names), std::end(resource_names)});
+  std::vector<Resource> all;
+  for (const std::string_view name : resource_names)
+    if (entry.json.contains(name)) all.push_back(resource_of(std::string(name), entry.at(std::string(name))));
+  return all;
+}
+
+Models models_of(const Entry& entry) {
+  entry.check_keys({"files", "defines", "verilator_options"});
+  return {entry.at("files").texts(), entry.texts("defines"), entry.texts("verilator_options")};
+}
+
+std::vector<std::string> placement_of(const Entry& entry) {
+  entry.check_keys({"options"});
+  return entry.at("options").texts();
+}
+
+}  // namespace
+
+Target Target::from_json(std::string_view text, const std::string& origin) {
+  const OrderedJson json = OrderedJson::parse(text, nullptr, false);
+  if (json.is_discarded()) throw std::runtime_error(fmt::format("{}: is not JSON", origin));
+  const Entry file{json, origin};
+  file.check_keys({"name", "chip", "library", "synthesis", "files", "resources", "liberty", "package",
+                   "place", "not_placed", "models"});
+  Target target{.name = file.at("name").text(),
+                .chip = file.at("chip").text(),
+                .library = file.at("library").text(),
+                .synthesis = file.at("synthesis").texts(),
+                .files = {},
+                .resources = resources_of(file.at("resources")),
+                .liberty = file.text("liberty"),
+                .package = file.text("package"),
+                .placement = {},
+                .not_placed = file.text("not_placed"),
+                .models = {}};
+  if (file.has("files")) {
+    const Entry files = file.at("files");
+    if (!files.json.is_object()) files.fail("is not an object");
+    for (const auto& [name, contents] : files.json.items())
+      target.files.emplace_back(name, Entry{contents, fmt::format("{}: {}", files.path, name)}.text());
+  }
+  if (file.has("place")) target.placement = placement_of(file.at("place"));
+  if (file.has("models")) target.models = models_of(file.at("models"));
+  if (file.has("place") == file.has("not_placed")) file.fail("has either place or not_placed");
+  // The name becomes a folder.
+  if (target.name.empty() || target.name.find_first_of("/ .") != std::string::npos)
+    file.at("name").fail("is empty or has a slash, a blank or a point");
+  return target;
+}
+
+std::vector<std::string> target_names() {
+  std::vector<std::string> names;
+  for (const BuiltInTarget& target : built_in_targets()) names.emplace_back(target.name);
+  return names;
+}
+
+Target target_called(const std::string& name_or_file) {
+  if (name_or_file.ends_with(".json")) {
+    std::ifstream in(name_or_file, std::ios::binary);
+    if (!in) throw std::runtime_error(fmt::format("{}: cannot read the file", name_or_file));
+    return Target::from_json(std::string(std::istreambuf_iterator<char>(in), {}), name_or_file);
+  }
+  const auto targets = built_in_targets();
+  const auto found = std::find_if(targets.begin(), targets.end(),
+                                  [&](const BuiltInTarget& target) { return target.name == name_or_file; });
+  if (found == targets.end())
+    throw std::runtime_error(
+        fmt::format("target {}: unknown; there are {}, and any file whose name ends in .json", name_or_file,
+                    fmt::join(target_names(), ", ")));
+  return Target::from_json(found->json, fmt::format("{}.json", found->name));
+}
+
+}  // namespace hitpipe::sim

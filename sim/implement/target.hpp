@@ -1,0 +1,62 @@
+// What a unit can be implemented in: a chip, or standard cells. A target says which component library drives
+// the schedule, how Yosys maps the Verilog, how mapped cells are counted, how they are placed or timed, and
+// which models simulate them. Each target is a data file, targets/NAME.json, that is compiled in by being
+// there.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hitpipe::sim {
+
+/// The resources that a target may count, in the order in which they are printed.
+inline constexpr std::string_view resource_names[] = {"luts", "registers", "dsps",
+                                                      "rams", "carries",   "logic_cells"};
+
+struct Resource {
+  std::string name;                                ///< one of resource_names
+  std::vector<std::pair<std::string, int>> cells;  ///< patterns of mapped cells, and how many each takes
+  std::string packed;            ///< nextpnr's name of it, where it is counted after packing
+  std::optional<int> available;  ///< on the chip
+};
+
+struct Models {
+  std::vector<std::string> files;  ///< Verilog; "{yosys}" stands for the data folder of Yosys
+  std::vector<std::string> defines;
+  std::vector<std::string> verilator_options;
+};
+
+struct Target {
+  std::string name;
+  std::string chip;                    ///< its name in full
+  std::string library;                 ///< the component library, as rtl::library_called() takes it
+  std::vector<std::string> synthesis;  ///< lines for Yosys; "{top}" and "{liberty}" stand for what they name
+  std::vector<std::pair<std::string, std::string>> files;  ///< that these lines read: name and contents
+  std::vector<Resource> resources;
+  std::string liberty;  ///< of standard cells: they have an area, OpenSTA times them
+  std::string package;  ///< the Debian package of the Liberty file
+  std::optional<std::vector<std::string>> placement;  ///< options of nextpnr-ice40
+  std::string not_placed;                             ///< why it is not placed
+  std::optional<Models> models;                       ///< without them a netlist cannot be simulated
+
+  /// Throws std::runtime_error, one line with `origin` and the wrong entry.
+  [[nodiscard]] static Target from_json(std::string_view text, const std::string& origin);
+};
+
+struct BuiltInTarget {
+  std::string_view name;
+  std::string_view json;
+};
+/// In the order of their names.
+[[nodiscard]] std::span<const BuiltInTarget> built_in_targets();
+[[nodiscard]] std::vector<std::string> target_names();
+
+/// The target of a built-in name, or of a file whose name ends in .json. Throws std::runtime_error with one
+/// line; for an unknown name it says which names there are.
+[[nodiscard]] Target target_called(const std::string& name_or_file);
+
+}  // namespace hitpipe::sim

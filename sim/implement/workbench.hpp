@@ -1,0 +1,43 @@
+// Where the tools of one implementation work: a folder that goes away, and one that keeps what is whole.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "host/files.hpp"
+#include "host/scratch_folder.hpp"
+#include "sim/tool.hpp"
+
+namespace hitpipe::sim {
+
+class Workbench {
+ public:
+  /// Makes the folder that keeps things. Throws as host::make_folder() does.
+  explicit Workbench(std::filesystem::path kept);
+
+  /// Writes a file for the tools. A name may begin with "../".
+  void put(const host::File& file) const;
+  /// Copies a file that a tool has written to the folder that stays.
+  void keep(const std::string& name) const;
+  /// put() and keep().
+  void put_and_keep(const host::File& file) const;
+  /// Throws std::runtime_error, one line, when the file is not there.
+  [[nodiscard]] std::string read(const std::string& name) const;
+
+  /// Runs a tool and keeps what it prints as `log`.
+  [[nodiscard]] host::Outcome try_run(const Tool& tool, const std::vector<std::string>& arguments,
+                                      const std::string& log) const;
+  /// The same. Throws std::runtime_error, one line that names the log, when the tool fails. Returns what it
+  /// printed.
+  std::string run(const Tool& tool, const std::vector<std::string>& arguments, const std::string& log) const;
+
+  [[nodiscard]] const std::filesystem::path& kept() const { return kept_; }
+
+ private:
+  std::filesystem::path kept_;
+  host::ScratchFolder scratch_;
+  std::filesystem::path work_;  ///< named as the folder that stays, so that paths in scripts hold in both
+};
+
+}  // namespace hitpipe::sim
