@@ -20,6 +20,7 @@ class App;
   COMMAND(table)                  \
   COMMAND(check)                  \
   COMMAND(operands)               \
+  COMMAND(board)                  \
   COMMAND(stiffness)              \
   COMMAND(rescale)                \
   COMMAND(fit)                    \

@@ -1,5 +1,4 @@
-// A design's emitted Verilog as a shared library. Verilator makes it at run time, and a cache keeps it by its
-// content.
+// A design's emitted Verilog as a model that can be run, made by Verilator.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +12,10 @@
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/pipeline.hpp"
+#include "sim/model_library.hpp"
 #include "sim/pins.hpp"
 
 namespace hitpipe::sim {
-
-/// $HITPIPE_CACHE, else $XDG_CACHE_HOME/hitpipe, else ~/.cache/hitpipe.
-[[nodiscard]] std::filesystem::path default_cache();
 
 /// A memory of rays before a unit, and its Verilog.
 struct RayMemory {
@@ -28,12 +25,7 @@ struct RayMemory {
 
 class VerilatedDesign {
  public:
-  /// Emits the design and loads it. Verilator and the C++ compiler build it unless the cache already holds a
-  /// build of these sources. Two processes may do this at once: each builds in a folder of its own, and the
-  /// first to finish is kept. $VERILATOR and $CXX name other programs than `verilator` and `clang++` (`c++`
-  /// where that cannot compile); they may hold arguments ("env g++"). Throws std::runtime_error, one line,
-  /// when Verilator or the compiler is missing or fails (the line says where the log is), when the cache
-  /// cannot be written, or when an entry cannot be loaded.
+  /// Emits the design and loads it. Throws as ModelLibrary does.
   VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
                   const std::filesystem::path& cache = default_cache());
 

@@ -1,0 +1,197 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/board_options.hpp"
+#include "cli/options/design_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/trace_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "rtl_gen/board/top.hpp"
+#include "rtl_gen/verilog/module.hpp"
+#include "sim/board/board_link.hpp"
+#include "sim/board/board_tests.hpp"
+#include "sim/board/simulated_board.hpp"
+#include "sim/software.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+constexpr std::uint64_t most_drawn = 1'000'000;
+
+struct BoardCommand {
+  DesignChoice choice;
+  BoardChoice board{"icebreaker", {}};
+  std::string port;
+  bool simulate = false;
+  SceneChoice scene;
+  ref::WhittedOptions light;
+  std::uint64_t tests = 10'000;
+  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> only;
+  Format format = Format::text;
+};
+
+/// The scene and its hierarchy, which their tests need for as long as they are drawn.
+struct LoadedScene {
+  explicit LoadedScene(const SceneChoice& choice) : scene(choice.load()), bvh(ref::build_bvh(scene.mesh)) {}
+  ref::Scene scene;
+  ref::Bvh bvh;
+};
+
+std::string hex_of(const std::vector<rtl::Port>& ports, const std::vector<std::int64_t>& values) {
+  std::string text;
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    const auto bits = static_cast<std::uint64_t>(values[i]) & (~std::uint64_t{0} >> (64 - ports[i].width));
+    text += fmt::format("{}{}=0x{:0{}x}", i == 0 ? "" : " ", ports[i].name, bits, (ports[i].width + 3) / 4);
+  }
+  return text;
+}
+
+void print_wrong(const rtl::Design& design, const rtl::Format& format, const sim::WrongAnswer& wrong) {
+  const std::vector<rtl::Port> results = rtl::result_ports(design.results(format));
+  fmt::print(stderr, "hitpipe: test {}: the board says {}, the C++ {}, for {}; `--only {}` sends it alone\n",
+             wrong.number, hex_of(results, wrong.results), hex_of(results, wrong.test.results),
+             hex_of(design.ports(format), wrong.test.operands), wrong.number);
+}
+
+int stream(const BoardCommand& command) {
+  const DesignChoice unit = command.board.unit(command.choice);
+  const rtl::Design& design = unit.design();
+  const rtl::Format format = unit.format();
+  const bool of_scene = !command.scene.name.empty();
+  if (of_scene) {
+    if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
+  } else if (command.tests > most_drawn) {
+    throw std::runtime_error(
+        fmt::format("--tests {}: without --scene allowed is 1 to {}", command.tests, most_drawn));
+  }
+  if (command.only && *command.only >= command.tests)
+    throw std::runtime_error(
+        fmt::format("--only {}: allowed is 0 to {}, below --tests", *command.only, command.tests - 1));
+  const int baud = command.board.baud.value_or(command.board.board().baud);
+  host::SerialPort port = host::SerialPort::open(command.port, baud);
+  sim::BoardLink link(port, design, format);
+  link.require_same_unit();
+
+  std::optional<Progress> progress(of_scene ? "reading the scene" : "drawing tests");
+  std::optional<LoadedScene> scene;
+  std::unique_ptr<sim::BoardTests> tests;
+  if (of_scene) {
+    scene.emplace(command.scene);
+    tests = sim::scene_tests(design, format, scene->scene, scene->bvh,
+                             {.width = command.scene.width,
+                              .height = command.scene.height,
+                              .seed = command.seed,
+                              .light = command.light});
+  } else {
+    tests = sim::drawn_tests(design, format, command.tests, command.seed);
+  }
+  progress.emplace("testing");
+  std::uint64_t drawn = 0;
+  const auto next = [&]() -> std::optional<sim::NumberedTest> {
+    while (drawn < command.tests) {
+      std::optional<rtl::Vector> test = tests->next();
+      if (!test) break;
+      const std::uint64_t number = drawn++;
+      progress->show(static_cast<double>(drawn) / static_cast<double>(command.tests));
+      if (!command.only || *command.only == number) return sim::NumberedTest{number, *std::move(test)};
+    }
+    return std::nullopt;
+  };
+  const sim::BoardCounts counts = link.run(next);
+  progress.reset();
+
+  fmt::print("{}", record_text({{"design", design.name},
+                                {"bits", rtl::to_string(format)},
+                                {"port", command.port},
+                                {"baud", baud},
+                                {"tests_from", of_scene ? command.scene.name : "vectors"},
+                                {"seed", command.seed},
+                                {"tests", counts.tests},
+                                {"hits", counts.hits},
+                                {"mismatches", counts.mismatches},
+                                {"sent_again", counts.resent},
+                                {"bytes_sent", counts.bytes_sent},
+                                {"bytes_received", counts.bytes_received},
+                                {"seconds", counts.seconds},
+                                {"tests_per_s", static_cast<double>(counts.tests) / counts.seconds}},
+                               command.format));
+  if (counts.mismatches == 0) return 0;
+  print_wrong(design, format, *counts.first_wrong);
+  return 1;
+}
+
+int simulate(const BoardCommand& command) {
+  const DesignChoice unit = command.board.unit(command.choice);
+  const rtl::Design& design = unit.design();
+  const rtl::Format format = unit.format();
+  const rtl::Library& library = rtl::Library::thesis();
+  const std::string module = design.module_at(format);
+  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
+  const std::string top =
+      rtl::board_top(rtl::board_unit(design, format, module, pipeline), sim::simulated_clocks_per_bit);
+  std::optional<Progress> progress("compiling the Verilog");
+  sim::SimulatedBoard board(
+      {.module = rtl::board_module(module),
+       .verilog =
+           rtl::to_verilog(pipeline, library, {.module_name = module, .bits = rtl::to_string(format)}) +
+           top});
+  progress.reset();
+  fmt::print("{}", record_text({{"design", design.name},
+                                {"bits", rtl::to_string(format)},
+                                {"port", board.port()},
+                                {"test_with", fmt::format("hitpipe board {}{} --port {}", design.name,
+                                                          design.bits_option(format), board.port())}},
+                               command.format));
+  std::fflush(stdout);
+  board.run([] { return false; });
+  return 0;
+}
+
+}  // namespace
+
+void add_board_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command = program.add_subcommand(
+      "board", "Send tests to a unit on a board over its serial port, and compare every answer with the C++");
+  const auto options = std::make_shared<BoardCommand>();
+  add_design_options(*command, options->choice);
+  command->get_option("design")->required(false)->description(
+      "A name that `hitpipe designs` lists. Default: the unit that `hitpipe implement` puts on the board");
+  CLI::Option* const port =
+      command->add_option("--port", options->port, "The board's serial port, for example /dev/ttyUSB1")
+          ->type_name("DEVICE");
+  add_board_option(*command, options->board, "The board, which tells the usual rate")->capture_default_str();
+  add_baud_option(*command, options->board);
+  command
+      ->add_flag("--simulate", options->simulate,
+                 "Be the board: run its Verilog behind a pseudo-terminal and print the name of that, until "
+                 "interrupted")
+      ->excludes(port);
+  add_large_count_option(*command, "--tests", options->tests, 1, 10'000'000'000,
+                         "Number of tests (1 to 10^10; without --scene to 10^6)");
+  add_seed_option(*command, options->seed);
+  command->add_option("--only", options->only, "Send only the test of this number, counted from 0")
+      ->transform(whole_number<std::uint64_t>(0, 10'000'000'000))
+      ->type_name("N");
+  add_scene_options(*command, options->scene);
+  command->get_option("--scene")->required(false);
+  add_bounces_option(*command, options->light);
+  add_format_option(*command, options->format);
+  command->callback([options, &exit_code] {
+    if (!options->simulate && options->port.empty())
+      throw std::runtime_error("board: give the board's --port, or --simulate to be one");
+    exit_code = options->simulate ? simulate(*options) : stream(*options);
+  });
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,39 @@
+// A unit as the whole of a chip: operands come over a serial line and results go back. The module takes
+// frames (docs/board.md) and answers each with a frame. It has one clock.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/pipeline.hpp"
+
+namespace hitpipe::rtl {
+
+/// The ports of the top module. Button and lamps are active low.
+inline constexpr std::array<std::string_view, 6> top_ports{"clk",      "rx",        "tx",
+                                                           "button_n", "led_red_n", "led_green_n"};
+
+struct BoardUnit {
+  std::string module;                ///< the unit's
+  std::vector<Port> ports;           ///< its operands
+  std::vector<hls::Result> results;  ///< of the unit
+  std::string identity;              ///< what it answers to the question who it is, in ASCII
+};
+
+/// Of the whole unit of that name, made from the design at the format.
+[[nodiscard]] BoardUnit board_unit(const Design& design, const Format& format, const std::string& module,
+                                   const Pipeline& pipeline);
+
+/// Bytes of a test's operands, and of its results: all bits together, rounded up.
+[[nodiscard]] int packed_bytes(const std::vector<Port>& ports);
+
+/// "int_slabs_board" for the unit int_slabs.
+[[nodiscard]] std::string board_module(const std::string& unit);
+/// The top module and its serial receiver and transmitter in Verilog-2001, without the unit's module.
+/// `clocks_per_bit`, 4..65535, becomes the default of the parameter CLOCKS_PER_BIT.
+[[nodiscard]] std::string board_top(const BoardUnit& unit, int clocks_per_bit);
+
+}  // namespace hitpipe::rtl

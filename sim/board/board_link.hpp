@@ -1,0 +1,95 @@
+// Sends tests to the unit on a board and compares what comes back. Many tests are on their way at once. A
+// test whose frame or answer was damaged is sent again.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/serial_port.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/prune/draw.hpp"
+#include "sim/board/frame.hpp"
+
+namespace hitpipe::sim {
+
+/// A test whose results differ from the C++.
+struct WrongAnswer {
+  std::uint64_t number = 0;  ///< of the test, from 0
+  rtl::Vector test;          ///< with the results by the C++
+  std::vector<std::int64_t> results;
+};
+
+struct BoardCounts {
+  std::uint64_t tests = 0;  ///< answered
+  std::uint64_t hits = 0;   ///< HIT of the first box, as the board says
+  std::uint64_t mismatches = 0;
+  std::uint64_t resent = 0;  ///< tests that were sent again, because no answer came
+  std::uint64_t bytes_sent = 0, bytes_received = 0;
+  double seconds = 0;
+  std::optional<WrongAnswer> first_wrong;
+};
+
+/// A test and its number; nothing when there are no more.
+struct NumberedTest {
+  std::uint64_t number;
+  rtl::Vector test;
+};
+
+class BoardLink {
+ public:
+  /// How long nothing may come before all is sent again, and how often that is tried.
+  struct Patience {
+    std::chrono::milliseconds silence{1000};
+    int tries = 4;
+  };
+
+  BoardLink(host::SerialPort& port, const rtl::Design& design, const rtl::Format& format)
+      : BoardLink(port, design, format, Patience{}) {}
+  BoardLink(host::SerialPort& port, const rtl::Design& design, const rtl::Format& format,
+            const Patience& patience);
+
+  /// What the board says that it is (rtl::board_identity). Throws std::runtime_error, one line, when nothing
+  /// answers.
+  [[nodiscard]] std::string identity();
+  /// Throws std::runtime_error, one line, when the board has another unit.
+  void require_same_unit();
+
+  /// Throws WrongHardware, one line, when the board does not answer any more.
+  [[nodiscard]] BoardCounts run(const std::function<std::optional<NumberedTest>()>& next);
+
+ private:
+  struct Waiting {
+    NumberedTest numbered;
+    std::string frame;
+    char tag;
+    int sendings = 1;
+  };
+
+  /// The payloads of the sound frames that have come.
+  [[nodiscard]] std::vector<std::string> exchange(std::chrono::milliseconds wait);
+  void send(const Waiting& test);
+  void fill(const std::function<std::optional<NumberedTest>()>& next);
+  /// Whether it was the answer to a test that waits.
+  bool receive(const std::string& payload);
+  void send_again(std::size_t first_ones);
+
+  host::SerialPort& port_;
+  const rtl::Design& design_;
+  rtl::Format format_;
+  Patience patience_;
+  std::vector<rtl::Port> operands_;
+  std::vector<rtl::Port> results_;
+  std::size_t hit_;
+  FrameReader reader_;
+  std::string out_;
+  std::vector<Waiting> waiting_;  ///< in the order in which they were sent
+  bool more_ = true;
+  unsigned next_tag_ = 0;
+  BoardCounts counts_;
+};
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,67 @@
+#include "sim/board/frame.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+constexpr char frame_flag = 0x7e;
+constexpr char frame_escape = 0x7d;
+constexpr char escape_change = 0x20;
+constexpr std::size_t check_bytes = 2;
+
+/// The check sequence before it is complemented: the polynomial x^16 + x^12 + x^5 + 1, low bits first.
+std::uint16_t check_sequence(std::string_view bytes) {
+  unsigned check = 0xffff;
+  for (const char byte : bytes) {
+    check ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) check = (check & 1U) != 0 ? (check >> 1) ^ 0x8408U : check >> 1;
+  }
+  return static_cast<std::uint16_t>(check);
+}
+
+/// What check_sequence() gives for bytes that end in their own check sequence.
+constexpr std::uint16_t sound_check = 0xf0b8;
+
+}  // namespace
+
+std::string to_frame(std::string_view payload) {
+  const unsigned check = ~static_cast<unsigned>(check_sequence(payload));
+  std::string bytes(payload);
+  bytes += static_cast<char>(check & 0xffU);
+  bytes += static_cast<char>((check >> 8) & 0xffU);
+  std::string frame(1, frame_flag);
+  for (const char byte : bytes) {
+    if (byte == frame_flag || byte == frame_escape) {
+      frame += frame_escape;
+      frame += static_cast<char>(byte ^ escape_change);
+    } else {
+      frame += byte;
+    }
+  }
+  return frame + frame_flag;
+}
+
+std::optional<std::string> FrameReader::take(char byte) {
+  if (byte == frame_escape) {
+    escaped_ = true;
+    return std::nullopt;
+  }
+  if (byte != frame_flag) {
+    bytes_ += escaped_ ? static_cast<char>(byte ^ escape_change) : byte;
+    escaped_ = false;
+    return std::nullopt;
+  }
+  std::string frame;
+  frame.swap(bytes_);
+  const bool cut = escaped_;
+  escaped_ = false;
+  if (frame.empty() && !cut) return std::nullopt;  // the flag between two frames
+  if (cut || frame.size() < check_bytes || check_sequence(frame) != sound_check) {
+    ++damaged_;
+    return std::nullopt;
+  }
+  frame.resize(frame.size() - check_bytes);
+  return frame;
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,125 @@
+#include "sim/board/simulated_board.hpp"
+
+#include <deque>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace hitpipe::sim {
+
+namespace {
+
+/// The computer's end of a serial line, clock by clock. It shares no code with the Verilog.
+class ByteSender {
+ public:
+  explicit ByteSender(int clocks_per_bit) : clocks_per_bit_(clocks_per_bit) {}
+  void send(char byte) { bytes_.push_back(static_cast<unsigned char>(byte)); }
+  [[nodiscard]] bool idle() const { return bytes_.empty(); }
+  /// The level in the next clock cycle.
+  [[nodiscard]] int level() {
+    if (bytes_.empty()) return 1;
+    const unsigned frame = (bytes_.front() << 1U) | 0x200U;  // a start bit below, a stop bit above
+    const int level = static_cast<int>((frame >> (clock_ / clocks_per_bit_)) & 1U);
+    if (++clock_ == 10 * clocks_per_bit_) {
+      clock_ = 0;
+      bytes_.pop_front();
+    }
+    return level;
+  }
+
+ private:
+  int clocks_per_bit_;
+  std::deque<unsigned> bytes_;
+  int clock_ = 0;  ///< of the first byte
+};
+
+class ByteReceiver {
+ public:
+  explicit ByteReceiver(int clocks_per_bit) : clocks_per_bit_(clocks_per_bit) {}
+  [[nodiscard]] bool idle() const { return clock_ < 0; }
+  /// A byte when this clock cycle is the middle of its stop bit.
+  std::optional<char> see(int level) {
+    if (clock_ < 0 && level != 0) return std::nullopt;
+    ++clock_;
+    const int bit = clock_ / clocks_per_bit_;
+    if (clock_ % clocks_per_bit_ != clocks_per_bit_ / 2) return std::nullopt;
+    if (bit >= 1 && bit <= 8) byte_ |= static_cast<unsigned>(level) << (bit - 1);
+    if (bit < 9) return std::nullopt;
+    clock_ = -1;
+    return static_cast<char>(std::exchange(byte_, 0U));
+  }
+
+ private:
+  int clocks_per_bit_;
+  int clock_ = -1;  ///< since the start bit began; -1: the line is idle
+  unsigned byte_ = 0;
+};
+
+std::string board_wrapper(const std::string& module) {
+  return fmt::format(R"(#include "V{0}.h"
+#include "verilated.h"
+
+namespace {{
+struct Model {{
+  VerilatedContext context;
+  V{0} top{{&context}};
+}};
+}}  // namespace
+
+#define HITPIPE_ENTRY extern "C" __attribute__((visibility("default")))
+
+HITPIPE_ENTRY void* hitpipe_create() {{ return new Model; }}
+HITPIPE_ENTRY void hitpipe_destroy(void* model) {{ delete static_cast<Model*>(model); }}
+
+HITPIPE_ENTRY int hitpipe_board_cycle(void* model, int rx) {{
+  V{0}& top = static_cast<Model*>(model)->top;
+  top.clk = 0;
+  top.rx = static_cast<unsigned char>(rx);
+  top.button_n = 1;
+  top.eval();
+  top.clk = 1;
+  top.eval();
+  return top.tx;
+}}
+)",
+                     module);
+}
+
+// Longer than reset, and than any unit needs to answer.
+constexpr int quiet_clocks = 1000;
+constexpr int clocks_per_exchange = 400;
+
+}  // namespace
+
+SimulatedBoard::SimulatedBoard(Setup setup, const std::filesystem::path& cache)
+    : setup_(std::move(setup)),
+      library_({setup_.module, setup_.verilog, board_wrapper(setup_.module)}, cache),
+      cycle_(library_.entry_point<Cycle>("hitpipe_board_cycle")),
+      model_(library_.create()),
+      line_(host::SerialPort::pseudo_terminal()) {}
+
+SimulatedBoard::~SimulatedBoard() {
+  library_.destroy(model_);
+}
+
+void SimulatedBoard::run(const std::function<bool()>& stop) {
+  ByteSender to_board(setup_.clocks_per_bit);
+  ByteReceiver from_board(setup_.clocks_per_bit);
+  std::string out;
+  std::uint64_t come = 0;
+  int quiet = 0;
+  while (!stop()) {
+    constexpr std::chrono::milliseconds patience{20};
+    const bool sleeping = quiet >= quiet_clocks;
+    for (const char byte : line_.exchange(out, sleeping ? patience : std::chrono::milliseconds{0}))
+      if (!setup_.loses(come++)) to_board.send(byte);
+    if (sleeping && to_board.idle()) continue;
+    for (int clock = 0; clock < clocks_per_exchange; ++clock) {
+      quiet = to_board.idle() && from_board.idle() ? quiet + 1 : 0;
+      if (const std::optional<char> byte = from_board.see(cycle_(model_, to_board.level()))) out += *byte;
+    }
+  }
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,56 @@
+// A board of a test: the top module with a small unit, run by a thread behind a pseudo-terminal.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "rtl_gen/board/identity.hpp"
+#include "rtl_gen/board/top.hpp"
+#include "rtl_gen/verilog/module.hpp"
+#include "sim/board/simulated_board.hpp"
+
+namespace hitpipe::sim {
+
+struct BoardUnderTest {
+  std::string design = "int_slabs";
+  std::string bits = "6/6";
+  /// Replaced in the Verilog, once.
+  std::string good{}, bad{};
+  std::function<bool(std::uint64_t)> loses = [](std::uint64_t) { return false; };
+};
+
+inline SimulatedBoard::Setup setup_of(const BoardUnderTest& board) {
+  const rtl::Design& design = rtl::find_design(board.design);
+  const rtl::Format format = design.parse_format(board.bits);
+  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), rtl::Library::thesis());
+  const std::string unit = design.module_at(format);
+  std::string verilog =
+      rtl::to_verilog(pipeline, rtl::Library::thesis(), {.module_name = unit, .bits = board.bits}) +
+      rtl::board_top(rtl::board_unit(design, format, unit, pipeline), simulated_clocks_per_bit);
+  // Throws when it is not there.
+  if (!board.good.empty()) verilog.replace(verilog.find(board.good), board.good.size(), board.bad);
+  return {.module = rtl::board_module(unit), .verilog = verilog, .loses = board.loses};
+}
+
+class ServedBoard {
+ public:
+  explicit ServedBoard(const BoardUnderTest& board = {})
+      : board_(setup_of(board)), thread_([this] { board_.run([this] { return stop_.load(); }); }) {}
+  ~ServedBoard() {
+    stop_ = true;
+    thread_.join();
+  }
+  ServedBoard(const ServedBoard&) = delete;
+  ServedBoard& operator=(const ServedBoard&) = delete;
+
+  [[nodiscard]] const std::string& port() const { return board_.port(); }
+
+ private:
+  SimulatedBoard board_;
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
+};
+
+}  // namespace hitpipe::sim
