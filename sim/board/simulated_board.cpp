@@ -86,7 +86,8 @@ HITPIPE_ENTRY int hitpipe_board_cycle(void* model, int rx) {{
                      module);
 }
 
-// Longer than reset, and than any unit needs to answer.
+constexpr int power_on_clocks = 100;  // longer than reset
+// Longer than any unit needs to answer.
 constexpr int quiet_clocks = 1000;
 constexpr int clocks_per_exchange = 400;
 
@@ -97,7 +98,9 @@ SimulatedBoard::SimulatedBoard(Setup setup, const std::filesystem::path& cache)
       library_({setup_.module, setup_.verilog, board_wrapper(setup_.module)}, cache),
       cycle_(library_.entry_point<Cycle>("hitpipe_board_cycle")),
       model_(library_.create()),
-      line_(host::SerialPort::pseudo_terminal()) {}
+      line_(host::SerialPort::pseudo_terminal()) {
+  for (int clock = 0; clock < power_on_clocks; ++clock) cycle_(model_, 1);
+}
 
 SimulatedBoard::~SimulatedBoard() {
   library_.destroy(model_);

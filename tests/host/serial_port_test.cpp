@@ -52,20 +52,20 @@ TEST(SerialPort, OutlivesWhoOpensIt) {
 TEST(SerialPort, GoneIsReported) {
   auto ours = std::make_unique<SerialPort>(SerialPort::pseudo_terminal());
   SerialPort theirs = SerialPort::open(ours->name(), 115200);
-  const std::string name = ours->name();
+  const std::string its_name = ours->name();
   ours.reset();
   EXPECT_THAT(message_of<std::runtime_error>([&] {
                 std::string nothing;
                 (void)theirs.exchange(nothing, milliseconds{10});
               }),
-              testing::StartsWith(name + ": is gone"));
+              testing::StartsWith(its_name + ": is gone"));
 }
 
 TEST(SerialPort, RefusesWhatIsNone) {
   const sim::TemporaryFolder folder;
   const std::string file = folder.write("file", "").string();
-  const auto refused = [](const std::string& name, int baud) {
-    return message_of<std::runtime_error>([&] { (void)SerialPort::open(name, baud); });
+  const auto refused = [](const std::string& device, int baud) {
+    return message_of<std::runtime_error>([&] { (void)SerialPort::open(device, baud); });
   };
   EXPECT_EQ(refused("/dev/no_such_port", 115200),
             "/dev/no_such_port: cannot be opened as a serial port: No such file or directory");

@@ -19,7 +19,8 @@ TEST_P(BoardTop, LintIsSilent) {
   const DesignFormat d = GetParam();
   const Pipeline pipeline = d.pipeline();
   const ScratchFolder folder;
-  write_text(folder / "unit.v", to_verilog(pipeline, Library::thesis(), {.module_name = d.module()}));
+  write_text(folder / "unit.v",
+             to_verilog(pipeline, Library::thesis(), {.module_name = d.module(), .bits = d.format}));
   write_text(folder / "top.v", board_top(board_unit(d.found(), d.parsed(), d.module(), pipeline), 12));
   const std::string top = board_module(d.module());
   const auto expect_silence = [](const ToolResult& result) {
