@@ -27,8 +27,7 @@ class Tally {
 };
 
 /// One node for each component: a magnitude comparator counts once, by the first of its two orders.
-std::vector<NodeId> components_of(const rtl::Pipeline& pipeline) {
-  const rtl::Graph& graph = pipeline.graph;
+std::vector<NodeId> components_of(const rtl::Graph& graph, const rtl::Schedule& schedule) {
   std::vector<NodeId> nodes;
   std::set<std::tuple<int, NodeId, NodeId, bool>> compared;
   for (NodeId id = 0; id < graph.size(); ++id) {
@@ -36,7 +35,7 @@ std::vector<NodeId> components_of(const rtl::Pipeline& pipeline) {
     if (!is_component(n.op)) continue;
     if (n.op == rtl::Op::less) {
       const auto [first, second] = std::minmax(n.args[0], n.args[1]);
-      if (!compared.insert({pipeline.schedule.slots[id].stage, first, second, n.is_signed}).second) continue;
+      if (!compared.insert({schedule.slots[id].stage, first, second, n.is_signed}).second) continue;
     }
     nodes.push_back(id);
   }
@@ -53,18 +52,42 @@ int narrower_operand(const rtl::Graph& graph, NodeId id) {
 
 }  // namespace
 
-std::vector<Count> count_built(const rtl::Pipeline& pipeline) {
+namespace {
+
+void add_logic(Tally& tally, const rtl::Graph& graph, const rtl::Schedule& schedule,
+               const rtl::Placement& placement, Gates gates) {
+  for (const rtl::Register& r : placement.registers) {
+    const Purpose purpose = r.in_block ? Purpose::block : Purpose::datapath;
+    tally.add(r.boundary, {Component::latch, r.width(), purpose});
+  }
+  for (const NodeId id : components_of(graph, schedule)) {
+    const rtl::ComponentUse use = component_of(graph, id);
+    tally.add(schedule.slots[id].stage,
+              {use.component, use.bits, Purpose::datapath, narrower_operand(graph, id)});
+  }
+  if (gates == Gates::left_out) return;
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const rtl::Node& n = graph[id];
+    if (is_root(n.op) && n.op != rtl::Op::input && !is_component(n.op))
+      tally.add(schedule.slots[id].stage, {Component::gate, n.width});
+  }
+}
+
+}  // namespace
+
+std::vector<Count> count_logic(const rtl::Graph& graph, const rtl::Schedule& schedule,
+                               const rtl::Placement& placement, Gates gates) {
   Tally tally;
-  for (const rtl::Register& r : pipeline.placement.registers)
-    tally.add(r.boundary, {Component::latch, r.width()});
+  add_logic(tally, graph, schedule, placement, gates);
+  return tally.counts();
+}
+
+std::vector<Count> count_built(const rtl::Pipeline& pipeline, Gates gates) {
+  Tally tally;
+  add_logic(tally, pipeline.graph, pipeline.schedule, pipeline.placement, gates);
   for (int boundary = 0; boundary <= pipeline.schedule.stages; ++boundary) {
     tally.add(boundary, {Component::latch, 1, Purpose::valid});
     tally.add(boundary, {Component::latch, tag_bits, Purpose::tag});
-  }
-  for (const NodeId id : components_of(pipeline)) {
-    const rtl::ComponentUse use = component_of(pipeline.graph, id);
-    tally.add(pipeline.schedule.slots[id].stage,
-              {use.component, use.bits, Purpose::datapath, narrower_operand(pipeline.graph, id)});
   }
   return tally.counts();
 }
@@ -77,7 +100,7 @@ std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const rtl::Forma
     if (r.boundary == 0 && !printed.input_latches) continue;
     tally.add(r.boundary, {Component::latch, printed_latch_bits(graph, r, format, printed)});
   }
-  for (const NodeId id : components_of(pipeline)) {
+  for (const NodeId id : components_of(graph, pipeline.schedule)) {
     tally.add(pipeline.schedule.slots[id].stage,
               {component_of(graph, id).component, printed_component_bits(graph, id, format, printed)});
   }

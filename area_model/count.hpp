@@ -1,5 +1,6 @@
 // Counts the parts of a scheduled design in each stage, in one of two accounts.
-//   built    all that is emitted: every register, valid and tag bit, and every component at its real width
+//   built    all that is emitted: every register, valid and tag bit, and every component at its real width;
+//            on a chip also every gate
 //   printed  as Table 7.2 counts, with its habits (area_model/habits.hpp)
 // In both accounts `<` and `>` of the same two operands in one stage are one magnitude comparator.
 #pragma once
@@ -23,8 +24,13 @@ struct Count {
   friend bool operator==(const Count&, const Count&) = default;
 };
 
+enum class Gates { left_out, counted };
+
 /// By stage, then by part.
-[[nodiscard]] std::vector<Count> count_built(const rtl::Pipeline& pipeline);
+[[nodiscard]] std::vector<Count> count_built(const rtl::Pipeline& pipeline, Gates gates = Gates::left_out);
+/// The same without valid and tag bits, of any scheduled graph.
+[[nodiscard]] std::vector<Count> count_logic(const rtl::Graph& graph, const rtl::Schedule& schedule,
+                                             const rtl::Placement& placement, Gates gates);
 [[nodiscard]] std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const rtl::Format& format,
                                                const rtl::Printed& printed);
 

@@ -13,8 +13,9 @@ namespace {
 using rtl::Component;
 
 constexpr std::array<Component, rtl::component_count> table_7_1{
-    Component::int_subtract, Component::int_multiply, Component::int_compare, Component::fp_subtract,
-    Component::fp_multiply,  Component::fp_compare,   Component::latch,       Component::mux2};
+    Component::int_subtract, Component::int_multiply, Component::int_compare,
+    Component::fp_subtract,  Component::fp_multiply,  Component::fp_compare,
+    Component::latch,        Component::mux2,         Component::gate};
 
 auto rank(const Part& part) {
   const auto row = std::find(table_7_1.begin(), table_7_1.end(), part.component) - table_7_1.begin();
@@ -33,6 +34,8 @@ std::string part_name(const Part& part) {
       return fmt::format("valid_{}", part.bits);
     case Purpose::tag:
       return fmt::format("tag_{}", part.bits);
+    case Purpose::block:
+      return fmt::format("block_latch_{}", part.bits);
     case Purpose::datapath:
       break;
   }

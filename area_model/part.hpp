@@ -13,6 +13,7 @@ enum class Purpose {
   datapath,
   valid,  ///< one bit at each boundary: there is a ray-box pair
   tag,    ///< the tag at each boundary
+  block,  ///< a latch that is one of the registers of a chip's multiplier block, so it costs nothing more
 };
 
 struct Part {
@@ -26,8 +27,8 @@ struct Part {
   friend std::strong_ordering operator<=>(const Part& a, const Part& b);
 };
 
-/// "latch_24"; "valid_1" and "tag_16" for valid and tag bits; "int_multiply_24x18" for operands of two
-/// widths.
+/// "latch_24"; "valid_1" and "tag_16" for valid and tag bits; "block_latch_24"; "int_multiply_24x18" for
+/// operands of two widths.
 [[nodiscard]] std::string part_name(const Part& part);
 
 }  // namespace hitpipe::area

@@ -2,8 +2,11 @@
 
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "rtl_gen/schedule/divided_unit.hpp"
 
 namespace hitpipe::area {
 
@@ -15,16 +18,49 @@ std::int64_t as_printed(std::int64_t area_um2) {
   return (area_um2 + printed_unit_um2 / 2) / printed_unit_um2 * printed_unit_um2;
 }
 
-Line line_of(const Part& part, int n, const rtl::Library& library) {
-  rtl::Cell cell = library.cell(part.component, part.bits);
-  if (part.by != 0) {
-    // An array has one row of partial products for each bit of the narrower operand.
-    cell.area_um2 = static_cast<int>((2 * std::int64_t{cell.area_um2} * part.by + part.bits) /
-                                     (std::int64_t{2} * part.bits));
-    cell.estimated = true;
+/// The cells of a unit on a chip: of its parts, which are gates, adders and blocks like all others.
+rtl::ChipCells taken_by(const rtl::Unit& unit, const rtl::Library& library) {
+  const rtl::DividedUnit inside = rtl::divided(unit, rtl::timing_of_unit(unit, library).stages, library);
+  rtl::ChipCells taken;
+  for (const Count& count : count_logic(inside.body, inside.schedule, inside.placement, Gates::counted)) {
+    if (count.part.purpose == Purpose::block) continue;
+    taken += count.n * library.cell(count.part.component, count.part.bits).taken;
   }
-  return {.part = part, .n = n, .area_um2 = std::int64_t{n} * cell.area_um2, .estimated = cell.estimated};
+  return taken;
 }
+
+/// Prices of parts. A chip's library has no prices of units; they follow from the units of the graph.
+class PartPrices {
+ public:
+  PartPrices(const rtl::Graph& graph, const rtl::Library& library) : library_(library) {
+    if (library.chip() == nullptr) return;
+    for (const auto& unit : graph.units()) {
+      units_[{rtl::component_called(unit->component), unit->bits}] = {
+          .bits = unit->bits, .estimated = true, .taken = taken_by(*unit, library)};
+    }
+  }
+
+  [[nodiscard]] Line line(const Part& part, int n) const {
+    if (part.purpose == Purpose::block) return {.part = part, .n = n};
+    const auto unit = units_.find({part.component, part.bits});
+    rtl::Cell cell = unit != units_.end() ? unit->second : library_.cell(part.component, part.bits);
+    if (part.by != 0) {
+      // An array has one row of partial products for each bit of the narrower operand.
+      cell.area_um2 = static_cast<int>((2 * std::int64_t{cell.area_um2} * part.by + part.bits) /
+                                       (std::int64_t{2} * part.bits));
+      cell.estimated = true;
+    }
+    return {.part = part,
+            .n = n,
+            .area_um2 = std::int64_t{n} * cell.area_um2,
+            .taken = n * cell.taken,
+            .estimated = cell.estimated};
+  }
+
+ private:
+  const rtl::Library& library_;
+  std::map<std::pair<rtl::Component, int>, rtl::Cell> units_;
+};
 
 /// Prices the counts of a pipeline; the total is left to the caller.
 Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, const rtl::Design& design,
@@ -39,14 +75,17 @@ Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, co
   for (std::size_t stage = 0; stage < price.by_stage.size(); ++stage)
     price.by_stage[stage].stage = static_cast<int>(stage);
 
+  const PartPrices prices(pipeline.graph, library);
   std::map<Part, int> totals;
   for (const Count& count : counts) {
     StagePrice& stage = price.by_stage[static_cast<std::size_t>(count.stage)];
-    stage.lines.push_back(line_of(count.part, count.n, library));
+    stage.lines.push_back(prices.line(count.part, count.n));
     stage.area_um2 += stage.lines.back().area_um2;
+    stage.taken += stage.lines.back().taken;
     totals[count.part] += count.n;
   }
-  for (const auto& [part, n] : totals) price.lines.push_back(line_of(part, n, library));
+  for (const auto& [part, n] : totals) price.lines.push_back(prices.line(part, n));
+  for (const Line& line : price.lines) price.taken += line.taken;
   return price;
 }
 
@@ -54,7 +93,8 @@ Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, co
 
 Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl::Format& format,
             const rtl::Library& library) {
-  Price price = priced(pipeline, count_built(pipeline), design, format, library);
+  const Gates gates = library.chip() != nullptr ? Gates::counted : Gates::left_out;
+  Price price = priced(pipeline, count_built(pipeline, gates), design, format, library);
   for (const Line& line : price.lines) price.area_um2 += line.area_um2;
   return price;
 }
@@ -65,6 +105,10 @@ Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Lib
     throw std::runtime_error(
         fmt::format("design {}: not in Table 7.2, so there is no printed account of it, only the built one",
                     design.name));
+  if (account == Account::printed && library.chip() != nullptr)
+    throw std::runtime_error(fmt::format(
+        "library {}: it is a chip's and has no areas, so there is no printed account, only the built one",
+        library.name()));
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
   if (account == Account::built) return price(pipeline, design, format, library);
   Price price = priced(pipeline, count_printed(pipeline, format, design.printed), design, format, library);

@@ -1,5 +1,6 @@
 // The price of a scheduled design: Table 7.2 for any design, format and component library. Areas are integers
 // in square micrometres, times integers in picoseconds. Only area_model/figure.hpp rounds them, for printing.
+// On a chip a price has no area; it has the cells that are taken (rtl::ChipCells).
 // Designs are compared by figures for each box: a unit that answers for two boxes in a test may be as large
 // as two units that answer for one.
 #pragma once
@@ -21,6 +22,7 @@ struct Line {
   Part part;
   int n = 0;
   std::int64_t area_um2 = 0;  ///< of all n together
+  rtl::ChipCells taken{};     ///< likewise
   bool estimated = false;     ///< the library marks this width as an estimate, or computes it by a law
 };
 
@@ -28,6 +30,7 @@ struct StagePrice {
   int stage = 0;  ///< 0: the input latches
   std::vector<Line> lines;
   std::int64_t area_um2 = 0;
+  rtl::ChipCells taken{};
 };
 
 struct Price {
@@ -37,6 +40,7 @@ struct Price {
   std::vector<Line> lines;           ///< in the order of Table 7.1
   std::vector<StagePrice> by_stage;  ///< every stage from 0 on
   std::int64_t area_um2 = 0;         ///< built: exact; printed: of rows rounded to 0.0001 mm2 as in Table 7.2
+  rtl::ChipCells taken{};
   int stages = 0;
   int stage_delay_ps = 0;
 
@@ -57,7 +61,7 @@ struct Entry {
 };
 
 /// Throws as rtl::Design::trace, rtl::Library::cell do; of the printed account also std::runtime_error, one
-/// line, for a design that the thesis does not have.
+/// line, for a design that the thesis does not have and for a library that is a chip's.
 [[nodiscard]] Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
                           Account account);
 

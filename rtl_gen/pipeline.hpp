@@ -18,7 +18,7 @@ struct Pipeline {
   [[nodiscard]] int latency() const { return schedule.stages; }
 };
 
-/// Throws as schedule_asap does.
+/// On a chip, products are made as rtl_gen/component/product.hpp plans them. Throws as schedule_asap does.
 [[nodiscard]] Pipeline make_pipeline(const Graph& traced, const Library& library,
                                      std::optional<int> clock_ps = std::nullopt);
 

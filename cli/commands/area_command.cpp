@@ -110,6 +110,62 @@ std::vector<Row> stage_rows(const std::vector<Price>& prices, Format format) {
   return rows;
 }
 
+/// What a unit takes of the chip.
+void append_cells(Row& row, const rtl::ChipCells& taken, const rtl::Chip& chip) {
+  row["lut"] = taken.luts;
+  row["ff"] = taken.registers;
+  row["dsp"] = taken.blocks;
+  row["dsp_name"] = chip.block ? Row(chip.block->name) : Row(nullptr);
+}
+
+std::vector<Row> chip_rows(const std::vector<Price>& prices, const rtl::Library& library, Format format) {
+  const std::set<area::Part> parts = parts_of(prices);
+  std::vector<Row> rows;
+  for (const Price& p : prices) {
+    Row row{{"library", library.name()},
+            {"design", p.design},
+            {"bits", rtl::to_string(p.format)},
+            {"stages", p.stages},
+            {"stage_delay_ns", figure(area::delay_ns(p.stage_delay_ps), format)},
+            {"clock_mhz", figure(area::clock_mhz(p), format)},
+            {"latency_ns", figure(area::delay_ns(p.latency_ps()), format)},
+            {"delay_estimated", library.chip()->estimated}};
+    append_cells(row, p.taken, *library.chip());
+    row["boxes_per_test"] = p.boxes;
+    append_parts(row, p.lines, parts);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<Row> chip_stage_rows(const std::vector<Price>& prices, const rtl::Library& library) {
+  const std::set<area::Part> parts = parts_of(prices);
+  std::vector<Row> rows;
+  for (const Price& p : prices) {
+    for (const area::StagePrice& stage : p.by_stage) {
+      Row row{{"library", library.name()},
+              {"design", p.design},
+              {"bits", rtl::to_string(p.format)},
+              {"stage", stage.stage}};
+      append_cells(row, stage.taken, *library.chip());
+      append_parts(row, stage.lines, parts);
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+std::string chip_prices(const std::vector<Price>& prices, const rtl::Library& library,
+                        const AreaOptions& options) {
+  if (options.by_stage) {
+    return options.format == Format::text ? chip_by_stage_text(prices, *library.chip())
+                                          : table_text(chip_stage_rows(prices, library), options.format);
+  }
+  return options.format == Format::text
+             ? chip_text(prices, library)
+             : table_text(chip_rows(prices, library, options.format), options.format);
+}
+
 void print_prices(const AreaOptions& options) {
   const rtl::Library library = rtl::library_called(options.library);
   const auto priced = [&](const area::Entry& entry) {
@@ -117,6 +173,10 @@ void print_prices(const AreaOptions& options) {
   };
   std::vector<Price> prices;
   for (const area::Entry& entry : chosen(options)) prices.push_back(priced(entry));
+  if (library.chip() != nullptr) {
+    fmt::print("{}", chip_prices(prices, library, options));
+    return;
+  }
   if (options.by_stage) {
     fmt::print("{}", options.format == Format::text
                          ? by_stage_text(prices)

@@ -65,6 +65,7 @@ void emit_rtl(const RtlOptions& options) {
                 {"latency", pipeline.latency()},
                 {"flow_control", rtl::flow_control_name(options.flow_control)},
                 {"clock_ps", pipeline.schedule.clock_ps},
+                {"library", library.name()},
                 {"vectors", vectors.size()},
                 {"files", names}};
   fmt::print("{}", record_text(row, options.format));

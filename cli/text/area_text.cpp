@@ -92,10 +92,12 @@ Cells column_head(const Price& price) {
 }
 
 using Show = std::function<std::string(const Line&)>;
+using Total = std::function<std::string(const Price&)>;
 
-/// A row for each part, a column for each design. Uses as many blocks as the width of the page needs.
+/// A row for each part, a column for each design, and a row for the total if there is one. Uses as many
+/// blocks as the width of the page needs.
 std::string part_columns(const std::string& title, std::span<const Price> prices, const Show& show,
-                         bool total) {
+                         const Total& total = {}) {
   std::map<area::Part, std::map<const Price*, std::string>> parts;
   std::map<area::Part, std::string> names;
   for (const Price& price : prices) {
@@ -113,7 +115,7 @@ std::string part_columns(const std::string& title, std::span<const Price> prices
   for (const Price& price : prices) {
     Cells column = column_head(price);
     for (const auto& [part, cells] : parts) column.push_back(cells.contains(&price) ? cells.at(&price) : "-");
-    if (total) column.push_back(area::area_mm2(price.area_um2));
+    if (total) column.push_back(total(price));
     std::size_t needed = 0;
     for (const std::string& cell : column) needed = std::max(needed, cell.size());
     width += usual_gap + needed;
@@ -149,32 +151,87 @@ std::string listed(const Cells& items, std::size_t indent) {
 std::string area_text(const std::vector<Price>& prices, const std::optional<Price>& yardstick) {
   const bool one_box = std::all_of(prices.begin(), prices.end(), [](const Price& p) { return p.boxes == 1; });
   return (one_box ? summary(prices, yardstick) : summary_of_boxes(prices, yardstick)) +
+         part_columns("count", prices, [](const Line& line) { return fmt::format("{}", line.n); }) +
          part_columns(
-             "count", prices, [](const Line& line) { return fmt::format("{}", line.n); }, false) +
-         part_columns(
-             "area mm2", prices, [](const Line& line) { return area::area_mm2(line.area_um2); }, true);
+             "area mm2", prices, [](const Line& line) { return area::area_mm2(line.area_um2); },
+             [](const Price& price) { return area::area_mm2(price.area_um2); });
 }
 
-std::string by_stage_text(const std::vector<Price>& prices) {
+namespace {
+
+/// What a stage takes, in columns, and their heading.
+struct StageColumns {
+  std::string heading;
+  std::function<std::string(const area::StagePrice&)> row;
+  std::function<std::string(const Price&)> total;
+};
+
+std::string stages_text(const std::vector<Price>& prices, const StageColumns& columns) {
   std::string text;
   for (const Price& price : prices) {
     text += fmt::format("{}{} {}, {} stages of {} ns\n", text.empty() ? "" : "\n", price.design,
                         rtl::to_string(price.format), price.stages, area::delay_ns(price.stage_delay_ps));
-    text += "stage  area mm2  components\n";
+    text += fmt::format("stage  {}  components\n", columns.heading);
     for (const area::StagePrice& stage : price.by_stage) {
       Cells items;
       for (const Line& line : stage.lines) {
         items.push_back(
             fmt::format("{} {}{}", line.n, area::part_name(line.part), line.estimated ? " est." : ""));
       }
-      const std::string head = fmt::format("{:>5}  {:>8}  ", stage.stage, area::area_mm2(stage.area_um2));
+      const std::string head = fmt::format("{:>5}  {}  ", stage.stage, columns.row(stage));
       std::string line = head + listed(items, head.size());
       line.erase(line.find_last_not_of(' ') + 1);
       text += line + "\n";
     }
-    text += fmt::format("total  {:>8}\n", area::area_mm2(price.area_um2));
+    text += fmt::format("total  {}\n", columns.total(price));
   }
   return text;
+}
+
+std::string block_name(const rtl::Chip& chip) {
+  return chip.block ? chip.block->name : "DSP";
+}
+
+}  // namespace
+
+std::string by_stage_text(const std::vector<Price>& prices) {
+  const auto column = [](std::int64_t area_um2) { return fmt::format("{:>8}", area::area_mm2(area_um2)); };
+  return stages_text(prices, {.heading = "area mm2",
+                              .row = [&](const area::StagePrice& stage) { return column(stage.area_um2); },
+                              .total = [&](const Price& price) { return column(price.area_um2); }});
+}
+
+std::string chip_text(const std::vector<Price>& prices, const rtl::Library& library) {
+  const rtl::Chip& chip = *library.chip();
+  std::vector<Cells> rows{
+      {"design", "bits", "stages", "delay", "clock", "latency", "LUT", "FF", block_name(chip)},
+      {"", "", "", "ns", "MHz", "ns", "", "", ""}};
+  const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
+  for (const Price& p : prices) {
+    rows.push_back({std::string(p.design), rtl::to_string(p.format), count(p.stages),
+                    area::delay_ns(p.stage_delay_ps), area::clock_mhz(p), area::delay_ns(p.latency_ps()),
+                    count(p.taken.luts), count(p.taken.registers), count(p.taken.blocks)});
+  }
+  const std::string note =
+      fmt::format("On {}.{}\n", chip.device, chip.estimated ? " Delays are estimated." : "");
+  return aligned(rows, 2) + note +
+         part_columns("count", prices, [&](const Line& line) { return count(line.n); }) +
+         part_columns(
+             "LUT", prices, [&](const Line& line) { return count(line.taken.luts); },
+             [&](const Price& price) { return count(price.taken.luts); }) +
+         part_columns(
+             "FF", prices, [&](const Line& line) { return count(line.taken.registers); },
+             [&](const Price& price) { return count(price.taken.registers); });
+}
+
+std::string chip_by_stage_text(const std::vector<Price>& prices, const rtl::Chip& chip) {
+  const std::string name = block_name(chip);
+  const auto columns = [&](const rtl::ChipCells& taken) {
+    return fmt::format("{:>5}  {:>5}  {:>{}}", taken.luts, taken.registers, taken.blocks, name.size());
+  };
+  return stages_text(prices, {.heading = fmt::format("  LUT     FF  {}", name),
+                              .row = [&](const area::StagePrice& stage) { return columns(stage.taken); },
+                              .total = [&](const Price& price) { return columns(price.taken); }});
 }
 
 }  // namespace hitpipe::cli

@@ -17,4 +17,8 @@ namespace hitpipe::cli {
 
 [[nodiscard]] std::string by_stage_text(const std::vector<area::Price>& prices);
 
+/// The same for the library of a chip: lookup tables, registers and blocks in place of areas.
+[[nodiscard]] std::string chip_text(const std::vector<area::Price>& prices, const rtl::Library& library);
+[[nodiscard]] std::string chip_by_stage_text(const std::vector<area::Price>& prices, const rtl::Chip& chip);
+
 }  // namespace hitpipe::cli

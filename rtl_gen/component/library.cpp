@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
+
+#include "rtl_gen/component/json_entry.hpp"
 
 namespace hitpipe::rtl {
 
@@ -17,13 +17,16 @@ namespace {
 
 constexpr std::array<std::string_view, component_count> names{"latch",        "mux2",        "int_subtract",
                                                               "int_multiply", "int_compare", "fp_subtract",
-                                                              "fp_multiply",  "fp_compare"};
+                                                              "fp_multiply",  "fp_compare",  "gate"};
+
+/// A file of cells states all others. Gates have one delay and no area (section 7.3).
+bool has_cells(Component component) {
+  return component != Component::gate;
+}
 
 int tree_depth(int bits) {
   return static_cast<int>(std::bit_width(static_cast<unsigned>(bits - 1)));
 }
-
-using FileJson = nlohmann::json;
 
 FileJson parsed(std::string_view text, std::string_view origin) {
   try {
@@ -31,52 +34,6 @@ FileJson parsed(std::string_view text, std::string_view origin) {
   } catch (const FileJson::exception& error) {
     throw std::runtime_error(fmt::format("{}: not JSON: {}", origin, error.what()));
   }
-}
-
-const FileJson& required(const FileJson& object, const std::string& key, std::string_view where) {
-  if (!object.is_object()) throw std::runtime_error(fmt::format("{}: must be a JSON object", where));
-  const auto found = object.find(key);
-  if (found == object.end()) throw std::runtime_error(fmt::format("{}: \"{}\" is missing", where, key));
-  return *found;
-}
-
-std::string text_of(const FileJson& object, const std::string& key, std::string_view where) {
-  const FileJson& value = required(object, key, where);
-  if (!value.is_string()) throw std::runtime_error(fmt::format("{}: \"{}\" must be a text", where, key));
-  return value.get<std::string>();
-}
-
-struct Limits {
-  std::int64_t least, most;
-};
-// Wide enough for any process. Sums and products of such numbers stay within 64 bits.
-constexpr Limits bits_limits{1, 1024};
-constexpr Limits area_limits{0, 100'000'000};
-constexpr Limits delay_limits{1, 1'000'000};
-constexpr Limits stages_limits{0, 64};
-
-int count_of(const FileJson& object, const std::string& key, std::string_view where, Limits allowed) {
-  const FileJson& value = required(object, key, where);
-  if (!value.is_number_integer() || value.get<std::int64_t>() < allowed.least ||
-      value.get<std::int64_t>() > allowed.most) {
-    // An array may be nested too deep to be printed.
-    const std::string given = value.is_structured() ? value.type_name() : value.dump();
-    throw std::runtime_error(fmt::format("{}: \"{}\" is {}, allowed are whole numbers from {} to {}", where,
-                                         key, given, allowed.least, allowed.most));
-  }
-  return value.get<int>();
-}
-
-template <class Law, std::size_t N>
-Law law_of(const FileJson& object, const std::string& key, std::string_view where,
-           const std::array<std::string_view, N>& laws) {
-  const std::string law = text_of(object, key, where);
-  const auto found = std::find(laws.begin(), laws.end(), law);
-  if (found == laws.end()) {
-    throw std::runtime_error(
-        fmt::format("{}: \"{}\" is \"{}\", allowed are {}", where, key, law, fmt::join(laws, ", ")));
-  }
-  return static_cast<Law>(found - laws.begin());
 }
 
 // In the order of their enumerations.
@@ -93,15 +50,11 @@ std::vector<Cell> cells_of(const FileJson& entry, std::string_view where) {
     if (!cells.empty() && cells.back().bits >= bits) {
       throw std::runtime_error(fmt::format("{}: cells must be in ascending order of bits", where));
     }
-    const FileJson estimated = row.value("estimated", FileJson(false));
-    if (!estimated.is_boolean()) {
-      throw std::runtime_error(fmt::format("{}: \"estimated\" must be true or false", cell));
-    }
     cells.push_back({.bits = bits,
                      .area_um2 = count_of(row, "area_um2", cell, area_limits),
                      .delay_ps = count_of(row, "delay_ps", cell, delay_limits),
                      .stages = count_of(row, "stages", cell, stages_limits),
-                     .estimated = estimated.get<bool>()});
+                     .estimated = row.contains("estimated") && truth_of(row, "estimated", cell)});
   }
   return cells;
 }
@@ -131,15 +84,18 @@ Component component_called(std::string_view name) {
 Library Library::from_json(std::string_view text, std::string_view origin) {
   const FileJson json = parsed(text, origin);
   Library library;
-  library.name_ = text_of(json, "name", origin);
-  // A comment of the Verilog holds the name.
-  if (std::any_of(library.name_.begin(), library.name_.end(), [](unsigned char c) { return c < ' '; })) {
-    throw std::runtime_error(fmt::format("{}: \"name\" must be one line", origin));
-  }
+  library.name_ = line_of_text(json, "name", origin);
+  if (json.contains("process")) library.process_ = line_of_text(json, "process", origin);
   if (json.contains("source")) library.source_ = text_of(json, "source", origin);
+  if (json.contains("chip")) {
+    library.chip_ = chip_from(json.at("chip"), origin);
+    library.gate_delay_ps_ = library.chip_->gate_delay_ps;
+    return library;
+  }
   library.gate_delay_ps_ = count_of(json, "gate_delay_ps", origin, delay_limits);
   const FileJson& components = required(json, "components", origin);
   for (std::size_t i = 0; i < component_count; ++i) {
+    if (!has_cells(static_cast<Component>(i))) continue;
     const std::string name(names[i]);
     const bool is_float = static_cast<Component>(i) >= Component::fp_subtract;
     if (is_float && !components.contains(name)) continue;
@@ -170,8 +126,51 @@ const Library::Family& Library::found(Component component) const {
   return family(component);
 }
 
+bool Library::has(Component component) const {
+  if (!chip_) return !family(component).cells.empty();
+  switch (component) {
+    case Component::int_multiply:
+      return chip_->block.has_value();
+    case Component::fp_subtract:
+    case Component::fp_multiply:
+    case Component::fp_compare:
+      return false;  // they are made of the chip's other parts
+    default:
+      return true;
+  }
+}
+
+Cell Library::on_chip(Component component, int bits) const {
+  Cell cell{.bits = bits, .estimated = chip_->estimated};
+  switch (component) {
+    case Component::latch:
+      cell.delay_ps = chip_->register_delay_ps;
+      cell.taken.registers = bits;
+      break;
+    case Component::mux2:
+      cell.delay_ps = chip_->mux_delay_ps;
+      cell.taken.luts = chip_->mux_luts(bits);
+      break;
+    case Component::gate:
+      cell.delay_ps = chip_->gate_delay_ps;
+      cell.taken.luts = chip_->gate_luts(bits);
+      break;
+    case Component::int_multiply:
+      cell.delay_ps = chip_->block->delay_ps;
+      cell.stages = chip_->block->stages;
+      cell.taken.blocks = 1;
+      break;
+    default:
+      cell.delay_ps = chip_->carry_delay(bits);
+      cell.taken.luts = chip_->carry_luts(bits);
+      break;
+  }
+  return cell;
+}
+
 Cell Library::timing(Component component, int bits) const {
   const Family& rows = found(component);
+  if (chip_) return on_chip(component, bits);
   for (const Cell& cell : rows.cells) {
     if (cell.bits >= bits) return cell;
   }
@@ -194,7 +193,7 @@ Cell Library::timing(Component component, int bits) const {
 Cell Library::cell(Component component, int bits) const {
   const Family& rows = found(component);
   Cell cell = timing(component, bits);
-  if (cell.bits == bits) return cell;
+  if (chip_ || cell.bits == bits) return cell;
   const auto above =
       std::find_if(rows.cells.begin(), rows.cells.end(), [bits](const Cell& row) { return row.bits > bits; });
   const auto measure = [&](int width) { return area_measure(rows.area, width); };

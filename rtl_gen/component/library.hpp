@@ -5,11 +5,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "rtl_gen/component/chip.hpp"
 #include "rtl_gen/graph/graph.hpp"
 
 namespace hitpipe::rtl {
@@ -22,12 +25,31 @@ enum class Component {
   int_compare,
   fp_subtract,
   fp_multiply,
-  fp_compare
+  fp_compare,
+  gate  ///< AND, OR, XOR; only a chip counts them
 };
-inline constexpr std::size_t component_count = 8;
+inline constexpr std::size_t component_count = 9;
 [[nodiscard]] std::string_view component_name(Component component);
 /// Throws std::invalid_argument for any other name.
 [[nodiscard]] Component component_called(std::string_view name);
+
+/// What a component takes of a chip; of an ASIC process, nothing.
+struct ChipCells {
+  std::int64_t luts = 0;
+  std::int64_t registers = 0;
+  std::int64_t blocks = 0;  ///< multipliers
+
+  ChipCells& operator+=(const ChipCells& more) {
+    luts += more.luts;
+    registers += more.registers;
+    blocks += more.blocks;
+    return *this;
+  }
+  friend ChipCells operator*(std::int64_t n, const ChipCells& one) {
+    return {n * one.luts, n * one.registers, n * one.blocks};
+  }
+  friend bool operator==(const ChipCells&, const ChipCells&) = default;
+};
 
 /// One row of the library. With `stages` 0 it is combinational; else `delay_ps` is that of the slowest stage.
 struct Cell {
@@ -36,6 +58,7 @@ struct Cell {
   int delay_ps = 0;
   int stages = 0;
   bool estimated = false;  ///< the data file says so, or the row follows from a law
+  ChipCells taken{};
 };
 
 /// Delay and stages above the widest row of the file.
@@ -66,10 +89,14 @@ class Library {
   /// The timing, and the area at exactly this width: that of its row, else by the area law, rounded to the
   /// nearest square micrometre. Both throw std::runtime_error when the library does not have the component.
   [[nodiscard]] Cell cell(Component component, int bits) const;
-  [[nodiscard]] bool has(Component component) const { return !family(component).cells.empty(); }
+  [[nodiscard]] bool has(Component component) const;
   [[nodiscard]] int latch_delay_ps() const { return timing(Component::latch, 1).delay_ps; }
   [[nodiscard]] int gate_delay_ps() const { return gate_delay_ps_; }
+  /// The chip; null for a library of cells with areas.
+  [[nodiscard]] const Chip* chip() const { return chip_ ? &*chip_ : nullptr; }
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// The process of the cells; empty if the file does not say. A chip has a device instead.
+  [[nodiscard]] const std::string& process() const { return process_; }
   /// Where the figures come from, in the words of the file; may be empty.
   [[nodiscard]] const std::string& source() const { return source_; }
 
@@ -85,14 +112,18 @@ class Library {
   /// Throws std::runtime_error when the library does not have the component.
   [[nodiscard]] const Family& found(Component component) const;
 
+  [[nodiscard]] Cell on_chip(Component component, int bits) const;
+
   std::string name_;
+  std::string process_;
   std::string source_;
+  std::optional<Chip> chip_;
   int gate_delay_ps_ = 0;
   std::array<Family, component_count> families_;
 };
 
-/// What a node costs: the component, and the width at which the library is asked. Wires, gates and inputs
-/// cost nothing.
+/// What a node costs: the component, and the width at which the library is asked. Wires and inputs cost
+/// nothing. Gates cost something on a chip only; is_component() leaves them out.
 struct ComponentUse {
   Component component;
   int bits;

@@ -12,7 +12,8 @@ Graph multiplier(const MultiplierShape& shape, std::string_view name) {
   Graph g{std::string(name)};
   const NodeId a = g.input("a", shape.width_a, shape.is_signed);
   const NodeId b = g.input("b", shape.width_b, shape.is_signed);
-  const int piece = (shape.width_b + shape.stages - 1) / shape.stages;
+  const int pieces = shape.in_block ? 1 : shape.stages;
+  const int piece = (shape.width_b + pieces - 1) / pieces;
 
   g.begin_stage(1);
   NodeId sum = no_node;  // of the pieces so far; with `is_signed` its top bit is the sign

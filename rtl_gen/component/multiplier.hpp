@@ -15,6 +15,8 @@ struct MultiplierShape {
   int stages = 1;
   int high = 0;  ///< bits high..low of the product leave the component
   int low = 0;
+  /// A multiplier block of a chip: stage 1 multiplies, and the other stages only hold the product.
+  bool in_block = false;
 
   friend auto operator<=>(const MultiplierShape&, const MultiplierShape&) = default;
 };

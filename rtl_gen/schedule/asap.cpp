@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "rtl_gen/graph/sources.hpp"
+#include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/schedule/schedule.hpp"
 
 namespace hitpipe::rtl {
@@ -17,11 +18,11 @@ struct SlowestStage {
   std::string component = "a latch alone";
 };
 
-SlowestStage slowest_stage(const Graph& graph, const Library& library) {
+SlowestStage slowest_stage(const Graph& graph, const Library& library, const NodeTiming& timing) {
   SlowestStage slowest{.clock_ps = library.latch_delay_ps()};
   for (NodeId id = 0; id < graph.size(); ++id) {
     if (!is_root(graph[id].op) || graph[id].op == Op::input) continue;
-    const int clock = timing_of(graph, id, library).delay_ps + library.latch_delay_ps();
+    const int clock = timing(id).delay_ps + library.latch_delay_ps();
     if (clock <= slowest.clock_ps) continue;
     slowest.clock_ps = clock;
     if (is_component(graph[id].op)) {
@@ -42,7 +43,8 @@ void require_legal(const Graph& graph, const std::vector<std::string>& broken) {
 }  // namespace
 
 Schedule schedule_asap(const Graph& graph, const Library& library, std::optional<int> clock_ps) {
-  const SlowestStage slowest = slowest_stage(graph, library);
+  const NodeTiming timing(graph, library);
+  const SlowestStage slowest = slowest_stage(graph, library, timing);
   if (clock_ps && *clock_ps < slowest.clock_ps) {
     throw std::invalid_argument(
         fmt::format("{}: a clock of {} ps is too short for {}; the smallest that can be met is {} ps",
@@ -69,7 +71,7 @@ Schedule schedule_asap(const Graph& graph, const Library& library, std::optional
       if (there >= stage) start_ps = std::max(start_ps, at_ps);
       stage = std::max(stage, there);
     });
-    const Cell cell = timing_of(graph, id, library);
+    const Cell cell = timing(id);
     if (start_ps + cell.delay_ps + s.latch_ps > s.clock_ps) {
       ++stage;
       start_ps = 0;

@@ -17,6 +17,9 @@ struct Register {
   int boundary;
   int high;
   int low;
+  bool in_block = false;  ///< it is one of the registers of a chip's multiplier block
+  std::uint64_t unread =
+      0;  ///< bits, numbered as the value's, that are there only because the block has them
 
   [[nodiscard]] int width() const { return high - low + 1; }
 };

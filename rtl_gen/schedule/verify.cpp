@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/graph/sources.hpp"
+#include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/schedule/schedule.hpp"
 
 namespace hitpipe::rtl {
@@ -75,8 +76,7 @@ std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedu
 }  // namespace
 
 std::vector<std::string> verify(const Graph& graph, const Library& library, const Schedule& schedule) {
-  const auto timing = [&](NodeId id) { return timing_of(graph, id, library); };
-  return broken_rules(graph, schedule, timing, library.latch_delay_ps());
+  return broken_rules(graph, schedule, NodeTiming(graph, library), library.latch_delay_ps());
 }
 
 std::vector<std::string> verify_stated(const Graph& graph, const Schedule& schedule) {

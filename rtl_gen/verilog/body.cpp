@@ -176,7 +176,8 @@ void Body::write_multiplier(NodeId id) {
                               .is_signed = n.is_signed,
                               .stages = slot.finish - slot.stage + 1,
                               .high = used.high,
-                              .low = used.low};
+                              .low = used.low,
+                              .in_block = options_.on_chip};
   const std::string base = fmt::format("{}_mul_{}x{}{}_to_{}_{}", options_.prefix, shape.width_a,
                                        shape.width_b, shape.is_signed ? "s" : "u", shape.high, shape.low);
   const std::string& module = multipliers_.try_emplace(shape, base).first->second;
@@ -239,17 +240,20 @@ void Body::write_stage(int stage) {
 
 void Body::write_unused() {
   std::vector<std::string> unused;
-  for (NodeId id = 0; id < graph_.size(); ++id) {
-    if (!is_root(graph_[id].op)) continue;
-    const BitSpan span = declared(id);
-    std::uint64_t rest = bit_range(span.high, span.low) & ~placement_.used_bits[id];
+  const auto add = [&](const std::string& name, BitSpan span, std::uint64_t rest) {
     while (rest != 0) {
       const int low = std::countr_zero(rest);
       const int high = low + std::countr_one(rest >> low) - 1;
-      unused.push_back(select_bits(names_[id], span, high, low));
+      unused.push_back(select_bits(name, span, high, low));
       rest &= ~bit_range(high, low);
     }
+  };
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    if (!is_root(graph_[id].op)) continue;
+    const BitSpan span = declared(id);
+    add(names_[id], span, bit_range(span.high, span.low) & ~placement_.used_bits[id]);
   }
+  for (const Register& r : placement_.registers) add(register_name(r), {r.high, r.low}, r.unread);
   if (unused.empty()) return;
   text_ +=
       fmt::format("\n  // Not read on purpose.\n  wire unused = &{{1'b0, {}}};\n", fmt::join(unused, ", "));

@@ -20,6 +20,7 @@ struct BodyOptions {
   std::string prefix;             ///< begins the names of component modules
   std::string enable;             ///< lets the registers load; empty: they load in every cycle
   std::set<std::string> taken{};  ///< names that are not free
+  bool on_chip = false;           ///< a multiplier is a block of a chip
 };
 
 /// A unit that a body instantiates.

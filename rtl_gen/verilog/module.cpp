@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "rtl_gen/component/multiplier.hpp"
-#include "rtl_gen/schedule/balance.hpp"
+#include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/verilog/body.hpp"
 
 namespace hitpipe::rtl {
@@ -25,12 +25,15 @@ std::string port_list(const Graph& graph, const std::vector<std::string>& fixed)
   return fmt::format("{}", fmt::join(ports, ",\n  "));
 }
 
+std::string multiplier_module(const MultiplierShape& shape, const std::string& name, FlowControl flow);
+
 /// A component inside a pipeline. Its operands come out of latches; the pipeline latches its result.
-std::string component_module(const Graph& graph, const Schedule& schedule, const std::string& name,
-                             FlowControl flow) {
-  const Placement placement = place_registers(graph, schedule, Ports::direct);
+std::string component_module(const DividedUnit& unit, const std::string& name, FlowControl flow,
+                             bool on_chip) {
+  const auto& [graph, schedule, placement] = unit;
   const bool stalls = flow == FlowControl::stall;
-  const Body body(graph, schedule, placement, {.prefix = name, .enable = stalls ? "en" : ""});
+  const Body body(graph, schedule, placement,
+                  {.prefix = name, .enable = stalls ? "en" : "", .on_chip = on_chip});
   std::vector<std::string> fixed;
   if (!placement.registers.empty()) fixed.emplace_back("input  wire clk");
   if (!placement.registers.empty() && stalls) fixed.emplace_back("input  wire en");
@@ -39,22 +42,29 @@ std::string component_module(const Graph& graph, const Schedule& schedule, const
   for (const Output& out : graph.outputs()) {
     text += fmt::format("  assign {} = {};\n", out.name, body.expression(out.node, schedule.stages));
   }
-  return text + "endmodule\n";
+  text += "endmodule\n";
+  for (const auto& [shape, module] : body.multipliers()) text += multiplier_module(shape, module, flow);
+  return text;
 }
 
 std::string multiplier_module(const MultiplierShape& shape, const std::string& name, FlowControl flow) {
   const std::string what = fmt::format(
       "// {} x {} bits{}, {} stages; p is bits {}:{} of the product, not latched.\n", shape.width_a,
       shape.width_b, shape.is_signed ? " signed" : "", shape.stages, shape.high, shape.low);
-  const Graph graph = multiplier(shape, name);
-  return what + component_module(graph, schedule_as_stated(graph, shape.stages), name, flow);
+  Graph graph = multiplier(shape, name);
+  Schedule schedule = schedule_as_stated(graph, shape.stages);
+  Placement placement = place_registers(graph, schedule, Ports::direct);
+  return what + component_module({std::move(graph), std::move(schedule), std::move(placement)}, name, flow,
+                                 shape.in_block);
 }
 
-std::string unit_module(const UnitUse& use, const std::string& name, FlowControl flow) {
+std::string unit_module(const UnitUse& use, const std::string& name, FlowControl flow,
+                        const Library& library) {
   const std::string what = use.stages > 1 ? fmt::format("\n// {}: {} stages; the result is not latched.\n",
                                                         use.unit->body.name(), use.stages)
                                           : fmt::format("\n// {}: combinational.\n", use.unit->body.name());
-  return what + component_module(use.unit->body, balance(use.unit->body, use.stages), name, flow);
+  return what +
+         component_module(divided(*use.unit, use.stages, library), name, flow, library.chip() != nullptr);
 }
 
 /// Valid bits and tags; with stalls also what moves them.
@@ -94,7 +104,8 @@ std::string to_verilog(const Pipeline& pipeline, const Library& library, const V
             {.prefix = name,
              .enable = stalls ? "advance" : "",
              .taken = {"clk", "rst", "in_valid", "in_ready", "in_tag", "out_valid", "out_ready", "out_tag",
-                       "advance", "valid", "TAG_BITS"}});
+                       "advance", "valid", "TAG_BITS"},
+             .on_chip = library.chip() != nullptr});
 
   std::string text = fmt::format("// {}{}{}: {} stages, one test a cycle.\n", name,
                                  options.bits.empty() ? "" : " ", options.bits, last);
@@ -122,7 +133,7 @@ std::string to_verilog(const Pipeline& pipeline, const Library& library, const V
     // One file holds the whole design, so the components follow the top module.
     text += "\n/* verilator lint_off DECLFILENAME */\n";
     for (const auto& [shape, module] : body.multipliers()) text += multiplier_module(shape, module, flow);
-    for (const auto& [module, use] : body.units()) text += unit_module(use, module, flow);
+    for (const auto& [module, use] : body.units()) text += unit_module(use, module, flow, library);
     text += "\n/* verilator lint_on DECLFILENAME */\n";
   }
   return text;

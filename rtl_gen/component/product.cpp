@@ -1,0 +1,192 @@
+#include "rtl_gen/component/product.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "rtl_gen/graph/canonical.hpp"
+#include "rtl_gen/prune/rewrite.hpp"
+
+namespace hitpipe::rtl {
+
+namespace {
+
+using Way = ProductPlan::Way;
+
+struct Halves {
+  ProductShape low, high;
+};
+
+Halves cut(const ProductShape& s, Way way, int at) {
+  if (way == Way::cut_a)
+    return {{at, s.width_b, false, s.b_signed}, {s.width_a - at, s.width_b, s.a_signed, s.b_signed}};
+  return {{s.width_a, at, s.a_signed, false}, {s.width_a, s.width_b - at, s.a_signed, s.b_signed}};
+}
+
+/// The sum of two products needs an adder for the bits of the higher one.
+int adder_bits(const ProductShape& whole, int at) {
+  return whole.width() - at;
+}
+
+class Planner {
+ public:
+  explicit Planner(const Chip& chip) : chip_(chip) {}
+
+  const ProductPlan& best(const ProductShape& shape, bool is_whole) {
+    const auto key = std::pair(shape, is_whole);
+    const auto known = plans_.find(key);
+    if (known != plans_.end()) return known->second;
+    const ProductPlan plan = find(shape, is_whole);
+    return plans_[key] = plan;
+  }
+
+ private:
+  [[nodiscard]] int cost(const ProductPlan& plan) const {
+    return plan.luts + (chip_.block ? plan.blocks * chip_.block->luts : 0);
+  }
+
+  [[nodiscard]] ProductPlan rows(const ProductShape& s) const {
+    const int narrow = std::min(s.width_a, s.width_b);
+    const int wide = std::max(s.width_a, s.width_b);
+    return {.way = Way::rows,
+            .luts = narrow * chip_.gate_luts(wide) + (narrow - 1) * chip_.carry_luts(wide + 1)};
+  }
+
+  /// Where a cut leaves a low piece as wide as a block. The wider the low piece, the shorter the adder.
+  [[nodiscard]] std::set<int> cuts(int width) const {
+    std::set<int> at;
+    for (const int side : {chip_.block->width_a, chip_.block->width_b}) {
+      for (const int piece : {side - 1, side})
+        if (piece < width) at.insert(piece);
+    }
+    return at;
+  }
+
+  ProductPlan find(const ProductShape& s, bool is_whole) {
+    ProductPlan best = rows(s);
+    if (!chip_.block) return best;
+    if (chip_.block->multiplies(s.width_a, s.a_signed, s.width_b, s.b_signed)) {
+      const ProductPlan block{.way = Way::block, .blocks = 1};
+      return is_whole || cost(block) <= cost(best) ? block : best;
+    }
+    for (const Way way : {Way::cut_a, Way::cut_b}) {
+      for (const int at : cuts(way == Way::cut_a ? s.width_a : s.width_b)) {
+        const Halves halves = cut(s, way, at);
+        const ProductPlan& low = this->best(halves.low, false);
+        const ProductPlan& high = this->best(halves.high, false);
+        ProductPlan plan{.way = way,
+                         .cut = at,
+                         .blocks = low.blocks + high.blocks,
+                         .luts = low.luts + high.luts + chip_.carry_luts(adder_bits(s, at))};
+        if (cost(plan) >= cost(best)) continue;
+        plan.low = std::make_shared<const ProductPlan>(low);
+        plan.high = std::make_shared<const ProductPlan>(high);
+        best = std::move(plan);
+      }
+    }
+    return best;
+  }
+
+  const Chip& chip_;
+  std::map<std::pair<ProductShape, bool>, ProductPlan> plans_;
+};
+
+/// A part of a sum: its value times 2^low.
+struct Term {
+  NodeId node = no_node;
+  int low = 0;
+  bool is_signed = false;
+  bool is_negative = false;  ///< to be subtracted
+};
+
+/// The sum modulo 2^width. `upper` begins no lower than `lower`, and `lower` is not subtracted.
+Term sum_of(Graph& to, const Term& lower, const Term& upper, int width) {
+  const int shift = upper.low - lower.low;
+  const bool is_signed = lower.is_signed || upper.is_signed || upper.is_negative;
+  const auto needed = [&](const Term& term) {
+    return to[term.node].width + (is_signed && !term.is_signed ? 1 : 0);
+  };
+  const int bits = std::min(std::max(needed(lower), needed(upper) + shift) + 1, width - lower.low);
+  const NodeId below = to.resize(lower.node, bits, lower.is_signed);
+  const NodeId sum = to.binary(upper.is_negative ? Op::sub : Op::add, to.slice(below, bits - 1, shift),
+                               to.resize(upper.node, bits - shift, upper.is_signed));
+  return {shift == 0 ? sum : to.concat(sum, to.slice(below, shift - 1, 0)), lower.low, is_signed, false};
+}
+
+NodeId rows(Graph& to, const ProductShape& s, NodeId a, NodeId b) {
+  const bool b_narrower = s.width_b <= s.width_a;
+  const NodeId narrow = b_narrower ? b : a;
+  const NodeId wide = b_narrower ? a : b;
+  const bool narrow_signed = b_narrower ? s.b_signed : s.a_signed;
+  const bool wide_signed = b_narrower ? s.a_signed : s.b_signed;
+  const int bits = to[narrow].width;
+  const int width = s.width();
+  std::vector<Term> terms;
+  for (int i = 0; i < bits; ++i) {
+    const NodeId bit = to.slice(narrow, i, i);
+    const NodeId row = to.binary(Op::bit_and, wide, to.extend(bit, to[wide].width, true));
+    terms.push_back({row, i, wide_signed, narrow_signed && i == bits - 1});
+  }
+  if (terms.size() == 1 && terms.front().is_negative) {
+    terms = {sum_of(to, {to.constant(1, 0), 0, false, false}, terms.front(), width)};
+  }
+  while (terms.size() > 1) {
+    std::vector<Term> sums;
+    for (std::size_t i = 0; i + 1 < terms.size(); i += 2)
+      sums.push_back(sum_of(to, terms[i], terms[i + 1], width));
+    if (terms.size() % 2 == 1) sums.push_back(terms.back());
+    terms = std::move(sums);
+  }
+  return to.resize(terms.front().node, width, terms.front().is_signed);
+}
+
+NodeId block(Graph& to, const ProductShape& s, NodeId a, NodeId b) {
+  const bool is_signed = s.a_signed || s.b_signed;
+  const auto operand = [&](NodeId value, bool value_signed) {
+    return is_signed && !value_signed ? to.extend(value, to[value].width + 1, false) : value;
+  };
+  const NodeId product = to.binary(Op::mul, operand(a, s.a_signed), operand(b, s.b_signed), is_signed);
+  return to.slice(product, s.width() - 1, 0);
+}
+
+}  // namespace
+
+ProductPlan plan_product(const ProductShape& shape, const Chip& chip) {
+  return Planner(chip).best(shape, true);
+}
+
+NodeId record_product(Graph& to, const ProductPlan& plan, const ProductShape& shape, NodeId a, NodeId b) {
+  switch (plan.way) {
+    case Way::block:
+      return block(to, shape, a, b);
+    case Way::rows:
+      return rows(to, shape, a, b);
+    case Way::cut_a:
+    case Way::cut_b:
+      break;
+  }
+  const bool of_a = plan.way == Way::cut_a;
+  const Halves halves = cut(shape, plan.way, plan.cut);
+  const NodeId divided = of_a ? a : b;
+  const NodeId low_bits = to.slice(divided, plan.cut - 1, 0);
+  const NodeId high_bits = to.slice(divided, to[divided].width - 1, plan.cut);
+  const NodeId low = record_product(to, *plan.low, halves.low, of_a ? low_bits : a, of_a ? b : low_bits);
+  const NodeId high = record_product(to, *plan.high, halves.high, of_a ? high_bits : a, of_a ? b : high_bits);
+  const Term sum = sum_of(to, {low, 0, halves.low.a_signed || halves.low.b_signed, false},
+                          {high, plan.cut, shape.a_signed || shape.b_signed, false}, shape.width());
+  return to.resize(sum.node, shape.width(), sum.is_signed);
+}
+
+Graph with_products_planned(const Graph& graph, const Library& library) {
+  const Chip* const chip = library.chip();
+  if (chip == nullptr) return graph;
+  return canonical(rewrite(graph, [&](Graph& to, NodeId id, const NewOperands& operands) {
+    const Node& n = graph[id];
+    if (n.op != Op::mul) return no_node;
+    const ProductShape shape{graph[n.args[0]].width, graph[n.args[1]].width, n.is_signed, n.is_signed};
+    return record_product(to, plan_product(shape, *chip), shape, operands[0], operands[1]);
+  }));
+}
+
+}  // namespace hitpipe::rtl

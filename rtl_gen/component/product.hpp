@@ -1,0 +1,52 @@
+// Products on a chip. A product that a multiplier block can make is one block. A larger one is cut into
+// pieces: blocks, and rows of gates with adders for odd bits where those take fewer lookup tables than a
+// block is worth. The pieces and their sums are nodes of the graph, so the schedule, the registers, the
+// Verilog and the price see them as any other logic.
+#pragma once
+
+#include <memory>
+
+#include "rtl_gen/component/library.hpp"
+#include "rtl_gen/graph/graph.hpp"
+
+namespace hitpipe::rtl {
+
+/// The operands of a product: their widths, and which is two's complement.
+struct ProductShape {
+  int width_a = 0;
+  int width_b = 0;
+  bool a_signed = false;
+  bool b_signed = false;
+
+  [[nodiscard]] int width() const { return width_a + width_b; }
+  friend auto operator<=>(const ProductShape&, const ProductShape&) = default;
+};
+
+/// How a product is made: in one of these ways, of one or two smaller products.
+struct ProductPlan {
+  enum class Way {
+    block,  ///< one multiplier block
+    rows,   ///< one row of gates for each bit of the narrower operand, and adders
+    cut_a,  ///< the low `cut` bits of a, without a sign, and the rest: two products and an adder
+    cut_b,
+  };
+  Way way = Way::rows;
+  int cut = 0;
+  std::shared_ptr<const ProductPlan> low{};
+  std::shared_ptr<const ProductPlan> high{};
+  int blocks = 0;
+  int luts = 0;  ///< by the chip's laws
+};
+
+/// The plan that takes the fewest lookup tables, each block counted as those that it is worth. A product that
+/// fits a block is one, however small.
+[[nodiscard]] ProductPlan plan_product(const ProductShape& shape, const Chip& chip);
+
+/// The product of `a` and `b`, shape.width() bits, made as planned.
+NodeId record_product(Graph& to, const ProductPlan& plan, const ProductShape& shape, NodeId a, NodeId b);
+
+/// The graph with every product made as planned, for the chip of the library. Without a chip it is the same
+/// graph.
+[[nodiscard]] Graph with_products_planned(const Graph& graph, const Library& library);
+
+}  // namespace hitpipe::rtl

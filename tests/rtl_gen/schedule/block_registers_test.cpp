@@ -1,0 +1,64 @@
+// Which registers lie in the multiplier blocks of a chip.
+#include "rtl_gen/schedule/block_registers.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/pipeline.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+/// (a - c) * b, of which only bits 20:8 leave the unit; `b` also leaves it if asked.
+Graph scaled_difference(bool is_signed, bool b_leaves) {
+  Graph g("toy");
+  const NodeId a = g.input("a", 12, true);
+  const NodeId b = g.input("b", 12, true);
+  const NodeId c = g.input("c", 12, true);
+  const NodeId difference = g.binary(Op::sub, a, c);
+  g.annotate(difference, "difference", {});
+  const NodeId product = g.binary(Op::mul, difference, b, is_signed);
+  g.annotate(product, "product", {});
+  g.output("p", g.slice(product, 20, 8));
+  if (b_leaves) g.output("same", b);
+  return g;
+}
+
+std::string registers(const Graph& graph, const char* library) {
+  const Pipeline pipeline = make_pipeline(graph, library_called(library));
+  std::string text;
+  for (const Register& r : pipeline.placement.registers) {
+    text += fmt::format("{}{}: {}[{}:{}]{}", text.empty() ? "" : ", ", r.boundary,
+                        pipeline.graph[r.value].name, r.high, r.low, r.in_block ? " in block" : "");
+    if (r.unread != 0) text += fmt::format(" unread {:x}", r.unread);
+  }
+  return text;
+}
+
+TEST(BlockRegisters, OperandsAndProductAreInTheBlock) {
+  EXPECT_EQ(registers(scaled_difference(true, false), "ice40_up5k"),
+            "0: a[11:0], 0: b[11:0], 0: c[11:0], 1: b[11:0] in block, 1: difference[11:0] in block, "
+            "2: product[20:0] in block unread ff");
+}
+
+TEST(BlockRegisters, AnOperandThatOthersReadStaysOutside) {
+  EXPECT_EQ(registers(scaled_difference(true, true), "ice40_up5k"),
+            "0: a[11:0], 0: b[11:0], 0: c[11:0], 1: b[11:0], 1: difference[11:0] in block, "
+            "2: b[11:0], 2: product[20:0] in block unread ff");
+}
+
+/// A block that multiplies signed operands alone gets a zero above them, which is no register's.
+TEST(BlockRegisters, UnsignedOperandsStayOutsideASignedBlock) {
+  EXPECT_EQ(registers(scaled_difference(false, false), "xc7"),
+            "0: a[11:0], 0: b[11:0], 0: c[11:0], 1: b[11:0], 1: difference[11:0], "
+            "3: product[20:0] in block unread ff");
+}
+
+TEST(BlockRegisters, ABlockWithoutThemLeavesAllOutside) {
+  EXPECT_EQ(registers(scaled_difference(true, false), "ecp5"),
+            "0: a[11:0], 0: b[11:0], 0: c[11:0], 1: b[11:0], 1: difference[11:0], 2: product[20:8]");
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl
