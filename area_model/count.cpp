@@ -55,10 +55,10 @@ int narrower_operand(const rtl::Graph& graph, NodeId id) {
 namespace {
 
 void add_logic(Tally& tally, const rtl::Graph& graph, const rtl::Schedule& schedule,
-               const rtl::Placement& placement, Gates gates) {
+               const rtl::Placement& placement, Component latch, Gates gates) {
   for (const rtl::Register& r : placement.registers) {
     const Purpose purpose = r.in_block ? Purpose::block : Purpose::datapath;
-    tally.add(r.boundary, {Component::latch, r.width(), purpose});
+    tally.add(r.boundary, {latch, r.width(), purpose});
   }
   for (const NodeId id : components_of(graph, schedule)) {
     const rtl::ComponentUse use = component_of(graph, id);
@@ -78,16 +78,21 @@ void add_logic(Tally& tally, const rtl::Graph& graph, const rtl::Schedule& sched
 std::vector<Count> count_logic(const rtl::Graph& graph, const rtl::Schedule& schedule,
                                const rtl::Placement& placement, Gates gates) {
   Tally tally;
-  add_logic(tally, graph, schedule, placement, gates);
+  add_logic(tally, graph, schedule, placement, Component::latch, gates);
   return tally.counts();
 }
 
-std::vector<Count> count_built(const rtl::Pipeline& pipeline, Gates gates) {
+rtl::Component register_of(rtl::FlowControl flow, const rtl::Library& library) {
+  return flow == rtl::FlowControl::stall && library.has(Component::latch_enable) ? Component::latch_enable
+                                                                                 : Component::latch;
+}
+
+std::vector<Count> count_built(const rtl::Pipeline& pipeline, Component latch, Gates gates) {
   Tally tally;
-  add_logic(tally, pipeline.graph, pipeline.schedule, pipeline.placement, gates);
+  add_logic(tally, pipeline.graph, pipeline.schedule, pipeline.placement, latch, gates);
   for (int boundary = 0; boundary <= pipeline.schedule.stages; ++boundary) {
-    tally.add(boundary, {Component::latch, 1, Purpose::valid});
-    tally.add(boundary, {Component::latch, tag_bits, Purpose::tag});
+    tally.add(boundary, {latch, 1, Purpose::valid});
+    tally.add(boundary, {latch, tag_bits, Purpose::tag});
   }
   return tally.counts();
 }

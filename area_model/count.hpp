@@ -10,6 +10,7 @@
 #include "area_model/habits.hpp"
 #include "area_model/part.hpp"
 #include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 
 namespace hitpipe::area {
 
@@ -26,8 +27,14 @@ struct Count {
 
 enum class Gates { left_out, counted };
 
-/// By stage, then by part.
-[[nodiscard]] std::vector<Count> count_built(const rtl::Pipeline& pipeline, Gates gates = Gates::left_out);
+/// What a register of an emitted unit is in that library: with stalls one that has an enable, where the
+/// library tells it from a latch.
+[[nodiscard]] rtl::Component register_of(rtl::FlowControl flow, const rtl::Library& library);
+
+/// By stage, then by part. Every register is a `latch`, as register_of() says.
+[[nodiscard]] std::vector<Count> count_built(const rtl::Pipeline& pipeline,
+                                             rtl::Component latch = rtl::Component::latch,
+                                             Gates gates = Gates::left_out);
 /// The same without valid and tag bits, of any scheduled graph.
 [[nodiscard]] std::vector<Count> count_logic(const rtl::Graph& graph, const rtl::Schedule& schedule,
                                              const rtl::Placement& placement, Gates gates);

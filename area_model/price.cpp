@@ -92,15 +92,16 @@ Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, co
 }  // namespace
 
 Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl::Format& format,
-            const rtl::Library& library) {
+            const rtl::Library& library, rtl::FlowControl flow) {
   const Gates gates = library.chip() != nullptr ? Gates::counted : Gates::left_out;
-  Price price = priced(pipeline, count_built(pipeline, gates), design, format, library);
+  Price price =
+      priced(pipeline, count_built(pipeline, register_of(flow, library), gates), design, format, library);
   for (const Line& line : price.lines) price.area_um2 += line.area_um2;
   return price;
 }
 
 Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
-            Account account) {
+            Account account, rtl::FlowControl flow) {
   if (account == Account::printed && design.printed.rows.empty())
     throw std::runtime_error(
         fmt::format("design {}: not in Table 7.2, so there is no printed account of it, only the built one",
@@ -110,7 +111,7 @@ Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Lib
         "library {}: it is a chip's and has no areas, so there is no printed account, only the built one",
         library.name()));
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
-  if (account == Account::built) return price(pipeline, design, format, library);
+  if (account == Account::built) return price(pipeline, design, format, library, flow);
   Price price = priced(pipeline, count_printed(pipeline, format, design.printed), design, format, library);
   for (const Line& line : price.lines) price.area_um2 += as_printed(line.area_um2);
   return price;

@@ -63,13 +63,13 @@ struct Entry {
 /// Throws as rtl::Design::trace, rtl::Library::cell do; of the printed account also std::runtime_error, one
 /// line, for a design that the thesis does not have and for a library that is a chip's.
 [[nodiscard]] Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
-                          Account account);
+                          Account account, rtl::FlowControl flow = rtl::FlowControl::stall);
 
 /// The built account of any pipeline; `design` is the one that it comes from. A multiplier of m x n
 /// bits, m > n, has n/m of the area of one of m x m bits, as it has n/m of its partial products. That area is
 /// estimated.
 [[nodiscard]] Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl::Format& format,
-                          const rtl::Library& library);
+                          const rtl::Library& library, rtl::FlowControl flow = rtl::FlowControl::stall);
 
 /// The six, in its order: the rows that designs say are theirs.
 [[nodiscard]] const std::vector<Entry>& table_7_2();

@@ -22,7 +22,8 @@ std::string drive_lines(const std::vector<rtl::Port>& ports, const std::vector<r
 
 std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
                          const std::vector<rtl::Port>& ports, const std::vector<hls::Result>& results,
-                         const MorePins& more) {
+                         rtl::FlowControl flow, const MorePins& more) {
+  const bool stalls = flow == rtl::FlowControl::stall;
   std::string read;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const hls::Result& result = results[i];
@@ -57,11 +58,10 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
   top.rst = pins->rst;
   top.in_valid = pins->in_valid;
   top.in_tag = pins->in_tag;
-  top.out_ready = pins->out_ready;
-  if (pins->in_valid) {{
+{6}  if (pins->in_valid) {{
 {1}  }}
 {4}  top.eval();
-  pins->in_ready = top.in_ready;
+  pins->in_ready = {7};
   pins->out_valid = top.out_valid;
   pins->hit = top.{2};
   pins->out_tag = top.out_tag;
@@ -72,7 +72,8 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
 }}
 )",
                      module, drive_lines(ports, operands, "operands"),
-                     results[rtl::place_of_hit(results)].name, read, more.drive, more.read);
+                     results[rtl::place_of_hit(results)].name, read, more.drive, more.read,
+                     stalls ? "  top.out_ready = pins->out_ready;\n" : "", stalls ? "top.in_ready" : "true");
 }
 
 }  // namespace hitpipe::sim

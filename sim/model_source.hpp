@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 
 namespace hitpipe::sim {
 
@@ -21,6 +22,7 @@ struct MorePins {
 /// `results` are the design's, each an output of the module.
 [[nodiscard]] std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
                                        const std::vector<rtl::Port>& ports,
-                                       const std::vector<hls::Result>& results, const MorePins& more = {});
+                                       const std::vector<hls::Result>& results, rtl::FlowControl flow,
+                                       const MorePins& more = {});
 
 }  // namespace hitpipe::sim

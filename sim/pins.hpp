@@ -17,13 +17,13 @@ struct RayPins {
 };
 
 struct Pins {
-  // Driven before the rising edge.
+  // Driven before the rising edge. A unit without flow control has no out_ready.
   bool rst = false;
   bool in_valid = false;
   bool out_ready = true;
   std::uint16_t in_tag = 0;
   // Seen before the rising edge, with the above applied.
-  bool in_ready = false;
+  bool in_ready = false;  ///< always of a unit without flow control
   bool out_valid = false;
   bool hit = false;  ///< of the first box
   std::uint16_t out_tag = 0;

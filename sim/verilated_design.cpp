@@ -20,17 +20,17 @@ struct VerilatedDesign::Loaded {
 };
 
 VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
-                                 const fs::path& cache) {
+                                 const fs::path& cache, rtl::FlowControl flow) {
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
   const std::string module = design.module_at(format);
-  const std::string verilog =
-      rtl::to_verilog(pipeline, library, {.module_name = module, .bits = rtl::to_string(format)});
-  *this = VerilatedDesign(design, format, pipeline, verilog, module, cache);
+  const std::string verilog = rtl::to_verilog(
+      pipeline, library, {.module_name = module, .bits = rtl::to_string(format), .flow_control = flow});
+  *this = VerilatedDesign(design, format, pipeline, verilog, module, cache, {}, flow);
 }
 
 VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
                                  const std::string& verilog, const std::string& module, const fs::path& cache,
-                                 const std::optional<RayMemory>& rays)
+                                 const std::optional<RayMemory>& rays, rtl::FlowControl flow)
     : results_(design.results(format)), latency_(pipeline.latency()) {
   const std::vector<rtl::Port> operands = design.ports(format);
   operand_count_ = operands.size();
@@ -43,10 +43,11 @@ VerilatedDesign::VerilatedDesign(const rtl::Design& design, rtl::Format format, 
     ++latency_;
     sources.module = rays->slots.module();
     sources.verilog += rays->verilog;
-    sources.wrapper = model_source(sources.module, operands, rays->slots.test, results_,
+    sources.wrapper = model_source(sources.module, operands, rays->slots.test, results_, flow,
                                    ray_slot_pins(rays->slots, operands));
   } else {
-    sources.wrapper = model_source(sources.module, operands, rtl::input_ports(pipeline.graph), results_);
+    sources.wrapper =
+        model_source(sources.module, operands, rtl::input_ports(pipeline.graph), results_, flow);
   }
 
   loaded_ = std::make_shared<Loaded>(sources, cache);

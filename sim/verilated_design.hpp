@@ -12,6 +12,7 @@
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 #include "sim/model_library.hpp"
 #include "sim/pins.hpp"
 
@@ -27,15 +28,16 @@ class VerilatedDesign {
  public:
   /// Emits the design and loads it. Throws as ModelLibrary does.
   VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
-                  const std::filesystem::path& cache = default_cache());
+                  const std::filesystem::path& cache = default_cache(),
+                  rtl::FlowControl flow = rtl::FlowControl::stall);
 
   /// The same for a unit made from the design at that format, which may have lost ports or bits of ports.
-  /// `verilog` is the pipeline's, with the top `module`. Operands stay those of the whole design. With a
-  /// memory of rays, the unit is driven through it.
+  /// `verilog` is the pipeline's, with the top `module` and that flow control. Operands stay those of the
+  /// whole design. With a memory of rays, the unit is driven through it.
   VerilatedDesign(const rtl::Design& design, rtl::Format format, const rtl::Pipeline& pipeline,
                   const std::string& verilog, const std::string& module,
                   const std::filesystem::path& cache = default_cache(),
-                  const std::optional<RayMemory>& rays = {});
+                  const std::optional<RayMemory>& rays = {}, rtl::FlowControl flow = rtl::FlowControl::stall);
 
   /// With a memory of rays: its latency too.
   [[nodiscard]] int latency() const { return latency_; }

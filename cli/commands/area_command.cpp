@@ -1,6 +1,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "area_model/price.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/flow_control_option.hpp"
 #include "cli/options/library_option.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/area_text.hpp"
@@ -26,6 +28,7 @@ using area::Price;
 struct AreaOptions {
   DesignsChoice units;
   Account account = Account::built;
+  rtl::FlowControl flow_control = rtl::FlowControl::stall;
   std::string library{rtl::default_library};
   Format format = Format::text;
   bool by_stage = false;
@@ -169,7 +172,8 @@ std::string chip_prices(const std::vector<Price>& prices, const rtl::Library& li
 void print_prices(const AreaOptions& options) {
   const rtl::Library library = rtl::library_called(options.library);
   const auto priced = [&](const area::Entry& entry) {
-    return area::price(rtl::find_design(entry.design), entry.format, library, options.account);
+    return area::price(rtl::find_design(entry.design), entry.format, library, options.account,
+                       options.flow_control);
   };
   std::vector<Price> prices;
   for (const area::Entry& entry : chosen(options)) prices.push_back(priced(entry));
@@ -207,9 +211,18 @@ void add_area_command(CLI::App& program, int& /*exit_code*/) {
                              {{"printed", Account::printed}, {"built", Account::built}},
                              "built: all that is emitted; printed: counted as the thesis counts");
   add_library_option(*command, options->library);
+  CLI::Option* const flow =
+      add_flow_control_option(*command, options->flow_control,
+                              ". Registers with an enable cost more where the library has latch_enable");
   add_format_option(*command, options->format);
   command->add_flag("--by-stage", options->by_stage, "Components and area of every pipeline stage");
-  command->callback([options] { print_prices(*options); });
+  command->callback([options, flow] {
+    if (flow->count() > 0 && options->account == Account::printed)
+      throw std::runtime_error(
+          "--flow-control: the printed account counts latches as the thesis does; allowed with --account "
+          "built");
+    print_prices(*options);
+  });
 }
 
 }  // namespace hitpipe::cli

@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/options/build_options.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/flow_control_option.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
@@ -30,6 +31,7 @@ struct CosimCommand {
   DesignChoice choice;
   SceneChoice scene;
   std::string bvh;
+  rtl::FlowControl flow_control = rtl::FlowControl::stall;
   int rays_in_flight = 32;
   std::optional<int> ray_slots;
   bool referee = false;
@@ -45,7 +47,7 @@ sim::WrittenUnit unit_of(const CosimCommand& command) {
   const rtl::Design& design = command.choice.design();
   const rtl::Library& library = rtl::Library::thesis();
   if (!command.unit.empty()) return sim::read_unit(command.unit, design, library);
-  return sim::whole_unit(design, command.choice.format(), library);
+  return sim::whole_unit(design, command.choice.format(), library, command.flow_control);
 }
 
 Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref::Scene& scene,
@@ -114,6 +116,7 @@ int cosimulate(const CosimCommand& command) {
   if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
   if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
   const sim::WrittenUnit unit = unit_of(command);
+  if (command.ray_slots) rtl::check_ray_slots(unit.flow_control);
 
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
@@ -126,8 +129,9 @@ int cosimulate(const CosimCommand& command) {
   if (!command.out.empty()) host::make_folder(folder);
   rtl::UnitFiles written;
   if (emits) {
-    const rtl::EmittedDesign emitted = rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline,
-                                                 {.ray_slots = command.ray_slots});
+    const rtl::EmittedDesign emitted =
+        rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline,
+                  {.flow_control = unit.flow_control, .ray_slots = command.ray_slots});
     written = rtl::write_unit(folder, emitted);
   }
   progress.emplace("co-simulating");
@@ -179,6 +183,7 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
           "Where the folder has several units of the design: the manifest of one")
       ->excludes("--bits")
       ->type_name("DIR|MANIFEST");
+  add_flow_control_option(*command, options->flow_control)->excludes("--unit");
   add_scene_options(*command, options->scene);
   add_bvh_file_option(*command, options->bvh);
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight,

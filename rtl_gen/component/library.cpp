@@ -15,9 +15,9 @@ namespace hitpipe::rtl {
 
 namespace {
 
-constexpr std::array<std::string_view, component_count> names{"latch",        "mux2",        "int_subtract",
-                                                              "int_multiply", "int_compare", "fp_subtract",
-                                                              "fp_multiply",  "fp_compare",  "gate"};
+constexpr std::array<std::string_view, component_count> names{
+    "latch",       "mux2",        "int_subtract", "int_multiply", "int_compare",
+    "fp_subtract", "fp_multiply", "fp_compare",   "gate",         "latch_enable"};
 
 /// A file of cells states all others. Gates have one delay and no area (section 7.3).
 bool has_cells(Component component) {
@@ -97,8 +97,8 @@ Library Library::from_json(std::string_view text, std::string_view origin) {
   for (std::size_t i = 0; i < component_count; ++i) {
     if (!has_cells(static_cast<Component>(i))) continue;
     const std::string name(names[i]);
-    const bool is_float = static_cast<Component>(i) >= Component::fp_subtract;
-    if (is_float && !components.contains(name)) continue;
+    const bool is_optional = static_cast<Component>(i) >= Component::fp_subtract;
+    if (is_optional && !components.contains(name)) continue;
     const FileJson& entry = required(components, name, origin);
     const std::string where = fmt::format("{}: {}", origin, name);
     Family& family = library.families_[i];

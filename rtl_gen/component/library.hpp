@@ -26,9 +26,10 @@ enum class Component {
   fp_subtract,
   fp_multiply,
   fp_compare,
-  gate  ///< AND, OR, XOR; only a chip counts them
+  gate,         ///< AND, OR, XOR; only a chip counts them
+  latch_enable  ///< a latch that keeps its bits while its enable is low
 };
-inline constexpr std::size_t component_count = 9;
+inline constexpr std::size_t component_count = 10;
 [[nodiscard]] std::string_view component_name(Component component);
 /// Throws std::invalid_argument for any other name.
 [[nodiscard]] Component component_called(std::string_view name);
@@ -76,7 +77,8 @@ enum class AreaLaw {
 
 class Library {
  public:
-  /// Widths must ascend. The float components may be left out. Throws std::runtime_error with `origin`, the
+  /// Widths must ascend. The float components and latch_enable may be left
+  /// out. Throws std::runtime_error with `origin`, the
   /// component and the wrong entry.
   [[nodiscard]] static Library from_json(std::string_view text, std::string_view origin);
   [[nodiscard]] static Library load(const std::filesystem::path& file);

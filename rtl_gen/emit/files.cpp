@@ -37,9 +37,8 @@ void check_together(const EmitOptions& options) {
     throw std::invalid_argument("result FIFO and ray slots: a unit has one wrapper or the other");
   if (options.fifo && options.flow_control == FlowControl::stall)
     throw std::invalid_argument(
-        "result FIFO: only for a unit with flow control none; with stall the unit itself holds its results");
-  if (options.ray_slots && options.flow_control == FlowControl::none)
-    throw std::invalid_argument("ray slots: only for a unit with flow control stall");
+        "result FIFO: flow control stall; allowed is none, because a unit that stalls holds its results");
+  if (options.ray_slots) check_ray_slots(options.flow_control);
 }
 
 /// Nothing when dot is not installed.

@@ -145,6 +145,12 @@ int RaySlots::bits_of_end() const {
   return end.empty() ? 0 : slot_bits + 1 + total_bits(end);
 }
 
+void check_ray_slots(FlowControl flow) {
+  if (flow != FlowControl::stall)
+    throw std::invalid_argument(fmt::format("ray slots: flow control {}; allowed is {}",
+                                            flow_control_name(flow), flow_control_name(FlowControl::stall)));
+}
+
 int slot_count(int least) {
   if (least < RaySlots::fewest || least > RaySlots::most)
     throw std::runtime_error(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 
 namespace hitpipe::rtl {
 
@@ -46,6 +47,9 @@ struct RaySlots {
 /// The slots of a memory with at least as many: a power of two. Throws std::runtime_error, one line, for a
 /// number that is not allowed.
 [[nodiscard]] int slot_count(int least);
+
+/// Throws std::invalid_argument, one line, for a unit that has no ready: slots need it to hold a test back.
+void check_ray_slots(FlowControl flow);
 
 /// With slot_count(least) slots. `ports` are those of the unit's module, each one of `operands`, which have
 /// the roles. Throws as slot_count() does, and std::runtime_error, one line, for a unit without operands of a

@@ -1,22 +1,28 @@
 #include "sim/fit/unit_cosim.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "rtl_gen/verilog/module.hpp"
 
 namespace hitpipe::sim {
 
-WrittenUnit whole_unit(const rtl::Design& design, rtl::Format format, const rtl::Library& library) {
+WrittenUnit whole_unit(const rtl::Design& design, rtl::Format format, const rtl::Library& library,
+                       rtl::FlowControl flow) {
   const rtl::Graph traced = design.trace(format);
   rtl::Pipeline pipeline = rtl::make_pipeline(traced, library);
   std::string module = design.module_at(format);
-  std::string verilog =
-      rtl::to_verilog(pipeline, library, {.module_name = module, .bits = rtl::to_string(format)});
-  return {format, std::move(module), {}, rtl::input_ports(traced), std::move(pipeline), std::move(verilog)};
+  std::string verilog = rtl::to_verilog(
+      pipeline, library, {.module_name = module, .bits = rtl::to_string(format), .flow_control = flow});
+  return {format, std::move(module), {}, rtl::input_ports(traced), std::move(pipeline), std::move(verilog),
+          flow};
 }
 
 VerilatedDesign verilate(const rtl::Design& design, const WrittenUnit& unit, std::optional<int> ray_slots) {
-  if (!ray_slots) return {design, unit.format, unit.pipeline, unit.verilog, unit.module};
+  if (!ray_slots)
+    return {design,          unit.format, unit.pipeline,    unit.verilog, unit.module,
+            default_cache(), {},          unit.flow_control};
+  rtl::check_ray_slots(unit.flow_control);
   const rtl::RaySlots slots =
       rtl::ray_slots(unit.module, rtl::input_ports(unit.pipeline.graph), design.ports(unit.format),
                      design.results(unit.format), *ray_slots);

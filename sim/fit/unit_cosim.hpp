@@ -9,10 +9,12 @@ namespace hitpipe::sim {
 
 /// As read_unit() would read what `hitpipe rtl` writes of the design.
 [[nodiscard]] WrittenUnit whole_unit(const rtl::Design& design, rtl::Format format,
-                                     const rtl::Library& library);
+                                     const rtl::Library& library,
+                                     rtl::FlowControl flow = rtl::FlowControl::stall);
 
 /// With as many ray slots, the unit is behind a memory of rays. Throws as VerilatedDesign and
-/// rtl::ray_slots() do.
+/// rtl::ray_slots() do, and std::invalid_argument, one line, for ray slots before a unit without flow
+/// control.
 [[nodiscard]] VerilatedDesign verilate(const rtl::Design& design, const WrittenUnit& unit,
                                        std::optional<int> ray_slots = {});
 

@@ -116,7 +116,8 @@ WrittenUnit read_unit(const fs::path& place, const rtl::Design& design, const rt
             std::move(demands),
             design.ports(format),
             std::move(pipeline),
-            text_of(file.parent_path() / (head.module + ".v"), design.name)};
+            text_of(file.parent_path() / (head.module + ".v"), design.name),
+            head.flow_control};
   } catch (const std::invalid_argument& error) {
     throw where(error);
   } catch (const std::runtime_error& error) {

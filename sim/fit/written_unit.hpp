@@ -9,6 +9,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/prune/demands.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 
 namespace hitpipe::sim {
@@ -20,6 +21,7 @@ struct WrittenUnit {
   std::vector<rtl::Port> ports;  ///< of the whole design
   rtl::Pipeline pipeline;        ///< of the unit
   std::string verilog;
+  rtl::FlowControl flow_control = rtl::FlowControl::stall;
 
   /// The axes whose low bits are 0 by the demands.
   [[nodiscard]] ref::CoarseAxes coarse() const;
