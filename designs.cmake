@@ -10,4 +10,5 @@ set(HITPIPE_DESIGNS
   fp_plucker_direct
   int_major
   int_major_pair
+  fp_slabs_safe
 )

@@ -13,9 +13,9 @@ namespace {
 using rtl::Component;
 
 constexpr std::array<Component, rtl::component_count> table_7_1{
-    Component::int_subtract, Component::int_multiply, Component::int_compare, Component::fp_subtract,
-    Component::fp_multiply,  Component::fp_compare,   Component::latch,       Component::latch_enable,
-    Component::mux2,         Component::gate};
+    Component::int_subtract, Component::int_multiply, Component::int_compare,    Component::fp_subtract,
+    Component::fp_multiply,  Component::fp_compare,   Component::fp_subtract_rz, Component::fp_multiply_rz,
+    Component::latch,        Component::latch_enable, Component::mux2,           Component::gate};
 
 auto rank(const Part& part) {
   const auto row = std::find(table_7_1.begin(), table_7_1.end(), part.component) - table_7_1.begin();

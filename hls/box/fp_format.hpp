@@ -15,6 +15,9 @@ struct FpBits {
   /// The type of a pattern, in a domain whose values carry their widths.
   template <class D>
   using Pattern = typename D::uint;
+  /// The same without the sign.
+  template <class D>
+  using Magnitude = typename D::uint;
 
   constexpr int width() const { return 1 + exponent + fraction; }
   constexpr bool valid() const { return exponent >= 2 && exponent <= 8 && fraction >= 1 && fraction <= 23; }
@@ -38,6 +41,8 @@ struct FpFormat {
 
   template <class D>
   using Pattern = typename D::template uint<1 + E + M>;
+  template <class D>
+  using Magnitude = typename D::template uint<E + M>;
 
   constexpr Width<1 + E + M> width() const { return {}; }
   constexpr operator FpBits() const { return bits; }

@@ -12,6 +12,7 @@ enum class Axis { none, x, y, z };
 /// What an operand tells the unit.
 enum class Role {
   origin,        ///< of the ray
+  origin_high,   ///< upper bound of the origin, where `origin` is a lower one
   endpoint,      ///< of the ray
   direction,     ///< of the ray
   inverse,       ///< reciprocal of a direction component

@@ -1,12 +1,13 @@
 // Binary floating point of any width, as a datapath sees it: a pattern of bits (IEEE 754: sign, E bits of
 // biased exponent, M bits of fraction) and the operators that a pipeline calls. Their logic is bit-level code
-// (fp_logic.hpp) with rounding to nearest even, subnormals, infinities, NaN and signed zeros. The host runs
-// that logic. The trace domain has its own overloads, which record each operator as one component with that
-// logic inside.
+// (fp_logic.hpp) with rounding to nearest even, subnormals, infinities, NaN and signed zeros. Those that end
+// in _rz round toward zero instead and are for finite numbers (fp_truncate.hpp). The host runs that logic.
+// The trace domain has its own overloads, which record each operator as one component with that logic inside.
 #pragma once
 
 #include "hls/num/bits.hpp"
 #include "hls/num/fp_logic.hpp"
+#include "hls/num/fp_truncate.hpp"
 
 namespace hitpipe {
 namespace hls {
@@ -17,6 +18,15 @@ struct Fp {
   using Bit = typename D::bit;
 
   typename F::template Pattern<D> bits;
+  F format{};
+};
+
+/// The pattern of a number that is not negative, without its sign.
+template <class D, class F>
+struct FpMagnitude {
+  using Bit = typename D::bit;
+
+  typename F::template Magnitude<D> bits;
   F format{};
 };
 
@@ -44,6 +54,18 @@ constexpr Fp<D, F> fp_mul(const Fp<D, F>& a, const Fp<D, F>& b) {
   return {fp_logic::multiply<D>(a.format, a.bits, b.bits), a.format};
 }
 
+/// a - b of finite numbers, rounded toward zero. A zero is +0, unless a is -0 and b is +0.
+template <class D, class F>
+constexpr Fp<D, F> fp_sub_rz(const Fp<D, F>& a, const Fp<D, F>& b) {
+  return {fp_logic::subtract_rz<D>(a.format, a.bits, b.bits), a.format};
+}
+
+/// a * b for finite a and b >= 1, rounded toward zero. Subnormal a and large products: see fp_truncate.hpp.
+template <class D, class F>
+constexpr FpMagnitude<D, F> fp_mul_rz(const FpMagnitude<D, F>& a, const FpMagnitude<D, F>& b) {
+  return {fp_logic::multiply_rz<D>(a.format, a.bits, b.bits), a.format};
+}
+
 /// Both orders from one comparator; -0 equals +0.
 template <class D, class F>
 constexpr Order<typename D::bit> fp_compare(const Fp<D, F>& a, const Fp<D, F>& b) {
@@ -55,6 +77,20 @@ constexpr Order<typename D::bit> fp_compare(const Fp<D, F>& a, const Fp<D, F>& b
 template <class D, class F>
 constexpr typename D::bit fp_less(const Fp<D, F>& a, const Fp<D, F>& b) {
   return fp_compare(a, b).less;
+}
+
+/// -x.
+template <class D, class F>
+constexpr Fp<D, F> negated(const Fp<D, F>& x) {
+  const auto below_sign = x.format.exponent + x.format.fraction - 1_w;
+  return {cat(typename D::bit(~sign(x.bits)), slice(x.bits, below_sign, 0_w)), x.format};
+}
+
+/// |x|.
+template <class D, class F>
+constexpr FpMagnitude<D, F> magnitude(const Fp<D, F>& x) {
+  const auto below_sign = x.format.exponent + x.format.fraction - 1_w;
+  return {slice(x.bits, below_sign, 0_w), x.format};
 }
 
 /// +0 in the format of x.
@@ -74,6 +110,10 @@ constexpr Fp<D, F> as(const char* /*name*/, const Fp<D, F>& x) {
 }
 template <class D, class F>
 constexpr Fp<D, F> as(const char* /*name*/, char /*axis*/, const Fp<D, F>& x) {
+  return x;
+}
+template <class D, class F>
+constexpr FpMagnitude<D, F> as(const char* /*name*/, char /*axis*/, const FpMagnitude<D, F>& x) {
   return x;
 }
 

@@ -16,8 +16,8 @@ namespace hitpipe::rtl {
 namespace {
 
 constexpr std::array<std::string_view, component_count> names{
-    "latch",       "mux2",        "int_subtract", "int_multiply", "int_compare",
-    "fp_subtract", "fp_multiply", "fp_compare",   "gate",         "latch_enable"};
+    "latch",       "mux2",       "int_subtract",   "int_multiply",   "int_compare", "fp_subtract",
+    "fp_multiply", "fp_compare", "fp_subtract_rz", "fp_multiply_rz", "gate",        "latch_enable"};
 
 /// A file of cells states all others. Gates have one delay and no area (section 7.3).
 bool has_cells(Component component) {

@@ -26,10 +26,12 @@ enum class Component {
   fp_subtract,
   fp_multiply,
   fp_compare,
-  gate,         ///< AND, OR, XOR; only a chip counts them
-  latch_enable  ///< a latch that keeps its bits while its enable is low
+  fp_subtract_rz,  ///< rounds toward zero
+  fp_multiply_rz,  ///< the same; asked at M + 1 bits, those of the significands
+  gate,            ///< AND, OR, XOR; only a chip counts them
+  latch_enable     ///< a latch that keeps its bits while its enable is low
 };
-inline constexpr std::size_t component_count = 10;
+inline constexpr std::size_t component_count = 12;
 [[nodiscard]] std::string_view component_name(Component component);
 /// Throws std::invalid_argument for any other name.
 [[nodiscard]] Component component_called(std::string_view name);

@@ -101,6 +101,7 @@ std::vector<SentWith> sent_with(const std::vector<Port>& ports) {
   for (const Port& port : ports) {
     switch (port.role) {
       case hls::Role::origin:
+      case hls::Role::origin_high:
       case hls::Role::direction:
       case hls::Role::inverse:
       case hls::Role::inverse_low:

@@ -11,36 +11,42 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// Calls a unit of two floats. `logic(format, a, b)` is traced into its body, unless the graph has that unit
-/// already.
+/// A unit of two numbers: which component it is, and the width at which a library is asked.
+struct Operator {
+  const char* component;
+  const char* result;
+  int bits;
+};
+
+/// Calls a unit. `logic(format, a, b)` is traced into its body, unless the graph has that unit already.
 template <class Logic>
-Trace::uint call(const char* component, const char* result, const FpSignal& a, const FpSignal& b,
+Trace::uint call(const Operator& what, const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b,
                  Logic&& logic) {
-  const hls::FpBits& format = a.format;
   Graph& graph = Tracer::graph();
-  const std::string name =
-      std::string(component) + '_' + std::to_string(format.exponent) + '_' + std::to_string(format.fraction);
+  const std::string name = std::string(what.component) + '_' + std::to_string(format.exponent) + '_' +
+                           std::to_string(format.fraction);
   const auto known = std::find_if(graph.units().begin(), graph.units().end(),
                                   [&](const auto& unit) { return unit->body.name() == name; });
   std::shared_ptr<const Unit> unit;
   if (known != graph.units().end()) {
     unit = *known;
   } else {
+    const int width = width_of(a);
     Graph body(name);
     const Tracer tracer(body);
-    const Trace::uint left(body.input("a", format.width(), false));
-    const Trace::uint right(body.input("b", format.width(), false));
-    body.output(result, logic(format, left, right).id());
-    unit = std::make_shared<const Unit>(Unit{component, format.width(), canonical(body)});
+    const Trace::uint left(body.input("a", width, false));
+    const Trace::uint right(body.input("b", width, false));
+    body.output(what.result, logic(format, left, right).id());
+    unit = std::make_shared<const Unit>(Unit{what.component, what.bits, canonical(body)});
   }
-  const std::array<NodeId, 2> operands{a.bits.id(), b.bits.id()};
+  const std::array<NodeId, 2> operands{a.id(), b.id()};
   return Trace::uint(graph.call(unit, operands));
 }
 
 }  // namespace
 
 FpSignal fp_sub(const FpSignal& a, const FpSignal& b) {
-  return {call("fp_subtract", "difference", a, b,
+  return {call({"fp_subtract", "difference", a.format.width()}, a.format, a.bits, b.bits,
                [](const auto& format, const auto& x, const auto& y) {
                  return hls::fp_logic::subtract<Trace>(format, x, y);
                }),
@@ -48,7 +54,7 @@ FpSignal fp_sub(const FpSignal& a, const FpSignal& b) {
 }
 
 FpSignal fp_mul(const FpSignal& a, const FpSignal& b) {
-  return {call("fp_multiply", "product", a, b,
+  return {call({"fp_multiply", "product", a.format.width()}, a.format, a.bits, b.bits,
                [](const auto& format, const auto& x, const auto& y) {
                  return hls::fp_logic::multiply<Trace>(format, x, y);
                }),
@@ -56,11 +62,24 @@ FpSignal fp_mul(const FpSignal& a, const FpSignal& b) {
 }
 
 hls::Order<Trace::bit> fp_compare(const FpSignal& a, const FpSignal& b) {
-  const Trace::uint order =
-      call("fp_compare", "order", a, b, [](const auto& format, const auto& x, const auto& y) {
-        return hls::fp_logic::compare<Trace>(format, x, y);
-      });
+  const Trace::uint order = call({"fp_compare", "order", a.format.width()}, a.format, a.bits, b.bits,
+                                 [](const auto& format, const auto& x, const auto& y) {
+                                   return hls::fp_logic::compare<Trace>(format, x, y);
+                                 });
   return {slice(order, 0, 0), slice(order, 1, 1)};
+}
+
+Trace::uint call_subtract_rz(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {
+  return call(
+      {"fp_subtract_rz", "difference", format.width()}, format, a, b,
+      [](const auto& f, const auto& x, const auto& y) { return hls::fp_logic::subtract_rz<Trace>(f, x, y); });
+}
+
+// Its cost follows from the significands, which differ between e8m7 and e5m10.
+Trace::uint call_multiply_rz(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {
+  return call(
+      {"fp_multiply_rz", "product", format.fraction + 1}, format, a, b,
+      [](const auto& f, const auto& x, const auto& y) { return hls::fp_logic::multiply_rz<Trace>(f, x, y); });
 }
 
 }  // namespace hitpipe::rtl

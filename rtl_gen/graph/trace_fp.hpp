@@ -1,6 +1,6 @@
 // Floats in the trace domain: an operator is recorded as one component (a call), with the operator's
-// bit-level logic traced inside it. These overloads are preferred to hls/num/fp.hpp's, since they are not
-// templates.
+// bit-level logic traced inside it. These overloads are preferred to hls/num/fp.hpp's, since they are for
+// one domain.
 #pragma once
 
 #include "hls/box/fp_format.hpp"
@@ -15,12 +15,33 @@ FpSignal fp_sub(const FpSignal& a, const FpSignal& b);
 FpSignal fp_mul(const FpSignal& a, const FpSignal& b);
 hls::Order<Trace::bit> fp_compare(const FpSignal& a, const FpSignal& b);
 
-inline FpSignal as(const char* name, const FpSignal& x, const char* file = __builtin_FILE(),
-                   unsigned line = __builtin_LINE()) {
+/// The operators that round toward zero, as components: patterns in, a pattern out.
+Trace::uint call_subtract_rz(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b);
+Trace::uint call_multiply_rz(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b);
+
+template <class Bits>
+hls::Fp<Trace, Bits> fp_sub_rz(const hls::Fp<Trace, Bits>& a, const hls::Fp<Trace, Bits>& b) {
+  return {call_subtract_rz(a.format, a.bits, b.bits), a.format};
+}
+template <class Bits>
+hls::FpMagnitude<Trace, Bits> fp_mul_rz(const hls::FpMagnitude<Trace, Bits>& a,
+                                        const hls::FpMagnitude<Trace, Bits>& b) {
+  return {call_multiply_rz(a.format, a.bits, b.bits), a.format};
+}
+
+template <class Bits>
+hls::Fp<Trace, Bits> as(const char* name, const hls::Fp<Trace, Bits>& x, const char* file = __builtin_FILE(),
+                        unsigned line = __builtin_LINE()) {
   return {as(name, x.bits, file, line), x.format};
 }
-inline FpSignal as(const char* name, char axis, const FpSignal& x, const char* file = __builtin_FILE(),
-                   unsigned line = __builtin_LINE()) {
+template <class Bits>
+hls::Fp<Trace, Bits> as(const char* name, char axis, const hls::Fp<Trace, Bits>& x,
+                        const char* file = __builtin_FILE(), unsigned line = __builtin_LINE()) {
+  return {as(name, axis, x.bits, file, line), x.format};
+}
+template <class Bits>
+hls::FpMagnitude<Trace, Bits> as(const char* name, char axis, const hls::FpMagnitude<Trace, Bits>& x,
+                                 const char* file = __builtin_FILE(), unsigned line = __builtin_LINE()) {
   return {as(name, axis, x.bits, file, line), x.format};
 }
 

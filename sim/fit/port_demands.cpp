@@ -21,7 +21,7 @@ bool one_of(Role role, std::initializer_list<Role> roles) {
   return std::find(roles.begin(), roles.end(), role) != roles.end();
 }
 
-constexpr std::initializer_list<Role> origin_roles{Role::origin};
+constexpr std::initializer_list<Role> origin_roles{Role::origin, Role::origin_high};
 constexpr std::initializer_list<Role> box_roles{Role::plane_low, Role::plane_high};
 constexpr std::initializer_list<Role> direction_roles{Role::direction,    Role::inverse,  Role::inverse_low,
                                                       Role::inverse_high, Role::exponent, Role::backward,

@@ -16,6 +16,7 @@ void check(const Bvh& bvh, const TracerOptions& options) {
   const bool plucker = options.algorithm == Algorithm::plu || options.algorithm == Algorithm::plu_dsa;
   const bool by_distance = options.algorithm == Algorithm::slabs_dist;
   const bool major = options.arithmetic == Arithmetic::major;
+  const bool any_float = options.arithmetic == Arithmetic::any_float;
   const bool integer = options.arithmetic == Arithmetic::integer || major;
   const bool few_bits =
       options.encoding == Encoding::hierarchical_4 || options.encoding == Encoding::hierarchical_8;
@@ -23,13 +24,17 @@ void check(const Bvh& bvh, const TracerOptions& options) {
   allow(!plucker || options.arithmetic != Arithmetic::robust,
         "tracer: robust arithmetic is for slabs; with Pluecker take binary32 or binary64");
   allow(!major || !plucker, "tracer: a major axis is for slabs; take slabs or slabs_dsa");
+  allow(!any_float || !plucker, "tracer: floats of any width are for slabs; take slabs or slabs_dsa");
   const bool pairs = options.encoding == Encoding::pairs;
   allow(!pairs || (major && options.algorithm == Algorithm::slabs_dsa && options.ends),
         "tracer: records of two boxes are for a major axis, slabs_dsa and rays with ends");
   allow(!integer || !by_distance,
         "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa");
+  allow(!any_float || !by_distance, "tracer: floats of any width give no distance; take slabs or slabs_dsa");
   allow(!integer || options.encoding == Encoding::plain || pairs,
         "tracer: integer arithmetic has nodes of its own; take the plain encoding");
+  allow(!any_float || options.encoding == Encoding::plain,
+        "tracer: floats of any width have nodes of their own; take the plain encoding");
   allow(!options.look_up_table || few_bits,
         "tracer: a look-up table is for hierarchical nodes of 4 or 8 bits");
   if (options.bundle != 1 && options.bundle != 64 && options.bundle != 256) {
@@ -39,6 +44,7 @@ void check(const Bvh& bvh, const TracerOptions& options) {
   allow(options.bundle == 1 || !by_distance,
         "tracer: the order by distance is of single rays; take bundle 1");
   allow(options.bundle == 1 || !integer, "tracer: integer units take single rays; take bundle 1");
+  allow(options.bundle == 1 || !any_float, "tracer: floats of any width take single rays; take bundle 1");
   allow((integer && !major) || !options.coarse.any(), "tracer: coarse axes are of integer arithmetic");
   allow(options.ends || (options.bundle == 1 && !by_distance),
         "tracer: the order by distance and bundles need the ends of rays; take bundle 1 and another order");
@@ -46,6 +52,10 @@ void check(const Bvh& bvh, const TracerOptions& options) {
     const hls::MajorBits& bits = options.major_bits;
     throw std::invalid_argument(fmt::format("tracer: there is no format {}+{}/{}f{}", bits.coord, bits.finer,
                                             bits.mantissa, bits.fraction));
+  }
+  if (any_float && !options.float_bits.valid()) {
+    throw std::invalid_argument(fmt::format("tracer: there is no format e{}m{}", options.float_bits.exponent,
+                                            options.float_bits.fraction));
   }
   if (!integer || major) return;
   check_format(options.bits, "tracer");
@@ -79,6 +89,8 @@ std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh, const Trac
       return make_integer_tracer(parts);
     case Arithmetic::major:
       return make_major_tracer(parts);
+    case Arithmetic::any_float:
+      return make_any_float_tracer(parts);
     case Arithmetic::binary64:
       return make_double_tracer(parts);
     case Arithmetic::binary32:

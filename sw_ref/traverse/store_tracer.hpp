@@ -90,6 +90,7 @@ template <class Store>
     case Arithmetic::binary32:
     case Arithmetic::integer:
     case Arithmetic::major:
+    case Arithmetic::any_float:
       break;
   }
   return float_tracer<float>(std::move(store), parts);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 
+#include "hls/box/any_fp_format.hpp"
 #include "hls/box/int_format.hpp"
 #include "hls/box/major_format.hpp"
 #include "sw_ref/bvh/bvh.hpp"
@@ -77,11 +78,12 @@ enum class Algorithm : std::uint8_t {
 };
 
 enum class Arithmetic : std::uint8_t {
-  binary32,  ///< as the thesis computes; never misses a triangle in a padded box
-  binary64,  ///< section 5.7
-  robust,    ///< binary32 slabs widened by a proven bound: never misses a box, padded or not. Not for plu
-  integer,   ///< chapter 6, n/t bits: integer slabs or Pluecker as the algorithm says; not slabs_dist
-  major,     ///< integer slabs along the major axis, n+g/p bits; slabs or slabs_dsa
+  binary32,   ///< as the thesis computes; never misses a triangle in a padded box
+  binary64,   ///< section 5.7
+  robust,     ///< binary32 slabs widened by a proven bound: never misses a box, padded or not. Not for plu
+  integer,    ///< chapter 6, n/t bits: integer slabs or Pluecker as the algorithm says; not slabs_dist
+  major,      ///< integer slabs along the major axis, n+g/p bits; slabs or slabs_dsa
+  any_float,  ///< slabs of the float unit that never misses, eEmM bits; slabs or slabs_dsa
 };
 
 enum class Encoding : std::uint8_t {
@@ -110,6 +112,7 @@ struct TracerOptions {
   CoarseAxes coarse{};  ///< of integer arithmetic; rays and boxes must fit the coarser grid
   bool ends = true;     ///< box tests know where rays end; if not, single rays only and not slabs_dist
   hls::MajorBits major_bits{};  ///< of major arithmetic
+  hls::AnyFpBits float_bits{};  ///< of any_float arithmetic
 };
 
 /// Encodes the nodes and picks the traversal loop. Throws std::invalid_argument, one line, for a combination

@@ -21,6 +21,7 @@ void check_places(const TraceJob& job);
 [[nodiscard]] std::unique_ptr<Tracer> make_double_tracer(const TracerParts& parts);
 [[nodiscard]] std::unique_ptr<Tracer> make_integer_tracer(const TracerParts& parts);
 [[nodiscard]] std::unique_ptr<Tracer> make_major_tracer(const TracerParts& parts);
+[[nodiscard]] std::unique_ptr<Tracer> make_any_float_tracer(const TracerParts& parts);
 [[nodiscard]] std::unique_ptr<Tracer> make_major_pair_tracer(const TracerParts& parts);
 /// 4 or 8 bits, with or without look-up table.
 [[nodiscard]] std::unique_ptr<Tracer> make_hierarchical_tracer(const TracerParts& parts);

@@ -147,7 +147,7 @@ TEST(CommandLine, WithUnknownFormatRejected) {
 TEST(CommandLine, WithLineBreaksIsAnsweredInOneLine) {
   expect_error({"rtl", "two\nlines\t", "--out", "x"},
                "design two lines : unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, "
-               "fp_plucker_direct, int_major, int_major_pair");
+               "fp_plucker_direct, int_major, int_major_pair, fp_slabs_safe");
 }
 
 TEST(StandardOutput, ThatIsFullRejected) {

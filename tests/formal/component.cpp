@@ -100,7 +100,7 @@ Component unit_component(const rtl::UnitUse& use, const std::string& module) {
               .reference = fmt::format("{}_reference", module),
               .reference_text = {},
               .model_text = {},
-              .symbol = {fmt::format("uf_{}", body.name()), use.unit->bits, body[result].width},
+              .symbol = {fmt::format("uf_{}", body.name()), operand_bits(*use.unit), body[result].width},
               .axioms = {},
               .inputs = rtl::input_ports(body),
               .output = {body.outputs().front().name, body[result].width, false},
@@ -111,6 +111,10 @@ Component unit_component(const rtl::UnitUse& use, const std::string& module) {
 }
 
 }  // namespace
+
+int operand_bits(const rtl::Unit& unit) {
+  return unit.body[unit.body.inputs().front()].width;
+}
 
 Symbol product_symbol() {
   return {"uf_mul", word, word};

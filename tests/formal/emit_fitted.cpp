@@ -167,7 +167,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& bits
   std::string declarations = formal::symbol_declaration(formal::product_symbol());
   for (const auto& unit : traced.units()) {
     const rtl::Output& result = unit->body.outputs().front();
-    const formal::Symbol symbol{fmt::format("uf_{}", unit->body.name()), unit->bits,
+    const formal::Symbol symbol{fmt::format("uf_{}", unit->body.name()), formal::operand_bits(*unit),
                                 unit->body[result.node].width};
     modules += formal::symbol_module(symbol);
     declarations += formal::symbol_declaration(symbol);

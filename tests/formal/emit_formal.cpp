@@ -57,7 +57,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& form
     models += fmt::format(
         "module {0}_reference_{1} (\n  input wire {2}a, b,\n  output wire {3}{4}\n);\n"
         "  uf_{1} symbol (.a(a), .b(b), .y({4}));\nendmodule\n",
-        name, unit->body.name(), rtl::vector_range(unit->bits),
+        name, unit->body.name(), rtl::vector_range(formal::operand_bits(*unit)),
         rtl::vector_range(unit->body[result.node].width), result.name);
   }
   std::string modules;

@@ -24,7 +24,7 @@ std::string refusal(Call&& call) {
 TEST(LibraryRefusal, NamesWhatIsWrongWithADesign) {
   EXPECT_EQ(refusal([] { Unit("slabs"); }),
             "2: design slabs: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, "
-            "fp_plucker_direct, int_major, int_major_pair");
+            "fp_plucker_direct, int_major, int_major_pair, fp_slabs_safe");
   EXPECT_EQ(refusal([] { Unit("int_slabs", "40/24"); }),
             "3: bits 40/24: no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for "
             "example 20/24");

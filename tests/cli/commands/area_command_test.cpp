@@ -263,7 +263,7 @@ TEST(AreaCommand, UnknownDesignRejected) {
   rejected(
       {"pluecker"},
       "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct, "
-      "int_major, int_major_pair");
+      "int_major, int_major_pair, fp_slabs_safe");
 }
 
 TEST(AreaCommand, BitsRejected) {

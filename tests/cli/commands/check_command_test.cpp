@@ -248,7 +248,7 @@ TEST(CheckCommand, NumbersOutOfRangeRejected) {
            "--threads: Value 0 not in range 1 to 1024; see hitpipe check --help");
   rejected({"int_slobs"},
            "design int_slobs: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, "
-           "fp_plucker_direct, int_major, int_major_pair");
+           "fp_plucker_direct, int_major, int_major_pair, fp_slabs_safe");
 }
 
 /// The page for the user names what the program has.

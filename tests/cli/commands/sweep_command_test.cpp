@@ -288,7 +288,7 @@ TEST_F(SweepCommand, BadInputRejected) {
   expect_error(
       {"sweep", "--scene", "spheres", "--designs", "int_slab", "--out", out},
       "design int_slab: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct, "
-      "int_major, int_major_pair");
+      "int_major, int_major_pair, fp_slabs_safe");
   expect_error({"sweep", "--scene", "spheres", "--designs", "fp_slabs", "--bits", "24/24", "--out", out},
                "bits 24/24: no format of fp_slabs; allowed is fp32, which is e8m23");
   expect_error(

@@ -166,6 +166,23 @@ const Kind of_fp_multiply[] = {
     {"with 0 for infinity",
      [](const Site& s) { return fp::magnitude(s.right) == fp::infinity ? 0 : s.right; }},
 };
+std::uint64_t ones(int width) {
+  return ~std::uint64_t{0} >> (64 - width);
+}
+const Kind of_subtract_rz[] = {
+    {"with the other sign", [](const Site& s) { return s.right ^ std::uint64_t{1} << (s.node.width - 1); }},
+    {"an ulp farther from 0",
+     [](const Site& s) {
+       return (s.right & ones(s.node.width - 1)) < ones(s.node.width - 1) ? s.right + 1 : s.right;
+     }},
+    {"an ulp nearer to 0",
+     [](const Site& s) { return (s.right & ones(s.node.width - 1)) != 0 ? s.right - 1 : s.right; }},
+};
+const Kind of_multiply_rz[] = {
+    {"an ulp larger", [](const Site& s) { return s.right < ones(s.node.width) ? s.right + 1 : s.right; }},
+    {"an ulp smaller", [](const Site& s) { return s.right != 0 ? s.right - 1 : s.right; }},
+    {"with 0 for the most", [](const Site& s) { return s.right == ones(s.node.width) ? 0 : s.right; }},
+};
 /// Of the order that is read, less or greater.
 const Kind of_fp_less[] = {
     {"less: as >", [](const Site& s) { return fp::swapped(s.right); }},
@@ -312,6 +329,10 @@ class FaultList {
         add(id, of_fp_multiply);
         if (zero_sign_is_read(graph_, id)) add(id, positive_zero);
         break;
+      case fp::Operator::subtract_rz:
+        return add(id, of_subtract_rz);
+      case fp::Operator::multiply_rz:
+        return add(id, of_multiply_rz);
       case fp::Operator::compare:
         if (bit_is_read(graph_, id, 0)) add(id, of_fp_less);
         if (bit_is_read(graph_, id, 1)) add(id, of_fp_greater);

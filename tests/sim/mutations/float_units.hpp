@@ -1,4 +1,5 @@
-// The float components of a graph on the host, binary32 only, and what their faults are made of. Numbers are
+// The float components of a graph on the host, those that round to nearest in binary32 only, and what their
+// faults are made of. Numbers are
 // patterns.
 #pragma once
 
@@ -15,9 +16,11 @@ namespace hitpipe::sim::fp {
 inline constexpr std::uint64_t sign_bit = 0x80000000U;
 inline constexpr std::uint64_t infinity = 0x7F800000U;
 
-enum class Operator { subtract, multiply, compare };
+enum class Operator { subtract, multiply, compare, subtract_rz, multiply_rz };
 
 inline Operator operator_of(const rtl::Unit& unit) {
+  if (unit.component == "fp_subtract_rz") return Operator::subtract_rz;
+  if (unit.component == "fp_multiply_rz") return Operator::multiply_rz;
   if (unit.bits != 32) throw std::logic_error("a float that is no binary32");
   if (unit.component == "fp_subtract") return Operator::subtract;
   if (unit.component == "fp_multiply") return Operator::multiply;

@@ -96,6 +96,9 @@ const std::vector<FaultyUnit> units{
       {"extend %[0-9]+ of s_near_[ab]: by zeros", negative_length, true}}},
     {"int_major_pair", "20+1/13", {{"slice %(111|205) of leaves_0: a bit higher", sign_twice}}},
     {"int_major_pair", "16+0/8", {{"slice %(91|165) of leaves_0: a bit higher", sign_twice}}},
+    {"fp_slabs_safe", "e8m23"},
+    {"fp_slabs_safe", "e8m15"},
+    {"fp_slabs_safe", "e5m10"},
 };
 
 TEST(FaultyUnits, AreAllDesigns) {

@@ -1,0 +1,12 @@
+#include "hls/pipelines/fp_slabs_safe.hpp"
+
+#include "rtl_gen/catalogue/any_fp_formats.hpp"
+#include "rtl_gen/catalogue/design_of.hpp"
+
+namespace hitpipe::rtl {
+
+Design fp_slabs_safe() {
+  return design_of<hls::FpSlabsSafe>({"FpSlabsSafe", "hls/pipelines/fp_slabs_safe.hpp"});
+}
+
+}  // namespace hitpipe::rtl

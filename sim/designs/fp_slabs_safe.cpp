@@ -1,0 +1,129 @@
+// The operands of hls::FpSlabsSafeOperands, in that order (docs/operands.md).
+#include <algorithm>
+#include <cmath>
+
+#include "rtl_gen/catalogue/any_fp_formats.hpp"
+#include "sim/feeds/set_up_feed.hpp"
+#include "sim/software.hpp"
+#include "sw_ref/adversary/float_unit.hpp"
+#include "sw_ref/encode/fp_nodes.hpp"
+#include "sw_ref/quantise/fp_box.hpp"
+#include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+using hls::AnyFpBits;
+
+class FpSlabsSafeSetUp {
+ public:
+  struct Box {
+    std::array<std::int64_t, 3> min{}, max{};
+  };
+  using End = ref::FpSlabsSafeEnd;
+
+  FpSlabsSafeSetUp(const ref::Ray& ray, const rtl::Format& format)
+      : bits_(format.as<AnyFpBits>()), set_up_(ray, bits_) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      origin_low_[i] = ref::fp_pattern(set_up_.ray().origin_low[i], bits_);
+      origin_high_[i] = ref::fp_pattern(set_up_.ray().origin_high[i], bits_);
+    }
+  }
+
+  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
+    const auto bits = format.as<AnyFpBits>();
+    const ref::FpRounding rounding(bits);
+    std::transform(boxes.begin(), boxes.end(), out.begin(), [&](const ref::Aabb& box) {
+      const ref::Aabb rounded = rounding.outward(box);
+      Box patterns;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        patterns.min[i] = ref::fp_pattern(rounded.min[axis], bits);
+        patterns.max[i] = ref::fp_pattern(rounded.max[axis], bits);
+      }
+      return patterns;
+    });
+  }
+  [[nodiscard]] End end(float length) const { return set_up_.end(length); }
+
+  void write(const End& end, bool /*endless*/, const Box& box, std::int64_t* out) const {
+    const ref::FpSlabsSafeRay& ray = set_up_.ray();
+    for (const bool back : ray.back) *out++ = back ? 1 : 0;
+    out = put(origin_low_, out);
+    if (!bits_.holds_binary32()) out = put(origin_high_, out);
+    *out++ = end.length;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      *out++ = ray.inverse_low[axis];
+      *out++ = ray.inverse_high[axis];
+    }
+    *out++ = end.endless ? 1 : 0;
+    put_box(box, out);
+  }
+
+ private:
+  AnyFpBits bits_;
+  ref::FpSlabsSafeRaySetup set_up_;
+  std::array<std::int64_t, 3> origin_low_{}, origin_high_{};
+};
+
+ref::TracerOptions fp_slabs_safe_traversal(const rtl::Format& format) {
+  ref::TracerOptions options;
+  options.algorithm = ref::Algorithm::slabs_dsa;
+  options.arithmetic = ref::Arithmetic::any_float;
+  options.float_bits = format.as<AnyFpBits>();
+  return options;
+}
+
+std::size_t fp_slabs_safe_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& /*none*/) {
+  return ref::FpNodes::node_bytes(format.as<AnyFpBits>());
+}
+
+std::vector<rtl::Format> fp_slabs_safe_sweep_formats() {
+  return {AnyFpBits(5, 7),  AnyFpBits(5, 10), AnyFpBits(8, 7),  AnyFpBits(6, 13),
+          AnyFpBits(8, 11), AnyFpBits(8, 15), AnyFpBits(8, 19), AnyFpBits(8, 23)};
+}
+
+/// Groups by M; in each group sorted by E.
+std::vector<std::vector<rtl::Format>> fp_slabs_safe_up_to(const rtl::Format& most) {
+  const auto bits = most.as<AnyFpBits>();
+  std::vector<std::vector<rtl::Format>> groups;
+  for (int m = std::min(4, bits.fraction); m <= bits.fraction; ++m) {
+    std::vector<rtl::Format>& group = groups.emplace_back();
+    for (int e = std::min(3, bits.exponent); e <= bits.exponent; ++e) group.push_back(AnyFpBits(e, m));
+  }
+  return groups;
+}
+
+/// What is known without looking at the scene's numbers: nothing yet.
+std::optional<ScenePromise> fp_slabs_safe_promise(const rtl::Port& port, const rtl::Format& /*format*/,
+                                                  const ref::SceneDemands& scene,
+                                                  const ref::CoarseAxes& /*none*/) {
+  if (port.role != hls::Role::backward) return std::nullopt;
+  const int axis = static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
+  bool ever = false;
+  bool always = true;
+  for (const ref::RayFamily& family : scene.rays) {
+    ever = ever || std::signbit(family.direction.min[axis]);
+    always = always && family.direction.max[axis] < 0.0F;
+  }
+  return ScenePromise{{always ? 1 : 0, ever ? 1 : 0}};
+}
+
+}  // namespace
+
+Software fp_slabs_safe_software() {
+  const auto own = ref::adversary::float_unit_categories();
+  return {.feed = set_up_feed<FpSlabsSafeSetUp>,
+          .box_test = set_up_test<FpSlabsSafeSetUp>,
+          .traversal = fp_slabs_safe_traversal,
+          .bytes_per_node = fp_slabs_safe_bytes_per_node,
+          .promise = fp_slabs_safe_promise,
+          .up_to = fp_slabs_safe_up_to,
+          .sweep_formats = fp_slabs_safe_sweep_formats(),
+          .stiffness_formats = {AnyFpBits(8, 23), AnyFpBits(8, 15), AnyFpBits(8, 7), AnyFpBits(5, 10)},
+          .fit_from = AnyFpBits(),
+          .categories = {own.begin(), own.end()}};
+}
+
+}  // namespace hitpipe::sim

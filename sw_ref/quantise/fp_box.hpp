@@ -1,0 +1,43 @@
+// Numbers and boxes in a float format eEmM, rounded to one side. Numbers of the format are kept as binary32,
+// which holds them all.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "hls/box/any_fp_format.hpp"
+#include "sw_ref/geometry/aabb.hpp"
+
+namespace hitpipe::ref {
+
+/// Rounds numbers of [-1, 1] to the numbers of a format.
+class FpRounding {
+ public:
+  explicit FpRounding(const hls::AnyFpBits& bits);
+
+  /// The largest number of the format that is not above x. The sign of a zero is that of x.
+  [[nodiscard]] float down(float x) const;
+  /// The smallest one that is not below x.
+  [[nodiscard]] float up(float x) const { return -down(-x); }
+  /// Lower planes are rounded down and upper ones up. A lower plane at 0 becomes -0, an upper one +0: the
+  /// unit needs these signs.
+  [[nodiscard]] Aabb outward(const Aabb& box) const;
+
+ private:
+  double least_normal_;
+  double subnormal_unit_, in_subnormal_units_;
+  int cut_;  ///< bits of a binary32's fraction that the format does not have
+};
+
+/// The pattern of a finite number of the format.
+[[nodiscard]] std::int64_t fp_pattern(float x, const hls::AnyFpBits& bits);
+/// The number that a pattern without a sign stands for.
+[[nodiscard]] double fp_number(std::int64_t magnitude, const hls::AnyFpBits& bits);
+
+/// Throws std::out_of_range if a coordinate is not in [-1, 1], and std::invalid_argument for a format that
+/// there is not.
+[[nodiscard]] Aabb round_box(const Aabb& box, const hls::AnyFpBits& bits);
+/// The same for many boxes. `out` has as many places as `boxes`.
+void round_boxes(std::span<const Aabb> boxes, const hls::AnyFpBits& bits, std::span<Aabb> out);
+
+}  // namespace hitpipe::ref

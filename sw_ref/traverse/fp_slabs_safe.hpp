@@ -1,0 +1,100 @@
+// The box test of the float unit that never misses (docs/conservative.md), for any format chosen at run time.
+// It gives the same HIT as the datapath of hls/pipelines/fp_slabs_safe.hpp. It takes boxes that
+// FpRounding::outward() rounded, and is a BoxTest (sw_ref/traverse/box_test.hpp).
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "sw_ref/geometry/aabb.hpp"
+#include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
+
+#ifdef __FAST_MATH__
+#error "truncated sums need IEEE arithmetic: build without -ffast-math"
+#endif
+
+namespace hitpipe::ref {
+
+class FpSlabsSafeTest {
+ public:
+  /// Throws as FpSlabsSafeRaySetup does.
+  FpSlabsSafeTest(const Ray& ray, const hls::AnyFpBits& bits);
+
+  /// `length` must be >= 0 or infinite.
+  void cut(float length);
+
+  [[nodiscard]] bool operator()(const Aabb& box) const {
+    double near = 0;
+    double far = length_;
+    bool behind = false;
+    for (int i = 0; i < 3; ++i) {
+      const Axis& axis = axes_[static_cast<std::size_t>(i)];
+      const float near_plane = axis.back ? -box.max[i] : box.min[i];
+      const float far_plane = axis.back ? -box.min[i] : box.max[i];
+      const float d_near = cut_difference(near_plane, axis.origin_high);
+      const float d_far = cut_difference(far_plane, axis.origin_low);
+      behind = behind || d_far < 0.0F;
+      if (d_near >= least_normal_) {
+        const double t = distance(d_near, axis.inverse_low);
+        near = t > near ? t : near;
+      }
+      const double t = distance(d_far < least_normal_ ? bumped(d_far) : d_far, axis.inverse_high);
+      far = t < far ? t : far;
+    }
+    return !behind && near <= far;
+  }
+
+ private:
+  struct Axis {
+    float origin_low, origin_high;
+    double inverse_low, inverse_high;
+    bool back;
+  };
+
+  /// a - b, rounded toward zero.
+  [[nodiscard]] float cut_difference(float a, float b) const {
+    // Knuth's two-sum: difference + error = a - b exactly. A rounded difference that is too large is one ulp
+    // too large.
+    const float difference = a - b;
+    const float rest = difference - a;
+    const float error = (a - (difference - rest)) - (b + rest);
+    auto bits = std::bit_cast<std::uint32_t>(difference);
+    if (error != 0.0F && std::signbit(error) != std::signbit(difference)) --bits;
+    // A difference that is subnormal in the format has no bits here.
+    return std::bit_cast<float>(bits & ~below_);
+  }
+  /// The product takes a subnormal pattern for a larger number: (1 + fraction) / 2 of the least normal one.
+  [[nodiscard]] double bumped(float d) const { return (static_cast<double>(least_normal_) + d) / 2; }
+  /// The product, exact in 48 bits, without the bits that the format does not have. All above the largest
+  /// pattern are the same.
+  [[nodiscard]] double distance(double d, double inverse) const {
+    const double product = std::bit_cast<double>(std::bit_cast<std::uint64_t>(d * inverse) & ~below_double_);
+    return product < largest_ ? product : largest_;
+  }
+
+  FpSlabsSafeRaySetup set_up_;
+  std::array<Axis, 3> axes_{};
+  float least_normal_;
+  double largest_;  ///< the pattern of which all bits are 1, as a number
+  std::uint32_t below_;
+  std::uint64_t below_double_;
+  hls::AnyFpBits bits_;
+  double length_ = 0;
+};
+
+/// Makes the box test of a ray: a functor of (const Ray&).
+class FpSlabsSafeTestMaker {
+ public:
+  explicit FpSlabsSafeTestMaker(const hls::AnyFpBits& bits) : bits_(bits) {}
+
+  [[nodiscard]] FpSlabsSafeTest operator()(const Ray& ray) const { return {ray, bits_}; }
+
+ private:
+  hls::AnyFpBits bits_;
+};
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,148 @@
+// The float operators that round toward zero against exact integers: all pairs of small formats, natively and
+// with widths known at run time, and binary32 against doubles.
+#include "hls/num/fp_truncate.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "hls/box/fp_format.hpp"
+#include "hls/num/domain.hpp"
+#include "hls/num/sized.hpp"
+#include "tests/hls/num/exact_float.hpp"
+
+namespace hitpipe::hls {
+namespace {
+
+using exact::FloatFormat;
+using exact::Integer;
+
+/// The pattern of the largest number that is not above `units` smallest subnormal numbers.
+std::uint64_t cut(const FloatFormat& format, const Integer& units) {
+  std::uint64_t below = 0;
+  for (std::uint64_t step = format.infinity(); step != 0;) {
+    const bool fits = below + step < format.infinity() && format.units(below + step) <= units;
+    if (fits) {
+      below += step;
+    } else {
+      step /= 2;
+    }
+  }
+  return below;
+}
+
+std::uint64_t cut_difference(const FloatFormat& format, std::uint64_t a, std::uint64_t b) {
+  const Integer difference = format.signed_units(a) - format.signed_units(b);
+  if (difference == 0)
+    return format.is_zero(a) && format.is_negative(a) && !format.is_negative(b) ? format.sign() : 0;
+  return difference < 0 ? format.sign() | cut(format, -difference) : cut(format, difference);
+}
+
+/// By counting patterns up: each is (2^M + fraction) 2^field, and so is a product times 2^(M + bias).
+std::uint64_t cut_product(const FloatFormat& format, std::uint64_t a, std::uint64_t b) {
+  const int m = format.fraction_bits;
+  const int bias = (1 << (format.exponent_bits - 1)) - 1;
+  const std::uint64_t most = (std::uint64_t{1} << (format.exponent_bits + m)) - 1;
+  if (b >= format.infinity()) return most;
+  const auto scaled = [&](std::uint64_t x) -> Integer {
+    const std::uint64_t implicit = std::uint64_t{1} << m;
+    return Integer((implicit + x % implicit) * exact::power_of_two(static_cast<int>(x >> m)));
+  };
+  const Integer product = scaled(a) * scaled(b);
+  std::uint64_t pattern = 0;
+  while (pattern < most && scaled(pattern + 1) * exact::power_of_two(m + bias) <= product) ++pattern;
+  return pattern;
+}
+
+template <int E, int M>
+void expect_every_difference() {
+  const FloatFormat reference{E, M};
+  using Pattern = ap_uint<1 + E + M>;
+  for (std::uint64_t a = 0; a < 2 * reference.sign(); ++a) {
+    for (std::uint64_t b = 0; b < 2 * reference.sign(); ++b) {
+      if (reference.magnitude(a) >= reference.infinity() || reference.magnitude(b) >= reference.infinity())
+        continue;
+      const Integer difference = reference.signed_units(a) - reference.signed_units(b);
+      if (difference >= reference.units(reference.infinity()) ||
+          -difference >= reference.units(reference.infinity()))
+        continue;
+      const std::uint64_t right = cut_difference(reference, a, b);
+      const auto native = fp_logic::subtract_rz<Native>(
+          FpFormat<E, M>(), Pattern(static_cast<std::int64_t>(a)), Pattern(static_cast<std::int64_t>(b)));
+      ASSERT_EQ(native.word(), right) << std::hex << a << " - " << b;
+      const auto sized =
+          fp_logic::subtract_rz<Sized>(FpBits{E, M}, Sized::uint(a, 1 + E + M), Sized::uint(b, 1 + E + M));
+      ASSERT_EQ(sized.word(), right) << std::hex << a << " - " << b;
+    }
+  }
+}
+
+template <int E, int M>
+void expect_every_product() {
+  const FloatFormat reference{E, M};
+  using Pattern = ap_uint<E + M>;
+  const std::uint64_t one = static_cast<std::uint64_t>((1 << (E - 1)) - 1) << M;
+  for (std::uint64_t a = 0; a < reference.infinity(); ++a) {
+    for (std::uint64_t b = one; b <= reference.infinity(); ++b) {
+      const std::uint64_t right = cut_product(reference, a, b);
+      const auto native = fp_logic::multiply_rz<Native>(
+          FpFormat<E, M>(), Pattern(static_cast<std::int64_t>(a)), Pattern(static_cast<std::int64_t>(b)));
+      ASSERT_EQ(native.word(), right) << std::hex << a << " * " << b;
+      const auto sized =
+          fp_logic::multiply_rz<Sized>(FpBits{E, M}, Sized::uint(a, E + M), Sized::uint(b, E + M));
+      ASSERT_EQ(sized.word(), right) << std::hex << a << " * " << b;
+    }
+  }
+}
+
+TEST(TruncatedDifference, IsExactlyCutInSmallFormats) {
+  expect_every_difference<2, 1>();
+  expect_every_difference<2, 4>();
+  expect_every_difference<3, 2>();
+  expect_every_difference<4, 1>();
+  expect_every_difference<4, 3>();
+  expect_every_difference<5, 2>();
+}
+
+TEST(TruncatedProduct, IsExactlyCutInSmallFormats) {
+  expect_every_product<2, 1>();
+  expect_every_product<2, 4>();
+  expect_every_product<3, 2>();
+  expect_every_product<3, 4>();
+  expect_every_product<4, 3>();
+}
+
+/// Toward zero: the nearest binary32, or the one before it.
+float cut_to_float(double x) {
+  const auto nearest = static_cast<float>(x);
+  return std::abs(static_cast<double>(nearest)) > std::abs(x) ? std::nextafter(nearest, 0.0F) : nearest;
+}
+
+TEST(TruncatedOperators, CutDoublesInBinary32) {
+  std::mt19937 engine(1);
+  // Exponents within 29 of each other: then a double holds the difference, and always the product.
+  const auto number = [&] {
+    const auto exponent = 110U + static_cast<std::uint32_t>(engine() % 29U);
+    return std::bit_cast<float>((static_cast<std::uint32_t>(engine()) & 0x807FFFFFU) | exponent << 23U);
+  };
+  for (int i = 0; i < 200'000; ++i) {
+    const float a = number();
+    const float b = i % 3 == 0 ? std::nextafter(a, number()) : number();
+    const auto pattern = [](float x) {
+      return ap_uint<32>(static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(x)));
+    };
+    const auto difference = fp_logic::subtract_rz<Native>(Fp32(), pattern(a), pattern(b));
+    ASSERT_EQ(difference.word(), pattern(cut_to_float(static_cast<double>(a) - b)).word()) << a << " - " << b;
+    const float large = std::max(1.0F, std::abs(b));
+    const auto product =
+        fp_logic::multiply_rz<Native>(Fp32(), ap_uint<31>(pattern(std::abs(a))), ap_uint<31>(pattern(large)));
+    ASSERT_EQ(product.word(), pattern(cut_to_float(static_cast<double>(std::abs(a)) * large)).word())
+        << a << " * " << large;
+  }
+}
+
+}  // namespace
+}  // namespace hitpipe::hls
