@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/implement_on_board.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 struct ImplementCommand {
   DesignChoice choice;
   std::string target;
+  BoardChoice board;
   sim::ImplementOptions options;
   std::string out;
   Format format = Format::text;
@@ -106,6 +108,17 @@ std::string wrong(const sim::Target& target, const sim::Implementation& unit) {
 }
 
 int implement(const ImplementCommand& command) {
+  if (!command.board.name.empty()) {
+    sim::ImplementOptions options = command.options;
+    options.folder = command.out;
+    const std::string target = command.board.board().target;
+    if (!command.target.empty() && command.target != target)
+      throw std::runtime_error(
+          fmt::format("--target {}: the chip on {} is {}", command.target, command.board.name, target));
+    return implement_on_board(command.choice, command.board, options, command.format);
+  }
+  if (command.choice.name.empty() || command.target.empty())
+    throw std::runtime_error("implement: name a design and a --target, or a --board");
   const rtl::Design& design = command.choice.design();
   const rtl::Format format = command.choice.format();
   const sim::Target target = sim::target_called(command.target);
@@ -136,12 +149,17 @@ void add_implement_command(CLI::App& program, int& exit_code) {
   const auto options = std::make_shared<ImplementCommand>();
   sim::ImplementOptions& how = options->options;
   add_design_options(*command, options->choice);
+  command->get_option("design")->required(false)->description(
+      "A name that `hitpipe designs` lists. Default: the usual unit of the board");
   command
-      ->add_option(
-          "--target", options->target,
-          fmt::format("A built-in target ({}) or a file NAME.json", fmt::join(sim::target_names(), ", ")))
-      ->required()
+      ->add_option("--target", options->target,
+                   fmt::format("A built-in target ({}) or a file NAME.json; a board has its own",
+                               fmt::join(sim::target_names(), ", ")))
       ->type_name("NAME|FILE");
+  CLI::Option* const board =
+      add_board_option(*command, options->board,
+                       "Make a bitstream for a board, in which the unit stands behind a serial line");
+  add_baud_option(*command, options->board)->needs(board);
   add_folder_option(*command, options->out,
                     "Folder for the unit, and for the tools' files in a folder named after the target")
       ->required();
@@ -161,7 +179,8 @@ void add_implement_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   add_count_option(*command, "--simulate", how.simulate, {1, 10'000'000},
                    "Simulate the mapped netlist with N vectors, as `hitpipe rtl --vectors` chooses them, and "
-                   "compare it with the C++");
+                   "compare it with the C++")
+      ->excludes(board);
   add_choice_option<sim::Simulator>(
       *command, "--simulator", how.simulator,
       {{"icarus", sim::Simulator::icarus}, {"verilator", sim::Simulator::verilator}},

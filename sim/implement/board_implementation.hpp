@@ -1,0 +1,28 @@
+// A unit as the whole of a chip on a board: synthesised with its top module, placed on the board's pins, and
+// packed as a bitstream.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "rtl_gen/board/board.hpp"
+#include "sim/implement/unit_implementation.hpp"
+
+namespace hitpipe::sim {
+
+struct BoardImplementation {
+  /// Of the whole chip. `module` is the top; there is no netlist simulation.
+  Implementation chip;
+  /// Nothing when the chip does not fit, or is slower than the board's clock.
+  std::optional<std::filesystem::path> bitstream;
+};
+
+/// Writes the unit to options.folder as implement_unit() does, the top module beside it, and the files of the
+/// tools and the bitstream to the folder in it that is named after the target. Of the seeds the fastest is
+/// packed. Throws as implement_unit() and rtl::Board::clocks_per_bit() do, and std::runtime_error, one line,
+/// when the target is not placed. The options of the netlist simulation are not used.
+[[nodiscard]] BoardImplementation implement_board(const rtl::Design& design, const rtl::Format& format,
+                                                  const rtl::Board& board, int baud,
+                                                  const ImplementOptions& options);
+
+}  // namespace hitpipe::sim
