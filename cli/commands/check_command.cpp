@@ -13,11 +13,13 @@
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "cli/text/wrap.hpp"
 #include "sim/check/check.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/adversary/replay.hpp"
 #include "sw_ref/adversary/shrink.hpp"
 #include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/experiment/interval.hpp"
 
 namespace hitpipe::cli {
 
@@ -63,6 +65,22 @@ double percent(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// In percent, with the 95 % interval.
+void add_share(Row& row, const std::string& name, std::uint64_t part, std::uint64_t whole) {
+  const auto [low, high] = ref::wilson_interval(part, whole);
+  row[name + "_pct"] = percent(part, whole);
+  row[name + "_low_pct"] = 100.0 * low;
+  row[name + "_high_pct"] = 100.0 * high;
+}
+
+/// Of all categories together, below the table.
+std::string sampled_text(const char* what, std::uint64_t part, std::uint64_t whole, const char* of) {
+  const auto [low, high] = ref::wilson_interval(part, whole);
+  return wrapped(fmt::format("{}: {:.4g} % of {} cases that {}, 95 % interval {:.3g} to {:.3g} %", what,
+                             percent(part, whole), whole, of, 100.0 * low, 100.0 * high),
+                 2);
+}
+
 Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim::CategoryResult* robust) {
   Row row{{"category", r.category},
           {"tests", r.tests},
@@ -70,12 +88,12 @@ Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim:
           {"false_misses", r.false_misses},
           {"false_hits", r.false_hits}};
   if (command.format != Format::text) {
-    row["false_miss_pct"] = percent(r.false_misses, r.hits);
-    row["false_hit_pct"] = percent(r.false_hits, r.tests - r.hits);
+    add_share(row, "false_miss", r.false_misses, r.hits);
+    add_share(row, "false_hit", r.false_hits, r.tests - r.hits);
   }
   if (robust != nullptr) row["robust_misses"] = robust->false_misses;
   if (robust != nullptr && command.format != Format::text) {
-    row["robust_false_miss_pct"] = percent(robust->false_misses, robust->hits);
+    add_share(row, "robust_false_miss", robust->false_misses, robust->hits);
     row["robust_false_hits"] = robust->false_hits;
   }
   if (command.rtl) row["rtl_mismatches"] = r.rtl_mismatches;
@@ -138,6 +156,10 @@ int judge(const CheckCommand& command) {
     fmt::print("{} {}, seed {}\n", design.name, rtl::to_string(format), command.seed);
   }
   fmt::print("{}", table_text(rows, command.format));
+  if (command.format == Format::text) {
+    fmt::print("{}{}", sampled_text("false misses", sum.false_misses, sum.hits, "are hits"),
+               sampled_text("false hits", sum.false_hits, sum.tests - sum.hits, "are misses"));
+  }
   if (sum.false_miss) {
     const std::unique_ptr<sim::BoxTest> test = make();
     const Case simple =

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
@@ -27,6 +28,7 @@ struct ReportCommand {
   SceneChoice scene;
   DesignChoice image;
   DesignsChoice swept;
+  CostChoice cost;
   std::string rows;
   std::uint64_t tests = 20'000;
   std::uint64_t seed = 1;
@@ -90,7 +92,7 @@ std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& comm
            fmt::format("{} primary, {} secondary, {} shadow; {} outside the cube, which no unit takes",
                        sum("rays_primary"), sum("rays_secondary"), sum("rays_shadow"), sum("rays_rejected"))},
           {"Files beside this page",
-           "rows.csv, pictures.csv, pipelines.csv, stability.csv, the diagrams as SVG and "
+           "rows.csv, pictures.csv, pipelines.csv, stability.csv, stiffness.csv, the diagrams as SVG and "
            "the pictures as PNG; the page itself needs none of them"}};
 }
 
@@ -106,6 +108,8 @@ int report(const ReportCommand& command, const CLI::App& options) {
     const std::vector<const rtl::Design*> designs = command.swept.designs(sim::why_not_swept);
     points = report_points(command.swept.formats(designs, sim::sweep_formats));
   }
+  const rtl::Library library = command.cost.load();
+  const sim::TriangleCost triangle = command.cost.triangle(library);
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
@@ -113,17 +117,22 @@ int report(const ReportCommand& command, const CLI::App& options) {
   const sim::SweepOptions sweep{.width = command.scene.width,
                                 .height = command.scene.height,
                                 .threads = command.scene.threads,
+                                .library = &library,
+                                .triangle = triangle,
                                 .progress = [&](double share) { progress->show(share); }};
   progress.emplace("sweeping");
-  const sim::RowsFile rows = command.rows.empty()
-                                 ? sim::resume({.scene = &scene,
-                                                .bvh = &bvh,
-                                                .points = points,
-                                                .options = sweep,
-                                                .program = program,
-                                                .file = fs::path(command.out) / "rows.csv",
-                                                .shard = {}})
-                                 : take_rows(command.rows, sim::about_sweep(program, scene, bvh, sweep));
+  sim::RowsFile rows = command.rows.empty()
+                           ? sim::resume({.scene = &scene,
+                                          .bvh = &bvh,
+                                          .points = points,
+                                          .options = sweep,
+                                          .program = program,
+                                          .file = fs::path(command.out) / "rows.csv",
+                                          .shard = {}})
+                           : take_rows(command.rows, sim::about_sweep(program, scene, bvh, sweep));
+  // The rows of a sweep have the cost that it was told, unless the user says another one now.
+  if (command.cost.says_triangle())
+    for (sim::SweepRow& row : rows.rows) row.triangle = triangle;
 
   ReportFacts facts;
   facts.version = program;
@@ -138,11 +147,19 @@ int report(const ReportCommand& command, const CLI::App& options) {
   facts.diagrams = draw_diagrams(facts.rows);
   facts.schematics = draw_schematics();
   for (const area::Entry& entry : area::table_7_2())
-    facts.prices.push_back(area::price(rtl::find_design(entry.design), entry.format, rtl::Library::thesis(),
-                                       area::Account::built));
+    facts.prices.push_back(
+        area::price(rtl::find_design(entry.design), entry.format, library, area::Account::built));
   progress.emplace("judging");
   facts.stability =
       measure_stability({.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
+  facts.stiffness =
+      measure_stiffness({.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
+  facts.stiffness_command =
+      fmt::format("hitpipe stiffness --tests {} --seed {} --out FOLDER", command.tests, command.seed);
+  facts.stiffness_diagram = {
+      "stiffness.svg", draw_plot(boxes_plot(facts.stiffness)),
+      "False hits on stiff rays by the ratio of the direction's components",
+      fmt::format("{} boxes for each ratio.", readable_number(std::to_string(command.tests)))};
   progress.emplace("rendering");
   facts.pictures = make_pictures(scene, bvh,
                                  {.design = &command.image.design(),
@@ -156,10 +173,13 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                   .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
-  std::vector<host::File> files{{"rows.csv", sim::to_text(rows)},
-                                {"pictures.csv", table_text(facts.pictures.rows, Format::csv)},
-                                {"pipelines.csv", table_text(pipeline_rows(facts), Format::csv)},
-                                {"stability.csv", table_text(stability_rows(facts), Format::csv)}};
+  std::vector<host::File> files{
+      {"rows.csv", sim::to_text(rows)},
+      {"pictures.csv", table_text(facts.pictures.rows, Format::csv)},
+      {"pipelines.csv", table_text(pipeline_rows(facts), Format::csv)},
+      {"stability.csv", table_text(stability_rows(facts), Format::csv)},
+      {"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), Format::csv)},
+      {"stiffness.svg", facts.stiffness_diagram.svg}};
   for (const Drawing& d : facts.diagrams) files.push_back({d.file, d.svg});
   files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());
   files.push_back({"index.html", report_html(facts)});
@@ -170,7 +190,8 @@ int report(const ReportCommand& command, const CLI::App& options) {
   wrong.different_triangles += facts.pictures.different_triangles;
   wrong.different_pixels += facts.pictures.different_pixels;
   for (const Stability& s : facts.stability)
-    wrong.false_misses += rtl::find_design(s.design).conservative ? s.false_misses : 0;
+    wrong.false_misses += rtl::find_design(s.design).conservative ? s.all.false_misses : 0;
+  wrong.false_misses += wrong_answers(facts.stiffness);
   const std::string page = (fs::path(command.out) / "index.html").string();
   fmt::print("{}", record_text({{"page", page},
                                 {"rows", facts.rows.size()},
@@ -202,6 +223,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
                        "Read the rows from a CSV file that hitpipe sweep wrote for this scene and size")
           ->type_name("FILE");
   add_bits_option(*command, options->swept, "those of hitpipe sweep")->excludes(rows);
+  add_cost_options(*command, options->cost);
   options->image.name = image_design();
   command
       ->add_option("--image-design", options->image.name,
@@ -209,8 +231,9 @@ void add_report_command(CLI::App& program, int& exit_code) {
       ->capture_default_str()
       ->type_name("NAME");
   command->add_option("--image-bits", options->image.bits, "Its number format")->type_name("FORMAT");
-  add_large_count_option(*command, "--tests", options->tests, 1, 1'000'000'000,
-                         "Number of stability tests for each unit (1 to 10^9)");
+  add_large_count_option(
+      *command, "--tests", options->tests, 1, 1'000'000'000,
+      "Number of stability tests for each unit, and for each ratio of stiff rays (1 to 10^9)");
   add_seed_option(*command, options->seed);
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
   add_format_option(*command, options->format);

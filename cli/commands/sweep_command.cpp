@@ -7,12 +7,15 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/report/recommendation.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "cli/text/wrap.hpp"
 #include "sim/ray_unit.hpp"
 #include "sim/sweep/resume.hpp"
 
@@ -25,6 +28,7 @@ struct SweepCommand {
   DesignsChoice units;
   std::vector<int> rays_in_flight{32};
   ref::WhittedOptions light;
+  CostChoice cost;
   std::optional<std::string> shard;  ///< as the user wrote it; without: the whole sweep
   bool merge = false;
   std::string out;
@@ -47,8 +51,14 @@ Row record(const sim::SweepRow& row) {
   return record;
 }
 
+std::string percent_text(double percent) {
+  const std::string text = fmt::format("{:.{}f}", percent, percent < 100 ? 2 : 0);
+  return text == "-0.00" ? "0.00" : text;
+}
+
 /// Units are compared by the area for each box that a test answers for.
 std::string text_of(const std::vector<sim::SweepRow>& rows) {
+  if (rows.empty()) return "";
   std::size_t name = 11;
   std::size_t bits = 5;
   bool several_boxes = false;
@@ -58,23 +68,26 @@ std::string text_of(const std::vector<sim::SweepRow>& rows) {
     several_boxes = several_boxes || row.boxes_per_test > 1;
   }
   std::string text = fmt::format(
-      "{:<{}} {:<{}}  rays  area  occ. false hit extra box      time area*time\n"
-      "{:<{}} {:<{}}         mm2     % a million tests/ray        ms    mm2 ms\n",
+      "{:<{}} {:<{}}  rays  area extra % extra %     time area*time bytes/\n"
+      "{:<{}} {:<{}}         mm2   boxes  triang ms whole    whole    ray\n",
       "design", name, "bits", bits, "", name, "", bits);
   for (const sim::SweepRow& row : rows) {
-    text += fmt::format("{:<{}} {:<{}} {:>5} {:>5.2f} {:>5.1f} {:>9.4g} {:>9.4g} {:>9.4g} {:>9.4g}\n",
-                        row.design, name, row.bits, bits, row.rays_in_flight, row.area_per_box_mm2(),
-                        row.occupancy_pct(), row.false_hits_per_million(), row.extra_box_tests_per_ray(),
-                        row.run_time_ms(), row.area_run_time_mm2_ms());
+    text += fmt::format("{:<{}} {:<{}} {:>5} {:>5.2f} {:>7} {:>7} {:>8.4g} {:>8.4g} {:>6.0f}\n", row.design,
+                        name, row.bits, bits, row.rays_in_flight, row.area_per_box_mm2(),
+                        percent_text(row.extra_box_tests_pct()), percent_text(row.extra_triangle_tests_pct()),
+                        row.whole_run_time_ms(), row.whole_area_run_time_mm2_ms(), row.bytes_per_ray());
   }
   if (several_boxes) text += "area: for each box that a test answers for; area*time: of the whole unit\n";
+  std::vector<std::string> below = recommendation(rows);
+  below.push_back(cost_caveat(rows.front()));
+  for (const std::string& line : below) text += wrapped(line, 2);
   return text;
 }
 
 /// Prints the rows and returns the exit code.
 int report(const sim::RowsFile& rows, Format format) {
   if (format == Format::csv) {
-    fmt::print("{}", sim::to_text(rows));
+    fmt::print("{}", sim::to_csv(rows.rows));
   } else if (format == Format::json) {
     std::vector<Row> records;
     for (const sim::SweepRow& row : rows.rows) records.push_back(record(row));
@@ -102,13 +115,16 @@ int merge(const SweepCommand& command) {
 }
 
 int sweep(const SweepCommand& command) {
+  const rtl::Library library = command.cost.load();
   sim::ResumableSweep sweep{.scene = nullptr,
                             .bvh = nullptr,
                             .points = plan(command),
                             .options = {.width = command.scene.width,
                                         .height = command.scene.height,
                                         .threads = command.scene.threads,
-                                        .light = command.light},
+                                        .light = command.light,
+                                        .library = &library,
+                                        .triangle = command.cost.triangle(library)},
                             .program = "hitpipe " HITPIPE_VERSION,
                             .file = command.out,
                             .shard = {}};
@@ -140,6 +156,7 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
                   "Rays that share one pipeline; one row for each number (1 to 65536; default: 32)", "K")
       ->transform(whole_number(1, sim::RayUnit::most_rays_in_flight));
   add_bounces_option(*command, options->light);
+  add_cost_options(*command, options->cost);
   CLI::Option* const shard =
       command
           ->add_option("--shard", options->shard,

@@ -9,13 +9,12 @@ namespace hitpipe::cli {
 
 namespace {
 
-constexpr double letter_width = 8.0;  // in 15-pixel sans-serif, rounded up
-constexpr double line_height = 18.0;
-constexpr double mark_radius = 10.0;
-constexpr double gap = 13.0;  // between mark and label
-constexpr int line_points = 24;
-constexpr int steps_off = 9;  // how many lines above and below are tried
-constexpr std::array<double, 4> steps_out{0, 24, 60, 110};
+constexpr double letter_width = 7.0;  // in 12-pixel sans-serif, rounded up
+constexpr double line_height = 15.0;
+constexpr double gap = 9.0;        // between mark and label
+constexpr double line_step = 4.0;  // between points of a line that are looked at
+constexpr int steps_off = 24;      // how many lines above and below are tried
+constexpr std::array<double, 5> steps_out{0, 20, 50, 90, 140};
 
 struct Rectangle {
   double left, right, low, high;
@@ -39,8 +38,9 @@ std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<cons
   // Points on the line between mark and label, without its ends.
   const auto along = [](const Mark& from, const LabelPlace& to) {
     std::vector<Rectangle> points;
-    for (int i = 3; i < line_points - 1; ++i) {
-      const double share = static_cast<double>(i) / line_points;
+    const double length = std::hypot(to.line_x - from.x, to.middle - from.y);
+    for (double at = 1.5 * mark_radius; at < length - line_height / 2; at += line_step) {
+      const double share = at / length;
       const double x = std::lerp(from.x, to.line_x, share);
       const double y = std::lerp(from.y, to.middle, share);
       points.push_back({x - 1, x + 1, y - 1, y + 1});
@@ -64,6 +64,10 @@ std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<cons
       return LabelPlace{left, m.y + line_height * lines_up, lines_up != 0 || farther > 0,
                         to_right ? left - 2 : left + width};
     };
+    // Above or below the mark, in its middle.
+    const auto over = [&](int lines_up) {
+      return LabelPlace{m.x - width / 2, m.y + line_height * lines_up, std::abs(lines_up) > 1, m.x};
+    };
     const auto box = [&](const LabelPlace& p) {
       return Rectangle{p.left, p.left + width, p.middle - line_height / 2, p.middle + line_height / 2};
     };
@@ -71,6 +75,8 @@ std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<cons
     const auto find = [&](bool with_clear_line) {
       for (int step = 0; step <= 2 * steps_off; ++step) {
         const int up = step % 2 == 1 ? (step + 1) / 2 : -step / 2;
+        if (up != 0 && free(box(over(up))) && (!with_clear_line || std::abs(up) == 1 || clear(m, over(up))))
+          return std::optional(over(up));
         for (const double farther : steps_out) {
           for (const bool to_right : {true, false}) {
             const LabelPlace place = at(to_right, up, up == 0 ? farther : farther + line_height);

@@ -8,6 +8,9 @@
 
 namespace hitpipe::cli {
 
+/// Of a mark, in pixels.
+inline constexpr double mark_radius = 6.0;
+
 struct Mark {
   double x;
   double y;

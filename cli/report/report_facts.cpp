@@ -11,6 +11,7 @@
 #include "host/process.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "sim/check/check.hpp"
+#include "sim/software.hpp"
 #include "sw_ref/adversary/categories.hpp"
 
 namespace hitpipe::cli {
@@ -34,20 +35,36 @@ std::vector<Stability> measure_stability(const StabilityOptions& options) {
   for (const area::Entry& entry : area::table_7_2()) {
     const rtl::Design& design = rtl::find_design(entry.design);
     const std::string bits = rtl::to_string(entry.format);
-    Stability sum{.design = std::string(entry.design), .bits = bits, .command = {}};
+    Stability sum{
+        .design = std::string(entry.design), .bits = bits, .command = {}, .categories = {}, .all = {}};
     for (const sim::CategoryResult& r : sim::check([&] { return sim::make_box_test(design, entry.format); },
                                                    {.categories = {categories.begin(), categories.end()},
                                                    .tests = options.tests,
                                                    .seed = options.seed,
                                                    .threads = options.threads})) {
-      sum.tests += r.tests;
-      sum.hits += r.hits;
-      sum.false_misses += r.false_misses;
-      sum.false_hits += r.false_hits;
+      sum.categories.push_back(r);
+      sum.all += r;
     }
     sum.command = fmt::format("hitpipe check {}{} --tests {} --seed {}", design.name,
                               design.bits_option(entry.format), options.tests, options.seed);
     measured.push_back(std::move(sum));
+  }
+  return measured;
+}
+
+std::vector<MeasuredDesign> measure_stiffness(const StabilityOptions& options) {
+  std::vector<MeasuredDesign> measured;
+  for (const rtl::Design& design : rtl::designs()) {
+    if (!design.conservative || !sim::why_not_traced(design).empty()) continue;
+    MeasuredDesign made{&design, {}};
+    for (const rtl::Format& format : sim::stiffness_formats(design)) {
+      std::vector<sim::StiffBoxes> boxes =
+          sim::stiff_boxes([&] { return sim::make_box_test(design, format); },
+                           {.tests = options.tests, .seed = options.seed, .threads = options.threads});
+      std::vector<sim::StiffBoxes> all = sim::over_all_kinds(boxes);
+      made.formats.push_back({format, std::move(boxes), std::move(all), {}});
+    }
+    measured.push_back(std::move(made));
   }
   return measured;
 }
@@ -59,21 +76,19 @@ std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows) {
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(usual),
                [&](const sim::SweepRow& row) { return row.rays_in_flight == rays; });
   std::vector<Drawing> drawings;
-  for (const Cost cost : costs) {
-    std::string words = axis_of(cost).name;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    drawings.push_back({fmt::format("error_{}.svg", axis_of(cost).name),
-                        run_gnuplot("report", work_precision_script(scene, usual, cost)),
-                        fmt::format("Extra box tests of each unit on {} against {}", scene, words),
-                        fmt::format("{} rays in flight. Across: {}, {} to {}.", rays, axis_of(cost).label,
-                                    axis_of(cost).least, axis_of(cost).most)});
+  for (const Diagram& diagram : diagrams()) {
+    drawings.push_back({fmt::format("{}.svg", diagram.name),
+                        run_gnuplot("report", diagram_script(scene, usual, diagram)),
+                        fmt::format("{}: {}", scene, diagram.title),
+                        fmt::format("{} rays in flight. Columns {} and {} of rows.csv.", rays, diagram.cost,
+                                    diagram.error)});
   }
-  if (usual.size() < rows.size()) {
-    drawings.push_back(
-        {"occupancy.svg", run_gnuplot("report", occupancy_script(scene, rows)),
-         "Occupancy of each pipeline on " + scene + " against the number of rays in flight",
-         "The share of cycles in which a test begins. A pipeline is full when as many rays are "
-         "in flight as it has stages, and some more to bridge the ends of rays."});
+  if (const std::string script = occupancy_script(scene, rows); !script.empty()) {
+    drawings.push_back({"occupancy.svg", run_gnuplot("report", script),
+                        "Occupancy of each pipeline on " + scene + " against the number of rays in flight",
+                        "Column occupancy_pct of rows.csv: the share of cycles in which a test begins. A "
+                        "pipeline is full when as many rays are "
+                        "in flight as it has stages, and some more to bridge the ends of rays."});
   }
   return drawings;
 }

@@ -10,6 +10,8 @@
 #include "area_model/price.hpp"
 #include "cli/report/report_pictures.hpp"
 #include "cli/report/sweep_rows.hpp"
+#include "cli/text/stiffness_report.hpp"
+#include "sim/check/check.hpp"
 
 namespace hitpipe::cli {
 
@@ -17,19 +19,21 @@ namespace hitpipe::cli {
 struct Stability {
   std::string design;
   std::string bits;
-  std::uint64_t tests = 0;
-  std::uint64_t hits = 0;
-  std::uint64_t false_misses = 0;
-  std::uint64_t false_hits = 0;
   std::string command;
+  std::vector<sim::CategoryResult> categories;
+  sim::CategoryResult all;  ///< their sum
 };
 struct StabilityOptions {
-  std::uint64_t tests = 20'000;
+  std::uint64_t tests = 20'000;  ///< of each unit, or of each ratio of a direction
   std::uint64_t seed = 1;
   int threads = 1;
 };
 /// Measures the thesis's six units.
 [[nodiscard]] std::vector<Stability> measure_stability(const StabilityOptions& options);
+
+/// False hits on stiff rays, of every design that never misses and can trace, in its formats of a stiffness
+/// report.
+[[nodiscard]] std::vector<MeasuredDesign> measure_stiffness(const StabilityOptions& options);
 
 struct Drawing {
   std::string file;
@@ -37,8 +41,8 @@ struct Drawing {
   std::string alternative;
   std::string caption;
 };
-/// The work-precision diagrams. A diagram of occupancy too, when several numbers of rays in flight were
-/// measured.
+/// The diagrams of error against cost. A diagram of occupancy too, when several numbers of rays in flight
+/// were measured.
 [[nodiscard]] std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows);
 
 /// The stages of a design, in groups.
@@ -63,6 +67,9 @@ struct ReportFacts {
   ReportPictures pictures;
   std::vector<area::Price> prices;
   std::vector<Stability> stability;
+  std::vector<MeasuredDesign> stiffness;
+  std::string stiffness_command;
+  Drawing stiffness_diagram;
   std::uint64_t seed = 1;
   std::vector<Schematic> schematics;
 };

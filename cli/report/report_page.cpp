@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/report/column_heading.hpp"
 #include "sw_ref/render/colour_map.hpp"
 
 namespace hitpipe::cli {
@@ -18,31 +19,36 @@ namespace {
 constexpr std::string_view page_style = R"(
 :root{color-scheme:light}
 *{box-sizing:border-box}
-body{margin:0 auto;max-width:1180px;padding:16px;font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;background:#fff}
+body{margin:0 auto;max-width:1440px;padding:16px;font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;background:#fff}
 h1{font-size:1.7rem;line-height:1.2;margin:.4em 0}
 h2{font-size:1.25rem;margin:2em 0 .5em;padding-top:.6em;border-top:1px solid #ccc}
-p{max-width:75ch;overflow-wrap:anywhere}
+p{max-width:110ch;overflow-wrap:anywhere}
 a{color:#00588c}
 nav ul{display:flex;flex-wrap:wrap;gap:.2em 1.2em;padding:0;list-style:none}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:.2em 1em;margin:1em 0}
 dt{color:#555}dd{margin:0;overflow-wrap:anywhere}
-.scroll{overflow-x:auto;margin:1em 0}
-table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums}
-caption{text-align:left;padding-bottom:.4em;color:#444}
-th,td{padding:.25em .6em;border-bottom:1px solid #ddd;text-align:left;white-space:nowrap}
-thead th{vertical-align:bottom;white-space:normal;border-bottom:2px solid #666;font-weight:600}
+.scroll{overflow:auto;margin:1em 0}
+.rows{max-height:85vh;border-bottom:1px solid #ccc}
+.rows thead th{position:sticky;top:0;z-index:1;background:#fff;box-shadow:inset 0 -2px #666}
+.rows td:first-child,.rows th:first-child{position:sticky;left:0;background:#fff}
+.rows th:first-child{z-index:2}
+table{border-collapse:separate;border-spacing:0;font-size:.8rem;font-variant-numeric:tabular-nums}
+.caption{margin-bottom:0;font-size:.9rem;color:#444}
+th,td{padding:.25em .55em;border-bottom:1px solid #ddd;text-align:left;white-space:nowrap}
+thead th{vertical-align:bottom;white-space:normal;font-weight:600}
+td.t{white-space:normal;overflow-wrap:anywhere;min-width:24ch}
 td.n{text-align:right}
 tbody tr:hover{background:#f3f6fa}
 figure{margin:1.2em 0}
-figcaption{font-size:.9rem;color:#333;max-width:75ch;overflow-wrap:anywhere}
+figcaption{font-size:.9rem;color:#333;max-width:110ch;overflow-wrap:anywhere}
 .drawing svg{display:block;max-width:none}
-.plot svg{width:100%;min-width:540px;max-width:760px;height:auto}
+.plot svg{width:100%;min-width:760px;max-width:1250px;height:auto}
 .pictures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,320px),1fr));gap:1.2em;align-items:start}
 .pictures figure{margin:0}
 .pictures img{display:block;width:100%;height:auto;image-rendering:pixelated;background:#000}
 .scale{display:flex;gap:.5em;align-items:center;font-size:.85rem;margin:.4em 0}
 .scale i{flex:1;height:12px}
-pre{overflow-x:auto;background:#f4f4f4;padding:.8em;font-size:.85rem;border-radius:4px}
+pre{white-space:pre-wrap;overflow-wrap:anywhere;background:#f4f4f4;padding:.8em;font-size:.85rem;border-radius:4px}
 summary{cursor:pointer;padding:.3em 0;font-weight:600}
 @media(max-width:600px){body{padding:12px}dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.5em}}
 )";
@@ -70,10 +76,10 @@ std::string colours() {
   return stops;
 }
 
-/// "rays in flight" may break between its words.
-std::string column_head(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return escaped(name);
+/// The class of a table's cell: a number, or a text so long that it is broken.
+const char* class_of(const std::string& cell) {
+  constexpr std::size_t long_text = 40;
+  return is_number(cell) ? " class=\"n\"" : cell.size() > long_text ? " class=\"t\"" : "";
 }
 
 /// The <svg> element with a size, identifiers and a name of its own.
@@ -160,15 +166,17 @@ void Page::list(const std::vector<std::pair<std::string, std::string>>& names_an
 }
 
 void Page::table(const PageTable& table) {
-  body_ += fmt::format("<div class=\"scroll\" tabindex=\"0\"><table><caption>{}</caption>\n<thead><tr>",
-                       escaped(table.caption));
+  // The caption is outside of what scrolls.
+  body_ += fmt::format(
+      "<p class=\"caption\">{0}</p>\n<div class=\"scroll rows\" tabindex=\"0\"><table "
+      "aria-label=\"{0}\">\n<thead><tr>",
+      escaped(table.caption));
   for (const std::string& name : table.columns)
-    body_ += fmt::format("<th scope=\"col\">{}</th>", column_head(name));
+    body_ += fmt::format("<th scope=\"col\">{}</th>", escaped(column_heading(name)));
   body_ += "</tr></thead>\n<tbody>\n";
   for (const std::vector<std::string>& row : table.rows) {
     body_ += "<tr>";
-    for (const std::string& cell : row)
-      body_ += fmt::format("<td{}>{}</td>", is_number(cell) ? " class=\"n\"" : "", escaped(cell));
+    for (const std::string& cell : row) body_ += fmt::format("<td{}>{}</td>", class_of(cell), escaped(cell));
     body_ += "</tr>\n";
   }
   body_ += "</tbody></table></div>\n";

@@ -8,31 +8,32 @@
 #include <fmt/format.h>
 
 #include "area_model/figure.hpp"
+#include "cli/report/recommendation.hpp"
+#include "sw_ref/experiment/interval.hpp"
 
 namespace hitpipe::cli {
 
 namespace {
 
 /// The columns of rows.csv that the page shows.
-const std::vector<std::string> shown_columns{"design",
-                                             "bits",
-                                             "boxes_per_test",
+const std::vector<std::string> shown_columns{"boxes_per_test",
                                              "stages",
                                              "stage_delay_ns",
                                              "area_mm2",
                                              "area_per_box_mm2",
                                              "box_tests",
+                                             "triangle_tests",
                                              "false_hits_per_million",
-                                             "extra_box_tests_per_ray",
-                                             "extra_triangle_tests_per_ray",
-                                             "cycles",
+                                             "extra_box_tests_pct",
+                                             "extra_triangle_tests_pct",
                                              "occupancy_pct",
                                              "run_time_ms",
                                              "area_run_time_mm2_ms",
-                                             "false_misses",
-                                             "rtl_mismatches",
-                                             "different_triangles",
-                                             "different_pixels"};
+                                             "whole_run_time_ms",
+                                             "whole_area_run_time_mm2_ms",
+                                             "nodes_fetched",
+                                             "bytes_per_ray",
+                                             "false_misses"};
 
 using Rows = std::span<const sim::SweepRow>;
 
@@ -63,16 +64,18 @@ PageTable page_table(const std::string& caption, const std::vector<Row>& rows) {
 
 PageTable sweep_table(Rows rows, int rays) {
   PageTable table{
-      fmt::format("{} rays in flight. The first column is the line of rows.csv from which the numbers "
+      fmt::format("{} rays in flight. The last column is the line of rows.csv from which the numbers "
                   "come; that file has further columns and all their digits.",
                   rays),
-      {"line"},
+      {"unit"},
       {}};
   table.columns.insert(table.columns.end(), shown_columns.begin(), shown_columns.end());
+  table.columns.emplace_back("line");
   for (std::size_t row = 0; row < rows.size(); ++row) {
     if (rows[row].rays_in_flight != rays) continue;
-    std::vector<std::string> cells{std::to_string(line_of(row))};
+    std::vector<std::string> cells{unit_name(rows[row])};
     for (const std::string& column : shown_columns) cells.push_back(readable_cell(rows[row], column));
+    cells.push_back(std::to_string(line_of(row)));
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -107,18 +110,6 @@ PageTable occupancy_table(Rows rows) {
   return table;
 }
 
-/// The row of the unit with the least area × run time, among those with few extra box tests.
-std::optional<std::size_t> cheapest(Rows rows, int rays, double most_extra_pct) {
-  std::optional<std::size_t> best;
-  const auto price = [&](std::size_t row) { return rows[row].area_run_time_mm2_ms(); };
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    const sim::SweepRow& unit = rows[row];
-    if (unit.rays_in_flight != rays || extra_box_tests_pct(unit) > most_extra_pct) continue;
-    if (!best || price(row) < price(*best)) best = row;
-  }
-  return best;
-}
-
 void add_findings(Page& page, const ReportFacts& facts, int rays) {
   const Rows rows = facts.rows;
   const Wrong wrong = wrong_in(rows);
@@ -133,24 +124,84 @@ void add_findings(Page& page, const ReportFacts& facts, int rays) {
                    wrong.different_pixels)}};
   const auto told = [&](std::size_t row) {
     const int boxes = rows[row].boxes_per_test;
-    return fmt::format("{}: {} mm²{}, {} ms, {} mm² ms (line {} of rows.csv)", unit_name(rows[row]),
-                       readable_cell(rows[row], "area_mm2"),
-                       boxes == 1 ? "" : fmt::format(" for {} boxes in a test", boxes),
-                       readable_cell(rows[row], "run_time_ms"),
-                       readable_cell(rows[row], "area_run_time_mm2_ms"), line_of(row));
+    return fmt::format(
+        "{}: {} mm²{}; {} (line {} of rows.csv)", unit_name(rows[row]), readable_cell(rows[row], "area_mm2"),
+        boxes == 1 ? "" : fmt::format(" for {} boxes in a test", boxes), cost_text(rows[row]), line_of(row));
   };
   for (const double percent : {0.1, 1.0, 10.0}) {
     if (const auto row = cheapest(rows, rays, percent)) {
-      findings.emplace_back(fmt::format("Least area × run time, at most {:g} % extra box tests", percent),
-                            told(*row));
+      findings.emplace_back(
+          fmt::format("Least whole area × run time, at most {:g} % extra box tests", percent), told(*row));
     }
   }
+  if (const auto row = cheapest(rows, rays))
+    findings.emplace_back("Least whole area × run time of all", told(*row));
+  if (const auto row = cheapest_boxes(rows, rays))
+    findings.emplace_back("Least by box tests alone, as the thesis compares", told(*row));
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const sim::SweepRow& unit = rows[row];
     if (unit.design == area::yardstick().design && unit.rays_in_flight == rays)
       findings.emplace_back("The yardstick", told(row));
   }
   page.list(findings);
+  page.paragraph(cost_caveat(rows.front()));
+}
+
+/// A share of cases in percent, and its 95 % interval.
+struct Share {
+  double percent = 0;
+  double low = 0;
+  double high = 0;
+};
+
+Share share_of(std::uint64_t part, std::uint64_t whole) {
+  const auto [low, high] = ref::wilson_interval(part, whole);
+  const double share = whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+  return {100.0 * share, 100.0 * low, 100.0 * high};
+}
+Share misses_of(const sim::CategoryResult& r) {
+  return share_of(r.false_misses, r.hits);
+}
+Share false_hits_of(const sim::CategoryResult& r) {
+  return share_of(r.false_hits, r.tests - r.hits);
+}
+
+std::string share_text(const Share& s) {
+  return fmt::format("{:.3g} ({:.3g} to {:.3g})", s.percent, s.low, s.high);
+}
+
+/// A line for each category and one for all, a column for each unit.
+PageTable category_table(const ReportFacts& facts, const std::string& caption,
+                         Share (*share)(const sim::CategoryResult&)) {
+  PageTable table{caption, {"category", "tests of each unit"}, {}};
+  const std::vector<sim::CategoryResult>& first = facts.stability.front().categories;
+  for (std::size_t i = 0; i <= first.size(); ++i) {
+    const bool all = i == first.size();
+    table.rows.push_back(
+        {all ? "all" : std::string(first[i].category),
+         readable_number(std::to_string(all ? facts.stability.front().all.tests : first[i].tests))});
+    for (const Stability& s : facts.stability)
+      table.rows.back().push_back(share_text(share(all ? s.all : s.categories[i])));
+  }
+  for (const Stability& s : facts.stability)
+    table.columns.push_back(s.bits == "fp32" ? s.design : s.design + " " + s.bits);
+  return table;
+}
+
+/// What the float units missed, with figures.
+std::string float_misses(const ReportFacts& facts) {
+  std::string text;
+  for (const Stability& s : facts.stability) {
+    if (rtl::find_design(s.design).conservative) continue;
+    const auto worst = std::max_element(
+        s.categories.begin(), s.categories.end(),
+        [](const auto& a, const auto& b) { return misses_of(a).percent < misses_of(b).percent; });
+    text +=
+        fmt::format("{} missed {} of {} boxes, most in \"{}\" with {:.3g} %. ", s.design,
+                    readable_number(std::to_string(s.all.false_misses)),
+                    readable_number(std::to_string(s.all.hits)), worst->category, misses_of(*worst).percent);
+  }
+  return text;
 }
 
 std::vector<std::string> commands_of(const ReportFacts& facts) {
@@ -160,6 +211,8 @@ std::vector<std::string> commands_of(const ReportFacts& facts) {
   for (const Row& row : facts.pictures.rows) lines.push_back(row.at("command").get<std::string>());
   lines.insert(lines.end(), {"# The pipelines", "hitpipe area --format csv", "# Stability"});
   for (const Stability& s : facts.stability) lines.push_back(s.command);
+  lines.emplace_back("# Stiff rays");
+  lines.push_back(facts.stiffness_command);
   lines.emplace_back("# The schematics");
   for (const rtl::Design& design : rtl::designs())
     lines.push_back(fmt::format("hitpipe rtl {} --out FOLDER", design.name));
@@ -191,14 +244,27 @@ std::vector<Row> pipeline_rows(const ReportFacts& facts) {
 
 std::vector<Row> stability_rows(const ReportFacts& facts) {
   std::vector<Row> rows;
-  for (const Stability& s : facts.stability) {
+  const auto add = [&](const Stability& s, std::string_view category, const sim::CategoryResult& r) {
+    const Share miss = misses_of(r);
+    const Share hit = false_hits_of(r);
     rows.push_back({{"design", s.design},
                     {"bits", s.bits},
-                    {"tests", s.tests},
+                    {"category", category},
+                    {"tests", r.tests},
                     {"seed", facts.seed},
-                    {"hits", s.hits},
-                    {"false_misses", s.false_misses},
-                    {"false_hits", s.false_hits}});
+                    {"hits", r.hits},
+                    {"false_misses", r.false_misses},
+                    {"false_miss_pct", miss.percent},
+                    {"false_miss_low_pct", miss.low},
+                    {"false_miss_high_pct", miss.high},
+                    {"false_hits", r.false_hits},
+                    {"false_hit_pct", hit.percent},
+                    {"false_hit_low_pct", hit.low},
+                    {"false_hit_high_pct", hit.high}});
+  };
+  for (const Stability& s : facts.stability) {
+    for (const sim::CategoryResult& r : s.categories) add(s, r.category, r);
+    add(s, "all", s.all);
   }
   return rows;
 }
@@ -210,8 +276,9 @@ std::string report_html(const ReportFacts& facts) {
   page.paragraph(
       "Every unit below traced the same rays through the same hierarchy, each of its box tests answered by "
       "its Verilog. Error is what a unit does in vain: box and triangle tests beyond those of a software "
-      "traversal in floats. Run time is clock cycles, as counted, times the stage delay. Area is compared "
-      "for each box that a unit tests in a cycle.");
+      "traversal in floats. Run time is clock cycles, as counted, times the clock period. Area is compared "
+      "for each box that a unit tests in a cycle. The whole cost adds the triangle tests: a box that a unit "
+      "accepts in vain is paid for there.");
 
   page.heading("What was asked");
   page.commands({facts.command});
@@ -222,10 +289,12 @@ std::string report_html(const ReportFacts& facts) {
 
   page.heading("Error against cost");
   page.paragraph(
-      "Up: extra box tests above the reference, robust float slabs in software, 0.0001 to 1000 %; a unit "
-      "that makes none, or fewer, lies at 0.0001, and what is beyond an axis on its end. The axes are the "
-      "same for every scene. Filled and labelled: the six units of Table 7.2; hollow: other formats. No unit "
-      "lies below and left of the dashed front.");
+      "Up: tests in vain, above those of the reference, robust float slabs in software. Axes end where the "
+      "data does. Each mark has its formats beside it, n/t. Formats of a design that would cover one another "
+      "share a mark; marks of different designs that would, stand side by side. No unit lies below and left "
+      "of "
+      "the dashed front. The first three diagrams count box tests alone, as the thesis does, the next two "
+      "triangle tests too. The last one has the bytes that a ray reads from memory.");
   for (const Drawing& d : facts.diagrams) page.plot(d.svg, d.alternative, d.caption);
 
   page.heading("Images");
@@ -255,8 +324,30 @@ std::string report_html(const ReportFacts& facts) {
   page.heading("Stability");
   page.paragraph(
       "Rays and boxes made to break box tests, judged by exact arithmetic on boxes that are not padded. An "
-      "integer unit may accept too much, and must never miss. Shares say nothing about a scene.");
-  page.table(page_table("stability.csv.", stability_rows(facts)));
+      "integer unit may accept too much, and must never miss. Shares say nothing about a scene. Cases are "
+      "drawn at random, so each share has its 95 % interval in brackets. All counts are in stability.csv.");
+  page.paragraph(
+      "What float units miss, and why: " + float_misses(facts) +
+      "These are boxes that the ray only grazes, at an edge, a corner or a face, or boxes without "
+      "extent. There the distances of entry and exit agree in nearly all bits; each has been rounded "
+      "to nearest after the difference and after the product, and the two can change their order. "
+      "Where the ray starts in a plane that is parallel to it, 0 times infinity is NaN, which "
+      "compares false. An integer unit rounds outward instead, so it can only accept too much. The "
+      "picture loses nothing, because the boxes of the hierarchy are padded.");
+  page.table(
+      category_table(facts, "False misses, % of the boxes that the ray meets (95 % interval).", misses_of));
+  page.table(category_table(facts, "False hits, % of the boxes that the ray misses (95 % interval).",
+                            false_hits_of));
+
+  page.heading("Stiff rays");
+  page.paragraph(
+      "A ray is stiff when the components of its direction differ by orders of magnitude. int_slabs gives "
+      "all "
+      "three inverse components one scale, so a stiff ray leaves few bits to some axes and accepts boxes in "
+      "vain; it never misses one. The lines are false_hit_pct of stiffness.csv, rows with boxes \"all\"; the "
+      "file has the number of tests and the 95 % interval of each point.");
+  page.plot(facts.stiffness_diagram.svg, facts.stiffness_diagram.alternative,
+            facts.stiffness_diagram.caption);
 
   page.heading("Schematics");
   if (facts.schematics.empty()) page.paragraph("Not drawn: Graphviz was not installed.");

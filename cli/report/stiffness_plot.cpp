@@ -64,7 +64,7 @@ std::string plot_script(const Plot& plot) {
       "set format y '%g'\nset ytics add ('≤{}' {})\nset xlabel 'ratio of direction components'\nset ylabel "
       "{}\n",
       panel_width * plot.panels.size(), panel_height, plot.panels.size(), gnuplot_string(plot.title),
-      plot.least, 2 * most_percent(plot), zero_at + 2, tics, zero_at, plot.least, plot.least,
+      plot.least, 1.2 * most_percent(plot), zero_at + 2, tics, zero_at, plot.least, plot.least,
       gnuplot_string(plot.counted + ", %"));
   for (std::size_t p = 0; p < plot.panels.size(); ++p) {
     const PlotPanel& panel = plot.panels[p];

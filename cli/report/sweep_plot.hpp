@@ -1,11 +1,12 @@
-// Work-precision diagrams of a sweep (SVG, by gnuplot): extra box tests against run time, area, and their
-// product, with the Pareto front; and occupancy against rays in flight. The thesis's six units are labelled.
-// Run time is divided by the reference's box tests and all axes are fixed, so diagrams of any two scenes can
-// be compared side by side. Colours are those of Okabe and Ito; each design has a mark of its own.
+// Diagrams of a sweep (SVG, by gnuplot): error against cost, with the Pareto front, and occupancy against
+// rays in flight. Each mark has its units' names beside it, axes end where the data does, and what is plotted
+// are columns of the rows' file. Each design has a mark of its own, in shape as in colour, so that the
+// pictures can be read in grey. Colours are those of Okabe and Ito.
 #pragma once
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/sweep/row.hpp"
@@ -19,26 +20,24 @@ struct CostAndError {
 };
 [[nodiscard]] std::vector<CostAndError> pareto_front(std::vector<CostAndError> units);
 
-enum class Cost { run_time, area, area_run_time };
-inline constexpr Cost costs[] = {Cost::run_time, Cost::area, Cost::area_run_time};
-
-/// The lowest error on the axis. Units with less error are drawn there.
-inline constexpr double error_floor_pct = 1e-4;
-
-/// The text under the axis and its fixed range. Units outside the range are drawn at its ends.
-struct CostAxis {
-  const char* name;   ///< for file names, such as "run_time"
-  const char* label;  ///< with its unit
-  double least;
-  double most;
+/// Two columns of sim::sweep_columns.
+struct Diagram {
+  const char* name;   ///< for file names: "error_run_time"
+  const char* title;  ///< after the scene's name
+  std::string_view cost;
+  const char* cost_label;  ///< with its unit
+  std::string_view error;
+  const char* error_label;
 };
-[[nodiscard]] const CostAxis& axis_of(Cost cost);
+/// Of box tests alone, as the thesis compares; then with triangle tests; then of memory.
+[[nodiscard]] std::span<const Diagram> diagrams();
 
 /// The gnuplot programs; the same text for the same numbers. All `units` have the same number of rays in
 /// flight.
-[[nodiscard]] std::string work_precision_script(const std::string& scene,
-                                                std::span<const sim::SweepRow> units, Cost cost);
-/// A line for each of the thesis's units that was swept with several numbers of rays in flight.
+[[nodiscard]] std::string diagram_script(const std::string& scene, std::span<const sim::SweepRow> units,
+                                         const Diagram& diagram);
+/// A line for the thesis's units that were swept with several numbers of rays in flight. Units that cannot be
+/// told apart share one. Empty when there is none.
 [[nodiscard]] std::string occupancy_script(const std::string& scene, std::span<const sim::SweepRow> units);
 
 }  // namespace hitpipe::cli

@@ -19,18 +19,6 @@ bool is_thesis_unit(const sim::SweepRow& row) {
   });
 }
 
-double extra_box_tests_pct(const sim::SweepRow& row) {
-  if (row.reference_box_tests == 0) return 0.0;
-  const auto reference = static_cast<double>(row.reference_box_tests);
-  return 100.0 * (static_cast<double>(row.box_tests) - reference) / reference;
-}
-
-double run_time_ns(const sim::SweepRow& row) {
-  return row.reference_box_tests == 0
-             ? 0.0
-             : 1e6 * row.run_time_ms() / static_cast<double>(row.reference_box_tests);
-}
-
 std::string cell(const sim::SweepRow& row, std::string_view column) {
   const auto at = std::find(sim::sweep_columns.begin(), sim::sweep_columns.end(), column);
   return sim::to_cells(row).at(static_cast<std::size_t>(at - sim::sweep_columns.begin()));

@@ -17,12 +17,6 @@ namespace hitpipe::cli {
 /// The unit is one of the six in Table 7.2.
 [[nodiscard]] bool is_thesis_unit(const sim::SweepRow& row);
 
-/// In percent of the reference. Negative for a unit that makes fewer.
-[[nodiscard]] double extra_box_tests_pct(const sim::SweepRow& row);
-
-/// Run time in nanoseconds for each box test that the reference makes.
-[[nodiscard]] double run_time_ns(const sim::SweepRow& row);
-
 /// The row's text in a column of sim::sweep_columns.
 [[nodiscard]] std::string cell(const sim::SweepRow& row, std::string_view column);
 

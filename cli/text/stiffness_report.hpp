@@ -24,11 +24,12 @@ struct MeasuredDesign {
   std::vector<Measured> formats;
 };
 
-/// A row for each kind of box, and one for the scene if one was traversed.
+/// A row for each kind of box, one for all kinds, and one for the scene if one was traversed.
 [[nodiscard]] std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs,
                                               const std::string& scene);
 
-/// A table for each design, and one for the scene, with a row for each ratio and a column for each format.
+/// Tables for each design, and for the scene, with a row for each ratio and a column for each format; the
+/// number of samples below.
 [[nodiscard]] std::string stiffness_text(const std::vector<MeasuredDesign>& designs,
                                          const std::string& scene);
 

@@ -13,6 +13,7 @@
 #include "sim/check/box_test.hpp"
 #include "sw_ref/adversary/random.hpp"
 #include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/experiment/interval.hpp"
 
 namespace hitpipe::sim {
 
@@ -43,8 +44,9 @@ struct StiffBoxes {
   std::uint64_t false_hits = 0;
   std::uint64_t false_misses = 0;
 
-  /// In percent of the boxes that the ray misses.
+  /// In percent of the boxes that the ray misses, and the 95 % interval of that.
   [[nodiscard]] double false_hit_pct() const;
+  [[nodiscard]] ref::Interval false_hit_interval_pct() const;
 };
 
 /// By stiffness, half side and aim.
@@ -60,8 +62,11 @@ struct StiffTraversals {
   std::uint64_t box_tests = 0;
   std::uint64_t reference_box_tests = 0;  ///< by the robust float traversal, for the same rays
   std::uint64_t different_triangles = 0;
+  ref::GroupedRatio extra{};  ///< box tests beyond the reference's over the reference's; a ray is a group
 
+  /// The percentage, and its 95 % interval by the spread among the rays.
   [[nodiscard]] double extra_box_tests_pct() const;
+  [[nodiscard]] ref::Interval extra_box_tests_interval_pct() const;
 };
 
 /// Results by stiffness. Throws what make_feed() throws.

@@ -54,9 +54,9 @@ std::string printable(std::string text) {
 
 std::string about_sweep(const std::string& program, const ref::Scene& scene, const ref::Bvh& bvh,
                         const SweepOptions& options) {
-  return fmt::format("{} sweep: {}, content {:016x}, {} x {} pixels, {} bounces", program,
+  return fmt::format("{} sweep: {}, content {:016x}, {} x {} pixels, {} bounces, library {}", program,
                      printable(scene.name), content(scene, bvh), options.width, options.height,
-                     options.light.bounces);
+                     options.light.bounces, printable(options.library->name()));
 }
 
 }  // namespace hitpipe::sim

@@ -8,7 +8,8 @@ namespace hitpipe::sim {
 
 std::string why_not_swept(const rtl::Design& design) {
   if (const std::string why = why_not_traced(design); !why.empty()) return why;
-  return software_of(design).traversal == nullptr ? missing(design, traversal_part) : "";
+  if (software_of(design).traversal == nullptr) return missing(design, traversal_part);
+  return software_of(design).bytes_per_node == nullptr ? missing(design, node_size_part) : "";
 }
 
 std::vector<rtl::Format> sweep_formats(const rtl::Design& design) {

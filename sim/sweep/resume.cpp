@@ -12,10 +12,15 @@ namespace {
 /// Rows by their place in the file. Each new row is written at once.
 class KeptRows {
  public:
-  /// Takes the rows that the file holds.
-  KeptRows(std::filesystem::path file, std::string about) : file_(std::move(file)), about_(std::move(about)) {
+  /// Takes the rows that the file holds. What a triangle test costs is no measurement, so they get the cost
+  /// that is asked for now.
+  KeptRows(std::filesystem::path file, std::string about, const TriangleCost& triangle)
+      : file_(std::move(file)), about_(std::move(about)) {
     if (std::filesystem::exists(file_)) {
-      for (const SweepRow& row : read_rows_about(file_, about_).rows) keep(row);
+      for (SweepRow& row : read_rows_about(file_, about_).rows) {
+        row.triangle = triangle;
+        keep(row);
+      }
     }
     // Written before the long run, so that a file that cannot be written is reported at once.
     write_rows(file_, contents());
@@ -53,7 +58,7 @@ RowsFile resume(const ResumableSweep& sweep) {
     about = about_shard(about, *sweep.shard, points.size());
     file = shard_file(file, *sweep.shard);
   }
-  KeptRows rows(file, about);
+  KeptRows rows(file, about, sweep.options.triangle);
   std::erase_if(points, [&](const SweepPoint& point) { return rows.has(point); });
   run_sweep(*sweep.scene, *sweep.bvh, points, sweep.options, [&](const SweepRow& row) { rows.add(row); });
   return rows.contents();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "area_model/figure.hpp"
+#include "sw_ref/bvh/bvh.hpp"
 
 namespace hitpipe::sim {
 
@@ -21,6 +22,10 @@ double ratio(double dividend, double divisor) {
 
 double difference(std::uint64_t value, std::uint64_t reference) {
   return static_cast<double>(static_cast<std::int64_t>(value - reference));
+}
+
+double triangle_time_ms(const SweepRow& row) {
+  return static_cast<double>(row.triangle_tests) * static_cast<double>(row.triangle.delay_ps) / 1e9;
 }
 
 std::string shortest(double value) {
@@ -85,6 +90,15 @@ double SweepRow::extra_triangle_tests_per_ray() const {
   return ratio(difference(triangle_tests, reference_triangle_tests), static_cast<double>(rays_traced()));
 }
 
+double SweepRow::extra_box_tests_pct() const {
+  return ratio(100.0 * difference(box_tests, reference_box_tests), static_cast<double>(reference_box_tests));
+}
+
+double SweepRow::extra_triangle_tests_pct() const {
+  return ratio(100.0 * difference(triangle_tests, reference_triangle_tests),
+               static_cast<double>(reference_triangle_tests));
+}
+
 double SweepRow::run_time_ms() const {
   return static_cast<double>(cycles) * static_cast<double>(stage_delay_ps) / 1e9;
 }
@@ -100,6 +114,33 @@ double SweepRow::area_delay_mm2_ns() const {
 
 double SweepRow::area_run_time_mm2_ms() const {
   return static_cast<double>(area_um2) * run_time_ms() / 1e6;
+}
+
+std::uint64_t SweepRow::nodes_fetched() const {
+  // A record of two nodes is read whole, also where its second box is not tested.
+  return unit_tests * static_cast<std::uint64_t>(boxes_per_test);
+}
+
+std::uint64_t SweepRow::bytes_fetched() const {
+  return nodes_fetched() * static_cast<std::uint64_t>(bytes_per_node) + triangle_tests * bytes_per_triangle;
+}
+
+double SweepRow::bytes_per_ray() const {
+  return ratio(static_cast<double>(bytes_fetched()), static_cast<double>(rays_traced()));
+}
+
+double SweepRow::reference_bytes_per_ray() const {
+  return ratio(static_cast<double>(reference_box_tests * sizeof(ref::BvhNode) +
+                                   reference_triangle_tests * bytes_per_triangle),
+               static_cast<double>(rays_traced()));
+}
+
+double SweepRow::whole_run_time_ms() const {
+  return run_time_ms() + triangle_time_ms(*this);
+}
+
+double SweepRow::whole_area_run_time_mm2_ms() const {
+  return area_run_time_mm2_ms() + static_cast<double>(triangle.area_um2) * triangle_time_ms(*this) / 1e6;
 }
 
 bool SweepRow::verified(bool conservative) const {
@@ -119,20 +160,27 @@ std::vector<std::string> to_cells(const SweepRow& r) {
   add(r.scene);
   for (const std::uint64_t count : {r.triangles, r.bvh_nodes}) add(count);
   for (const int count : {r.width, r.height, r.rays_in_flight}) add(count);
-  add(r.design);
-  add(r.bits);
+  for (const std::string& text : {r.library, r.design, r.bits}) add(text);
   add(r.boxes_per_test);
   add(r.stages);
   add(area::decimal(r.stage_delay_ps, 1000, delay_digits));
   add(area::decimal(r.area_um2, 1'000'000, area_digits));
+  add(r.bytes_per_node);
+  add(area::decimal(r.triangle.delay_ps, 1000, delay_digits));
+  add(area::decimal(r.triangle.area_um2, 1'000'000, area_digits));
   for (const std::uint64_t count :
        {r.rays_primary, r.rays_secondary, r.rays_shadow, r.rays_rejected, r.unit_tests, r.box_tests, r.hits,
         r.triangle_tests, r.reference_box_tests, r.reference_triangle_tests, r.false_hits, r.false_misses,
         r.rtl_mismatches, r.different_triangles, r.different_pixels, r.cycles})
     add(count);
-  for (const double figure : {r.occupancy_pct(), r.false_hits_per_million(), r.extra_box_tests_per_ray(),
-                              r.extra_triangle_tests_per_ray(), r.run_time_ms(), r.area_per_box_mm2(),
-                              r.area_delay_mm2_ns(), r.area_run_time_mm2_ms()})
+  for (const double figure :
+       {r.occupancy_pct(), r.false_hits_per_million(), r.extra_box_tests_per_ray(),
+        r.extra_triangle_tests_per_ray(), r.extra_box_tests_pct(), r.extra_triangle_tests_pct(),
+        r.run_time_ms(), r.area_per_box_mm2(), r.area_delay_mm2_ns(), r.area_run_time_mm2_ms()})
+    add(figure);
+  for (const std::uint64_t count : {r.nodes_fetched(), r.bytes_fetched()}) add(count);
+  for (const double figure : {r.bytes_per_ray(), r.reference_bytes_per_ray(), r.whole_run_time_ms(),
+                              r.whole_area_run_time_mm2_ms()})
     add(figure);
   for (const double time : {r.rtl_seconds, r.software_ratio}) add(time);
   return cells;
@@ -146,18 +194,20 @@ SweepRow from_cells(const std::vector<std::string>& cells) {
   in.read(r.scene);
   for (std::uint64_t* const count : {&r.triangles, &r.bvh_nodes}) in.read(*count);
   for (int* const count : {&r.width, &r.height, &r.rays_in_flight}) in.read(*count);
-  in.read(r.design);
-  in.read(r.bits);
+  for (std::string* const text : {&r.library, &r.design, &r.bits}) in.read(*text);
   in.read(r.boxes_per_test);
   in.read(r.stages);
   in.read_scaled(r.stage_delay_ps, delay_digits);
   in.read_scaled(r.area_um2, area_digits);
+  in.read(r.bytes_per_node);
+  in.read_scaled(r.triangle.delay_ps, delay_digits);
+  in.read_scaled(r.triangle.area_um2, area_digits);
   for (std::uint64_t* const count :
        {&r.rays_primary, &r.rays_secondary, &r.rays_shadow, &r.rays_rejected, &r.unit_tests, &r.box_tests,
         &r.hits, &r.triangle_tests, &r.reference_box_tests, &r.reference_triangle_tests, &r.false_hits,
         &r.false_misses, &r.rtl_mismatches, &r.different_triangles, &r.different_pixels, &r.cycles})
     in.read(*count);
-  constexpr std::size_t figures = 8;
+  constexpr std::size_t figures = 16;
   in.skip(figures);
   for (double* const time : {&r.rtl_seconds, &r.software_ratio}) in.read(*time);
 

@@ -10,6 +10,17 @@
 
 namespace hitpipe::sim {
 
+/// What a triangle test costs: a unit of this area begins one after each such delay.
+struct TriangleCost {
+  std::int64_t delay_ps = 0;
+  std::int64_t area_um2 = 0;
+
+  friend bool operator==(const TriangleCost&, const TriangleCost&) = default;
+};
+
+/// A triangle in memory: three corners in binary32.
+inline constexpr int bytes_per_triangle = 36;
+
 struct SweepRow {
   std::string scene;
   std::uint64_t triangles = 0;
@@ -17,12 +28,15 @@ struct SweepRow {
   int width = 0;
   int height = 0;
   int rays_in_flight = 0;
+  std::string library;  ///< of components
   std::string design;
   std::string bits;        ///< "20/24" or "fp32"
   int boxes_per_test = 1;  ///< that the design answers for
   int stages = 0;
   std::int64_t stage_delay_ps = 0;
   std::int64_t area_um2 = 0;  ///< of the whole unit, account `built`
+  int bytes_per_node = 0;     ///< that a unit of this format reads
+  TriangleCost triangle;
 
   std::uint64_t rays_primary = 0;
   std::uint64_t rays_secondary = 0;
@@ -49,11 +63,24 @@ struct SweepRow {
   [[nodiscard]] double false_hits_per_million() const;  ///< per million box tests
   [[nodiscard]] double extra_box_tests_per_ray() const;
   [[nodiscard]] double extra_triangle_tests_per_ray() const;
-  [[nodiscard]] double run_time_ms() const;
+  /// In percent of the reference's. Negative for a unit that makes fewer.
+  [[nodiscard]] double extra_box_tests_pct() const;
+  [[nodiscard]] double extra_triangle_tests_pct() const;
+  [[nodiscard]] double run_time_ms() const;  ///< of the box tests alone, as in the thesis
   [[nodiscard]] double area_per_box_mm2() const;
   [[nodiscard]] double area_delay_mm2_ns() const;  ///< with the area for each box
   /// With the whole area: the cycles already count a test of several boxes once.
   [[nodiscard]] double area_run_time_mm2_ms() const;
+
+  /// From memory, without a cache: a test reads the node of each of its boxes, a triangle test its triangle.
+  [[nodiscard]] std::uint64_t nodes_fetched() const;
+  [[nodiscard]] std::uint64_t bytes_fetched() const;
+  [[nodiscard]] double bytes_per_ray() const;
+  [[nodiscard]] double reference_bytes_per_ray() const;  ///< with nodes of binary32
+  /// Box tests and triangle tests, one after the other.
+  [[nodiscard]] double whole_run_time_ms() const;
+  /// The area of each of both units for the time that it works.
+  [[nodiscard]] double whole_area_run_time_mm2_ms() const;
 
   /// Everything that must be zero is zero. False misses must be zero if the design is conservative.
   [[nodiscard]] bool verified(bool conservative) const;
@@ -63,48 +90,61 @@ struct SweepRow {
 
 /// The columns of a sweep's CSV file, in order. The last two are measured times. Only they differ between
 /// runs.
-inline constexpr std::array<std::string_view, 38> sweep_columns{"scene",
-                                                                "triangles",
-                                                                "bvh_nodes",
-                                                                "width",
-                                                                "height",
-                                                                "rays_in_flight",
-                                                                "design",
-                                                                "bits",
-                                                                "boxes_per_test",
-                                                                "stages",
-                                                                "stage_delay_ns",
-                                                                "area_mm2",
-                                                                "rays_primary",
-                                                                "rays_secondary",
-                                                                "rays_shadow",
-                                                                "rays_rejected",
-                                                                "unit_tests",
-                                                                "box_tests",
-                                                                "hits",
-                                                                "triangle_tests",
-                                                                "reference_box_tests",
-                                                                "reference_triangle_tests",
-                                                                "false_hits",
-                                                                "false_misses",
-                                                                "rtl_mismatches",
-                                                                "different_triangles",
-                                                                "different_pixels",
-                                                                "cycles",
-                                                                "occupancy_pct",
-                                                                "false_hits_per_million",
-                                                                "extra_box_tests_per_ray",
-                                                                "extra_triangle_tests_per_ray",
-                                                                "run_time_ms",
-                                                                "area_per_box_mm2",
-                                                                "area_delay_mm2_ns",
-                                                                "area_run_time_mm2_ms",
-                                                                "rtl_seconds",
-                                                                "software_ratio"};
+inline constexpr auto sweep_columns = std::to_array<std::string_view>({
+    "scene",
+    "triangles",
+    "bvh_nodes",
+    "width",
+    "height",
+    "rays_in_flight",
+    "library",
+    "design",
+    "bits",
+    "boxes_per_test",
+    "stages",
+    "stage_delay_ns",
+    "area_mm2",
+    "bytes_per_node",
+    "triangle_delay_ns",
+    "triangle_area_mm2",
+    "rays_primary",
+    "rays_secondary",
+    "rays_shadow",
+    "rays_rejected",
+    "unit_tests",
+    "box_tests",
+    "hits",
+    "triangle_tests",
+    "reference_box_tests",
+    "reference_triangle_tests",
+    "false_hits",
+    "false_misses",
+    "rtl_mismatches",
+    "different_triangles",
+    "different_pixels",
+    "cycles",
+    "occupancy_pct",
+    "false_hits_per_million",
+    "extra_box_tests_per_ray",
+    "extra_triangle_tests_per_ray",
+    "extra_box_tests_pct",
+    "extra_triangle_tests_pct",
+    "run_time_ms",
+    "area_per_box_mm2",
+    "area_delay_mm2_ns",
+    "area_run_time_mm2_ms",
+    "nodes_fetched",
+    "bytes_fetched",
+    "bytes_per_ray",
+    "reference_bytes_per_ray",
+    "whole_run_time_ms",
+    "whole_area_run_time_mm2_ms",
+    "rtl_seconds",
+    "software_ratio"});
 inline constexpr std::size_t sweep_time_columns = 2;
 
 [[nodiscard]] constexpr bool is_text_column(std::string_view column) {
-  return column == "scene" || column == "design" || column == "bits";
+  return column == "scene" || column == "library" || column == "design" || column == "bits";
 }
 
 /// One cell for each column, without the quotes of CSV. Numbers have all their digits, so from_cells() gives

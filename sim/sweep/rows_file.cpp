@@ -46,14 +46,18 @@ std::string header() {
 
 }  // namespace
 
-std::string to_text(const RowsFile& rows) {
-  std::string text = fmt::format("# {}\n{}\n", rows.about, header());
-  for (const SweepRow& row : rows.rows) {
+std::string to_csv(std::span<const SweepRow> rows) {
+  std::string text = header() + "\n";
+  for (const SweepRow& row : rows) {
     std::vector<std::string> cells = to_cells(row);
     std::transform(cells.begin(), cells.end(), cells.begin(), quoted);
     text += fmt::format("{}\n", fmt::join(cells, ","));
   }
   return text;
+}
+
+std::string to_text(const RowsFile& rows) {
+  return fmt::format("# {}\n{}", rows.about, to_csv(rows.rows));
 }
 
 RowsFile parse_rows(const std::string& text, const std::string& source) {
@@ -67,7 +71,10 @@ RowsFile parse_rows(const std::string& text, const std::string& source) {
   if (!std::getline(in, line) || !line.starts_with("# ")) reject("line 1 does not say what was measured");
   rows.about = line.substr(2);
   if (!std::getline(in, line) || line != header())
-    reject("line 2 is not the header of a sweep by this version");
+    throw std::runtime_error(
+        fmt::format("{}: line 2 is not the header of a sweep by this version, so its rows must be measured "
+                    "again; give another file or remove it",
+                    source));
   for (int number = 3; std::getline(in, line); ++number) {
     try {
       rows.rows.push_back(from_cells(cells_of(line)));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,10 @@ struct RowsFile {
   std::vector<SweepRow> rows;
 };
 
-/// The text of the file.
+/// The header and a line for each row.
+[[nodiscard]] std::string to_csv(std::span<const SweepRow> rows);
+
+/// The text of the file: the comment, then to_csv().
 [[nodiscard]] std::string to_text(const RowsFile& rows);
 
 /// Throws std::runtime_error, one line that names `source`, for text that to_text() cannot have written.

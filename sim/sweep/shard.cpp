@@ -142,6 +142,10 @@ RowsFile join_shards(const fs::path& file) {
     if (shard.index == 1) all.about = note->about;
     if (note->about != all.about) fail("was made of another scene or by other options than shard 1");
     for (const SweepRow& row : part.rows) {
+      if (!rows.empty() && row.triangle != rows.begin()->second.triangle)
+        fail(
+            "counts triangle tests at another cost than the shards before; run it again with the same "
+            "options");
       if (!rows.emplace(key_of(row.design, row.bits, row.rays_in_flight), row).second)
         fail(fmt::format("{} {} is in another shard too; the shards were cut differently", row.design,
                          row.bits));

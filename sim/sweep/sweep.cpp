@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "area_model/price.hpp"
+#include "area_model/triangle_unit.hpp"
 #include "sim/cosim.hpp"
+#include "sim/fit/fit.hpp"
 #include "sim/sweep/printable.hpp"
 #include "sim/sweep/software_time.hpp"
 #include "sw_ref/render/render.hpp"
@@ -121,7 +123,7 @@ class Run {
     Unit& unit = units_.at(unit_key(point));
     const std::scoped_lock lock(unit.making);
     if (!unit.verilated) {
-      const rtl::Library& library = rtl::Library::thesis();
+      const rtl::Library& library = *options_.library;
       unit.price = area::price(*point.design, point.format, library, area::Account::built);
       unit.software_ratio = reference_.software.ratio(*point.design, point.format);
       unit.verilated.emplace(*point.design, point.format, library);
@@ -150,12 +152,15 @@ class Run {
             .width = options_.width,
             .height = options_.height,
             .rays_in_flight = point.rays_in_flight,
+            .library = printable(options_.library->name()),
             .design = std::string(point.design->name),
             .bits = rtl::to_string(point.format),
             .boxes_per_test = unit.price->boxes,
             .stages = unit.price->stages,
             .stage_delay_ps = unit.price->stage_delay_ps,
             .area_um2 = unit.price->area_um2,
+            .bytes_per_node = static_cast<int>(bytes_per_node(*point.design, point.format)),
+            .triangle = options_.triangle,
             .rays_primary = result.rays_primary,
             .rays_secondary = result.rays_secondary,
             .rays_shadow = result.rays_shadow,
@@ -201,6 +206,11 @@ class Run {
 };
 
 }  // namespace
+
+TriangleCost triangle_cost(const rtl::Library& library) {
+  const area::Price price = area::price_of_triangle_unit(library);
+  return {.delay_ps = price.stage_delay_ps, .area_um2 = price.area_um2};
+}
 
 void run_sweep(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const SweepPoint> points,
                const SweepOptions& options, const std::function<void(const SweepRow&)>& finished) {

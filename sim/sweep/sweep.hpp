@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "rtl_gen/component/library.hpp"
 #include "sim/sweep/plan.hpp"
 #include "sim/sweep/row.hpp"
 #include "sw_ref/bvh/bvh.hpp"
@@ -19,12 +20,19 @@ struct SweepOptions {
   int height = 256;
   int threads = 1;  ///< rows measured at the same time; no count depends on it
   ref::WhittedOptions light{};
+  const rtl::Library* library = &rtl::Library::thesis();  ///< units are scheduled and priced by it
+  TriangleCost triangle{};                                ///< decides no count
   /// Gets the finished share of the rows, 0..1, from any thread.
   std::function<void(double)> progress = [](double) {};
 };
 
+/// The cost of a test by the float triangle unit of this library (area_model/triangle_unit.hpp). Throws
+/// std::runtime_error when the library has no float components.
+[[nodiscard]] TriangleCost triangle_cost(const rtl::Library& library);
+
 /// One line that states all that decides the counts of a row, apart from the row's own unit: scene, hierarchy
-/// (a hash of both), image, bounces, and the program with the name that the caller gives it.
+/// (a hash of both), image, bounces, component library, and the program with the name that the caller gives
+/// it.
 [[nodiscard]] std::string about_sweep(const std::string& program, const ref::Scene& scene,
                                       const ref::Bvh& bvh, const SweepOptions& options);
 

@@ -31,6 +31,24 @@ TEST(SweepRowFigures, AreThoseOfTheirDefinitions) {
   EXPECT_DOUBLE_EQ(row.area_per_box_mm2(), 1.234567);
   EXPECT_DOUBLE_EQ(row.area_delay_mm2_ns(), 1.234567 * 3.176);
   EXPECT_DOUBLE_EQ(row.area_run_time_mm2_ms(), 1.234567 * 1.588);
+  EXPECT_DOUBLE_EQ(row.extra_box_tests_pct(), -100.0 * 800 / 400'800);
+  EXPECT_DOUBLE_EQ(row.extra_triangle_tests_pct(), 100.0 * 1000 / 69'000);
+}
+
+/// 70,000 triangle tests of 2.876 ns in a unit of 10 mm2; nodes of 23 bytes, triangles of 36.
+TEST(SweepRowFigures, OfTheWholeCountTriangleTestsAndMemory) {
+  const SweepRow row = a_row();
+  constexpr double triangles_ms = 0.20132;
+  EXPECT_DOUBLE_EQ(row.whole_run_time_ms(), 1.588 + triangles_ms);
+  EXPECT_DOUBLE_EQ(row.whole_area_run_time_mm2_ms(), 1.234567 * 1.588 + 10 * triangles_ms);
+  EXPECT_EQ(row.nodes_fetched(), 400'000U);
+  EXPECT_EQ(row.bytes_fetched(), 400'000U * 23 + 70'000U * 36);
+  EXPECT_DOUBLE_EQ(row.bytes_per_ray(), 1465.0);
+  EXPECT_DOUBLE_EQ(row.reference_bytes_per_ray(), (400'800.0 * 32 + 69'000.0 * 36) / 8000);
+  SweepRow free = row;
+  free.triangle = {};
+  EXPECT_DOUBLE_EQ(free.whole_run_time_ms(), free.run_time_ms());
+  EXPECT_DOUBLE_EQ(free.whole_area_run_time_mm2_ms(), free.area_run_time_mm2_ms());
 }
 
 TEST(SweepRowFigures, OfAPairAreForEachBox) {
@@ -41,6 +59,7 @@ TEST(SweepRowFigures, OfAPairAreForEachBox) {
   EXPECT_DOUBLE_EQ(row.run_time_ms(), 1.588 / 2);
   EXPECT_DOUBLE_EQ(row.area_per_box_mm2(), 1.234567 / 2);
   EXPECT_DOUBLE_EQ(row.area_delay_mm2_ns(), 1.234567 / 2 * 3.176);
+  EXPECT_EQ(row.nodes_fetched(), 400'000U) << "a record has two nodes";
   // The run time is that of the whole unit, so the area is too.
   EXPECT_DOUBLE_EQ(row.area_run_time_mm2_ms(), 1.234567 * 1.588 / 2);
 }
@@ -49,7 +68,9 @@ TEST(SweepRowFigures, OfNothingAreZero) {
   const SweepRow row;
   for (const double figure :
        {row.occupancy_pct(), row.false_hits_per_million(), row.extra_box_tests_per_ray(),
-        row.extra_triangle_tests_per_ray(), row.run_time_ms()})
+        row.extra_triangle_tests_per_ray(), row.extra_box_tests_pct(), row.extra_triangle_tests_pct(),
+        row.run_time_ms(), row.bytes_per_ray(), row.reference_bytes_per_ray(), row.whole_run_time_ms(),
+        row.whole_area_run_time_mm2_ms()})
     EXPECT_EQ(figure, 0.0);
 }
 
@@ -71,9 +92,18 @@ TEST(SweepRowFigures, NothingThatMustBeZeroIsForgiven) {
 TEST(SweepRowCells, GiveTheRowBack) {
   const std::vector<std::string> cells = to_cells(a_row());
   ASSERT_EQ(cells.size(), sweep_columns.size());
-  EXPECT_EQ(cells[8], "1");
-  EXPECT_EQ(cells[10], "3.176");
-  EXPECT_EQ(cells[11], "1.234567");
+  const auto cell = [&](std::string_view column) {
+    return cells[static_cast<std::size_t>(std::find(sweep_columns.begin(), sweep_columns.end(), column) -
+                                          sweep_columns.begin())];
+  };
+  EXPECT_EQ(cell("library"), "thesis_250nm");
+  EXPECT_EQ(cell("boxes_per_test"), "1");
+  EXPECT_EQ(cell("stage_delay_ns"), "3.176");
+  EXPECT_EQ(cell("area_mm2"), "1.234567");
+  EXPECT_EQ(cell("bytes_per_node"), "23");
+  EXPECT_EQ(cell("triangle_delay_ns"), "2.876");
+  EXPECT_EQ(cell("triangle_area_mm2"), "10.000000");
+  EXPECT_EQ(cell("bytes_fetched"), "11720000");
   EXPECT_EQ(from_cells(cells), a_row());
   EXPECT_EQ(from_cells(to_cells(a_pair())), a_pair());
 }
@@ -91,12 +121,12 @@ TEST(SweepRowCells, NumbersThatDoNotBelongRejected) {
           << sweep_columns[column] << " = " << wrong;
     }
   }
-  EXPECT_EQ(message_of<std::runtime_error>([] { return from_cells({"spheres"}); }), "1 cells; a row has 38");
+  EXPECT_EQ(message_of<std::runtime_error>([] { return from_cells({"spheres"}); }), "1 cells; a row has 50");
 }
 
 TEST(SweepRowCells, FiguresThatDoNotFollowRejected) {
   std::vector<std::string> cells = to_cells(a_row());
-  cells[16] = cells[17] = "400001";  // unit_tests, box_tests
+  cells[20] = cells[21] = "400001";  // unit_tests, box_tests
   EXPECT_THAT(message_of<std::runtime_error>([&] { return from_cells(cells); }),
               StartsWith("80 of occupancy_pct does not follow from the counts, which give 80.0002"));
 }
@@ -125,7 +155,7 @@ TEST(RowsFile, IsReadAsWritten) {
   EXPECT_EQ(again.about, "a sweep");
   EXPECT_EQ(again.rows, rows.rows);
   const std::string text = to_text(rows);
-  EXPECT_THAT(text, StartsWith("# a sweep\nscene,triangles,bvh_nodes,width,height,rays_in_flight,design,"));
+  EXPECT_THAT(text, StartsWith("# a sweep\nscene,triangles,bvh_nodes,width,height,rays_in_flight,library,"));
   EXPECT_THAT(text, HasSubstr(",rtl_seconds,software_ratio\n\"two, \"\"quoted\"\"\",24578,"));
 }
 
@@ -142,9 +172,10 @@ TEST(RowsFile, CutShortRejected) {
     refused += message == "no exception" ? 0 : 1;
   }
   fmt::print("{} of {} cuts refused\n", refused, text.size());
-  EXPECT_EQ(
-      message_of<std::runtime_error>([] { return parse_rows("# x\nscene\n", "rows.csv"); }),
-      "rows.csv: line 2 is not the header of a sweep by this version; give a file that hitpipe sweep wrote");
+  EXPECT_EQ(message_of<std::runtime_error>([] { return parse_rows("# x\nscene\n", "rows.csv"); }),
+            "rows.csv: line 2 is not the header of a sweep by this version, so its rows must be measured "
+            "again; give "
+            "another file or remove it");
   EXPECT_EQ(message_of<std::runtime_error>([] { return read_rows("/nonexistent/rows.csv"); }),
             "/nonexistent/rows.csv: cannot read the rows");
 }

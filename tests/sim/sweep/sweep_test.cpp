@@ -14,6 +14,7 @@
 #include "area_model/price.hpp"
 #include "rtl_gen/catalogue/major_formats.hpp"
 #include "sim/cosim.hpp"
+#include "sim/fit/fit.hpp"
 #include "sim/sweep/rows_file.hpp"
 #include "sim/sweep/shard.hpp"
 #include "tests/message_of.hpp"
@@ -67,6 +68,8 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     EXPECT_EQ(row.stage_delay_ps, price.stage_delay_ps);
     EXPECT_EQ(row.stages, price.stages);
     EXPECT_EQ(row.triangles, 288U);
+    EXPECT_EQ(row.library, "thesis_250nm");
+    EXPECT_EQ(static_cast<std::size_t>(row.bytes_per_node), bytes_per_node(*point.design, point.format));
     EXPECT_EQ(row.rays_primary, 384U);
     EXPECT_EQ(row.rays_shadow, counted.rays_shadow);
     EXPECT_EQ(row.rays_rejected, counted.rejected);
@@ -156,7 +159,7 @@ TEST(AboutSweep, ChangesWithAllThatDecidesTheRows) {
   about(scene, bvh, {.threads = 7});  // the only one that changes nothing
   ASSERT_EQ(all.size(), 1U);
   EXPECT_THAT(*all.begin(), testing::MatchesRegex("hitpipe 1 sweep: hills, content [0-9a-f]+, 256 x 256 "
-                                                  "pixels, 5 bounces"));
+                                                  "pixels, 5 bounces, library thesis_250nm"));
   about(scene, bvh, {.width = 255});
   about(scene, bvh, {.height = 255});
   about(scene, bvh, {.light = {.bounces = 4}});

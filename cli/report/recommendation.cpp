@@ -1,0 +1,64 @@
+#include "cli/report/recommendation.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/report/sweep_rows.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+using Rows = std::span<const sim::SweepRow>;
+using Cost = double (sim::SweepRow::*)() const;
+
+std::optional<std::size_t> least(Rows rows, int rays_in_flight, double most_extra_pct, Cost cost) {
+  std::optional<std::size_t> best;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const sim::SweepRow& unit = rows[row];
+    if (unit.rays_in_flight != rays_in_flight || unit.extra_box_tests_pct() > most_extra_pct) continue;
+    if (!best || (unit.*cost)() < (rows[*best].*cost)()) best = row;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<std::size_t> cheapest(Rows rows, int rays_in_flight, double most_extra_box_tests_pct) {
+  return least(rows, rays_in_flight, most_extra_box_tests_pct, &sim::SweepRow::whole_area_run_time_mm2_ms);
+}
+
+std::optional<std::size_t> cheapest_boxes(Rows rows, int rays_in_flight) {
+  return least(rows, rays_in_flight, no_limit, &sim::SweepRow::area_run_time_mm2_ms);
+}
+
+std::string cost_text(const sim::SweepRow& row) {
+  return fmt::format(
+      "{:.4g} mm² ms, of box tests alone {:.4g}; {:.4g} % extra triangle tests, {:.4g} bytes a ray",
+      row.whole_area_run_time_mm2_ms(), row.area_run_time_mm2_ms(), row.extra_triangle_tests_pct(),
+      row.bytes_per_ray());
+}
+
+std::vector<std::string> recommendation(Rows rows) {
+  const int rays = usual_rays_in_flight(rows);
+  const std::optional<std::size_t> whole = cheapest(rows, rays);
+  if (!whole) return {};
+  std::vector<std::string> lines{
+      fmt::format("Least whole area × time: {}: {}.", unit_name(rows[*whole]), cost_text(rows[*whole]))};
+  const std::size_t boxes = *cheapest_boxes(rows, rays);
+  if (boxes == *whole) return lines;
+  const double more =
+      100.0 * (rows[boxes].whole_area_run_time_mm2_ms() / rows[*whole].whole_area_run_time_mm2_ms() - 1.0);
+  lines.push_back(fmt::format("By box tests alone it would be {}, which costs {:.3g} % more as a whole: {}.",
+                              unit_name(rows[boxes]), more, cost_text(rows[boxes])));
+  return lines;
+}
+
+std::string cost_caveat(const sim::SweepRow& row) {
+  return fmt::format(
+      "Whole counts box tests and triangle tests. A triangle test is taken as {:.4g} ns of a unit of {:.4g} "
+      "mm². Set-up of rays, shading and waiting for memory are left out; bytes a ray are read without a "
+      "cache.",
+      static_cast<double>(row.triangle.delay_ps) / 1e3, static_cast<double>(row.triangle.area_um2) / 1e6);
+}
+
+}  // namespace hitpipe::cli
