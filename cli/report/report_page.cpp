@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/report/column_heading.hpp"
 #include "sw_ref/render/colour_map.hpp"
 
 namespace hitpipe::cli {
@@ -172,7 +171,7 @@ void Page::table(const PageTable& table) {
       "aria-label=\"{0}\">\n<thead><tr>",
       escaped(table.caption));
   for (const std::string& name : table.columns)
-    body_ += fmt::format("<th scope=\"col\">{}</th>", escaped(column_heading(name)));
+    body_ += fmt::format("<th scope=\"col\">{}</th>", escaped(name));
   body_ += "</tr></thead>\n<tbody>\n";
   for (const std::vector<std::string>& row : table.rows) {
     body_ += "<tr>";

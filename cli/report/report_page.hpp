@@ -21,7 +21,7 @@ namespace hitpipe::cli {
 
 struct PageTable {
   std::string caption;
-  std::vector<std::string> columns;            ///< as in a CSV file; the page has them in words
+  std::vector<std::string> columns;            ///< headings in words
   std::vector<std::vector<std::string>> rows;  ///< printed as they are; numbers are aligned on the right
 };
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "area_model/figure.hpp"
+#include "cli/report/column_heading.hpp"
 #include "cli/report/recommendation.hpp"
 #include "sw_ref/experiment/interval.hpp"
 
@@ -50,7 +51,7 @@ std::string readable_cell(const sim::SweepRow& row, const std::string& column) {
 PageTable page_table(const std::string& caption, const std::vector<Row>& rows) {
   PageTable table{caption, {}, {}};
   if (rows.empty()) return table;
-  for (const auto& [key, value] : rows.front().items()) table.columns.push_back(key);
+  for (const auto& [key, value] : rows.front().items()) table.columns.push_back(column_heading(key));
   for (const Row& row : rows) {
     std::vector<std::string> cells;
     for (const auto& [key, value] : row.items())
@@ -69,7 +70,7 @@ PageTable sweep_table(Rows rows, int rays) {
                   rays),
       {"unit"},
       {}};
-  table.columns.insert(table.columns.end(), shown_columns.begin(), shown_columns.end());
+  for (const std::string& column : shown_columns) table.columns.push_back(column_heading(column));
   table.columns.emplace_back("line");
   for (std::size_t row = 0; row < rows.size(); ++row) {
     if (rows[row].rays_in_flight != rays) continue;
@@ -193,11 +194,16 @@ std::string float_misses(const ReportFacts& facts) {
   std::string text;
   for (const Stability& s : facts.stability) {
     if (rtl::find_design(s.design).conservative) continue;
+    if (s.all.false_misses == 0) {
+      text += fmt::format("{} missed none of {} boxes (95 % interval up to {:.2g} %). ", s.design,
+                          readable_number(std::to_string(s.all.hits)), misses_of(s.all).high);
+      continue;
+    }
     const auto worst = std::max_element(
         s.categories.begin(), s.categories.end(),
         [](const auto& a, const auto& b) { return misses_of(a).percent < misses_of(b).percent; });
     text +=
-        fmt::format("{} missed {} of {} boxes, most in \"{}\" with {:.3g} %. ", s.design,
+        fmt::format("{} missed {} of {} boxes, the largest share in \"{}\": {:.3g} %. ", s.design,
                     readable_number(std::to_string(s.all.false_misses)),
                     readable_number(std::to_string(s.all.hits)), worst->category, misses_of(*worst).percent);
   }
@@ -328,14 +334,12 @@ std::string report_html(const ReportFacts& facts) {
       "drawn at random, so each share has its 95 % interval in brackets. All counts are in stability.csv.");
   page.paragraph(
       "What float units miss, and why: " + float_misses(facts) +
-      "These are boxes that the ray only grazes, at an edge, a corner or a face, or boxes without "
-      "extent. There the distances of entry and exit agree in nearly all bits; each has been rounded "
-      "to nearest after the difference and after the product, and the two can change their order. "
-      "Where the ray starts in a plane that is parallel to it, 0 times infinity is NaN, which "
-      "compares false. An integer unit rounds outward instead, so it can only accept too much. The "
-      "picture loses nothing, because the boxes of the hierarchy are padded.");
-  page.table(
-      category_table(facts, "False misses, % of the boxes that the ray meets (95 % interval).", misses_of));
+      "A float unit rounds every difference and product to nearest. Where the ray starts or ends on "
+      "the box, grazes an edge or a corner, or the box has no extent, entry, exit and length are "
+      "closer together than that rounding, and it can change their order: the unit answers MISS. "
+      "Where the ray starts in a plane that is parallel to it, 0 times infinity is NaN, which compares "
+      "false. An integer unit rounds outward, so it can only accept too much. A float picture loses "
+      "nothing all the same, because the boxes of the hierarchy are padded.");
   page.table(category_table(facts, "False hits, % of the boxes that the ray misses (95 % interval).",
                             false_hits_of));
 

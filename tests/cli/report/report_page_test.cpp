@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/report/column_heading.hpp"
 #include "cli/report/label_places.hpp"
 
 namespace hitpipe::cli {
@@ -37,13 +38,15 @@ TEST(ReadableNumber, KeepsWhatIsShortAndWhatIsNone) {
 TEST(Page, ShowsTextLiterally) {
   Page page("<a> & \"b\"");
   page.paragraph("x<y");
-  page.table({"c", {"rays_in_flight"}, {{"1,234"}, {"int_slabs"}}});
+  page.table({"c", {"rays in flight", "fp_slabs"}, {{"1,234", "int_slabs"}, {std::string(41, 'x'), ""}}});
   const std::string html = page.html();
   EXPECT_THAT(html, HasSubstr("<title>&lt;a&gt; &amp; &quot;b&quot;</title>"));
   EXPECT_THAT(html, HasSubstr("<p>x&lt;y</p>"));
   EXPECT_THAT(html, HasSubstr("<th scope=\"col\">rays in flight</th>"));
   EXPECT_THAT(html, HasSubstr("<td class=\"n\">1,234</td>"));
+  EXPECT_THAT(html, HasSubstr("<th scope=\"col\">fp_slabs</th>"));
   EXPECT_THAT(html, HasSubstr("<td>int_slabs</td>"));
+  EXPECT_THAT(html, HasSubstr("<td class=\"t\">xxxx")) << "a long text may be broken";
 }
 
 TEST(Page, GivesEachDrawingIdentifiersOfItsOwn) {
@@ -60,13 +63,24 @@ TEST(Page, GivesEachDrawingIdentifiersOfItsOwn) {
   EXPECT_THAT(html, Not(HasSubstr("<?xml")));
 }
 
+TEST(ColumnHeading, IsWordsWithTheUnitAtTheEnd) {
+  EXPECT_EQ(column_heading("clock_mhz"), "clock, MHz");
+  EXPECT_EQ(column_heading("stage_delay_ns"), "clock period, ns");
+  EXPECT_EQ(column_heading("area_per_box_mm2"), "area for each box, mm²");
+  EXPECT_EQ(column_heading("whole_area_run_time_mm2_ms"), "whole area × run time, mm² ms");
+  EXPECT_EQ(column_heading("extra_box_tests_pct"), "extra box tests, %");
+  EXPECT_EQ(column_heading("false_hits_per_million"), "false hits in a million");
+  EXPECT_EQ(column_heading("rtl_mismatches"), "RTL mismatches");
+  EXPECT_EQ(column_heading("32"), "32");
+}
+
 TEST(LabelPlaces, CoverNeitherEachOtherNorAMark) {
   const std::vector<Mark> marks{{100, 20}, {104, 20}, {110, 20}, {112, 24}, {300, 100}};
   const std::vector<std::string> texts{"int_slabs 24/24", "fp_slabs", "fp_plucker", "int_plucker 20/24"};
   const std::vector<LabelPlace> places = place_labels(marks, texts, {600, 400});
   ASSERT_EQ(places.size(), texts.size());
-  constexpr double letter = 8;
-  constexpr double half_height = 9;
+  constexpr double letter = 7;
+  constexpr double half_height = 7.5;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double right = places[i].left + letter * static_cast<double>(texts[i].size());
     EXPECT_GE(places[i].left, 0) << texts[i];

@@ -1,11 +1,18 @@
-// Work-precision diagrams: which units are on the front, where marks are, and that axes are the same for all
-// scenes.
+// Diagrams of a sweep: which units are on the front, where marks and their names are, and where axes end.
 #include "cli/report/sweep_plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/report/log_axis.hpp"
+#include "cli/report/recommendation.hpp"
 #include "cli/report/sweep_rows.hpp"
+#include "cli/report/unit_marks.hpp"
+#include "rtl_gen/catalogue/design.hpp"
 
 namespace hitpipe::cli {
 namespace {
@@ -52,34 +59,68 @@ TEST(ParetoFront, HasWhatNoneBetters) {
   EXPECT_TRUE(pareto_front({}).empty());
 }
 
-TEST(SweepRows, FiguresFollowFromTheCounts) {
-  const sim::SweepRow unit = row("int_slabs", "20/24", 1500);
-  EXPECT_DOUBLE_EQ(extra_box_tests_pct(unit), 50);
-  EXPECT_DOUBLE_EQ(run_time_ns(unit), 9);  // 3000 cycles of 3 ns for 1000 box tests
-  EXPECT_DOUBLE_EQ(extra_box_tests_pct(row("fp_slabs", "fp32", 990)), -1);
-  EXPECT_EQ(cell(unit, "area_mm2"), "2.000000");
+const Diagram& diagram(std::string_view name) {
+  return *std::ranges::find(diagrams(), name, &Diagram::name);
+}
+
+TEST(Diagrams, ShowColumnsOfTheRowsFile) {
+  for (const Diagram& each : diagrams()) {
+    for (const std::string_view column : {each.cost, each.error})
+      EXPECT_THAT(sim::sweep_columns, testing::Contains(column)) << each.name;
+  }
+  EXPECT_EQ(diagrams().size(), 6U);
 }
 
 /// A pair needs half the cycles. So its area is halved once: in the area for each box, and not again in area
 /// times run time.
 TEST(SweepRows, APairCountsTwoBoxes) {
   const sim::SweepRow unit = pair_row(1500);
-  EXPECT_DOUBLE_EQ(extra_box_tests_pct(unit), 50);
-  EXPECT_DOUBLE_EQ(run_time_ns(unit), 4.5);
+  EXPECT_DOUBLE_EQ(unit.extra_box_tests_pct(), 50);
   EXPECT_DOUBLE_EQ(unit.occupancy_pct(), 50);
   EXPECT_EQ(cell(unit, "area_mm2"), "2.000000");
   EXPECT_EQ(cell(unit, "area_per_box_mm2"), "1");
   const std::vector rows{unit};
-  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("$front << END\n1 50\nEND\n"));
-  EXPECT_THAT(work_precision_script("a", rows, Cost::area_run_time), HasSubstr("$front << END\n9 50\nEND\n"));
+  EXPECT_THAT(diagram_script("a", rows, diagram("error_area")), HasSubstr("$front << END\n1 50\nEND\n"));
+  EXPECT_THAT(diagram_script("a", rows, diagram("error_area_run_time")),
+              HasSubstr("$front << END\n0.009 50\nEND\n"));
 }
 
 /// As large as a unit of one box, a pair is on the front alone.
-TEST(WorkPrecisionDiagram, HasTheFrontOfAreasForEachBox) {
+TEST(Diagram, HasTheFrontOfAreasForEachBox) {
   const std::vector rows{row("int_slabs", "20/24", 1001), pair_row(1001)};
-  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("$front << END\n1 0.1\nEND\n"));
-  EXPECT_THAT(work_precision_script("a", rows, Cost::area),
-              HasSubstr("set xlabel 'area, mm² for each box tested in a cycle'"));
+  const std::string script = diagram_script("a", rows, diagram("error_area"));
+  EXPECT_THAT(script, HasSubstr("$front << END\n1 0.1\nEND\n"));
+  EXPECT_THAT(script, HasSubstr("set xlabel 'area for each box tested in a cycle, mm²'"));
+}
+
+/// By box tests alone the small unit is cheaper. As a whole it is not, for what it accepts in vain.
+TEST(Diagram, OfTheWholeHasAnotherFrontThanThatOfBoxTests) {
+  sim::SweepRow small = row("int_slabs", "8/8", 1100);
+  small.area_um2 = 500'000;
+  small.triangle_tests = 900;
+  sim::SweepRow large = row("int_slabs", "16/16", 1010);
+  large.triangle_tests = 101;
+  small.reference_triangle_tests = large.reference_triangle_tests = 100;
+  small.triangle = large.triangle = {.delay_ps = 3000, .area_um2 = 8'000'000};
+  const std::vector rows{small, large};
+  EXPECT_LT(small.area_run_time_mm2_ms(), large.area_run_time_mm2_ms());
+  EXPECT_THAT(diagram_script("a", rows, diagram("error_area_run_time")),
+              HasSubstr("$front << END\n0.0033 10\n0.01212 1\nEND\n"));
+  EXPECT_THAT(diagram_script("a", rows, diagram("whole_area_run_time")),
+              HasSubstr("$front << END\n0.014544 1\nEND\n"));
+  EXPECT_EQ(cheapest_boxes(rows, 32), 0U);
+  EXPECT_EQ(cheapest(rows, 32), 1U);
+  EXPECT_EQ(cheapest(rows, 32, 0.5), std::nullopt);
+  EXPECT_EQ(cheapest(rows, 8), std::nullopt);
+  const std::vector<std::string> lines = recommendation(rows);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_THAT(lines[0],
+              testing::StartsWith("Least whole area × time: int_slabs 16/16: 0.01454 mm² ms, of box "
+                                  "tests alone 0.01212; 1 % extra triangle tests, "));
+  EXPECT_THAT(lines[1],
+              testing::StartsWith("By box tests alone it would be int_slabs 8/8, which costs 71.2 % "
+                                  "more as a whole: "));
+  EXPECT_THAT(cost_caveat(small), HasSubstr("A triangle test is taken as 3 ns of a unit of 8 mm²."));
 }
 
 TEST(SweepRows, TheSixUnitsOfTheThesisAreKnown) {
@@ -98,47 +139,106 @@ TEST(SweepRows, UsualRaysInFlightAreThoseOfMostRows) {
   EXPECT_EQ(usual_rays_in_flight(std::vector(rows.begin() + 1, rows.begin() + 3)), 2);
 }
 
-TEST(WorkPrecisionDiagram, HasTheSameAxesWhateverTheRows) {
-  const std::string axes = "set xrange [0.05:10]\nset yrange [5e-05:1000]\n";
-  EXPECT_THAT(work_precision_script("a", std::vector{row("int_slabs", "20/24", 1001)}, Cost::area),
-              HasSubstr(axes));
-  EXPECT_THAT(work_precision_script("b", std::vector{row("int_plucker", "8/8", 900'000)}, Cost::area),
-              HasSubstr(axes));
+TEST(LogAxis, EndsWhereTheDataDoes) {
+  const LogAxis axis(std::vector<double>{0.5, 20, 3});
+  EXPECT_LT(axis.least(), 0.5);
+  EXPECT_GT(axis.least(), 0.4);
+  EXPECT_GT(axis.most(), 20);
+  EXPECT_LT(axis.most(), 25);
+  EXPECT_NEAR(axis.at(axis.share(3)), 3, 1e-12);
+  EXPECT_EQ(axis.tics(), "'0.5' 0.5, '1' 1, '2' 2, '5' 5, '10' 10, '20' 20");
+  const LogAxis narrow(std::vector<double>{1, 1.6});
+  EXPECT_EQ(narrow.tics(), "'1' 1, '1.1' 1.1, '1.2' 1.2, '1.3' 1.3, '1.4' 1.4, '1.6' 1.6");
+  const LogAxis one(std::vector<double>{7});
+  EXPECT_LT(one.least(), 7);
+  EXPECT_GT(one.most(), 7);
 }
 
-TEST(WorkPrecisionDiagram, DrawsOnTheAxisWhatIsBeyondIt) {
-  const std::vector rows{row("fp_slabs", "fp32", 1000), row("int_slabs", "8/8", 900'000)};
-  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("2 0.0001\n"));
-  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("2 1000\n"));
+TEST(LogAxis, HasAPlaceForWhatIsNotPositive) {
+  const LogAxis axis(std::vector<double>{-1, 0, 10, 1000});
+  EXPECT_EQ(axis.shown(-1), axis.shown(0));
+  EXPECT_LT(axis.shown(0), 10);
+  EXPECT_GT(axis.share(0), 0);
+  EXPECT_THAT(axis.tics(), testing::StartsWith("'≤ 0' 3, '10' 10, "));
+  const LogAxis nothing(std::vector<double>{0, 0});
+  EXPECT_GT(nothing.share(0), 0);
+  EXPECT_LT(nothing.share(0), 1);
 }
 
-TEST(WorkPrecisionDiagram, LabelsTheUnitsOfTheThesisAlone) {
-  const std::vector rows{row("int_slabs", "20/24", 1001), row("int_slabs", "16/16", 1100)};
-  const std::string script = work_precision_script("a", rows, Cost::run_time);
-  EXPECT_THAT(script, HasSubstr("set label 'int_slabs 20/24' at graph "));
-  EXPECT_THAT(script, Not(HasSubstr("16/16")));
+TEST(Diagram, NamesEveryUnitBesideItsMark) {
+  sim::SweepRow close = row("int_slabs", "24/28", 1001);
+  close.area_um2 = 2'001'000;
+  sim::SweepRow far = row("int_slabs", "16/16", 1100);
+  far.area_um2 = 1'000'000;
+  const std::vector rows{row("fp_slabs", "fp32", 900), row("int_slabs", "24/24", 1001), close, far};
+  const std::string script = diagram_script("a", rows, diagram("error_area"));
+  for (const char* const name : {"'fp_slabs'", "'24/24,28'", "'16/16'"})
+    EXPECT_THAT(script, HasSubstr("set label " + std::string(name) + " at graph "));
 }
 
-/// The plot keeps its size, so that it lies on that of another report.
-TEST(WorkPrecisionDiagram, GrowsWithItsKey) {
+/// Marks of two designs at the same place stand side by side, one of a design names its formats.
+TEST(UnitMarks, DoNotCoverOneAnother) {
+  const std::vector rows{row("int_slabs", "20/24", 1), row("int_plucker", "20/24", 1),
+                         row("int_slabs", "20/28", 1), row("int_slabs", "16/16", 1),
+                         row("fp_slabs", "fp32", 1)};
+  const std::vector<Mark> places{{100, 50}, {101, 51}, {103, 50}, {300, 50}, {106, 44}};
+  const std::vector<UnitMark> marks = unit_marks(rows, places);
+  ASSERT_EQ(marks.size(), 4U);
+  EXPECT_EQ(marks[0].name, "20/24,28");
+  EXPECT_EQ(marks[1].name, "20/24");
+  EXPECT_EQ(marks[2].name, "16/16");
+  EXPECT_EQ(marks[3].name, "fp_slabs");
+  EXPECT_EQ(marks[2].place.x, 300);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_GE(std::hypot(marks[i].place.x - marks[j].place.x, marks[i].place.y - marks[j].place.y),
+                2 * mark_radius - 1e-6)
+          << i << " " << j;
+  }
+}
+
+/// Shapes tell designs apart without colour.
+TEST(Diagram, HasAShapeForEachDesign) {
   std::vector<sim::SweepRow> rows;
-  for (const char* const design : {"fp_slabs", "int_slabs", "fp_plucker", "int_plucker"})
-    rows.push_back(row(design, rows.size() % 2 == 0 ? "fp32" : "20/24", 1001));
-  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("set terminal svg size 760,601 "));
-  rows.push_back(row("fp_plucker_direct", "fp32", 1001));
-  rows.push_back(row("int_major", "20+1/12", 1001));
-  rows.push_back(pair_row(1001));
-  EXPECT_THAT(work_precision_script("a", rows, Cost::area), HasSubstr("set terminal svg size 760,647 "));
+  for (const rtl::Design& design : rtl::designs())
+    rows.push_back(row(std::string(design.name), rtl::to_string(design.default_format), 1001));
+  const std::string script = diagram_script("a", rows, diagram("error_area"));
+  std::set<std::string> shapes;
+  for (std::size_t at = script.find(" pt "); at != std::string::npos; at = script.find(" pt ", at + 1))
+    shapes.insert(script.substr(at, 6));
+  EXPECT_EQ(shapes.size(), rtl::designs().size());
 }
 
-TEST(OccupancyDiagram, HasALineForEachUnitOfTheThesis) {
-  std::vector<sim::SweepRow> rows(3, row("int_slabs", "20/24", 1000));
+/// The plot keeps its size.
+TEST(Diagram, GrowsWithItsKey) {
+  std::vector<sim::SweepRow> rows;
+  for (const char* const design : {"fp_slabs", "int_slabs"})
+    rows.push_back(row(design, rows.size() % 2 == 0 ? "fp32" : "20/24", 1001));
+  EXPECT_THAT(diagram_script("a", rows, diagram("error_area")), HasSubstr("set terminal svg size 1000,592 "));
+  rows.push_back(row("fp_plucker", "fp32", 1001));
+  EXPECT_THAT(diagram_script("a", rows, diagram("error_area")), HasSubstr("set terminal svg size 1000,612 "));
+}
+
+/// Units whose lines would lie on one another share one.
+TEST(OccupancyDiagram, HasALineForUnitsThatDiffer) {
+  std::vector<sim::SweepRow> rows(2, row("int_slabs", "20/24", 1000));
   rows[1].rays_in_flight = 64;
-  rows[2].bits = "16/16";
+  for (int i = 0; i < 2; ++i) {
+    rows.push_back(rows[static_cast<std::size_t>(i)]);
+    rows.back().design = "int_plucker";
+    rows.push_back(rows[static_cast<std::size_t>(i)]);
+    rows.back().bits = "24/24";
+    rows.back().cycles *= 2;
+    rows.push_back(rows[static_cast<std::size_t>(i)]);
+    rows.back().bits = "16/16";  // none of the thesis's
+  }
   const std::string script = occupancy_script("a", rows);
   EXPECT_THAT(script, HasSubstr("$unit0 << END\n32 50\n64 50\nEND\n"));
-  EXPECT_THAT(script, HasSubstr("title 'int_slabs 20/24'"));
+  EXPECT_THAT(script, HasSubstr("title 'int_slabs 20/24, int_plucker 20/24'"));
+  EXPECT_THAT(script, HasSubstr("title 'int_slabs 24/24'"));
+  EXPECT_THAT(script, HasSubstr("set xrange [30.4:67.2]\nset yrange [0:101]\nset xtics (32,64)\n"));
   EXPECT_THAT(script, Not(HasSubstr("16/16")));
+  EXPECT_EQ(occupancy_script("a", std::vector{row("int_slabs", "20/24", 1000)}), "");
 }
 
 }  // namespace
