@@ -54,7 +54,7 @@ class PartPrices {
             .n = n,
             .area_um2 = std::int64_t{n} * cell.area_um2,
             .taken = n * cell.taken,
-            .estimated = cell.estimated};
+            .estimated = cell.estimated && library_.chip() == nullptr};
   }
 
  private:

@@ -23,7 +23,8 @@ struct Line {
   int n = 0;
   std::int64_t area_um2 = 0;  ///< of all n together
   rtl::ChipCells taken{};     ///< likewise
-  bool estimated = false;     ///< the library marks this width as an estimate, or computes it by a law
+  bool estimated = false;     ///< the library marks this width as an estimate, or computes it by a law; on a
+                              ///< chip all figures are from laws, and none is marked
 };
 
 struct StagePrice {

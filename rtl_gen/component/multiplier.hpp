@@ -22,7 +22,7 @@ struct MultiplierShape {
 };
 
 /// Inputs a and b, output p = bits high..low of a * b. Every node states its stage. There are 1 to width_b
-/// stages.
+/// stages, or any number in a block.
 [[nodiscard]] Graph multiplier(const MultiplierShape& shape, std::string_view name);
 
 }  // namespace hitpipe::rtl

@@ -181,11 +181,12 @@ NodeId record_product(Graph& to, const ProductPlan& plan, const ProductShape& sh
 Graph with_products_planned(const Graph& graph, const Library& library) {
   const Chip* const chip = library.chip();
   if (chip == nullptr) return graph;
+  Planner planner(*chip);
   return canonical(rewrite(graph, [&](Graph& to, NodeId id, const NewOperands& operands) {
     const Node& n = graph[id];
     if (n.op != Op::mul) return no_node;
     const ProductShape shape{graph[n.args[0]].width, graph[n.args[1]].width, n.is_signed, n.is_signed};
-    return record_product(to, plan_product(shape, *chip), shape, operands[0], operands[1]);
+    return record_product(to, planner.best(shape, true), shape, operands[0], operands[1]);
   }));
 }
 

@@ -8,27 +8,29 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// For each node, whether its value goes into blocks only: whole, or some of its bits and their sign.
-std::vector<bool> feeds_blocks_only(const Graph& graph, const Block& block) {
-  std::vector<bool> only(graph.size(), true);
+/// For each value, the last stage in which something other than a block reads it; 0 if nothing does.
+std::vector<int> last_read_outside(const Graph& graph, const Schedule& schedule, const Block& block) {
+  std::vector<int> last(graph.size(), 0);
   // A zero above an operand is no register's, and then Yosys leaves the register outside.
   const auto is_plain = [&](NodeId value) {
     while (graph[value].op == Op::slice || (graph[value].op == Op::extend && graph[value].is_signed))
       value = graph[value].args[0];
     return is_root(graph[value].op);
   };
+  const auto read = [&](NodeId value, int stage) {
+    for_each_source_of(graph, value,
+                       [&](NodeId source, std::uint64_t) { last[source] = std::max(last[source], stage); });
+  };
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& n = graph[id];
     if (!is_root(n.op)) continue;
     for (const NodeId arg : n.operands()) {
       const bool into_block = n.op == Op::mul && (n.is_signed || block.reads_unsigned) && is_plain(arg);
-      if (into_block) continue;
-      for_each_source_of(graph, arg, [&](NodeId source, std::uint64_t) { only[source] = false; });
+      if (!into_block) read(arg, schedule.slots[id].stage);
     }
   }
-  for (const Output& out : graph.outputs())
-    for_each_source_of(graph, out.node, [&](NodeId source, std::uint64_t) { only[source] = false; });
-  return only;
+  for (const Output& out : graph.outputs()) read(out.node, schedule.stages + 1);
+  return last;
 }
 
 /// One register in place of the runs of bits behind each block.
@@ -60,11 +62,12 @@ void use_block_registers(Placement& placement, const Graph& graph, const Schedul
   if (library.chip() == nullptr || !library.chip()->block) return;
   const Block& block = *library.chip()->block;
   if (block.operand_registers) {
-    const std::vector<bool> only = feeds_blocks_only(graph, block);
+    const std::vector<int> outside = last_read_outside(graph, schedule, block);
     // Only the register that the block reads can be in it, not those that hold the value before.
     std::vector<int> last(graph.size(), -1);
     for (const Register& r : placement.registers) last[r.value] = std::max(last[r.value], r.boundary);
-    for (Register& r : placement.registers) r.in_block = only[r.value] && r.boundary == last[r.value];
+    for (Register& r : placement.registers)
+      r.in_block = outside[r.value] <= r.boundary && r.boundary == last[r.value];
   }
   if (block.product_registers) widen_product_registers(placement, graph, schedule);
 }

@@ -236,6 +236,19 @@ std::string without(nlohmann::json json, const nlohmann::json::json_pointer& pla
   return json.dump();
 }
 
+/// A library with each of its values replaced in turn, and without it.
+void add_replacements(Seeds& seeds, const nlohmann::json& library) {
+  std::set<std::string> keys;  // one place of each is enough
+  const auto places = library.flatten();
+  for (const auto& [place, leaf] : places.items()) {
+    for (nlohmann::json::json_pointer at(place); !at.empty(); at.pop_back())
+      if (keys.insert(at.back()).second) {
+        for (const std::string& value : lines_of(values)) seeds.add(with(library, at, value));
+        seeds.add(without(library, at));
+      }
+  }
+}
+
 void add_libraries(Seeds seeds, const fs::path& source) {
   for (const auto& entry : fs::directory_iterator(source / "rtl_gen/component/libraries"))
     seeds.add(text_of(entry.path()));
@@ -243,15 +256,9 @@ void add_libraries(Seeds seeds, const fs::path& source) {
   seeds.add(rtl::unit_json);
   for (std::size_t length = 0; length < rtl::unit_json.size(); length += 50)
     seeds.add(rtl::unit_json.substr(0, length));
-  std::set<std::string> keys;  // one place of each is enough
-  const auto places = unit.flatten();
-  for (const auto& [place, leaf] : places.items()) {
-    for (nlohmann::json::json_pointer at(place); !at.empty(); at.pop_back())
-      if (keys.insert(at.back()).second) {
-        for (const std::string& value : lines_of(values)) seeds.add(with(unit, at, value));
-        seeds.add(without(unit, at));
-      }
-  }
+  add_replacements(seeds, unit);
+  add_replacements(seeds,
+                   nlohmann::json::parse(text_of(source / "rtl_gen/component/libraries/ice40_up5k.json")));
   for (const std::string& value : lines_of(odd_values)) {
     seeds.add(value);
     seeds.add(with(unit, nlohmann::json::json_pointer("/name"), value));

@@ -259,6 +259,74 @@ TEST_F(AreaLibrary, ThatIsBrokenRejected) {
   rejected({"--library", none}, none + ": cannot read the component library");
 }
 
+/// A chip's units are counted in its cells.
+TEST(AreaOnAChip, PrintsTablesRegistersAndBlocks) {
+  const std::string text = printed({"int_slabs", "--bits", "16/16,24/24", "--library", "xc7"});
+  EXPECT_LE(widest_line(text), 80U) << text;
+  const auto lines = lines_of(text);
+  EXPECT_THAT(lines.at(0), testing::ContainsRegex(
+                               "^design  *bits  *stages  *delay  *clock  *latency  *LUT  *FF  *DSP48E1$"));
+  EXPECT_THAT(lines.at(2), testing::ContainsRegex("^int_slabs  *16/16 .* 6$"));
+  EXPECT_THAT(lines.at(3), testing::ContainsRegex("^int_slabs  *24/24 .* 12$"));
+  EXPECT_EQ(lines.at(4), "On AMD 7 series (Artix-7, speed grade 1). Delays are estimated.");
+  EXPECT_THAT(text, testing::Not(HasSubstr("mm2")));
+  EXPECT_THAT(text, testing::Not(HasSubstr("%")));
+}
+
+TEST(AreaOnAChip, PrintsTheSameFiguresInEveryFormat) {
+  const std::vector<std::string> arguments{"int_slabs", "fp_slabs", "--library", "ice40_up5k", "--format"};
+  const auto with = [&](const char* format) {
+    std::vector<std::string> all = arguments;
+    all.emplace_back(format);
+    return printed(all);
+  };
+  const Json list = Json::parse(with("json"));
+  const auto lines = lines_of(with("csv"));
+  ASSERT_EQ(list.size(), 2U);
+  ASSERT_EQ(lines.size(), 3U);
+  const auto header = cells_of(lines[0]);
+  for (std::size_t row = 0; row < list.size(); ++row) {
+    const auto cells = cells_of(lines[row + 1]);
+    EXPECT_EQ(list[row].at("library"), "ice40_up5k");
+    EXPECT_EQ(list[row].at("dsp_name"), "SB_MAC16");
+    EXPECT_EQ(list[row].at("delay_estimated"), true);
+    EXPECT_GT(list[row].at("lut").get<int>(), 0);
+    EXPECT_GT(list[row].at("ff").get<int>(), 0);
+    for (const char* const key : {"lut", "ff", "dsp", "stages"}) {
+      const auto column = std::find(header.begin(), header.end(), key) - header.begin();
+      EXPECT_EQ(cells.at(static_cast<std::size_t>(column)), list[row].at(key).dump()) << key;
+    }
+  }
+  EXPECT_EQ(list[0].at("dsp"), 6);
+}
+
+TEST(AreaOnAChip, StagesAddUp) {
+  for (const char* const library : {"xc7", "ice40_hx"}) {
+    const Json whole = Json::parse(printed({"int_slabs", "--library", library, "--format", "json"})).at(0);
+    const Json stages =
+        Json::parse(printed({"int_slabs", "--library", library, "--by-stage", "--format", "json"}));
+    int luts = 0;
+    int registers = 0;
+    int blocks = 0;
+    for (const Json& stage : stages) {
+      luts += stage.at("lut").get<int>();
+      registers += stage.at("ff").get<int>();
+      blocks += stage.at("dsp").get<int>();
+    }
+    EXPECT_EQ(registers, whole.at("ff"));
+    EXPECT_EQ(blocks, whole.at("dsp"));
+    EXPECT_EQ(luts, whole.at("lut"));
+    const std::string text = printed({"int_slabs", "--library", library, "--by-stage"});
+    EXPECT_LE(widest_line(text), 80U) << text;
+  }
+}
+
+TEST(AreaOnAChip, HasNoPrintedAccount) {
+  rejected(
+      {"--account", "printed", "--library", "xc7"},
+      "library xc7: it is a chip's and has no areas, so there is no printed account, only the built one");
+}
+
 TEST(AreaCommand, UnknownDesignRejected) {
   rejected(
       {"pluecker"},

@@ -62,6 +62,7 @@ TEST_F(RtlCommand, PrintsStagesClockAndFiles) {
       "stages    4\n"
       "latency   4\n"
       "clock_ps  3,176\n"
+      "library   thesis_250nm\n"
       "vectors   6,000\n";
   const char* label = "files     ";
   for (const char* file : {"int_slabs.v", "int_slabs.json", "int_slabs.core", "tb/int_slabs_tb.sv",
@@ -171,9 +172,9 @@ TEST_F(RtlCommand, PrintsCsv) {
   const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--format", "csv"});
   const auto lines = lines_of(outcome.out);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0], "design,bits,module,stages,latency,clock_ps,vectors,files");
-  EXPECT_THAT(lines[1],
-              StartsWith("int_slabs,20/24,int_slabs,4,4,3176,6000," + (out_ / "int_slabs.v").string() + " "));
+  EXPECT_EQ(lines[0], "design,bits,module,stages,latency,clock_ps,library,vectors,files");
+  EXPECT_THAT(lines[1], StartsWith("int_slabs,20/24,int_slabs,4,4,3176,thesis_250nm,6000," +
+                                   (out_ / "int_slabs.v").string() + " "));
 }
 
 TEST_F(RtlCommand, PrintsJson) {
@@ -245,6 +246,28 @@ TEST_F(RtlCommand, ClockTooFastRejected) {
             "3176 ps\n");
   EXPECT_FALSE(std::filesystem::exists(out_.parent_path()));
   EXPECT_EQ(run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--clock-ps", "3176"}).exit_code, 0);
+}
+
+/// For every built-in chip the unit of every design is written.
+TEST_F(RtlCommand, WritesUnitsForEveryLibrary) {
+  for (const std::string library : {"ecp5", "ice40_hx", "ice40_up5k", "xc7"}) {
+    for (const rtl::Design& design : rtl::designs()) {
+      const Outcome outcome = run_hitpipe({"rtl", std::string(design.name), "--library", library, "--vectors",
+                                           "10", "--format", "json", "--out", out_.string()});
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      EXPECT_EQ(nlohmann::json::parse(outcome.out).at("library"), library);
+      EXPECT_THAT(contents_of(out_ / (std::string(design.name) + ".v")),
+                  HasSubstr("the components of " + library));
+    }
+  }
+}
+
+TEST_F(RtlCommand, UnknownLibraryRejected) {
+  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--library", "virtex", "--out", out_.string()});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, StartsWith("hitpipe: library virtex: unknown; there are ecp5, "));
+  EXPECT_EQ(lines_of(outcome.err).size(), 1U);
+  EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
 TEST_F(RtlCommand, UsesALibraryOfTheUsersOwn) {

@@ -48,6 +48,23 @@ TEST(BlockRegisters, AnOperandThatOthersReadStaysOutside) {
             "2: b[11:0], 2: product[20:0] in block unread ff");
 }
 
+/// Its reader works before the register, in the stage that ends with it.
+TEST(BlockRegisters, ASignThatIsReadBeforeTheRegisterKeepsNothingOutside) {
+  Graph g("toy");
+  const NodeId a = g.input("a", 8, true);
+  const NodeId b = g.input("b", 8, true);
+  const NodeId difference = g.binary(Op::sub, a, b);
+  g.annotate(difference, "difference", {});
+  const NodeId other = g.binary(Op::bit_and, g.extend(g.slice(difference, 7, 7), 8, true), b);
+  g.annotate(other, "other", {});
+  const NodeId product = g.binary(Op::mul, difference, other, true);
+  g.annotate(product, "product", {});
+  g.output("p", product);
+  EXPECT_EQ(registers(g, "ice40_up5k"),
+            "0: a[7:0], 0: b[7:0], 1: difference[7:0] in block, 1: other[7:0] in block, "
+            "2: product[15:0] in block");
+}
+
 /// A block that multiplies signed operands alone gets a zero above them, which is no register's.
 TEST(BlockRegisters, UnsignedOperandsStayOutsideASignedBlock) {
   EXPECT_EQ(registers(scaled_difference(false, false), "xc7"),
