@@ -1,5 +1,7 @@
 // osu018.json is what area_model/measure/measure measures, and prices every design.
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,12 +14,15 @@
 namespace hitpipe::area {
 namespace {
 
-const std::string measure = HITPIPE_SOURCE "/area_model/measure/measure";
+const std::string scripts = HITPIPE_SOURCE "/area_model/measure/";
 const std::string osu018 = HITPIPE_SOURCE "/rtl_gen/component/libraries/osu018.json";
 
-/// Measures two small components and compares them with a file.
-host::Outcome check(const std::string& library) {
-  return host::run({measure, "--check", "--library", library, "mux2:8", "int_compare:8"});
+/// Measures small components again and compares them with a file.
+host::Outcome check(const std::string& library, const std::vector<std::string>& components) {
+  std::vector<std::string> words{scripts + "measure", "--hitpipe", HITPIPE_PROGRAM,
+                                 "--check",           "--library", library};
+  words.insert(words.end(), components.begin(), components.end());
+  return host::run(words);
 }
 
 class Measured : public testing::Test {
@@ -33,7 +38,7 @@ class Measured : public testing::Test {
 };
 
 TEST_F(Measured, CellsAreThoseOfTheFile) {
-  const host::Outcome same = check(osu018);
+  const host::Outcome same = check(osu018, {"mux2:8", "int_compare:8"});
   EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
   EXPECT_EQ(same.out, "2 cells measured, 0 differences\n");
 }
@@ -43,17 +48,33 @@ TEST_F(Measured, AnotherFigureInTheFileIsADifference) {
   for (auto& row : library["components"]["int_compare"]["cells"]) {
     if (row["bits"] == 8) row["delay_ps"] = row["delay_ps"].get<int>() + 1;
   }
-  const host::ScratchFolder folder;
-  rtl::write_text(folder / "other.json", library.dump());
-  const host::Outcome other = check(folder / "other.json");
+  const host::ScratchFolder scratch;
+  rtl::write_text(scratch / "other.json", library.dump());
+  const host::Outcome other = check(scratch / "other.json", {"int_compare:8"});
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_EQ(other.out.rfind("int_compare_8: measured ", 0), 0) << other.out;
 }
 
 TEST(MeasureScript, RefusesAWidthThatTheFileDoesNotHave) {
-  const host::Outcome refused = host::run({measure, "--check", "mux2:7"});
+  const host::Outcome refused = host::run({scripts + "measure", "--check", "mux2:7"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(refused.err.rfind("measure: mux2:7: allowed are latch, ", 0), 0) << refused.err;
+}
+
+// The units themselves take an hour; the model's side of the tables takes a second.
+TEST(MeasuredUnits, TablesOfTheDocsAreThoseThatTheScriptPrints) {
+  const host::Outcome printed = host::run({scripts + "compare", "--hitpipe", HITPIPE_PROGRAM});
+  ASSERT_EQ(printed.exit_code, 0) << printed.err;
+  const std::string docs =
+      rtl::read_text(HITPIPE_SOURCE "/docs/chips.md") + rtl::read_text(HITPIPE_SOURCE "/docs/major.md");
+  std::istringstream lines(printed.out);
+  int rows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) continue;
+    EXPECT_NE(docs.find(line + '\n'), std::string::npos) << line;
+    ++rows;
+  }
+  EXPECT_GT(rows, 20);
 }
 
 TEST(MeasuredLibrary, PricesEveryDesignAtTheClockItWasMeasuredFor) {
