@@ -6,7 +6,7 @@ SANITIZED ?= all
 CONFIGURE := $(if $(CI),-DHITPIPE_WERROR=ON)
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
-.PHONY: demo test build lint format bench sanitize fuzz prove prove-all-widths hls-check packages clean help
+.PHONY: demo test build lint format bench sanitize fuzz prove prove-all-widths netlists hls-check packages clean help
 
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
@@ -18,6 +18,7 @@ help:
 	@echo 'make fuzz      libFuzzer, SECONDS=60 in all: loaders, command line, what is printed'
 	@echo 'make prove     the Verilog equals its combinational form: yosys and z3'
 	@echo 'make prove-all-widths  int_major never misses, for all widths: Coq'
+	@echo 'make netlists  the netlists in chip cells and standard cells equal the C++ for 10^5 vectors a design'
 	@echo 'make hls-check  C++14 tops with the integers in HITPIPE_VENDOR_AP_INT=DIR or HITPIPE_AC_TYPES=DIR'
 	@echo 'make clean     removes build folders and out/'
 
@@ -62,6 +63,9 @@ prove: build
 prove-all-widths: packages
 	@command -v coqc >/dev/null || cmake/install-packages.sh coq
 	@tests/formal/all_widths/prove.sh
+
+netlists: build
+	@tests/sim/implement/netlists.sh
 
 hls-check: build
 	@tests/hls/hls_check.sh build/hitpipe . || [ $$? = 77 ]

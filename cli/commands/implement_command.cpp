@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/commands/implement_on_board.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/flow_control_option.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
@@ -57,15 +58,20 @@ std::pair<Row, Row> largest_share(const sim::Implementation& unit) {
   return largest;
 }
 
-Row record(const rtl::Design& design, const rtl::Format& format, const sim::Target& target,
-           const sim::Implementation& unit) {
+Row record(const ImplementCommand& command, const sim::Target& target, const sim::Implementation& unit) {
+  const rtl::Design& design = command.choice.design();
   const auto [share, share_of] = largest_share(unit);
   const bool placed = unit.placed && !unit.placed->seeds.empty();
   const std::optional<double> fmax = unit.fmax_mhz();
-  Row row{{"design", design.name},   {"bits", rtl::to_string(format)},
-          {"target", target.name},   {"chip", target.chip},
-          {"library", unit.library}, {"module", unit.module},
-          {"latency", unit.latency}, {"cells", unit.synthesis.cell_count()}};
+  Row row{{"design", design.name},
+          {"bits", rtl::to_string(command.choice.format())},
+          {"target", target.name},
+          {"chip", target.chip},
+          {"library", unit.library},
+          {"flow_control", rtl::flow_control_name(command.options.flow_control)},
+          {"module", unit.module},
+          {"latency", unit.latency},
+          {"cells", unit.synthesis.cell_count()}};
   for (const std::string_view resource : sim::resource_names)
     row[std::string(resource)] = count_row(unit, resource);
   row.update(
@@ -129,7 +135,7 @@ int implement(const ImplementCommand& command) {
   const sim::Implementation unit = sim::implement_unit(design, format, target, options);
   progress.reset();
 
-  Row row = record(design, format, target, unit);
+  Row row = record(command, target, unit);
   const fs::path folder = fs::path(command.out) / target.name;
   host::write_file(folder / (unit.module + "_implementation.json"), record_text(row, Format::json));
   row["files"] = folder.string();
@@ -174,8 +180,11 @@ void add_implement_command(CLI::App& program, int& exit_code) {
       "Clock period in picoseconds for the schedule; by default what the slowest component needs");
   command->add_option("--name", how.module, "Name of the Verilog module. Default: as `hitpipe rtl` names it")
       ->type_name("MODULE");
-  add_count_option(*command, "--seeds", how.seeds, {1, 100},
-                   "Place with seeds 1 to N; the clock is the median and the best")
+  add_flow_control_option(*command, how.flow_control);
+  add_count_option(
+      *command, "--seeds", how.seeds, {0, 100},
+      "Place with seeds 1 to N; the clock is that of the median and the best. With 0 the unit is "
+      "not placed")
       ->capture_default_str();
   add_count_option(*command, "--simulate", how.simulate, {1, 10'000'000},
                    "Simulate the mapped netlist with N vectors, as `hitpipe rtl --vectors` chooses them, and "

@@ -76,8 +76,7 @@ Synthesis synthesise(const Target& target, const ChipSources& sources, const Too
   script += synthesis_lines(target, sources.top);
   script += fmt::format("tee -q -o {} stat -json\n", cells);
   if (!target.liberty.empty()) script += fmt::format("tee -q -o {} stat -liberty {}\n", area, target.liberty);
-  script += fmt::format("write_verilog -noattr {}\nwrite_json {}\nwrite_rtlil {}\n", result.verilog(),
-                        result.json(), result.rtlil());
+  script += fmt::format("write_verilog -noattr {}\nwrite_json {}\n", result.verilog(), result.json());
   const std::string script_name = sources.top + "_synthesis.ys";
   bench.put_and_keep({script_name, script});
   bench.run(yosys, {"-s", script_name}, sources.top + "_synthesis.log");

@@ -33,10 +33,9 @@ struct Synthesis {
   std::optional<double> area_um2;     ///< of standard cells
 
   [[nodiscard]] int cell_count() const;
-  /// The mapped module in the workbench, as Verilog, as JSON for nextpnr, and as Yosys's own text.
+  /// The mapped module in the workbench, as Verilog and as JSON for Yosys and nextpnr.
   [[nodiscard]] std::string verilog() const { return top + "_netlist.v"; }
   [[nodiscard]] std::string json() const { return top + "_netlist.json"; }
-  [[nodiscard]] std::string rtlil() const { return top + "_netlist.il"; }
 };
 
 /// Cells by kind in what Yosys's `stat -json` prints. Throws std::runtime_error, one line, when a cell is not

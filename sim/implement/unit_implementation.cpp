@@ -29,9 +29,9 @@ std::string synthesise_harness(const Target& target, const Synthesis& unit, cons
       {top + ".v", shift_harness(unit.top, unit_clock, ports_of_netlist(bench.read(unit.json()), unit.top))});
   // While it is a black box, its cells stay as they are.
   const std::string script = fmt::format(
-      "read_rtlil {}\nsetattr -mod -set blackbox 1 {}\nread_verilog {}.v\n{}"
+      "read_json {}\nsetattr -mod -set blackbox 1 {}\nread_verilog {}.v\n{}"
       "setattr -mod -unset blackbox ={}\nflatten\nopt_clean -purge\nwrite_json {}\n",
-      unit.rtlil(), unit.top, top, synthesis_lines(target, top), unit.top, netlist);
+      unit.json(), unit.top, top, synthesis_lines(target, top), unit.top, netlist);
   bench.put_and_keep({top + ".ys", script});
   bench.run(yosys, {"-s", top + ".ys"}, top + ".log");
   return netlist;
@@ -42,7 +42,7 @@ void place(Implementation& result, const Target& target, const ImplementOptions&
   options.progress("packing");
   for (const ResourceCount& count : pack(target, result.synthesis, *tools.nextpnr, bench))
     result.counts.push_back(count);
-  if (!result.excess().empty()) return;
+  if (!result.excess().empty() || options.seeds == 0) return;
   result.placed = place_and_route(
       target,
       {.top = harness_module(result.module),
@@ -94,7 +94,8 @@ Implementation implement_unit(const rtl::Design& design, const rtl::Format& form
   const rtl::VectorSet vectors = design_vectors(
       design, format, static_cast<std::size_t>(options.simulate.value_or(usual_vectors)), options.seed);
   const rtl::EmittedDesign emitted =
-      rtl::emit(design, format, library, pipeline, {.module = options.module, .vectors = &vectors});
+      rtl::emit(design, format, library, pipeline,
+                {.module = options.module, .flow_control = options.flow_control, .vectors = &vectors});
   const bool drawn = rtl::write_unit(options.folder, emitted).drawn;
 
   options.progress("synthesising");

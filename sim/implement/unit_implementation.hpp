@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 #include "sim/implement/netlist_simulation.hpp"
 #include "sim/implement/place_and_route.hpp"
 #include "sim/implement/target.hpp"
@@ -21,7 +22,9 @@ struct ImplementOptions {
   std::string module{};   ///< empty: the design's own name
   std::string library{};  ///< empty: the target's
   std::optional<int> clock_ps{};
-  int seeds = 5;
+  /// Of the unit. A net that stops every register of a chip costs clock and cells.
+  rtl::FlowControl flow_control = rtl::FlowControl::none;
+  int seeds = 5;                  ///< of the placement; 0: the unit is not placed
   std::optional<int> simulate{};  ///< how many vectors go through the netlist
   Simulator simulator = Simulator::icarus;
   std::uint64_t seed = usual_seed;  ///< of the vectors

@@ -1,0 +1,133 @@
+// `hitpipe implement`: what it prints, what it says when tools are missing, and when a unit does not fit.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+namespace hitpipe::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class ImplementCommand : public testing::Test {
+ protected:
+  /// int_slabs 6/6.
+  [[nodiscard]] Outcome run(const std::vector<std::string>& more, const Variables& variables = {}) const {
+    std::vector<std::string> arguments{"implement", "int_slabs", "--bits", "6/6", "--out", out_.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_hitpipe(arguments, variables);
+  }
+
+  sim::TemporaryFolder folder_;
+  const std::filesystem::path out_ = folder_.path() / "out";
+};
+
+TEST_F(ImplementCommand, StopsAtCountsWhereNothingPlacesAndSaysSo) {
+  const Outcome outcome = run({"--target", "ecp5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              StartsWith("design          int_slabs\nbits            6/6\ntarget          ecp5\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nnot_placed      Debian 12 has no nextpnr for ECP5\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nluts  "));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("fmax")));
+}
+
+TEST_F(ImplementCommand, PrintsTheSameAsJsonAndKeepsIt) {
+  const Outcome outcome = run(
+      {"--target", "ice40_hx", "--seeds", "0", "--simulate", "50", "--name", "box_test", "--format", "json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  auto object = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(object["module"], "box_test");
+  EXPECT_EQ(object["flow_control"], "none");
+  EXPECT_EQ(object["netlist"], "PASS 50 vectors");
+  EXPECT_TRUE(object["fmax_mhz"].is_null());
+  EXPECT_GT(object["luts"], 100);
+  EXPECT_GE(object["logic_cells"], object["luts"]);
+  object.erase("files");
+  EXPECT_EQ(nlohmann::json::parse(contents_of(out_ / "ice40_hx" / "box_test_implementation.json")), object);
+  EXPECT_THAT(contents_of(out_ / "ice40_hx" / "box_test_netlist.v"), HasSubstr("SB_LUT4"));
+  EXPECT_THAT(contents_of(out_ / "box_test.v"), HasSubstr("module box_test"));
+}
+
+TEST_F(ImplementCommand, UnitThatDoesNotFitIsAResult) {
+  // The chip has no more than what the test needs.
+  const std::filesystem::path file = folder_.write("tiny.json", R"({
+    "name": "tiny", "chip": "Tiny", "library": "thesis_250nm", "synthesis": ["synth_ice40 -top {top}"],
+    "resources": {"luts": {"cells": {"SB_LUT4": 1}, "available": 10},
+                  "rams": {"cells": {"SB_RAM40_4K*": 1}, "available": 0}},
+    "not_placed": "it is too small"})");
+  const Outcome outcome = run({"--target", file.string(), "--format", "json"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  const auto luts = nlohmann::json::parse(outcome.out)["luts"].get<int>();
+  EXPECT_EQ(outcome.err,
+            "hitpipe: int_slabs 6/6 does not fit Tiny: " + std::to_string(luts) + " of 10 luts\n");
+}
+
+TEST_F(ImplementCommand, MissingToolNamesItsPackage) {
+  const auto missing = [&](const std::string& target, const std::string& variable,
+                           const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"--target", target};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments, {{variable, "/nowhere/tool"}});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_FALSE(std::filesystem::exists(out_));
+    return outcome.err;
+  };
+  const auto line = [](const std::string& package, const std::string& variable) {
+    return "hitpipe: /nowhere/tool: cannot be run; install the package " + package + " or set " + variable +
+           " to the program\n";
+  };
+  EXPECT_EQ(missing("xc7", "YOSYS"), line("yosys", "YOSYS"));
+  EXPECT_EQ(missing("ice40_up5k", "NEXTPNR_ICE40"), line("nextpnr-ice40", "NEXTPNR_ICE40"));
+  EXPECT_EQ(missing("osu018", "STA"), line("opensta", "STA"));
+  EXPECT_EQ(missing("ice40_hx", "IVERILOG", {"--simulate", "9"}), line("iverilog", "IVERILOG"));
+  EXPECT_EQ(missing("ice40_hx", "VERILATOR", {"--simulate", "9", "--simulator", "verilator"}),
+            line("verilator", "VERILATOR"));
+}
+
+TEST_F(ImplementCommand, MissingCellsNameTheirPackage) {
+  const std::filesystem::path file = folder_.write("cells.json", R"({
+    "name": "cells", "chip": "Cells", "library": "thesis_250nm", "synthesis": [], "resources": {},
+    "liberty": "/nowhere/cells.lib", "package": "some-cells", "not_placed": "no"})");
+  const Outcome outcome = run({"--target", file.string()});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "hitpipe: /nowhere/cells.lib: is not there; install the package some-cells\n");
+}
+
+TEST_F(ImplementCommand, FailingToolNamesItsLog) {
+  const std::filesystem::path yosys = folder_.write_program(
+      "yosys", "#!/bin/sh\nif [ \"$1\" = -V ]; then echo Yosys 0; else echo broken; exit 3; fi\n");
+  const Outcome outcome = run({"--target", "xc7"}, {{"YOSYS", yosys.string()}});
+  EXPECT_EQ(outcome.exit_code, 2);
+  const std::filesystem::path log = out_ / "xc7" / "int_slabs_6_6_synthesis.log";
+  EXPECT_EQ(outcome.err, "hitpipe: " + yosys.string() + ": failed with exit code 3; its output is in " +
+                             log.string() + "\n");
+  EXPECT_EQ(contents_of(log), "broken\n");
+}
+
+TEST_F(ImplementCommand, WrongUseRejected) {
+  const auto refused = [&](const std::vector<std::string>& more) {
+    const Outcome outcome = run(more);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_FALSE(std::filesystem::exists(out_));
+    return outcome.err;
+  };
+  EXPECT_EQ(refused({}), "hitpipe: --target is required; see hitpipe implement --help\n");
+  EXPECT_EQ(
+      refused({"--target", "stratix"}),
+      "hitpipe: target stratix: unknown; there are ecp5, ice40_hx, ice40_up5k, osu018, xc7, and any file "
+      "whose name ends in .json\n");
+  EXPECT_EQ(refused({"--target", "xc7", "--seeds", "101"}),
+            "hitpipe: --seeds: Value 101 not in range 0 to 100; see hitpipe implement --help\n");
+  EXPECT_EQ(
+      refused({"--target", "xc7", "--simulate", "9"}),
+      "hitpipe: target xc7: has no simulation models of its cells, so its netlist cannot be simulated\n");
+  EXPECT_EQ(refused({"--target", "xc7", "--name", "a-b"}).substr(0, 9), "hitpipe: ");
+}
+
+}  // namespace
+}  // namespace hitpipe::cli
