@@ -49,12 +49,15 @@ TEST(CheckCommand, PrintsEveryCategoryAndTheSumInEightyColumns) {
     EXPECT_EQ(outcome.exit_code, 0) << design;
     EXPECT_LE(widest_line(outcome.out), 80U) << design;
     const auto lines = lines_of(outcome.out);
-    ASSERT_EQ(lines.size(), 2U + 27U + 1U) << design;
+    ASSERT_GE(lines.size(), 2U + 27U + 1U + 2U) << design;
     for (std::size_t i = 0; i < 27; ++i) {
       EXPECT_THAT(lines[2 + i], StartsWith(std::string(ref::adversary::categories()[i].name) + " "));
     }
-    EXPECT_THAT(lines.back(), StartsWith("all "));
-    EXPECT_THAT(lines.back(), HasSubstr(" 20,000 "));
+    EXPECT_THAT(lines[29], StartsWith("all "));
+    EXPECT_THAT(lines[29], HasSubstr(" 20,000 "));
+    EXPECT_THAT(lines[30],
+                testing::MatchesRegex("false misses: [0-9.e-]+ % of [0-9]+ cases that are hits, 95 % "
+                                      "interval [0-9.]+ to.*"));
   }
 }
 
@@ -76,15 +79,27 @@ TEST(CheckCommand, PrintsCsv) {
   const auto lines = lines_of(printed(
       {"int_slabs", "--tests", "4096", "--category", "edge", "--category", "stiff", "--format", "csv"}));
   ASSERT_EQ(lines.size(), 4U);
-  EXPECT_EQ(lines[0], "category,tests,hits,false_misses,false_hits,false_miss_pct,false_hit_pct");
+  EXPECT_EQ(
+      lines[0],
+      "category,tests,hits,false_misses,false_hits,false_miss_pct,false_miss_low_pct,false_miss_high_pct,"
+      "false_hit_pct,false_hit_low_pct,false_hit_high_pct");
   EXPECT_THAT(lines[1], StartsWith("edge,2048,"));
   EXPECT_THAT(lines[2], StartsWith("stiff,2048,"));
   EXPECT_THAT(lines[3], StartsWith("all,4096,"));
 }
 
 TEST(CheckCommand, PrintsJsonWithTheRobustFormBesideFloatSlabs) {
-  const std::vector<std::string> usual{"category",   "tests",          "hits",         "false_misses",
-                                       "false_hits", "false_miss_pct", "false_hit_pct"};
+  const std::vector<std::string> usual{"category",
+                                       "tests",
+                                       "hits",
+                                       "false_misses",
+                                       "false_hits",
+                                       "false_miss_pct",
+                                       "false_miss_low_pct",
+                                       "false_miss_high_pct",
+                                       "false_hit_pct",
+                                       "false_hit_low_pct",
+                                       "false_hit_high_pct"};
   const std::vector<std::string> how{"--tests", "2048", "--category", "corner", "--format", "json"};
   for (const char* const design : {"int_slabs", "int_plucker", "fp_plucker"}) {
     std::vector<std::string> arguments = how;
@@ -95,7 +110,8 @@ TEST(CheckCommand, PrintsJsonWithTheRobustFormBesideFloatSlabs) {
   arguments.insert(arguments.begin(), "fp_slabs");
   const Outcome outcome = check(arguments);
   std::vector<std::string> beside = usual;
-  beside.insert(beside.end(), {"robust_misses", "robust_false_miss_pct", "robust_false_hits"});
+  beside.insert(beside.end(), {"robust_misses", "robust_false_miss_pct", "robust_false_miss_low_pct",
+                               "robust_false_miss_high_pct", "robust_false_hits"});
   EXPECT_EQ(keys_of(outcome.out), beside);
   const json row = json::parse(outcome.out).front();
   EXPECT_EQ(row.at("category"), "corner");
@@ -105,6 +121,8 @@ TEST(CheckCommand, PrintsJsonWithTheRobustFormBesideFloatSlabs) {
                    100.0 * row.at("false_hits").get<double>() /
                        (row.at("tests").get<double>() - row.at("hits").get<double>()));
   EXPECT_LT(row.at("robust_misses"), row.at("false_misses"));
+  EXPECT_LT(row.at("false_miss_low_pct"), row.at("false_miss_pct"));
+  EXPECT_GT(row.at("false_miss_high_pct"), row.at("false_miss_pct"));
 }
 
 TEST(CheckCommand, RunsAsManyTestsAsAsked) {

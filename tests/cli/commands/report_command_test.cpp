@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "area_model/triangle_unit.hpp"
+#include "cli/report/recommendation.hpp"
 #include "cli/report/report_page.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "sim/sweep/rows_file.hpp"
@@ -45,11 +47,13 @@ class ReportCommand : public testing::Test {
 TEST_F(ReportCommand, WritesThePageAndWhatItsNumbersComeFrom) {
   EXPECT_EQ(outcome_.err, "");
   EXPECT_THAT(outcome_.out, HasSubstr("rows                 59\n"));
-  EXPECT_EQ(files_below(out()),
-            (std::vector<std::string>{
-                "box_tests.png", "error_area.svg", "error_area_run_time.svg", "error_run_time.svg",
-                "extra_box_tests_20_24.png", "extra_box_tests_6_6.png", "index.html", "occupancy.svg",
-                "pictures.csv", "pipelines.csv", "rows.csv", "rtl.png", "software.png", "stability.csv"}));
+  EXPECT_EQ(
+      files_below(out()),
+      (std::vector<std::string>{"box_tests.png", "error_area.svg", "error_area_run_time.svg",
+                                "error_run_time.svg", "extra_box_tests_20_24.png", "extra_box_tests_6_6.png",
+                                "index.html", "memory.svg", "occupancy.svg", "pictures.csv", "pipelines.csv",
+                                "rows.csv", "rtl.png", "software.png", "stability.csv", "stiffness.csv",
+                                "stiffness.svg", "whole_area_run_time.svg", "whole_run_time.svg"}));
 }
 
 TEST_F(ReportCommand, PageNeedsNothingButItself) {
@@ -69,22 +73,71 @@ TEST_F(ReportCommand, EveryRowOfTheTableIsTheLineOfTheFile) {
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
     const sim::SweepRow& row = rows.rows[i];
     if (row.rays_in_flight != 32) continue;
-    std::string line = "<tr><td class=\"n\">" + std::to_string(i + 3) + "</td><td>" + row.design +
-                       "</td><td>" + row.bits + "</td>";
+    std::string line = "<tr><td>" + unit_name(row) + "</td>";
     for (const char* const column :
          {"boxes_per_test", "stages", "stage_delay_ns", "area_mm2", "area_per_box_mm2", "box_tests",
-          "false_hits_per_million", "extra_box_tests_per_ray", "extra_triangle_tests_per_ray", "cycles",
-          "occupancy_pct", "run_time_ms", "area_run_time_mm2_ms", "false_misses", "rtl_mismatches",
-          "different_triangles", "different_pixels"})
+          "triangle_tests", "false_hits_per_million", "extra_box_tests_pct", "extra_triangle_tests_pct",
+          "occupancy_pct", "run_time_ms", "area_run_time_mm2_ms", "whole_run_time_ms",
+          "whole_area_run_time_mm2_ms", "nodes_fetched", "bytes_per_ray", "false_misses"})
       line += "<td class=\"n\">" + readable_number(cell(row, column)) + "</td>";
-    EXPECT_THAT(page_, HasSubstr(line + "</tr>\n"));
+    EXPECT_THAT(page_, HasSubstr(line + "<td class=\"n\">" + std::to_string(i + 3) + "</td></tr>\n"));
     ++shown;
   }
   EXPECT_EQ(shown, 11U);
 }
 
+/// What to build is told by the whole cost, with what that counts.
+TEST_F(ReportCommand, RecommendsByTheWholeCost) {
+  const sim::RowsFile rows = sim::read_rows(out() / "rows.csv");
+  const std::optional<std::size_t> best = cheapest(rows.rows, 32);
+  ASSERT_TRUE(best);
+  EXPECT_THAT(page_,
+              HasSubstr("<dt>Least whole area × run time of all</dt><dd>" + unit_name(rows.rows[*best])));
+  EXPECT_THAT(page_, HasSubstr(cost_caveat(rows.rows.front())));
+  const area::Price triangle = area::price_of_triangle_unit(rtl::Library::thesis());
+  EXPECT_EQ(rows.rows.front().triangle.area_um2, triangle.area_um2);
+  EXPECT_EQ(rows.rows.front().triangle.delay_ps, triangle.stage_delay_ps);
+}
+
+/// A sampled share stands with its interval; the file has the number of cases.
+TEST_F(ReportCommand, TellsIntervalsOfWhatIsSampled) {
+  const std::vector<std::string> stability = lines_of(contents_of(out() / "stability.csv"));
+  EXPECT_EQ(stability.front(),
+            "design,bits,category,tests,seed,hits,false_misses,false_miss_pct,false_miss_low_pct,"
+            "false_miss_high_pct,false_hits,false_hit_pct,false_hit_low_pct,false_hit_high_pct");
+  EXPECT_EQ(stability.size(), 1U + 6U * 28U);
+  EXPECT_THAT(stability[28], testing::StartsWith("fp_slabs,fp32,all,600,1,"));
+  EXPECT_THAT(page_,
+              testing::ContainsRegex("<td>corner</td><td class=\"n\">2[23]</td><td>[0-9.]+ \\([0-9.]+ to "));
+  EXPECT_THAT(page_, HasSubstr("What float units miss, and why: fp_slabs missed "));
+  const std::string stiffness = contents_of(out() / "stiffness.csv");
+  EXPECT_THAT(stiffness, HasSubstr("int_slabs,16/16,2^16,all,600,"));
+  EXPECT_THAT(page_, HasSubstr("hitpipe stiffness --tests 600 --seed 1 --out FOLDER\n"));
+}
+
+TEST_F(ReportCommand, HasHeadingsInWords) {
+  for (const char* const heading : {"clock period, ns", "clock, MHz", "whole area × run time, mm² ms"})
+    EXPECT_THAT(page_, HasSubstr("<th scope=\"col\">" + std::string(heading) + "</th>"));
+  EXPECT_THAT(page_, Not(testing::ContainsRegex("<th scope=\"col\">[a-z_]*_(ns|ms|mm2|pct|mhz)</th>")));
+}
+
+/// Another cost of a triangle test needs no new measurement.
+TEST_F(ReportCommand, TakesAnotherCostOfATriangleTest) {
+  const fs::path again = folder_->path() / "costly";
+  const Outcome outcome = run_hitpipe(report(
+      again, {"--rows", (out() / "rows.csv").string(), "--triangle-ns", "4", "--triangle-mm2", "2.5"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const sim::RowsFile before = sim::read_rows(out() / "rows.csv");
+  const sim::RowsFile rows = sim::read_rows(again / "rows.csv");
+  ASSERT_EQ(rows.rows.size(), before.rows.size());
+  EXPECT_EQ(rows.rows[0].triangle, (sim::TriangleCost{4000, 2'500'000}));
+  EXPECT_EQ(rows.rows[0].run_time_ms(), before.rows[0].run_time_ms());
+  EXPECT_NE(rows.rows[0].whole_run_time_ms(), before.rows[0].whole_run_time_ms());
+  EXPECT_THAT(contents_of(again / "index.html"), HasSubstr("is taken as 4 ns of a unit of 2.5 mm²"));
+}
+
 TEST_F(ReportCommand, ComparesAreasForEachBox) {
-  EXPECT_THAT(page_, HasSubstr("area, mm² for each box tested in a cycle"));
+  EXPECT_THAT(page_, HasSubstr("area for each box tested in a cycle, mm²"));
   EXPECT_THAT(page_, HasSubstr("is compared as two units: its area per box is half of its area."));
   const sim::RowsFile rows = sim::read_rows(out() / "rows.csv");
   const sim::SweepRow& pair = rows.rows.back();
@@ -92,7 +145,7 @@ TEST_F(ReportCommand, ComparesAreasForEachBox) {
   EXPECT_EQ(pair.boxes_per_test, 2);
   EXPECT_DOUBLE_EQ(pair.area_per_box_mm2(), static_cast<double>(pair.area_um2) / 2e6);
   // The cheapest is told with what its area is for.
-  EXPECT_THAT(page_, HasSubstr(" mm² for 2 boxes in a test, "));
+  EXPECT_THAT(page_, HasSubstr(" mm² for 2 boxes in a test; "));
 }
 
 TEST_F(ReportCommand, RowsThatAreGivenMakeTheSamePage) {

@@ -197,9 +197,10 @@ TEST_F(SweepCommand, RowsOfSomethingElseRejected) {
   const Outcome outcome = run_hitpipe(sweep(rows, {"--bounces", "2"}));
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, StartsWith("hitpipe: " + rows.string() + ": holds rows of \"hitpipe "));
-  EXPECT_THAT(outcome.err, HasSubstr(" 40 x 30 pixels, 5 bounces\", asked for are \""));
+  EXPECT_THAT(outcome.err, HasSubstr(" 40 x 30 pixels, 5 bounces, library thesis_250nm\", asked for are \""));
   EXPECT_THAT(outcome.err,
-              testing::EndsWith(" 40 x 30 pixels, 2 bounces\"; give another file or remove it\n"));
+              testing::EndsWith(
+                  " 40 x 30 pixels, 2 bounces, library thesis_250nm\"; give another file or remove it\n"));
   EXPECT_EQ(contents_of(rows), before);
 
   std::ofstream(rows, std::ios::app) << "comb,1,2";
@@ -213,8 +214,15 @@ TEST_F(SweepCommand, PrintsTextThatFitsEightyColumnsAndJson) {
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_EQ(text.err, "");
   EXPECT_LE(widest_line(text.out), 80U) << text.out;
-  EXPECT_EQ(lines_of(text.out).size(), 2 + all_rows);
-  EXPECT_EQ(run_hitpipe(sweep(rows_file, {"--format", "csv"})).out, contents_of(rows_file));
+  const std::vector<std::string> lines = lines_of(text.out);
+  ASSERT_GT(lines.size(), 2 + all_rows);
+  EXPECT_THAT(lines[2 + all_rows], StartsWith("Least whole area × time: "));
+  EXPECT_THAT(text.out, HasSubstr("A triangle test is taken as 2.876 ns\n  of a unit of 7.886 mm²."));
+  // A program that reads it finds the header first.
+  const std::string csv = run_hitpipe(sweep(rows_file, {"--format", "csv"})).out;
+  EXPECT_THAT(csv, StartsWith("scene,triangles,"));
+  const std::string file = contents_of(rows_file);
+  EXPECT_EQ(csv, file.substr(file.find('\n') + 1));
 
   const json rows = json::parse(run_hitpipe(sweep(rows_file, {"--format", "json"})).out);
   ASSERT_EQ(rows.size(), all_rows);
@@ -238,7 +246,7 @@ TEST_F(SweepCommand, PrintsTheAreaOfAPairForEachBox) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_LE(widest_line(outcome.out), 80U) << outcome.out;
   const auto lines = lines_of(outcome.out);
-  ASSERT_EQ(lines.size(), 2U + 2U + 1U);
+  ASSERT_GT(lines.size(), 2U + 2U + 1U);
   EXPECT_THAT(lines[3], StartsWith("int_major_pair 20+1/12    32  0.25 "));
   EXPECT_EQ(lines[4], "area: for each box that a test answers for; area*time: of the whole unit");
   const sim::SweepRow row = sim::read_rows(out).rows.at(1);
@@ -255,8 +263,25 @@ TEST_F(SweepCommand, RowsOfOtherColumnsRejected) {
   expect_error(
       sweep(file("old.csv")),
       file("old.csv").string() +
-          ": line 2 is not the header of a sweep by this version; give a file that hitpipe sweep wrote");
+          ": line 2 is not the header of a sweep by this version, so its rows must be measured again; give "
+          "another file or remove it");
   EXPECT_EQ(contents_of(file("old.csv")), text);
+}
+
+/// The cost of a triangle test is no measurement: the rows stay, and their figures follow it.
+TEST_F(SweepCommand, TakesAnotherCostOfATriangleTest) {
+  const fs::path rows = copy();
+  const Outcome outcome = run_hitpipe(sweep(rows, {"--triangle-ns", "5", "--triangle-mm2", "0.25"}),
+                                      {{"VERILATOR", "/nonexistent"}});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const sim::RowsFile before = sim::read_rows(whole());
+  const sim::RowsFile after = sim::read_rows(rows);
+  ASSERT_EQ(after.rows.size(), before.rows.size());
+  for (std::size_t i = 0; i < after.rows.size(); ++i) {
+    EXPECT_EQ(after.rows[i].triangle, (sim::TriangleCost{5000, 250'000}));
+    EXPECT_EQ(after.rows[i].cycles, before.rows[i].cycles);
+    EXPECT_EQ(after.rows[i].area_run_time_mm2_ms(), before.rows[i].area_run_time_mm2_ms());
+  }
 }
 
 /// Separated by commas or blanks, or the option repeated. The rows asked for are there, so nothing is
@@ -270,7 +295,7 @@ TEST_F(SweepCommand, TakesListsInEveryForm) {
     arguments.insert(arguments.end(), how.begin(), how.end());
     const Outcome outcome = run_hitpipe(arguments, {{"VERILATOR", "/nonexistent"}});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(lines_of(outcome.out).size(), 2 + all_rows);
+    EXPECT_GT(lines_of(outcome.out).size(), 2 + all_rows);
   };
   lists({"--designs", "int_plucker", "fp_slabs", "int_slabs", "--bits", "6/6", "--rays-in-flight", "8", "1"});
   lists(
@@ -296,6 +321,10 @@ TEST_F(SweepCommand, BadInputRejected) {
       "bits 5/5: no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
   expect_error({"sweep", "--scene", "spheres", "--rays-in-flight", "1,0", "--out", out},
                "--rays-in-flight: Value 0 not in range 1 to 65536; see hitpipe sweep --help");
+  for (const char* const cost : {"-1", "nan", "x"})
+    expect_error(
+        {"sweep", "--scene", "spheres", "--triangle-ns", cost, "--out", out},
+        "--triangle-ns: Value " + std::string(cost) + " not in range 0 to 1000000; see hitpipe sweep --help");
   expect_error({"sweep", "--scene", "spheres", "--bits", "6/6", "--shard", "3/2", "--out", out},
                "--shard 3/2: allowed is I/N with I in 1..N and N in 1..100000, or mpi");
   EXPECT_FALSE(fs::exists(file("rows.csv")));
@@ -308,7 +337,7 @@ TEST_F(SweepCommand, RowThatIsNotVerifiedFails) {
   sim::write_rows(file("rows.csv"), rows);
   const Outcome outcome = run_hitpipe(sweep(file("rows.csv")));
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(lines_of(outcome.out).size(), 2 + all_rows);
+  EXPECT_GT(lines_of(outcome.out).size(), 2 + all_rows);
   EXPECT_EQ(outcome.err,
             "hitpipe: int_slabs 6/6 on comb: 0 RTL mismatches, 0 different triangles, 7 different pixels, 1 "
             "false misses; all must be 0\n");

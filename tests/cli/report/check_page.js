@@ -23,6 +23,24 @@ window.addEventListener('load', () => {
   if (new Set(ids).size !== ids.length) faults.push('an identifier is there twice');
   const root = document.documentElement;
   if (root.scrollWidth > root.clientWidth) faults.push('wider than the window: ' + root.scrollWidth);
+  // What is wider than the window scrolls in its own frame.
+  for (const element of document.querySelectorAll('p, dl, pre, figcaption, table, svg, img')) {
+    if (element.closest('.scroll') || element.closest('details')) continue;
+    if (element.getBoundingClientRect().right > root.clientWidth) faults.push('cut: ' + element.outerHTML.slice(0, 80));
+  }
+  // A plot takes the width of a large window.
+  const plot = document.querySelector('.plot svg').getBoundingClientRect();
+  if (innerWidth >= 1280 && plot.width < 0.95 * root.clientWidth) faults.push('plot of a width of ' + plot.width);
+  // The header of a long table stays when its rows scroll.
+  for (const frame of document.querySelectorAll('.rows')) {
+    const head = frame.querySelector('thead th');
+    frame.scrollTop = frame.scrollHeight;
+    if (Math.abs(head.getBoundingClientRect().top - frame.getBoundingClientRect().top) > 2)
+      faults.push('a header scrolls away: ' + frame.firstElementChild.getAttribute('aria-label'));
+    for (const name of frame.querySelectorAll('th')) {
+      if (/_(ns|ms|mm2|pct|mhz)\b/.test(name.textContent)) faults.push('no words: ' + name.textContent);
+    }
+  }
   const found = parent.document.createElement('output');
   found.id = `checked-${innerWidth}`;
   found.textContent = `width ${innerWidth}, pictures ${pictures.length}, drawings ${drawings.length}, ` +

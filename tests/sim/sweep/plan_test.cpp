@@ -123,6 +123,12 @@ TEST(Shards, ThatAreNotAllThereAreNotJoined) {
   write_rows(shard_file(file, {1, 2}), {about_shard("a sweep", {1, 2}, 1), {a_row()}});
   EXPECT_EQ(refused(),
             name + ".2-of-2: int_slabs 20/24 is in another shard too; the shards were cut differently");
+  SweepRow costly = other;
+  costly.triangle.delay_ps += 1;
+  write_rows(shard_file(file, {1, 2}), {about_shard("a sweep", {1, 2}, 1), {costly}});
+  EXPECT_EQ(refused(), name +
+                           ".2-of-2: counts triangle tests at another cost than the shards before; run it "
+                           "again with the same options");
   write_rows(shard_file(file, {1, 2}), {"a sweep", {other}});
   EXPECT_EQ(refused(), name + ".1-of-2: line 1 does not say that it is this shard");
   write_rows(shard_file(file, {1, 2}), {about_shard("a sweep", {1, 2}, 1), {other}});
