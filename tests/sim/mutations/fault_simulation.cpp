@@ -20,6 +20,10 @@ std::uint64_t run_float(const rtl::Unit& unit, std::span<const std::uint64_t> op
       return fp::subtract(operands[0], operands[1]);
     case fp::Operator::multiply:
       return fp::multiply(operands[0], operands[1]);
+    case fp::Operator::subtract_rz:
+      return fp::subtract_rz(fp::format_of(unit), operands[0], operands[1]);
+    case fp::Operator::multiply_rz:
+      return fp::multiply_rz(fp::format_of(unit), operands[0], operands[1]);
     default:
       return fp::compare(operands[0], operands[1]);
   }

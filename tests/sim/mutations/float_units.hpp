@@ -5,10 +5,12 @@
 
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 
 #include "hls/box/fp_format.hpp"
 #include "hls/num/domain.hpp"
 #include "hls/num/fp.hpp"
+#include "hls/num/sized.hpp"
 #include "rtl_gen/graph/graph.hpp"
 
 namespace hitpipe::sim::fp {
@@ -42,6 +44,25 @@ inline std::uint64_t multiply(std::uint64_t a, std::uint64_t b) {
 /// Bit 0: less. Bit 1: greater.
 inline std::uint64_t compare(std::uint64_t a, std::uint64_t b) {
   return hls::fp_logic::compare<hls::Native>(hls::Fp32(), pattern(a), pattern(b)).word();
+}
+
+/// The unit's name ends with the format: fp_subtract_rz_8_15.
+inline hls::FpBits format_of(const rtl::Unit& unit) {
+  const std::string& name = unit.body.name();
+  const std::size_t last = name.rfind('_');
+  return {std::stoi(name.substr(name.rfind('_', last - 1) + 1)), std::stoi(name.substr(last + 1))};
+}
+inline std::uint64_t subtract_rz(const hls::FpBits& format, std::uint64_t a, std::uint64_t b) {
+  const int width = format.width();
+  return hls::fp_logic::subtract_rz<hls::Sized>(format, hls::Sized::uint(a, width),
+                                                hls::Sized::uint(b, width))
+      .word();
+}
+inline std::uint64_t multiply_rz(const hls::FpBits& format, std::uint64_t a, std::uint64_t b) {
+  const int width = format.width() - 1;
+  return hls::fp_logic::multiply_rz<hls::Sized>(format, hls::Sized::uint(a, width),
+                                                hls::Sized::uint(b, width))
+      .word();
 }
 
 inline std::uint64_t negated(std::uint64_t x) {
