@@ -134,7 +134,11 @@ bool Library::has(Component component) const {
     case Component::fp_subtract:
     case Component::fp_multiply:
     case Component::fp_compare:
+    case Component::fp_subtract_rz:
+    case Component::fp_multiply_rz:
       return false;  // they are made of the chip's other parts
+    case Component::latch_enable:
+      return false;  // every register of a chip has an enable
     default:
       return true;
   }
