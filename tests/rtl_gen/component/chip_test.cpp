@@ -53,7 +53,7 @@ TEST(Chip, DelaysAndCellsFollowTheLaws) {
   EXPECT_EQ(Library::thesis().chip(), nullptr);
 }
 
-std::string told(std::string_view from, std::string_view to) {
+std::string refusal_of_chip(std::string_view from, std::string_view to) {
   std::string text(toy_json);
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
@@ -64,38 +64,38 @@ std::string told(std::string_view from, std::string_view to) {
 
 TEST(Chip, MayHaveNoBlock) {
   const std::string text(toy_json);
-  EXPECT_EQ(told("\"block\"", "\"other\""), "no exception");
+  EXPECT_EQ(refusal_of_chip("\"block\"", "\"other\""), "no exception");
 }
 
 TEST(Chip, WrongEntriesRejected) {
   const auto range = [](const char* least, const char* most) {
     return std::string(", allowed are whole numbers from ") + least + " to " + most;
   };
-  EXPECT_EQ(told("\"toy\"", "7"), "toy.json: chip: \"device\" must be a text");
-  EXPECT_EQ(told("\"toy\"", "\"a\\nb\""), "toy.json: chip: \"device\" must be one line");
-  EXPECT_EQ(told("true", "1"), "toy.json: chip: \"estimated\" must be true or false");
-  EXPECT_EQ(told("\"lut_inputs\": 4", "\"lut_inputs\": 1"),
+  EXPECT_EQ(refusal_of_chip("\"toy\"", "7"), "toy.json: chip: \"device\" must be a text");
+  EXPECT_EQ(refusal_of_chip("\"toy\"", "\"a\\nb\""), "toy.json: chip: \"device\" must be one line");
+  EXPECT_EQ(refusal_of_chip("true", "1"), "toy.json: chip: \"estimated\" must be true or false");
+  EXPECT_EQ(refusal_of_chip("\"lut_inputs\": 4", "\"lut_inputs\": 1"),
             "toy.json: chip: \"lut_inputs\" is 1" + range("2", "16"));
-  EXPECT_EQ(told("\"gate\"", "\"gates\""), "toy.json: chip: \"gate\" is missing");
-  EXPECT_EQ(told("\"luts_pct\": 25", "\"luts_pct\": 1001"),
+  EXPECT_EQ(refusal_of_chip("\"gate\"", "\"gates\""), "toy.json: chip: \"gate\" is missing");
+  EXPECT_EQ(refusal_of_chip("\"luts_pct\": 25", "\"luts_pct\": 1001"),
             "toy.json: chip: gate: \"luts_pct\" is 1001" + range("0", "1000"));
-  EXPECT_EQ(told("{\"delay_ps\": 1}", "1"), "toy.json: chip: register: must be a JSON object");
-  EXPECT_EQ(told("\"delay_ps\": 3", "\"delay_ps\": 0"),
+  EXPECT_EQ(refusal_of_chip("{\"delay_ps\": 1}", "1"), "toy.json: chip: register: must be a JSON object");
+  EXPECT_EQ(refusal_of_chip("\"delay_ps\": 3", "\"delay_ps\": 0"),
             "toy.json: chip: mux2: \"delay_ps\" is 0" + range("1", "1000000"));
-  EXPECT_EQ(told("\"delay_ps_per_bit\": 2", "\"delay_ps_per_bit\": -2"),
+  EXPECT_EQ(refusal_of_chip("\"delay_ps_per_bit\": 2", "\"delay_ps_per_bit\": -2"),
             "toy.json: chip: carry: \"delay_ps_per_bit\" is -2" + range("0", "100000"));
-  EXPECT_EQ(told("\"M8\"", "8"), "toy.json: chip: block: \"name\" must be a text");
-  EXPECT_EQ(told("\"width_a\": 8", "\"width_a\": 5"),
+  EXPECT_EQ(refusal_of_chip("\"M8\"", "8"), "toy.json: chip: block: \"name\" must be a text");
+  EXPECT_EQ(refusal_of_chip("\"width_a\": 8", "\"width_a\": 5"),
             "toy.json: chip: block: \"width_a\" is 5, less than \"width_b\" of 6");
-  EXPECT_EQ(told("\"width_b\": 6", "\"width_b\": 1"),
+  EXPECT_EQ(refusal_of_chip("\"width_b\": 6", "\"width_b\": 1"),
             "toy.json: chip: block: \"width_b\" is 1" + range("2", "64"));
-  EXPECT_EQ(told("\"reads_unsigned\": true", "\"reads_unsigned\": \"yes\""),
+  EXPECT_EQ(refusal_of_chip("\"reads_unsigned\": true", "\"reads_unsigned\": \"yes\""),
             "toy.json: chip: block: \"reads_unsigned\" must be true or false");
-  EXPECT_EQ(told("\"operand_registers\"", "\"registers\""),
+  EXPECT_EQ(refusal_of_chip("\"operand_registers\"", "\"registers\""),
             "toy.json: chip: block: \"operand_registers\" is missing");
-  EXPECT_EQ(told("\"stages\": 2", "\"stages\": 0"),
+  EXPECT_EQ(refusal_of_chip("\"stages\": 2", "\"stages\": 0"),
             "toy.json: chip: block: \"stages\" is 0" + range("1", "64"));
-  EXPECT_EQ(told("\"luts\": 30", "\"luts\": -1"),
+  EXPECT_EQ(refusal_of_chip("\"luts\": 30", "\"luts\": -1"),
             "toy.json: chip: block: \"luts\" is -1" + range("0", "1000000"));
 }
 

@@ -11,19 +11,19 @@
 namespace hitpipe::rtl {
 namespace {
 
-constexpr std::uint64_t mask(int width) {
+constexpr std::uint64_t ones(int width) {
   return ~std::uint64_t{0} >> (64 - width);
 }
 
 std::uint64_t extended(std::uint64_t value, int width, bool is_signed) {
-  return is_signed && (value >> (width - 1)) != 0 ? value | ~mask(width) : value;
+  return is_signed && (value >> (width - 1)) != 0 ? value | ~ones(width) : value;
 }
 
-std::uint64_t product(const ProductShape& s, std::uint64_t a, std::uint64_t b) {
-  return (extended(a, s.width_a, s.a_signed) * extended(b, s.width_b, s.b_signed)) & mask(s.width());
+std::uint64_t true_product(const ProductShape& s, std::uint64_t a, std::uint64_t b) {
+  return (extended(a, s.width_a, s.a_signed) * extended(b, s.width_b, s.b_signed)) & ones(s.width());
 }
 
-std::string described(const ProductShape& s) {
+std::string sized(const ProductShape& s) {
   return fmt::format("{}{} x {}{}", s.width_a, s.a_signed ? "s" : "u", s.width_b, s.b_signed ? "s" : "u");
 }
 
@@ -79,10 +79,10 @@ TEST(Product, EveryValueOfSmallWidths) {
           const ProductPlan plan = plan_product(s, chip);
           const Graph graph = made(s, plan);
           EXPECT_LE(multiplications(graph, chip), plan.blocks);
-          for (std::uint64_t a = 0; a <= mask(width_a); ++a) {
-            for (std::uint64_t b = 0; b <= mask(width_b); ++b, ++compared) {
-              ASSERT_EQ(evaluate(graph, std::vector<std::uint64_t>{a, b}).at(0), product(s, a, b))
-                  << described(s) << ", a " << a << ", b " << b;
+          for (std::uint64_t a = 0; a <= ones(width_a); ++a) {
+            for (std::uint64_t b = 0; b <= ones(width_b); ++b, ++compared) {
+              ASSERT_EQ(evaluate(graph, std::vector<std::uint64_t>{a, b}).at(0), true_product(s, a, b))
+                  << sized(s) << ", a " << a << ", b " << b;
             }
           }
         }
@@ -107,8 +107,8 @@ TEST(Product, RandomValuesOnEveryChip) {
       for (int v = 0; v < 100; ++v) {
         const std::uint64_t a = random.value(s.width_a);
         const std::uint64_t b = random.value(s.width_b);
-        ASSERT_EQ(evaluate(graph, std::vector<std::uint64_t>{a, b}).at(0), product(s, a, b))
-            << name << ' ' << described(s) << std::hex << ", a " << a << ", b " << b;
+        ASSERT_EQ(evaluate(graph, std::vector<std::uint64_t>{a, b}).at(0), true_product(s, a, b))
+            << name << ' ' << sized(s) << std::hex << ", a " << a << ", b " << b;
       }
     }
   }
