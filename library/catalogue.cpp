@@ -12,8 +12,9 @@ template <class Ours, class Theirs>
 constexpr bool same(Ours ours, Theirs theirs) {
   return static_cast<int>(ours) == static_cast<int>(theirs);
 }
-static_assert(same(HITPIPE_ORIGIN, hls::Role::origin) && same(HITPIPE_ENDPOINT, hls::Role::endpoint) &&
-              same(HITPIPE_DIRECTION, hls::Role::direction) && same(HITPIPE_INVERSE, hls::Role::inverse) &&
+static_assert(same(HITPIPE_ORIGIN, hls::Role::origin) && same(HITPIPE_ORIGIN_HIGH, hls::Role::origin_high) &&
+              same(HITPIPE_ENDPOINT, hls::Role::endpoint) && same(HITPIPE_DIRECTION, hls::Role::direction) &&
+              same(HITPIPE_INVERSE, hls::Role::inverse) &&
               same(HITPIPE_INVERSE_LOW, hls::Role::inverse_low) &&
               same(HITPIPE_INVERSE_HIGH, hls::Role::inverse_high) &&
               same(HITPIPE_LENGTH, hls::Role::length) && same(HITPIPE_ENDLESS, hls::Role::endless) &&

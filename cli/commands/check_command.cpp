@@ -13,13 +13,11 @@
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
-#include "cli/text/wrap.hpp"
 #include "sim/check/check.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/adversary/replay.hpp"
 #include "sw_ref/adversary/shrink.hpp"
 #include "sw_ref/exact/box_referee.hpp"
-#include "sw_ref/experiment/interval.hpp"
 
 namespace hitpipe::cli {
 
@@ -61,24 +59,12 @@ std::vector<Category> chosen_categories(const rtl::Design& design, const std::ve
   return chosen;
 }
 
-double percent(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
-
-/// In percent, with the 95 % interval.
-void add_share(Row& row, const std::string& name, std::uint64_t part, std::uint64_t whole) {
-  const auto [low, high] = ref::wilson_interval(part, whole);
-  row[name + "_pct"] = percent(part, whole);
-  row[name + "_low_pct"] = 100.0 * low;
-  row[name + "_high_pct"] = 100.0 * high;
-}
-
-/// Of all categories together, below the table.
-std::string sampled_text(const char* what, std::uint64_t part, std::uint64_t whole, const char* of) {
-  const auto [low, high] = ref::wilson_interval(part, whole);
-  return wrapped(fmt::format("{}: {:.4g} % of {} cases that {}, 95 % interval {:.3g} to {:.3g} %", what,
-                             percent(part, whole), whole, of, 100.0 * low, 100.0 * high),
-                 2);
+/// In percent, with its 95 % interval, as columns of CSV and JSON.
+void add_share(Row& row, const std::string& name, const ref::GroupedRatio& share) {
+  const ref::Interval interval = share.share_interval();
+  row[name] = 100 * share.ratio();
+  row[name + "_low"] = 100 * interval.low;
+  row[name + "_high"] = 100 * interval.high;
 }
 
 Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim::CategoryResult* robust) {
@@ -88,16 +74,23 @@ Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim:
           {"false_misses", r.false_misses},
           {"false_hits", r.false_hits}};
   if (command.format != Format::text) {
-    add_share(row, "false_miss", r.false_misses, r.hits);
-    add_share(row, "false_hit", r.false_hits, r.tests - r.hits);
+    add_share(row, "false_miss_pct", r.false_miss_share);
+    add_share(row, "false_hit_pct", r.false_hit_share);
   }
   if (robust != nullptr) row["robust_misses"] = robust->false_misses;
   if (robust != nullptr && command.format != Format::text) {
-    add_share(row, "robust_false_miss", robust->false_misses, robust->hits);
+    add_share(row, "robust_false_miss_pct", robust->false_miss_share);
     row["robust_false_hits"] = robust->false_hits;
   }
   if (command.rtl) row["rtl_mismatches"] = r.rtl_mismatches;
   return row;
+}
+
+/// One line: a share of all tests, in percent.
+std::string share_text(const std::string& what, const std::string& of, const ref::GroupedRatio& share) {
+  const ref::Interval interval = share.share_interval();
+  return fmt::format("{}: {:.4g} % of the boxes {}; 95 %: {:.4g} to {:.4g}; {} rays\n", what,
+                     100 * share.ratio(), of, 100 * interval.low, 100 * interval.high, share.groups());
 }
 
 std::string replay_command(const CheckCommand& command, const Case& c) {
@@ -157,8 +150,8 @@ int judge(const CheckCommand& command) {
   }
   fmt::print("{}", table_text(rows, command.format));
   if (command.format == Format::text) {
-    fmt::print("{}{}", sampled_text("false misses", sum.false_misses, sum.hits, "are hits"),
-               sampled_text("false hits", sum.false_hits, sum.tests - sum.hits, "are misses"));
+    fmt::print("{}{}", share_text("false misses", "met", sum.false_miss_share),
+               share_text("false hits", "missed", sum.false_hit_share));
   }
   if (sum.false_miss) {
     const std::unique_ptr<sim::BoxTest> test = make();

@@ -155,16 +155,15 @@ struct Share {
   double high = 0;
 };
 
-Share share_of(std::uint64_t part, std::uint64_t whole) {
-  const auto [low, high] = ref::wilson_interval(part, whole);
-  const double share = whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
-  return {100.0 * share, 100.0 * low, 100.0 * high};
+Share share_of(const ref::GroupedRatio& share) {
+  const auto [low, high] = share.share_interval();
+  return {100.0 * share.ratio(), 100.0 * low, 100.0 * high};
 }
 Share misses_of(const sim::CategoryResult& r) {
-  return share_of(r.false_misses, r.hits);
+  return share_of(r.false_miss_share);
 }
 Share false_hits_of(const sim::CategoryResult& r) {
-  return share_of(r.false_hits, r.tests - r.hits);
+  return share_of(r.false_hit_share);
 }
 
 std::string share_text(const Share& s) {
@@ -261,12 +260,12 @@ std::vector<Row> stability_rows(const ReportFacts& facts) {
                     {"hits", r.hits},
                     {"false_misses", r.false_misses},
                     {"false_miss_pct", miss.percent},
-                    {"false_miss_low_pct", miss.low},
-                    {"false_miss_high_pct", miss.high},
+                    {"false_miss_pct_low", miss.low},
+                    {"false_miss_pct_high", miss.high},
                     {"false_hits", r.false_hits},
                     {"false_hit_pct", hit.percent},
-                    {"false_hit_low_pct", hit.low},
-                    {"false_hit_high_pct", hit.high}});
+                    {"false_hit_pct_low", hit.low},
+                    {"false_hit_pct_high", hit.high}});
   };
   for (const Stability& s : facts.stability) {
     for (const sim::CategoryResult& r : s.categories) add(s, r.category, r);

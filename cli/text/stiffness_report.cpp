@@ -1,7 +1,5 @@
 #include "cli/text/stiffness_report.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace hitpipe::cli {
@@ -19,40 +17,41 @@ Row row_of(const MeasuredDesign& d, const Measured& m, sim::Stiffness stiffness,
           {"boxes", boxes}};
 }
 
-/// A share in percent, with its 95 % interval.
-struct SampledPercent {
-  double percent;
-  ref::Interval interval;
-};
-SampledPercent boxes_pct(const Measured& m, std::size_t i) {
-  return {m.all_boxes[i].false_hit_pct(), m.all_boxes[i].false_hit_interval_pct()};
+double boxes_pct(const Measured& m, std::size_t i) {
+  return m.all_boxes[i].false_hit_pct();
 }
-SampledPercent traversals_pct(const Measured& m, std::size_t i) {
-  return {m.traversals[i].extra_box_tests_pct(), m.traversals[i].extra_box_tests_interval_pct()};
+double traversals_pct(const Measured& m, std::size_t i) {
+  return m.traversals[i].extra_box_tests_pct();
 }
-using Percent = SampledPercent (*)(const Measured&, std::size_t);
+using Percent = double (*)(const Measured&, std::size_t);
 
-constexpr std::size_t formats_of_a_table = 4;  // of 80 columns
+ref::Interval boxes_interval(const Measured& m, std::size_t i) {
+  return m.all_boxes[i].false_hit_pct_interval();
+}
+ref::Interval traversals_interval(const Measured& m, std::size_t i) {
+  return m.traversals[i].extra_box_tests_pct_interval();
+}
+using PercentInterval = ref::Interval (*)(const Measured&, std::size_t);
 
-/// Tables with a row for each ratio and a column for each format.
-std::string text_of(const MeasuredDesign& d, Percent percent, int decimals, const std::string& what) {
-  std::string text = fmt::format("{}: {}\n", d.design->name, what);
-  for (std::size_t first = 0; first < d.formats.size(); first += formats_of_a_table) {
-    const std::size_t end = std::min(d.formats.size(), first + formats_of_a_table);
-    std::vector<Row> rows;
-    for (std::size_t i = 0; i < sim::stiffnesses().size(); ++i) {
-      Row row{{"ratio", ratio_text(sim::stiffnesses()[i])}};
-      for (std::size_t f = first; f < end; ++f) {
-        const SampledPercent sampled = percent(d.formats[f], i);
-        row[rtl::to_string(d.formats[f].format)] =
-            fmt::format("{:>7.{}f} +-{:.2g}", sampled.percent, decimals,
-                        (sampled.interval.high - sampled.interval.low) / 2);
-      }
-      rows.push_back(std::move(row));
+/// One table: a row for each ratio, a column for each format. Below each row half the widths of its 95 %
+/// intervals.
+std::string text_of(const MeasuredDesign& d, Percent percent, PercentInterval interval, int decimals,
+                    const std::string& what) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < sim::stiffnesses().size(); ++i) {
+    Row row{{"ratio", ratio_text(sim::stiffnesses()[i])}};
+    for (const Measured& m : d.formats) {
+      row[rtl::to_string(m.format)] = fmt::format("{:>7.{}f}", percent(m, i), decimals);
     }
-    text += table_text(rows, Format::text);
+    rows.push_back(std::move(row));
+    Row spread{{"ratio", "+-95 %"}};
+    for (const Measured& m : d.formats) {
+      const ref::Interval of = interval(m, i);
+      spread[rtl::to_string(m.format)] = fmt::format("{:>7.{}f}", (of.high - of.low) / 2, decimals);
+    }
+    rows.push_back(std::move(spread));
   }
-  return text;
+  return fmt::format("{}: {}\n{}", d.design->name, what, table_text(rows, Format::text));
 }
 
 Plot plot_of(const std::vector<MeasuredDesign>& designs, Percent percent, std::string title,
@@ -64,7 +63,7 @@ Plot plot_of(const std::vector<MeasuredDesign>& designs, Percent percent, std::s
   }
   const auto line_of = [&](const Measured& m) {
     PlotLine line{rtl::to_string(m.format), {}};
-    for (std::size_t i = 0; i < sim::stiffnesses().size(); ++i) line.percent.push_back(percent(m, i).percent);
+    for (std::size_t i = 0; i < sim::stiffnesses().size(); ++i) line.percent.push_back(percent(m, i));
     return line;
   };
   for (const MeasuredDesign& d : designs) {
@@ -81,42 +80,38 @@ std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs, cons
   std::vector<Row> rows;
   for (const MeasuredDesign& d : designs) {
     for (const Measured& m : d.formats) {
-      const auto add_boxes = [&](const sim::StiffBoxes& b, const std::string& kind) {
-        Row row = row_of(d, m, b.stiffness, kind);
-        const ref::Interval interval = b.false_hit_interval_pct();
+      for (const sim::StiffBoxes& b : m.boxes) {
+        Row row =
+            row_of(d, m, b.stiffness, fmt::format("{} 2^-{}", b.aimed ? "aimed" : "anywhere", b.half_side));
         row.update({{"tests", b.tests},
                     {"hits", b.hits},
                     {"false_misses", b.false_misses},
                     {"false_hits", b.false_hits},
                     {"false_hit_pct", b.false_hit_pct()},
-                    {"false_hit_low_pct", interval.low},
-                    {"false_hit_high_pct", interval.high},
+                    {"false_hit_pct_low", b.false_hit_pct_interval().low},
+                    {"false_hit_pct_high", b.false_hit_pct_interval().high},
                     {"rays", nullptr},
                     {"reference_tests", nullptr},
                     {"extra_box_tests_pct", nullptr},
-                    {"extra_box_tests_low_pct", nullptr},
-                    {"extra_box_tests_high_pct", nullptr},
+                    {"extra_box_tests_pct_low", nullptr},
+                    {"extra_box_tests_pct_high", nullptr},
                     {"different_triangles", nullptr}});
         rows.push_back(std::move(row));
-      };
-      for (const sim::StiffBoxes& b : m.boxes)
-        add_boxes(b, fmt::format("{} 2^-{}", b.aimed ? "aimed" : "anywhere", b.half_side));
-      for (const sim::StiffBoxes& b : m.all_boxes) add_boxes(b, "all");
+      }
       for (const sim::StiffTraversals& t : m.traversals) {
-        const ref::Interval interval = t.extra_box_tests_interval_pct();
         Row row = row_of(d, m, t.stiffness, scene);
         row.update({{"tests", t.box_tests},
                     {"hits", nullptr},
                     {"false_misses", nullptr},
                     {"false_hits", nullptr},
                     {"false_hit_pct", nullptr},
-                    {"false_hit_low_pct", nullptr},
-                    {"false_hit_high_pct", nullptr},
+                    {"false_hit_pct_low", nullptr},
+                    {"false_hit_pct_high", nullptr},
                     {"rays", t.rays},
                     {"reference_tests", t.reference_box_tests},
                     {"extra_box_tests_pct", t.extra_box_tests_pct()},
-                    {"extra_box_tests_low_pct", interval.low},
-                    {"extra_box_tests_high_pct", interval.high},
+                    {"extra_box_tests_pct_low", t.extra_box_tests_pct_interval().low},
+                    {"extra_box_tests_pct_high", t.extra_box_tests_pct_interval().high},
                     {"different_triangles", t.different_triangles}});
         rows.push_back(std::move(row));
       }
@@ -129,17 +124,17 @@ std::string stiffness_text(const std::vector<MeasuredDesign>& designs, const std
   std::string text;
   for (const MeasuredDesign& d : designs) {
     if (!text.empty()) text += '\n';
-    text += text_of(d, boxes_pct, 4, "false hits, % of the boxes that the ray misses");
+    text += text_of(d, boxes_pct, boxes_interval, 4, "false hits, % of the boxes that the ray misses");
     if (!scene.empty()) {
-      text += '\n' + text_of(d, traversals_pct, 2,
+      text += '\n' + text_of(d, traversals_pct, traversals_interval, 2,
                              fmt::format("extra box tests on {}, % above robust float slabs", scene));
     }
   }
-  if (designs.empty()) return text;
-  const Measured& m = designs.front().formats.front();
-  text += fmt::format("\nFor each ratio {} boxes", m.all_boxes.front().tests);
-  if (!scene.empty()) text += fmt::format(" and {} rays through the scene", m.traversals.front().rays);
-  return text + ". +-: half of the 95 % interval.\n";
+  const Measured& any = designs.front().formats.front();
+  const std::string rays = scene.empty() ? "" : fmt::format(" and {} rays", any.traversals.front().rays);
+  text += fmt::format("\n{} tests{} a ratio; +-95 %: half the width of the 95 % interval\n",
+                      any.all_boxes.front().tests, rays);
+  return text;
 }
 
 Plot boxes_plot(const std::vector<MeasuredDesign>& designs) {

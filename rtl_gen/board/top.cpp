@@ -14,12 +14,6 @@ namespace hitpipe::rtl {
 
 namespace {
 
-int total_width(const std::vector<Port>& ports) {
-  int bits = 0;
-  for (const Port& port : ports) bits += port.width;
-  return bits;
-}
-
 /// Connects each port to its bits of a word, the first port to the low ones.
 std::vector<std::string> connections_to(const std::vector<Port>& ports, const char* word) {
   std::vector<std::string> connections;

@@ -22,6 +22,12 @@ std::vector<Port> result_ports(const std::vector<hls::Result>& results) {
   return ports;
 }
 
+int total_width(const std::vector<Port>& ports) {
+  int width = 0;
+  for (const Port& p : ports) width += p.width;
+  return width;
+}
+
 std::vector<Port> input_ports(const Graph& graph) {
   std::vector<Port> ports;
   for (const NodeId id : graph.inputs())

@@ -32,6 +32,8 @@ struct Port {
 
 [[nodiscard]] Port port_of(const hls::Operand& operand);
 [[nodiscard]] std::vector<Port> result_ports(const std::vector<hls::Result>& results);
+/// The bits of all ports together.
+[[nodiscard]] int total_width(const std::vector<Port>& ports);
 /// A graph's inputs, in order, without their roles.
 [[nodiscard]] std::vector<Port> input_ports(const Graph& graph);
 /// Where the port of that name is; as many as there are where none is.

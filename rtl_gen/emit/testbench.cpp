@@ -46,12 +46,6 @@ std::vector<std::string> fields(const char* word, const std::vector<Port>& ports
   return all;
 }
 
-int total_width(const std::vector<Port>& ports) {
-  int width = 0;
-  for (const Port& p : ports) width += p.width;
-  return width;
-}
-
 /// What the testbench's text has for each result.
 struct ResultText {
   ResultText(const std::vector<hls::Result>& results, const char* word) {

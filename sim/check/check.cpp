@@ -83,14 +83,20 @@ std::uint64_t rtl_mismatches(Rtl& rtl, const RtlBatch& batch) {
 
 void count(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<const bool> hits,
            std::span<const bool> meets, CategoryResult& result) {
+  std::uint64_t met = 0;
+  std::uint64_t false_hits = 0;
   std::uint64_t false_misses = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    result.hits += meets[i] ? 1 : 0;
-    result.false_hits += hits[i] && !meets[i] ? 1 : 0;
+    met += meets[i] ? 1 : 0;
+    false_hits += hits[i] && !meets[i] ? 1 : 0;
     false_misses += meets[i] && !hits[i] ? 1 : 0;
   }
   result.tests += boxes.size();
+  result.hits += met;
+  result.false_hits += false_hits;
   result.false_misses += false_misses;
+  result.false_miss_share.add(static_cast<double>(false_misses), static_cast<double>(met));
+  result.false_hit_share.add(static_cast<double>(false_hits), static_cast<double>(boxes.size() - met));
   for (std::size_t i = 0; false_misses > 0 && !result.false_miss; ++i) {
     if (meets[i] && !hits[i]) result.false_miss = Case{ray, boxes[i]};
   }
@@ -205,6 +211,8 @@ CategoryResult& CategoryResult::operator+=(const CategoryResult& later) {
   false_misses += later.false_misses;
   false_hits += later.false_hits;
   rtl_mismatches += later.rtl_mismatches;
+  false_miss_share += later.false_miss_share;
+  false_hit_share += later.false_hit_share;
   if (!false_miss) false_miss = later.false_miss;
   return *this;
 }

@@ -12,6 +12,7 @@
 #include "sim/verilated_design.hpp"
 #include "sw_ref/adversary/case.hpp"
 #include "sw_ref/adversary/categories.hpp"
+#include "sw_ref/experiment/interval.hpp"
 
 namespace hitpipe::sim {
 
@@ -35,6 +36,8 @@ struct CategoryResult {
   std::uint64_t false_misses = 0;
   std::uint64_t false_hits = 0;
   std::uint64_t rtl_mismatches = 0;
+  ref::GroupedRatio false_miss_share;  ///< of the boxes that the ray meets; the boxes of a ray are a group
+  ref::GroupedRatio false_hit_share;   ///< of the boxes that the ray misses
   std::optional<ref::adversary::Case> false_miss;  ///< the first, as it was drawn
 
   CategoryResult& operator+=(const CategoryResult& later);

@@ -98,18 +98,18 @@ double StiffBoxes::false_hit_pct() const {
   return percent(false_hits, tests - hits);
 }
 
-ref::Interval StiffBoxes::false_hit_interval_pct() const {
-  const auto [low, high] = ref::wilson_interval(false_hits, tests - hits);
-  return {100.0 * low, 100.0 * high};
-}
-
-ref::Interval StiffTraversals::extra_box_tests_interval_pct() const {
-  const auto [low, high] = extra.interval();
-  return {100.0 * low, 100.0 * high};
+ref::Interval StiffBoxes::false_hit_pct_interval() const {
+  const ref::Interval share = ref::wilson_interval(false_hits, tests - hits);
+  return {100.0 * share.low, 100.0 * share.high};
 }
 
 double StiffTraversals::extra_box_tests_pct() const {
   return percent(box_tests, reference_box_tests) - 100.0;
+}
+
+ref::Interval StiffTraversals::extra_box_tests_pct_interval() const {
+  const ref::Interval ratio = work.interval();
+  return {100.0 * (ratio.low - 1.0), 100.0 * (ratio.high - 1.0)};
 }
 
 std::vector<StiffBoxes> stiff_boxes(const MakeBoxTest& make, const StiffnessOptions& options) {
@@ -173,12 +173,12 @@ std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Fo
         evaluate(operands.data(), answers.data());
         walk.answer(traversal, answers.data());
       }
-      const std::uint64_t tests = traversal.counts().box_tests;
-      const std::uint64_t before = reference.box_tests;
-      sum.box_tests += tests;
+      const std::uint64_t box_tests = traversal.counts().box_tests;
+      const std::uint64_t reference_before = reference.box_tests;
+      sum.box_tests += box_tests;
       const ref::Hit hit = ref::trace<ref::RobustSlabs>(bvh, mesh, ray, ref::Query::closest, reference);
-      const auto needed = static_cast<double>(reference.box_tests - before);
-      sum.extra.add(static_cast<double>(tests) - needed, needed);
+      sum.work.add(static_cast<double>(box_tests),
+                   static_cast<double>(reference.box_tests - reference_before));
       sum.different_triangles += hit.triangle == traversal.hit().triangle ? 0 : 1;
     }
     sum.reference_box_tests = reference.box_tests;

@@ -44,9 +44,10 @@ struct StiffBoxes {
   std::uint64_t false_hits = 0;
   std::uint64_t false_misses = 0;
 
-  /// In percent of the boxes that the ray misses, and the 95 % interval of that.
+  /// In percent of the boxes that the ray misses.
   [[nodiscard]] double false_hit_pct() const;
-  [[nodiscard]] ref::Interval false_hit_interval_pct() const;
+  /// 95 %.
+  [[nodiscard]] ref::Interval false_hit_pct_interval() const;
 };
 
 /// By stiffness, half side and aim.
@@ -62,11 +63,11 @@ struct StiffTraversals {
   std::uint64_t box_tests = 0;
   std::uint64_t reference_box_tests = 0;  ///< by the robust float traversal, for the same rays
   std::uint64_t different_triangles = 0;
-  ref::GroupedRatio extra{};  ///< box tests beyond the reference's over the reference's; a ray is a group
+  ref::GroupedRatio work{};  ///< box tests over the reference's; a ray is a group
 
-  /// The percentage, and its 95 % interval by the spread among the rays.
   [[nodiscard]] double extra_box_tests_pct() const;
-  [[nodiscard]] ref::Interval extra_box_tests_interval_pct() const;
+  /// 95 %, by the spread among the rays.
+  [[nodiscard]] ref::Interval extra_box_tests_pct_interval() const;
 };
 
 /// Results by stiffness. Throws what make_feed() throws.

@@ -17,7 +17,7 @@ struct Interval {
 /// of one tile. The groups are independent, the cases of a group are not.
 class GroupedRatio {
  public:
-  /// A group's share of both sums. A group with nothing below the line says nothing and is not counted.
+  /// A group's share of both sums. A group with nothing in either says nothing and is not counted.
   void add(double above, double below);
   GroupedRatio& operator+=(const GroupedRatio& other);
 

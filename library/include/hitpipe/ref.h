@@ -84,6 +84,7 @@ typedef struct hitpipe_unit hitpipe_unit;
 /* What an operand tells the unit. */
 typedef enum hitpipe_role {
   HITPIPE_ORIGIN,       /* of the ray */
+  HITPIPE_ORIGIN_HIGH,  /* upper bound of the origin, where HITPIPE_ORIGIN is a lower one */
   HITPIPE_ENDPOINT,     /* of the ray */
   HITPIPE_DIRECTION,    /* of the ray */
   HITPIPE_INVERSE,      /* reciprocal of a direction component */

@@ -103,8 +103,8 @@ TEST_F(ReportCommand, RecommendsByTheWholeCost) {
 TEST_F(ReportCommand, TellsIntervalsOfWhatIsSampled) {
   const std::vector<std::string> stability = lines_of(contents_of(out() / "stability.csv"));
   EXPECT_EQ(stability.front(),
-            "design,bits,category,tests,seed,hits,false_misses,false_miss_pct,false_miss_low_pct,"
-            "false_miss_high_pct,false_hits,false_hit_pct,false_hit_low_pct,false_hit_high_pct");
+            "design,bits,category,tests,seed,hits,false_misses,false_miss_pct,false_miss_pct_low,"
+            "false_miss_pct_high,false_hits,false_hit_pct,false_hit_pct_low,false_hit_pct_high");
   EXPECT_EQ(stability.size(), 1U + 6U * 28U);
   EXPECT_THAT(stability[28], testing::StartsWith("fp_slabs,fp32,all,600,1,"));
   EXPECT_THAT(page_,
