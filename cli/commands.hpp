@@ -18,6 +18,7 @@ class App;
   COMMAND(cosim)                  \
   COMMAND(sweep)                  \
   COMMAND(table)                  \
+  COMMAND(reproduce)              \
   COMMAND(check)                  \
   COMMAND(operands)               \
   COMMAND(board)                  \

@@ -14,8 +14,8 @@ namespace {
 /// ", 3 min 20 s left"; empty as long as nothing is finished.
 std::string time_left(double share, std::chrono::steady_clock::duration elapsed) {
   if (share <= 0) return "";
-  const std::chrono::duration<double> left = elapsed * ((1 - share) / share);
-  return fmt::format(", {} left", duration_text(std::chrono::ceil<std::chrono::seconds>(left)));
+  const std::chrono::duration<double> rest = elapsed * ((1 - share) / share);
+  return fmt::format(", {} left", duration_text(std::chrono::ceil<std::chrono::seconds>(rest)));
 }
 
 std::chrono::seconds whole_seconds(std::chrono::steady_clock::duration elapsed) {

@@ -20,6 +20,32 @@ Row json_figures(const ref::ResultTable& table, const Figures& figures) {
   return row;
 }
 
+Row json_interval(const std::optional<ref::Interval>& interval) {
+  return interval ? Row{interval->low, interval->high} : Row();
+}
+
+Row json_intervals(const ref::ResultTable& table, const ref::ResultRow& row) {
+  Row all = Row::object();
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    all[table.columns[i].name] = json_interval(row.intervals[i]);
+  return all;
+}
+
+Row json_finding(const ref::Finding& finding) {
+  Row figures = Row::array();
+  for (const ref::Comparison& figure : finding.figures)
+    figures.push_back({{"what", figure.what},
+                       {"thesis", figure.printed},
+                       {"ours", figure.ours},
+                       {"interval_95", json_interval(figure.interval)},
+                       {"verdict", ref::verdict_name(ref::verdict_of(figure))}});
+  Row row{{"claim", finding.claim},
+          {"verdict", ref::verdict_name(finding.verdict())},
+          {"figures", std::move(figures)}};
+  if (!finding.why.empty()) row["why"] = finding.why;
+  return row;
+}
+
 std::string json(const ref::ResultTable& table) {
   Row all{{"number", table.number}, {"title", table.title}, {"rows", Row::array()}};
   for (const ref::ResultRow& row : table.rows) {
@@ -27,25 +53,46 @@ std::string json(const ref::ResultTable& table) {
     for (std::size_t i = 0; i < table.labels.size(); ++i) entry[table.labels[i]] = row.labels[i];
     entry["ours"] = json_figures(table, row.ours);
     entry["thesis"] = json_figures(table, row.printed);
+    if (!row.intervals.empty()) entry["interval_95"] = json_intervals(table, row);
     all["rows"].push_back(std::move(entry));
   }
   all["findings"] = Row::array();
-  for (const ref::Finding& finding : table.findings)
-    all["findings"].push_back(
-        {{"claim", finding.claim}, {"agrees", finding.agrees}, {"figures", finding.figures}});
+  for (const ref::Finding& finding : table.findings) all["findings"].push_back(json_finding(finding));
   all["notes"] = table.notes;
   return record_text(all, Format::json);
+}
+
+/// The lower or the upper ends of a row's intervals.
+Figures ends(const ref::ResultRow& row, double ref::Interval::*end) {
+  Figures figures;
+  for (const std::optional<ref::Interval>& interval : row.intervals)
+    figures.push_back(interval ? std::optional(*interval.*end) : std::nullopt);
+  return figures;
+}
+
+/// Half the widths of a row's intervals.
+Figures half_widths(const ref::ResultRow& row) {
+  Figures figures;
+  for (const std::optional<ref::Interval>& interval : row.intervals)
+    figures.push_back(interval ? std::optional((interval->high - interval->low) / 2) : std::nullopt);
+  return figures;
 }
 
 std::string csv(const ref::ResultTable& table) {
   std::vector<Row> rows;
   for (const ref::ResultRow& row : table.rows) {
-    for (const bool ours : {true, false}) {
+    const auto add = [&](const char* source, const Figures& figures) {
       Row& line = rows.emplace_back(Row::object());
       for (std::size_t i = 0; i < table.labels.size(); ++i) line[table.labels[i]] = row.labels[i];
-      line["source"] = ours ? "ours" : "thesis";
-      line.update(json_figures(table, ours ? row.ours : row.printed));
+      line["source"] = source;
+      line.update(json_figures(table, figures));
+    };
+    add("ours", row.ours);
+    if (!row.intervals.empty()) {
+      add("ours_low", ends(row, &ref::Interval::low));
+      add("ours_high", ends(row, &ref::Interval::high));
     }
+    add("thesis", row.printed);
   }
   return table_text(rows, Format::csv);
 }
@@ -64,6 +111,7 @@ class TextTable {
     }
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       std::size_t width = table.columns[i].name.size();
+      for (const ref::ResultRow& row : table.rows) has_printed_ = has_printed_ || row.printed[i].has_value();
       for (const ref::ResultRow& row : table.rows)
         width = std::max({width, cell(row.ours, i).size(), cell(row.printed, i).size()});
       widths_.push_back(width);
@@ -102,21 +150,28 @@ class TextTable {
   [[nodiscard]] std::string lines(const ref::ResultRow& row) const {
     std::string labels = grouped_ ? "" : fmt::format("{:<{}}", row.labels.front(), label_widths_.front());
     for (std::size_t i = 1; i < row.labels.size(); ++i) labels += column(row.labels[i], i);
-    std::string ours = fmt::format("{}  {:6}", labels, "ours");
-    std::string printed = fmt::format("{:{}}  {:6}", "", labels.size(), "thesis");
-    for (std::size_t i = 0; i < widths_.size(); ++i) {
-      ours += fmt::format("{}{:>{}}", gap_, cell(row.ours, i), widths_[i]);
-      printed += fmt::format("{}{:>{}}", gap_, cell(row.printed, i), widths_[i]);
-    }
-    return ours + "\n" + printed + "\n";
+    const auto line = [&](const std::string& names, const char* source, const Figures& figures) {
+      std::string text = fmt::format("{:{}}  {:6}", names, labels.size(), source);
+      for (std::size_t i = 0; i < widths_.size(); ++i)
+        text += fmt::format("{}{:>{}}", gap_, cell(figures, i), widths_[i]);
+      return text + "\n";
+    };
+    const std::string spread = row.intervals.empty() ? "" : line("", "+-95 %", half_widths(row));
+    const std::string thesis = has_printed_ ? line("", "thesis", row.printed) : "";
+    return line(labels, "ours", row.ours) + spread + thesis;
   }
 
   [[nodiscard]] std::string below() const {
     std::string text;
     if (!table_.findings.empty()) text += "\n";
-    for (const ref::Finding& finding : table_.findings)
-      text += (finding.agrees ? "agrees   " : "differs  ") +
-              wrapped(finding.claim + ": " + finding.figures, 9, 9);
+    for (const ref::Finding& finding : table_.findings) {
+      const ref::Comparison& figure = finding.worst();
+      std::string line =
+          fmt::format("{}: {}: {}: thesis {}, ours {}", ref::verdict_text(figure), finding.claim, figure.what,
+                      ref::figure_text(figure.printed), ref::figure_text(figure.ours, figure.interval));
+      if (!finding.why.empty() && finding.verdict() != ref::Verdict::agrees) line += ". " + finding.why;
+      text += wrapped(line, 2);
+    }
     if (!table_.notes.empty()) text += "\n";
     for (const std::string& note : table_.notes) text += wrapped(note, 2);
     return text;
@@ -124,7 +179,8 @@ class TextTable {
 
   const ref::ResultTable& table_;
   bool grouped_;
-  std::string_view gap_;  // blanks between columns
+  bool has_printed_ = false;  // proposals of the thesis have no printed figures
+  std::string_view gap_;      // blanks between columns
   std::vector<std::size_t> label_widths_;
   std::vector<std::size_t> widths_;
 };

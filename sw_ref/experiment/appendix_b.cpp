@@ -1,5 +1,7 @@
 // Tables B.1 to B.8: how the largest number of triangles in a leaf affects time and memory.
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <utility>
@@ -65,29 +67,45 @@ ResultTable leaf_sizes(std::string_view number, const ExperimentOptions& options
   table.number = number;
   table.title = fmt::format("{}: most triangles in a leaf; times with {} are 1", name, unit_size);
   table.labels = {"max_tris"};
-  table.columns = {{"render", 2}, {"build", 2}, {"nodes", 0}};
+  table.columns = {{"render", 2, 0.005}, {"build", 2, 0.005}, {"nodes", 0}};
   table.notes.push_back(scene_note(name, scene));
   const PrintedRow& unit = *printed.find({std::to_string(unit_size)});
-  int fastest = 0;
   for (const PrintedRow& thesis : printed.rows()) {
     const auto size = static_cast<int>(*thesis.number("max_tris"));
-    ResultRow& row = table.rows.emplace_back(ResultRow{
-        {std::to_string(size)},
-        std::vector<std::optional<double>>(table.columns.size()),
-        {ratio(thesis.number("rendering_time_s"), unit.number("rendering_time_s")),
-         ratio(thesis.number("build_time_s"), unit.number("build_time_s")), thesis.number("bvh_nodes")}});
+    ResultRow& row = table.rows.emplace_back(
+        ResultRow{.labels = {std::to_string(size)},
+                  .ours = std::vector<std::optional<double>>(table.columns.size()),
+                  .printed = {ratio(thesis.number("rendering_time_s"), unit.number("rendering_time_s")),
+                              ratio(thesis.number("build_time_s"), unit.number("build_time_s")),
+                              thesis.number("bvh_nodes")}});
     if (!scene) continue;
     const Step& step = steps.at(size);
     row.ours = {step.render_seconds / steps.at(unit_size).render_seconds,
                 step.build_seconds / steps.at(unit_size).build_seconds, step.nodes};
-    if (fastest == 0 || step.render_seconds < steps.at(fastest).render_seconds) fastest = size;
   }
   if (scene) {
-    table.findings.push_back({"leaves of 2 to 6 triangles render fastest", fastest >= 2 && fastest <= 6,
-                              fmt::format("fastest with {}", fastest)});
-    const double share = steps.at(unit_size).nodes / static_cast<double>(scene->mesh.triangles.size());
+    const auto row_of = [&](int size) -> const ResultRow& {
+      return *std::find_if(table.rows.begin(), table.rows.end(),
+                           [&](const ResultRow& row) { return row.labels.front() == std::to_string(size); });
+    };
+    const auto render = [&](const std::string& claim, std::initializer_list<int> sizes) {
+      Finding finding{claim, {}, {}};
+      for (const int size : sizes)
+        finding.figures.push_back({fmt::format("time with {} over that with {}", size, unit_size),
+                                   *row_of(size).printed[0], *row_of(size).ours[0], 0.005});
+      table.findings.push_back(std::move(finding));
+    };
+    render("smaller leaves than 6 triangles do not render faster", {2, 4});
+    render("larger leaves render slower, bit by bit", {16, 64, 512});
+    const double printed_triangles = *printed_table("scenes").find({name})->number("triangles");
+    const auto triangles = static_cast<double>(scene->mesh.triangles.size());
     table.findings.push_back({"6 triangles in a leaf give about half as many nodes as triangles",
-                              share > 0.4 && share < 0.6, fmt::format("{:.2f} nodes a triangle", share)});
+                              {{"nodes a triangle", *unit.number("bvh_nodes") / printed_triangles,
+                                steps.at(unit_size).nodes / triangles}}});
+    table.findings.push_back({"smaller leaves take many more nodes",
+                              {{fmt::format("nodes with 2 over those with {}", unit_size),
+                                *row_of(2).printed[2] / *unit.number("bvh_nodes"),
+                                steps.at(2).nodes / steps.at(unit_size).nodes}}});
   }
   table.notes.push_back(fmt::format("{} x {} pixels, traversal alone, the fastest of {} runs on one thread",
                                     options.width, options.height, options.repeats));

@@ -16,6 +16,7 @@ std::span<const Experiment> experiments() {
   static constexpr std::array all{Experiment{"3.1", box_test_times},
                                   Experiment{"3.2", box_test_times},
                                   Experiment{"4.1", traversal_times},
+                                  Experiment{"4.2", child_orders},
                                   Experiment{"4.3", traversal_times},
                                   Experiment{"4.4", traversal_times},
                                   Experiment{"5.1", hierarchical_encoding},
@@ -41,13 +42,14 @@ std::span<const Experiment> experiments() {
                                   Experiment{"B.5", leaf_sizes},
                                   Experiment{"B.6", leaf_sizes},
                                   Experiment{"B.7", leaf_sizes},
-                                  Experiment{"B.8", leaf_sizes}};
+                                  Experiment{"B.8", leaf_sizes},
+                                  Experiment{"text", statements}};
   return all;
 }
 
-const Experiment& find_experiment(std::string_view number) {
+const Experiment& find_experiment(std::string_view number, std::span<const Experiment> among) {
   std::vector<std::string_view> numbers;
-  for (const Experiment& experiment : experiments()) {
+  for (const Experiment& experiment : among) {
     if (experiment.number == number) return experiment;
     numbers.push_back(experiment.number);
   }

@@ -29,14 +29,15 @@ struct ExperimentOptions {
 };
 
 struct Experiment {
-  std::string_view number;  ///< "3.1"
+  std::string_view number;  ///< "3.1"; "text" for the statements that have no table
   ResultTable (*run)(std::string_view number, const ExperimentOptions& options);
 };
 
-/// All experiments, in the thesis's order.
+/// All experiments of chapters 3 to 6 and appendix B, in the thesis's order.
 [[nodiscard]] std::span<const Experiment> experiments();
 
 /// Throws std::runtime_error for an unknown number, with one line that lists the known ones.
-[[nodiscard]] const Experiment& find_experiment(std::string_view number);
+[[nodiscard]] const Experiment& find_experiment(std::string_view number,
+                                                std::span<const Experiment> among = experiments());
 
 }  // namespace hitpipe::ref

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "host/thread_time.hpp"
 #include "sw_ref/exact/triangle_test.hpp"
@@ -37,17 +38,43 @@ Measurement measure(const Tracer& tracer, const std::vector<RecordedBatch>& batc
   std::vector<std::vector<std::uint32_t>> triangles(batches.size());
   for (std::size_t i = 0; i < batches.size(); ++i) triangles[i].resize(batches[i].rays.size());
   for (int run = 0; run < repeats; ++run) {
-    RenderCounts counts;
+    std::vector<TraceCounts> counts(batches.size());
     const double start = host::thread_seconds();
     for (std::size_t i = 0; i < batches.size(); ++i)
-      tracer.trace({batches[i].rays, batches[i].query, triangles[i]}, counts.of(batches[i].kind));
+      tracer.trace({batches[i].rays, batches[i].query, triangles[i]}, counts[i]);
     result.seconds = std::min(result.seconds, host::thread_seconds() - start);
-    result.counts = counts;
+    result.of_batches = std::move(counts);
   }
+  for (std::size_t i = 0; i < batches.size(); ++i) result.counts.of(batches[i].kind) += result.of_batches[i];
   for (std::size_t i = 0; i < batches.size(); ++i)
     for (std::size_t ray = 0; ray < batches[i].rays.size(); ++ray)
       result.different += same(batches[i].query, triangles[i][ray], batches[i].triangles[ray]) ? 0 : 1;
   return result;
+}
+
+GroupedRatio ratio_by_tile(const std::vector<RecordedBatch>& batches, RayKind kind, Count count,
+                           const Measurement& above, const Measurement& below) {
+  GroupedRatio ratio;
+  double tile_above = 0;
+  double tile_below = 0;
+  for (std::size_t i = 0; i < batches.size(); ++i) {
+    // The batches of a tile begin with its primary rays.
+    if (batches[i].kind == RayKind::primary) {
+      ratio.add(tile_above, tile_below);
+      tile_above = tile_below = 0;
+    }
+    if (batches[i].kind != kind) continue;
+    tile_above += static_cast<double>(above.of_batches[i].*count);
+    tile_below += static_cast<double>(below.of_batches[i].*count);
+  }
+  ratio.add(tile_above, tile_below);
+  return ratio;
+}
+
+std::optional<Interval> increase_interval(const GroupedRatio& ratio) {
+  if (ratio.groups() < 2) return std::nullopt;
+  const Interval of = ratio.interval();
+  return Interval{100.0 * (of.low - 1.0), 100.0 * (of.high - 1.0)};
 }
 
 }  // namespace hitpipe::ref

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "sw_ref/experiment/interval.hpp"
 #include "sw_ref/render/render.hpp"
 
 namespace hitpipe::ref {
@@ -23,12 +25,23 @@ struct RecordedBatch {
 /// The work and time of a tracer for a recording.
 struct Measurement {
   RenderCounts counts;
-  double seconds = 0;           ///< processor time of the fastest run, on one thread
-  std::uint64_t different = 0;  ///< rays whose answer differs from the recorded one
+  std::vector<TraceCounts> of_batches;  ///< the counts of each batch
+  double seconds = 0;                   ///< processor time of the fastest run, on one thread
+  std::uint64_t different = 0;          ///< rays whose answer differs from the recorded one
 };
 
 /// Traces all batches `repeats` times, >= 1, on one thread.
 [[nodiscard]] Measurement measure(const Tracer& tracer, const std::vector<RecordedBatch>& batches,
                                   int repeats);
+
+/// One of the counts.
+using Count = std::uint64_t TraceCounts::*;
+
+/// A count of one tracer over that of another, for the rays of a kind. The tiles of the image are the groups.
+[[nodiscard]] GroupedRatio ratio_by_tile(const std::vector<RecordedBatch>& batches, RayKind kind, Count count,
+                                         const Measurement& above, const Measurement& below);
+
+/// 95 % of 100 (ratio - 1), an increase in percent. Nothing from less than two tiles.
+[[nodiscard]] std::optional<Interval> increase_interval(const GroupedRatio& ratio);
 
 }  // namespace hitpipe::ref

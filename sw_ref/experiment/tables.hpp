@@ -11,6 +11,9 @@ namespace hitpipe::ref {
 /// Tables 4.1, 4.3 and 4.4: traversal algorithms.
 [[nodiscard]] ResultTable traversal_times(std::string_view number, const ExperimentOptions& options);
 
+/// Table 4.2: the order of children by direction.
+[[nodiscard]] ResultTable child_orders(std::string_view number, const ExperimentOptions& options);
+
 /// Tables 5.1 to 5.7: hierarchically encoded nodes; single rays, bundles of 64 and of 256.
 [[nodiscard]] ResultTable hierarchical_encoding(std::string_view number, const ExperimentOptions& options);
 
@@ -25,5 +28,8 @@ namespace hitpipe::ref {
 
 /// Tables B.1 to B.8: the size of leaves.
 [[nodiscard]] ResultTable leaf_sizes(std::string_view number, const ExperimentOptions& options);
+
+/// "text": statements of chapters 4 to 6 without a table.
+[[nodiscard]] ResultTable statements(std::string_view number, const ExperimentOptions& options);
 
 }  // namespace hitpipe::ref

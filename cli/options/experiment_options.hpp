@@ -1,0 +1,22 @@
+// The options of commands that repeat experiments of the thesis: scenes, sizes, repeats.
+#pragma once
+
+#include <string>
+
+#include "sw_ref/experiment/experiment.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace hitpipe::cli {
+
+/// Adds --scene, --only, --width, --height, --triangles, --repeats, --threads. The command must keep the
+/// options alive.
+void add_experiment_options(CLI::App& command, ref::ExperimentOptions& options);
+
+/// What differs from the defaults, as a user would type it, with a blank before each option. Without
+/// --threads.
+[[nodiscard]] std::string experiment_options_text(const ref::ExperimentOptions& options);
+
+}  // namespace hitpipe::cli

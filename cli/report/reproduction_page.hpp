@@ -1,0 +1,19 @@
+// The thesis beside our runs: every statement with its figures, and how far the figures of each table are
+// from the printed ones. Markdown for people, CSV with every figure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sw_ref/experiment/result.hpp"
+
+namespace hitpipe::cli {
+
+/// `command` is what a reader types to make the page again.
+[[nodiscard]] std::string reproduction_page(const std::vector<ref::ResultTable>& tables,
+                                            const std::string& command);
+
+/// One line a figure: table, row, column, thesis, ours, its interval, their ratio, verdict.
+[[nodiscard]] std::string reproduction_csv(const std::vector<ref::ResultTable>& tables);
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+"""Makes the tables of docs/proposals.md again: docs/proposals.py [SIZE [PROGRAM]]. Images have SIZE x SIZE pixels, 64 in the document."""
+import csv
+import io
+import pathlib
+import subprocess
+import sys
+
+page = pathlib.Path(__file__).parent / "proposals.md"
+size = sys.argv[1] if len(sys.argv) > 1 else "64"
+kd_scenes = "spheres,branch,poppy,plant_slice,statue,waves,city,terrain"  # a tree of the whole plant takes minutes
+program = sys.argv[2] if len(sys.argv) > 2 else "build/hitpipe"
+
+
+def cell(figure, low, high):
+    if not figure:
+        return ""
+    text = f"{float(figure):.2f}" if abs(float(figure)) < 1000 else f"{float(figure):.0f}"
+    return f"{text} ± {(float(high) - float(low)) / 2:.2f}" if low else text
+
+
+def table(name):
+    """Our lines of `hitpipe table NAME`, with half the widths of their 95 % intervals."""
+    command = [program, "table", name, "--width", size, "--height", size, "--triangles", "100000", "--format", "csv"]
+    if name == "kd":
+        command += ["--only", kd_scenes]
+    out = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+    rows = list(csv.reader(io.StringIO(out)))
+    source = rows[0].index("source")
+    lines = {}
+    for row in rows[1:]:
+        lines.setdefault(tuple(row[:source]), []).append(row[source + 1:])
+    names = rows[0][:source] + rows[0][source + 1:]
+    text = "| " + " | ".join(names) + " |\n|" + "---|" * source + "--:|" * (len(names) - source) + "\n"
+    for labels, kinds in lines.items():  # ours, the ends of its intervals if there are any, the thesis's
+        ours = kinds[0]
+        low, high = kinds[1:3] if len(kinds) == 4 else ([""] * len(ours),) * 2
+        text += "| " + " | ".join(list(labels) + [cell(*three) for three in zip(ours, low, high)]) + " |\n"
+    return text
+
+
+text = page.read_text()
+for name in ("adaptive", "grid", "kd"):
+    before, rest = text.split(f"<!-- {name} -->\n", 1)
+    after = rest.split(f"<!-- end of {name} -->", 1)[1]
+    text = f"{before}<!-- {name} -->\n\n{table(name)}\n<!-- end of {name} -->{after}"
+    page.write_text(text)
