@@ -5,8 +5,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=out/chips
-units=('fp_slabs fp32' 'fp_plucker fp32' 'int_slabs 24/24' 'int_slabs 20/24' 'int_slabs 16/16' 'int_plucker 24/24'
-  'int_plucker 20/24' 'int_major 20+1/13' 'int_major 16+1/12' 'int_major_pair 20+1/13' 'int_major_pair 16+1/12')
+units=('fp_slabs fp32' 'fp_slabs_safe e8m23' 'fp_slabs_safe e8m15' 'fp_plucker fp32' 'fp_plucker_direct fp32' 'int_slabs 24/24' 'int_slabs 20/24' 'int_slabs 16/16' 'int_plucker 24/24'
+  'int_plucker 20/24' 'int_major 20+1/13' 'int_major 16+1/12' 'int_major_pair 20+1/13' 'int_major_pair 16+1/12'
+  'int_major_pair 16+0/8')
 targets=(ice40_up5k ice40_hx ecp5 xc7 osu018)
 print=
 if [[ ${1:-} == --print ]]; then
