@@ -13,7 +13,7 @@
 namespace hitpipe::ref {
 namespace {
 
-constexpr int cells = 64;  // on each axis
+constexpr int cells_across = 64;  // on each axis
 constexpr std::array side_bits{16, 20, 24};
 
 using Cell = std::array<int, 3>;
@@ -29,7 +29,8 @@ GridRay in_grid(const Ray& ray) {
   for (int axis = 0; axis < 3; ++axis) {
     const bool backward = std::signbit(ray.direction[axis]);
     made.direction[axis] = std::abs(double{ray.direction[axis]});
-    made.origin[axis] = (1.0 + (backward ? -double{ray.origin[axis]} : double{ray.origin[axis]})) * cells / 2;
+    made.origin[axis] =
+        (1.0 + (backward ? -double{ray.origin[axis]} : double{ray.origin[axis]})) * cells_across / 2;
   }
   return made;
 }
@@ -37,7 +38,7 @@ GridRay in_grid(const Ray& ray) {
 Cell first_cell(const GridRay& ray) {
   Cell cell{};
   for (int axis = 0; axis < 3; ++axis)
-    cell.at(static_cast<std::size_t>(axis)) = std::min(cells - 1, static_cast<int>(ray.origin[axis]));
+    cell.at(static_cast<std::size_t>(axis)) = std::min(cells_across - 1, static_cast<int>(ray.origin[axis]));
   return cell;
 }
 
@@ -48,7 +49,7 @@ std::vector<int> walk(const GridRay& ray, Choose choose) {
   for (Cell cell = first_cell(ray);;) {
     const int axis = choose(cell);
     steps.push_back(axis);
-    if (++cell.at(static_cast<std::size_t>(axis)) >= cells) return steps;
+    if (++cell.at(static_cast<std::size_t>(axis)) >= cells_across) return steps;
   }
 }
 
@@ -139,8 +140,8 @@ Cells measure_cells(const std::vector<RecordedBatch>& batches) {
 ResultTable grid_cells(std::string_view number, const ExperimentOptions& options) {
   ResultTable table;
   table.number = number;
-  table.title =
-      fmt::format("Grid of {0} x {0} x {0} cells: % of rays that walk other cells than the exact ray", cells);
+  table.title = fmt::format(
+      "Grid of {0} x {0} x {0} cells: % of rays that walk other cells than the exact ray", cells_across);
   table.labels = {"scene"};
   table.columns = {{"steps_per_ray", 1}, {"fp32_distances", 2}};
   for (const int bits : side_bits) table.columns.push_back({fmt::format("sides_{}", bits), 2});

@@ -8,11 +8,13 @@ namespace hitpipe::ref {
 
 namespace {
 
-constexpr double z = 1.959963984540054;  // 95 % of a normal distribution lie within z standard deviations
+/// 95 % of a normal distribution lie within this many standard deviations.
+constexpr double normal_quantile = 1.959963984540054;
 
-/// As z, of Student's distribution: few groups know their own spread badly. Abramowitz and Stegun 26.7.5,
+/// The same of Student's distribution: few groups know their own spread badly. Abramowitz and Stegun 26.7.5,
 /// within 1 % from 4 degrees of freedom on.
-double students_t(double degrees) {
+double students_quantile(double degrees) {
+  const double z = normal_quantile;
   const double z3 = z * z * z;
   const double z5 = z3 * z * z;
   const double z7 = z5 * z * z;
@@ -23,6 +25,7 @@ double students_t(double degrees) {
 /// Wilson 1927: solves |share - p| = z sqrt(p (1 - p) / cases) for p.
 Interval wilson(double share, double cases) {
   if (cases <= 0) return {0, 1};
+  const double z = normal_quantile;
   const double shrink = 1 + z * z / cases;
   const double middle = (share + z * z / (2 * cases)) / shrink;
   const double half = z * std::sqrt(share * (1 - share) / cases + z * z / (4 * cases * cases)) / shrink;
@@ -71,7 +74,7 @@ double GroupedRatio::variance() const {
 Interval GroupedRatio::interval() const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (groups_ < 2) return {-infinity, infinity};
-  const double half = students_t(static_cast<double>(groups_ - 1)) * std::sqrt(variance());
+  const double half = students_quantile(static_cast<double>(groups_ - 1)) * std::sqrt(variance());
   return {ratio() - half, ratio() + half};
 }
 
@@ -80,7 +83,7 @@ Interval GroupedRatio::share_interval() const {
   const auto groups = static_cast<double>(groups_);
   if (groups_ < 2 || share <= 0 || share >= 1) return wilson(share, groups);
   // Korn and Graubard 1998: few groups know their own spread badly, so they count as fewer cases.
-  const double few = students_t(groups - 1) / z;
+  const double few = students_quantile(groups - 1) / normal_quantile;
   const double spread = few * few * variance();
   return wilson(share, spread > 0 ? std::min(below_, share * (1 - share) / spread) : below_);
 }
