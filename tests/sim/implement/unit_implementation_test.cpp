@@ -61,23 +61,25 @@ TEST(Implementation, NetlistInStandardCellsAnswersAsTheCpp) {
   EXPECT_EQ(unit.simulated->said, "PASS 1000 vectors");
   EXPECT_GT(*unit.synthesis.area_um2, 0.0);
   EXPECT_GT(*unit.critical_path_ns, 0.0);
-  // With back-pressure Yosys finds no register that it can leave out: the graph has the same.
-  EXPECT_GT(unit.count_of("registers")->used, 300);
+  // The input latches alone are 97 operand bits, the tag and the valid bit.
+  EXPECT_GT(unit.count_of("registers")->used, 97 + 16 + 1);
 }
 
 /// The unit of a placement between shift registers has the cells of the unit alone.
 TEST(Implementation, PlacesTheNetlistThatItCounts) {
   const rtl::Design& design = rtl::find_design("int_slabs");
   const TemporaryFolder folder;
-  const Implementation unit = implement_unit(design, design.parse_format("6/6"), target_called("ice40_up5k"),
-                                             {.folder = folder.path(), .module = "box_test", .seeds = 1});
+  const Implementation unit =
+      implement_unit(design, design.parse_format("8/8"), target_called("ice40_up5k"),
+                     {.folder = folder.path(), .module = "box_test", .seeds = 1, .simulate = 1000});
+  // Six products, each in a block of the chip.
+  EXPECT_EQ(unit.count_of("dsps")->used, 6);
+  EXPECT_EQ(unit.simulated->said, "PASS 1000 vectors");
   ASSERT_TRUE(unit.placed);
-  if (unit.excess().empty()) {
-    EXPECT_EQ(unit.placed->seeds.size(), 1U);
-    EXPECT_GT(unit.placed->median().fmax_mhz, 0.0);
-    EXPECT_THAT(unit.placed->best().critical.from, StartsWith("unit."));
-    EXPECT_THAT(unit.placed->best().critical.to, StartsWith("unit."));
-  }
+  ASSERT_EQ(unit.placed->seeds.size(), 1U);
+  EXPECT_GT(unit.placed->median().fmax_mhz, 0.0);
+  EXPECT_THAT(unit.placed->best().critical.from, StartsWith("unit."));
+  EXPECT_THAT(unit.placed->best().critical.to, StartsWith("unit."));
   EXPECT_GE(unit.count_of("logic_cells")->used, unit.count_of("luts")->used);
   for (const char* const name : {"box_test_netlist.v", "box_test_synthesis.log", "box_test_harness.v",
                                  "box_test_harness_place_1.json"})
