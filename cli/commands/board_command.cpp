@@ -16,10 +16,12 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/board/top.hpp"
+#include "rtl_gen/component/built_in.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/board/board_link.hpp"
 #include "sim/board/board_tests.hpp"
 #include "sim/board/simulated_board.hpp"
+#include "sim/implement/target.hpp"
 #include "sim/software.hpp"
 
 namespace hitpipe::cli {
@@ -135,7 +137,8 @@ int simulate(const BoardCommand& command) {
   const DesignChoice unit = command.board.unit(command.choice);
   const rtl::Design& design = unit.design();
   const rtl::Format format = unit.format();
-  const rtl::Library& library = rtl::Library::thesis();
+  // As `hitpipe implement` puts it on the board.
+  const rtl::Library library = rtl::library_called(sim::target_called(command.board.board().target).library);
   const std::string module = design.module_at(format);
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
   const std::string top =

@@ -92,7 +92,7 @@ TEST(HelpOfCommands, TellsTheSameOfEverySeed) {
     const std::size_t next = help.find("\n  --", at + 1);
     said.push_back(help.substr(at, next - at));
   }
-  ASSERT_EQ(said.size(), 4U);  // rtl, check, stiffness, report
+  ASSERT_EQ(said.size(), 6U);  // rtl, implement, check, board, stiffness, report
   for (const std::string& each : said) EXPECT_EQ(each, said[0]);
   EXPECT_THAT(said[0], HasSubstr("--seed N=1 "));
 }
