@@ -8,7 +8,7 @@ import sys
 
 page = pathlib.Path(__file__).parent / "proposals.md"
 size = sys.argv[1] if len(sys.argv) > 1 else "64"
-kd_scenes = "spheres,waves"  # the tree of a larger scene takes minutes
+kd_scenes = "spheres,waves,terrain"  # the tree of a larger scene takes minutes
 program = sys.argv[2] if len(sys.argv) > 2 else "build/hitpipe"
 
 
