@@ -2,6 +2,7 @@
 // domain, all others share the one whose widths are known at run time.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 
 #include "hls/box/format_list.hpp"
@@ -100,7 +101,8 @@ template <class Pipeline>
 Evaluate::Run float_unit_function([[maybe_unused]] const typename Pipeline::Bits& format) {
   Evaluate::Run found = nullptr;
   const auto choose_one = [&]<class F>(F) {
-    if constexpr (host_format<F>) {
+    // That unit rounds to nearest, as pipelines do whose formats are FpBits.
+    if constexpr (host_format<F> && std::same_as<typename Pipeline::Bits, hls::FpBits>) {
       if (format == F::bits) found = detail::run_on_float_unit<Pipeline, F>;
     }
   };

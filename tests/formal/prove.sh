@@ -81,6 +81,7 @@ if [[ -z $short ]]; then
   done
   for name in int_major int_major_pair; do all_of "$name" 20+1/13; done
   for name in fp_slabs fp_plucker; do all_of "$name" fp32; done
+  for format in e8m15 e5m10; do all_of fp_slabs_safe "$format"; done
   cd "$(design int_slabs 6/6)" || exit 1
   row 'int_slabs: standing still twice, wherever' 6/6 proved prove_stalled int_slabs
   cd "$(design int_slabs 6/11)" || exit 1

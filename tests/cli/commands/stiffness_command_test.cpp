@@ -28,7 +28,7 @@ TEST(StiffnessCommand, PrintsATableForEachDesignInEightyColumns) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_LE(widest_line(outcome.out), 80U);
   const auto lines = lines_of(outcome.out);
-  ASSERT_EQ(lines.size(), 4 * (2 + 2 * ratios) + 3 + 2);
+  ASSERT_EQ(lines.size(), 5 * (2 + 2 * ratios) + 4 + 2);
   EXPECT_EQ(lines[0], "int_slabs: false hits, % of the boxes that the ray misses");
   EXPECT_EQ(lines[1], "ratio   24/24    20/24    16/16    12/12");
   EXPECT_THAT(lines[2], StartsWith("2^0 "));
@@ -40,6 +40,8 @@ TEST(StiffnessCommand, PrintsATableForEachDesignInEightyColumns) {
   EXPECT_EQ(lines[94], "int_major: false hits, % of the boxes that the ray misses");
   EXPECT_EQ(lines[95], "ratio   20+1/13  16+1/12");
   EXPECT_EQ(lines[141], "int_major_pair: false hits, % of the boxes that the ray misses");
+  EXPECT_EQ(lines[188], "fp_slabs_safe: false hits, % of the boxes that the ray misses");
+  EXPECT_EQ(lines[189], "ratio   e8m23    e8m15    e8m7     e5m10");
   EXPECT_EQ(lines.back(), "600 tests a ratio; +-95 %: half the width of the 95 % interval");
 }
 

@@ -166,7 +166,7 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
     EXPECT_EQ(unit.saved_um2(), 0) << design.name;
     EXPECT_TRUE(unit.left_out.empty()) << design.name;
   }
-  EXPECT_EQ(fitted, 7);
+  EXPECT_EQ(fitted, 8);
 }
 
 TEST(FittedFiles, ListTheDemandsAndCheckThem) {

@@ -114,7 +114,7 @@ TEST(PortDemands, AreNoneOfASceneThatNeedsEverything) {
         design.default_format.is<hls::IntBits>() ? rtl::Format(hls::IntBits{24, 24}) : design.default_format;
     for (const DemandGroup& group : port_demands(design, format, scene)) ADD_FAILURE() << group.why;
   }
-  EXPECT_EQ(asked, 7);
+  EXPECT_EQ(asked, 8);
 }
 
 TEST(PortDemands, OfOneDirectionClassGiveEverySign) {
