@@ -19,14 +19,14 @@ std::string extended(const std::string& bits, int width, const std::string& fill
   return fmt::format("{{{{{}{{{}}}}}, {}}}", word - width, fill, bits);
 }
 
-/// Adds latches to `text` that hold `value` for `edges` clock edges while en is high. Returns the name of the
-/// last latch.
-std::string delayed(std::string& text, const std::string& value, int width, int edges) {
+/// Adds latches to `text` that hold `value` for `edges` clock edges, with an enable while en is high. Returns
+/// the name of the last latch.
+std::string delayed(std::string& text, const std::string& value, int width, int edges, bool has_enable) {
   std::string last = value;
   for (int i = 1; i <= edges; ++i) {
     const std::string next = fmt::format("delay_{}", i);
-    text += fmt::format("  reg {}{};\n  always @(posedge clk) if (en) {} <= {};\n", vector_range(width), next,
-                        next, last);
+    text += fmt::format("  reg {}{};\n  always @(posedge clk) {}{} <= {};\n", vector_range(width), next,
+                        has_enable ? "if (en) " : "", next, last);
     last = next;
   }
   return last;
@@ -35,11 +35,15 @@ std::string delayed(std::string& text, const std::string& value, int width, int 
 std::string model(const Component& c, const std::string& operands, int high, int low) {
   std::string text =
       fmt::format("module {} (\n{}  input wire {}a,\n  input wire {}b,\n  output wire {}{}\n);\n", c.module,
-                  c.edges > 0 ? "  input wire clk, en,\n" : "", vector_range(c.inputs.front().width),
-                  vector_range(c.inputs.back().width), vector_range(c.output.width), c.output.name);
+                  c.edges == 0   ? ""
+                  : c.has_enable ? "  input wire clk, en,\n"
+                                 : "  input wire clk,\n",
+                  vector_range(c.inputs.front().width), vector_range(c.inputs.back().width),
+                  vector_range(c.output.width), c.output.name);
   text += fmt::format("  wire {}y;\n  {} symbol ({}, .y(y));\n", vector_range(c.symbol.result_bits),
                       c.symbol.name, operands);
-  const std::string last = delayed(text, fmt::format("y[{}:{}]", high, low), c.output.width, c.edges);
+  const std::string last =
+      delayed(text, fmt::format("y[{}:{}]", high, low), c.output.width, c.edges, c.has_enable);
   text += fmt::format("  assign {} = {};\nendmodule\n", c.output.name, last);
   return text;
 }
@@ -69,7 +73,8 @@ std::string multiplier_axioms(const rtl::MultiplierShape& shape) {
   return text + fmt::format("  always @* begin\n    assume (whole == {});\n{}  end\n", sum, ranges);
 }
 
-Component multiplier_component(const rtl::MultiplierShape& shape, const std::string& module) {
+Component multiplier_component(const rtl::MultiplierShape& shape, const std::string& module,
+                               bool has_enable) {
   if (!shape.is_signed)
     throw std::runtime_error(fmt::format("{}: only signed multipliers are proved", module));
   Component c{.module = module,
@@ -80,7 +85,8 @@ Component multiplier_component(const rtl::MultiplierShape& shape, const std::str
               .axioms = multiplier_axioms(shape),
               .inputs = {{"a", shape.width_a, true}, {"b", shape.width_b, true}},
               .output = {"p", shape.high - shape.low + 1, true},
-              .edges = shape.stages - 1};
+              .edges = shape.stages - 1,
+              .has_enable = has_enable};
   c.reference_text = fmt::format(
       "module {} (\n  input wire {}a,\n  input wire {}b,\n  output wire {}p\n);\n"
       "  wire {}whole = $signed(a) * $signed(b);\n  assign p = whole[{}:{}];\nendmodule\n",
@@ -93,7 +99,7 @@ Component multiplier_component(const rtl::MultiplierShape& shape, const std::str
   return c;
 }
 
-Component unit_component(const rtl::UnitUse& use, const std::string& module) {
+Component unit_component(const rtl::UnitUse& use, const std::string& module, bool has_enable) {
   const rtl::Graph& body = use.unit->body;
   const rtl::NodeId result = body.outputs().front().node;
   Component c{.module = module,
@@ -104,7 +110,8 @@ Component unit_component(const rtl::UnitUse& use, const std::string& module) {
               .axioms = {},
               .inputs = rtl::input_ports(body),
               .output = {body.outputs().front().name, body[result].width, false},
-              .edges = use.stages - 1};
+              .edges = use.stages - 1,
+              .has_enable = has_enable};
   c.reference_text = rtl::to_combinational_verilog(body, c.reference);
   c.model_text = model(c, ".a(a), .b(b)", c.output.width - 1, 0);
   return c;
@@ -135,12 +142,15 @@ std::string symbol_declaration(const Symbol& s) {
       s.name, s.operand_bits, s.result_bits);
 }
 
-std::vector<Component> components(const rtl::Pipeline& pipeline, const std::string& design) {
+std::vector<Component> components(const rtl::Pipeline& pipeline, const std::string& design,
+                                  rtl::FlowControl flow) {
+  const bool stalls = flow == rtl::FlowControl::stall;
   const rtl::Body body(pipeline.graph, pipeline.schedule, pipeline.placement,
-                       {.prefix = design, .enable = "advance"});
+                       {.prefix = design, .enable = stalls ? "advance" : ""});
   std::vector<Component> found;
-  for (const auto& [shape, module] : body.multipliers()) found.push_back(multiplier_component(shape, module));
-  for (const auto& [module, use] : body.units()) found.push_back(unit_component(use, module));
+  for (const auto& [shape, module] : body.multipliers())
+    found.push_back(multiplier_component(shape, module, stalls));
+  for (const auto& [module, use] : body.units()) found.push_back(unit_component(use, module, stalls));
   return found;
 }
 

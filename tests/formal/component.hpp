@@ -1,6 +1,6 @@
 // A component of the emitted Verilog: a multiplier or a float operator in stages. Beside it are the
 // combinational form that it must equal, and the model that replaces it in a proof of the whole design. From
-// operands to result there are `edges` clock edges, all enabled.
+// operands to result there are `edges` clock edges, all enabled where the component has an enable.
 #pragma once
 
 #include <string>
@@ -10,6 +10,7 @@
 #include "rtl_gen/component/multiplier.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/body.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 
 namespace hitpipe::formal {
 
@@ -36,9 +37,11 @@ struct Component {
   std::vector<rtl::Port> inputs;
   rtl::Port output;
   int edges;
+  bool has_enable;  ///< and there are edges
 };
 
 /// The components of a design, by the names of their modules.
-[[nodiscard]] std::vector<Component> components(const rtl::Pipeline& pipeline, const std::string& design);
+[[nodiscard]] std::vector<Component> components(const rtl::Pipeline& pipeline, const std::string& design,
+                                                rtl::FlowControl flow = rtl::FlowControl::stall);
 
 }  // namespace hitpipe::formal

@@ -1,5 +1,6 @@
 // Writes what the proofs of one design in one format read: emit_formal DESIGN FORMAT FOLDER [SET]. FORMAT is
-// n/t or fp32. With SET, the number of a demand set or a manifest, the design is the fitted one.
+// n/t or fp32. With SET, the number of a demand set or a manifest, the design is the fitted one. With "none"
+// as SET the whole design has no flow control.
 #include <exception>
 #include <iostream>
 #include <set>
@@ -11,6 +12,7 @@
 #include "rtl_gen/prune/prune.hpp"
 #include "rtl_gen/verilog/combinational.hpp"
 #include "rtl_gen/verilog/module.hpp"
+#include "tests/formal/fifo.hpp"
 #include "tests/formal/fitted_set.hpp"
 #include "tests/formal/properties.hpp"
 #include "tests/formal/slots.hpp"
@@ -27,9 +29,12 @@ rtl::Graph fitted(const rtl::Design& design, rtl::Format format, const std::stri
 std::vector<rtl::File> files_of(const std::string& name, const std::string& format, const std::string& set) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Format bits = design.parse_format(format);
-  const rtl::Graph traced = set.empty() ? design.trace(bits) : fitted(design, bits, set);
+  const auto flow = set == rtl::flow_control_name(rtl::FlowControl::none) ? rtl::FlowControl::none
+                                                                          : rtl::FlowControl::stall;
+  const bool stalls = flow == rtl::FlowControl::stall;
+  const rtl::Graph traced = set.empty() || !stalls ? design.trace(bits) : fitted(design, bits, set);
   const rtl::Pipeline pipeline = rtl::make_pipeline(traced, rtl::Library::thesis());
-  const std::vector<formal::Component> parts = formal::components(pipeline, name);
+  const std::vector<formal::Component> parts = formal::components(pipeline, name, flow);
 
   std::string results;
   for (const rtl::Output& out : pipeline.graph.outputs()) results += fmt::format("w:{} ", out.name);
@@ -37,14 +42,19 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& form
   std::string names;
   std::set<formal::Symbol> symbols{formal::product_symbol()};
   std::vector<rtl::File> files{
-      {"design.v", rtl::to_verilog(pipeline, rtl::Library::thesis(), {.module_name = name, .bits = format})},
+      {"design.v", rtl::to_verilog(pipeline, rtl::Library::thesis(),
+                                   {.module_name = name, .bits = format, .flow_control = flow})},
       {"reference.v", rtl::to_combinational_verilog(traced, fmt::format("{}_reference", name))},
-      {"flow.v", formal::design_flow(pipeline, name)},
-      {"stalled.v", formal::stalled_design(pipeline, name)},
-      {"control.v", formal::control_properties(pipeline)},
-      {"slots.v", formal::slots_proof(name, design.ports(bits))},
+      {"flow.v", formal::design_flow(pipeline, name, flow)},
+      {"control.v", formal::control_properties(pipeline, flow)},
       {"latency", fmt::format("{}\n", pipeline.latency())},
       {"results", results}};
+  if (stalls) {
+    files.push_back({"stalled.v", formal::stalled_design(pipeline, name)});
+    files.push_back({"slots.v", formal::slots_proof(name, design.ports(bits))});
+  } else {
+    files.push_back({"fifo.v", formal::fifo_proof(name, design.ports(bits), pipeline.latency())});
+  }
   for (const formal::Component& part : parts) {
     symbols.insert(part.symbol);
     models += part.model_text;

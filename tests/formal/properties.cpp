@@ -41,16 +41,18 @@ std::string results_in(const rtl::Graph& graph, const std::string& net) {
 
 /// A design and its reference on the same operands. `found` are the results; `expected` are those for the
 /// operands at the ports.
-std::string instances(const rtl::Graph& graph, const std::string& design) {
+std::string instances(const rtl::Graph& graph, const std::string& design, rtl::FlowControl flow) {
+  const bool stalls = flow == rtl::FlowControl::stall;
   const std::vector<rtl::Port> ports = rtl::input_ports(graph);
   return fmt::format(
-      "  wire in_ready, out_valid;\n  wire [{4}:0] found, expected;\n  wire [3:0] out_tag;\n"
-      "  {0} #(.TAG_BITS(4)) dut (\n    .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), "
-      ".in_tag(in_tag),\n    .out_valid(out_valid), .out_ready(out_ready), .out_tag(out_tag),\n    "
+      "  wire {5}out_valid;\n  wire [{4}:0] found, expected;\n  wire [3:0] out_tag;\n"
+      "  {0} #(.TAG_BITS(4)) dut (\n    .clk(clk), .rst(rst), .in_valid(in_valid), {6}"
+      ".in_tag(in_tag),\n    .out_valid(out_valid), {7}.out_tag(out_tag),\n    "
       "{1}{2});\n"
       "  {0}_reference same (\n    {1}{3});\n",
       design, connections(ports), results_in(graph, "found"), results_in(graph, "expected"),
-      result_bits(graph) - 1);
+      result_bits(graph) - 1, stalls ? "in_ready, " : "", stalls ? ".in_ready(in_ready), " : "",
+      stalls ? ".out_ready(out_ready), " : "");
 }
 
 /// An assertion for each result: it is that of the first operands.
@@ -78,8 +80,8 @@ std::string component_flow(const Component& c) {
   const std::string range = vector_range(c.output.width);
   text += fmt::format(
       "  wire {0}found, expected;\n  {1} dut ({2}{3}.{4}(found));\n  {5} same ({3}.{4}(expected));\n", range,
-      c.module, c.edges > 0 ? ".clk(clk), .en(1'b1), " : "", connections(c.inputs), c.output.name,
-      c.reference);
+      c.module, c.edges > 0 ? (c.has_enable ? ".clk(clk), .en(1'b1), " : ".clk(clk), ") : "",
+      connections(c.inputs), c.output.name, c.reference);
   if (!c.axioms.empty()) text += "`ifdef PRODUCTS_ARE_SYMBOLS\n" + c.axioms + "`endif\n";
   if (c.edges == 0)
     return text +
@@ -93,21 +95,23 @@ std::string component_flow(const Component& c) {
   return text;
 }
 
-std::string design_flow(const rtl::Pipeline& pipeline, const std::string& design) {
+std::string design_flow(const rtl::Pipeline& pipeline, const std::string& design, rtl::FlowControl flow) {
   const std::vector<rtl::Port> ports = rtl::input_ports(pipeline.graph);
-  return head("flow", ports) + instances(pipeline.graph, design) +
+  return head("flow", ports) + instances(pipeline.graph, design, flow) +
          fmt::format(
              "  reg [7:0] edges = 0;\n  reg [{1}:0] first;\n  reg [3:0] first_tag;\n"
              "  always @(posedge clk) begin\n    edges <= edges + 8'd1;\n"
              "    if (edges == 0) begin\n      first <= expected;\n      first_tag <= in_tag;\n    end\n  "
              "end\n"
-             "  always @* begin\n    assume (in_ready && !rst);\n    if (edges == {0}) begin\n"
+             "  always @* begin\n    assume ({3}!rst);\n    if (edges == {0}) begin\n"
              "{2}      assert (out_tag == first_tag);\n"
              "      cover (found[0]);\n      cover (!found[0]);\n    end\n  end\nendmodule\n",
-             pipeline.latency() + 1, result_bits(pipeline.graph) - 1, each_result_is(pipeline.graph));
+             pipeline.latency() + 1, result_bits(pipeline.graph) - 1, each_result_is(pipeline.graph),
+             flow == rtl::FlowControl::stall ? "in_ready && " : "");
 }
 
-std::string control_properties(const rtl::Pipeline& pipeline) {
+std::string control_properties(const rtl::Pipeline& pipeline, rtl::FlowControl flow) {
+  const bool stalls = flow == rtl::FlowControl::stall;
   const int last = pipeline.schedule.stages;
   std::string shift;
   std::string equal;
@@ -119,19 +123,20 @@ std::string control_properties(const rtl::Pipeline& pipeline) {
     equal += fmt::format("      if (taken[{0}]) assert (tag_s{0} == was_tag_{0});\n", b);
   }
   return fmt::format(
-      "  reg was_reset = 0;\n  reg [{0}:0] taken;\n{1}  wire move = out_ready | ~taken[{0}];\n"
+      "  reg was_reset = 0;\n  reg [{0}:0] taken;\n{1}  wire move = {5};\n"
       "  always @(posedge clk) begin\n    was_reset <= was_reset | rst;\n    if (rst) taken <= 0;\n"
       "    else if (move) taken <= {{taken[{2}:0], in_valid}};\n    if (move) begin\n{3}    end\n  end\n"
       "  always @* begin\n    if (was_reset) begin\n      assert (valid == taken);\n"
-      "      assert (in_ready == move);\n      assert (out_valid == taken[{0}]);\n"
+      "{6}      assert (out_valid == taken[{0}]);\n"
       "      assert (!out_valid || out_tag == was_tag_{0});\n{4}"
-      "      cover (out_valid && !out_ready && taken[0]);\n    end\n  end\n",
-      last, declare, last - 1, shift, equal);
+      "      cover (out_valid && {7}taken[0]);\n    end\n  end\n",
+      last, declare, last - 1, shift, equal, stalls ? fmt::format("out_ready | ~taken[{}]", last) : "1'b1",
+      stalls ? "      assert (in_ready == move);\n" : "", stalls ? "!out_ready && " : "");
 }
 
 std::string stalled_design(const rtl::Pipeline& pipeline, const std::string& design) {
   const std::vector<rtl::Port> ports = rtl::input_ports(pipeline.graph);
-  return head("stalled", ports) + instances(pipeline.graph, design) +
+  return head("stalled", ports) + instances(pipeline.graph, design, rtl::FlowControl::stall) +
          fmt::format(
              "  reg first_step = 1, given = 0;\n  reg [{1}:0] first;\n  reg [3:0] expected_tag;\n"
              "  reg [7:0] moves = 0, stalls = 0;\n  wire due = !first_step && moves == {0} && !given;\n"

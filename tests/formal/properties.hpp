@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "rtl_gen/verilog/flow_control.hpp"
 #include "tests/formal/component.hpp"
 
 namespace hitpipe::formal {
@@ -11,14 +12,15 @@ namespace hitpipe::formal {
 /// Module "flow": from any state, `edges` enabled edges after its operands came, a component shows the result
 /// of its combinational form.
 [[nodiscard]] std::string component_flow(const Component& component);
-/// The same for a design, from input ports to HIT and tag, while in_ready is high.
-[[nodiscard]] std::string design_flow(const rtl::Pipeline& pipeline, const std::string& design);
+/// The same for a design, from input ports to HIT and tag, while in_ready is high, if it has one.
+[[nodiscard]] std::string design_flow(const rtl::Pipeline& pipeline, const std::string& design,
+                                      rtl::FlowControl flow);
 /// Properties to add at the end of a design's own module: the handshake, and that valid bits and tags move as
 /// in a plain shift register. They hold after reset and are inductive.
-[[nodiscard]] std::string control_properties(const rtl::Pipeline& pipeline);
+[[nodiscard]] std::string control_properties(const rtl::Pipeline& pipeline, rtl::FlowControl flow);
 /// Module "stalled": from any state, a test taken now comes out after as many moves as there are stages, with
 /// its own tag and the HIT of the combinational design. It stays until it is taken, whatever valid, ready and
-/// the operands of other tests do.
+/// the operands of other tests do. Only of a design that stalls.
 [[nodiscard]] std::string stalled_design(const rtl::Pipeline& pipeline, const std::string& design);
 
 }  // namespace hitpipe::formal

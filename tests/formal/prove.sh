@@ -28,11 +28,11 @@ lemmas() {
   "$emit_lemmas" "$@" >"$work/lemma_$1${2:-}.smt2" && prove_lemmas "$work/lemma_$1${2:-}.smt2"
 }
 
-# design DESIGN FORMAT: a folder with all that the proofs read; prints its name.
+# design DESIGN FORMAT [none]: a folder with all that the proofs read; prints its name. With none, the design has no flow control.
 design() {
-  local folder=$work/$1-${2/\//_}
+  local folder=$work/$1-${2/\//_}${3:+-$3}
   rm -rf "$folder"
-  "$emit_formal" "$1" "$2" "$folder" && echo "$folder"
+  "$emit_formal" "$1" "$2" "$folder" ${3:+"$3"} && echo "$folder"
 }
 
 # all_of DESIGN FORMAT: what together says that the pipeline equals its combinational form.
@@ -42,18 +42,31 @@ all_of() {
   row "$1: valid, ready, tags" "$2" proved prove_control "$1"
   row "$1: HIT and tag of its operands" "$2" proved prove_flow "$1"
   row "$1: ray slots give it the ray" "$2" proved prove_slots "$1"
+  components_of "$1" "$2"
+}
+
+components_of() {
   local module
   while read -r module _; do
     row "  ${module#"$1"_}" "$2" proved prove_component "$1" "$module"
   done <components
 }
 
+# all_without_flow_control DESIGN FORMAT: the same of the design that never waits, and its result FIFO.
+all_without_flow_control() {
+  cd "$(design "$1" "$2" none)" || exit 1
+  row "$1, no flow control: valid, tags" "$2" proved prove_control "$1"
+  row "$1, no flow control: HIT and tag" "$2" proved prove_flow "$1"
+  row "$1, no flow control: its FIFO loses nothing" "$2" proved prove_fifo "$1"
+  components_of "$1" "$2"
+}
+
 # damage DESIGN FORMAT WHAT SED PROOF...: the proof must fail of a copy that sed has changed, by a
-# counterexample. The copy is of design.v, or of $file.
+# counterexample. The copy is of design.v, or of $file. With $flow none, the design has no flow control.
 damage() {
   local name=$1 format=$2 what=$3 sed=$4 verilog=${file:-design.v}
   shift 4
-  cd "$(design "$name" "$format")" || exit 1
+  cd "$(design "$name" "$format" ${flow:+"$flow"})" || exit 1
   sed "$sed" "$verilog" >damaged.v
   cmp -s "$verilog" damaged.v && { echo "no damage done: $what" >&2; failed=1; return; }
   mv damaged.v "$verilog"
@@ -82,12 +95,16 @@ if [[ -z $short ]]; then
   for name in int_major int_major_pair; do all_of "$name" 20+1/13; done
   for name in fp_slabs fp_plucker; do all_of "$name" fp32; done
   for format in e8m15 e5m10; do all_of fp_slabs_safe "$format"; done
+  for name in int_slabs int_plucker; do all_without_flow_control "$name" 20/24; done
+  for name in int_major int_major_pair; do all_without_flow_control "$name" 20+1/13; done
+  for name in fp_slabs fp_plucker; do all_without_flow_control "$name" fp32; done
   cd "$(design int_slabs 6/6)" || exit 1
   row 'int_slabs: standing still twice, wherever' 6/6 proved prove_stalled int_slabs
   cd "$(design int_slabs 6/11)" || exit 1
   row '  mul_6x6s_to_10_0, bit for bit' 6/11 proved prove_bits int_slabs int_slabs_mul_6x6s_to_10_0
 else
   all_of int_slabs 20/24
+  all_without_flow_control int_slabs 20/24
 fi
 damage int_slabs 20/24 'a register less' 's/irlen_s2 <= irlen_s1/irlen_s2 <= irlen_s0/' prove_flow
 damage int_slabs 20/24 'swapped operands' 's/izmin_s0 - irz_s0/irz_s0 - izmin_s0/' prove_flow
@@ -100,6 +117,12 @@ damage int_slabs 20/24 'a product of other pieces' 's/ + piece_1_s1/ - piece_1_s
 file=slots.v damage int_slabs 20/24 'a test beside a write to its slot' 's/ & ~(written & (ray_slot == in_slot))//' prove_slots int_slabs
 file=slots.v damage int_slabs 20/24 'a stalled test reads again' 's/if (read) line_read/line_read/' prove_slots int_slabs
 file=slots.v damage int_slabs 20/24 'an end is written with the line' 's/written & ~ray_end_only/written/' prove_slots int_slabs
+flow=none damage int_slabs 20/24 'without flow control, a register less' 's/irlen_s2 <= irlen_s1/irlen_s2 <= irlen_s0/' prove_flow
+flow=none damage int_slabs 20/24 'a valid bit too early' 's/{valid\[3:0\], in_valid}/{valid[3:1], in_valid, in_valid}/' prove_control int_slabs
+flow=none file=fifo.v damage int_slabs 20/24 'a credit too many' "s/used != 3'd6/used != 3'd7/" prove_fifo int_slabs
+flow=none file=fifo.v damage int_slabs 20/24 'a credit too few' "s/used != 3'd6/used != 3'd5/" prove_fifo int_slabs
+flow=none file=fifo.v damage int_slabs 20/24 'the newest result overtakes' 's/held\[oldest\[2:0\]\]/held[0]/' prove_fifo int_slabs
+flow=none file=fifo.v damage int_slabs 20/24 'a result is lost' 's/if (arrives) held/if (arrives \& ~taken) held/' prove_fifo int_slabs
 if [[ -z $short ]]; then
   damage fp_slabs fp32 'a stage less in an operator' 's/larger_s3 <= larger_s2;/larger_s3 <= larger_s1;/' \
     prove_component fp_slabs fp_slabs_fp_subtract_8_23
