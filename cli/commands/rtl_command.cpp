@@ -12,6 +12,7 @@
 #include "cli/text/table.hpp"
 #include "rtl_gen/component/built_in.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
+#include "rtl_gen/emit/result_fifo.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module_name.hpp"
@@ -28,6 +29,7 @@ struct RtlOptions {
   std::optional<std::string> name;
   std::optional<int> clock_ps;
   rtl::FlowControl flow_control = rtl::FlowControl::stall;
+  bool flow_control_given = false;
   bool axi_stream = false;
   bool fifo = false;
   std::optional<int> ray_slots;
@@ -37,17 +39,25 @@ struct RtlOptions {
   Format format = Format::text;
 };
 
+/// Without the option a bare unit stalls; in a wrapper it has what costs less.
+rtl::FlowControl flow_control_of(const RtlOptions& options, const rtl::Pipeline& pipeline) {
+  if (options.flow_control_given) return options.flow_control;
+  if (options.fifo) return rtl::FlowControl::none;
+  return options.axi_stream ? rtl::wrapped_flow_control(pipeline) : options.flow_control;
+}
+
 void emit_rtl(const RtlOptions& options) {
   const rtl::Design& design = options.choice.design();
   const rtl::Format format = options.choice.format();
   if (options.name) rtl::check_module_name(*options.name);
   const rtl::Library library = rtl::library_called(options.library);
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
+  const rtl::FlowControl flow = flow_control_of(options, pipeline);
   const rtl::VectorSet vectors =
       sim::design_vectors(design, format, static_cast<std::size_t>(options.vectors), options.seed);
   const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline,
                                                {.module = options.name.value_or(""),
-                                                .flow_control = options.flow_control,
+                                                .flow_control = flow,
                                                 .axi_stream = options.axi_stream,
                                                 .fifo = options.fifo,
                                                 .ray_slots = options.ray_slots,
@@ -63,7 +73,7 @@ void emit_rtl(const RtlOptions& options) {
                 {"module", emitted.module},
                 {"stages", pipeline.schedule.stages},
                 {"latency", pipeline.latency()},
-                {"flow_control", rtl::flow_control_name(options.flow_control)},
+                {"flow_control", rtl::flow_control_name(flow)},
                 {"clock_ps", pipeline.schedule.clock_ps},
                 {"library", library.name()},
                 {"vectors", vectors.size()},
@@ -88,8 +98,9 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
                    "Name of the Verilog module, which also begins the names of all files. Default: the "
                    "design's name, with the format behind it unless that is the design's default")
       ->type_name("MODULE");
-  CLI::Option* const flow = add_flow_control_option(*command, options->flow_control,
-                                                    ". With --axi-stream or --fifo the default is none");
+  CLI::Option* const flow =
+      add_flow_control_option(*command, options->flow_control,
+                              ". Default with --fifo: none; with --axi-stream: what needs less area");
   command->add_flag("--axi-stream", options->axi_stream,
                     "Also write an AXI4-Stream wrapper of the design, <module>_axis.v");
   command->add_flag(
@@ -109,9 +120,7 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   add_seed_option(*command, options->seed);
   add_format_option(*command, options->format);
   command->callback([options, flow] {
-    // docs/flow.md has the figures: a wrapper costs less around a unit that never waits.
-    if (flow->count() == 0 && (options->axi_stream || options->fifo))
-      options->flow_control = rtl::FlowControl::none;
+    options->flow_control_given = flow->count() > 0;
     emit_rtl(*options);
   });
 }

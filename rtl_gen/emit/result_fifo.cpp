@@ -32,6 +32,15 @@ void check_names(const std::string& module, const std::vector<Port>& ports) {
 
 }  // namespace
 
+FlowControl wrapped_flow_control(const Pipeline& pipeline) {
+  constexpr int tag_bits = 16;
+  int latches = (tag_bits + 1) * (pipeline.latency() + 1);
+  for (const Register& r : pipeline.placement.registers) latches += r.width();
+  int width = tag_bits;
+  for (const Output& out : pipeline.graph.outputs()) width += pipeline.graph[out.node].width;
+  return 4 * fifo_places(pipeline.latency()) * width < latches ? FlowControl::none : FlowControl::stall;
+}
+
 std::string fifo_module(const std::string& module) {
   return module + "_fifo";
 }

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/port.hpp"
+#include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/verilog/flow_control.hpp"
 
 namespace hitpipe::rtl {
 
@@ -16,6 +18,11 @@ namespace hitpipe::rtl {
 [[nodiscard]] constexpr int fifo_places(int latency) {
   return latency + 2;
 }
+
+/// The flow control of the unit in a wrapper that can be around either, if the user does not say. A FIFO
+/// costs more than the enables that it saves when its places have more than a quarter as many bits as the
+/// unit has latches: docs/flow.md has the figures.
+[[nodiscard]] FlowControl wrapped_flow_control(const Pipeline& pipeline);
 
 /// The name of the wrapper of a unit's module.
 [[nodiscard]] std::string fifo_module(const std::string& module);

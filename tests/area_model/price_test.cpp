@@ -127,6 +127,41 @@ TEST(Estimated, IsWhatTheLibraryDoesNotList) {
             (std::vector<std::string>{"int_subtract_25", "int_compare_20", "int_compare_25", "tag_16"}));
 }
 
+/// 3 um2 for each bit of a latch with an enable, where the latch without has 1.
+TEST(Built, AUnitThatStallsHasEnablesWhereTheLibraryHasThem) {
+  std::string json(rtl::unit_json);
+  json.insert(json.rfind("\n  }"), R"(,
+    "latch_enable": {"above": "same", "area": "linear", "cells": [
+      {"bits": 1, "area_um2": 3, "delay_ps": 1, "stages": 0}]})");
+  const Library with = Library::from_json(json, "with.json");
+  const DesignFormat d{"int_slabs", "12/12"};
+  const auto at = [&](const Library& library, rtl::FlowControl flow) {
+    return price(d.found(), d.parsed(), library, Account::built, flow);
+  };
+  const auto bits_of = [](const Price& p, rtl::Component component) {
+    int bits = 0;
+    for (const Line& line : p.lines)
+      if (line.part.component == component) bits += line.n * line.part.bits;
+    return bits;
+  };
+  const Price none = at(with, rtl::FlowControl::none);
+  const Price stall = at(with, rtl::FlowControl::stall);
+  const int registers = bits_of(none, rtl::Component::latch);
+  EXPECT_GT(registers, 500);
+  EXPECT_EQ(bits_of(none, rtl::Component::latch_enable), 0);
+  EXPECT_EQ(bits_of(stall, rtl::Component::latch), 0);
+  EXPECT_EQ(bits_of(stall, rtl::Component::latch_enable), registers);
+  EXPECT_EQ(stall.area_um2, none.area_um2 + 2 * registers);
+  EXPECT_EQ(stall.stage_delay_ps, none.stage_delay_ps);
+  EXPECT_EQ(price_of(d, Account::built, with).area_um2, stall.area_um2) << "stall is the default";
+  // Without it both cost what a latch costs.
+  for (const auto flow : {rtl::FlowControl::stall, rtl::FlowControl::none}) {
+    const Price p = at(rtl::unit_library(), flow);
+    EXPECT_EQ(p.area_um2, none.area_um2);
+    EXPECT_EQ(bits_of(p, rtl::Component::latch), registers);
+  }
+}
+
 // In um2 at 12/12 bits: a latch, mux and subtractor 12, a comparator 6, a multiplier 12 x 12.
 TEST(UnitLibrary, IsAddedInTheHead) {
   const Price p = price_of({"int_slabs", "12/12"}, Account::built, rtl::unit_library());

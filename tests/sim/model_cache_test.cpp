@@ -96,6 +96,14 @@ TEST(ModelCacheOfVerilator, SecondConstructionLeavesTheModelAlone) {
   for (const auto& [model, time] : before) EXPECT_EQ(fs::last_write_time(model), time) << model;
 }
 
+/// A run with one flow control must not get the model of another.
+TEST_F(ModelCache, FlowControlIsPartOfTheKey) {
+  for (const auto flow : {rtl::FlowControl::stall, rtl::FlowControl::none, rtl::FlowControl::none}) {
+    const VerilatedDesign design(int_slabs(), bits, rtl::Library::thesis(), cache_, flow);
+  }
+  EXPECT_EQ(count_in(cache_, "int_slabs"), 2);
+}
+
 /// No shell reads the names of folders on the way from Verilog to a model.
 TEST(ModelCacheOfVerilator, TakesAnyFolderNames) {
   const TemporaryFolder folder;

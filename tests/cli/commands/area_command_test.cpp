@@ -344,6 +344,22 @@ TEST(AreaCommand, BitsRejected) {
   rejected({"--bits", "20/24"}, "--bits requires design; see hitpipe area --help");
 }
 
+TEST(AreaCommand, FlowControlOfThePrintedAccountRejected) {
+  const Outcome outcome = run_hitpipe({"area", "--account", "printed", "--flow-control", "none"});
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err,
+            "hitpipe: --flow-control: the printed account counts latches as the thesis does; allowed with "
+            "--account built\n");
+}
+
+TEST(AreaCommand, TheThesisPricesBothFlowControlsAlike) {
+  const Outcome stall = run_hitpipe({"area"});
+  EXPECT_EQ(stall.exit_code, 0);
+  EXPECT_EQ(run_hitpipe({"area", "--flow-control", "stall"}).out, stall.out);
+  EXPECT_EQ(run_hitpipe({"area", "--flow-control", "none"}).out, stall.out);
+}
+
 TEST(AreaCommand, UnknownAccountRejected) {
   rejected({"--account", "thesis"}, "--account: thesis is none of printed, built; see hitpipe area --help");
 }

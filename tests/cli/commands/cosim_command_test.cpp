@@ -172,6 +172,34 @@ TEST(CosimCommand, RaySlotsAreTheUnitWithFewerBits) {
   EXPECT_FALSE(bare.contains("ray_slots"));
 }
 
+TEST(CosimCommand, AUnitWithoutFlowControlTracesTheSameRays) {
+  const Outcome none = run_hitpipe(cosim({"--referee", "--flow-control", "none", "--format", "json"}));
+  EXPECT_EQ(none.exit_code, 0) << none.err;
+  json object = json::parse(none.out);
+  json stall = json::parse(run_hitpipe(cosim({"--referee", "--format", "json"})).out);
+  EXPECT_EQ(object.at("rtl_mismatches"), 0);
+  for (const char* const key : {"rtl_tests_per_s", "loop_tests_per_s"}) {
+    object.erase(key);
+    stall.erase(key);
+  }
+  EXPECT_EQ(object, stall);
+}
+
+TEST(CosimCommand, FlowControlIsTheUnitsOwn) {
+  const sim::TemporaryFolder folder;
+  const std::string out = (folder.path() / "unit").string();
+  ASSERT_EQ(run_hitpipe({"rtl", "int_slabs", "--flow-control", "none", "--out", out}).exit_code, 0);
+  const Outcome read = run_hitpipe(cosim({"--unit", out, "--format", "json"}));
+  EXPECT_EQ(read.exit_code, 0) << read.err;
+  EXPECT_EQ(json::parse(read.out).at("rtl_mismatches"), 0);
+  const Outcome both = run_hitpipe(cosim({"--unit", out, "--flow-control", "none"}));
+  EXPECT_NE(both.exit_code, 0);
+  EXPECT_THAT(both.err, HasSubstr("--flow-control excludes --unit"));
+  const Outcome slots = run_hitpipe(cosim({"--unit", out, "--ray-slots", "32"}));
+  EXPECT_NE(slots.exit_code, 0);
+  EXPECT_EQ(slots.err, "hitpipe: ray slots: flow control none; allowed is stall\n");
+}
+
 TEST(CosimCommand, RaysInFlightWithoutASlotAreRefused) {
   const Outcome outcome = run_hitpipe(cosim({"--ray-slots", "16"}));
   EXPECT_EQ(outcome.exit_code, 2);

@@ -56,21 +56,22 @@ TEST_F(RtlCommand, PrintsStagesClockAndFiles) {
   const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string()});
   EXPECT_EQ(outcome.exit_code, 0);
   std::string expected =
-      "design    int_slabs\n"
-      "bits      20/24\n"
-      "module    int_slabs\n"
-      "stages    4\n"
-      "latency   4\n"
-      "clock_ps  3,176\n"
-      "library   thesis_250nm\n"
-      "vectors   6,000\n";
-  const char* label = "files     ";
+      "design        int_slabs\n"
+      "bits          20/24\n"
+      "module        int_slabs\n"
+      "stages        4\n"
+      "latency       4\n"
+      "flow_control  stall\n"
+      "clock_ps      3,176\n"
+      "library       thesis_250nm\n"
+      "vectors       6,000\n";
+  const char* label = "files         ";
   for (const char* file : {"int_slabs.v", "int_slabs.json", "int_slabs.core", "tb/int_slabs_tb.sv",
                            "tb/int_slabs_harness.cpp", "tb/Makefile", "tb/int_slabs_vectors.hex",
                            "int_slabs_stage_1.dot", "int_slabs_stages_2-3.dot", "int_slabs_stage_4.dot",
                            "int_slabs_stage_1.svg", "int_slabs_stages_2-3.svg", "int_slabs_stage_4.svg"}) {
     expected += label + (out_ / file).string() + "\n";
-    label = "          ";
+    label = "              ";
   }
   EXPECT_EQ(outcome.out, expected);
 }
@@ -88,11 +89,46 @@ TEST_F(RtlCommand, WritesTheAxiStreamWrapperOnlyWhenAsked) {
   ASSERT_EQ(run_hitpipe({"rtl", "int_slabs", "--out", out_.string()}).exit_code, 0);
   const std::string bare = contents_of(out_ / "int_slabs.v");
   EXPECT_FALSE(std::filesystem::exists(out_ / "int_slabs_axis.v"));
-  const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--axi-stream", "--out", out_.string()});
+  const Outcome outcome =
+      run_hitpipe({"rtl", "int_slabs", "--axi-stream", "--flow-control", "stall", "--out", out_.string()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr((out_ / "int_slabs_axis.v").string() + "\n"));
   EXPECT_THAT(contents_of(out_ / "int_slabs_axis.v"), HasSubstr("module int_slabs_axis #("));
   EXPECT_EQ(contents_of(out_ / "int_slabs.v"), bare);
+}
+
+TEST_F(RtlCommand, AWrapperIsAroundAUnitWithoutFlowControlUnlessToldOtherwise) {
+  for (const char* const wrapper : {"--axi-stream", "--fifo"}) {
+    const std::filesystem::path folder = out_ / wrapper;
+    const Outcome outcome = run_hitpipe({"rtl", "int_slabs", wrapper, "--out", folder.string()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("flow_control  none\n"));
+    EXPECT_EQ(nlohmann::json::parse(contents_of(folder / "int_slabs.json")).at("flow_control"), "none");
+    EXPECT_THAT(contents_of(folder / "int_slabs.v"), testing::Not(HasSubstr("ready")));
+    EXPECT_THAT(contents_of(folder / "int_slabs_fifo.v"), HasSubstr("module int_slabs_fifo #("));
+    EXPECT_EQ(std::filesystem::exists(folder / "int_slabs_axis.v"), wrapper == std::string("--axi-stream"));
+  }
+}
+
+TEST_F(RtlCommand, FlowControlThatDoesNotGoTogetherRejected) {
+  const struct {
+    std::vector<std::string> options;
+    const char* line;
+  } cases[] = {
+      {{"--flow-control", "ready"}, "--flow-control: ready is none of stall, none"},
+      {{"--flow-control", "stall", "--fifo"},
+       "result FIFO: flow control stall; allowed is none, because a unit that stalls holds its results"},
+      {{"--flow-control", "none", "--ray-slots", "4"}, "ray slots: flow control none; allowed is stall"},
+      {{"--fifo", "--ray-slots", "4"}, "--fifo excludes --ray-slots"}};
+  for (const auto& [options, line] : cases) {
+    std::vector<std::string> arguments{"rtl", "int_slabs", "--out", out_.string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_hitpipe(arguments);
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.err, HasSubstr(line));
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(out_));
+  }
 }
 
 TEST_F(RtlCommand, WritesTheRaySlotsOnlyWhenAsked) {

@@ -177,6 +177,14 @@ TEST(Library, FloatsMayBeLeftOut) {
             message);
 }
 
+TEST(Library, ALatchWithAnEnableMayBeLeftOut) {
+  EXPECT_FALSE(Library::thesis().has(Component::latch_enable));
+  EXPECT_EQ(message_of<std::runtime_error>(
+                [] { static_cast<void>(Library::thesis().cell(Component::latch_enable, 8)); }),
+            "library thesis_250nm: it has no latch_enable");
+  EXPECT_EQ(component_name(Component::latch_enable), "latch_enable");
+}
+
 TEST(Library, ComponentsHaveNames) {
   for (std::size_t i = 0; i < component_count; ++i) {
     const auto component = static_cast<Component>(i);

@@ -2,6 +2,7 @@
 // fills their padding at random, and watches the protocol: tvalid waits for nothing, what is offered stays
 // until it is taken, no input reaches an output in the same cycle, and a reset empties everything.
 //   +mode  0 no stalls  1 random gaps and stalls  2 mostly stalled  3 tready only after tvalid
+//          4 sixteen cycles stalled, sixteen not  5 stalled for long, then never again
 #pragma once
 
 #include <cstdint>
@@ -108,11 +109,13 @@ inline std::string stream_bench(const Design& design, Format format, int count) 
     if (m_valid !== 1'b0) fail("tvalid in reset");
     aresetn = 1'b1;
     while (received != COUNT && errors == 0 && cycles < 40 * COUNT + 1000) begin
-      if (!s_valid || taken) s_valid = sent != COUNT && (mode == 0 || mode == 2 || ($random(seed) & 3) != 0);
+      if (!s_valid || taken) s_valid = sent != COUNT && (mode == 0 || mode == 2 || mode > 3 || ($random(seed) & 3) != 0);
       case (mode)
         0: m_ready = 1'b1;
         1: m_ready = ($random(seed) & 3) != 0;
         2: m_ready = ($random(seed) & 15) == 0;
+        4: m_ready = cycles[4];
+        5: m_ready = cycles > 300;
         default: m_ready = m_valid && ($random(seed) & 1) != 0;
       endcase
       #1 probe;
@@ -157,7 +160,9 @@ inline std::string streamed(const std::filesystem::path& folder, const Design& d
   write_text(folder / "bench.v", stream_bench(design, format, count));
   const ToolResult compiled = run_tool(
       folder, "iverilog", "iverilog",
-      fmt::format("-g2001 -Wall -Wno-timescale -o bench bench.v {0}_axis.v {0}.v", design.module_at(format)));
+      fmt::format(
+          "-g2001 -Wall -Wno-timescale -o bench bench.v $(ls {0}_fifo.v 2>/dev/null) {0}_axis.v {0}.v",
+          design.module_at(format)));
   if (compiled.status != 0) return "iverilog: " + compiled.output;
   std::istringstream printed(run_tool(folder, "iverilog", "vvp", fmt::format("bench +mode={}", mode)).output);
   std::string line;

@@ -1,0 +1,242 @@
+// Units without flow control: no ready and no enable anywhere, the testbench sees a wrong latency and lost
+// and invented results, and the wrappers around them lose nothing under any pattern of stalls.
+#include "rtl_gen/verilog/flow_control.hpp"
+
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files.hpp"
+#include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/emit/manifest.hpp"
+#include "rtl_gen/emit/result_fifo.hpp"
+#include "tests/message_of.hpp"
+#include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/emit/axi_stream_bench.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::rtl {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+EmittedDesign unit_of(const DesignFormat& d, const EmitOptions& options) {
+  return emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), options);
+}
+
+std::ptrdiff_t lines_with(const std::string& text, const std::string& word) {
+  std::ptrdiff_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+class WithoutFlowControl : public testing::TestWithParam<DesignFormat> {
+ protected:
+  void SetUp() override {
+    unit = unit_of(GetParam(), {.flow_control = FlowControl::none, .axi_stream = true, .fifo = true});
+    host::write_files(folder.path(), unit.files());
+  }
+  [[nodiscard]] std::string streamed_in(int mode) const {
+    return streamed(folder.path(), GetParam().found(), GetParam().parsed(), 1000, 53, mode);
+  }
+
+  EmittedDesign unit;
+  ScratchFolder folder;
+};
+
+TEST_P(WithoutFlowControl, NoReadyAndNoEnableButTheSameRegisters) {
+  const std::string& none = unit.verilog.contents;
+  const std::string stall = unit_of(GetParam(), {}).verilog.contents;
+  for (const char* const word : {"ready", "advance", "if (en)", ".en(", "wire en"})
+    EXPECT_EQ(lines_with(none, word), 0) << word;
+  EXPECT_EQ(lines_with(none, "  reg "), lines_with(stall, "  reg "));
+  EXPECT_EQ(lines_with(none, " <= "), lines_with(stall, " <= "));
+  EXPECT_THAT(none,
+              HasSubstr("\n// Flow control: none. Nothing waits, and a result is there for one cycle.\n"));
+}
+
+TEST_P(WithoutFlowControl, LintIsSilent) {
+  const auto expect_silence = [](const ToolResult& result) {
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.output, "");
+  };
+  const std::string all = fmt::format("{0}_axis.v {0}_fifo.v {0}.v", unit.module);
+  expect_silence(run_tool(folder.path(), "iverilog", "iverilog", "-g2001 -Wall -o design " + all));
+  for (const char* const top : {"", "_fifo", "_axis"}) {
+    const std::string files = fmt::format(
+        "$(ls {0}{1}.v; [ '{1}' = _axis ] && ls {0}_fifo.v; [ '{1}' ] && ls {0}.v)", unit.module, top);
+    expect_silence(run_tool(folder.path(), "verilator", "verilator",
+                            fmt::format("--lint-only -Wall --top-module {}{} {}", unit.module, top, files)));
+  }
+  expect_silence(
+      run_tool(folder.path(), "yosys", "yosys",
+               fmt::format("-q -p 'read_verilog {}; hierarchy -check -top {}_axis; proc; check -assert; "
+                           "select -assert-none t:$dlatch'",
+                           all, unit.module)));
+}
+
+TEST_P(WithoutFlowControl, TheStreamAnswersUnderEveryPatternOfStalls) {
+  const int stages = GetParam().pipeline().schedule.stages;
+  EXPECT_EQ(streamed_in(0), fmt::format("PASS 1000 beats in {} cycles", 1000 + stages + 1))
+      << "a result a cycle";
+  for (const int mode : {1, 2, 3, 4, 5})
+    EXPECT_THAT(streamed_in(mode), StartsWith("PASS 1000 beats")) << mode;
+  // Half of the cycles are stalls: the FIFO must not add to them.
+  const std::string bursts = streamed_in(4);
+  EXPECT_LT(std::stoi(bursts.substr(bursts.find(" in ") + 4)), 2 * 1000 + 100);
+}
+
+TEST_P(WithoutFlowControl, TheManifestSaysSo) {
+  const nlohmann::json json = nlohmann::json::parse(unit.manifest.contents);
+  const nlohmann::json stalls = nlohmann::json::parse(unit_of(GetParam(), {}).manifest.contents);
+  EXPECT_EQ(stalls.at("flow_control"), "stall");
+  EXPECT_EQ(json.at("flow_control"), "none");
+  EXPECT_EQ(head_of(unit.manifest.contents).flow_control, FlowControl::none);
+  EXPECT_EQ(json.at("by_stage"), stalls.at("by_stage"));
+  const nlohmann::json& fifo = json.at("result_fifo");
+  EXPECT_EQ(fifo.at("ports"), stalls.at("ports")) << "the wrapper has the ports of a unit that stalls";
+  EXPECT_EQ(fifo.at("places"), json.at("latency").get<int>() + 2);
+  EXPECT_EQ(fifo.at("latency"), json.at("latency"));
+  nlohmann::json without = stalls.at("ports");
+  std::erase_if(without.get_ref<nlohmann::json::array_t&>(), [](const nlohmann::json& port) {
+    return port.at("name") == "in_ready" || port.at("name") == "out_ready";
+  });
+  EXPECT_EQ(json.at("ports"), without);
+  for (const char* const file : {"_fifo.v", "_axis.v"})
+    EXPECT_THAT(json.at("files"), testing::Contains(unit.module + file));
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, WithoutFlowControl, testing::ValuesIn(every_design({"20/24"})),
+                         design_suffix);
+
+/// What the testbench says in Icarus about int_slabs 6/6 with a change in its Verilog.
+std::string verdict_on(const std::string& good, const std::string& bad) {
+  const ScratchFolder folder;
+  const EmittedDesign unit =
+      unit_of({"int_slabs", "6/6"}, {.module = "unit", .flow_control = FlowControl::none});
+  host::write_files(folder.path(), unit.files());
+  std::string text = unit.verilog.contents;
+  if (const std::size_t at = text.find(good); at == std::string::npos) return "no " + good;
+  write_text(folder / "unit.v", text.replace(text.find(good), good.size(), bad));
+  const ToolResult result = run_tool(folder.path(), "make", "make", "-s -C tb icarus");
+  EXPECT_EQ(result.status == 0, result.output.find("FAIL") == std::string::npos) << result.output;
+  const std::size_t verdict = std::min(result.output.find("PASS"), result.output.find("FAIL"));
+  return verdict == std::string::npos
+             ? result.output
+             : result.output.substr(verdict, result.output.find('\n', verdict) - verdict);
+}
+
+TEST(TestbenchWithoutFlowControl, SeesLatencyLossAndInvention) {
+  EXPECT_EQ(verdict_on("unit", "unit"), "PASS 1000 vectors");
+  const std::string early = "FAIL cycle 4: out_valid 1, and no test was sent 4 cycles before";
+  const char* const no_result = ": no result 4 cycles after its operands";
+  // A stage more or less for the whole unit.
+  EXPECT_THAT(verdict_on("assign out_valid = valid[4];", "assign out_valid = valid[3];"),
+              StartsWith(early.substr(0, 10)));
+  EXPECT_THAT(verdict_on("assign out_valid = valid[4];",
+                         "reg late; always @(posedge clk) late <= valid[4]; assign out_valid = late;"),
+              testing::AllOf(StartsWith("FAIL vector 0 ("), HasSubstr(no_result)));
+  EXPECT_THAT(verdict_on("{valid[3:0], in_valid}", "{valid[3:0], in_valid & (in_tag != 16'd517)}"),
+              testing::AllOf(StartsWith("FAIL vector 517 ("), HasSubstr(no_result)));
+  EXPECT_THAT(verdict_on("{valid[3:0], in_valid}", "{valid[3:0], in_valid | (tag_s0 == 16'd517)}"),
+              testing::AllOf(StartsWith("FAIL"), HasSubstr(": ")));
+  // After the last vector, too: the tag stays one past it.
+  EXPECT_THAT(verdict_on("{valid[3:0], in_valid}", "{valid[3:0], in_valid | (in_tag == 16'd1000)}"),
+              testing::AllOf(StartsWith("FAIL cycle "), HasSubstr("no test was sent 4 cycles before")));
+  EXPECT_THAT(verdict_on("tag_s1 <= tag_s0", "tag_s1 <= in_tag"), StartsWith("FAIL vector "));
+  EXPECT_THAT(verdict_on("izmin_s0 - irz_s0", "izmin_s0 + irz_s0"), StartsWith("FAIL vector "));
+}
+
+TEST(ResultFifo, DamagedOnesFail) {
+  const DesignFormat d{"int_slabs", "6/6"};
+  const struct {
+    const char *good, *bad;
+    int mode;
+  } damages[] = {{"used != 3'd6", "used != 3'd7", 2},
+                 {"used != 3'd6", "1'b1", 2},
+                 {"if (arrives) held", "held", 1},
+                 {"held[oldest[2:0]]", "held[0]", 2},
+                 {"else if (arrives & ~given) oldest", "else if (arrives) oldest", 1},
+                 {"if (rst) oldest", "if (1'b0) oldest", 1},
+                 {"if (rst) used", "if (1'b0) used", 1},
+                 {"out_valid = waits | arrives", "out_valid = out_ready & (waits | arrives)", 1},
+                 {"assign in_ready = used", "assign in_ready = out_ready & used", 1},
+                 {".in_valid(taken)", ".in_valid(in_valid)", 2}};
+  for (const auto& [good, bad, mode] : damages) {
+    const ScratchFolder folder;
+    host::write_files(folder.path(),
+                      unit_of(d, {.flow_control = FlowControl::none, .axi_stream = true}).files());
+    std::string text = read_text(folder / "int_slabs_6_6_fifo.v");
+    const std::size_t at = text.find(good);
+    ASSERT_NE(at, std::string::npos) << good;
+    write_text(folder / "int_slabs_6_6_fifo.v", text.replace(at, std::string(good).size(), bad));
+    EXPECT_THAT(streamed(folder.path(), d.found(), d.parsed(), 1000, 53, mode), StartsWith("FAIL")) << bad;
+  }
+  // With a place less it is correct, and slower.
+  const ScratchFolder folder;
+  host::write_files(folder.path(),
+                    unit_of(d, {.flow_control = FlowControl::none, .axi_stream = true}).files());
+  std::string text = read_text(folder / "int_slabs_6_6_fifo.v");
+  text.replace(text.find("3'd6"), 4, "3'd5");
+  write_text(folder / "int_slabs_6_6_fifo.v", text);
+  const std::string slower = streamed(folder.path(), d.found(), d.parsed(), 1000, 53, 0);
+  EXPECT_GT(std::stoi(slower.substr(slower.find(" in ") + 4)), 1100);
+}
+
+// docs/flow_control.sh measured these.
+TEST(ResultFifo, IsTheDefaultInAWrapperWhereItCostsLess) {
+  const auto usual = [](const DesignFormat& d) { return wrapped_flow_control(d.pipeline()); };
+  EXPECT_EQ(usual({"int_slabs", "20/24"}), FlowControl::none);
+  EXPECT_EQ(usual({"int_slabs", "16/16"}), FlowControl::none);
+  EXPECT_EQ(usual({"fp_slabs", "fp32"}), FlowControl::none);
+  EXPECT_EQ(usual({"int_major_pair", "20+1/13"}), FlowControl::stall) << "its results have 83 bits";
+}
+
+TEST(ResultFifo, APortWithTheNameOfItsOwnRejected) {
+  const std::vector<hls::Result> results{{"hit", hls::Meaning::hit, 0, 1, false}};
+  EXPECT_EQ(message_of<std::runtime_error>([&] {
+              static_cast<void>(result_fifo("unit", {{"used", 4, false}}, results, 3));
+            }),
+            "unit: its port used has the name of one of unit_fifo");
+}
+
+TEST(FlowControlOptions, ThatDoNotGoTogetherRejected) {
+  const DesignFormat d{"int_slabs", "6/6"};
+  const auto refusal = [&](const EmitOptions& options) {
+    return message_of<std::invalid_argument>([&] { static_cast<void>(unit_of(d, options)); });
+  };
+  EXPECT_EQ(refusal({.fifo = true}),
+            "result FIFO: flow control stall; allowed is none, because a unit that stalls holds its results");
+  EXPECT_EQ(refusal({.flow_control = FlowControl::none, .ray_slots = 4}),
+            "ray slots: flow control none; allowed is stall");
+  EXPECT_EQ(refusal({.flow_control = FlowControl::none, .fifo = true, .ray_slots = 4}),
+            "result FIFO and ray slots: a unit has one wrapper or the other");
+}
+
+TEST(FlowControlOfAManifest, UnknownOneRejected) {
+  std::string text = unit_of({"int_slabs", "6/6"}, {}).manifest.contents;
+  const std::string good = "\"flow_control\": \"stall\"";
+  text.replace(text.find(good), good.size(), "\"flow_control\": \"some\"");
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(head_of(text)); }),
+            "\"flow_control\" is \"some\", allowed are stall, none");
+  nlohmann::json older = nlohmann::json::parse(unit_of({"int_slabs", "6/6"}, {}).manifest.contents);
+  older.erase("flow_control");
+  EXPECT_EQ(head_of(older.dump()).flow_control, FlowControl::stall);
+}
+
+TEST(FlowControlInTheCore, WrappersAreItsTops) {
+  const DesignFormat d{"int_slabs", "20/24"};
+  const std::string fifo = unit_of(d, {.flow_control = FlowControl::none, .fifo = true}).core.contents;
+  EXPECT_THAT(fifo, HasSubstr("  fifo:\n    files: [int_slabs_fifo.v]\n"));
+  EXPECT_THAT(fifo, HasSubstr("filesets: [rtl, fifo]\n    toplevel: int_slabs_fifo\n"));
+  const std::string axis = unit_of(d, {.flow_control = FlowControl::none, .axi_stream = true}).core.contents;
+  EXPECT_THAT(axis, HasSubstr("filesets: [rtl, fifo, axis]\n    toplevel: int_slabs_axis\n"));
+  EXPECT_THAT(unit_of(d, {.axi_stream = true}).core.contents,
+              HasSubstr("filesets: [rtl, axis]\n    toplevel: int_slabs_axis\n"));
+}
+
+}  // namespace
+}  // namespace hitpipe::rtl
