@@ -47,15 +47,20 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// The options that the user gave, as given. If asked for, only those of the scene and of the picture.
-std::string options_given(const CLI::App& command, bool scene_only) {
+/// Which of the options that the user gave.
+enum class Given { all, of_scene, of_sweep };
+
+/// As given. Those of the scene are of the picture too; a sweep takes them and those of costs.
+std::string options_given(const CLI::App& command, Given which) {
   std::string text;
   for (const CLI::Option* const option : command.get_options()) {
     const std::string name = option->get_name();
     const bool of_scene = name != "--out" && name != "--rows" && name != "--bits" &&
                           !name.starts_with("--image-") && name != "--tests" && name != "--seed" &&
                           name != "--threads" && name != "--format";
-    if (option->count() == 0 || (scene_only && !of_scene)) continue;
+    const bool of_cost = name == "--library" || name.starts_with("--triangle-");
+    if (option->count() == 0 || (which != Given::all && !of_scene) || (which == Given::of_scene && of_cost))
+      continue;
     for (const std::string& result : option->results())
       text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, quoted(result));
   }
@@ -103,13 +108,14 @@ int report(const ReportCommand& command, const CLI::App& options) {
   if (const std::string why = sim::why_not_swept(command.image.design()); !why.empty())
     throw std::runtime_error(why);
   const rtl::Format image_format = command.image.format();
-  std::vector<sim::SweepPoint> points;
-  if (command.rows.empty()) {
-    const std::vector<const rtl::Design*> designs = command.swept.designs(sim::why_not_swept);
-    points = report_points(command.swept.formats(designs, sim::sweep_formats));
-  }
   const rtl::Library library = command.cost.load();
   const sim::TriangleCost triangle = command.cost.triangle(library);
+  std::vector<sim::SweepPoint> points;
+  if (command.rows.empty()) {
+    const std::vector<const rtl::Design*> designs =
+        priced_by(library, command.swept.designs(sim::why_not_swept), false);
+    points = report_points(command.swept.formats(designs, sim::sweep_formats), library);
+  }
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
@@ -136,19 +142,25 @@ int report(const ReportCommand& command, const CLI::App& options) {
 
   ReportFacts facts;
   facts.version = program;
-  facts.command = "hitpipe report " + options_given(options, false);
+  facts.command = "hitpipe report " + options_given(options, Given::all);
 
   facts.scene = scene.name;
   facts.asked = asked(command, scene, bvh, rows.rows);
   facts.rows = rows.rows;
-  facts.row_commands = sweep_commands(facts.rows, options_given(options, true));
+  facts.row_commands = sweep_commands(facts.rows, options_given(options, Given::of_sweep));
   facts.seed = command.seed;
   progress.emplace("drawing");
   facts.diagrams = draw_diagrams(facts.rows);
   facts.schematics = draw_schematics();
-  for (const area::Entry& entry : area::table_7_2())
-    facts.prices.push_back(
-        area::price(rtl::find_design(entry.design), entry.format, library, area::Account::built));
+  facts.area_command =
+      library.name() == rtl::default_library
+          ? "hitpipe area --format csv"
+          : fmt::format("hitpipe area --library {} --format csv", quoted(command.cost.library));
+  for (const area::Entry& entry : area::table_7_2()) {
+    const rtl::Design& design = rtl::find_design(entry.design);
+    if (sim::why_not_priced(design, entry.format, library).empty())
+      facts.prices.push_back(area::price(design, entry.format, library, area::Account::built));
+  }
   progress.emplace("judging");
   facts.stability =
       measure_stability({.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
@@ -165,7 +177,8 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                  {.design = &command.image.design(),
                                   .format = image_format,
                                   .coarse = coarsest(facts.rows, command.image),
-                                  .scene_options = options_given(options, true),
+                                  .library = &library,
+                                  .scene_options = options_given(options, Given::of_scene),
                                   .width = command.scene.width,
                                   .height = command.scene.height,
                                   .threads = command.scene.threads,

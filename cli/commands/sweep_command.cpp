@@ -35,8 +35,9 @@ struct SweepCommand {
   Format format = Format::text;
 };
 
-std::vector<sim::SweepPoint> plan(const SweepCommand& command) {
-  const std::vector<const rtl::Design*> designs = command.units.designs(sim::why_not_swept);
+std::vector<sim::SweepPoint> plan(const SweepCommand& command, const rtl::Library& library) {
+  const std::vector<const rtl::Design*> designs =
+      priced_by(library, command.units.designs(sim::why_not_swept), !command.units.names.empty());
   return sim::plan_sweep(command.units.formats(designs, sim::sweep_formats), command.rays_in_flight);
 }
 
@@ -69,13 +70,15 @@ std::string text_of(const std::vector<sim::SweepRow>& rows) {
   }
   std::string text = fmt::format(
       "{:<{}} {:<{}}  rays  area extra % extra %     time area*time bytes/\n"
-      "{:<{}} {:<{}}         mm2   boxes  triang ms whole    whole    ray\n",
-      "design", name, "bits", bits, "", name, "", bits);
+      "{:<{}} {:<{}}         {}   boxes  triang ms whole    whole    ray\n",
+      "design", name, "bits", bits, "", name, "", bits, rows.front().on_chip() ? "LUT" : "mm2");
   for (const sim::SweepRow& row : rows) {
-    text += fmt::format("{:<{}} {:<{}} {:>5} {:>5.2f} {:>7} {:>7} {:>8.4g} {:>8.4g} {:>6.0f}\n", row.design,
-                        name, row.bits, bits, row.rays_in_flight, row.area_per_box_mm2(),
+    const std::string area = row.on_chip() ? fmt::format("{:.0f}", row.area_per_box_lut())
+                                           : fmt::format("{:.2f}", row.area_per_box_mm2());
+    text += fmt::format("{:<{}} {:<{}} {:>5} {:>5} {:>7} {:>7} {:>8.4g} {:>8.4g} {:>6.0f}\n", row.design,
+                        name, row.bits, bits, row.rays_in_flight, area,
                         percent_text(row.extra_box_tests_pct()), percent_text(row.extra_triangle_tests_pct()),
-                        row.whole_run_time_ms(), row.whole_area_run_time_mm2_ms(), row.bytes_per_ray());
+                        row.whole_run_time_ms(), row.whole_area_run_time(), row.bytes_per_ray());
   }
   if (several_boxes) text += "area: for each box that a test answers for; area*time: of the whole unit\n";
   std::vector<std::string> below = recommendation(rows);
@@ -118,7 +121,7 @@ int sweep(const SweepCommand& command) {
   const rtl::Library library = command.cost.load();
   sim::ResumableSweep sweep{.scene = nullptr,
                             .bvh = nullptr,
-                            .points = plan(command),
+                            .points = plan(command, library),
                             .options = {.width = command.scene.width,
                                         .height = command.scene.height,
                                         .threads = command.scene.threads,

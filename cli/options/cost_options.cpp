@@ -7,6 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/options/library_option.hpp"
+
 namespace hitpipe::cli {
 
 namespace {
@@ -23,34 +25,39 @@ std::string cost_problem(const std::string& text) {
 
 }  // namespace
 
-rtl::Library CostChoice::load() const {
-  return library.empty() ? rtl::Library::thesis() : rtl::Library::load(library);
-}
-
 sim::TriangleCost CostChoice::triangle(const rtl::Library& priced_by) const {
-  if ((!triangle_ns || !triangle_mm2) && !area::can_price_yardstick(priced_by))
-    throw std::runtime_error(
-        fmt::format("library {}: has no float components, so it cannot price a triangle test; give "
-                    "--triangle-ns and --triangle-mm2",
-                    priced_by.name()));
-  sim::TriangleCost cost;
-  if (!triangle_ns || !triangle_mm2) cost = sim::triangle_cost(priced_by);
+  const bool all = triangle_ns && (priced_by.chip() != nullptr ? triangle_luts : triangle_mm2);
+  sim::TriangleCost cost = all ? sim::TriangleCost{} : sim::triangle_cost(priced_by);
   if (triangle_ns) cost.delay_ps = std::llround(*triangle_ns * 1e3);
   if (triangle_mm2) cost.area_um2 = std::llround(*triangle_mm2 * 1e6);
+  if (triangle_luts) cost.luts = std::llround(*triangle_luts);
   return cost;
 }
 
+std::vector<const rtl::Design*> priced_by(const rtl::Library& library,
+                                          std::vector<const rtl::Design*> designs, bool named) {
+  std::erase_if(designs, [&](const rtl::Design* design) {
+    const std::string why = sim::why_not_priced(*design, design->default_format, library);
+    if (why.empty()) return false;
+    if (named) throw std::runtime_error(why);
+    fmt::print(stderr, "hitpipe: left out: {}\n", why);
+    return true;
+  });
+  return designs;
+}
+
 void add_cost_options(CLI::App& command, CostChoice& choice) {
-  command
-      .add_option("--library", choice.library, "Component library (JSON) in place of the thesis's Table 7.1")
-      ->type_name("FILE");
+  add_library_option(command, choice.library);
   const auto add_cost = [&](const char* name, std::optional<double>& value, const std::string& what) {
-    command.add_option(name, value, what + " (default: that of a float unit of the same library)")
+    command
+        .add_option(name, value,
+                    what + " (default: that of a float unit of the same library, on a chip estimated)")
         ->check(cost_problem)
         ->type_name("X");
   };
   add_cost("--triangle-ns", choice.triangle_ns, "Time after which a triangle unit begins another test");
   add_cost("--triangle-mm2", choice.triangle_mm2, "Area of that triangle unit");
+  add_cost("--triangle-luts", choice.triangle_luts, "Lookup tables of that triangle unit on a chip");
 }
 
 }  // namespace hitpipe::cli

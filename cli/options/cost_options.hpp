@@ -3,8 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "area_model/price.hpp"
+#include "rtl_gen/component/built_in.hpp"
 #include "sim/sweep/sweep.hpp"
 
 namespace CLI {
@@ -14,19 +15,24 @@ class App;
 namespace hitpipe::cli {
 
 struct CostChoice {
-  std::string library;  ///< empty: the thesis's
+  std::string library = std::string(rtl::default_library);
   std::optional<double> triangle_ns;
   std::optional<double> triangle_mm2;
+  std::optional<double> triangle_luts;
 
-  /// Throws what rtl::Library::load() throws.
-  [[nodiscard]] rtl::Library load() const;
-  /// What the user does not say is the cost of the library's float triangle unit. Throws std::runtime_error,
-  /// one line, when the library cannot price that.
+  /// Throws what rtl::library_called() throws.
+  [[nodiscard]] rtl::Library load() const { return rtl::library_called(library); }
+  /// What the user does not say is that of sim::triangle_cost(), which throws for some libraries.
   [[nodiscard]] sim::TriangleCost triangle(const rtl::Library& priced_by) const;
-  [[nodiscard]] bool says_triangle() const { return triangle_ns || triangle_mm2; }
+  [[nodiscard]] bool says_triangle() const { return triangle_ns || triangle_mm2 || triangle_luts; }
 };
 
-/// Adds --library, --triangle-ns and --triangle-mm2.
+/// The designs that the library can price, at their default formats. Throws std::runtime_error, one line,
+/// for another when the user `named` them; else it is left out, with a line on standard error.
+[[nodiscard]] std::vector<const rtl::Design*> priced_by(const rtl::Library& library,
+                                                        std::vector<const rtl::Design*> designs, bool named);
+
+/// Adds --library, --triangle-ns, --triangle-mm2 and --triangle-luts.
 void add_cost_options(CLI::App& command, CostChoice& choice);
 
 }  // namespace hitpipe::cli

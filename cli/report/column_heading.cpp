@@ -11,14 +11,16 @@ namespace {
 using Words = std::pair<std::string_view, std::string_view>;
 
 /// The longest endings first.
-constexpr std::array<Words, 8> unit_words{{{"_mm2_ns", ", mm² ns"},
-                                           {"_mm2_ms", ", mm² ms"},
-                                           {"_per_million", " in a million"},
-                                           {"_mm2", ", mm²"},
-                                           {"_mhz", ", MHz"},
-                                           {"_pct", ", %"},
-                                           {"_ns", ", ns"},
-                                           {"_ms", ", ms"}}};
+constexpr std::array<Words, 10> unit_words{{{"_mm2_ns", ", mm² ns"},
+                                            {"_mm2_ms", ", mm² ms"},
+                                            {"_lut_ms", ", LUT ms"},
+                                            {"_lut", ", LUT"},
+                                            {"_per_million", " in a million"},
+                                            {"_mm2", ", mm²"},
+                                            {"_mhz", ", MHz"},
+                                            {"_pct", ", %"},
+                                            {"_ns", ", ns"},
+                                            {"_ms", ", ms"}}};
 
 constexpr std::array<Words, 5> heading_words{{{"stage delay", "clock period"},
                                               {"area delay", "area × clock period"},

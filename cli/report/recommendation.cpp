@@ -24,18 +24,22 @@ std::optional<std::size_t> least(Rows rows, int rays_in_flight, double most_extr
 }  // namespace
 
 std::optional<std::size_t> cheapest(Rows rows, int rays_in_flight, double most_extra_box_tests_pct) {
-  return least(rows, rays_in_flight, most_extra_box_tests_pct, &sim::SweepRow::whole_area_run_time_mm2_ms);
+  return least(rows, rays_in_flight, most_extra_box_tests_pct, &sim::SweepRow::whole_area_run_time);
 }
 
 std::optional<std::size_t> cheapest_boxes(Rows rows, int rays_in_flight) {
-  return least(rows, rays_in_flight, no_limit, &sim::SweepRow::area_run_time_mm2_ms);
+  return least(rows, rays_in_flight, no_limit, &sim::SweepRow::area_run_time);
+}
+
+std::string area_unit(const sim::SweepRow& row) {
+  return row.on_chip() ? "LUT" : "mm²";
 }
 
 std::string cost_text(const sim::SweepRow& row) {
   return fmt::format(
-      "{:.4g} mm² ms, of box tests alone {:.4g}; {:.4g} % extra triangle tests, {:.4g} bytes a ray",
-      row.whole_area_run_time_mm2_ms(), row.area_run_time_mm2_ms(), row.extra_triangle_tests_pct(),
-      row.bytes_per_ray());
+      "{:.4g} {} ms, of box tests alone {:.4g}; {:.4g} % extra triangle tests, {:.4g} bytes a ray{}",
+      row.whole_area_run_time(), area_unit(row), row.area_run_time(), row.extra_triangle_tests_pct(),
+      row.bytes_per_ray(), row.on_chip() ? fmt::format(", {} multiplier blocks", row.multiplier_blocks) : "");
 }
 
 std::vector<std::string> recommendation(Rows rows) {
@@ -46,19 +50,23 @@ std::vector<std::string> recommendation(Rows rows) {
       fmt::format("Least whole area × time: {}: {}.", unit_name(rows[*whole]), cost_text(rows[*whole]))};
   const std::size_t boxes = *cheapest_boxes(rows, rays);
   if (boxes == *whole) return lines;
-  const double more =
-      100.0 * (rows[boxes].whole_area_run_time_mm2_ms() / rows[*whole].whole_area_run_time_mm2_ms() - 1.0);
+  const double more = 100.0 * (rows[boxes].whole_area_run_time() / rows[*whole].whole_area_run_time() - 1.0);
   lines.push_back(fmt::format("By box tests alone it would be {}, which costs {:.3g} % more as a whole: {}.",
                               unit_name(rows[boxes]), more, cost_text(rows[boxes])));
   return lines;
 }
 
 std::string cost_caveat(const sim::SweepRow& row) {
+  const std::string unit = row.on_chip()
+                               ? fmt::format("{} LUTs", row.triangle.luts)
+                               : fmt::format("{:.4g} mm²", static_cast<double>(row.triangle.area_um2) / 1e6);
   return fmt::format(
-      "Whole counts box tests and triangle tests. A triangle test is taken as {:.4g} ns of a unit of {:.4g} "
-      "mm². Set-up of rays, shading and waiting for memory are left out; bytes a ray are read without a "
-      "cache.",
-      static_cast<double>(row.triangle.delay_ps) / 1e3, static_cast<double>(row.triangle.area_um2) / 1e6);
+      "Whole counts box tests and triangle tests. A triangle test is taken as {:.4g} ns of a unit of {}. "
+      "Set-up "
+      "of rays, shading and waiting for memory are left out; bytes a ray are read without a cache.{}",
+      static_cast<double>(row.triangle.delay_ps) / 1e3, unit,
+      row.on_chip() ? " Area is lookup tables alone: weigh multiplier blocks and registers beside them."
+                    : "");
 }
 
 }  // namespace hitpipe::cli

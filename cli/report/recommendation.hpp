@@ -24,6 +24,9 @@ inline constexpr double no_limit = std::numeric_limits<double>::infinity();
 [[nodiscard]] std::optional<std::size_t> cheapest_boxes(std::span<const sim::SweepRow> rows,
                                                         int rays_in_flight);
 
+/// "mm²", or "LUT" on a chip.
+[[nodiscard]] std::string area_unit(const sim::SweepRow& row);
+
 /// What a unit costs, with and without triangle tests: "0.97 mm² ms, of box tests alone 0.55; ...".
 [[nodiscard]] std::string cost_text(const sim::SweepRow& row);
 

@@ -76,7 +76,7 @@ std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows) {
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(usual),
                [&](const sim::SweepRow& row) { return row.rays_in_flight == rays; });
   std::vector<Drawing> drawings;
-  for (const Diagram& diagram : diagrams()) {
+  for (const Diagram& diagram : diagrams(rows.front().on_chip())) {
     drawings.push_back({fmt::format("{}.svg", diagram.name),
                         run_gnuplot("report", diagram_script(scene, usual, diagram)),
                         fmt::format("{}: {}", scene, diagram.title),

@@ -69,6 +69,7 @@ struct ReportFacts {
   std::vector<Stability> stability;
   std::vector<MeasuredDesign> stiffness;
   std::string stiffness_command;
+  std::string area_command;
   Drawing stiffness_diagram;
   std::uint64_t seed = 1;
   std::vector<Schematic> schematics;

@@ -19,7 +19,8 @@ namespace hitpipe::cli {
 struct PictureChoice {
   const rtl::Design* design;  ///< its Verilog renders
   rtl::Format format;
-  rtl::Format coarse;         ///< for a second map of extra work
+  rtl::Format coarse;  ///< for a second map of extra work
+  const rtl::Library* library;
   std::string scene_options;  ///< as a user writes them; for the commands
   int width = 256;
   int height = 256;

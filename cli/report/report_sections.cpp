@@ -17,24 +17,21 @@ namespace hitpipe::cli {
 namespace {
 
 /// The columns of rows.csv that the page shows.
-const std::vector<std::string> shown_columns{"boxes_per_test",
-                                             "stages",
-                                             "stage_delay_ns",
-                                             "area_mm2",
-                                             "area_per_box_mm2",
-                                             "box_tests",
-                                             "triangle_tests",
-                                             "false_hits_per_million",
-                                             "extra_box_tests_pct",
-                                             "extra_triangle_tests_pct",
-                                             "occupancy_pct",
-                                             "run_time_ms",
-                                             "area_run_time_mm2_ms",
-                                             "whole_run_time_ms",
-                                             "whole_area_run_time_mm2_ms",
-                                             "nodes_fetched",
-                                             "bytes_per_ray",
-                                             "false_misses"};
+std::vector<std::string> shown_columns(bool on_chip) {
+  std::vector<std::string> columns{"boxes_per_test", "stages", "stage_delay_ns"};
+  if (on_chip) {
+    columns.insert(columns.end(), {"luts", "registers", "multiplier_blocks", "area_per_box_lut"});
+  } else {
+    columns.insert(columns.end(), {"area_mm2", "area_per_box_mm2"});
+  }
+  columns.insert(columns.end(),
+                 {"box_tests", "triangle_tests", "false_hits_per_million", "extra_box_tests_pct",
+                  "extra_triangle_tests_pct", "occupancy_pct", "run_time_ms",
+                  on_chip ? "area_run_time_lut_ms" : "area_run_time_mm2_ms", "whole_run_time_ms",
+                  on_chip ? "whole_area_run_time_lut_ms" : "whole_area_run_time_mm2_ms", "nodes_fetched",
+                  "bytes_per_ray", "false_misses"});
+  return columns;
+}
 
 using Rows = std::span<const sim::SweepRow>;
 
@@ -70,12 +67,13 @@ PageTable sweep_table(Rows rows, int rays) {
                   rays),
       {"unit"},
       {}};
-  for (const std::string& column : shown_columns) table.columns.push_back(column_heading(column));
+  const std::vector<std::string> shown = shown_columns(rows.front().on_chip());
+  for (const std::string& column : shown) table.columns.push_back(column_heading(column));
   table.columns.emplace_back("line");
   for (std::size_t row = 0; row < rows.size(); ++row) {
     if (rows[row].rays_in_flight != rays) continue;
     std::vector<std::string> cells{unit_name(rows[row])};
-    for (const std::string& column : shown_columns) cells.push_back(readable_cell(rows[row], column));
+    for (const std::string& column : shown) cells.push_back(readable_cell(rows[row], column));
     cells.push_back(std::to_string(line_of(row)));
     table.rows.push_back(std::move(cells));
   }
@@ -125,9 +123,11 @@ void add_findings(Page& page, const ReportFacts& facts, int rays) {
                    wrong.different_pixels)}};
   const auto told = [&](std::size_t row) {
     const int boxes = rows[row].boxes_per_test;
-    return fmt::format(
-        "{}: {} mm²{}; {} (line {} of rows.csv)", unit_name(rows[row]), readable_cell(rows[row], "area_mm2"),
-        boxes == 1 ? "" : fmt::format(" for {} boxes in a test", boxes), cost_text(rows[row]), line_of(row));
+    const bool chip = rows[row].on_chip();
+    return fmt::format("{}: {} {}{}; {} (line {} of rows.csv)", unit_name(rows[row]),
+                       readable_cell(rows[row], chip ? "luts" : "area_mm2"), area_unit(rows[row]),
+                       boxes == 1 ? "" : fmt::format(" for {} boxes in a test", boxes), cost_text(rows[row]),
+                       line_of(row));
   };
   for (const double percent : {0.1, 1.0, 10.0}) {
     if (const auto row = cheapest(rows, rays, percent)) {
@@ -198,13 +198,13 @@ std::string float_misses(const ReportFacts& facts) {
                           readable_number(std::to_string(s.all.hits)), misses_of(s.all).high);
       continue;
     }
-    const auto worst = std::max_element(
-        s.categories.begin(), s.categories.end(),
-        [](const auto& a, const auto& b) { return misses_of(a).percent < misses_of(b).percent; });
-    text +=
-        fmt::format("{} missed {} of {} boxes, the largest share in \"{}\": {:.3g} %. ", s.design,
-                    readable_number(std::to_string(s.all.false_misses)),
-                    readable_number(std::to_string(s.all.hits)), worst->category, misses_of(*worst).percent);
+    const auto most =
+        std::max_element(s.categories.begin(), s.categories.end(),
+                         [](const auto& a, const auto& b) { return a.false_misses < b.false_misses; });
+    text += fmt::format("{} missed {} of {} boxes; most of them, {} of {}, in \"{}\". ", s.design,
+                        readable_number(std::to_string(s.all.false_misses)),
+                        readable_number(std::to_string(s.all.hits)), most->false_misses, most->hits,
+                        most->category);
   }
   return text;
 }
@@ -214,7 +214,7 @@ std::vector<std::string> commands_of(const ReportFacts& facts) {
   lines.insert(lines.end(), facts.row_commands.begin(), facts.row_commands.end());
   lines.emplace_back("# The pictures");
   for (const Row& row : facts.pictures.rows) lines.push_back(row.at("command").get<std::string>());
-  lines.insert(lines.end(), {"# The pipelines", "hitpipe area --format csv", "# Stability"});
+  lines.insert(lines.end(), {"# The pipelines", facts.area_command, "# Stability"});
   for (const Stability& s : facts.stability) lines.push_back(s.command);
   lines.emplace_back("# Stiff rays");
   lines.push_back(facts.stiffness_command);
@@ -232,17 +232,32 @@ std::vector<Row> pipeline_rows(const ReportFacts& facts) {
     return p.design == area::yardstick().design;
   });
   for (const area::Price& p : facts.prices) {
-    rows.push_back(
-        {{"design", p.design},
-         {"bits", rtl::to_string(p.format)},
-         {"stages", p.stages},
-         {"stage_delay_ns", area::delay_ns(p.stage_delay_ps)},
-         {"clock_mhz", area::clock_mhz(p)},
-         {"latency_ns", area::delay_ns(p.latency_ps())},
-         {"area_mm2", area::area_mm2(p.area_um2)},
-         {"area_pct", area::percent(p.area_per_box_um2(), yardstick->area_per_box_um2())},
-         {"area_delay_mm2_ns", area::adp_mm2_ns(p)},
-         {"area_delay_pct", area::percent(p.area_delay_per_box(), yardstick->area_delay_per_box())}});
+    if (p.taken.luts > 0) {
+      rows.push_back({{"design", p.design},
+                      {"bits", rtl::to_string(p.format)},
+                      {"stages", p.stages},
+                      {"stage_delay_ns", area::delay_ns(p.stage_delay_ps)},
+                      {"clock_mhz", area::clock_mhz(p)},
+                      {"latency_ns", area::delay_ns(p.latency_ps())},
+                      {"luts", p.taken.luts},
+                      {"registers", p.taken.registers},
+                      {"multiplier_blocks", p.taken.blocks}});
+      continue;
+    }
+    const auto percent = [&](std::int64_t part, std::int64_t whole) {
+      return yardstick == facts.prices.end() ? Row(nullptr) : Row(area::percent(part, whole));
+    };
+    const area::Price& of = yardstick == facts.prices.end() ? p : *yardstick;
+    rows.push_back({{"design", p.design},
+                    {"bits", rtl::to_string(p.format)},
+                    {"stages", p.stages},
+                    {"stage_delay_ns", area::delay_ns(p.stage_delay_ps)},
+                    {"clock_mhz", area::clock_mhz(p)},
+                    {"latency_ns", area::delay_ns(p.latency_ps())},
+                    {"area_mm2", area::area_mm2(p.area_um2)},
+                    {"area_pct", percent(p.area_per_box_um2(), of.area_per_box_um2())},
+                    {"area_delay_mm2_ns", area::adp_mm2_ns(p)},
+                    {"area_delay_pct", percent(p.area_delay_per_box(), of.area_delay_per_box())}});
   }
   return rows;
 }
@@ -309,10 +324,11 @@ std::string report_html(const ReportFacts& facts) {
   page.table(page_table("The pictures' numbers: pictures.csv.", facts.pictures.rows));
 
   page.heading("Pipelines");
-  page.table(
-      page_table("The six units of Table 7.2, all that is emitted priced by its component library; percent "
-                 "of fp_slabs for each box: pipelines.csv.",
-                 pipeline_rows(facts)));
+  page.table(page_table(
+      fmt::format("The units of Table 7.2, all that is emitted priced by the component library {}; "
+                  "percent of fp_slabs for each box: pipelines.csv.",
+                  rows.front().library),
+      pipeline_rows(facts)));
 
   page.heading("The sweep");
   if (std::any_of(rows.begin(), rows.end(),

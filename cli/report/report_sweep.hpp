@@ -11,7 +11,8 @@
 namespace hitpipe::cli {
 
 /// Every design in its formats with 32 rays in flight, and the thesis's six units with 1, 2, 4 .. 256.
-[[nodiscard]] std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats);
+[[nodiscard]] std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats,
+                                                         const rtl::Library& library);
 
 /// The rows of `file`. Throws what sim::read_rows_about() throws, and throws when there are no rows.
 [[nodiscard]] sim::RowsFile take_rows(const std::filesystem::path& file, const std::string& about);

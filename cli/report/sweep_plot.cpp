@@ -54,19 +54,33 @@ const Style& style_of(const std::string& design) {
 
 constexpr const char* extra_boxes = "extra box tests, % above robust float slabs";
 constexpr const char* extra_triangles = "extra triangle tests, % above robust float slabs";
-constexpr std::array<Diagram, 6> all_diagrams{
-    {{"error_run_time", "error and run time of box tests alone", "run_time_ms",
-      "run time of the box tests, ms (cycles × clock period)", "extra_box_tests_pct", extra_boxes},
-     {"error_area", "error and area", "area_per_box_mm2", "area for each box tested in a cycle, mm²",
-      "extra_box_tests_pct", extra_boxes},
-     {"error_area_run_time", "error and area × run time of box tests alone", "area_run_time_mm2_ms",
-      "area × run time of the box tests, mm² ms", "extra_box_tests_pct", extra_boxes},
-     {"whole_run_time", "error and run time with triangle tests", "whole_run_time_ms",
-      "run time of box tests and triangle tests, ms", "extra_triangle_tests_pct", extra_triangles},
-     {"whole_area_run_time", "error and area × run time with triangle tests", "whole_area_run_time_mm2_ms",
-      "area × run time of box unit and triangle unit, mm² ms", "extra_triangle_tests_pct", extra_triangles},
-     {"memory", "error and memory traffic", "bytes_per_ray", "bytes of nodes and triangles for each ray",
-      "extra_box_tests_pct", extra_boxes}}};
+using Diagrams = std::array<Diagram, 6>;
+
+constexpr Diagrams diagrams_of(bool on_chip) {
+  return {
+      {{"error_run_time", "error and run time of box tests alone", "run_time_ms",
+        "run time of the box tests, ms (cycles × clock period)", "extra_box_tests_pct", extra_boxes},
+       {"error_area", "error and area", on_chip ? "area_per_box_lut" : "area_per_box_mm2",
+        on_chip ? "lookup tables for each box tested in a cycle" : "area for each box tested in a cycle, mm²",
+        "extra_box_tests_pct", extra_boxes},
+       {"error_area_run_time", "error and area × run time of box tests alone",
+        on_chip ? "area_run_time_lut_ms" : "area_run_time_mm2_ms",
+        on_chip ? "lookup tables × run time of the box tests, LUT ms"
+                : "area × run time of the box tests, mm² ms",
+        "extra_box_tests_pct", extra_boxes},
+       {"whole_run_time", "error and run time with triangle tests", "whole_run_time_ms",
+        "run time of box tests and triangle tests, ms", "extra_triangle_tests_pct", extra_triangles},
+       {"whole_area_run_time", "error and area × run time with triangle tests",
+        on_chip ? "whole_area_run_time_lut_ms" : "whole_area_run_time_mm2_ms",
+        on_chip ? "lookup tables × run time of box unit and triangle unit, LUT ms"
+                : "area × run time of box unit and triangle unit, mm² ms",
+        "extra_triangle_tests_pct", extra_triangles},
+       {"memory", "error and memory traffic", "bytes_per_ray", "bytes of nodes and triangles for each ray",
+        "extra_box_tests_pct", extra_boxes}}};
+}
+
+constexpr Diagrams diagrams_of_cells = diagrams_of(false);
+constexpr Diagrams diagrams_of_chips = diagrams_of(true);
 
 std::vector<double> column(std::span<const sim::SweepRow> units, std::string_view name) {
   std::vector<double> values;
@@ -169,8 +183,8 @@ std::vector<CostAndError> pareto_front(std::vector<CostAndError> units) {
   return front;
 }
 
-std::span<const Diagram> diagrams() {
-  return all_diagrams;
+std::span<const Diagram> diagrams(bool on_chip) {
+  return on_chip ? diagrams_of_chips : diagrams_of_cells;
 }
 
 std::string diagram_script(const std::string& scene, std::span<const sim::SweepRow> units,

@@ -30,7 +30,8 @@ struct Diagram {
   const char* error_label;
 };
 /// Of box tests alone, as the thesis compares; then with triangle tests; then of memory.
-[[nodiscard]] std::span<const Diagram> diagrams();
+/// With areas in lookup tables on a chip, in mm² elsewhere.
+[[nodiscard]] std::span<const Diagram> diagrams(bool on_chip);
 
 /// The gnuplot programs; the same text for the same numbers. All `units` have the same number of rays in
 /// flight.

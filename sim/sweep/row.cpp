@@ -143,6 +143,26 @@ double SweepRow::whole_area_run_time_mm2_ms() const {
   return area_run_time_mm2_ms() + static_cast<double>(triangle.area_um2) * triangle_time_ms(*this) / 1e6;
 }
 
+double SweepRow::area_per_box_lut() const {
+  return static_cast<double>(luts) / static_cast<double>(boxes_per_test);
+}
+
+double SweepRow::area_run_time_lut_ms() const {
+  return static_cast<double>(luts) * run_time_ms();
+}
+
+double SweepRow::whole_area_run_time_lut_ms() const {
+  return area_run_time_lut_ms() + static_cast<double>(triangle.luts) * triangle_time_ms(*this);
+}
+
+double SweepRow::area_run_time() const {
+  return on_chip() ? area_run_time_lut_ms() : area_run_time_mm2_ms();
+}
+
+double SweepRow::whole_area_run_time() const {
+  return on_chip() ? whole_area_run_time_lut_ms() : whole_area_run_time_mm2_ms();
+}
+
 bool SweepRow::verified(bool conservative) const {
   return rtl_mismatches == 0 && different_triangles == 0 && different_pixels == 0 &&
          (!conservative || false_misses == 0);
@@ -165,9 +185,11 @@ std::vector<std::string> to_cells(const SweepRow& r) {
   add(r.stages);
   add(area::decimal(r.stage_delay_ps, 1000, delay_digits));
   add(area::decimal(r.area_um2, 1'000'000, area_digits));
+  for (const std::int64_t count : {r.luts, r.registers, r.multiplier_blocks}) add(count);
   add(r.bytes_per_node);
   add(area::decimal(r.triangle.delay_ps, 1000, delay_digits));
   add(area::decimal(r.triangle.area_um2, 1'000'000, area_digits));
+  add(r.triangle.luts);
   for (const std::uint64_t count :
        {r.rays_primary, r.rays_secondary, r.rays_shadow, r.rays_rejected, r.unit_tests, r.box_tests, r.hits,
         r.triangle_tests, r.reference_box_tests, r.reference_triangle_tests, r.false_hits, r.false_misses,
@@ -179,8 +201,9 @@ std::vector<std::string> to_cells(const SweepRow& r) {
         r.run_time_ms(), r.area_per_box_mm2(), r.area_delay_mm2_ns(), r.area_run_time_mm2_ms()})
     add(figure);
   for (const std::uint64_t count : {r.nodes_fetched(), r.bytes_fetched()}) add(count);
-  for (const double figure : {r.bytes_per_ray(), r.reference_bytes_per_ray(), r.whole_run_time_ms(),
-                              r.whole_area_run_time_mm2_ms()})
+  for (const double figure :
+       {r.bytes_per_ray(), r.reference_bytes_per_ray(), r.whole_run_time_ms(), r.whole_area_run_time_mm2_ms(),
+        r.area_per_box_lut(), r.area_run_time_lut_ms(), r.whole_area_run_time_lut_ms()})
     add(figure);
   for (const double time : {r.rtl_seconds, r.software_ratio}) add(time);
   return cells;
@@ -199,15 +222,17 @@ SweepRow from_cells(const std::vector<std::string>& cells) {
   in.read(r.stages);
   in.read_scaled(r.stage_delay_ps, delay_digits);
   in.read_scaled(r.area_um2, area_digits);
+  for (std::int64_t* const count : {&r.luts, &r.registers, &r.multiplier_blocks}) in.read(*count);
   in.read(r.bytes_per_node);
   in.read_scaled(r.triangle.delay_ps, delay_digits);
   in.read_scaled(r.triangle.area_um2, area_digits);
+  in.read(r.triangle.luts);
   for (std::uint64_t* const count :
        {&r.rays_primary, &r.rays_secondary, &r.rays_shadow, &r.rays_rejected, &r.unit_tests, &r.box_tests,
         &r.hits, &r.triangle_tests, &r.reference_box_tests, &r.reference_triangle_tests, &r.false_hits,
         &r.false_misses, &r.rtl_mismatches, &r.different_triangles, &r.different_pixels, &r.cycles})
     in.read(*count);
-  constexpr std::size_t figures = 16;
+  constexpr std::size_t figures = 19;
   in.skip(figures);
   for (double* const time : {&r.rtl_seconds, &r.software_ratio}) in.read(*time);
 

@@ -14,6 +14,7 @@ namespace hitpipe::sim {
 struct TriangleCost {
   std::int64_t delay_ps = 0;
   std::int64_t area_um2 = 0;
+  std::int64_t luts = 0;  ///< on a chip, which has no area
 
   friend bool operator==(const TriangleCost&, const TriangleCost&) = default;
 };
@@ -34,8 +35,11 @@ struct SweepRow {
   int boxes_per_test = 1;  ///< that the design answers for
   int stages = 0;
   std::int64_t stage_delay_ps = 0;
-  std::int64_t area_um2 = 0;  ///< of the whole unit, account `built`
-  int bytes_per_node = 0;     ///< that a unit of this format reads
+  std::int64_t area_um2 = 0;  ///< of the whole unit, account `built`; 0 on a chip
+  std::int64_t luts = 0;      ///< and what it takes of a chip; 0 in cells
+  std::int64_t registers = 0;
+  std::int64_t multiplier_blocks = 0;
+  int bytes_per_node = 0;  ///< that a unit of this format reads
   TriangleCost triangle;
 
   std::uint64_t rays_primary = 0;
@@ -67,6 +71,7 @@ struct SweepRow {
   [[nodiscard]] double extra_box_tests_pct() const;
   [[nodiscard]] double extra_triangle_tests_pct() const;
   [[nodiscard]] double run_time_ms() const;  ///< of the box tests alone, as in the thesis
+  [[nodiscard]] bool on_chip() const { return luts > 0; }
   [[nodiscard]] double area_per_box_mm2() const;
   [[nodiscard]] double area_delay_mm2_ns() const;  ///< with the area for each box
   /// With the whole area: the cycles already count a test of several boxes once.
@@ -81,6 +86,13 @@ struct SweepRow {
   [[nodiscard]] double whole_run_time_ms() const;
   /// The area of each of both units for the time that it works.
   [[nodiscard]] double whole_area_run_time_mm2_ms() const;
+  /// The same in lookup tables, on a chip. Registers and multiplier blocks are counted beside them.
+  [[nodiscard]] double area_per_box_lut() const;
+  [[nodiscard]] double area_run_time_lut_ms() const;
+  [[nodiscard]] double whole_area_run_time_lut_ms() const;
+  /// In lookup tables on a chip, in mm2 elsewhere.
+  [[nodiscard]] double area_run_time() const;
+  [[nodiscard]] double whole_area_run_time() const;
 
   /// Everything that must be zero is zero. False misses must be zero if the design is conservative.
   [[nodiscard]] bool verified(bool conservative) const;
@@ -90,57 +102,63 @@ struct SweepRow {
 
 /// The columns of a sweep's CSV file, in order. The last two are measured times. Only they differ between
 /// runs.
-inline constexpr auto sweep_columns = std::to_array<std::string_view>({
-    "scene",
-    "triangles",
-    "bvh_nodes",
-    "width",
-    "height",
-    "rays_in_flight",
-    "library",
-    "design",
-    "bits",
-    "boxes_per_test",
-    "stages",
-    "stage_delay_ns",
-    "area_mm2",
-    "bytes_per_node",
-    "triangle_delay_ns",
-    "triangle_area_mm2",
-    "rays_primary",
-    "rays_secondary",
-    "rays_shadow",
-    "rays_rejected",
-    "unit_tests",
-    "box_tests",
-    "hits",
-    "triangle_tests",
-    "reference_box_tests",
-    "reference_triangle_tests",
-    "false_hits",
-    "false_misses",
-    "rtl_mismatches",
-    "different_triangles",
-    "different_pixels",
-    "cycles",
-    "occupancy_pct",
-    "false_hits_per_million",
-    "extra_box_tests_per_ray",
-    "extra_triangle_tests_per_ray",
-    "extra_box_tests_pct",
-    "extra_triangle_tests_pct",
-    "run_time_ms",
-    "area_per_box_mm2",
-    "area_delay_mm2_ns",
-    "area_run_time_mm2_ms",
-    "nodes_fetched",
-    "bytes_fetched",
-    "bytes_per_ray",
-    "reference_bytes_per_ray",
-    "whole_run_time_ms",
-    "whole_area_run_time_mm2_ms",
-    "rtl_seconds",
-    "software_ratio"});
+inline constexpr auto sweep_columns = std::to_array<std::string_view>({"scene",
+                                                                       "triangles",
+                                                                       "bvh_nodes",
+                                                                       "width",
+                                                                       "height",
+                                                                       "rays_in_flight",
+                                                                       "library",
+                                                                       "design",
+                                                                       "bits",
+                                                                       "boxes_per_test",
+                                                                       "stages",
+                                                                       "stage_delay_ns",
+                                                                       "area_mm2",
+                                                                       "luts",
+                                                                       "registers",
+                                                                       "multiplier_blocks",
+                                                                       "bytes_per_node",
+                                                                       "triangle_delay_ns",
+                                                                       "triangle_area_mm2",
+                                                                       "triangle_luts",
+                                                                       "rays_primary",
+                                                                       "rays_secondary",
+                                                                       "rays_shadow",
+                                                                       "rays_rejected",
+                                                                       "unit_tests",
+                                                                       "box_tests",
+                                                                       "hits",
+                                                                       "triangle_tests",
+                                                                       "reference_box_tests",
+                                                                       "reference_triangle_tests",
+                                                                       "false_hits",
+                                                                       "false_misses",
+                                                                       "rtl_mismatches",
+                                                                       "different_triangles",
+                                                                       "different_pixels",
+                                                                       "cycles",
+                                                                       "occupancy_pct",
+                                                                       "false_hits_per_million",
+                                                                       "extra_box_tests_per_ray",
+                                                                       "extra_triangle_tests_per_ray",
+                                                                       "extra_box_tests_pct",
+                                                                       "extra_triangle_tests_pct",
+                                                                       "run_time_ms",
+                                                                       "area_per_box_mm2",
+                                                                       "area_delay_mm2_ns",
+                                                                       "area_run_time_mm2_ms",
+                                                                       "nodes_fetched",
+                                                                       "bytes_fetched",
+                                                                       "bytes_per_ray",
+                                                                       "reference_bytes_per_ray",
+                                                                       "whole_run_time_ms",
+                                                                       "whole_area_run_time_mm2_ms",
+                                                                       "area_per_box_lut",
+                                                                       "area_run_time_lut_ms",
+                                                                       "whole_area_run_time_lut_ms",
+                                                                       "rtl_seconds",
+                                                                       "software_ratio"});
 inline constexpr std::size_t sweep_time_columns = 2;
 
 [[nodiscard]] constexpr bool is_text_column(std::string_view column) {

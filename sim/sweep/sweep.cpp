@@ -6,9 +6,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "area_model/price.hpp"
 #include "area_model/triangle_unit.hpp"
@@ -159,6 +162,9 @@ class Run {
             .stages = unit.price->stages,
             .stage_delay_ps = unit.price->stage_delay_ps,
             .area_um2 = unit.price->area_um2,
+            .luts = unit.price->taken.luts,
+            .registers = unit.price->taken.registers,
+            .multiplier_blocks = unit.price->taken.blocks,
             .bytes_per_node = static_cast<int>(bytes_per_node(*point.design, point.format)),
             .triangle = options_.triangle,
             .rays_primary = result.rays_primary,
@@ -207,9 +213,40 @@ class Run {
 
 }  // namespace
 
+std::string why_not_priced(const rtl::Design& design, const rtl::Format& format,
+                           const rtl::Library& library) {
+  try {
+    static_cast<void>(area::price(design, format, library, area::Account::built));
+  } catch (const std::runtime_error& error) {
+    return fmt::format("design {}: {}", design.name, error.what());
+  }
+  return "";
+}
+
 TriangleCost triangle_cost(const rtl::Library& library) {
-  const area::Price price = area::price_of_triangle_unit(library);
-  return {.delay_ps = price.stage_delay_ps, .area_um2 = price.area_um2};
+  const rtl::Design& unit = area::triangle_unit();
+  if (why_not_priced(unit, unit.default_format, library).empty()) {
+    const area::Price price = area::price_of_triangle_unit(library);
+    return {.delay_ps = price.stage_delay_ps, .area_um2 = price.area_um2, .luts = price.taken.luts};
+  }
+  const auto& rows = area::table_7_2();
+  const auto entry = std::ranges::find_if(rows, [&](const area::Entry& each) {
+    return why_not_priced(rtl::find_design(each.design), each.format, library).empty();
+  });
+  if (entry == rows.end())
+    throw std::runtime_error(fmt::format("library {}: cannot price a triangle test", library.name()));
+  const auto price_by = [&](const rtl::Library& by) {
+    return area::price(rtl::find_design(entry->design), entry->format, by, area::Account::built);
+  };
+  const area::Price triangle = area::price_of_triangle_unit(rtl::Library::thesis());
+  const area::Price box = price_by(rtl::Library::thesis());
+  const area::Price here = price_by(library);
+  const auto scaled = [](std::int64_t value, std::int64_t by, std::int64_t of) {
+    return (value * by + of / 2) / of;
+  };
+  return {.delay_ps = scaled(here.stage_delay_ps, triangle.stage_delay_ps, box.stage_delay_ps),
+          .area_um2 = scaled(here.area_um2, triangle.area_um2, box.area_um2),
+          .luts = scaled(here.taken.luts, triangle.area_um2, box.area_um2)};
 }
 
 void run_sweep(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const SweepPoint> points,

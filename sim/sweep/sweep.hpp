@@ -26,8 +26,13 @@ struct SweepOptions {
   std::function<void(double)> progress = [](double) {};
 };
 
-/// The cost of a test by the float triangle unit of this library (area_model/triangle_unit.hpp). Throws
-/// std::runtime_error when the library has no float components.
+/// Why a library cannot price a design, one line; empty when it can.
+[[nodiscard]] std::string why_not_priced(const rtl::Design& design, const rtl::Format& format,
+                                         const rtl::Library& library);
+
+/// The cost of a test by the float triangle unit of this library (area_model/triangle_unit.hpp). A library
+/// without float components gets an estimate: its first unit of Table 7.2 times what a triangle unit costs
+/// more than that unit in the thesis's library. Throws std::runtime_error when it cannot price any.
 [[nodiscard]] TriangleCost triangle_cost(const rtl::Library& library);
 
 /// One line that states all that decides the counts of a row, apart from the row's own unit: scene, hierarchy

@@ -268,6 +268,34 @@ TEST_F(SweepCommand, RowsOfOtherColumnsRejected) {
   EXPECT_EQ(contents_of(file("old.csv")), text);
 }
 
+/// A chip has lookup tables in place of an area, and a clock of its own.
+TEST_F(SweepCommand, PricesByTheLibraryOfAChip) {
+  const fs::path out = file("chip.csv");
+  std::vector<std::string> arguments = sweep(out, {"--library", "xc7"});
+  *std::find(arguments.begin(), arguments.end(), "int_plucker,fp_slabs,int_slabs") = "int_slabs";
+  const Outcome outcome = run_hitpipe(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_LE(widest_line(outcome.out), 80U) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr(" LUT ms, of box tests alone "));
+  EXPECT_THAT(outcome.out, HasSubstr("weigh multiplier blocks"));
+  const sim::SweepRow chip = sim::read_rows(out).rows.at(0);
+  const sim::SweepRow cells = sim::read_rows(whole()).rows.at(2);
+  ASSERT_EQ(cells.design, chip.design);
+  EXPECT_EQ(chip.library, "xc7");
+  EXPECT_TRUE(chip.on_chip());
+  EXPECT_FALSE(cells.on_chip());
+  EXPECT_EQ(chip.area_um2, 0);
+  EXPECT_GT(chip.registers, 0);
+  EXPECT_GT(chip.triangle.luts, chip.luts);
+  EXPECT_EQ(chip.box_tests, cells.box_tests);
+  EXPECT_NE(chip.stage_delay_ps, cells.stage_delay_ps);
+  EXPECT_DOUBLE_EQ(chip.area_run_time(), static_cast<double>(chip.luts) * chip.run_time_ms());
+  // The rows of one library are not continued with another.
+  const Outcome other = run_hitpipe(sweep(out));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, HasSubstr("library xc7\", asked for are \""));
+}
+
 /// The cost of a triangle test is no measurement: the rows stay, and their figures follow it.
 TEST_F(SweepCommand, TakesAnotherCostOfATriangleTest) {
   const fs::path rows = copy();

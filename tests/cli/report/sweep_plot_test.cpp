@@ -60,15 +60,18 @@ TEST(ParetoFront, HasWhatNoneBetters) {
 }
 
 const Diagram& diagram(std::string_view name) {
-  return *std::ranges::find(diagrams(), name, &Diagram::name);
+  return *std::ranges::find(diagrams(false), name, &Diagram::name);
 }
 
 TEST(Diagrams, ShowColumnsOfTheRowsFile) {
-  for (const Diagram& each : diagrams()) {
-    for (const std::string_view column : {each.cost, each.error})
-      EXPECT_THAT(sim::sweep_columns, testing::Contains(column)) << each.name;
+  for (const bool on_chip : {false, true}) {
+    for (const Diagram& each : diagrams(on_chip)) {
+      for (const std::string_view column : {each.cost, each.error})
+        EXPECT_THAT(sim::sweep_columns, testing::Contains(column)) << each.name;
+      EXPECT_EQ(each.cost.find("mm2") != std::string_view::npos && on_chip, false) << each.name;
+    }
+    EXPECT_EQ(diagrams(on_chip).size(), 6U);
   }
-  EXPECT_EQ(diagrams().size(), 6U);
 }
 
 /// A pair needs half the cycles. So its area is halved once: in the area for each box, and not again in area
