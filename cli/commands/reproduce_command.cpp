@@ -21,6 +21,7 @@ struct ReproduceCommand {
   ref::ExperimentOptions experiment;
   std::vector<std::string> tables;
   std::string out;
+  Format format = Format::text;
 };
 
 std::vector<const ref::Experiment*> chosen(const ReproduceCommand& command) {
@@ -50,14 +51,15 @@ void run(const ReproduceCommand& command) {
     tables.push_back(experiment->run(experiment->number, options));
   }
   const std::string text = reproduction_page(tables, command_text(command));
-  if (command.out.empty()) {
-    fmt::print("{}", text);
-    return;
-  }
+  if (command.out.empty() || command.format != Format::text)
+    fmt::print("{}",
+               command.format == Format::text ? text : table_text(reproduction_rows(tables), command.format));
+  if (command.out.empty()) return;
   std::filesystem::path figures = page.filename();
   figures.replace_extension(".csv");
   host::write_files(page.has_parent_path() ? page.parent_path() : ".",
-                    {{page.filename().string(), text}, {figures.string(), reproduction_csv(tables)}});
+                    {{page.filename().string(), text},
+                     {figures.string(), table_text(reproduction_rows(tables), Format::csv)}});
 }
 
 }  // namespace
@@ -74,6 +76,7 @@ void add_reproduce_command(CLI::App& program, int& /*exit_code*/) {
                    "Page to write, ending in .md; every figure goes to a .csv beside it (default: the page "
                    "on standard output)")
       ->type_name("FILE");
+  add_format_option(*command, options->format);
   command->callback([options] { run(*options); });
 }
 

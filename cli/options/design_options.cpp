@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -74,11 +75,18 @@ std::vector<sim::DesignFormats> DesignsChoice::formats(const std::vector<const r
     const std::size_t equals = text.find('=');
     const std::string name = equals == std::string::npos ? "" : text.substr(0, equals);
     const std::string format = equals == std::string::npos ? text : text.substr(equals + 1);
+    // Families may share a spelling: some take any eEmM, others only that of binary32.
+    const auto has = [&](const sim::DesignFormats& each) {
+      const rtl::FormatFamily& family = each.design->default_format.family();
+      const std::optional<rtl::FormatNumbers> numbers = family.parse(format);
+      return numbers && family.valid(*numbers);
+    };
+    const bool some_have = name.empty() && std::any_of(all.begin(), all.end(), has);
     bool taken = false;
     for (sim::DesignFormats& each : all) {
       if (!name.empty() && each.design->name != name) continue;
       const rtl::FormatFamily& family = each.design->default_format.family();
-      if (name.empty() && !family.parse(format)) continue;
+      if (name.empty() && (some_have ? !has(each) : !family.parse(format))) continue;
       append_once(each.formats, each.design->parse_format(format));
       taken = true;
     }

@@ -188,7 +188,7 @@ std::string reproduction_page(const std::vector<ResultTable>& tables, const std:
   return text;
 }
 
-std::string reproduction_csv(const std::vector<ResultTable>& tables) {
+std::vector<Row> reproduction_rows(const std::vector<ResultTable>& tables) {
   std::vector<Row> rows;
   for (const ResultTable& table : tables) {
     for (const ResultRow& row : table.rows) {
@@ -207,7 +207,7 @@ std::string reproduction_csv(const std::vector<ResultTable>& tables) {
       }
     }
   }
-  return table_text(rows, Format::csv);
+  return rows;
 }
 
 }  // namespace hitpipe::cli

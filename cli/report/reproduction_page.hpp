@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/text/table.hpp"
 #include "sw_ref/experiment/result.hpp"
 
 namespace hitpipe::cli {
@@ -13,7 +14,7 @@ namespace hitpipe::cli {
 [[nodiscard]] std::string reproduction_page(const std::vector<ref::ResultTable>& tables,
                                             const std::string& command);
 
-/// One line a figure: table, row, column, thesis, ours, its interval, their ratio, verdict.
-[[nodiscard]] std::string reproduction_csv(const std::vector<ref::ResultTable>& tables);
+/// One row a figure: table, row, column, thesis, ours, its interval, their ratio, verdict.
+[[nodiscard]] std::vector<Row> reproduction_rows(const std::vector<ref::ResultTable>& tables);
 
 }  // namespace hitpipe::cli

@@ -1,4 +1,4 @@
-// The float slabs test that never misses, in any format eEmM: does a ray meet a closed box? All rounding is
+// The float slabs test that never misses eEmM: does a ray meet a closed box? All rounding is
 // toward zero, which takes the fewest gates. A near distance may be too small. A far difference that is too
 // small is made up for by its factor, which the set-up rounds up by one part in 2^M more. Products are cut in
 // the same way for near and far, which keeps their order. docs/conservative.md proves that the unit never
@@ -52,7 +52,7 @@ constexpr SafeSlab<typename F::template Magnitude<D>, typename D::bit> safe_slab
 
 struct FpSlabsSafe {
   static constexpr const char* name = "fp_slabs_safe";
-  static constexpr const char* summary = "float slabs test that never misses, in any format";
+  static constexpr const char* summary = "float slabs test that never misses";
   static constexpr bool conservative = true;
 
   using Bits = AnyFpBits;

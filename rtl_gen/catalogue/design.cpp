@@ -107,13 +107,17 @@ void add_design(Design design) {
   all().push_back(std::move(design));
 }
 
-const Design& find_design(std::string_view name) {
+std::string design_names() {
   std::vector<std::string_view> names;
+  for (const Design& d : designs()) names.push_back(d.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+const Design& find_design(std::string_view name) {
   for (const Design& d : designs()) {
     if (d.name == name) return d;
-    names.push_back(d.name);
   }
-  throw std::runtime_error(fmt::format("design {}: unknown; there are: {}", name, fmt::join(names, ", ")));
+  throw std::runtime_error(fmt::format("design {}: unknown; there are: {}", name, design_names()));
 }
 
 std::size_t place_of(const Design& design) {

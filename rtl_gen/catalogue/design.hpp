@@ -67,6 +67,8 @@ struct Design {
 /// For a program with designs of its own, before it uses any. Throws std::invalid_argument for a name that
 /// there is.
 void add_design(Design design);
+/// The names of all designs, separated by commas.
+[[nodiscard]] std::string design_names();
 /// Throws std::runtime_error that lists the designs when there is none of that name.
 [[nodiscard]] const Design& find_design(std::string_view name);
 /// By its place in designs().

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "rtl_gen/catalogue/design.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "tests/cli/program.hpp"
 
@@ -60,9 +61,7 @@ class BadInput : public testing::Test {
 };
 
 TEST_F(BadInput, UnknownDesignRejected) {
-  const std::string message =
-      "design pluecker: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct, "
-      "int_major, int_major_pair";
+  const std::string message = "design pluecker: unknown; there are: " + rtl::design_names();
   rejected({"cosim", "pluecker", "--scene", "spheres", "--out", out()}, message);
   rejected({"rtl", "pluecker", "--out", out()}, message);
   rejected(fit({"--designs", "int_slabs,pluecker"}, out()), message);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/commands.hpp"
+#include "rtl_gen/catalogue/design.hpp"
 #include "tests/cli/program.hpp"
 
 namespace hitpipe::cli {
@@ -146,8 +147,7 @@ TEST(CommandLine, WithUnknownFormatRejected) {
 /// A user's word that is quoted may hold anything.
 TEST(CommandLine, WithLineBreaksIsAnsweredInOneLine) {
   expect_error({"rtl", "two\nlines\t", "--out", "x"},
-               "design two lines : unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, "
-               "fp_plucker_direct, int_major, int_major_pair, fp_slabs_safe");
+               "design two lines : unknown; there are: " + rtl::design_names());
 }
 
 TEST(StandardOutput, ThatIsFullRejected) {

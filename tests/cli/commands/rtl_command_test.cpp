@@ -208,8 +208,8 @@ TEST_F(RtlCommand, PrintsCsv) {
   const Outcome outcome = run_hitpipe({"rtl", "int_slabs", "--out", out_.string(), "--format", "csv"});
   const auto lines = lines_of(outcome.out);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0], "design,bits,module,stages,latency,clock_ps,library,vectors,files");
-  EXPECT_THAT(lines[1], StartsWith("int_slabs,20/24,int_slabs,4,4,3176,thesis_250nm,6000," +
+  EXPECT_EQ(lines[0], "design,bits,module,stages,latency,flow_control,clock_ps,library,vectors,files");
+  EXPECT_THAT(lines[1], StartsWith("int_slabs,20/24,int_slabs,4,4,stall,3176,thesis_250nm,6000," +
                                    (out_ / "int_slabs.v").string() + " "));
 }
 

@@ -276,7 +276,7 @@ TEST_F(SweepCommand, PricesByTheLibraryOfAChip) {
   const Outcome outcome = run_hitpipe(arguments);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_LE(widest_line(outcome.out), 80U) << outcome.out;
-  EXPECT_THAT(outcome.out, HasSubstr(" LUT ms, of box tests alone "));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex(" LUT ms, of box tests alone[ \n]"));
   EXPECT_THAT(outcome.out, HasSubstr("weigh multiplier blocks"));
   const sim::SweepRow chip = sim::read_rows(out).rows.at(0);
   const sim::SweepRow cells = sim::read_rows(whole()).rows.at(2);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rtl_gen/catalogue/any_fp_formats.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/pipeline.hpp"
@@ -43,13 +44,15 @@ inline std::ostream& operator<<(std::ostream& out, const DesignFormat& d) {
 
 /// Every design of the catalogue, each at the formats of its family: n/t, n+g/p, or the one of floats.
 inline std::vector<DesignFormat> every_design(const std::vector<std::string>& integers,
-                                              const std::vector<std::string>& major = {"20+1/13"}) {
+                                              const std::vector<std::string>& major = {"20+1/13"},
+                                              const std::vector<std::string>& any_float = {"e8m23"}) {
   std::vector<DesignFormat> all;
   for (const Design& design : designs()) {
     const Format& usual = design.default_format;
     const std::vector<std::string> one{to_string(usual)};
     for (const std::string& format : usual.is<hls::IntBits>()     ? integers
                                      : usual.is<hls::MajorBits>() ? major
+                                     : usual.is<hls::AnyFpBits>() ? any_float
                                                                   : one)
       all.push_back({std::string(design.name), format});
   }

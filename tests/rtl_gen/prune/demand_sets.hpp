@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "rtl_gen/catalogue/any_fp_formats.hpp"
 #include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/prune/draw.hpp"
 #include "rtl_gen/prune/promises.hpp"
@@ -175,7 +176,51 @@ inline std::vector<DemandSet> major_demand_sets(const Design& design, Format for
           {"all of these", with(upward, along_z, fixed_origin, narrow, coarse, no_zero, ordered)}};
 }
 
+/// Of float designs whose ray is mirrored, with a port for the sign of each direction component.
+inline std::vector<DemandSet> any_float_demand_sets(const Design& design, Format format) {
+  const auto bits = format.as<hls::AnyFpBits>();
+  const std::int64_t quarter = bits.one() - (std::int64_t{2} << bits.fraction);
+  const auto upward = [](Demands& demands) {
+    for (const char* const port : {"back_x", "back_y", "back_z"}) demand(demands, port, {{0, 0}});
+  };
+  const auto fixed_origin = [&](Demands& demands) {
+    for (const char* const port : {"rx", "ry", "rz"}) demand(demands, port, {{quarter, quarter}});
+  };
+  const auto narrow = [&](Demands& demands) {
+    const Interval half = {quarter, quarter + (std::int64_t{1} << bits.fraction)};
+    for (const char* const port : {"ry", "ymin", "ymax"}) demand(demands, port, {half});
+  };
+  const auto coarse = [&](Demands& demands) {
+    for (const char* const port : {"ymin", "ymax"}) {
+      PortDemand& demanded = demand_on(demands, port);
+      if (demanded.within.empty()) demanded.within = {{0, (std::int64_t{1} << bits.width()) - 1}};
+      demanded.low_zeros = 3;
+    }
+  };
+  const auto no_zero = [&](Demands& demands) {
+    for (const char* const port : {"ri_high", "rj_high", "rk_high"})
+      demand(demands, port, {{bits.one(), bits.infinity() - 1}});
+  };
+  const auto with = [&](const auto&... parts) {
+    Demands demands = promises(design, format);
+    (parts(demands), ...);
+    return demands;
+  };
+  const auto ends = [](std::int64_t rinf) {
+    return [rinf](Demands& demands) { demand(demands, "rinf", {{rinf, rinf}}); };
+  };
+  return {{"infinite rays", with(ends(1))},
+          {"finite rays", with(ends(0))},
+          {"upward", with(upward)},
+          {"fixed origin", with(fixed_origin)},
+          {"narrow y", with(narrow)},
+          {"coarse y", with(coarse)},
+          {"no zero component", with(no_zero)},
+          {"all of these", with(ends(1), upward, fixed_origin, narrow, coarse, no_zero)}};
+}
+
 inline std::vector<DemandSet> demand_sets(const Design& design, Format format) {
+  if (format.is<hls::AnyFpBits>()) return any_float_demand_sets(design, format);
   if (format.is<hls::MajorBits>()) return major_demand_sets(design, format);
   const auto scene = [&] { return Scene(design, format); };
   Scene all = scene();  // the camera stands outside the slab

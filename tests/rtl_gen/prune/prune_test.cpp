@@ -77,7 +77,7 @@ TEST_P(PrunedDesign, IsAFixedPoint) {
   }
 }
 
-/// Designs that are told by a port of its own that a ray is infinite, and directions by axis.
+/// Designs whose directions have a sign on each axis, as all of the thesis.
 class PrunedDesignByAxis : public PrunedDesign {};
 
 TEST_P(PrunedDesignByAxis, InfiniteRaysHaveNoLength) {
@@ -108,7 +108,7 @@ TEST_P(PrunedDesignByAxis, OneDirectionClassHasNoMultiplexersOfTheClass) {
 INSTANTIATE_TEST_SUITE_P(Designs, PrunedDesign, testing::ValuesIn(every_design({"24/24", "20/24", "6/11"})),
                          design_suffix);
 INSTANTIATE_TEST_SUITE_P(Designs, PrunedDesignByAxis,
-                         testing::ValuesIn(every_design({"24/24", "20/24", "6/11"}, {})), design_suffix);
+                         testing::ValuesIn(every_design({"24/24", "20/24", "6/11"}, {}, {})), design_suffix);
 
 TEST(Prune, KeepsTheOutputsOfRandomGraphs) {
   Seeded random(877);

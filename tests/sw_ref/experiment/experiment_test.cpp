@@ -129,7 +129,8 @@ TEST(IntegerExperiment, FewerBitsNeverSaveWorkAndNoAnswerDiffers) {
 TEST(IntegerExperiment, FindingHasTheFiguresOfTheRowsThatWereMeasured) {
   ExperimentOptions options = quick();
   options.only = {"Spheres"};
-  options.width = 48;  // two tiles
+  options.width = 96;  // six tiles, of which more than one have rays of each kind
+  options.height = 64;
   const ResultTable table = find_experiment("6.2").run("6.2", options);
   const auto spheres = std::find_if(table.findings.begin(), table.findings.end(), [](const Finding& finding) {
     return finding.claim == "16/16 bits are enough for Spheres";
