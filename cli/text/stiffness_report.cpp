@@ -80,9 +80,8 @@ std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs, cons
   std::vector<Row> rows;
   for (const MeasuredDesign& d : designs) {
     for (const Measured& m : d.formats) {
-      for (const sim::StiffBoxes& b : m.boxes) {
-        Row row =
-            row_of(d, m, b.stiffness, fmt::format("{} 2^-{}", b.aimed ? "aimed" : "anywhere", b.half_side));
+      const auto add_boxes = [&](const sim::StiffBoxes& b, const std::string& kind) {
+        Row row = row_of(d, m, b.stiffness, kind);
         row.update({{"tests", b.tests},
                     {"hits", b.hits},
                     {"false_misses", b.false_misses},
@@ -97,7 +96,10 @@ std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs, cons
                     {"extra_box_tests_pct_high", nullptr},
                     {"different_triangles", nullptr}});
         rows.push_back(std::move(row));
-      }
+      };
+      for (const sim::StiffBoxes& b : m.boxes)
+        add_boxes(b, fmt::format("{} 2^-{}", b.aimed ? "aimed" : "anywhere", b.half_side));
+      for (const sim::StiffBoxes& b : m.all_boxes) add_boxes(b, "all");
       for (const sim::StiffTraversals& t : m.traversals) {
         Row row = row_of(d, m, t.stiffness, scene);
         row.update({{"tests", t.box_tests},

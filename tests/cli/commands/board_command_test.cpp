@@ -40,8 +40,8 @@ TEST(BoardCommand, StreamsVectorsAndScenes) {
   EXPECT_EQ(json["tests_from"], "vectors");
   EXPECT_GT(json["hits"], 0);
 
-  const Outcome scene = board(
-      served.port(), {"--scene", "waves", "--triangles", "1000", "--tests", "150", "--format", "json"});
+  const Outcome scene =
+      board(served.port(), {"--scene", "waves", "--triangles", "1000", "--tests", "150", "--format", "json"});
   EXPECT_EQ(scene.exit_code, 0) << scene.err;
   EXPECT_EQ(nlohmann::json::parse(scene.out)["tests"], 150);
   EXPECT_EQ(nlohmann::json::parse(scene.out)["mismatches"], 0);

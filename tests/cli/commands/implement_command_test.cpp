@@ -116,7 +116,7 @@ TEST_F(ImplementCommand, WrongUseRejected) {
     EXPECT_FALSE(std::filesystem::exists(out_));
     return outcome.err;
   };
-  EXPECT_EQ(refused({}), "hitpipe: --target is required; see hitpipe implement --help\n");
+  EXPECT_EQ(refused({}), "hitpipe: implement: name a design and a --target, or a --board\n");
   EXPECT_EQ(
       refused({"--target", "stratix"}),
       "hitpipe: target stratix: unknown; there are ecp5, ice40_hx, ice40_up5k, osu018, xc7, and any file "

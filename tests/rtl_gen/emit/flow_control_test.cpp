@@ -50,7 +50,7 @@ class WithoutFlowControl : public testing::TestWithParam<DesignFormat> {
 TEST_P(WithoutFlowControl, NoReadyAndNoEnableButTheSameRegisters) {
   const std::string& none = unit.verilog.contents;
   const std::string stall = unit_of(GetParam(), {}).verilog.contents;
-  for (const char* const word : {"ready", "advance", "if (en)", ".en(", "wire en"})
+  for (const char* const word : {"ready", "advance", "if (en)", ".en(", "wire en,", "wire en\n"})
     EXPECT_EQ(lines_with(none, word), 0) << word;
   EXPECT_EQ(lines_with(none, "  reg "), lines_with(stall, "  reg "));
   EXPECT_EQ(lines_with(none, " <= "), lines_with(stall, " <= "));
