@@ -136,9 +136,8 @@ bool Library::has(Component component) const {
     case Component::fp_compare:
     case Component::fp_subtract_rz:
     case Component::fp_multiply_rz:
-      return false;  // they are made of the chip's other parts
     case Component::latch_enable:
-      return false;  // every register of a chip has an enable
+      return false;  // floats are made of the chip's other parts, and each of its registers has an enable
     default:
       return true;
   }
