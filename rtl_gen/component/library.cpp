@@ -15,7 +15,7 @@ namespace hitpipe::rtl {
 
 namespace {
 
-constexpr std::array<std::string_view, component_count> names{
+constexpr std::array<std::string_view, component_count> component_names{
     "latch",       "mux2",       "int_subtract",   "int_multiply",   "int_compare", "fp_subtract",
     "fp_multiply", "fp_compare", "fp_subtract_rz", "fp_multiply_rz", "gate",        "latch_enable"};
 
@@ -72,13 +72,14 @@ std::int64_t rounded_quotient(std::int64_t dividend, std::int64_t divisor) {
 }  // namespace
 
 std::string_view component_name(Component component) {
-  return names[static_cast<std::size_t>(component)];
+  return component_names[static_cast<std::size_t>(component)];
 }
 
 Component component_called(std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw std::invalid_argument(fmt::format("component {}: no library has it", name));
-  return static_cast<Component>(found - names.begin());
+  const auto found = std::find(component_names.begin(), component_names.end(), name);
+  if (found == component_names.end())
+    throw std::invalid_argument(fmt::format("component {}: no library has it", name));
+  return static_cast<Component>(found - component_names.begin());
 }
 
 Library Library::from_json(std::string_view text, std::string_view origin) {
@@ -96,7 +97,7 @@ Library Library::from_json(std::string_view text, std::string_view origin) {
   const FileJson& components = required(json, "components", origin);
   for (std::size_t i = 0; i < component_count; ++i) {
     if (!has_cells(static_cast<Component>(i))) continue;
-    const std::string name(names[i]);
+    const std::string name(component_names[i]);
     const bool is_optional = static_cast<Component>(i) >= Component::fp_subtract;
     if (is_optional && !components.contains(name)) continue;
     const FileJson& entry = required(components, name, origin);

@@ -7,7 +7,7 @@ namespace hitpipe::rtl {
 namespace {
 
 /// Where the script, hitpipe's headers and the vectors are; what a user may set in the environment.
-constexpr const char* places = R"(proc setting {name otherwise} {
+constexpr const char* settings_by_place = R"(proc setting {name otherwise} {
   if {[info exists ::env($name)]} { return $::env($name) }
   return $otherwise
 }
@@ -31,7 +31,7 @@ std::string vitis_tcl(const std::string& title, const std::string& module) {
 set module {}
 )",
              title, module, module) +
-         places + R"(set flags "-std=c++14 -I$include -DHITPIPE_VENDOR"
+         settings_by_place + R"(set flags "-std=c++14 -I$include -DHITPIPE_VENDOR"
 
 open_project -reset [setting PROJECT hitpipe_$module]
 set_top hitpipe_$module
@@ -80,7 +80,7 @@ std::string catapult_tcl(const std::string& title, const std::string& module) {
 set module {}
 )",
              title, module, module) +
-         places + R"(
+         settings_by_place + R"(
 solution new -state initial
 solution options defaults
 solution options set /Input/CppStandard c++14

@@ -76,8 +76,8 @@ std::string result_fifo(const std::string& module, const std::vector<Port>& port
     result_bits += port.width;
   }
   const int places = fifo_places(latency);
-  const int credit_bits = std::bit_width(static_cast<unsigned>(places));
-  const int place_bits = std::bit_width(static_cast<unsigned>(places - 1));
+  const auto credit_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(places)));
+  const auto place_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(places - 1)));
   return fmt::format(
       R"(// {module} with valid and ready on both sides. {module} itself never waits: its results go to a FIFO with
 // {places} places. A test is taken only when there is a place for its result, so no result is ever lost. A consumer

@@ -79,7 +79,7 @@ FpSlabsSafeEnd FpSlabsSafeRaySetup::end(float length) const {
   const Binary32 parts = decode(length);
   if (parts.mantissa == 0) return {};
   const int exponent = parts.exponent + scale_;
-  const int highest = exponent + std::bit_width(parts.mantissa) - 1;
+  const int highest = exponent + static_cast<int>(std::bit_width(parts.mantissa)) - 1;
   if (highest > bits_.bias()) return endless;
   const int power = std::max(highest, 1 - bits_.bias());  // that of the highest bit of a normal number
   const int below = power - bits_.fraction - exponent;    // bits of the mantissa below the last place
