@@ -166,8 +166,9 @@ void add_implement_command(CLI::App& program, int& exit_code) {
       add_board_option(*command, options->board,
                        "Make a bitstream for a board, in which the unit stands behind a serial line");
   add_baud_option(*command, options->board)->needs(board);
-  add_folder_option(*command, options->out,
-                    "Folder for the unit, and for the tools' files in a folder named after the target")
+  add_folder_option(
+      *command, options->out,
+      "Folder; the unit and the tools' files go to a folder in it that is named after the target")
       ->required();
   command
       ->add_option("--library", how.library,

@@ -49,8 +49,8 @@ BoardImplementation implement_board(const rtl::Design& design, const rtl::Format
   const std::string top = rtl::board_module(emitted.module);
   const host::File top_file{
       top + ".v", rtl::board_top(rtl::board_unit(design, format, emitted.module, pipeline), clocks_per_bit)};
-  const bool drawn = rtl::write_unit(options.folder, emitted).drawn;
-  host::write_files(options.folder, {top_file});
+  const bool drawn = rtl::write_unit(bench.kept(), emitted).drawn;
+  host::write_files(bench.kept(), {top_file});
 
   options.progress("synthesising");
   BoardImplementation result{

@@ -17,8 +17,8 @@ struct BoardImplementation {
   std::optional<std::filesystem::path> bitstream;
 };
 
-/// Writes the unit to options.folder as implement_unit() does, the top module beside it, and the files of the
-/// tools and the bitstream to the folder in it that is named after the target. Of the seeds the fastest is
+/// Writes the unit and the files of the tools as implement_unit() does, with the top module and the bitstream
+/// beside them. Of the seeds the fastest is
 /// packed. Throws as implement_unit() and rtl::Board::clocks_per_bit() do, and std::runtime_error, one line,
 /// when the target is not placed. The options of the netlist simulation are not used.
 [[nodiscard]] BoardImplementation implement_board(const rtl::Design& design, const rtl::Format& format,

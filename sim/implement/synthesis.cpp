@@ -67,8 +67,8 @@ Synthesis synthesise(const Target& target, const ChipSources& sources, const Too
   Synthesis result{.top = sources.top, .cells = {}, .counts = {}, .area_um2 = {}};
   std::string script;
   for (const host::File& file : sources.verilog) {
-    bench.put({"../" + file.name, file.contents});
-    script += fmt::format("read_verilog ../{}\n", file.name);
+    bench.put(file);
+    script += fmt::format("read_verilog {}\n", file.name);
   }
   for (const auto& [name, contents] : target.files) bench.put_and_keep({name, contents});
   const std::string cells = sources.top + "_cells.json";

@@ -96,7 +96,7 @@ Implementation implement_unit(const rtl::Design& design, const rtl::Format& form
   const rtl::EmittedDesign emitted =
       rtl::emit(design, format, library, pipeline,
                 {.module = options.module, .flow_control = options.flow_control, .vectors = &vectors});
-  const bool drawn = rtl::write_unit(options.folder, emitted).drawn;
+  const bool drawn = rtl::write_unit(bench.kept(), emitted).drawn;
 
   options.progress("synthesising");
   Implementation result{

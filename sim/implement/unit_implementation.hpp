@@ -50,9 +50,9 @@ struct Implementation {
   [[nodiscard]] std::optional<double> fmax_mhz() const;
 };
 
-/// Writes the unit to the folder as rtl::write_unit() does, and to a folder in it that is named after the
-/// target what the tools read and wrote. Throws std::runtime_error, one line, when a tool is missing or
-/// fails. A unit that does not fit is a result.
+/// Makes a folder in options.folder that is named after the target. Writes the unit to it as
+/// rtl::write_unit() does, and all that the tools read and wrote. Throws std::runtime_error, one line, when a
+/// tool is missing or fails. A unit that does not fit is a result.
 [[nodiscard]] Implementation implement_unit(const rtl::Design& design, const rtl::Format& format,
                                             const Target& target, const ImplementOptions& options);
 

@@ -16,7 +16,7 @@ class Workbench {
   /// Makes the folder that keeps things. Throws as host::make_folder() does.
   explicit Workbench(std::filesystem::path kept);
 
-  /// Writes a file for the tools. A name may begin with "../".
+  /// Writes a file for the tools.
   void put(const host::File& file) const;
   /// Copies a file that a tool has written to the folder that stays.
   void keep(const std::string& name) const;
