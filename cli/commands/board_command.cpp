@@ -140,7 +140,8 @@ int simulate(const BoardCommand& command) {
   // As `hitpipe implement` puts it on the board.
   const rtl::Library library = rtl::library_called(sim::target_called(command.board.board().target).library);
   const std::string module = design.module_at(format);
-  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
+  const rtl::Pipeline pipeline =
+      rtl::make_pipeline(design.trace(format), library, command.board.board().unit_clock_ps());
   const std::string top =
       rtl::board_top(rtl::board_unit(design, format, module, pipeline), sim::simulated_clocks_per_bit);
   std::optional<Progress> progress("compiling the Verilog");

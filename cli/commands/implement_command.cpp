@@ -178,7 +178,8 @@ void add_implement_command(CLI::App& program, int& exit_code) {
       ->type_name("NAME|FILE");
   add_count_option(
       *command, "--clock-ps", how.clock_ps, {1, 1'000'000'000},
-      "Clock period in picoseconds for the schedule; by default what the slowest component needs");
+      "Clock period in picoseconds for the schedule; by default what the slowest component needs, on a board "
+      "half of its clock");
   command->add_option("--name", how.module, "Name of the Verilog module. Default: as `hitpipe rtl` names it")
       ->type_name("MODULE");
   add_flow_control_option(*command, how.flow_control);

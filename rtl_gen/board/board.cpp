@@ -22,6 +22,10 @@ constexpr double most_baud_error = 0.02;
 
 }  // namespace
 
+int Board::unit_clock_ps() const {
+  return static_cast<int>(500'000'000'000 / clock_hz);
+}
+
 int Board::clocks_per_bit(int baud_rate) const {
   const double exact = baud_rate > 0 ? static_cast<double>(clock_hz) / baud_rate : 0.0;
   const double clocks = std::round(exact);
@@ -64,6 +68,8 @@ Board parse_board(const BoardFile& file) {
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(fmt::format("board {}: {}", file.name, error.what()));
   }
+  if (board.clock_hz <= 0)
+    throw std::runtime_error(fmt::format("board {}: clock_hz {} must be above 0", file.name, board.clock_hz));
   for (const std::string_view port : top_ports) {
     if (std::none_of(board.pins.begin(), board.pins.end(),
                      [&](const BoardPin& pin) { return pin.port == port; }))

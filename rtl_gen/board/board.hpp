@@ -34,6 +34,9 @@ struct Board {
   int baud = 0;  ///< of the serial line, unless the user chooses another
   std::vector<BoardPin> pins;
 
+  /// The clock period for which units are scheduled here, in ps: half of the board's. The other half is for
+  /// wires, whose delays a component library only guesses. A shorter one would only cost registers.
+  [[nodiscard]] int unit_clock_ps() const;
   /// Clock cycles for a bit of the serial line. Throws std::runtime_error, one line, when the clock does not
   /// give that rate within 2 %, or has fewer than 4 cycles a bit.
   [[nodiscard]] int clocks_per_bit(int baud_rate) const;

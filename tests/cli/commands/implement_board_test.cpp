@@ -27,7 +27,8 @@ TEST(ImplementBoard, EndsInABitstream) {
   EXPECT_EQ(json["bitstream_bytes"], bitstream.size());
   EXPECT_THAT(bitstream, testing::HasSubstr("\x7e\xaa\x99\x7e"));
   EXPECT_THAT(contents_of(out + "/ice40_up5k/int_slabs_6_6_board.pcf"), testing::HasSubstr("set_io tx 9\n"));
-  EXPECT_THAT(contents_of(out + "/int_slabs_6_6_board.v"), testing::HasSubstr("CLOCKS_PER_BIT = 16'd12"));
+  EXPECT_THAT(contents_of(out + "/ice40_up5k/int_slabs_6_6_board.v"),
+              testing::HasSubstr("CLOCKS_PER_BIT = 16'd12"));
 }
 
 TEST(ImplementBoard, WhatIsWrongIsOneLine) {

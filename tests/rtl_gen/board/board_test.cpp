@@ -41,6 +41,10 @@ TEST(Board, ClockGivesOnlyRatesWithinTwoPercent) {
   EXPECT_NE(refused(0), "");
 }
 
+TEST(Board, UnitHasHalfOfTheClockPeriod) {
+  EXPECT_EQ(find_board("icebreaker").unit_clock_ps(), 41'666);
+}
+
 TEST(Board, UnknownNameIsRefused) {
   EXPECT_EQ(message_of<std::runtime_error>([] { (void)find_board("arty"); }),
             "board arty: unknown; there are: icebreaker");
@@ -52,6 +56,9 @@ TEST(Board, DamagedFileIsRefused) {
   };
   EXPECT_THAT(refused("{"), testing::StartsWith("board mine: "));
   EXPECT_THAT(refused(R"({"description": "x"})"), testing::HasSubstr("source"));
+  EXPECT_EQ(refused(R"({"description": "x", "source": "y", "target": "ice40_hx", "design": "int_slabs",
+                        "bits": "12/12", "clock_hz": 0, "baud": 115200, "pins": {}})"),
+            "board mine: clock_hz 0 must be above 0");
   EXPECT_EQ(refused(R"({"description": "x", "source": "y", "target": "ice40_hx", "design": "int_slabs",
                         "bits": "12/12", "clock_hz": 12000000, "baud": 115200, "pins": {"clk": "J3", "rx": "B10", "tx": "B12", "button_n": 1,
                         "led_red_n": "C3"}})"),
