@@ -1,7 +1,7 @@
 #include "tests/sim/adversary_vectors.hpp"
 
 #include "rtl_gen/emit/testbench.hpp"
-#include "sim/feed.hpp"
+#include "sim/check/box_test.hpp"
 #include "tests/sim/corner_values.hpp"
 
 namespace hitpipe::sim {
@@ -10,35 +10,31 @@ std::vector<std::vector<std::int64_t>> adversary_vectors(const Unit& unit,
                                                          const ref::adversary::Category& category, int count,
                                                          std::uint64_t seed) {
   ref::adversary::Random random(seed);
-  std::vector<ref::Ray> rays;
-  ref::Bvh bvh;  // only its boxes are read
+  const auto test = make_box_test(unit.design(), unit.format);
+  std::vector<std::vector<std::int64_t>> vectors;
   for (int i = 0; i < count; ++i) {
     const ref::adversary::Case c = category.make(random);
-    rays.push_back(c.ray);
-    bvh.nodes.push_back({c.box, 0, 0});
-  }
-  const auto scene = make_feed(unit.design(), unit.format, bvh);
-  const auto feed = scene->unit(1);
-  std::vector<std::vector<std::int64_t>> vectors(rays.size(),
-                                                 std::vector<std::int64_t>(verilated(unit).operand_count()));
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    feed->start(0, rays[i]);
-    feed->operands(0, static_cast<std::uint32_t>(i), rays[i].length, vectors[i].data());
+    test->start(c.ray);
+    (void)test->hit(c.box);
+    vectors.emplace_back(test->operands().begin(), test->operands().end());
   }
   return vectors;
 }
 
-std::vector<std::vector<std::int64_t>> raw_corner_vectors(const std::vector<rtl::Port>& ports, int count,
-                                                          std::uint64_t seed) {
+std::vector<std::vector<std::int64_t>> raw_corner_vectors(const Unit& unit, int count, std::uint64_t seed) {
+  const std::vector<rtl::Port> ports = unit.ports();
   ref::adversary::Random random(seed);
   auto vectors = rtl::operand_vectors(ports, count, seed);
   for (std::size_t p = 0; p < ports.size(); ++p) {
     if (ports[p].width == 1) continue;
-    const std::vector<CornerValue> corners = ports[p].is_signed                    ? integer_corners(ports[p])
-                                             : ports[p].kind == hls::Kind::natural ? natural_corners(ports[p])
-                                                                                   : float_corners();
+    const auto float_bits = unit.float_bits();
+    const std::vector<CornerValue> corners = float_bits           ? float_corners(*float_bits)
+                                             : ports[p].is_signed ? integer_corners(ports[p])
+                                                                  : natural_corners(ports[p]);
     for (auto& operands : vectors) {
-      if (random.below(4) != 0) operands[p] = corners[random.below(corners.size())].value;
+      if (random.below(4) == 0) continue;
+      const std::int64_t value = corners[random.below(corners.size())].value;
+      operands[p] = float_bits ? as_port(ports[p], value) : value;
     }
   }
   return vectors;

@@ -13,7 +13,7 @@ namespace hitpipe::sim {
     const Unit& unit, const ref::adversary::Category& category, int count, std::uint64_t seed);
 
 /// Raw operands, most of them corner values (corner_values.hpp). Each port is drawn independently.
-[[nodiscard]] std::vector<std::vector<std::int64_t>> raw_corner_vectors(const std::vector<rtl::Port>& ports,
-                                                                        int count, std::uint64_t seed);
+[[nodiscard]] std::vector<std::vector<std::int64_t>> raw_corner_vectors(const Unit& unit, int count,
+                                                                        std::uint64_t seed);
 
 }  // namespace hitpipe::sim

@@ -1,10 +1,10 @@
-// Values at the corners of a port, by name: bit patterns where arithmetic breaks. A float port has 32 bits
-// and is unsigned.
+// Values at the corners of a port, by name: bit patterns where arithmetic breaks.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "hls/box/fp_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 
 namespace hitpipe::sim {
@@ -43,25 +43,35 @@ inline std::vector<CornerValue> natural_corners(const rtl::Port& port) {
           {"all but the top bit", top(port) - 1}};
 }
 
-/// binary32 patterns.
-inline std::vector<CornerValue> float_corners() {
-  return {{"+0", 0x00000000},
-          {"-0", 0x80000000},
-          {"smallest subnormal", 0x00000001},
-          {"smallest subnormal, negative", 0x80000001},
-          {"largest subnormal", 0x007FFFFF},
-          {"smallest normal", 0x00800000},
-          {"1", 0x3F800000},
-          {"-1", 0xBF800000},
-          {"next below 1", 0x3F7FFFFF},
-          {"next above 1", 0x3F800001},
-          {"largest", 0x7F7FFFFF},
-          {"largest, negative", 0xFF7FFFFF},
-          {"infinity", 0x7F800000},
-          {"-infinity", 0xFF800000},
-          {"canonical NaN", 0x7FC00000},
-          {"negative NaN with other fraction bits", 0xFFC12345},
-          {"signalling NaN", 0x7F800001}};
+/// Patterns of a float format.
+inline std::vector<CornerValue> float_corners(const hls::FpBits& bits) {
+  const std::int64_t sign = std::int64_t{1} << (bits.exponent + bits.fraction);
+  const std::int64_t infinity = sign - (std::int64_t{1} << bits.fraction);
+  const std::int64_t normal = std::int64_t{1} << bits.fraction;
+  const std::int64_t one = ((std::int64_t{1} << (bits.exponent - 1)) - 1) << bits.fraction;
+  return {{"+0", 0},
+          {"-0", sign},
+          {"smallest subnormal", 1},
+          {"smallest subnormal, negative", sign + 1},
+          {"largest subnormal", normal - 1},
+          {"smallest normal", normal},
+          {"1", one},
+          {"-1", sign + one},
+          {"next below 1", one - 1},
+          {"next above 1", one + 1},
+          {"largest", infinity - 1},
+          {"largest, negative", sign + infinity - 1},
+          {"infinity", infinity},
+          {"-infinity", sign + infinity},
+          {"canonical NaN", infinity + normal / 2},
+          {"negative NaN with other fraction bits",
+           sign + infinity + (std::int64_t{0x412345} >> (23 - bits.fraction))},
+          {"signalling NaN", infinity + 1}};
+}
+
+/// What the port takes of such a pattern: all of it, or no sign.
+inline std::int64_t as_port(const rtl::Port& port, std::int64_t pattern) {
+  return pattern & (2 * top(port) - 1);
 }
 
 }  // namespace hitpipe::sim

@@ -1,7 +1,8 @@
 // Operands at the corners of a unit, by name. Integer units: bit patterns where arithmetic breaks, and the
 // ends of the ranges of ray set-up and quantisation (section 6.2.1). Float units: every pair of corner
-// values. Each comes with rinf 0 and 1; if there is a length, with irlen 0 and the largest. Units with a
-// major axis: ends of the ranges of all ports, with each major axis, forward and backward.
+// values. Each comes with rinf (and every other flag) 0 and 1; if there is a length, with irlen 0 and the
+// largest. Units with a major axis: ends of the ranges of all ports, with each major axis, forward and
+// backward.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "tests/sim/corner_values.hpp"
+#include "tests/sim/units.hpp"
 
 namespace hitpipe::sim {
 
@@ -19,16 +21,18 @@ struct CornerVector {
 };
 
 /// Every pair of float corner values on even and odd ports.
-inline std::vector<CornerVector> float_corner_vectors(const std::vector<rtl::Port>& ports) {
+inline std::vector<CornerVector> float_corner_vectors(const std::vector<rtl::Port>& ports,
+                                                      const hls::FpBits& bits) {
   std::vector<CornerVector> vectors;
-  for (const CornerValue& even : float_corners()) {
-    for (const CornerValue& odd : float_corners()) {
+  for (const CornerValue& even : float_corners(bits)) {
+    for (const CornerValue& odd : float_corners(bits)) {
       for (const bool infinite : {false, true}) {
         CornerVector corner{even.name + std::string(" and ") + odd.name, {}};
         corner.name += infinite ? ", rinf 1" : ", rinf 0";
         for (int i = 0; const rtl::Port& port : ports) {
           const std::int64_t rinf = infinite ? 1 : 0;
-          corner.operands.push_back(port.width == 1 ? rinf : (i++ % 2 == 0 ? even : odd).value);
+          corner.operands.push_back(port.width == 1 ? rinf
+                                                    : as_port(port, (i++ % 2 == 0 ? even : odd).value));
         }
         vectors.push_back(std::move(corner));
       }
@@ -161,9 +165,11 @@ inline std::vector<CornerVector> major_corner_vectors(const std::vector<rtl::Por
   return vectors;
 }
 
-inline std::vector<CornerVector> corner_vectors(const std::vector<rtl::Port>& ports) {
+inline std::vector<CornerVector> corner_vectors(const Unit& unit) {
+  const std::vector<rtl::Port> ports = unit.ports();
   if (has_major_axis(ports)) return major_corner_vectors(ports);
-  return ports.front().is_signed ? integer_corner_vectors(ports) : float_corner_vectors(ports);
+  if (const auto bits = unit.float_bits()) return float_corner_vectors(ports, *bits);
+  return integer_corner_vectors(ports);
 }
 
 }  // namespace hitpipe::sim

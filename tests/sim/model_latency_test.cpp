@@ -34,9 +34,12 @@ TEST_P(ModelLatency, IsTheScheduledNumberOfStages) {
   const rtl::Pipeline pipeline =
       rtl::make_pipeline(GetParam().design().trace(GetParam().format), rtl::Library::thesis());
   EXPECT_EQ(design.latency(), pipeline.schedule.stages);
-  const std::map<std::string, std::size_t> operand_counts{
+  EXPECT_EQ(design.operand_count(), GetParam().ports().size());
+  const std::map<std::string_view, std::size_t> operand_counts{
       {"fp_slabs", 14}, {"int_slabs", 17}, {"fp_plucker", 16}, {"int_plucker", 16}, {"int_major", 21}};
-  EXPECT_EQ(design.operand_count(), operand_counts.at(GetParam().name));
+  if (operand_counts.contains(GetParam().name)) {
+    EXPECT_EQ(design.operand_count(), operand_counts.at(GetParam().name));
+  }
   // Section 7.4 and Table 7.2.
   const std::map<std::string, int> stages{{"fp_slabs_fp32", 13},    {"fp_plucker_fp32", 20},
                                           {"int_slabs_24_24", 5},   {"int_slabs_20_24", 4},
@@ -51,7 +54,7 @@ TEST_P(ModelLatency, IsTheScheduledNumberOfStages) {
   for (const auto& operands : vectors) EXPECT_EQ(measured_latency(model, operands, tag++), design.latency());
 }
 
-INSTANTIATE_TEST_SUITE_P(Units, ModelLatency, testing::ValuesIn(units),
+INSTANTIATE_TEST_SUITE_P(Units, ModelLatency, testing::ValuesIn(units()),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 }  // namespace

@@ -31,22 +31,20 @@ VerilatedDesign behind_slots(const Unit& unit, int slots, const std::string& goo
                              const std::string& bad = "") {
   const rtl::Library& library = rtl::Library::thesis();
   const rtl::Pipeline pipeline = rtl::make_pipeline(unit.design().trace(unit.format), library);
-  const rtl::RaySlots memory = rtl::ray_slots(unit.name, rtl::input_ports(pipeline.graph), unit.ports(),
-                                              unit.design().results(unit.format), slots);
-  const std::string verilog =
-      rtl::to_verilog(pipeline, library, {.module_name = unit.name, .bits = rtl::to_string(unit.format)});
+  const rtl::RaySlots memory = rtl::ray_slots(std::string(unit.name), rtl::input_ports(pipeline.graph),
+                                              unit.ports(), unit.design().results(unit.format), slots);
+  const std::string verilog = rtl::to_verilog(
+      pipeline, library, {.module_name = std::string(unit.name), .bits = rtl::to_string(unit.format)});
   return {unit.design(),
           unit.format,
           pipeline,
           verilog,
-          unit.name,
+          std::string(unit.name),
           default_cache(),
           RayMemory{memory, replaced(rtl::to_verilog(memory), good, bad)}};
 }
 
 std::vector<std::vector<std::int64_t>> vectors_of(const Unit& unit) {
-  // Of the pair the adversary makes no operands: its results tell rays apart without hits.
-  if (unit.design().boxes_per_test() > 1) return rtl::operand_vectors(unit.ports(), 4000, seed);
   std::vector<std::vector<std::int64_t>> all;
   for (const auto& category : ref::adversary::categories()) {
     const auto some = adversary_vectors(unit, category, 200, seed);

@@ -1,40 +1,62 @@
-// The units that the tests of sim/ run: the designs, integer ones in the thesis's formats, in a narrow one
-// and in the widest, and those with a major axis in their own format and in a narrow one. Each is built once,
-// and loaded once by a program.
+// The units that the tests of sim/ run: every registered design in its own format and, where its family has
+// more, in a narrow one, in a wide one and in those that other tests use. Each is built once, and loaded once
+// by a program.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "rtl_gen/catalogue/any_fp_formats.hpp"
 #include "rtl_gen/catalogue/major_formats.hpp"
 #include "sim/verilated_design.hpp"
 
 namespace hitpipe::sim {
 
 struct Unit {
-  const char* name;
+  std::string_view name;
   rtl::Format format;
 
   [[nodiscard]] const rtl::Design& design() const { return rtl::find_design(name); }
   [[nodiscard]] std::vector<rtl::Port> ports() const { return design().ports(format); }
   [[nodiscard]] rtl::Evaluate evaluate() const { return design().evaluate(format); }
+  /// Nothing when its numbers are no floats.
+  [[nodiscard]] std::optional<hls::FpBits> float_bits() const {
+    if (format.is<hls::FpBits>()) return format.as<hls::FpBits>();
+    if (format.is<hls::AnyFpBits>()) return format.as<hls::AnyFpBits>();
+    return std::nullopt;
+  }
   /// One of the six rows of Table 7.2.
   [[nodiscard]] bool of_the_thesis() const {
-    return format.is<hls::FpBits>() || format == rtl::Format(hls::IntBits{24, 24}) ||
-           format == rtl::Format(hls::IntBits{20, 24});
+    const auto& rows = design().printed.rows;
+    return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.format == format; });
   }
 };
 
-inline const std::array units{
-    Unit{"fp_slabs", rtl::Format(hls::FpBits{})}, Unit{"fp_plucker", rtl::Format(hls::FpBits{})},
-    Unit{"int_slabs", hls::IntBits{24, 24}},      Unit{"int_slabs", hls::IntBits{20, 24}},
-    Unit{"int_slabs", hls::IntBits{16, 16}},      Unit{"int_slabs", hls::IntBits{12, 12}},
-    Unit{"int_slabs", hls::IntBits{6, 6}},        Unit{"int_slabs", hls::IntBits{32, 63}},
-    Unit{"int_plucker", hls::IntBits{24, 24}},    Unit{"int_plucker", hls::IntBits{20, 24}},
-    Unit{"int_plucker", hls::IntBits{6, 6}},      Unit{"int_plucker", hls::IntBits{32, 63}},
-    Unit{"int_major", hls::MajorBits{}},          Unit{"int_major", hls::MajorBits{8, 3, 6, -1}}};
+inline std::vector<Unit> units() {
+  const rtl::Format others[] = {hls::IntBits{24, 24},  hls::IntBits{16, 16}, hls::IntBits{12, 12},
+                                hls::IntBits{6, 6},    hls::IntBits{32, 63}, hls::MajorBits{8, 3, 6, -1},
+                                hls::AnyFpBits(5, 10), hls::AnyFpBits(3, 2)};
+  std::vector<Unit> all;
+  for (const rtl::Design& design : rtl::designs()) {
+    const rtl::Format& own = design.default_format;
+    all.push_back({design.name, own});
+    for (const rtl::Format& other : others)
+      if (&other.family() == &own.family() && other != own) all.push_back({design.name, other});
+  }
+  return all;
+}
+
+/// Those whose tests are of one box each.
+inline std::vector<Unit> units_of_one_box() {
+  std::vector<Unit> all = units();
+  std::erase_if(all, [](const Unit& unit) { return unit.design().boxes_per_test() > 1; });
+  return all;
+}
 
 /// The name of a test, for example "int_slabs_24_24" or "int_major_8_3_6fm1".
 inline std::string test_name(const Unit& unit) {

@@ -242,7 +242,7 @@ CategoryResult judged_with(const Unit& unit, const VerilatedDesign& rtl, int thr
 }
 
 TEST(CheckOfTheVerilog, AnswersEveryTestAsTheCpp) {
-  for (const Unit& unit : units) {
+  for (const Unit& unit : units()) {
     if (!unit.of_the_thesis()) continue;
     for (const int threads : {1, 2}) {
       const CategoryResult sum = judged_with(unit, verilated(unit), threads);
