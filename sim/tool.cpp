@@ -20,17 +20,26 @@ host::Outcome Tool::run(const std::vector<std::string>& arguments,
   return host::run(all, {.folder = folder});
 }
 
-std::string Tool::answer(const std::vector<std::string>& arguments) const {
-  const host::Outcome outcome = run(arguments);
-  if (!outcome.succeeded()) return "";
-  return outcome.out.substr(0, outcome.out.find_last_not_of('\n') + 1);
+namespace {
+
+std::string without_last_newlines(const std::string& text) {
+  return text.substr(0, text.find_last_not_of('\n') + 1);
 }
 
-Tool find_tool(const char* variable, const std::string& otherwise, std::string_view package) {
+}  // namespace
+
+std::string Tool::answer(const std::vector<std::string>& arguments) const {
+  const host::Outcome outcome = run(arguments);
+  return outcome.succeeded() ? without_last_newlines(outcome.out) : "";
+}
+
+Tool find_tool(const char* variable, const std::string& otherwise, std::string_view package,
+               const std::string& version_option) {
   Tool tool{host::program_of(variable, otherwise), ""};
   std::string& program = tool.words.front();
   if (program.find('/') != std::string::npos) program = std::filesystem::absolute(program).string();
-  tool.version = tool.answer({"--version"});
+  const host::Outcome asked = tool.run({version_option});
+  if (asked.succeeded()) tool.version = without_last_newlines(asked.out.empty() ? asked.err : asked.out);
   if (tool.version.empty())
     throw std::runtime_error(fmt::format("{}: cannot be run; install the package {} or set {} to the program",
                                          tool.name(), package, variable));

@@ -1,4 +1,4 @@
-// The programs that build a model: Verilator and a C++ compiler, as the user chooses.
+// Programs that are not hitpipe's and do a part of its work, as the user chooses them.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,21 @@ namespace hitpipe::sim {
 
 struct Tool {
   std::vector<std::string> words;  ///< the program, then arguments that always come first
-  std::string version;             ///< what its --version prints
+  std::string version;             ///< what it prints when it is asked for its version
 
   [[nodiscard]] std::string name() const;
   [[nodiscard]] host::Outcome run(const std::vector<std::string>& arguments,
                                   const std::filesystem::path& folder = {}) const;
   /// What it prints to standard output, without the newlines at the end. Nothing when it fails.
   [[nodiscard]] std::string answer(const std::vector<std::string>& arguments) const;
+  /// The first line of its version.
+  [[nodiscard]] std::string release() const { return version.substr(0, version.find('\n')); }
 };
 
 /// Takes $variable, or `otherwise` if that is not set. A program given by a path can also be run from another
-/// folder. Throws std::runtime_error, one line that names the package, when the program does not print its
-/// version.
-[[nodiscard]] Tool find_tool(const char* variable, const std::string& otherwise, std::string_view package);
+/// folder. Its version may also be on standard error. Throws std::runtime_error, one line that names the
+/// package, when the program does not print its version.
+[[nodiscard]] Tool find_tool(const char* variable, const std::string& otherwise, std::string_view package,
+                             const std::string& version_option = "--version");
 
 }  // namespace hitpipe::sim

@@ -60,7 +60,7 @@ BoardImplementation implement_board(const rtl::Design& design, const rtl::Format
                .latency = pipeline.latency(),
                .synthesis = synthesise(target, {top, {emitted.verilog, top_file}}, tools.yosys, bench),
                .counts = {},
-               .tools = {tools.yosys.version, tools.nextpnr->version},
+               .tools = {tools.yosys.release(), tools.nextpnr->release()},
                .drawn = drawn},
       .bitstream = {}};
   Implementation& chip = result.chip;

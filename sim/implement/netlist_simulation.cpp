@@ -55,9 +55,9 @@ std::vector<std::string> liberty_models(const Target& target, const Tool& yosys,
 
 SimulatorTools find_simulator(Simulator simulator) {
   if (simulator == Simulator::verilator)
-    return {simulator, find_chip_tool("VERILATOR", "verilator", "verilator", "--version"), {}};
-  return {simulator, find_chip_tool("IVERILOG", "iverilog", "iverilog", "-V"),
-          find_chip_tool("VVP", "vvp", "iverilog", "-V")};
+    return {simulator, find_tool("VERILATOR", "verilator", "verilator"), {}};
+  return {simulator, find_tool("IVERILOG", "iverilog", "iverilog", "-V"),
+          find_tool("VVP", "vvp", "iverilog", "-V")};
 }
 
 void check_models(const Target& target) {

@@ -17,7 +17,7 @@ struct SimulatorTools {
   Tool compiler;  ///< iverilog or verilator
   Tool runner;    ///< vvp; of Verilator none
 };
-/// Throws as find_chip_tool() does.
+/// Throws as find_tool() does.
 [[nodiscard]] SimulatorTools find_simulator(Simulator simulator);
 
 /// Throws std::runtime_error, one line, when the target has no simulation models.

@@ -105,7 +105,7 @@ Implementation implement_unit(const rtl::Design& design, const rtl::Format& form
       .latency = pipeline.latency(),
       .synthesis = synthesise(target, {emitted.module, {emitted.verilog}}, tools.yosys, bench),
       .counts = {},
-      .tools = {tools.yosys.version},
+      .tools = {tools.yosys.release()},
       .drawn = drawn};
   result.counts = result.synthesis.counts;
   if (simulator) {
@@ -114,12 +114,12 @@ Implementation implement_unit(const rtl::Design& design, const rtl::Format& form
                                         *simulator, tools.yosys, bench);
   }
   if (tools.nextpnr) {
-    result.tools.push_back(tools.nextpnr->version);
+    result.tools.push_back(tools.nextpnr->release());
     place(result, target, options, tools, bench);
   }
   if (tools.sta) {
     options.progress("timing the cells");
-    result.tools.push_back("OpenSTA " + tools.sta->version);
+    result.tools.push_back("OpenSTA " + tools.sta->release());
     result.critical_path_ns = critical_path_ns(target, result.synthesis, unit_clock, *tools.sta, bench);
   }
   return result;
