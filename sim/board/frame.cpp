@@ -1,5 +1,7 @@
 #include "sim/board/frame.hpp"
 
+#include <boost/crc.hpp>
+
 namespace hitpipe::sim {
 
 namespace {
@@ -9,23 +11,22 @@ constexpr char frame_escape = 0x7d;
 constexpr char escape_change = 0x20;
 constexpr std::size_t check_bytes = 2;
 
-/// The check sequence before it is complemented: the polynomial x^16 + x^12 + x^5 + 1, low bits first.
+/// CRC-16/X-25 of RFC 1662.
+using CheckSequence = boost::crc_optimal<16, 0x1021, 0xffff, 0xffff, true, true>;
+
 std::uint16_t check_sequence(std::string_view bytes) {
-  unsigned check = 0xffff;
-  for (const char byte : bytes) {
-    check ^= static_cast<unsigned char>(byte);
-    for (int bit = 0; bit < 8; ++bit) check = (check & 1U) != 0 ? (check >> 1) ^ 0x8408U : check >> 1;
-  }
-  return static_cast<std::uint16_t>(check);
+  CheckSequence check;
+  check.process_bytes(bytes.data(), bytes.size());
+  return check.checksum();
 }
 
-/// What check_sequence() gives for bytes that end in their own check sequence.
-constexpr std::uint16_t sound_check = 0xf0b8;
+/// The check sequence of any bytes that end in their own.
+constexpr std::uint16_t sound_check = 0x0f47;
 
 }  // namespace
 
 std::string to_frame(std::string_view payload) {
-  const unsigned check = ~static_cast<unsigned>(check_sequence(payload));
+  const unsigned check = check_sequence(payload);
   std::string bytes(payload);
   bytes += static_cast<char>(check & 0xffU);
   bytes += static_cast<char>((check >> 8) & 0xffU);

@@ -24,6 +24,34 @@ TEST(Frame, HasTheCheckSequenceOfRfc1662) {
   EXPECT_EQ(to_frame("I?"), "\x7eI?MW\x7e");
 }
 
+/// The check sequence as RFC 1662 describes it and as the board's Verilog computes it, bit by bit.
+unsigned check_sequence(const std::string& bytes) {
+  unsigned check = 0xffff;
+  for (const char byte : bytes) {
+    check ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) check = (check & 1U) != 0 ? (check >> 1) ^ 0x8408U : check >> 1;
+  }
+  return check ^ 0xffffU;
+}
+
+TEST(Frame, EndsInTheCheckSequenceOfEveryPayload) {
+  std::string payload;
+  for (int byte = 0; byte < 600; ++byte) {
+    const unsigned check = check_sequence(payload);
+    std::string expected = "\x7e"s;
+    for (const char each : payload + static_cast<char>(check & 0xffU) + static_cast<char>(check >> 8)) {
+      if (each == '\x7e' || each == '\x7d') {
+        expected += '\x7d';
+        expected += static_cast<char>(each ^ 0x20);
+      } else {
+        expected += each;
+      }
+    }
+    EXPECT_EQ(to_frame(payload), expected + "\x7e") << byte << " bytes";
+    payload += static_cast<char>(byte * 7);
+  }
+}
+
 TEST(Frame, EscapesFlagsAndEscapes) {
   EXPECT_THAT(to_frame("\x7e\x7d"), testing::StartsWith("\x7e\x7d\x5e\x7d\x5d"));
 }
