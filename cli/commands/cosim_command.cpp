@@ -10,6 +10,7 @@
 #include "cli/options/build_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/flow_control_option.hpp"
+#include "cli/options/library_option.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
@@ -29,6 +30,7 @@ namespace fs = std::filesystem;
 
 struct CosimCommand {
   DesignChoice choice;
+  std::string library{rtl::default_library};
   SceneChoice scene;
   std::string bvh;
   rtl::FlowControl flow_control = rtl::FlowControl::stall;
@@ -43,9 +45,8 @@ struct CosimCommand {
 };
 
 /// Made here, or read from a folder.
-sim::WrittenUnit unit_of(const CosimCommand& command) {
+sim::WrittenUnit unit_of(const CosimCommand& command, const rtl::Library& library) {
   const rtl::Design& design = command.choice.design();
-  const rtl::Library& library = rtl::Library::thesis();
   if (!command.unit.empty()) return sim::read_unit(command.unit, design, library);
   return sim::whole_unit(design, command.choice.format(), library, command.flow_control);
 }
@@ -56,12 +57,12 @@ Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref:
   const auto judged = [](std::optional<std::uint64_t> count) { return count ? Row(*count) : Row(nullptr); };
   // Where each test answers for one box, tests and boxes are the same.
   const bool several_boxes = command.choice.design().boxes_per_test() > 1;
-  Row row{{"design", command.choice.name},
-          {"bits", rtl::to_string(unit.format)},
-          {"scene", scene.name},
-          {"triangles", scene.mesh.triangles.size()},
-          {"degenerate_dropped", scene.mesh.dropped.size()},
-          {"bvh_nodes", hierarchy.bvh.nodes.size()}};
+  Row row{{"design", command.choice.name}, {"bits", rtl::to_string(unit.format)}};
+  if (command.library != rtl::default_library) row["library"] = command.library;
+  row.update({{"scene", scene.name},
+              {"triangles", scene.mesh.triangles.size()},
+              {"degenerate_dropped", scene.mesh.dropped.size()},
+              {"bvh_nodes", hierarchy.bvh.nodes.size()}});
   if (!command.bvh.empty()) row.update({{"bvh", command.bvh}, {"bvh_boxes_grown", hierarchy.boxes_grown}});
   row.update({{"rays_primary", r.rays_primary},
               {"rays_secondary", r.rays_secondary},
@@ -115,7 +116,8 @@ int cosimulate(const CosimCommand& command) {
   const rtl::Design& design = command.choice.design();
   if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
   if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
-  const sim::WrittenUnit unit = unit_of(command);
+  const rtl::Library library = rtl::library_called(command.library);
+  const sim::WrittenUnit unit = unit_of(command, library);
   if (command.ray_slots) rtl::check_ray_slots(unit.flow_control);
 
   std::optional<Progress> progress("reading the scene");
@@ -130,7 +132,7 @@ int cosimulate(const CosimCommand& command) {
   rtl::UnitFiles written;
   if (emits) {
     const rtl::EmittedDesign emitted =
-        rtl::emit(design, unit.format, rtl::Library::thesis(), unit.pipeline,
+        rtl::emit(design, unit.format, library, unit.pipeline,
                   {.flow_control = unit.flow_control, .ray_slots = command.ray_slots});
     written = rtl::write_unit(folder, emitted);
   }
@@ -184,6 +186,7 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
       ->excludes("--bits")
       ->type_name("DIR|MANIFEST");
   add_flow_control_option(*command, options->flow_control)->excludes("--unit");
+  add_library_option(*command, options->library);
   add_scene_options(*command, options->scene);
   add_bvh_file_option(*command, options->bvh);
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight,

@@ -108,9 +108,10 @@ WrittenUnit read_unit(const fs::path& place, const rtl::Design& design, const rt
     const rtl::PruneOptions options{.promised = rtl::promises(design, format), .shares = false};
     rtl::Pipeline pipeline = rtl::make_pipeline(rtl::prune(traced, demands, options).graph, library);
     if (head.latency != pipeline.latency())
-      throw std::runtime_error(
-          fmt::format("a latency of {} cycles, {} is that of the library {}; write the unit again",
-                      head.latency, pipeline.latency(), library.name()));
+      throw std::runtime_error(fmt::format(
+          "a latency of {} cycles, {} is that of the library {}; give the library that it was written "
+          "with, or write the unit again",
+          head.latency, pipeline.latency(), library.name()));
     return {format,
             head.module,
             std::move(demands),

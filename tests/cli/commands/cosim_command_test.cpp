@@ -277,6 +277,42 @@ TEST(CosimCommand, ReadsMeshFilesAndCountsWhatItDrops) {
   EXPECT_GT(object.at("rays_shadow"), 0);
 }
 
+/// A library says where the registers are. It changes the time of an answer and no answer.
+TEST(CosimCommand, SchedulesByAnotherLibrary) {
+  json own = json::parse(run_hitpipe(cosim({"--format", "json"})).out);
+  const sim::TemporaryFolder folder;
+  const std::string out = folder.path() / "unit";
+  const Outcome outcome = run_hitpipe(cosim({"--library", "xc7", "--out", out, "--format", "json"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  json other = json::parse(outcome.out);
+  EXPECT_EQ(other.at("library"), "xc7");
+  EXPECT_FALSE(own.contains("library"));
+  EXPECT_NE(other.at("latency"), own.at("latency"));
+  const Outcome written =
+      run_hitpipe({"rtl", "int_slabs", "--library", "xc7", "--out", folder.path() / "rtl"});
+  EXPECT_EQ(written.exit_code, 0) << written.err;
+  EXPECT_EQ(contents_of(out + "/int_slabs.v"), contents_of(folder.path() / "rtl/int_slabs.v"));
+  for (const char* const key : {"library", "image", "verilog", "schematics", "cycles", "latency",
+                                "occupancy_pct", "rtl_tests_per_s", "loop_tests_per_s"}) {
+    own.erase(key);
+    other.erase(key);
+  }
+  EXPECT_EQ(own, other);
+}
+
+TEST(CosimCommand, ReadsAUnitOfAnotherLibrary) {
+  const sim::TemporaryFolder folder;
+  const std::string unit = folder.path() / "rtl";
+  ASSERT_EQ(run_hitpipe({"rtl", "int_slabs", "--library", "xc7", "--out", unit}).exit_code, 0);
+  const Outcome without = run_hitpipe(cosim({"--unit", unit}));
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_THAT(without.err, HasSubstr("is that of the library thesis_250nm; give the library that it was "
+                                     "written with, or write the unit again\n"));
+  const Outcome with = run_hitpipe(cosim({"--unit", unit, "--library", "xc7", "--format", "json"}));
+  EXPECT_EQ(with.exit_code, 0) << with.err;
+  EXPECT_EQ(json::parse(with.out).at("rtl_mismatches"), 0);
+}
+
 /// Threads and rays in flight change the speed, not the result. No warning about the number of threads
 /// appears.
 TEST(CosimCommand, CountsDoNotDependOnThreadsOrRaysInFlight) {
