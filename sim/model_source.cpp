@@ -20,6 +20,25 @@ std::string drive_lines(const std::vector<rtl::Port>& ports, const std::vector<r
   return drive;
 }
 
+std::string instance_source(const std::string& module, const std::string& includes) {
+  return fmt::format(R"(#include "V{0}.h"
+#include "verilated.h"
+{1}
+namespace {{
+struct Model {{
+  VerilatedContext context;
+  V{0} top{{&context}};
+}};
+}}  // namespace
+
+#define HITPIPE_ENTRY extern "C" __attribute__((visibility("default")))
+
+HITPIPE_ENTRY void* hitpipe_create() {{ return new Model; }}
+HITPIPE_ENTRY void hitpipe_destroy(void* model) {{ delete static_cast<Model*>(model); }}
+)",
+                     module, includes);
+}
+
 std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
                          const std::vector<rtl::Port>& ports, const std::vector<hls::Result>& results,
                          rtl::FlowControl flow, const MorePins& more) {
@@ -33,25 +52,11 @@ std::string model_source(const std::string& module, const std::vector<rtl::Port>
         "    pins->results[{0}] = static_cast<std::int64_t>(std::uint64_t{{top.{1}}} << {2}) >> {2};\n", i,
         result.name, above);
   }
-  return fmt::format(R"(#include "V{0}.h"
-#include "verilated.h"
-
+  return instance_source(module, R"(
 #include <cstdint>
 
 #include "pins.hpp"
-
-namespace {{
-struct Model {{
-  VerilatedContext context;
-  V{0} top{{&context}};
-}};
-}}  // namespace
-
-#define HITPIPE_ENTRY extern "C" __attribute__((visibility("default")))
-
-HITPIPE_ENTRY void* hitpipe_create() {{ return new Model; }}
-HITPIPE_ENTRY void hitpipe_destroy(void* model) {{ delete static_cast<Model*>(model); }}
-
+)") + fmt::format(R"(
 HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitpipe::sim::Pins* pins) {{
   V{0}& top = static_cast<Model*>(model)->top;
   top.clk = 0;
@@ -71,9 +76,9 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
   top.eval();
 }}
 )",
-                     module, drive_lines(ports, operands, "operands"),
-                     results[rtl::place_of_hit(results)].name, read, more.drive, more.read,
-                     stalls ? "  top.out_ready = pins->out_ready;\n" : "", stalls ? "top.in_ready" : "true");
+                  module, drive_lines(ports, operands, "operands"), results[rtl::place_of_hit(results)].name,
+                  read, more.drive, more.read, stalls ? "  top.out_ready = pins->out_ready;\n" : "",
+                  stalls ? "top.in_ready" : "true");
 }
 
 }  // namespace hitpipe::sim

@@ -9,6 +9,10 @@
 
 namespace hitpipe::sim {
 
+/// A struct Model with the module as `top`, and the entry points that make and end one. `includes` are lines
+/// for what follows.
+[[nodiscard]] std::string instance_source(const std::string& module, const std::string& includes = "");
+
 /// Lines before and after the outputs are settled, for pins that only some modules have.
 struct MorePins {
   std::string drive{}, read{};

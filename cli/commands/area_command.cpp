@@ -69,6 +69,16 @@ Row figure(const std::string& digits, Format format) {
   return format == Format::csv ? Row(digits) : Row::parse(digits);
 }
 
+/// What is said of a unit whatever it is made of.
+Row unit_row(const Price& p, Format format) {
+  return {{"design", p.design},
+          {"bits", rtl::to_string(p.format)},
+          {"stages", p.stages},
+          {"stage_delay_ns", figure(area::delay_ns(p.stage_delay_ps), format)},
+          {"clock_mhz", figure(area::clock_mhz(p), format)},
+          {"latency_ns", figure(area::delay_ns(p.latency_ps()), format)}};
+}
+
 std::vector<Row> design_rows(const std::vector<Price>& prices, const std::optional<Price>& yardstick,
                              Format format) {
   const auto share = [&](std::int64_t part, std::int64_t whole) {
@@ -77,20 +87,15 @@ std::vector<Row> design_rows(const std::vector<Price>& prices, const std::option
   const std::set<area::Part> parts = parts_of(prices);
   std::vector<Row> rows;
   for (const Price& p : prices) {
-    Row row{
-        {"design", p.design},
-        {"bits", rtl::to_string(p.format)},
-        {"stages", p.stages},
-        {"stage_delay_ns", figure(area::delay_ns(p.stage_delay_ps), format)},
-        {"clock_mhz", figure(area::clock_mhz(p), format)},
-        {"latency_ns", figure(area::delay_ns(p.latency_ps()), format)},
-        {"area_mm2", figure(area::area_mm2(p.area_um2), format)},
-        {"area_pct", yardstick ? share(p.area_per_box_um2(), yardstick->area_per_box_um2()) : Row(nullptr)},
-        {"adp_mm2_ns", figure(area::adp_mm2_ns(p), format)},
-        {"adp_pct",
-         yardstick ? share(p.area_delay_per_box(), yardstick->area_delay_per_box()) : Row(nullptr)},
-        {"boxes_per_test", p.boxes},
-        {"area_per_box_mm2", figure(area::area_mm2(p.area_per_box_um2()), format)}};
+    Row row = unit_row(p, format);
+    row.update(
+        {{"area_mm2", figure(area::area_mm2(p.area_um2), format)},
+         {"area_pct", yardstick ? share(p.area_per_box_um2(), yardstick->area_per_box_um2()) : Row(nullptr)},
+         {"adp_mm2_ns", figure(area::adp_mm2_ns(p), format)},
+         {"adp_pct",
+          yardstick ? share(p.area_delay_per_box(), yardstick->area_delay_per_box()) : Row(nullptr)},
+         {"boxes_per_test", p.boxes},
+         {"area_per_box_mm2", figure(area::area_mm2(p.area_per_box_um2()), format)}});
     append_parts(row, p.lines, parts);
     rows.push_back(std::move(row));
   }
@@ -125,14 +130,9 @@ std::vector<Row> chip_rows(const std::vector<Price>& prices, const rtl::Library&
   const std::set<area::Part> parts = parts_of(prices);
   std::vector<Row> rows;
   for (const Price& p : prices) {
-    Row row{{"library", library.name()},
-            {"design", p.design},
-            {"bits", rtl::to_string(p.format)},
-            {"stages", p.stages},
-            {"stage_delay_ns", figure(area::delay_ns(p.stage_delay_ps), format)},
-            {"clock_mhz", figure(area::clock_mhz(p), format)},
-            {"latency_ns", figure(area::delay_ns(p.latency_ps()), format)},
-            {"delay_estimated", library.chip()->estimated}};
+    Row row{{"library", library.name()}};
+    row.update(unit_row(p, format));
+    row["delay_estimated"] = library.chip()->estimated;
     append_cells(row, p.taken, *library.chip());
     row["boxes_per_test"] = p.boxes;
     append_parts(row, p.lines, parts);

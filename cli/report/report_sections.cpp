@@ -232,32 +232,25 @@ std::vector<Row> pipeline_rows(const ReportFacts& facts) {
     return p.design == area::yardstick().design;
   });
   for (const area::Price& p : facts.prices) {
+    Row& row = rows.emplace_back(Row{{"design", p.design},
+                                     {"bits", rtl::to_string(p.format)},
+                                     {"stages", p.stages},
+                                     {"stage_delay_ns", area::delay_ns(p.stage_delay_ps)},
+                                     {"clock_mhz", area::clock_mhz(p)},
+                                     {"latency_ns", area::delay_ns(p.latency_ps())}});
     if (p.taken.luts > 0) {
-      rows.push_back({{"design", p.design},
-                      {"bits", rtl::to_string(p.format)},
-                      {"stages", p.stages},
-                      {"stage_delay_ns", area::delay_ns(p.stage_delay_ps)},
-                      {"clock_mhz", area::clock_mhz(p)},
-                      {"latency_ns", area::delay_ns(p.latency_ps())},
-                      {"luts", p.taken.luts},
-                      {"registers", p.taken.registers},
-                      {"multiplier_blocks", p.taken.blocks}});
+      row.update(
+          {{"luts", p.taken.luts}, {"registers", p.taken.registers}, {"multiplier_blocks", p.taken.blocks}});
       continue;
     }
     const auto percent = [&](std::int64_t part, std::int64_t whole) {
       return yardstick == facts.prices.end() ? Row(nullptr) : Row(area::percent(part, whole));
     };
     const area::Price& of = yardstick == facts.prices.end() ? p : *yardstick;
-    rows.push_back({{"design", p.design},
-                    {"bits", rtl::to_string(p.format)},
-                    {"stages", p.stages},
-                    {"stage_delay_ns", area::delay_ns(p.stage_delay_ps)},
-                    {"clock_mhz", area::clock_mhz(p)},
-                    {"latency_ns", area::delay_ns(p.latency_ps())},
-                    {"area_mm2", area::area_mm2(p.area_um2)},
-                    {"area_pct", percent(p.area_per_box_um2(), of.area_per_box_um2())},
-                    {"area_delay_mm2_ns", area::adp_mm2_ns(p)},
-                    {"area_delay_pct", percent(p.area_delay_per_box(), of.area_delay_per_box())}});
+    row.update({{"area_mm2", area::area_mm2(p.area_um2)},
+                {"area_pct", percent(p.area_per_box_um2(), of.area_per_box_um2())},
+                {"area_delay_mm2_ns", area::adp_mm2_ns(p)},
+                {"area_delay_pct", percent(p.area_delay_per_box(), of.area_delay_per_box())}});
   }
   return rows;
 }

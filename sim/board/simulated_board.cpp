@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/model_source.hpp"
+
 namespace hitpipe::sim {
 
 namespace {
@@ -57,21 +59,7 @@ class ByteReceiver {
 };
 
 std::string board_wrapper(const std::string& module) {
-  return fmt::format(R"(#include "V{0}.h"
-#include "verilated.h"
-
-namespace {{
-struct Model {{
-  VerilatedContext context;
-  V{0} top{{&context}};
-}};
-}}  // namespace
-
-#define HITPIPE_ENTRY extern "C" __attribute__((visibility("default")))
-
-HITPIPE_ENTRY void* hitpipe_create() {{ return new Model; }}
-HITPIPE_ENTRY void hitpipe_destroy(void* model) {{ delete static_cast<Model*>(model); }}
-
+  return instance_source(module) + fmt::format(R"(
 HITPIPE_ENTRY int hitpipe_board_cycle(void* model, int rx) {{
   V{0}& top = static_cast<Model*>(model)->top;
   top.clk = 0;
@@ -83,7 +71,7 @@ HITPIPE_ENTRY int hitpipe_board_cycle(void* model, int rx) {{
   return top.tx;
 }}
 )",
-                     module);
+                                               module);
 }
 
 constexpr int power_on_clocks = 100;  // longer than reset
