@@ -100,14 +100,14 @@ struct Term {
   bool is_negative = false;  ///< to be subtracted
 };
 
-/// The sum modulo 2^width. `upper` begins no lower than `lower`, and `lower` is not subtracted.
+/// The sum modulo 2^width. `upper` begins no lower than `lower`, and `lower` is not subtracted. One of two
+/// terms alone has a sign only where `upper` has the product's highest bit; then `width` is what limits the
+/// sum, and a sign bit for the other term would be cut off again.
 Term sum_of(Graph& to, const Term& lower, const Term& upper, int width) {
   const int shift = upper.low - lower.low;
   const bool is_signed = lower.is_signed || upper.is_signed || upper.is_negative;
-  const auto needed = [&](const Term& term) {
-    return to[term.node].width + (is_signed && !term.is_signed ? 1 : 0);
-  };
-  const int bits = std::min(std::max(needed(lower), needed(upper) + shift) + 1, width - lower.low);
+  const int bits =
+      std::min(std::max(to[lower.node].width, to[upper.node].width + shift) + 1, width - lower.low);
   const NodeId below = to.resize(lower.node, bits, lower.is_signed);
   const NodeId sum = to.binary(upper.is_negative ? Op::sub : Op::add, to.slice(below, bits - 1, shift),
                                to.resize(upper.node, bits - shift, upper.is_signed));
