@@ -31,10 +31,13 @@ struct RenderCommand {
   std::string out;
   std::string depth_map;
   std::string box_map;
+  std::string extra_box_map;
   std::string triangle_map;
   Format format = Format::text;
 
-  [[nodiscard]] bool maps() const { return !depth_map.empty() || !box_map.empty() || !triangle_map.empty(); }
+  [[nodiscard]] bool maps() const {
+    return !depth_map.empty() || !box_map.empty() || !extra_box_map.empty() || !triangle_map.empty();
+  }
 };
 
 /// Counts for all rays together, then for one ray of each kind: "box_tests", "box_tests_per_ray",
@@ -77,18 +80,25 @@ void render_scene(const RenderCommand& command) {
   const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, hierarchy.bvh, tracing);
   progress.emplace("rendering");
   ref::StiffRays stiff;
+  ref::RenderOptions options{.width = command.scene.width,
+                             .height = command.scene.height,
+                             .threads = command.scene.threads,
+                             .tile_side = ref::tile_side_for(tracing.bundle),
+                             .light = command.light,
+                             .maps = command.maps(),
+                             .progress = [&](double share) { progress->show(share); },
+                             .traced = [&](ref::RayKind, const ref::TraceJob& job) { stiff.add(job.rays); }};
   const auto start = std::chrono::steady_clock::now();
-  const ref::RenderResult result =
-      ref::render(scene, *tracer,
-                  {.width = command.scene.width,
-                   .height = command.scene.height,
-                   .threads = command.scene.threads,
-                   .tile_side = ref::tile_side_for(tracing.bundle),
-                   .light = command.light,
-                   .maps = command.maps(),
-                   .progress = [&](double share) { progress->show(share); },
-                   .traced = [&](ref::RayKind, const ref::TraceJob& job) { stiff.add(job.rays); }});
+  const ref::RenderResult result = ref::render(scene, *tracer, options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  std::vector<float> extra;
+  if (!command.extra_box_map.empty()) {
+    progress.emplace("rendering the reference");
+    options.traced = {};
+    options.tile_side = ref::tile_side_for(1);
+    const std::unique_ptr<ref::Tracer> reference = ref::make_tracer(scene.mesh, hierarchy.bvh, {});
+    extra = ref::extra_box_tests(result, ref::render(scene, *reference, options));
+  }
   progress.reset();
 
   const ref::RenderCounts& counts = result.counts;
@@ -121,6 +131,7 @@ void render_scene(const RenderCommand& command) {
   }
   add_map(row, result, "depth_map", command.depth_map, result.depth, false);
   add_map(row, result, "box_map", command.box_map, result.box_tests, true);
+  add_map(row, result, "extra_box_map", command.extra_box_map, extra, true);
   add_map(row, result, "triangle_map", command.triangle_map, result.triangle_tests, true);
   fmt::print("{}", record_text(row, command.format));
 }
@@ -146,6 +157,8 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   file("--box-map", options->box_map,
        "Map of the box tests of all rays of a pixel: .exr holds the values, .png colours from none to most");
   file("--triangle-map", options->triangle_map, "The same for triangle tests");
+  file("--extra-box-map", options->extra_box_map,
+       "Map of the box tests above those of robust float slabs, which are the default, in the same colours");
   add_format_option(*command, options->format);
   command->callback([options] { render_scene(*options); });
 }

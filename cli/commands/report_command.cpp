@@ -152,10 +152,10 @@ int report(const ReportCommand& command, const CLI::App& options) {
   progress.emplace("drawing");
   facts.diagrams = draw_diagrams(facts.rows);
   facts.schematics = draw_schematics();
-  facts.area_command =
-      library.name() == rtl::default_library
-          ? "hitpipe area --format csv"
-          : fmt::format("hitpipe area --library {} --format csv", quoted(command.cost.library));
+  const std::string library_option = command.cost.library == rtl::default_library
+                                         ? ""
+                                         : fmt::format(" --library {}", quoted(command.cost.library));
+  facts.area_command = fmt::format("hitpipe area{} --format csv", library_option);
   for (const area::Entry& entry : area::table_7_2()) {
     const rtl::Design& design = rtl::find_design(entry.design);
     if (sim::why_not_priced(design, entry.format, library).empty())
@@ -178,6 +178,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                   .format = image_format,
                                   .coarse = coarsest(facts.rows, command.image),
                                   .library = &library,
+                                  .library_option = library_option,
                                   .scene_options = options_given(options, Given::of_scene),
                                   .width = command.scene.width,
                                   .height = command.scene.height,

@@ -126,27 +126,25 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
                            readable_number(std::to_string(rtl.unit.box_tests)), unit, made.different_pixels),
                fmt::format("The scene {} rendered through the Verilog of {}", scene.name, unit),
                row_of(unit, rtl.unit.box_tests, rtl.unit.triangle_tests,
-                      fmt::format("hitpipe cosim {}{} {} --out FOLDER", choice.design->name,
-                                  choice.design->bits_option(choice.format), choice.scene_options)));
+                      fmt::format("hitpipe cosim {}{}{} {} --out FOLDER", choice.design->name,
+                                  choice.design->bits_option(choice.format), choice.library_option,
+                                  choice.scene_options)));
 
   studio.map(
       "box_tests", software.box_tests, "Box tests of all rays of a pixel, robust float slabs.",
       "Heat map of the box tests of each pixel",
-      row_of("software", reference.box_tests, reference.triangle_tests, render + " --box-map FILE.exr"));
+      row_of("software", reference.box_tests, reference.triangle_tests, render + " --box-map FILE.png"));
   std::vector<rtl::Format> formats{choice.format};
   if (choice.coarse != choice.format) formats.push_back(choice.coarse);
   for (const rtl::Format& format : formats) {
     const std::string bits = rtl::to_string(format);
     const ref::TracerOptions tracing = sim::software_of(*choice.design).traversal(format);
     const ref::RenderResult work = studio.render(tracing);
-    std::vector<float> extra(work.box_tests.size());
-    for (std::size_t i = 0; i < extra.size(); ++i)
-      extra[i] = std::max(0.0F, work.box_tests[i] - software.box_tests[i]);
     const ref::TraceCounts counts = work.counts.total();
     std::string file = "extra_box_tests_" + bits;
     std::replace(file.begin(), file.end(), '/', '_');
     studio.map(
-        file, extra,
+        file, ref::extra_box_tests(work, software),
         fmt::format("Extra box tests of a pixel: {} {} above robust float slabs. {} in all, of {}.",
                     choice.design->name, bits,
                     readable_number(std::to_string(static_cast<std::int64_t>(counts.box_tests) -
@@ -154,7 +152,7 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
                     readable_number(std::to_string(counts.box_tests))),
         fmt::format("Heat map of the extra box tests of {} {}", choice.design->name, bits),
         row_of(fmt::format("{} {}", choice.design->name, bits), counts.box_tests, counts.triangle_tests,
-               fmt::format("{} {} --box-map FILE.exr", render, trace_options_text(tracing))));
+               fmt::format("{} {} --extra-box-map FILE.png", render, trace_options_text(tracing))));
   }
   return made;
 }

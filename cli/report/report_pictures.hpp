@@ -21,7 +21,8 @@ struct PictureChoice {
   rtl::Format format;
   rtl::Format coarse;  ///< for a second map of extra work
   const rtl::Library* library;
-  std::string scene_options;  ///< as a user writes them; for the commands
+  std::string library_option;  ///< " --library xc7", or nothing for the default; for the commands
+  std::string scene_options;   ///< as a user writes them; for the commands
   int width = 256;
   int height = 256;
   int threads = 1;

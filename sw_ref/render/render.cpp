@@ -170,6 +170,13 @@ int tile_side_for(int bundle) {
   return bundle == 64 ? 8 : bundle == 256 ? 16 : 32;
 }
 
+std::vector<float> extra_box_tests(const RenderResult& result, const RenderResult& reference) {
+  std::vector<float> extra(result.box_tests.size());
+  for (std::size_t i = 0; i < extra.size(); ++i)
+    extra[i] = std::max(0.0F, result.box_tests[i] - reference.box_tests[i]);
+  return extra;
+}
+
 TraceCounts& RenderCounts::of(RayKind kind) {
   return kind == RayKind::primary ? primary : kind == RayKind::secondary ? secondary : shadow;
 }

@@ -74,6 +74,10 @@ struct RenderResult {
   ShadingCounts shading;
 };
 
+/// By pixel: the box tests above those of the reference, 0 where there are fewer. Both have maps, of one
+/// scene and size.
+[[nodiscard]] std::vector<float> extra_box_tests(const RenderResult& result, const RenderResult& reference);
+
 /// `tracer` must be made for `scene.mesh`; the camera must be in the cube. Throws std::invalid_argument for
 /// sizes or threads below 1, and as Whitted does. The result does not depend on the number of threads. With
 /// the exact triangle test, image, triangles, depth and numbers of rays do not depend on the tracer or the

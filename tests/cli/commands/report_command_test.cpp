@@ -1,5 +1,6 @@
 // `hitpipe report`: one page with its rows in a file beside it, where every number can be found.
 #include <algorithm>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -170,6 +171,31 @@ TEST_F(ReportCommand, NamesCommandsThatMeasureTheSameRows) {
   EXPECT_THAT(page_,
               HasSubstr("--bits 20/24,24/24 --rays-in-flight 1,2,4,8,16,32,64,128,256 --out rows.csv\n"));
   EXPECT_THAT(page_, HasSubstr("hitpipe check int_plucker --bits 20/24 --tests 600 --seed 1\n"));
+}
+
+/// The command beside each picture draws that picture.
+TEST_F(ReportCommand, NamesCommandsThatDrawTheSamePictures) {
+  const fs::path drawn = folder_->path() / "drawn";
+  fs::create_directory(drawn);
+  std::vector<std::string> rows = lines_of(contents_of(out() / "pictures.csv"));
+  ASSERT_EQ(rows.size(), 6U);
+  rows.erase(rows.begin());
+  for (const std::string& row : rows) {
+    const std::string file = row.substr(0, row.find(','));
+    std::istringstream words(row.substr(row.rfind(',') + 1));
+    std::vector<std::string> arguments;
+    for (std::string word; words >> word;)
+      arguments.push_back(word == "FILE.png" ? (drawn / file).string()
+                          : word == "FOLDER" ? (drawn / "folder").string()
+                                             : word);
+    ASSERT_GT(arguments.size(), 1U) << row;
+    ASSERT_EQ(arguments.front(), "hitpipe");
+    arguments.erase(arguments.begin());
+    const Outcome outcome = run_hitpipe(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << row << "\n" << outcome.err;
+    const fs::path picture = arguments.front() == "cosim" ? drawn / "folder/spheres.png" : drawn / file;
+    EXPECT_EQ(contents_of(picture), contents_of(out() / file)) << row;
+  }
 }
 
 TEST_F(ReportCommand, BadInputRejected) {

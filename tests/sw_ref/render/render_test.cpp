@@ -107,6 +107,14 @@ TEST_F(Render, MapsAreMadeOnlyWhereAsked) {
 }
 
 /// Compares the renderer's batches with Whitted's tasks, done one at a time with all triangles.
+TEST(ExtraBoxTests, AreThoseAboveTheReference) {
+  RenderResult result;
+  RenderResult reference;
+  result.box_tests = {5.0F, 7.0F, 0.0F};
+  reference.box_tests = {5.0F, 4.0F, 2.0F};
+  EXPECT_EQ(extra_box_tests(result, reference), (std::vector<float>{0.0F, 3.0F, 0.0F}));
+}
+
 TEST_F(Render, PixelsShowTheClosestTriangleAndTheLightOfItsRays) {
   const RenderResult result = run({.width = 10, .height = 8, .maps = true});
   const Whitted whitted(scene_, {});
