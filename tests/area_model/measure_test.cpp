@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -75,6 +76,17 @@ TEST(MeasuredUnits, TablesOfTheDocsAreThoseThatTheScriptPrints) {
     ++rows;
   }
   EXPECT_GT(rows, 20);
+}
+
+TEST(MeasuredUnits, OfEveryDesignAreCompared) {
+  const host::Outcome planned = host::run({scripts + "compare", "--hitpipe", HITPIPE_PROGRAM, "--plan"});
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  for (const rtl::Design& design : rtl::designs()) {
+    const std::string unit =
+        fmt::format("osu018 timed {} {} ", design.name, rtl::to_string(design.default_format));
+    EXPECT_NE(planned.out.find(unit), std::string::npos) << unit;
+  }
+  EXPECT_NE(planned.out.find("thesis_250nm timed int_plucker 20/24 measured\n"), std::string::npos);
 }
 
 TEST(MeasuredLibrary, PricesEveryDesignAtTheClockItWasMeasuredFor) {
