@@ -1,9 +1,7 @@
-// The cache of Verilated models: all runs share one build, races and kills leave it whole, and every failure
-// says in one line what was wrong and what to do.
+// The cache of Verilated models: all runs share one build, and races and kills leave it whole.
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <set>
 #include <string>
 #include <thread>
 
@@ -11,13 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "tests/message_of.hpp"
-#include "tests/sim/formats.hpp"
-#include "tests/sim/stub_verilator.hpp"
+#include "tests/sim/model_cache_fixture.hpp"
 
 namespace hitpipe::sim {
 namespace {
@@ -25,24 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::MatchesRegex;
-
-constexpr hls::IntBits bits{20, 24};
-
-void build_in(const fs::path& cache) {
-  const VerilatedDesign design(int_slabs(), bits, rtl::Library::thesis(), cache);
-}
-
-/// The one line that a failed build ends with.
-std::string error_of_build(const fs::path& cache) {
-  return message_of<std::runtime_error>([&] { build_in(cache); });
-}
-
-std::vector<std::string> names_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 /// The only model in the cache. The cache holds only it and Verilator's own code.
 fs::path only_entry(const fs::path& cache) {
@@ -73,13 +50,6 @@ int exit_code(pid_t child) {
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
-
-class ModelCache : public testing::Test {
- protected:
-  StubVerilator stub_;
-  TemporaryFolder folder_;
-  fs::path cache_ = folder_.path() / "cache";
-};
 
 TEST(ModelCacheOfVerilator, SecondConstructionLeavesTheModelAlone) {
   // By the real Verilator. The tests before this one have built it already. Others may be building theirs
@@ -259,132 +229,6 @@ TEST_F(ModelCache, ModelThatCannotBeLoadedRejected) {
       0);
   EXPECT_EQ(error_of_build(cache_),
             entry.string() + ": cannot be loaded (" + model + ": undefined symbol: hitpipe_create)" + advice);
-}
-
-TEST_F(ModelCache, MissingVerilatorRejected) {
-  const EnvironmentValue verilator("VERILATOR", "/nonexistent/verilator");
-  EXPECT_EQ(
-      error_of_build(cache_),
-      "/nonexistent/verilator: cannot be run; install the package verilator or set VERILATOR to the program");
-  EXPECT_FALSE(fs::exists(cache_));
-}
-
-TEST_F(ModelCache, ProgramThatSaysNoVersionRejected) {
-  const EnvironmentValue verilator("VERILATOR", "/bin/false");
-  EXPECT_EQ(error_of_build(cache_),
-            "/bin/false: cannot be run; install the package verilator or set VERILATOR to the program");
-  EXPECT_FALSE(fs::exists(cache_));
-}
-
-TEST_F(ModelCache, MissingCompilerRejected) {
-  const EnvironmentValue compiler("CXX", "no-such-compiler");
-  EXPECT_EQ(error_of_build(cache_),
-            "no-such-compiler: cannot be run; install the package g++ or set CXX to the program");
-  EXPECT_FALSE(fs::exists(cache_));
-}
-
-TEST_F(ModelCache, TakesACompilerWithArguments) {
-  const EnvironmentValue compiler("CXX", "env HITPIPE_TEST=1 c++");
-  build_in(cache_);
-  EXPECT_EQ(stub_.runs(), 1);
-  const EnvironmentValue missing("CXX", "env no-such-compiler");
-  EXPECT_EQ(error_of_build(cache_),
-            "env no-such-compiler: cannot be run; install the package g++ or set CXX to the program");
-}
-
-/// A stand-in for clang++ comes first in PATH.
-TEST_F(ModelCache, TakesClangWhereItFindsItsLibraryAndElseTheOtherCompiler) {
-  const fs::path clang = folder_.write_program("clang++", "#!/bin/sh\nexec c++ \"$@\"\n");
-  const std::string path = clang.parent_path().string() + ":" + std::getenv("PATH");
-  const EnvironmentValue variable("CXX", "");
-  const EnvironmentValue programs("PATH", path);
-  const auto compilers = [&] {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(cache_)) {
-      std::ifstream identity(entry.path() / "identity");
-      std::string line;
-      while (std::getline(identity, line))
-        if (line == "clang++" || line == "c++") names.insert(line);
-    }
-    return names;
-  };
-  build_in(cache_);
-  EXPECT_EQ(compilers(), (std::set<std::string>{"clang++"}));
-  folder_.write_program("clang++", "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\nexit 1\n");
-  build_in(cache_);
-  EXPECT_EQ(compilers(), (std::set<std::string>{"c++", "clang++"}));
-}
-
-TEST_F(ModelCache, TakesAPathOfACompilerWithBlanks) {
-  const EnvironmentValue compiler(
-      "CXX", folder_.write_program("it's a compiler", "#!/bin/sh\nexec c++ \"$@\"\n").string());
-  build_in(cache_);
-  EXPECT_EQ(stub_.runs(), 1);
-}
-
-TEST_F(ModelCache, KilledCompilerRejected) {
-  const fs::path compiler = folder_.write_program(
-      "compiler", "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\nkill -9 $$\n");
-  const EnvironmentValue variable("CXX", compiler);
-  EXPECT_EQ(error_of_build(cache_), compiler.string() +
-                                        ": was ended by signal 9 (Killed); its output is in " +
-                                        (cache_ / "failed-verilated.log").string());
-}
-
-TEST_F(ModelCache, FailingVerilatorRejected) {
-  stub_.set_exit_code(3);
-  const fs::path log = cache_ / "failed-int_slabs.log";
-  EXPECT_EQ(error_of_build(cache_),
-            stub_.program().string() + ": failed with exit code 3; its output is in " + log.string());
-  EXPECT_EQ(names_in(cache_), (std::vector<std::string>{"failed-int_slabs.log"}));
-  std::string line;
-  std::getline(std::ifstream(log), line);
-  EXPECT_EQ(line, "stub fails");
-  stub_.set_exit_code(0);
-  build_in(cache_);
-  EXPECT_EQ(names_in(cache_).size(), 3U);
-}
-
-TEST_F(ModelCache, FailingCompilerRejected) {
-  const fs::path compiler = folder_.write_program(
-      "compiler", "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\necho no space >&2\nexit 4\n");
-  const EnvironmentValue variable("CXX", compiler);
-  EXPECT_EQ(error_of_build(cache_), compiler.string() + ": failed with exit code 4; its output is in " +
-                                        (cache_ / "failed-verilated.log").string());
-  EXPECT_EQ(names_in(cache_), (std::vector<std::string>{"failed-verilated.log"}));
-}
-
-TEST_F(ModelCache, VerilatorWithoutRootRejected) {
-  stub_.set_root("");
-  EXPECT_EQ(error_of_build(cache_),
-            stub_.program().string() + ": does not say its VERILATOR_ROOT; set it in the environment");
-  EXPECT_TRUE(fs::is_empty(cache_));
-}
-
-TEST_F(ModelCache, FolderThatCannotBeMadeRejected) {
-  folder_.write("file", "");
-  const std::string advice = ": cannot write to the cache; set HITPIPE_CACHE to another folder";
-  const fs::path below_file = folder_.path() / "file" / "cache";
-  EXPECT_EQ(error_of_build(below_file), below_file.string() + advice);
-  const fs::path too_long = folder_.path() / std::string(300, 'a');
-  EXPECT_EQ(error_of_build(too_long), too_long.string() + advice);
-  const fs::path is_file = folder_.path() / "file";
-  EXPECT_EQ(error_of_build(is_file), is_file.string() + advice);
-  EXPECT_EQ(stub_.runs(), 0);
-}
-
-TEST_F(ModelCache, FullDiskRejected) {
-  // A limit on the size of files comes closest to a full disk in a test.
-  signal(SIGXFSZ, SIG_IGN);
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit small{1000, before.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &small);
-  const std::string error = error_of_build(cache_);
-  setrlimit(RLIMIT_FSIZE, &before);
-  EXPECT_THAT(error, MatchesRegex(cache_.string() +
-                                  "/building-....../int_slabs.v: cannot write the file: File too large"));
-  EXPECT_TRUE(fs::is_empty(cache_));
 }
 
 TEST(ModelCacheFolder, IsTheFirstOfThreeVariables) {

@@ -1,0 +1,150 @@
+// The tools that build a model and the folder that it goes to: which ones are taken, and that every failure
+// says in one line what was wrong and what to do.
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include "tests/sim/model_cache_fixture.hpp"
+
+namespace hitpipe::sim {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::MatchesRegex;
+
+using ModelTools = ModelCache;
+
+TEST_F(ModelTools, MissingVerilatorRejected) {
+  const EnvironmentValue verilator("VERILATOR", "/nonexistent/verilator");
+  EXPECT_EQ(
+      error_of_build(cache_),
+      "/nonexistent/verilator: cannot be run; install the package verilator or set VERILATOR to the program");
+  EXPECT_FALSE(fs::exists(cache_));
+}
+
+TEST_F(ModelTools, ProgramThatSaysNoVersionRejected) {
+  const EnvironmentValue verilator("VERILATOR", "/bin/false");
+  EXPECT_EQ(error_of_build(cache_),
+            "/bin/false: cannot be run; install the package verilator or set VERILATOR to the program");
+  EXPECT_FALSE(fs::exists(cache_));
+}
+
+TEST_F(ModelTools, MissingCompilerRejected) {
+  const EnvironmentValue compiler("CXX", "no-such-compiler");
+  EXPECT_EQ(error_of_build(cache_),
+            "no-such-compiler: cannot be run; install the package g++ or set CXX to the program");
+  EXPECT_FALSE(fs::exists(cache_));
+}
+
+TEST_F(ModelTools, TakesACompilerWithArguments) {
+  const EnvironmentValue compiler("CXX", "env HITPIPE_TEST=1 c++");
+  build_in(cache_);
+  EXPECT_EQ(stub_.runs(), 1);
+  const EnvironmentValue missing("CXX", "env no-such-compiler");
+  EXPECT_EQ(error_of_build(cache_),
+            "env no-such-compiler: cannot be run; install the package g++ or set CXX to the program");
+}
+
+/// A stand-in for clang++ comes first in PATH.
+TEST_F(ModelTools, TakesClangWhereItFindsItsLibraryAndElseTheOtherCompiler) {
+  const fs::path clang = folder_.write_program("clang++", "#!/bin/sh\nexec c++ \"$@\"\n");
+  const std::string path = clang.parent_path().string() + ":" + std::getenv("PATH");
+  const EnvironmentValue variable("CXX", "");
+  const EnvironmentValue programs("PATH", path);
+  const auto compilers = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(cache_)) {
+      std::ifstream identity(entry.path() / "identity");
+      std::string line;
+      while (std::getline(identity, line))
+        if (line == "clang++" || line == "c++") names.insert(line);
+    }
+    return names;
+  };
+  build_in(cache_);
+  EXPECT_EQ(compilers(), (std::set<std::string>{"clang++"}));
+  folder_.write_program("clang++", "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\nexit 1\n");
+  build_in(cache_);
+  EXPECT_EQ(compilers(), (std::set<std::string>{"c++", "clang++"}));
+}
+
+TEST_F(ModelTools, TakesAPathOfACompilerWithBlanks) {
+  const EnvironmentValue compiler(
+      "CXX", folder_.write_program("it's a compiler", "#!/bin/sh\nexec c++ \"$@\"\n").string());
+  build_in(cache_);
+  EXPECT_EQ(stub_.runs(), 1);
+}
+
+TEST_F(ModelTools, KilledCompilerRejected) {
+  const fs::path compiler = folder_.write_program(
+      "compiler", "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\nkill -9 $$\n");
+  const EnvironmentValue variable("CXX", compiler);
+  EXPECT_EQ(error_of_build(cache_), compiler.string() +
+                                        ": was ended by signal 9 (Killed); its output is in " +
+                                        (cache_ / "failed-verilated.log").string());
+}
+
+TEST_F(ModelTools, FailingVerilatorRejected) {
+  stub_.set_exit_code(3);
+  const fs::path log = cache_ / "failed-int_slabs.log";
+  EXPECT_EQ(error_of_build(cache_),
+            stub_.program().string() + ": failed with exit code 3; its output is in " + log.string());
+  EXPECT_EQ(names_in(cache_), (std::vector<std::string>{"failed-int_slabs.log"}));
+  std::string line;
+  std::getline(std::ifstream(log), line);
+  EXPECT_EQ(line, "stub fails");
+  stub_.set_exit_code(0);
+  build_in(cache_);
+  EXPECT_EQ(names_in(cache_).size(), 3U);
+}
+
+TEST_F(ModelTools, FailingCompilerRejected) {
+  const fs::path compiler = folder_.write_program(
+      "compiler", "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\necho no space >&2\nexit 4\n");
+  const EnvironmentValue variable("CXX", compiler);
+  EXPECT_EQ(error_of_build(cache_), compiler.string() + ": failed with exit code 4; its output is in " +
+                                        (cache_ / "failed-verilated.log").string());
+  EXPECT_EQ(names_in(cache_), (std::vector<std::string>{"failed-verilated.log"}));
+}
+
+TEST_F(ModelTools, VerilatorWithoutRootRejected) {
+  stub_.set_root("");
+  EXPECT_EQ(error_of_build(cache_),
+            stub_.program().string() + ": does not say its VERILATOR_ROOT; set it in the environment");
+  EXPECT_TRUE(fs::is_empty(cache_));
+}
+
+TEST_F(ModelTools, FolderThatCannotBeMadeRejected) {
+  folder_.write("file", "");
+  const std::string advice = ": cannot write to the cache; set HITPIPE_CACHE to another folder";
+  const fs::path below_file = folder_.path() / "file" / "cache";
+  EXPECT_EQ(error_of_build(below_file), below_file.string() + advice);
+  const fs::path too_long = folder_.path() / std::string(300, 'a');
+  EXPECT_EQ(error_of_build(too_long), too_long.string() + advice);
+  const fs::path is_file = folder_.path() / "file";
+  EXPECT_EQ(error_of_build(is_file), is_file.string() + advice);
+  EXPECT_EQ(stub_.runs(), 0);
+}
+
+TEST_F(ModelTools, FullDiskRejected) {
+  // A limit on the size of files comes closest to a full disk in a test.
+  signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{1000, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string error = error_of_build(cache_);
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_THAT(error, MatchesRegex(cache_.string() +
+                                  "/building-....../int_slabs.v: cannot write the file: File too large"));
+  EXPECT_TRUE(fs::is_empty(cache_));
+}
+
+}  // namespace
+}  // namespace hitpipe::sim
