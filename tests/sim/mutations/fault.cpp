@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "tests/sim/mutations/float_units.hpp"
+#include "tests/sim/mutations/fault_kinds.hpp"
 
 namespace hitpipe::sim {
 namespace {
@@ -14,204 +14,6 @@ using rtl::Graph;
 using rtl::Node;
 using rtl::NodeId;
 using rtl::Op;
-
-struct Kind {
-  const char* what;
-  std::uint64_t (*wrong)(const Site& site);
-};
-
-std::uint64_t as_unsigned(std::int64_t value) {
-  return static_cast<std::uint64_t>(value);
-}
-
-bool less(std::uint64_t a, std::uint64_t b, int width, bool is_signed) {
-  return is_signed ? rtl::two_s_complement(a, width) < rtl::two_s_complement(b, width) : a < b;
-}
-bool less(const Site& s) {
-  return less(s.a, s.b, s.width_a, s.node.is_signed);
-}
-bool greater(const Site& s) {
-  return less(s.b, s.a, s.width_a, s.node.is_signed);
-}
-
-std::uint64_t no(const Site& /*site*/) {
-  return 0;
-}
-std::uint64_t yes(const Site& /*site*/) {
-  return 1;
-}
-std::uint64_t one_more(const Site& s) {
-  return s.right + 1;
-}
-std::uint64_t one_less(const Site& s) {
-  return s.right - 1;
-}
-std::uint64_t first_operand(const Site& s) {
-  return s.a;
-}
-std::uint64_t second_operand(const Site& s) {
-  return s.b;
-}
-
-/// Of two factors, each read as the product of them does.
-std::uint64_t product(std::int64_t a, std::int64_t b) {
-  return as_unsigned(a) * as_unsigned(b);
-}
-std::int64_t factor(std::uint64_t value, int width, bool is_signed) {
-  return is_signed ? rtl::two_s_complement(value, width) : static_cast<std::int64_t>(value);
-}
-std::int64_t factor_a(const Site& s) {
-  return factor(s.a, s.width_a, s.node.is_signed);
-}
-std::int64_t factor_b(const Site& s) {
-  return factor(s.b, s.width_b, s.node.is_signed);
-}
-
-const Kind of_less[] = {
-    {"as >", [](const Site& s) -> std::uint64_t { return greater(s); }},
-    {"as >=", [](const Site& s) -> std::uint64_t { return !less(s); }},
-    {"with the other sign",
-     [](const Site& s) -> std::uint64_t { return less(s.a, s.b, s.width_a, !s.node.is_signed); }},
-    {"always 0", no},
-    {"always 1", yes},
-};
-const Kind less_or_equal{"as <=", [](const Site& s) -> std::uint64_t { return !greater(s); }};
-
-const Kind of_equal[] = {
-    {"as !=", [](const Site& s) -> std::uint64_t { return s.a != s.b; }},
-    {"always 0", no},
-    {"always 1", yes},
-};
-const Kind of_mux[] = {
-    {"with its arms exchanged", [](const Site& s) { return s.a != 0 ? s.c : s.b; }},
-    {"stuck at its first arm", second_operand},
-    {"stuck at its second arm", [](const Site& s) { return s.c; }},
-};
-const Kind of_add[] = {
-    {"as -", [](const Site& s) { return s.a - s.b; }},
-    {"one too large", one_more},
-    {"one too small", one_less},
-};
-const Kind of_sub[] = {
-    {"with its operands exchanged", [](const Site& s) { return s.b - s.a; }},
-    {"as +", [](const Site& s) { return s.a + s.b; }},
-    {"one too large", one_more},
-    {"one too small", one_less},
-};
-const Kind of_mul[] = {
-    {"without the lowest bit of its first operand",
-     [](const Site& s) { return product(factor_a(s) & ~std::int64_t{1}, factor_b(s)); }},
-    {"without the lowest bit of its second operand",
-     [](const Site& s) { return product(factor_a(s), factor_b(s) & ~std::int64_t{1}); }},
-    {"without the highest bit of its first operand",
-     [](const Site& s) {
-       return product(factor(s.a << (65 - s.width_a) >> (65 - s.width_a), s.width_a - 1, s.node.is_signed),
-                      factor_b(s));
-     }},
-    {"without the highest bit of its second operand",
-     [](const Site& s) {
-       return product(factor_a(s),
-                      factor(s.b << (65 - s.width_b) >> (65 - s.width_b), s.width_b - 1, s.node.is_signed));
-     }},
-};
-const Kind no_first_sign{"without the sign of its first operand",
-                         [](const Site& s) { return product(static_cast<std::int64_t>(s.a), factor_b(s)); }};
-const Kind no_second_sign{"without the sign of its second operand",
-                          [](const Site& s) { return product(factor_a(s), static_cast<std::int64_t>(s.b)); }};
-const Kind of_input_bit[] = {
-    {"always 0", [](const Site& s) { return s.right & ~(std::uint64_t{1} << s.bit); }},
-    {"always 1", [](const Site& s) { return s.right | std::uint64_t{1} << s.bit; }},
-};
-const Kind of_sign_extend{"by zeros", first_operand};
-const Kind of_zero_extend{"by the sign",
-                          [](const Site& s) { return as_unsigned(rtl::two_s_complement(s.a, s.width_a)); }};
-const Kind of_constant[] = {{"one too large", one_more}, {"one too small", one_less}};
-const Kind a_bit_higher{"a bit higher", [](const Site& s) { return s.a >> (s.node.low + 1); }};
-const Kind a_bit_lower{"a bit lower", [](const Site& s) { return s.a >> (s.node.low - 1); }};
-const Kind of_concat{"with its parts exchanged", [](const Site& s) { return s.b << s.width_a | s.a; }};
-const Kind of_and[] = {{"as |", [](const Site& s) { return s.a | s.b; }},
-                       {"without its second operand", first_operand},
-                       {"without its first operand", second_operand}};
-const Kind of_or[] = {{"as &", [](const Site& s) { return s.a & s.b; }},
-                      {"without its second operand", first_operand},
-                      {"without its first operand", second_operand}};
-const Kind of_xor[] = {{"as |", [](const Site& s) { return s.a | s.b; }},
-                       {"without its second operand", first_operand},
-                       {"without its first operand", second_operand}};
-const Kind of_invert{"dropped", first_operand};
-
-const Kind of_fp_subtract[] = {
-    {"with its operands exchanged", [](const Site& s) { return fp::subtract(s.b, s.a); }},
-    {"as +", [](const Site& s) { return fp::subtract(s.a, fp::negated(s.b)); }},
-    {"with the other sign", [](const Site& s) { return fp::negated(s.right); }},
-    {"an ulp farther from 0", [](const Site& s) { return fp::farther_from_0(s.right); }},
-    {"with 0 for NaN", [](const Site& s) { return fp::is_nan(s.right) ? 0 : s.right; }},
-    {"with infinity for NaN", [](const Site& s) { return fp::is_nan(s.right) ? fp::infinity : s.right; }},
-};
-const Kind nearer_to_zero{"an ulp nearer to 0", [](const Site& s) { return fp::nearer_to_0(s.right); }};
-const Kind negative_zero{"with -0 for +0",
-                         [](const Site& s) { return s.right == 0 ? fp::negated(0) : s.right; }};
-const Kind positive_zero{"with +0 for -0",
-                         [](const Site& s) { return s.right == fp::negated(0) ? 0 : s.right; }};
-const Kind of_fp_multiply[] = {
-    {"without the sign of its first operand",
-     [](const Site& s) { return fp::multiply(fp::magnitude(s.a), s.b); }},
-    {"without the sign of its second operand",
-     [](const Site& s) { return fp::multiply(s.a, fp::magnitude(s.b)); }},
-    {"with the other sign", [](const Site& s) { return fp::negated(s.right); }},
-    {"an ulp farther from 0", [](const Site& s) { return fp::farther_from_0(s.right); }},
-    {"an ulp nearer to 0", [](const Site& s) { return fp::nearer_to_0(s.right); }},
-    {"with 0 for NaN", [](const Site& s) { return fp::is_nan(s.right) ? 0 : s.right; }},
-    {"with infinity for NaN", [](const Site& s) { return fp::is_nan(s.right) ? fp::infinity : s.right; }},
-    {"with 0 for infinity",
-     [](const Site& s) { return fp::magnitude(s.right) == fp::infinity ? 0 : s.right; }},
-};
-std::uint64_t ones(int width) {
-  return ~std::uint64_t{0} >> (64 - width);
-}
-const Kind of_subtract_rz[] = {
-    {"with the other sign", [](const Site& s) { return s.right ^ std::uint64_t{1} << (s.node.width - 1); }},
-    {"an ulp farther from 0",
-     [](const Site& s) {
-       return (s.right & ones(s.node.width - 1)) < ones(s.node.width - 1) ? s.right + 1 : s.right;
-     }},
-    {"an ulp nearer to 0",
-     [](const Site& s) { return (s.right & ones(s.node.width - 1)) != 0 ? s.right - 1 : s.right; }},
-};
-const Kind of_multiply_rz[] = {
-    {"an ulp larger", [](const Site& s) { return s.right < ones(s.node.width) ? s.right + 1 : s.right; }},
-    {"an ulp smaller", [](const Site& s) { return s.right != 0 ? s.right - 1 : s.right; }},
-    {"with 0 for the most", [](const Site& s) { return s.right == ones(s.node.width) ? 0 : s.right; }},
-};
-/// Of the order that is read, less or greater.
-const Kind of_fp_less[] = {
-    {"less: as >", [](const Site& s) { return fp::swapped(s.right); }},
-    {"less: true of NaN", [](const Site& s) { return s.right | (fp::unordered(s.a, s.b) ? 1U : 0U); }},
-    {"less: of magnitudes",
-     [](const Site& s) { return fp::compare(fp::magnitude(s.a), fp::magnitude(s.b)); }},
-    {"less: of patterns", [](const Site& s) { return s.a < s.b ? 1U : std::uint64_t{0}; }},
-    {"less: always 0", [](const Site& s) { return s.right & ~std::uint64_t{1}; }},
-    {"less: always 1", [](const Site& s) { return s.right | 1U; }},
-};
-/// These matter where equal operands do.
-const Kind fp_less_or_equal{"less: as <=",
-                            [](const Site& s) { return s.right | (fp::are_equal(s.a, s.b) ? 1U : 0U); }};
-const Kind negative_below_positive_zero{"less: -0 below +0", [](const Site& s) {
-                                          return s.right | (s.a == fp::negated(0) && s.b == 0 ? 1U : 0U);
-                                        }};
-const Kind positive_below_negative_zero{"less: +0 below -0", [](const Site& s) {
-                                          return s.right | (s.b == fp::negated(0) && s.a == 0 ? 1U : 0U);
-                                        }};
-const Kind of_fp_greater[] = {
-    {"greater: as <", [](const Site& s) { return fp::swapped(s.right); }},
-    {"greater: as >=", [](const Site& s) { return s.right | (fp::are_equal(s.a, s.b) ? 2U : 0U); }},
-    {"greater: true of NaN", [](const Site& s) { return s.right | (fp::unordered(s.a, s.b) ? 2U : 0U); }},
-    {"greater: of magnitudes",
-     [](const Site& s) { return fp::compare(fp::magnitude(s.a), fp::magnitude(s.b)); }},
-    {"greater: of patterns", [](const Site& s) { return s.a > s.b ? 2U : std::uint64_t{0}; }},
-    {"greater: always 0", [](const Site& s) { return s.right & ~std::uint64_t{2}; }},
-    {"greater: always 1", [](const Site& s) { return s.right | 2U; }},
-};
 
 template <class Visit>
 void for_each_reader(const Graph& graph, NodeId of, Visit&& visit) {
@@ -268,43 +70,43 @@ class FaultList {
     switch (node.op) {
       case Op::input:
         for (int bit = 0; bit < node.width; ++bit)
-          for (const Kind& kind : of_input_bit) add(id, kind, bit);
+          for (const kinds::Kind& kind : kinds::of_input_bit) add(id, kind, bit);
         break;
       case Op::constant:
-        return add(id, of_constant);
+        return add(id, kinds::of_constant);
       case Op::slice:
-        if (node.low + node.width < graph_[node.args[0]].width) add(id, a_bit_higher);
-        if (node.low > 0) add(id, a_bit_lower);
+        if (node.low + node.width < graph_[node.args[0]].width) add(id, kinds::a_bit_higher);
+        if (node.low > 0) add(id, kinds::a_bit_lower);
         break;
       case Op::concat:
-        return add(id, of_concat);
+        return add(id, kinds::of_concat);
       case Op::extend:
-        return add(id, node.is_signed ? of_sign_extend : of_zero_extend);
+        return add(id, node.is_signed ? kinds::of_sign_extend : kinds::of_zero_extend);
       case Op::invert:
-        return add(id, of_invert);
+        return add(id, kinds::of_invert);
       case Op::bit_and:
-        return add(id, of_and);
+        return add(id, kinds::of_and);
       case Op::bit_or:
-        return add(id, of_or);
+        return add(id, kinds::of_or);
       case Op::bit_xor:
-        return add(id, of_xor);
+        return add(id, kinds::of_xor);
       case Op::add:
-        return add(id, of_add);
+        return add(id, kinds::of_add);
       case Op::sub:
-        return add(id, of_sub);
+        return add(id, kinds::of_sub);
       case Op::mul:
-        add(id, of_mul);
-        if (node.is_signed && can_be_negative(node.args[0])) add(id, no_first_sign);
-        if (node.is_signed && can_be_negative(node.args[1])) add(id, no_second_sign);
+        add(id, kinds::of_mul);
+        if (node.is_signed && can_be_negative(node.args[0])) add(id, kinds::no_first_sign);
+        if (node.is_signed && can_be_negative(node.args[1])) add(id, kinds::no_second_sign);
         break;
       case Op::less:
-        add(id, of_less);
-        if (choices(graph_, id, node.args[0], node.args[1]).empty()) add(id, less_or_equal);
+        add(id, kinds::of_less);
+        if (choices(graph_, id, node.args[0], node.args[1]).empty()) add(id, kinds::less_or_equal);
         break;
       case Op::equal:
-        return add(id, of_equal);
+        return add(id, kinds::of_equal);
       case Op::mux:
-        return add(id, of_mux);
+        return add(id, kinds::of_mux);
       case Op::call:
         return add_all_of_float_unit(id);
     }
@@ -313,34 +115,36 @@ class FaultList {
   [[nodiscard]] std::vector<Fault> faults() const { return faults_; }
 
  private:
-  void add(NodeId id, const Kind& kind, int bit = 0) { faults_.push_back({id, kind.what, kind.wrong, bit}); }
-  void add(NodeId id, std::span<const Kind> kinds) {
-    for (const Kind& kind : kinds) add(id, kind);
+  void add(NodeId id, const kinds::Kind& kind, int bit = 0) {
+    faults_.push_back({id, kind.what, kind.wrong, bit});
+  }
+  void add(NodeId id, std::span<const kinds::Kind> all) {
+    for (const kinds::Kind& kind : all) add(id, kind);
   }
 
   void add_all_of_float_unit(NodeId id) {
     switch (fp::operator_of(*graph_.unit_of(id))) {
       case fp::Operator::subtract:
-        add(id, of_fp_subtract);
-        if (!only_compared_with_0(id)) add(id, nearer_to_zero);
-        if (zero_sign_is_read(graph_, id)) add(id, negative_zero);
+        add(id, kinds::of_fp_subtract);
+        if (!only_compared_with_0(id)) add(id, kinds::nearer_to_zero);
+        if (zero_sign_is_read(graph_, id)) add(id, kinds::negative_zero);
         break;
       case fp::Operator::multiply:
-        add(id, of_fp_multiply);
-        if (zero_sign_is_read(graph_, id)) add(id, positive_zero);
+        add(id, kinds::of_fp_multiply);
+        if (zero_sign_is_read(graph_, id)) add(id, kinds::positive_zero);
         break;
       case fp::Operator::subtract_rz:
-        return add(id, of_subtract_rz);
+        return add(id, kinds::of_subtract_rz);
       case fp::Operator::multiply_rz:
-        return add(id, of_multiply_rz);
+        return add(id, kinds::of_multiply_rz);
       case fp::Operator::compare:
-        if (bit_is_read(graph_, id, 0)) add(id, of_fp_less);
-        if (bit_is_read(graph_, id, 1)) add(id, of_fp_greater);
+        if (bit_is_read(graph_, id, 0)) add(id, kinds::of_fp_less);
+        if (bit_is_read(graph_, id, 1)) add(id, kinds::of_fp_greater);
         if (bit_is_read(graph_, id, 0) && equal_operands_matter(id)) {
-          add(id, fp_less_or_equal);
-          add(id, negative_below_positive_zero);
+          add(id, kinds::fp_less_or_equal);
+          add(id, kinds::negative_below_positive_zero);
           // Of the constant +0 there is no other sign.
-          if (graph_[graph_[id].args[1]].op != Op::constant) add(id, positive_below_negative_zero);
+          if (graph_[graph_[id].args[1]].op != Op::constant) add(id, kinds::positive_below_negative_zero);
         }
     }
   }
