@@ -23,8 +23,8 @@ namespace hitpipe::sim {
 
 /// The numbers that a port can have over all rays and boxes of a scene.
 struct ScenePromise {
-  rtl::Interval range;
-  int spare_bits = 0;  ///< bits of the port that no scene uses
+  std::vector<rtl::Interval> within;  ///< ascending, as in a PortDemand
+  int spare_bits = 0;                 ///< bits of the port that no scene uses
 };
 
 struct Software {

@@ -197,19 +197,19 @@ class Analysis {
   std::vector<Facts> facts_;
 };
 
-Facts facts_of(const PortDemand& demand, const Node& port) {
+}  // namespace
+
+Facts facts_of(const PortDemand& demand, int width, bool is_signed) {
   const auto of = [&](const Interval& i) {
-    return port.is_signed ? Facts::number(port.width, i.low, i.high)
-                          : Facts::patterns(port.width, {static_cast<std::uint64_t>(i.low),
-                                                         static_cast<std::uint64_t>(i.high)});
+    return is_signed ? Facts::number(width, i.low, i.high)
+                     : Facts::patterns(
+                           width, {static_cast<std::uint64_t>(i.low), static_cast<std::uint64_t>(i.high)});
   };
   Facts facts = of(*multiples_in(demand.within.front(), demand.low_zeros));
   for (const Interval& i : demand.within)
     facts = Facts::either(facts, of(*multiples_in(i, demand.low_zeros)));
-  return Facts::both(facts, Facts::bits(port.width, all_bits(demand.low_zeros), 0));
+  return Facts::both(facts, Facts::bits(width, all_bits(demand.low_zeros), 0));
 }
-
-}  // namespace
 
 std::vector<Facts> analyse(const Graph& graph, const Demands& demands) {
   std::map<std::string, std::size_t> index;
@@ -220,7 +220,8 @@ std::vector<Facts> analyse(const Graph& graph, const Demands& demands) {
   }
   for (const PortDemand& demand : demands.ports) {
     const std::size_t port = index.at(demand.port);
-    ports[port] = facts_of(demand, graph[graph.inputs()[port]]);
+    const Node& input = graph[graph.inputs()[port]];
+    ports[port] = facts_of(demand, input.width, input.is_signed);
   }
   Orders orders;
   for (const OrderDemand& order : demands.orders) {

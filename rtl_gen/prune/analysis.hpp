@@ -13,4 +13,7 @@ namespace hitpipe::rtl {
 /// By node. The demands must have passed check_demands() for the graph's ports.
 [[nodiscard]] std::vector<Facts> analyse(const Graph& graph, const Demands& demands);
 
+/// What a demand tells of its port, which has this width and sign.
+[[nodiscard]] Facts facts_of(const PortDemand& demand, int width, bool is_signed);
+
 }  // namespace hitpipe::rtl

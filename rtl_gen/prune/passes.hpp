@@ -28,11 +28,18 @@ namespace hitpipe::rtl {
 /// constants. The bits below are constants, or those of one operand of a sum where the other ends in zeros.
 [[nodiscard]] Graph narrow(const Graph& graph, const Demands& demands);
 
+/// A float operator is simplified inside by what is known of its operands, and gets a name of its own. Its
+/// ports and its stages stay. If only wires are left, they replace it.
+[[nodiscard]] Graph narrow_units(const Graph& graph, const Demands& demands);
+
 /// a op b and b op a become one node where the order does not matter.
 [[nodiscard]] Graph share(const Graph& graph);
 
 /// Removes ports that nothing reads, and the bits of ports above the highest bit that is read. It is the only
 /// pass that changes the interface.
 [[nodiscard]] Graph narrow_ports(const Graph& graph, const Demands& demands);
+
+/// All passes but narrow_ports, in turn until none changes anything.
+[[nodiscard]] Graph simplified(const Graph& graph, const Demands& demands);
 
 }  // namespace hitpipe::rtl

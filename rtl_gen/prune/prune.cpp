@@ -29,6 +29,7 @@ const std::vector<Pass>& passes() {
                                      {"simplify_gates", of_graph_alone<simplify_gates>},
                                      {"simplify_arithmetic", of_graph_alone<simplify_arithmetic>},
                                      {"narrow", narrow},
+                                     {"narrow_units", narrow_units},
                                      {"share", of_graph_alone<share>}};
   return all;
 }
@@ -47,20 +48,29 @@ void note(const Pass& pass, const Graph& before, const Graph& after, Reduced& re
   }
 }
 
-Reduced reduce(const Graph& named, const Demands& demands) {
+/// Tells `passed` of each pass, with the graphs before and after it.
+template <class Passed>
+Graph run_passes(Graph graph, const Demands& demands, Passed&& passed) {
   // No pass adds anything, so a few rounds are enough. The limit catches a faulty pass.
   constexpr int most_rounds = 1000;
-  Reduced reduced{named, {}};
   std::string before;
-  for (int round = 0; before != to_text(reduced.graph); ++round) {
-    if (round == most_rounds) throw std::logic_error(fmt::format("{}: pruning does not end", named.name()));
-    before = to_text(reduced.graph);
+  for (int round = 0; before != to_text(graph); ++round) {
+    if (round == most_rounds) throw std::logic_error(fmt::format("{}: pruning does not end", graph.name()));
+    before = to_text(graph);
     for (const Pass& pass : passes()) {
-      Graph next = canonical(pass.run(reduced.graph, demands));
-      note(pass, reduced.graph, next, reduced);
-      reduced.graph = std::move(next);
+      Graph next = canonical(pass.run(graph, demands));
+      passed(pass, graph, next);
+      graph = std::move(next);
     }
   }
+  return graph;
+}
+
+Reduced reduce(const Graph& named, const Demands& demands) {
+  Reduced reduced{named, {}};
+  reduced.graph = run_passes(named, demands, [&](const Pass& pass, const Graph& before, const Graph& after) {
+    note(pass, before, after, reduced);
+  });
   return reduced;
 }
 
@@ -111,6 +121,10 @@ std::vector<PortChange> port_changes(const Graph& before, const Graph& after) {
 }
 
 }  // namespace
+
+Graph simplified(const Graph& graph, const Demands& demands) {
+  return run_passes(graph, demands, [](const Pass&, const Graph&, const Graph&) {});
+}
 
 Pruned prune(const Graph& traced, const Demands& demands, const PruneOptions& options) {
   const std::vector<Port> ports = input_ports(traced);

@@ -30,7 +30,7 @@ std::optional<ScenePromise> fp_promise(const rtl::Port& port, const rtl::Format&
       break;
   }
   if (!range) return std::nullopt;
-  return ScenePromise{*range};
+  return ScenePromise{{*range}};
 }
 
 std::size_t fp_bytes_per_node(const rtl::Format& /*binary32*/, const ref::CoarseAxes& /*none*/) {

@@ -4,6 +4,7 @@
 
 #include "rtl_gen/catalogue/any_fp_formats.hpp"
 #include "sim/feeds/set_up_feed.hpp"
+#include "sim/fit/float_range.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/adversary/float_unit.hpp"
 #include "sw_ref/encode/fp_nodes.hpp"
@@ -95,19 +96,26 @@ std::vector<std::vector<rtl::Format>> fp_slabs_safe_up_to(const rtl::Format& mos
   return groups;
 }
 
-/// What is known without looking at the scene's numbers: nothing yet.
-std::optional<ScenePromise> fp_slabs_safe_promise(const rtl::Port& port, const rtl::Format& /*format*/,
+std::optional<ScenePromise> fp_slabs_safe_promise(const rtl::Port& port, const rtl::Format& format,
                                                   const ref::SceneDemands& scene,
                                                   const ref::CoarseAxes& /*none*/) {
-  if (port.role != hls::Role::backward) return std::nullopt;
+  const auto bits = format.as<AnyFpBits>();
   const int axis = static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
-  bool ever = false;
-  bool always = true;
-  for (const ref::RayFamily& family : scene.rays) {
-    ever = ever || std::signbit(family.direction.min[axis]);
-    always = always && family.direction.max[axis] < 0.0F;
+  switch (port.role) {
+    case hls::Role::backward:
+      return ScenePromise{{backward(scene, axis)}};
+    case hls::Role::origin:
+    case hls::Role::origin_high:
+      return ScenePromise{mirrored_origin(scene, axis, bits, port.role == hls::Role::origin)};
+    case hls::Role::plane_low:
+    case hls::Role::plane_high:
+      return ScenePromise{rounded_planes(scene, axis, bits, port.role == hls::Role::plane_low)};
+    case hls::Role::inverse_low:
+    case hls::Role::inverse_high:
+      return ScenePromise{{scaled_inverse(scene, axis, bits, port.role == hls::Role::inverse_low)}};
+    default:
+      return std::nullopt;
   }
-  return ScenePromise{{always ? 1 : 0, ever ? 1 : 0}};
 }
 
 }  // namespace

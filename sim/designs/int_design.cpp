@@ -19,7 +19,7 @@ int axis_of(const rtl::Port& port) {
 
 std::optional<ScenePromise> promised(const Range& range, int spare_bits = 0) {
   if (!range) return std::nullopt;
-  return ScenePromise{*range, spare_bits};
+  return ScenePromise{{*range}, spare_bits};
 }
 
 std::optional<ScenePromise> int_promise(const rtl::Port& port, const rtl::Format& format,
@@ -39,7 +39,7 @@ std::optional<ScenePromise> int_promise(const rtl::Port& port, const rtl::Format
     case Role::inverse_high: {
       const std::optional<IrdvcRanges> ranges = int_irdvc(scene, axis_of(port), n);
       if (!ranges) return std::nullopt;
-      return ScenePromise{port.role == Role::inverse_low ? ranges->floor : ranges->ceil};
+      return ScenePromise{{port.role == Role::inverse_low ? ranges->floor : ranges->ceil}};
     }
     default:
       return std::nullopt;

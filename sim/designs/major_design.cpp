@@ -101,7 +101,7 @@ std::optional<ScenePromise> major_promise(const rtl::Port& port, const rtl::Form
   if (port.role == hls::Role::plane_low || port.role == hls::Role::plane_high) {
     const ref::IntBox box = ref::quantise_box(scene.boxes, bits.coord, bits.finer);
     const auto axis = static_cast<std::size_t>(port.axis) - static_cast<std::size_t>(hls::Axis::x);
-    return ScenePromise{{box.min[axis], box.max[axis]}, spare};
+    return ScenePromise{{{box.min[axis], box.max[axis]}}, spare};
   }
   const auto range_of = [&](const Slotted& ray) -> Range {
     const std::size_t slot = slot_of(port);
@@ -129,7 +129,7 @@ std::optional<ScenePromise> major_promise(const rtl::Port& port, const rtl::Form
     grow(range, *one);
   }
   if (!range) return std::nullopt;
-  return ScenePromise{*range, port.role == hls::Role::origin ? spare : 0};
+  return ScenePromise{{*range}, port.role == hls::Role::origin ? spare : 0};
 }
 
 }  // namespace

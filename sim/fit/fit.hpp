@@ -44,6 +44,10 @@ struct FittedUnit {
                              const std::optional<Precision>& precision, const ref::SceneDemands& scene,
                              const rtl::Library& library);
 
+/// The price of the unit that fit() makes.
+[[nodiscard]] area::Price price_of_fit(const rtl::Design& design, const Precision& precision,
+                                       const ref::SceneDemands& scene, const rtl::Library& library);
+
 /// The files of the fitted unit: Verilog with a check block, a module that checks the set-up's operands, a
 /// manifest that lists the demands, and vectors that meet them. A unit without demands gets the files of the
 /// whole design.

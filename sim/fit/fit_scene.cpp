@@ -28,8 +28,18 @@ std::function<void(double)> start_step(const FitOptions& options, const std::str
 }
 
 std::optional<Precision> precision_of(const rtl::Design& design, const rtl::Format& before,
-                                      const FitScene& scene, const FitOptions& options) {
+                                      const FitScene& scene, const FitOptions& options,
+                                      const rtl::Library& library) {
   if (options.keep_bits) return std::nullopt;
+  PrecisionCost cost;
+  if (options.cost) {
+    cost = [&](const Precision& precision, const ref::TraceCounts& tests) {
+      return options.cost({.design = &design,
+                           .format = precision.format,
+                           .price = price_of_fit(design, precision, scene.demands, library),
+                           .tests = tests});
+    };
+  }
   return fewest_bits({.design = &design,
                       .scene = &scene.scene,
                       .bvh = &scene.bvh,
@@ -37,6 +47,7 @@ std::optional<Precision> precision_of(const rtl::Design& design, const rtl::Form
                       .rays = &scene.rays,
                       .most = before,
                       .overhead_pct = options.overhead_pct,
+                      .cost = std::move(cost),
                       .threads = options.threads});
 }
 
@@ -80,7 +91,8 @@ FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, con
                        const FitOptions& options, const rtl::Library& library) {
   const std::string name(design.name);
   start_step(options, name + ": looking for the fewest bits");
-  FittedUnit unit = fit(design, before, precision_of(design, before, scene, options), scene.demands, library);
+  FittedUnit unit =
+      fit(design, before, precision_of(design, before, scene, options, library), scene.demands, library);
   std::stable_sort(unit.left_out.begin(), unit.left_out.end(),
                    [](const LeftOut& a, const LeftOut& b) { return a.area_um2 > b.area_um2; });
   const rtl::EmittedDesign emitted = fitted_files(unit, library);

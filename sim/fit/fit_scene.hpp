@@ -14,13 +14,24 @@
 
 namespace hitpipe::sim {
 
+/// A unit of a design that is cut to a scene, and the tests that it makes on the scene's rays.
+struct PricedTests {
+  const rtl::Design* design;
+  rtl::Format format;
+  area::Price price;
+  ref::TraceCounts tests;
+};
+
 struct FitOptions {
   int width = 256;
   int height = 256;
   int threads = 1;
   ref::WhittedOptions light{};  ///< how far secondary rays are followed
   double overhead_pct = 2.0;    ///< limit of the extra box tests from fewer bits and from rays without ends
-  bool keep_bits = false;       ///< the format stays as it is
+  /// If there is one, the precision with the least cost is taken, and the limit only says where the search
+  /// begins.
+  std::function<double(const PricedTests&)> cost{};
+  bool keep_bits = false;  ///< the format stays as it is
   std::uint64_t vectors = 1'000'000;
   /// Each design's files go to a subfolder with its name. Empty: no files are written.
   std::filesystem::path folder;

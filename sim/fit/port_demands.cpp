@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <initializer_list>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "rtl_gen/prune/facts.hpp"
+#include "rtl_gen/prune/analysis.hpp"
 #include "sim/software.hpp"
 
 namespace hitpipe::sim {
@@ -46,7 +47,7 @@ class Groups {
     for (const rtl::Port& port : ports_) {
       if (port.axis != axis || !one_of(port.role, roles)) continue;
       const std::optional<ScenePromise> promise = promise_(port, format_, scene_, coarse_);
-      if (promise && loses_bits(port, *promise)) demands.ports.push_back({port.name, {promise->range}});
+      if (promise && loses_bits(port, *promise)) demands.ports.push_back({port.name, promise->within});
     }
     keep({why, DemandGroup::What::numbers, std::move(demands)});
   }
@@ -74,13 +75,12 @@ class Groups {
     groups_.push_back(std::move(group));
   }
   static bool loses_bits(const rtl::Port& port, const ScenePromise& promise) {
-    const rtl::Interval& range = promise.range;
-    if (port.kind == hls::Kind::natural || port.kind == hls::Kind::flag)
-      return range.low == range.high || range.high < std::int64_t{1} << (port.width - 1 - promise.spare_bits);
-    if (!port.is_signed) return true;  // a float's range has one sign, or is one number
-    return range.low >= 0 || range.high < 0 ||
-           rtl::Facts::number(port.width, range.low, range.high).signed_width() <
-               port.width - promise.spare_bits;
+    const rtl::Facts facts = rtl::facts_of({port.name, promise.within}, port.width, port.is_signed);
+    if (port.kind == hls::Kind::real) return std::popcount(facts.zeros() | facts.ones()) > promise.spare_bits;
+    if (!port.is_signed)
+      return facts.is_constant() || facts.unknown_width() < port.width - promise.spare_bits;
+    return facts.number().low >= 0 || facts.number().high < 0 ||
+           facts.signed_width() < port.width - promise.spare_bits;
   }
 
   std::vector<rtl::Port> ports_;
@@ -104,7 +104,19 @@ std::string direction_text(const ref::SceneDemands& scene, int axis) {
 
 constexpr std::array<Axis, 3> all_axes{Axis::x, Axis::y, Axis::z};
 
-/// What two demands on one port both allow. Each has one interval.
+/// What lies in an interval of each list. Both ascend.
+std::vector<rtl::Interval> in_both(const std::vector<rtl::Interval>& a, const std::vector<rtl::Interval>& b) {
+  std::vector<rtl::Interval> both;
+  for (const rtl::Interval& one : a) {
+    for (const rtl::Interval& other : b) {
+      const rtl::Interval within{std::max(one.low, other.low), std::min(one.high, other.high)};
+      if (within.low <= within.high) both.push_back(within);
+    }
+  }
+  return both;
+}
+
+/// What two demands on one port both allow.
 void add(rtl::Demands& all, const rtl::PortDemand& demand) {
   const auto known = std::find_if(all.ports.begin(), all.ports.end(),
                                   [&](const rtl::PortDemand& each) { return each.port == demand.port; });
@@ -112,9 +124,7 @@ void add(rtl::Demands& all, const rtl::PortDemand& demand) {
     all.ports.push_back(demand);
     return;
   }
-  rtl::Interval& within = known->within.front();
-  within = {std::max(within.low, demand.within.front().low),
-            std::min(within.high, demand.within.front().high)};
+  known->within = in_both(known->within, demand.within);
   known->low_zeros = std::max(known->low_zeros, demand.low_zeros);
 }
 

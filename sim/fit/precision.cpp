@@ -28,18 +28,26 @@ ref::TracerOptions tracer_like(const rtl::Design& design, const rtl::Format& for
   return options;
 }
 
-std::uint64_t box_tests(const ref::Tracer& tracer, const std::vector<ref::RecordedBatch>& batches,
-                        int threads) {
+ref::TraceCounts count_tests(const PrecisionSearch& search, const rtl::Format& format,
+                             const ref::CoarseAxes& coarse, bool ends) {
+  const auto tracer =
+      ref::make_tracer(search.scene->mesh, *search.bvh, tracer_like(*search.design, format, coarse, ends));
+  const std::vector<ref::RecordedBatch>& batches = search.rays->batches;
   std::mutex counting;
   ref::TraceCounts sum;
-  host::for_each_index(batches.size(), threads, [&](std::size_t i) {
+  host::for_each_index(batches.size(), search.threads, [&](std::size_t i) {
     std::vector<std::uint32_t> triangles(batches[i].rays.size());
     ref::TraceCounts counts;
-    tracer.trace({batches[i].rays, batches[i].query, triangles}, counts);
+    tracer->trace({batches[i].rays, batches[i].query, triangles}, counts);
     const std::scoped_lock lock(counting);
     sum += counts;
   });
-  return sum.box_tests;
+  search.measured();
+  return sum;
+}
+
+double extra_pct(std::uint64_t taken, std::uint64_t reference) {
+  return 100.0 * (static_cast<double>(taken) / static_cast<double>(reference) - 1.0);
 }
 
 /// The first good one of `sorted`. If one is good, all after it are good; the last one is.
@@ -54,10 +62,24 @@ class Measurements {
  public:
   explicit Measurements(const PrecisionSearch& search) : search_(search) {}
 
-  double extra(const rtl::Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
-    const auto [at, is_new] = known_.try_emplace({format.numbers(), coarse.dropped, ends}, 0.0);
-    if (is_new) at->second = extra_box_tests_pct(search_, format, coarse, ends);
+  const ref::TraceCounts& tests(const rtl::Format& format, const ref::CoarseAxes& coarse, bool ends) {
+    const auto [at, is_new] =
+        known_.try_emplace({format.numbers(), coarse.dropped, ends}, ref::TraceCounts{});
+    if (is_new) at->second = count_tests(search_, format, coarse, ends);
     return at->second;
+  }
+  double extra(const rtl::Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
+    return extra_pct(tests(format, coarse, ends).box_tests, search_.rays->reference.total().box_tests);
+  }
+  double extra_triangles(const rtl::Format& format) {
+    return extra_pct(tests(format, {}, true).triangle_tests, search_.rays->reference.total().triangle_tests);
+  }
+  double cost(const rtl::Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
+    const Key key{format.numbers(), coarse.dropped, ends};
+    if (const auto at = costs_.find(key); at != costs_.end()) return at->second;
+    const Precision precision{
+        .format = format, .coarse = coarse, .ends = ends, .endless_extra_box_tests_pct = 0.0};
+    return costs_[key] = search_.cost(precision, tests(format, coarse, ends));
   }
   bool good(const rtl::Format& format, const ref::CoarseAxes& coarse = {}) {
     return extra(format, coarse) <= search_.overhead_pct;
@@ -65,9 +87,49 @@ class Measurements {
   [[nodiscard]] int count() const { return static_cast<int>(known_.size()); }
 
  private:
+  using Key = std::tuple<rtl::FormatNumbers, std::array<int, 3>, bool>;
+
   const PrecisionSearch& search_;
-  std::map<std::tuple<rtl::FormatNumbers, std::array<int, 3>, bool>, double> known_;
+  std::map<Key, ref::TraceCounts> known_;
+  std::map<Key, double> costs_;
 };
+
+using FormatGroups = std::vector<std::vector<rtl::Format>>;
+
+/// Goes from format to format while the cost falls: one format on in the group, or to the format at the same
+/// place in the group beside it.
+rtl::Format least_cost(const FormatGroups& groups, const rtl::Format& start, Measurements& measured) {
+  struct Place {
+    std::size_t group, format;
+  };
+  struct Step {
+    std::ptrdiff_t groups, formats;
+  };
+  Place best{};
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    const auto at = std::find(groups[group].begin(), groups[group].end(), start);
+    if (at != groups[group].end()) best = {group, static_cast<std::size_t>(at - groups[group].begin())};
+  }
+  const auto cost_at = [&](const Place& place) { return measured.cost(groups[place.group][place.format]); };
+  const auto next_of = [&](const Place& place, const Step& step) -> std::optional<Place> {
+    const std::size_t group = place.group + static_cast<std::size_t>(step.groups);  // wraps below 0
+    if (group >= groups.size()) return std::nullopt;
+    const std::size_t format = place.format + static_cast<std::size_t>(step.formats);
+    if (step.groups != 0) return Place{group, std::min(format, groups[group].size() - 1)};
+    return format < groups[group].size() ? std::optional(Place{group, format}) : std::nullopt;
+  };
+  for (bool falls = true; falls;) {
+    falls = false;
+    for (const Step& step : {Step{0, 1}, Step{0, -1}, Step{1, 0}, Step{-1, 0}}) {
+      for (auto next = next_of(best, step); next && cost_at(*next) < cost_at(best);
+           next = next_of(best, step)) {
+        best = *next;
+        falls = true;
+      }
+    }
+  }
+  return groups[best.group][best.format];
+}
 
 /// Greedy: an axis that cannot lose another bit is not tried again.
 ref::CoarseAxes most_dropped(const PrecisionSearch& search, const rtl::Format& format,
@@ -82,13 +144,18 @@ ref::CoarseAxes most_dropped(const PrecisionSearch& search, const rtl::Format& f
     return coarser;
   };
   while (true) {
-    std::erase_if(open, [&](std::size_t axis) {
-      return !fits(format, *search.demands, next(axis)) || !measured.good(format, next(axis));
-    });
+    const auto pays = [&](std::size_t axis) {
+      return search.cost ? measured.cost(format, next(axis)) < measured.cost(format, coarse)
+                         : measured.good(format, next(axis));
+    };
+    std::erase_if(
+        open, [&](std::size_t axis) { return !fits(format, *search.demands, next(axis)) || !pays(axis); });
     if (open.empty()) return coarse;
-    coarse = next(*std::min_element(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
-      return measured.extra(format, next(a)) < measured.extra(format, next(b));
-    }));
+    const auto loss = [&](std::size_t axis) {
+      return search.cost ? measured.cost(format, next(axis)) : measured.extra(format, next(axis));
+    };
+    coarse = next(*std::min_element(open.begin(), open.end(),
+                                    [&](std::size_t a, std::size_t b) { return loss(a) < loss(b); }));
   }
 }
 
@@ -114,29 +181,32 @@ std::string measured_text(double extra_box_tests_pct) {
 
 double extra_box_tests_pct(const PrecisionSearch& search, const rtl::Format& format,
                            const ref::CoarseAxes& coarse, bool ends) {
-  const auto tracer =
-      ref::make_tracer(search.scene->mesh, *search.bvh, tracer_like(*search.design, format, coarse, ends));
-  const auto reference = static_cast<double>(search.rays->reference.total().box_tests);
-  const auto taken = static_cast<double>(box_tests(*tracer, search.rays->batches, search.threads));
-  search.measured();
-  return 100.0 * (taken / reference - 1.0);
+  return extra_pct(count_tests(search, format, coarse, ends).box_tests,
+                   search.rays->reference.total().box_tests);
 }
 
 std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
   Measurements measured(search);
   Precision found{.format = search.most};
   if (const auto up_to = software_of(*search.design).up_to; up_to != nullptr) {
-    if (!measured.good(search.most)) return std::nullopt;
-    const std::vector<std::vector<rtl::Format>> groups = up_to(search.most);
-    const auto& group = first_good(groups, [&](const auto& each) { return measured.good(each.back()); });
-    found.format = first_good(group, [&](const rtl::Format& each) { return measured.good(each); });
+    const bool within_limit = measured.good(search.most);
+    if (!within_limit && !search.cost) return std::nullopt;
+    const FormatGroups groups = up_to(search.most);
+    if (within_limit) {
+      const auto& group = first_good(groups, [&](const auto& each) { return measured.good(each.back()); });
+      found.format = first_good(group, [&](const rtl::Format& each) { return measured.good(each); });
+    }
+    if (search.cost) found.format = least_cost(groups, found.format, measured);
+    found.extra_triangle_tests_pct = measured.extra_triangles(found.format);
     found.extra_box_tests_pct = measured.extra(found.format);
     found.coarse = most_dropped(search, found.format, measured);
     found.coarse_extra_box_tests_pct = measured.extra(found.format, found.coarse);
   }
   if (rtl::index_of(search.design->ports(found.format), hls::Role::endless)) {
     found.endless_extra_box_tests_pct = measured.extra(found.format, found.coarse, false);
-    found.ends = *found.endless_extra_box_tests_pct > search.overhead_pct;
+    found.ends = search.cost ? measured.cost(found.format, found.coarse, false) >=
+                                   measured.cost(found.format, found.coarse)
+                             : *found.endless_extra_box_tests_pct > search.overhead_pct;
   }
   found.formats_measured = measured.count();
   return found;

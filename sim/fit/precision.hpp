@@ -28,6 +28,7 @@ struct SceneRays {
 struct Precision {
   rtl::Format format;
   double extra_box_tests_pct = 0;  ///< with this format alone
+  double extra_triangle_tests_pct = 0;
   ref::CoarseAxes coarse{};
   double coarse_extra_box_tests_pct = 0;  ///< with this format and coarse axes
   bool ends = true;                       ///< the unit knows where rays end
@@ -39,6 +40,9 @@ struct Precision {
 /// "1.66 % extra box tests, measured on the scene's rays".
 [[nodiscard]] std::string measured_text(double extra_box_tests_pct);
 
+/// What a unit of that precision costs for the tests that it makes on the scene's rays.
+using PrecisionCost = std::function<double(const Precision& precision, const ref::TraceCounts& tests)>;
+
 struct PrecisionSearch {
   const rtl::Design* design;
   const ref::Scene* scene;
@@ -47,6 +51,7 @@ struct PrecisionSearch {
   const SceneRays* rays;
   rtl::Format most;
   double overhead_pct = 2.0;
+  PrecisionCost cost{};  ///< if there is one, its least decides, and the limit only says where to begin
   int threads = 1;
   std::function<void()> measured = [] {};  ///< called after each measurement
 };
@@ -62,6 +67,10 @@ struct PrecisionSearch {
 /// another, each time where that costs the fewest tests, as long as the limit and the grid allow it. At last
 /// it tries to drop the ends of rays. A design with one format can lose only these. Returns nothing when even
 /// `most`, which must be a format of the design, is not within the limit.
+///
+/// With a cost, the search goes on from the format that is found so, or from `most` if there is none: to
+/// neighbours in the group and in the groups beside it, as long as the cost falls. A low bit of an axis is
+/// dropped, and so are the ends of rays, if that lowers the cost. There is always a result.
 [[nodiscard]] std::optional<Precision> fewest_bits(const PrecisionSearch& search);
 
 }  // namespace hitpipe::sim

@@ -10,6 +10,7 @@
 
 #include "host/files.hpp"
 #include "host/scratch_folder.hpp"
+#include "rtl_gen/catalogue/any_fp_formats.hpp"
 #include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
 #include "sim/cosim.hpp"
@@ -122,6 +123,31 @@ TEST_P(Fitted, OnCoarseAxesIsSmallerStillAndMissesNothing) {
   EXPECT_GT(result.unit.hits, 0U);
 }
 
+std::string what_of(const FittedUnit& unit) {
+  std::string text;
+  for (const LeftOut& left : unit.left_out) text += left.what + '\n';
+  return text;
+}
+
+TEST(FittedFloats, LoseSignsExponentBitsAndMirrors) {
+  const World world(ref::stairs_along_one_class());
+  const rtl::Design& design = rtl::find_design("fp_slabs_safe");
+  const FittedUnit unit = fit(design, design.parse_format("e4m5"), std::nullopt, world.demands, library());
+  EXPECT_GT(unit.saved_um2(), 0);
+  for (const LeftOut& left : unit.left_out) EXPECT_GE(left.area_um2, 0) << left.what;
+  EXPECT_THAT(what_of(unit), HasSubstr("numbers of back_x that never come\n"));
+  EXPECT_THAT(what_of(unit), HasSubstr("2 bits after the sign of rx, rx_up\n"));
+  EXPECT_THAT(what_of(unit), HasSubstr("the sign and 2 bits after it of ymin, ymax\n"));
+  for (const rtl::Port& port : rtl::input_ports(unit.pipeline.graph))
+    EXPECT_THAT(port.name, testing::Not(testing::StartsWith("back_")));
+
+  const CosimResult result = run(unit, world, world);
+  EXPECT_EQ(result.unit.rtl_mismatches, 0U);
+  EXPECT_EQ(result.different_triangles, 0U);
+  EXPECT_EQ(result.unit.false_misses, 0U);
+  EXPECT_GT(result.unit.hits, 0U);
+}
+
 class Endless : public testing::TestWithParam<const char*> {};
 
 TEST_P(Endless, UnitIsSmallerAndTracesTheSame) {
@@ -162,6 +188,12 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
     const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
     const auto whole =
         by_name(rtl::emit(design, format, library(), rtl::make_pipeline(design.trace(format), library())));
+    if (format.is<hls::AnyFpBits>()) {  // no scene needs the top exponent bits of coordinates
+      for (const LeftOut& left : unit.left_out)
+        EXPECT_THAT(left.what, testing::StartsWith("1 bit after the sign"));
+      EXPECT_EQ(unit.left_out.size(), 6U);
+      continue;
+    }
     EXPECT_EQ(by_name(fitted_files(unit, library())), whole) << design.name;
     EXPECT_EQ(unit.saved_um2(), 0) << design.name;
     EXPECT_TRUE(unit.left_out.empty()) << design.name;
@@ -296,6 +328,33 @@ TEST(PrecisionOfFloats, IsWhetherRaysEnd) {
     search.overhead_pct = endless;
     EXPECT_FALSE(fewest_bits(search)->ends) << name;
   }
+}
+
+TEST(PrecisionOfLeastCost, IsBetweenBitsAndTests) {
+  const World world(sim::hills());
+  const SceneRays rays = scene_rays(world.scene, world.bvh, {.width = World::width, .height = World::height});
+  PrecisionSearch search{.design = &rtl::find_design("int_slabs"),
+                         .scene = &world.scene,
+                         .bvh = &world.bvh,
+                         .demands = &world.demands,
+                         .rays = &rays,
+                         .most = hls::IntBits{20, 20}};
+  const auto limited = fewest_bits(search)->format.as<hls::IntBits>();
+  double test_price = 0;
+  search.cost = [&](const Precision& precision, const ref::TraceCounts& tests) {
+    const auto bits = precision.format.as<hls::IntBits>();
+    return 100.0 * bits.coord + bits.interval + (precision.ends ? 0 : 1) +
+           test_price * static_cast<double>(tests.triangle_tests);
+  };
+  const auto cheap = fewest_bits(search);
+  EXPECT_EQ(cheap->format, rtl::Format(hls::IntBits{6, 6}));
+  EXPECT_TRUE(cheap->ends);
+  EXPECT_FALSE(cheap->coarse.any());
+
+  test_price = 1e9;
+  const auto careful = fewest_bits(search);
+  EXPECT_GE(careful->format.as<hls::IntBits>().coord, limited.coord);
+  EXPECT_LE(careful->extra_triangle_tests_pct, cheap->extra_triangle_tests_pct);
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, PrecisionOf, testing::Values("int_slabs", "int_plucker"),

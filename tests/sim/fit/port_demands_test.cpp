@@ -2,6 +2,7 @@
 #include "sim/fit/port_demands.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <random>
@@ -11,10 +12,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rtl_gen/catalogue/any_fp_formats.hpp"
+#include "rtl_gen/prune/analysis.hpp"
 #include "rtl_gen/prune/promises.hpp"
+#include "sim/fit/float_range.hpp"
 #include "sim/fit/guarded_feed.hpp"
 #include "sim/fit/port_ranges.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
+#include "sw_ref/quantise/fp_box.hpp"
+#include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
@@ -105,6 +111,80 @@ TEST(PortRanges, HoldRandomDirectionsThroughTheSetUp) {
   EXPECT_GE(checked, 96'000);
 }
 
+bool holds(const std::vector<rtl::Interval>& within, std::int64_t number) {
+  return std::any_of(within.begin(), within.end(),
+                     [&](const rtl::Interval& range) { return holds(range, number); });
+}
+
+TEST(FloatRanges, HoldRandomRaysAndBoxesThroughTheSetUp) {
+  std::mt19937_64 random(seed + 2);
+  int checked = 0;
+  for (int round = 0; round < 4000; ++round) {
+    ref::SceneDemands scene;
+    scene.rays = {random_family(random)};
+    if (round % 3 == 0) scene.rays.push_back(random_family(random));
+    for (ref::RayFamily& family : scene.rays) {
+      const ref::RayFamily other = random_family(random);
+      if (round % 2 == 0) family.origin.grow(other.origin);
+      scene.boxes.grow(family.origin);
+    }
+    const std::array formats{hls::AnyFpBits(8, 23), hls::AnyFpBits(5, 10), hls::AnyFpBits(3, 2)};
+    const hls::AnyFpBits bits = formats[static_cast<std::size_t>(round) % formats.size()];
+    const auto pattern = [&](float x) { return ref::fp_pattern(x, bits); };
+    for (const ref::RayFamily& family : scene.rays) {
+      for (int i = 0; i < 8; ++i) {
+        ref::RayFamily origins;
+        origins.direction = family.origin;
+        const ref::Ray ray{random_direction(origins, random), random_direction(family, random),
+                           ref::Ray::infinite};
+        if (ray.direction == glm::vec3(0.0F)) continue;
+        const ref::FpSlabsSafeRaySetup set_up(ray, bits);
+        const ref::FpSlabsSafeRay& made = set_up.ray();
+        const ref::Aabb box = ref::FpRounding(bits).outward({ray.origin, ray.origin});
+        for (int axis = 0; axis < 3; ++axis) {
+          const auto a = static_cast<std::size_t>(axis);
+          const std::string where = fmt::format(
+              "round {} e{}m{} axis {} origin {:a} direction {:a} {:a} {:a}", round, bits.exponent,
+              bits.fraction, axis, ray.origin[axis], ray.direction.x, ray.direction.y, ray.direction.z);
+          EXPECT_TRUE(holds(backward(scene, axis), made.back[a] ? 1 : 0)) << where;
+          EXPECT_TRUE(holds(mirrored_origin(scene, axis, bits, true), pattern(made.origin_low[a]))) << where;
+          EXPECT_TRUE(holds(mirrored_origin(scene, axis, bits, false), pattern(made.origin_high[a])))
+              << where;
+          EXPECT_TRUE(holds(rounded_planes(scene, axis, bits, true), pattern(box.min[axis]))) << where;
+          EXPECT_TRUE(holds(rounded_planes(scene, axis, bits, false), pattern(box.max[axis]))) << where;
+          EXPECT_TRUE(holds(scaled_inverse(scene, axis, bits, true), made.inverse_low[a])) << where;
+          EXPECT_TRUE(holds(scaled_inverse(scene, axis, bits, false), made.inverse_high[a])) << where;
+          ++checked;
+        }
+      }
+    }
+    if (testing::Test::HasFailure()) break;
+  }
+  EXPECT_GE(checked, 90'000);
+}
+
+TEST(FloatRanges, OfOneNumberOrOneSignAreOneInterval) {
+  const hls::AnyFpBits bits(5, 10);
+  const auto within = [&](float low, float high) {
+    FloatRange range(bits);
+    range.add(low, high);
+    return range.within();
+  };
+  using Intervals = std::vector<rtl::Interval>;
+  EXPECT_EQ(within(0.25F, 0.5F), (Intervals{{0x3400, 0x3800}}));
+  EXPECT_EQ(within(-0.5F, -0.25F), (Intervals{{0xb400, 0xb800}}));
+  EXPECT_EQ(within(-0.5F, 0.25F), (Intervals{{0, 0x3400}, {0x8000, 0xb800}}));
+  EXPECT_EQ(within(-0.0F, -0.0F), (Intervals{{0x8000, 0x8000}}));
+  EXPECT_EQ(within(-0.0F, 0.0F), (Intervals{{0, 0}, {0x8000, 0x8000}}));
+}
+
+/// Coordinates are at most 1, so the top exponent bit of a float coordinate is 0 in every scene.
+bool is_of_the_cube(const rtl::PortDemand& demand, const rtl::Port& port) {
+  const rtl::Facts facts = rtl::facts_of(demand, port.width, port.is_signed);
+  return port.kind == hls::Kind::real && facts.ones() == 0 &&
+         facts.zeros() == std::uint64_t{1} << (port.width - 2);
+}
+
 TEST(PortDemands, AreNoneOfASceneThatNeedsEverything) {
   const ref::SceneDemands scene = demands_of(ref::demanding_octahedron());
   int asked = 0;
@@ -112,7 +192,15 @@ TEST(PortDemands, AreNoneOfASceneThatNeedsEverything) {
     ++asked;
     const rtl::Format format =
         design.default_format.is<hls::IntBits>() ? rtl::Format(hls::IntBits{24, 24}) : design.default_format;
-    for (const DemandGroup& group : port_demands(design, format, scene)) ADD_FAILURE() << group.why;
+    const std::vector<rtl::Port> ports = design.ports(format);
+    for (const DemandGroup& group : port_demands(design, format, scene)) {
+      if (format.is<hls::AnyFpBits>()) {
+        for (const rtl::PortDemand& demand : group.demands.ports)
+          EXPECT_TRUE(is_of_the_cube(demand, ports[rtl::index_of(ports, demand.port)])) << demand.port;
+        continue;
+      }
+      ADD_FAILURE() << group.why;
+    }
   }
   EXPECT_EQ(asked, 8);
 }
