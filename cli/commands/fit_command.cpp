@@ -9,10 +9,12 @@
 
 #include "area_model/figure.hpp"
 #include "cli/commands.hpp"
+#include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/report/recommendation.hpp"
 #include "cli/text/fit_text.hpp"
 #include "cli/text/progress.hpp"
 #include "host/files.hpp"
@@ -28,7 +30,8 @@ struct FitCommand {
   ref::WhittedOptions light;
   bool no_shadows = false;
   DesignsChoice units;
-  double overhead_pct = 2.0;
+  std::optional<double> overhead_pct;  ///< without it, the least whole cost decides
+  CostChoice cost;
   bool keep_bits = false;
   std::uint64_t vectors = 1'000'000;
   std::string out;
@@ -88,7 +91,28 @@ Row kept_whole(const sim::FittedUnit& unit) {
   return names;
 }
 
-Row record(const sim::FitResult& fitted, const std::string& scene) {
+/// The unit of a step of the search. Tests follow one another without a gap.
+double whole_cost(const sim::PricedTests& unit, const sim::TriangleCost& triangle) {
+  sim::SweepRow row = sim::priced_row(*unit.design, unit.format, unit.price);
+  row.triangle = triangle;
+  const auto boxes = static_cast<std::uint64_t>(row.boxes_per_test);
+  row.box_tests = unit.tests.box_tests;
+  row.unit_tests = (row.box_tests + boxes - 1) / boxes;
+  row.cycles = row.unit_tests;
+  row.triangle_tests = unit.tests.triangle_tests;
+  return row.whole_area_run_time();
+}
+
+sim::SweepRow measured(const sim::FitResult& fitted, const sim::TriangleCost& triangle) {
+  const sim::FittedUnit& unit = fitted.unit;
+  sim::SweepRow row = sim::priced_row(*unit.design, unit.format, unit.price);
+  row.triangle = triangle;
+  row.bytes_per_node = static_cast<int>(sim::bytes_per_node(*unit.design, unit.format, unit.coarse()));
+  sim::add_counts(row, fitted.image);
+  return row;
+}
+
+Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std::string& scene) {
   const auto& [unit, vectors, result, drawn] = fitted;
   Row left_out = Row::array();
   for (const sim::LeftOut& left : unit.left_out)
@@ -118,6 +142,11 @@ Row record(const sim::FitResult& fitted, const std::string& scene) {
           {"rays", result.rays_primary + result.rays_secondary + result.rays_shadow},
           {"box_tests", result.unit.box_tests},
           {"extra_box_tests_pct", result.extra_box_tests_pct()},
+          {"triangle_tests", counted.triangle_tests},
+          {"extra_triangle_tests_pct", counted.extra_triangle_tests_pct()},
+          {"bytes_per_ray", counted.bytes_per_ray()},
+          {"whole_run_time_ms", counted.whole_run_time_ms()},
+          {"whole_area_run_time_mm2_ms", counted.whole_area_run_time_mm2_ms()},
           {"different_triangles", result.different_triangles},
           {"false_misses", result.unit.false_misses ? Row(*result.unit.false_misses) : Row(nullptr)},
           {"rtl_mismatches", result.unit.rtl_mismatches},
@@ -129,8 +158,13 @@ Row record(const sim::FitResult& fitted, const std::string& scene) {
           {"left_out", left_out}};
 }
 
-std::string reports_text(const std::vector<FitReport>& reports, const sim::FitScene& scene, Format format) {
-  if (format == Format::text) return fit_text(scene.scene.name, scene.demands, reports);
+std::string reports_text(const std::vector<FitReport>& reports, const std::vector<sim::SweepRow>& counted,
+                         const sim::FitScene& scene, Format format) {
+  if (format == Format::text) {
+    std::vector<std::string> advice = recommendation(counted);
+    advice.push_back(cost_caveat(counted.front()));
+    return fit_text(scene.scene.name, scene.demands, reports, advice);
+  }
   std::vector<Row> rows;
   for (const FitReport& report : reports) rows.push_back(report.row);
   return table_text(rows, format);
@@ -158,17 +192,23 @@ class Steps {
 
 int fit(const FitCommand& command) {
   const std::vector<Wanted> designs = chosen_designs(command);
+  const rtl::Library& library = rtl::Library::thesis();
+  const sim::TriangleCost triangle = command.cost.triangle(library);
   Steps steps;
-  const sim::FitOptions options{
+  sim::FitOptions options{
       .width = command.scene.width,
       .height = command.scene.height,
       .threads = command.scene.threads,
       .light = command.light,
-      .overhead_pct = command.overhead_pct,
       .keep_bits = command.keep_bits,
       .vectors = command.vectors,
       .folder = command.out,
       .progress = [&](const std::string& step, double share) { steps.show(step, share); }};
+  if (command.overhead_pct) {
+    options.overhead_pct = *command.overhead_pct;
+  } else {
+    options.cost = [&](const sim::PricedTests& unit) { return whole_cost(unit, triangle); };
+  }
   steps.show("reading the scene", 0.0);
   ref::Scene loaded = command.scene.load();
   if (command.no_shadows) loaded.lights.clear();
@@ -176,16 +216,17 @@ int fit(const FitCommand& command) {
   // Done before the long run, so that a folder that cannot be written is reported at once.
   host::make_folder(command.out);
   std::vector<FitReport> reports;
+  std::vector<sim::SweepRow> counted;
   bool drawn = true;
   for (const Wanted& wanted : designs) {
-    const sim::FitResult fitted =
-        sim::fit_to_scene(*wanted.design, wanted.before, scene, options, rtl::Library::thesis());
+    const sim::FitResult fitted = sim::fit_to_scene(*wanted.design, wanted.before, scene, options, library);
     drawn = drawn && fitted.drawn;
-    reports.push_back(
-        {record(fitted, scene.scene.name), fitted.unit.left_out, fitted.vectors.first_mismatch});
+    counted.push_back(measured(fitted, triangle));
+    reports.push_back({record(fitted, counted.back(), scene.scene.name), fitted.unit.left_out,
+                       cost_text(counted.back()), fitted.vectors.first_mismatch});
   }
   steps.end();
-  fmt::print("{}", reports_text(reports, scene, command.format));
+  fmt::print("{}", reports_text(reports, counted, scene, command.format));
   if (!drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
   int exit_code = 0;
   for (const FitReport& report : reports) {
@@ -209,10 +250,11 @@ void add_fit_command(CLI::App& program, int& exit_code) {
   add_designs_option(*command, options->units);
   command
       ->add_option("--overhead", options->overhead_pct,
-                   "Limit of the extra box tests from fewer bits and from rays without ends, in percent")
+                   "Take the fewest bits with at most P percent more box tests, instead of the least whole "
+                   "cost. It also limits what rays without ends cost")
       ->check(overhead_problem)
-      ->capture_default_str()
       ->type_name("P");
+  add_triangle_options(*command, options->cost);
   add_bits_option(*command, options->units, "24/24 for n/t designs. The fit starts from these formats");
   command->add_flag("--keep-bits", options->keep_bits, "Keep the number format");
   add_large_count_option(*command, "--vectors", options->vectors, 0, 1'000'000'000,

@@ -23,6 +23,14 @@ std::string cost_problem(const std::string& text) {
   return fmt::format("Value {} not in range 0 to {}", text, most_cost);
 }
 
+void add_cost(CLI::App& command, const char* name, std::optional<double>& value, const std::string& what) {
+  command
+      .add_option(name, value,
+                  what + " (default: that of a float unit of the same library, on a chip estimated)")
+      ->check(cost_problem)
+      ->type_name("X");
+}
+
 }  // namespace
 
 sim::TriangleCost CostChoice::triangle(const rtl::Library& priced_by) const {
@@ -46,18 +54,16 @@ std::vector<const rtl::Design*> priced_by(const rtl::Library& library,
   return designs;
 }
 
+void add_triangle_options(CLI::App& command, CostChoice& choice) {
+  add_cost(command, "--triangle-ns", choice.triangle_ns,
+           "Time after which a triangle unit begins another test");
+  add_cost(command, "--triangle-mm2", choice.triangle_mm2, "Area of that triangle unit");
+}
+
 void add_cost_options(CLI::App& command, CostChoice& choice) {
   add_library_option(command, choice.library);
-  const auto add_cost = [&](const char* name, std::optional<double>& value, const std::string& what) {
-    command
-        .add_option(name, value,
-                    what + " (default: that of a float unit of the same library, on a chip estimated)")
-        ->check(cost_problem)
-        ->type_name("X");
-  };
-  add_cost("--triangle-ns", choice.triangle_ns, "Time after which a triangle unit begins another test");
-  add_cost("--triangle-mm2", choice.triangle_mm2, "Area of that triangle unit");
-  add_cost("--triangle-luts", choice.triangle_luts, "Lookup tables of that triangle unit on a chip");
+  add_triangle_options(command, choice);
+  add_cost(command, "--triangle-luts", choice.triangle_luts, "Lookup tables of that triangle unit on a chip");
 }
 
 }  // namespace hitpipe::cli

@@ -32,7 +32,9 @@ struct CostChoice {
 [[nodiscard]] std::vector<const rtl::Design*> priced_by(const rtl::Library& library,
                                                         std::vector<const rtl::Design*> designs, bool named);
 
-/// Adds --library, --triangle-ns, --triangle-mm2 and --triangle-luts.
+/// Adds --triangle-ns and --triangle-mm2.
+void add_triangle_options(CLI::App& command, CostChoice& choice);
+/// Adds these, --library and --triangle-luts.
 void add_cost_options(CLI::App& command, CostChoice& choice);
 
 }  // namespace hitpipe::cli

@@ -79,6 +79,7 @@ std::string design_text(const FitReport& report) {
     text += "  " + wrapped(fmt::format("ends of rays kept: {:.2f} % extra box tests without them",
                                        number_of(row, "endless_extra_box_tests_pct")),
                            4, 2);
+  text += "  " + wrapped("whole cost " + report.cost, 4, 2);
   const auto kept = row.at("kept_whole").get<std::vector<std::string>>();
   text += "  " + wrapped(fmt::format("ports kept whole: {}", fmt::join(kept, ", ")), 4, 2);
   text += "  " +
@@ -92,12 +93,13 @@ std::string design_text(const FitReport& report) {
 }  // namespace
 
 std::string fit_text(const std::string& scene, const ref::SceneDemands& demands,
-                     const std::vector<FitReport>& reports) {
+                     const std::vector<FitReport>& reports, const std::vector<std::string>& advice) {
   std::string text = fmt::format("What {} asks for\n", scene) + evidence_text(demands, true) +
                      "What cannot be bounded is kept\n" + evidence_text(demands, false) + "\n";
   std::vector<Row> table;
   for (const FitReport& report : reports) table.push_back(short_row(report.row));
-  text += table_text(table, Format::text) + legend;
+  text += table_text(table, Format::text) + legend + "\n";
+  for (const std::string& line : advice) text += wrapped(line, 2);
   for (const FitReport& report : reports) text += design_text(report);
   return text;
 }

@@ -149,42 +149,21 @@ class Run {
                                            .referee = true,
                                            .light = options_.light,
                                            .progress = progress});
-    return {.scene = printable(scene_.name),
-            .triangles = scene_.mesh.triangles.size(),
-            .bvh_nodes = bvh_.nodes.size(),
-            .width = options_.width,
-            .height = options_.height,
-            .rays_in_flight = point.rays_in_flight,
-            .library = printable(options_.library->name()),
-            .design = std::string(point.design->name),
-            .bits = rtl::to_string(point.format),
-            .boxes_per_test = unit.price->boxes,
-            .stages = unit.price->stages,
-            .stage_delay_ps = unit.price->stage_delay_ps,
-            .area_um2 = unit.price->area_um2,
-            .luts = unit.price->taken.luts,
-            .registers = unit.price->taken.registers,
-            .multiplier_blocks = unit.price->taken.blocks,
-            .bytes_per_node = static_cast<int>(bytes_per_node(*point.design, point.format)),
-            .triangle = options_.triangle,
-            .rays_primary = result.rays_primary,
-            .rays_secondary = result.rays_secondary,
-            .rays_shadow = result.rays_shadow,
-            .rays_rejected = result.rejected,
-            .unit_tests = result.unit.tests,
-            .box_tests = result.unit.box_tests,
-            .hits = result.unit.hits,
-            .triangle_tests = result.unit.triangle_tests,
-            .reference_box_tests = result.reference.box_tests,
-            .reference_triangle_tests = result.reference.triangle_tests,
-            .false_hits = result.unit.false_hits.value(),
-            .false_misses = result.unit.false_misses.value(),
-            .rtl_mismatches = result.unit.rtl_mismatches,
-            .different_triangles = result.different_triangles,
-            .different_pixels = different_pixels(result),
-            .cycles = result.unit.cycles,
-            .rtl_seconds = milli(result.rtl_seconds),
-            .software_ratio = unit.software_ratio};
+    SweepRow row = priced_row(*point.design, point.format, *unit.price);
+    row.scene = printable(scene_.name);
+    row.triangles = scene_.mesh.triangles.size();
+    row.bvh_nodes = bvh_.nodes.size();
+    row.width = options_.width;
+    row.height = options_.height;
+    row.rays_in_flight = point.rays_in_flight;
+    row.library = printable(options_.library->name());
+    row.bytes_per_node = static_cast<int>(bytes_per_node(*point.design, point.format));
+    row.triangle = options_.triangle;
+    add_counts(row, result);
+    row.different_pixels = different_pixels(result);
+    row.rtl_seconds = milli(result.rtl_seconds);
+    row.software_ratio = unit.software_ratio;
+    return row;
   }
 
   [[nodiscard]] std::uint64_t different_pixels(const CosimResult& result) const {
@@ -221,6 +200,38 @@ std::string why_not_priced(const rtl::Design& design, const rtl::Format& format,
     return fmt::format("design {}: {}", design.name, error.what());
   }
   return "";
+}
+
+SweepRow priced_row(const rtl::Design& design, const rtl::Format& format, const area::Price& price) {
+  SweepRow row;
+  row.design = design.name;
+  row.bits = rtl::to_string(format);
+  row.boxes_per_test = price.boxes;
+  row.stages = price.stages;
+  row.stage_delay_ps = price.stage_delay_ps;
+  row.area_um2 = price.area_um2;
+  row.luts = price.taken.luts;
+  row.registers = price.taken.registers;
+  row.multiplier_blocks = price.taken.blocks;
+  return row;
+}
+
+void add_counts(SweepRow& row, const CosimResult& result) {
+  row.rays_primary = result.rays_primary;
+  row.rays_secondary = result.rays_secondary;
+  row.rays_shadow = result.rays_shadow;
+  row.rays_rejected = result.rejected;
+  row.unit_tests = result.unit.tests;
+  row.box_tests = result.unit.box_tests;
+  row.hits = result.unit.hits;
+  row.triangle_tests = result.unit.triangle_tests;
+  row.reference_box_tests = result.reference.box_tests;
+  row.reference_triangle_tests = result.reference.triangle_tests;
+  row.false_hits = result.unit.false_hits.value_or(0);
+  row.false_misses = result.unit.false_misses.value_or(0);
+  row.rtl_mismatches = result.unit.rtl_mismatches;
+  row.different_triangles = result.different_triangles;
+  row.cycles = result.unit.cycles;
 }
 
 TriangleCost triangle_cost(const rtl::Library& library) {

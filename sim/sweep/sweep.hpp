@@ -6,7 +6,9 @@
 #include <span>
 #include <string>
 
+#include "area_model/price.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "sim/cosim.hpp"
 #include "sim/sweep/plan.hpp"
 #include "sim/sweep/row.hpp"
 #include "sw_ref/bvh/bvh.hpp"
@@ -29,6 +31,12 @@ struct SweepOptions {
 /// Why a library cannot price a design, one line; empty when it can.
 [[nodiscard]] std::string why_not_priced(const rtl::Design& design, const rtl::Format& format,
                                          const rtl::Library& library);
+
+/// A row that holds a unit and its price, and nothing counted.
+[[nodiscard]] SweepRow priced_row(const rtl::Design& design, const rtl::Format& format,
+                                  const area::Price& price);
+/// Adds the counts of a co-simulation. False hits and misses stay 0 if no referee judged.
+void add_counts(SweepRow& row, const CosimResult& result);
 
 /// The cost of a test by the float triangle unit of this library (area_model/triangle_unit.hpp). A library
 /// without float components gets an estimate: its first unit of Table 7.2 times what a triangle unit costs

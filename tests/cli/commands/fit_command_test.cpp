@@ -102,6 +102,36 @@ TEST_F(FitCommand, FindsFewerBitsAndSaysSo) {
   EXPECT_LE(widest_line(outcome.out), 80U);
 }
 
+TEST_F(FitCommand, TakesTheLeastWholeCostWithoutALimit) {
+  const auto fitted = [&](const std::vector<std::string>& limit) {
+    std::vector<std::string> options{"--bits", "16/16", "--format", "json"};
+    options.insert(options.end(), limit.begin(), limit.end());
+    const Outcome outcome = fit(options);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out).at(0);
+  };
+  const json whole = fitted({});
+  const json limited = fitted({"--overhead", "900"});
+  EXPECT_EQ(limited.at("bits"), "6/6");
+  EXPECT_LT(whole.at("whole_area_run_time_mm2_ms"), limited.at("whole_area_run_time_mm2_ms"));
+  EXPECT_LT(whole.at("extra_triangle_tests_pct"), limited.at("extra_triangle_tests_pct"));
+  EXPECT_GT(whole.at("area_after_mm2"), limited.at("area_after_mm2"));
+  EXPECT_GT(whole.at("bytes_per_ray"), 0.0);
+  EXPECT_GT(whole.at("triangle_tests"), 0);
+  // A triangle test without a price leaves box tests alone, so fewer bits pay.
+  EXPECT_LT(fitted({"--triangle-ns", "0", "--triangle-mm2", "0"}).at("area_after_mm2"),
+            whole.at("area_after_mm2"));
+}
+
+TEST_F(FitCommand, RecommendsAUnitAndSaysWhatTheCostLeavesOut) {
+  const Outcome outcome = fit({"--keep-bits", "--bits", "12/12"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\nLeast whole area × time: int_slabs 12/12: "));
+  EXPECT_THAT(outcome.out, HasSubstr("\nWhole counts box tests and triangle tests. "));
+  EXPECT_THAT(outcome.out, HasSubstr("\n  whole cost "));
+  EXPECT_LE(widest_line(outcome.out), 80U);
+}
+
 TEST_F(FitCommand, SaysWhatIsKeptWholeAndWhy) {
   const Outcome outcome = fit({"--keep-bits", "--bits", "12/12"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
