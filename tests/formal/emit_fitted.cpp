@@ -24,12 +24,17 @@ namespace {
 
 using namespace hitpipe;
 
-/// A product, or a call of a float operator whose result is partly known. The proof may use these facts when
-/// the operands are as the analysis says.
+/// A product, or a call of a float operator that is simplified inside or whose result is partly known. The
+/// proof may use these facts when the operands are as the analysis says.
 struct Lemma {
   std::string unit;  ///< empty: a product
   rtl::Facts a, b, result;
 };
+
+/// The operator that a simplified one was made of; the operator itself if it is whole.
+std::string whole_of(const std::string& unit) {
+  return unit.substr(0, unit.find("_cut"));
+}
 
 /// Makes the operands of each one outputs of the graph: "a_0", "b_0", "a_1" and so on. For a call the result
 /// too.
@@ -38,7 +43,10 @@ std::vector<Lemma> expose(rtl::Graph& graph, const rtl::Demands& demands) {
   std::vector<Lemma> lemmas;
   for (rtl::NodeId id = 0; id < graph.size(); ++id) {
     const bool calls = graph[id].op == rtl::Op::call;
-    if (calls ? (facts[id].zeros() | facts[id].ones()) == 0 : graph[id].op != rtl::Op::mul) continue;
+    const auto tells = [&](const std::string& unit) {
+      return whole_of(unit) != unit || (facts[id].zeros() | facts[id].ones()) != 0;
+    };
+    if (calls ? !tells(graph.unit_of(id)->body.name()) : graph[id].op != rtl::Op::mul) continue;
     const auto [a, b, unused] = graph[id].args;
     graph.output(fmt::format("a_{}", lemmas.size()), a);
     graph.output(fmt::format("b_{}", lemmas.size()), b);
@@ -102,7 +110,8 @@ Instance instance(const std::string& module, const rtl::Graph& graph, const std:
   return made;
 }
 
-/// The lemmas of calls, proved for the operators' own logic.
+/// The lemmas of calls, proved for the operators' own logic. A simplified operator's result is that of the
+/// whole one.
 std::string lemma_module(const std::vector<Lemma>& lemmas) {
   std::string text = "module lemmas (\n  input wire unused";
   std::string body;
@@ -115,11 +124,20 @@ std::string lemma_module(const std::vector<Lemma>& lemmas) {
     for (const char* const port : {"a", "b"})
       body += fmt::format("  wire signed [63:0] {0}_{1} = {0}_{1}_bits;\n", port, i);
     body += signed_wire(fmt::format("r_{}", i), lemma.result.width());
+    const char* const result = lemma.unit.find("subtract") != std::string::npos   ? "difference"
+                               : lemma.unit.find("multiply") != std::string::npos ? "product"
+                                                                                  : "order";
+    const std::string whole = whole_of(lemma.unit);
     body += fmt::format("  plain_{1} call_{0} (.a(a_{0}_bits), .b(b_{0}_bits), .{2}(r_{0}_bits));\n", i,
-                        lemma.unit,
-                        lemma.unit.find("subtract") != std::string::npos   ? "difference"
-                        : lemma.unit.find("multiply") != std::string::npos ? "product"
-                                                                           : "order");
+                        whole, result);
+    if (whole != lemma.unit) {
+      body += signed_wire(fmt::format("cut_{}", i), lemma.result.width());
+      body += fmt::format("  kept_{1} cut_call_{0} (.a(a_{0}_bits), .b(b_{0}_bits), .{2}(cut_{0}_bits));\n",
+                          i, lemma.unit, result);
+      properties +=
+          fmt::format("    assert (!({} && {}) || cut_{} == r_{});\n", known(fmt::format("a_{}", i), lemma.a),
+                      known(fmt::format("b_{}", i), lemma.b), i, i);
+    }
     properties +=
         fmt::format("    assume ({} && {});\n    assert ({});\n", known(fmt::format("a_{}", i), lemma.a),
                     known(fmt::format("b_{}", i), lemma.b), known(fmt::format("r_{}", i), lemma.result));
@@ -171,14 +189,20 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& bits
                                 unit->body[result.node].width};
     modules += formal::symbol_module(symbol);
     declarations += formal::symbol_declaration(symbol);
-    for (const char* const top : {"plain", "kept", "fitted"}) {
+  }
+  const auto add_models = [&](const char* top, const rtl::Graph& graph) {
+    for (const auto& unit : graph.units()) {
+      const rtl::Output& result = unit->body.outputs().front();
       models += fmt::format(
           "module {0}_{1} (\n  input wire {2}a, b,\n  output wire {3}{4}\n);\n"
-          "  uf_{1} symbol (.a(a), .b(b), .y({4}));\nendmodule\n",
-          top, unit->body.name(), rtl::vector_range(symbol.operand_bits),
-          rtl::vector_range(symbol.result_bits), result.name);
+          "  uf_{5} symbol (.a(a), .b(b), .y({4}));\nendmodule\n",
+          top, unit->body.name(), rtl::vector_range(formal::operand_bits(*unit)),
+          rtl::vector_range(unit->body[result.node].width), result.name, whole_of(unit->body.name()));
     }
-  }
+  };
+  add_models("plain", plain);
+  add_models("kept", kept);
+  add_models("fitted", fitted);
   return {{"plain.v", rtl::to_combinational_verilog(plain, "plain")},
           {"kept.v", rtl::to_combinational_verilog(kept, "kept")},
           {"fitted.v", rtl::to_combinational_verilog(fitted, "fitted")},
