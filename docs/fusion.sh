@@ -1,0 +1,44 @@
+#!/bin/bash
+# Makes the figures of "Fusion" in docs/safe_floats.md: area and delay of a plane's distance in each form, in OSU
+# cells, then extra tests and judged tests. Give a part to make only that: area, scenes or judged.
+#   cmake --build build --target slab_forms && docs/fusion.sh
+set -eu
+cd "$(dirname "$0")/.."
+build=${BUILD:-build}
+forms=$build/bench/slab_forms
+clock_ps=4000
+latch_ps=321
+
+area() {
+  echo "format,form,stages,area_um2,period_ps"
+  scratch=$(mktemp -d)
+  trap 'rm -r "$scratch"' EXIT
+  for format in "8 23 5" "8 15 4" "8 7 3" "5 10 4"; do
+    read -r exponent fraction least <<< "$format"
+    for form in plain ahead short_product fused separate separate_fused; do
+      # The fewest stages that reach the clock, or two more than the fewest tried.
+      for stages in $least $((least + 1)) $((least + 2)); do
+        "$forms" verilog "$form" "$exponent" "$fraction" "$stages" > "$scratch/unit.v"
+        sed -n '/^module unit_distance /,/^endmodule/p' "$scratch/unit.v" > "$scratch/distance.v"
+        figures=$(area_model/measure/measure --verilog "$scratch/distance.v" unit_distance)
+        area=$(sed 's/area_um2 \([0-9]*\),.*/\1/' <<< "$figures")
+        period=$(($(sed 's/.*delay_ps //' <<< "$figures") + latch_ps))
+        [ "$period" -le "$clock_ps" ] && break
+      done
+      echo "e${exponent}m$fraction,$form,$stages,$area,$period"
+    done
+  done
+}
+
+scenes() {
+  for scene in spheres plant_slice city; do "$forms" scene "$scene" 64; done
+  "$forms" scene terrain 64 100000
+}
+
+case ${1:-all} in
+  area) area ;;
+  scenes) scenes ;;
+  judged) "$forms" judge 2000 ;;
+  all) area; scenes; "$forms" judge 2000 ;;
+  *) echo "fusion.sh: $1: allowed are area, scenes, judged" >&2; exit 2 ;;
+esac
