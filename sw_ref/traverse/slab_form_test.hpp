@@ -47,7 +47,8 @@ enum class LeftOut : std::uint8_t { nothing, factor, offset };
   const int width = units == 0 ? 0 : static_cast<int>(boost::multiprecision::msb(units)) + 1;
   const int dropped = std::max(0, width - bits.fraction - 1);
   const boost::multiprecision::cpp_int kept = units >> dropped;
-  const bool exact = kept * den << dropped == num;
+  const boost::multiprecision::cpp_int least = (kept * den) << dropped;
+  const bool exact = least == num;
   // The implicit one adds 1 to the exponent field.
   const std::int64_t pattern = (std::int64_t{dropped} << bits.fraction) + static_cast<std::int64_t>(kept);
   return std::min(up && !exact ? pattern + 1 : pattern, bits.infinity());
@@ -150,7 +151,7 @@ class SlabFormTest {
   /// Along an axis that is parallel, or too nearly so for the format, the highest power of two serves as the
   /// inverse: its products are exact.
   static void set_offset(Axis& axis, float origin, const Binary32& d, int scale) {
-    const std::int64_t highest = std::int64_t{2 * bits.bias()} << M;
+    const std::int64_t highest = (2 * std::int64_t{bits.bias()}) << M;
     axis.parallel = axis.parallel || axis.inverse_high >= bits.infinity() || axis.inverse_low >= highest;
     if (axis.parallel) axis.inverse_low = axis.inverse_high = highest;
     const Binary32 o = decode(origin);
