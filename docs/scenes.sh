@@ -10,7 +10,7 @@ out=out/scenes-$size
 mkdir -p "$out"
 
 units=(fp_slabs=fp32 int_slabs=24/24 int_slabs=20/24 int_slabs=16/16 int_slabs=12/12 int_plucker=20/24 int_plucker=16/16
-  int_major=20+1/13 int_major_pair=20+1/13 fp_slabs_safe=e8m23 fp_slabs_safe=e8m15 fp_slabs_safe=e8m7)
+  int_major=20+1/13 int_major_pair=20+1/13 fp_slabs_safe=e8m23 fp_slabs_safe=e8m15 fp_slabs_safe=e8m7 fp_slabs_safe=e5m10)
 designs=$(printf '%s\n' "${units[@]%%=*}" | sort -u | paste -sd,)
 formats=$(IFS=,; echo "${units[*]}")
 
