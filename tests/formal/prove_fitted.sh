@@ -125,10 +125,15 @@ refuted_not() {
 
 coarse=5
 all=8
+all_of_safe_floats=7
 if [[ -n $short ]]; then
   fits int_slabs 20/24 $all
-  fits fp_slabs fp32 $all
+  fits fp_slabs_safe e5m10 $all_of_safe_floats
 else
+  for ((set = 0; set <= all_of_safe_floats; ++set)); do
+    for format in e8m15 e5m10; do fits fp_slabs_safe "$format" "$set"; done
+  done
+  pipeline fp_slabs_safe e5m10 $all_of_safe_floats
   for ((set = 0; set < all; ++set)); do
     for name in int_slabs int_plucker; do fits "$name" 24/24 "$set"; done
     for name in fp_slabs fp_plucker; do fits "$name" fp32 "$set"; done
