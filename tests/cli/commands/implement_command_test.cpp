@@ -49,7 +49,7 @@ TEST_F(ImplementCommand, PrintsTheSameAsJsonAndKeepsIt) {
   object.erase("files");
   EXPECT_EQ(nlohmann::json::parse(contents_of(out_ / "ice40_hx" / "box_test_implementation.json")), object);
   EXPECT_THAT(contents_of(out_ / "ice40_hx" / "box_test_netlist.v"), HasSubstr("SB_LUT4"));
-  EXPECT_THAT(contents_of(out_ / "box_test.v"), HasSubstr("module box_test"));
+  EXPECT_THAT(contents_of(out_ / "ice40_hx" / "box_test.v"), HasSubstr("module box_test"));
 }
 
 TEST_F(ImplementCommand, UnitThatDoesNotFitIsAResult) {
