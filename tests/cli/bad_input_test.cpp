@@ -268,7 +268,7 @@ TEST_F(BadInput, LibraryThatCannotBeReadRejected) {
   const std::string none = (folder_.path() / "none.json").string();
   rejected({"rtl", "int_slabs", "--out", out(), "--library", none},
            none + ": cannot read the component library");
-  rejected(cosim({"--library", none}), none + ": cannot read the component library");
+  rejected(cosim({"--scene", "spheres", "--library", none}), none + ": cannot read the component library");
 }
 
 TEST_F(BadInput, MissingVerilatorRejected) {
