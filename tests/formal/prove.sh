@@ -98,6 +98,7 @@ if [[ -z $short ]]; then
   for name in int_slabs int_plucker; do all_without_flow_control "$name" 20/24; done
   for name in int_major int_major_pair; do all_without_flow_control "$name" 20+1/13; done
   for name in fp_slabs fp_plucker; do all_without_flow_control "$name" fp32; done
+  all_without_flow_control fp_slabs_safe e5m10
   cd "$(design int_slabs 6/6)" || exit 1
   row 'int_slabs: standing still twice, wherever' 6/6 proved prove_stalled int_slabs
   cd "$(design int_slabs 6/11)" || exit 1
