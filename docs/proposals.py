@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the tables of docs/proposals.md again: docs/proposals.py [SIZE [PROGRAM]]. Images have SIZE x SIZE pixels, 64 in the document."""
+"""Makes the tables of docs/proposals.md again: docs/proposals.py [SIZE [PROGRAM [TABLE...]]]. Images have SIZE x SIZE pixels, 64 in the document."""
 import csv
 import io
 import pathlib
@@ -8,7 +8,10 @@ import sys
 
 page = pathlib.Path(__file__).parent / "proposals.md"
 size = sys.argv[1] if len(sys.argv) > 1 else "64"
-kd_scenes = "spheres,waves,terrain"  # the tree of a larger scene takes minutes
+# The fewest triangles that a scene can have: the tree of a larger one takes minutes.
+KD_SCENES = {"spheres": 24578, "branch": 80000, "poppy": 25000, "plant_front": 300000, "statue": 10000, "two_statues": 20000,
+             "plant_slice": 27962, "waves": 10000, "city": 100000, "city_oblique": 100000, "reading_room": 60000,
+             "terrain": 10000}
 program = sys.argv[2] if len(sys.argv) > 2 else "build/hitpipe"
 
 
@@ -19,12 +22,20 @@ def cell(figure, low, high):
     return f"{text} ± {(float(high) - float(low)) / 2:.2f}" if low else text
 
 
+def printed(name, triangles, *options):
+    """The rows of `hitpipe table NAME`, the column names first."""
+    command = [program, "table", name, "--width", size, "--height", size, "--format", "csv", "--triangles", str(triangles)]
+    out = subprocess.run([*command, *options], check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+    return list(csv.reader(io.StringIO(out)))
+
+
 def table(name):
     """Our lines of `hitpipe table NAME`, with half the widths of their 95 % intervals."""
-    command = [program, "table", name, "--width", size, "--height", size, "--format", "csv"]
-    command += ["--triangles", "10000", "--only", kd_scenes] if name == "kd" else ["--triangles", "100000"]
-    out = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
-    rows = list(csv.reader(io.StringIO(out)))
+    if name == "kd":
+        tables = [printed(name, triangles, "--only", scene) for scene, triangles in KD_SCENES.items()]
+        rows = [tables[0][0], *(row for each in tables for row in each[1:])]
+    else:
+        rows = printed(name, 100000)
     source = rows[0].index("source")
     lines = {}
     for row in rows[1:]:
@@ -39,7 +50,7 @@ def table(name):
 
 
 text = page.read_text()
-for name in ("adaptive", "grid", "kd"):
+for name in sys.argv[3:] or ("adaptive", "grid", "kd"):
     before, rest = text.split(f"<!-- {name} -->\n", 1)
     after = rest.split(f"<!-- end of {name} -->", 1)[1]
     text = f"{before}<!-- {name} -->\n\n{table(name)}\n<!-- end of {name} -->{after}"
