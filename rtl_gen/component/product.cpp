@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -150,6 +151,48 @@ NodeId block(Graph& to, const ProductShape& s, NodeId a, NodeId b) {
   return to.slice(product, s.width() - 1, 0);
 }
 
+/// a * {high, low} of unsigned numbers, as the source writes it for cells: two products, and their sum
+/// without the low bits.
+struct HalvedProduct {
+  NodeId a = no_node, high = no_node, low = no_node;
+};
+
+/// What x + y multiplies, if that is such a sum: x is the product of the high half.
+std::optional<HalvedProduct> halved_product(const Graph& graph, NodeId x, NodeId y) {
+  const Node& extended = graph[y];
+  if (graph[x].op != Op::mul || graph[x].is_signed || extended.op != Op::extend || extended.is_signed)
+    return std::nullopt;
+  const Node& upper = graph[extended.args[0]];
+  if (upper.op != Op::slice) return std::nullopt;
+  const Node& of_low = graph[upper.args[0]];
+  if (of_low.op != Op::mul || of_low.is_signed || upper.low + upper.width != of_low.width)
+    return std::nullopt;
+  for (const NodeId a : graph[x].operands()) {
+    const NodeId high = graph[x].args[a == graph[x].args[0] ? 1 : 0];
+    for (const int other : {0, 1}) {
+      const NodeId low = of_low.args[static_cast<std::size_t>(other)];
+      if (of_low.args[static_cast<std::size_t>(1 - other)] == a && graph[low].width == upper.low)
+        return HalvedProduct{a, high, low};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The graph with one product for two halves where a block multiplies the whole.
+Graph with_halves_joined(const Graph& graph, const Block& block) {
+  return canonical(rewrite(graph, [&](Graph& to, NodeId id, const NewOperands& operands) {
+    if (graph[id].op != Op::add) return no_node;
+    std::optional<HalvedProduct> found = halved_product(to, operands[0], operands[1]);
+    if (!found) found = halved_product(to, operands[1], operands[0]);
+    if (!found) return no_node;
+    const NodeId b = to.concat(found->high, found->low);
+    if (!block.multiplies(to[found->a].width, false, to[b].width, false)) return no_node;
+    const NodeId product = to.binary(Op::mul, found->a, b);
+    const int low = to[found->low].width;
+    return to.slice(product, low + graph[id].width - 1, low);
+  }));
+}
+
 }  // namespace
 
 ProductPlan plan_product(const ProductShape& shape, const Chip& chip) {
@@ -182,10 +225,11 @@ Graph with_products_planned(const Graph& graph, const Library& library) {
   const Chip* const chip = library.chip();
   if (chip == nullptr) return graph;
   Planner planner(*chip);
-  return canonical(rewrite(graph, [&](Graph& to, NodeId id, const NewOperands& operands) {
-    const Node& n = graph[id];
+  const Graph joined = chip->block ? with_halves_joined(graph, *chip->block) : graph;
+  return canonical(rewrite(joined, [&](Graph& to, NodeId id, const NewOperands& operands) {
+    const Node& n = joined[id];
     if (n.op != Op::mul) return no_node;
-    const ProductShape shape{graph[n.args[0]].width, graph[n.args[1]].width, n.is_signed, n.is_signed};
+    const ProductShape shape{joined[n.args[0]].width, joined[n.args[1]].width, n.is_signed, n.is_signed};
     return record_product(to, planner.best(shape, true), shape, operands[0], operands[1]);
   }));
 }

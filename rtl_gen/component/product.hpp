@@ -45,8 +45,8 @@ struct ProductPlan {
 /// The product of `a` and `b`, shape.width() bits, made as planned.
 NodeId record_product(Graph& to, const ProductPlan& plan, const ProductShape& shape, NodeId a, NodeId b);
 
-/// The graph with every product made as planned, for the chip of the library. Without a chip it is the same
-/// graph.
+/// The graph with every product made as planned, for the chip of the library. A product that the source makes
+/// of two halves is one first, if a block can make it. Without a chip it is the same graph.
 [[nodiscard]] Graph with_products_planned(const Graph& graph, const Library& library);
 
 }  // namespace hitpipe::rtl

@@ -153,6 +153,41 @@ TEST(Block, ReadsUnsignedOperandsWithAZeroAbove) {
   EXPECT_FALSE(lattice.multiplies(16, true, 16, false));
 }
 
+/// a * b by halves of b, without the lowest bits; `low_of_b` and `shift` are half of b's width unless they
+/// are wrong on purpose.
+Graph by_halves(int width, int low_of_b, int shift) {
+  Graph g("by_halves");
+  const NodeId a = g.input("a", width, false);
+  const NodeId b = g.input("b", width, false);
+  const NodeId low = g.binary(Op::mul, a, g.slice(b, low_of_b - 1, 0));
+  const NodeId high = g.binary(Op::mul, a, g.slice(b, width - 1, low_of_b));
+  const NodeId carried = g.slice(low, g[low].width - 1, shift);
+  g.output("p", g.binary(Op::add, high, g.resize(carried, g[high].width, false)));
+  return g;
+}
+
+TEST(Product, OfTwoHalvesIsOneWhereABlockTakesIt) {
+  for (const char* const chip : {"xc7", "ecp5", "ice40_up5k"}) {
+    const Library& library = library_called(chip);
+    const Graph g = by_halves(16, 8, 8);
+    const Graph planned = with_products_planned(g, library);
+    EXPECT_EQ(multiplications(planned, *library.chip()), 1) << chip;
+    Seeded random(7);
+    for (int i = 0; i < 1000; ++i) {
+      const std::vector<std::uint64_t> operands{random.value(16), random.value(16)};
+      ASSERT_EQ(evaluate(planned, operands), evaluate(g, operands))
+          << chip << ' ' << operands[0] << ' ' << operands[1];
+    }
+  }
+}
+
+TEST(Product, OfTwoHalvesStaysSoWhereNoBlockTakesItOrTheShiftIsAnother) {
+  const Library& xc7 = library_called("xc7");
+  EXPECT_EQ(multiplications(with_products_planned(by_halves(24, 12, 12), xc7), *xc7.chip()), 2);
+  EXPECT_EQ(multiplications(with_products_planned(by_halves(16, 8, 7), xc7), *xc7.chip()), 2);
+  EXPECT_EQ(multiplications(with_products_planned(by_halves(16, 7, 8), xc7), *xc7.chip()), 2);
+}
+
 TEST(Product, WithoutAChipTheGraphStays) {
   Graph g("g");
   g.output("p", g.binary(Op::mul, g.input("a", 24, true), g.input("b", 24, true), true));

@@ -21,6 +21,7 @@ struct Mapped {
   std::string format;
   int blocks;
   std::string registers;  ///< of the block, as a pattern of the netlist
+  std::string design = "int_slabs";
 };
 void PrintTo(const Mapped& mapped, std::ostream* out) {
   *out << mapped.library << ' ' << mapped.format;
@@ -37,7 +38,7 @@ class Chips : public testing::TestWithParam<Mapped> {};
 
 TEST_P(Chips, YosysTakesAsManyBlocksAsPlanned) {
   const Library library = library_called(GetParam().library);
-  const Design& design = find_design("int_slabs");
+  const Design& design = find_design(GetParam().design);
   const Format format = design.parse_format(GetParam().format);
   const Pipeline pipeline = make_pipeline(design.trace(format), library);
   const std::string block = library.chip()->block->name;
@@ -68,7 +69,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Mapped{"ecp5", "16/16", 6, ""}, Mapped{"ecp5", "20/24", 6, ""},
                     Mapped{"ice40_up5k", "16/16", 6, R"(\.A_REG\(1'h1\))"},
                     Mapped{"ice40_up5k", "12/12", 6, R"(\.TOPOUTPUT_SELECT\(2'h1\))"},
-                    Mapped{"ice40_up5k", "20/24", 6, ""}),
+                    Mapped{"ice40_up5k", "20/24", 6, ""}, Mapped{"xc7", "e8m15", 6, "", "fp_slabs_safe"},
+                    Mapped{"ecp5", "e8m15", 6, "", "fp_slabs_safe"},
+                    Mapped{"ice40_up5k", "e8m15", 6, "", "fp_slabs_safe"}),
     [](const auto& each) {
       std::string name = each.param.library + "_" + each.param.format;
       std::replace(name.begin(), name.end(), '/', '_');
@@ -105,7 +108,8 @@ INSTANTIATE_TEST_SUITE_P(Units, ChipUnit,
                                          std::pair{"ecp5", DesignFormat{"int_major", "20+1/13"}},
                                          std::pair{"ice40_up5k", DesignFormat{"int_slabs", "20/24"}},
                                          std::pair{"ice40_hx", DesignFormat{"int_plucker", "6/6"}},
-                                         std::pair{"xc7", DesignFormat{"fp_slabs", "fp32"}}),
+                                         std::pair{"xc7", DesignFormat{"fp_slabs", "fp32"}},
+                                         std::pair{"xc7", DesignFormat{"fp_slabs_safe", "e8m15"}}),
                          [](const auto& each) {
                            return std::string(each.param.first) + "_" + each.param.second.design;
                          });
