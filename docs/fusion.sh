@@ -13,9 +13,9 @@ area() {
   scratch=$(mktemp -d)
   trap 'rm -r "$scratch"' EXIT
   # Whole, then in as many stages as the two operators of the plain form have in osu018.json.
-  for format in "8 7 1" "8 23 1" "5 10 1" "8 15 1" "8 23 5" "8 7 4" "8 15 5" "5 10 4"; do
+  for format in "8 7 1" "8 23 1" "5 10 1" "8 15 1" "8 23 4" "8 7 4" "8 15 4" "5 10 4"; do
     read -r exponent fraction stages <<< "$format"
-    for form in plain ahead short_product fused separate separate_fused; do
+    for form in plain exact short_product fused separate separate_fused; do
       "$forms" verilog "$form" "$exponent" "$fraction" "$stages" > "$scratch/unit.v"
       sed -n '/^module unit_distance /,/^endmodule/p' "$scratch/unit.v" > "$scratch/distance.v"
       figures=$(area_model/measure/measure --verilog "$scratch/distance.v" unit_distance)

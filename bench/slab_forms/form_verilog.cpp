@@ -46,8 +46,8 @@ Word distance(std::string_view form, const hls::FpBits& format, rtl::Graph& body
     return forms::fused<Trace>(format, plane, origin, low(inverse_and_bound, magnitude), bound);
   }
   const Word inverse = in("inverse", magnitude);
-  const Word d = form == "plain" ? logic::subtract_rz<Trace>(format, plane, origin)
-                                 : forms::subtract_ahead<Trace>(format, plane, origin);
+  const Word d = form == "exact" ? forms::subtract_exact<Trace>(format, plane, origin)
+                                 : logic::subtract_rz<Trace>(format, plane, origin);
   const int cut = std::max(0, m - (m + 1) / 2 - 2);
   const Word t = form == "short_product"
                      ? forms::multiply_short<Trace>(format, low(d, magnitude), inverse, cut)
@@ -71,7 +71,7 @@ rtl::Library library(int stages) {
 }  // namespace
 
 std::string form_verilog(std::string_view form, const hls::AnyFpBits& bits, int stages) {
-  constexpr std::string_view known[] = {"plain", "ahead",    "short_product",
+  constexpr std::string_view known[] = {"plain", "exact",    "short_product",
                                         "fused", "separate", "separate_fused"};
   if (std::find(std::begin(known), std::end(known), form) == std::end(known))
     throw std::invalid_argument(

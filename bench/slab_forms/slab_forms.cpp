@@ -31,6 +31,7 @@ using ref::SlabForm;
 template <int E, int M, class Visit>
 void for_each_form(const Visit& visit) {
   visit.template operator()<ref::SlabFormTest<E, M, SlabForm::plain>>("plain");
+  visit.template operator()<ref::SlabFormTest<E, M, SlabForm::exact>>("exact");
   visit.template operator()<ref::SlabFormTest<E, M, SlabForm::short_product, 1>>("short_product, 1");
   visit.template operator()<ref::SlabFormTest<E, M, SlabForm::short_product, 2>>("short_product, 2");
   visit.template operator()<ref::SlabFormTest<E, M, SlabForm::short_product, 3>>("short_product, 3");

@@ -33,24 +33,13 @@ constexpr X align(const X& x, const Distance& distance) {
   return as("aligned", shift_right_sticky<D>(x, amount));
 }
 
-/// A difference before it is normalised. Where it is negative, only the sign means something.
-template <class Bit, class Exponent, class Sum>
-struct Ahead {
-  Bit negative;
-  Exponent exponent;
-  Sum sum;
-};
-template <class Bit, class Exponent, class Sum>
-constexpr Ahead<Bit, Exponent, Sum> ahead_of(const Bit& negative, const Exponent& exponent, const Sum& sum) {
-  return {negative, exponent, sum};
-}
-
-/// a - b. A negative difference is not wanted, so signs and exponents tell which term is first: magnitudes
-/// are not compared. The sum has a carry, M + 1 bits, a guard bit and a sticky one.
+/// a - b with a sticky bit, as subtract_rz but cut exactly toward zero: nothing is borrowed. Results below
+/// the smallest normal number are exact subnormal numbers.
 template <class D, class F, class X>
-constexpr auto difference_ahead(const F& format, const X& a, const X& b) {
+constexpr X subtract_exact(const F& format, const X& a, const X& b) {
   using Bit = typename D::bit;
   const auto e = format.exponent;
+  const auto m = format.fraction;
   const auto ua = fp_logic::unpack<D>(format, a);
   const auto ub = fp_logic::unpack<D>(format, b);
   const Bit opposite = as("opposite", ~(ua.sign ^ ub.sign));  // a and -b
@@ -65,24 +54,14 @@ constexpr auto difference_ahead(const F& format, const X& a, const X& b) {
   const auto sum =
       fp_logic::signed_sum<D>(format, fp_logic::sum_terms(exponent, larger, aligned), opposite, 1_w);
   const Bit negative = as("negative", select(opposite, Bit(sign(gap) | sign(sum)), ua.sign));
-  return ahead_of(negative, exponent, sum);
-}
-
-/// subtract_rz for a - b >= 0; else only the sign is that of subtract_rz.
-template <class D, class F, class X>
-constexpr X subtract_ahead(const F& format, const X& a, const X& b) {
-  using Bit = typename D::bit;
-  const auto e = format.exponent;
-  const auto m = format.fraction;
-  const auto terms = difference_ahead<D>(format, a, b);
-  const auto zeros = as("leading_zeros", fp_logic::leading_zeros<D>(terms.sum));
-  const Bit reaches(zeros < terms.exponent);
-  const auto shift = as("shift", select(reaches, zeros, resize(terms.exponent, width_of(zeros))));
-  const auto normalised = as("normalised", fp_logic::shift_left<D>(terms.sum, shift));
-  const auto next = terms.exponent + D::lit(1, 1_w);
+  const auto zeros = as("leading_zeros", fp_logic::leading_zeros<D>(sum));
+  const Bit reaches(zeros < exponent);
+  const auto shift = as("shift", select(reaches, zeros, resize(exponent, width_of(zeros))));
+  const auto normalised = as("normalised", fp_logic::shift_left<D>(sum, shift));
+  const auto next = exponent + D::lit(1, 1_w);
   const auto lowered = as_unsigned(resize(next - zeros, e));
   const auto field = select(reaches, lowered, D::lit(1, e)) & spread(sign(normalised), e);
-  return cat(terms.negative, cat(field, slice(normalised, m + 2_w, 3_w)));
+  return cat(negative, cat(field, slice(normalised, m + 2_w, 3_w)));
 }
 
 /// multiply_rz without the partial products of a's `cut` lowest bits and b's lower half. The result is less
@@ -132,12 +111,11 @@ constexpr auto fused(const F& format, const X& a, const X& b, const Y& c,
   const auto m = format.fraction;
   const auto half = (m + 1_w) / 2_w;
   const auto w = m + m + 4_w;
-  const auto terms = difference_ahead<D>(format, a, b);
+  const auto terms = fp_logic::difference_rz<D>(format, a, b);
   const auto zeros = as("leading_zeros", fp_logic::leading_zeros<D>(terms.sum));
-  const auto significand = slice(terms.sum, m + 3_w, 1_w);  // without the sticky bit
   const auto factor = cat(Bit(D::lit(1, 1_w)), slice(c, m - 1_w, 0_w));
-  const auto low = as("product_low", significand * slice(factor, half - 1_w, 0_w));
-  const auto high = as("product_high", significand * slice(factor, m, half));
+  const auto low = as("product_low", terms.sum * slice(factor, half - 1_w, 0_w));
+  const auto high = as("product_high", terms.sum * slice(factor, m, half));
   const auto upper = as("product_upper", resize(high + slice(low, m + 2_w + half, half), w - half));
   const auto product = cat(upper, slice(low, half - 1_w, 0_w));
   const auto normalised = as("normalised", fp_logic::shift_left<D>(product, zeros));
@@ -182,7 +160,7 @@ constexpr auto separate(const F& format, const X& plane, const Inverses<Y>& inve
   const auto inverse = as("inverse", select(sign(plane), inverses.of_minus, inverses.of_plus));
   const auto product = fp_logic::multiply_rz<D>(format, Y(slice(plane, e + m - 1_w, 0_w)), inverse);
   const auto counted = product & spread(plane_counts<D>(format, plane, bound), e + m);
-  return subtract_ahead<D>(format, X(cat(sign(plane), counted)), c);
+  return subtract_exact<D>(format, X(cat(sign(plane), counted)), c);
 }
 
 /// The same with all bits of the product. c is normal or zero.

@@ -1,6 +1,7 @@
-// Float operators that round toward zero, for finite numbers: what is below the last bit is left out. They
-// are smaller than those to nearest (fp_logic.hpp): no result is incremented, and there are no NaN. What they
-// do with other patterns is defined, but means nothing.
+// Float operators that round toward zero, for finite numbers. They are smaller than those to nearest
+// (fp_logic.hpp): no result is incremented, there are no NaN, and a difference may be one unit of its last
+// place too small. What they do with other patterns is defined, but means nothing. Magnitudes have no
+// subnormal numbers: exponent field 0 is one more binade, (1 + fraction) 2^-bias, in all patterns but 0.
 #pragma once
 
 #include "hls/num/fp_product.hpp"
@@ -10,34 +11,87 @@ namespace hitpipe {
 namespace hls {
 namespace fp_logic {
 
-/// a - b for |a - b| below the largest number. Results below the smallest normal number are exact. A result
-/// of zero is +0, unless a is -0 and b is +0.
+/// The two's complement number x shifted right by `distance`, in its own width. What is shifted out is lost.
+template <class D, class X, class Distance>
+constexpr X shift_out(const X& x, const Distance& distance) {
+  // Far enough to shift out all of x, unless distances are never that long.
+  const auto bits = min(count_bits(width_of(x)), width_of(distance));
+  const auto amount = change_if(bits < width_of(distance), distance, [&](const auto& any_distance) {
+    const auto far = any<D>(slice(any_distance, width_of(distance) - 1_w, bits));
+    return slice(any_distance, bits - 1_w, 0_w) | spread(far, bits);
+  });
+  return for_each_level(bits, x, [&](const auto& so_far, const auto& level) {
+    const auto by = power_of_two(level);
+    const auto moved = cat(spread(typename D::bit(sign(x)), by), slice(so_far, width_of(x) - 1_w, by));
+    return select(bit_at(amount, level), moved, so_far);
+  });
+}
+
+/// A difference before it is normalised: sum * 2^exponent, up to a constant factor. Where it is negative,
+/// only the sign means something.
+template <class Bit, class Exponent, class Sum>
+struct Difference {
+  Bit negative;
+  Exponent exponent;
+  Sum sum;
+};
+template <class Bit, class Exponent, class Sum>
+constexpr Difference<Bit, Exponent, Sum> difference_of(const Bit& negative, const Exponent& exponent,
+                                                       const Sum& sum) {
+  return {negative, exponent, sum};
+}
+
+/// a - b. The sum has a carry, M + 1 bits and a guard bit. It is exact if the exponents differ by 1 at most;
+/// else it is too small by a guard bit at most.
+template <class D, class F, class X>
+constexpr auto difference_rz(const F& format, const X& a, const X& b) {
+  using Bit = typename D::bit;
+  const auto e = format.exponent;
+  const auto m = format.fraction;
+  const auto ua = unpack<D>(format, a);
+  const auto ub = unpack<D>(format, b);
+  const Bit opposite = as("opposite", ~(ua.sign ^ ub.sign));  // a and -b
+  const auto ahead = ua.exponent - ub.exponent;
+  const auto behind = ub.exponent - ua.exponent;
+  // Where a and b have one sign, that sign says which has to be the larger one. Magnitudes are not compared.
+  const Bit swap = as("swap", select(opposite, ua.sign, Bit(sign(ahead))));
+  const auto gap = as("gap", select(swap, behind, ahead));
+  const auto distance = as("distance", as_unsigned(resize(gap, e)));
+  const auto exponent = as("exponent", select(swap, ub.exponent, ua.exponent));
+  const auto larger = as("larger", select(swap, ub.significand, ua.significand));
+  const auto smaller = as("smaller", select(swap, ua.significand, ub.significand));
+
+  const auto guarded = cat(smaller, D::lit(0, 1_w));
+  const auto term = cat(opposite, guarded ^ spread(opposite, m + 2_w));
+  const auto aligned = as("aligned", shift_out<D>(term, distance));
+  // The complement of the second term lacks 1. Where bits may be lost it stays so, which borrows for them.
+  // Else a bit below both terms adds it.
+  const Bit lost = any<D>(slice(distance, e - 1_w, 1_w));
+  const Bit completed = as("completed", Bit(opposite & ~lost));
+  const auto first = cat(resize(larger, m + 2_w), cat(D::lit(0, 1_w), completed));
+  const auto sum = as("raw_sum", slice(first + cat(aligned, completed), m + 3_w, 1_w));
+  const Bit negative = as("negative", select(opposite, Bit(sign(gap) | sign(sum)), ua.sign));
+  return difference_of(negative, exponent, sum);
+}
+
+/// a - b for |a - b| below the largest number. A normal result is not above a - b, and below that by one unit
+/// of its last place at most. A result with field 0 is exact from 2^-bias on and too large below that, but 0
+/// is 0, and +0 unless a is -0 and b is +0. A negative difference has only its sign: its other bits mean
+/// nothing.
 template <class D, class F, class X>
 constexpr X subtract_rz(const F& format, const X& a, const X& b) {
   using Bit = typename D::bit;
   const auto e = format.exponent;
   const auto m = format.fraction;
-  const auto magnitude_a = slice(a, e + m - 1_w, 0_w);
-  const auto magnitude_b = slice(b, e + m - 1_w, 0_w);
-  const auto ua = unpack<D>(format, a);
-  const auto ub = unpack<D>(format, b);
-  // Equal negative numbers are swapped, because the sign of a zero is then +.
-  const Bit swap = as("swap", Bit(cat(magnitude_a, Bit(D::lit(0, 1_w))) < cat(magnitude_b, ub.sign)));
-  const Bit opposite = as("opposite", ~(ua.sign ^ ub.sign));  // a and -b
-  const auto terms = aligned_terms<D>(format, ua, ub, swap, 1_w);
-  const auto sum = signed_sum<D>(format, terms, opposite, 1_w);
-
-  const auto zeros = as("leading_zeros", leading_zeros<D>(sum));
-  const Bit reaches(zeros < terms.exponent);
-  const auto shift = as("shift", select(reaches, zeros, resize(terms.exponent, width_of(zeros))));
-  const auto normalised = as("normalised", shift_left<D>(sum, shift));
-  // The top bit of sum is one place above that of the significands. After the shift it is 0 in subnormal
-  // numbers and in zero.
-  const auto next = terms.exponent + D::lit(1, 1_w);
-  const auto lowered = as_unsigned(resize(next - zeros, e));
-  const auto field = select(reaches, lowered, D::lit(1, e)) & spread(sign(normalised), e);
-  const Bit negative = select(swap, Bit(~ub.sign), ua.sign);
-  return cat(negative, cat(field, slice(normalised, m + 2_w, 3_w)));
+  const auto difference = difference_rz<D>(format, a, b);
+  const auto zeros = as("leading_zeros", leading_zeros<D>(difference.sum));
+  const auto normalised = as("normalised", shift_left<D>(difference.sum, zeros));
+  // The top bit of the sum is one place above that of the significands. After the shift it is 0 in zero
+  // alone.
+  const auto field = as("field", (difference.exponent + D::lit(1, 1_w)) - zeros);
+  const Bit counts = sign(normalised) & ~sign(field);
+  return cat(difference.negative, cat(as_unsigned(slice(field, e - 1_w, 0_w)) & spread(counts, e),
+                                      slice(normalised, m + 1_w, 2_w)));
 }
 
 /// The product of two numbers without their signs. Both are read as normal numbers: a pattern with exponent

@@ -38,13 +38,13 @@ constexpr SafeSlab<typename F::template Magnitude<D>, typename D::bit> safe_slab
   const F& format = ray.origin_low.format;
   const auto near_plane = as("near_plane", axis, select(ray.back, negated(plane_max), plane_min));
   const auto far_plane = as("far_plane", axis, select(ray.back, negated(plane_min), plane_max));
-  // A difference of zero is not negative. So the ray is ahead of the near plane only if that lies beyond the
-  // origin, and it is behind the far plane only if that does not contain it.
-  const auto d_near = as("d_near", axis, fp_sub_rz(ray.origin_high, near_plane));
+  // A difference of zero is not negative, so the ray is behind the far plane only if that does not contain
+  // it.
+  const auto d_near = as("d_near", axis, fp_sub_rz(near_plane, ray.origin_high));
   const auto d_far = as("d_far", axis, fp_sub_rz(far_plane, ray.origin_low));
   // The product takes a subnormal number for a larger one, so a near one is left out.
   const Bit normal = any<D>(slice(d_near.bits, format.exponent + format.fraction - 1_w, format.fraction));
-  const Bit ahead = as("ahead", axis, Bit(sign(d_near) & normal));
+  const Bit ahead = as("ahead", axis, Bit(~sign(d_near) & normal));
   const auto to_near = as("t_near", axis, fp_mul_rz(magnitude(d_near), ray.inverse_low));
   const auto to_far = as("t_far", axis, fp_mul_rz(magnitude(d_far), ray.inverse_high));
   return {to_near.bits & spread(ahead, format.exponent + format.fraction), to_far.bits, sign(d_far)};

@@ -10,6 +10,7 @@ static_assert(BoxTest<FpSlabsSafeTest, Aabb>);
 FpSlabsSafeTest::FpSlabsSafeTest(const Ray& ray, const hls::AnyFpBits& bits)
     : set_up_(ray, bits),
       least_normal_(std::ldexp(1.0F, 1 - bits.bias())),
+      least_field_(128 - bits.bias()),
       largest_(std::ldexp(std::ldexp(1.0, bits.fraction + 1) - 1.0, bits.bias() + 1 - bits.fraction)),
       below_((1U << (23 - bits.fraction)) - 1),
       below_double_((std::uint64_t{1} << (52 - bits.fraction)) - 1),

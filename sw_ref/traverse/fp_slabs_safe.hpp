@@ -42,7 +42,7 @@ class FpSlabsSafeTest {
         const double t = distance(d_near, axis.inverse_low);
         near = t > near ? t : near;
       }
-      const double t = distance(d_far < least_normal_ ? bumped(d_far) : d_far, axis.inverse_high);
+      const double t = distance(d_far < least_normal_ ? raised(d_far) : d_far, axis.inverse_high);
       far = t < far ? t : far;
     }
     return !behind && near <= far;
@@ -55,7 +55,8 @@ class FpSlabsSafeTest {
     bool back;
   };
 
-  /// a - b, rounded toward zero.
+  /// a - b, rounded toward zero. Where terms of one sign differ by 2 or more in their exponents, an exact
+  /// result is one unit of its last place smaller.
   [[nodiscard]] float cut_difference(float a, float b) const {
     // Knuth's two-sum: difference + error = a - b exactly. A rounded difference that is too large is one ulp
     // too large.
@@ -64,11 +65,25 @@ class FpSlabsSafeTest {
     const float error = (a - (difference - rest)) - (b + rest);
     auto bits = std::bit_cast<std::uint32_t>(difference);
     if (error != 0.0F && std::signbit(error) != std::signbit(difference)) --bits;
+    const bool is_exact = error == 0.0F && (bits & below_) == 0;
+    if (is_exact && std::signbit(a) == std::signbit(b) && std::abs(field(a) - field(b)) >= 2)
+      bits -= below_ + 1;
     // A difference that is subnormal in the format has no bits here.
     return std::bit_cast<float>(bits & ~below_);
   }
-  /// The product takes a subnormal pattern for a larger number: (1 + fraction) / 2 of the least normal one.
-  [[nodiscard]] double bumped(float d) const { return (static_cast<double>(least_normal_) + d) / 2; }
+  /// The exponent field of a float. Numbers that are subnormal in the format have that of the least normal
+  /// one.
+  [[nodiscard]] int field(float x) const {
+    const auto exponent = static_cast<int>(std::bit_cast<std::uint32_t>(x) << 1 >> 24);
+    return exponent < least_field_ ? least_field_ : exponent;
+  }
+  /// The product takes what is below the least normal number for a number in the binade below: with the same
+  /// significand, or 1.
+  [[nodiscard]] double raised(float d) const {
+    constexpr std::uint64_t fraction = (std::uint64_t{1} << 52) - 1;
+    return std::bit_cast<double>((std::bit_cast<std::uint64_t>(static_cast<double>(d)) & fraction) |
+                                 std::bit_cast<std::uint64_t>(static_cast<double>(least_normal_) / 2));
+  }
   /// The product, exact in 48 bits, without the bits that the format does not have. All above the largest
   /// pattern are the same.
   [[nodiscard]] double distance(double d, double inverse) const {
@@ -79,7 +94,8 @@ class FpSlabsSafeTest {
   FpSlabsSafeRaySetup set_up_;
   std::array<Axis, 3> axes_{};
   float least_normal_;
-  double largest_;  ///< the pattern of which all bits are 1, as a number
+  int least_field_;  ///< its exponent field
+  double largest_;   ///< the pattern of which all bits are 1, as a number
   std::uint32_t below_;
   std::uint64_t below_double_;
   hls::AnyFpBits bits_;

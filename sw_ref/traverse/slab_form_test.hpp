@@ -22,8 +22,8 @@ namespace hitpipe::ref {
 
 enum class SlabForm : std::uint8_t {
   plain,           ///< that of fp_slabs_safe
-  ahead,           ///< the same; the difference is made only where it is not negative
-  short_product,   ///< `ahead`, and a product without its lowest partial products
+  exact,           ///< with a difference that is cut exactly toward zero
+  short_product,   ///< `plain`, and a product without its lowest partial products
   fused,           ///< A: the difference is neither normalised nor rounded before the product
   separate,        ///< B: plane * inverse - origin * inverse
   separate_fused,  ///< C: the same with all bits of the product
@@ -193,8 +193,8 @@ class SlabFormTest {
       return result;
     } else {
       const Distance d =
-          parts(Form == SlabForm::plain ? hls::fp_logic::subtract_rz<Native>(format, p, origin)
-                                        : hls::slab_forms::subtract_ahead<Native>(format, p, origin));
+          parts(Form == SlabForm::exact ? hls::slab_forms::subtract_exact<Native>(format, p, origin)
+                                        : hls::fp_logic::subtract_rz<Native>(format, p, origin));
       // The product takes a subnormal number for a larger one.
       if (near && d.pattern >> M == 0) return {0, d.negative};
       const Magnitude size(d.pattern);
