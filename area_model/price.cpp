@@ -19,8 +19,8 @@ std::int64_t as_printed(std::int64_t area_um2) {
 }
 
 /// The cells of a unit on a chip: of its parts, which are gates, adders and blocks like all others.
-rtl::ChipCells taken_by(const rtl::Unit& unit, const rtl::Library& library) {
-  const rtl::DividedUnit inside = rtl::divided(unit, rtl::timing_of_unit(unit, library).stages, library);
+rtl::ChipCells taken_by(const rtl::Unit& unit, const rtl::Library& library, int clock_ps) {
+  const rtl::DividedUnit inside = rtl::divided(unit, library, clock_ps);
   rtl::ChipCells taken;
   for (const Count& count : count_logic(inside.body, inside.schedule, inside.placement, Gates::counted)) {
     if (count.part.purpose == Purpose::block) continue;
@@ -32,11 +32,13 @@ rtl::ChipCells taken_by(const rtl::Unit& unit, const rtl::Library& library) {
 /// Prices of parts. A chip's library has no prices of units; they follow from the units of the graph.
 class PartPrices {
  public:
-  PartPrices(const rtl::Graph& graph, const rtl::Library& library) : library_(library) {
+  PartPrices(const rtl::Pipeline& pipeline, const rtl::Library& library) : library_(library) {
     if (library.chip() == nullptr) return;
-    for (const auto& unit : graph.units()) {
+    for (const auto& unit : pipeline.graph.units()) {
       units_[{rtl::component_called(unit->component), unit->bits}] = {
-          .bits = unit->bits, .estimated = true, .taken = taken_by(*unit, library)};
+          .bits = unit->bits,
+          .estimated = true,
+          .taken = taken_by(*unit, library, pipeline.schedule.clock_ps)};
     }
   }
 
@@ -75,7 +77,7 @@ Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, co
   for (std::size_t stage = 0; stage < price.by_stage.size(); ++stage)
     price.by_stage[stage].stage = static_cast<int>(stage);
 
-  const PartPrices prices(pipeline.graph, library);
+  const PartPrices prices(pipeline, library);
   std::map<Part, int> totals;
   for (const Count& count : counts) {
     StagePrice& stage = price.by_stage[static_cast<std::size_t>(count.stage)];

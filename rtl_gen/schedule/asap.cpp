@@ -43,8 +43,7 @@ void require_legal(const Graph& graph, const std::vector<std::string>& broken) {
 }  // namespace
 
 Schedule schedule_asap(const Graph& graph, const Library& library, std::optional<int> clock_ps) {
-  const NodeTiming timing(graph, library);
-  const SlowestStage slowest = slowest_stage(graph, library, timing);
+  const SlowestStage slowest = slowest_stage(graph, library, NodeTiming(graph, library));
   if (clock_ps && *clock_ps < slowest.clock_ps) {
     throw std::invalid_argument(
         fmt::format("{}: a clock of {} ps is too short for {}; the smallest that can be met is {} ps",
@@ -53,6 +52,7 @@ Schedule schedule_asap(const Graph& graph, const Library& library, std::optional
   Schedule s;
   s.clock_ps = clock_ps.value_or(slowest.clock_ps);
   s.latch_ps = library.latch_delay_ps();
+  const NodeTiming timing(graph, library, s.clock_ps);
   s.slots.resize(graph.size());
 
   for (NodeId id = 0; id < graph.size(); ++id) {

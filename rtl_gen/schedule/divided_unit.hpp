@@ -2,6 +2,8 @@
 // they begin. On a chip both follow from the delays of the chip's parts.
 #pragma once
 
+#include <optional>
+
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/schedule/registers.hpp"
 #include "rtl_gen/schedule/schedule.hpp"
@@ -14,16 +16,18 @@ struct DividedUnit {
   Placement placement;
 };
 
-/// `stages` is what timing_of_unit() gives.
-[[nodiscard]] DividedUnit divided(const Unit& unit, int stages, const Library& library);
+/// In as many stages as timing_of_unit() gives.
+[[nodiscard]] DividedUnit divided(const Unit& unit, const Library& library, int clock_ps);
 
-/// Delay of the slowest stage, and stages.
-[[nodiscard]] Cell timing_of_unit(const Unit& unit, const Library& library);
+/// Delay of the slowest stage, and stages. On a chip the unit has as few stages as the clock allows. Without
+/// a clock it is that of its own slowest part and a latch.
+[[nodiscard]] Cell timing_of_unit(const Unit& unit, const Library& library,
+                                  std::optional<int> clock_ps = std::nullopt);
 
 /// The time that the nodes of one graph take. Each unit is divided once.
 class NodeTiming {
  public:
-  NodeTiming(const Graph& graph, const Library& library);
+  NodeTiming(const Graph& graph, const Library& library, std::optional<int> clock_ps = std::nullopt);
   [[nodiscard]] Cell operator()(NodeId node) const;
 
  private:

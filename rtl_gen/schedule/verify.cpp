@@ -76,7 +76,8 @@ std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedu
 }  // namespace
 
 std::vector<std::string> verify(const Graph& graph, const Library& library, const Schedule& schedule) {
-  return broken_rules(graph, schedule, NodeTiming(graph, library), library.latch_delay_ps());
+  return broken_rules(graph, schedule, NodeTiming(graph, library, schedule.clock_ps),
+                      library.latch_delay_ps());
 }
 
 std::vector<std::string> verify_stated(const Graph& graph, const Schedule& schedule) {

@@ -58,13 +58,13 @@ std::string multiplier_module(const MultiplierShape& shape, const std::string& n
                                  shape.in_block);
 }
 
-std::string unit_module(const UnitUse& use, const std::string& name, FlowControl flow,
-                        const Library& library) {
+std::string unit_module(const UnitUse& use, const std::string& name, FlowControl flow, const Library& library,
+                        int clock_ps) {
   const std::string what = use.stages > 1 ? fmt::format("\n// {}: {} stages; the result is not latched.\n",
                                                         use.unit->body.name(), use.stages)
                                           : fmt::format("\n// {}: combinational.\n", use.unit->body.name());
   return what +
-         component_module(divided(*use.unit, use.stages, library), name, flow, library.chip() != nullptr);
+         component_module(divided(*use.unit, library, clock_ps), name, flow, library.chip() != nullptr);
 }
 
 /// Valid bits and tags; with stalls also what moves them.
@@ -133,7 +133,8 @@ std::string to_verilog(const Pipeline& pipeline, const Library& library, const V
     // One file holds the whole design, so the components follow the top module.
     text += "\n/* verilator lint_off DECLFILENAME */\n";
     for (const auto& [shape, module] : body.multipliers()) text += multiplier_module(shape, module, flow);
-    for (const auto& [module, use] : body.units()) text += unit_module(use, module, flow, library);
+    for (const auto& [module, use] : body.units())
+      text += unit_module(use, module, flow, library, pipeline.schedule.clock_ps);
     text += "\n/* verilator lint_on DECLFILENAME */\n";
   }
   return text;

@@ -114,5 +114,25 @@ INSTANTIATE_TEST_SUITE_P(Units, ChipUnit,
                            return std::string(each.param.first) + "_" + each.param.second.design;
                          });
 
+TEST(ChipClock, ALongerOneTakesStagesOutOfFloatOperatorsAndAnswersAlike) {
+  const Library library = library_called("ice40_up5k");
+  const DesignFormat unit{"fp_slabs_safe", "e5m10"};
+  const Pipeline quick = make_pipeline(unit.found().trace(unit.parsed()), library);
+  const Pipeline slow = make_pipeline(unit.found().trace(unit.parsed()), library, 40'000);
+  EXPECT_LT(2 * slow.latency(), quick.latency());
+  const auto registers = [&](const Pipeline& p) {
+    return area::price(p, unit.found(), unit.parsed(), library).taken.registers;
+  };
+  EXPECT_LT(2 * registers(slow), registers(quick));
+  const ScratchFolder folder;
+  host::write_files(folder.path(), emit(unit.found(), unit.parsed(), library, slow).files());
+  const std::string module = unit.module();
+  const ToolResult compiled = run_tool(folder.path(), "iverilog", "iverilog",
+                                       "-g2012 -Wall -o tb.vvp tb/" + module + "_tb.sv " + module + ".v");
+  EXPECT_EQ(compiled.output, "");
+  EXPECT_THAT(run_tool(folder / "tb", "iverilog", "vvp", "-n ../tb.vvp").output,
+              testing::HasSubstr("PASS 1000 vectors"));
+}
+
 }  // namespace
 }  // namespace hitpipe::rtl
