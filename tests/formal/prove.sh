@@ -94,7 +94,7 @@ if [[ -z $short ]]; then
   done
   for name in int_major int_major_pair; do all_of "$name" 20+1/13; done
   for name in fp_slabs fp_plucker; do all_of "$name" fp32; done
-  for format in e8m15 e5m10; do all_of fp_slabs_safe "$format"; done
+  for format in e8m23 e8m15 e5m10; do all_of fp_slabs_safe "$format"; done
   for name in int_slabs int_plucker; do all_without_flow_control "$name" 20/24; done
   for name in int_major int_major_pair; do all_without_flow_control "$name" 20+1/13; done
   for name in fp_slabs fp_plucker; do all_without_flow_control "$name" fp32; done
