@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -109,23 +110,21 @@ class TextTable {
       for (const ref::ResultRow& row : table.rows)
         label_widths_[i] = std::max(label_widths_[i], row.labels[i].size());
     }
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      std::size_t width = table.columns[i].name.size();
-      for (const ref::ResultRow& row : table.rows) has_printed_ = has_printed_ || row.printed[i].has_value();
-      for (const ref::ResultRow& row : table.rows)
-        width = std::max({width, cell(row.ours, i).size(), cell(row.printed, i).size()});
-      widths_.push_back(width);
-    }
+    head(columns_in_one_line());
+    if (header_width() > terminal_columns) head(columns_in_words());
   }
 
   [[nodiscard]] std::string text() const {
     std::string text = fmt::format("Table {}: {}\n\n", table_.number, table_.title);
-    std::string header = grouped_ ? "" : fmt::format("{:<{}}", table_.labels.front(), label_widths_.front());
-    for (std::size_t i = 1; i < table_.labels.size(); ++i) header += column(table_.labels[i], i);
-    header += fmt::format("  {:6}", "");
-    for (std::size_t i = 0; i < widths_.size(); ++i)
-      header += fmt::format("{}{:>{}}", gap_, table_.columns[i].name, widths_[i]);
-    text += header + "\n";
+    std::string labels = grouped_ ? "" : fmt::format("{:<{}}", table_.labels.front(), label_widths_.front());
+    for (std::size_t i = 1; i < table_.labels.size(); ++i) labels += column(table_.labels[i], i);
+    for (std::size_t line = 0; line < heads_.front().size(); ++line) {
+      const bool is_last = line + 1 == heads_.front().size();
+      text += fmt::format("{:{}}  {:6}", is_last ? labels : "", labels.size(), "");
+      for (std::size_t i = 0; i < widths_.size(); ++i)
+        text += fmt::format("{}{:>{}}", gap_, heads_[i][line], widths_[i]);
+      text += "\n";
+    }
     const std::string* group = nullptr;
     for (const ref::ResultRow& row : table_.rows) {
       if (grouped_ && (group == nullptr || *group != row.labels.front())) text += row.labels.front() + "\n";
@@ -136,6 +135,50 @@ class TextTable {
   }
 
  private:
+  static constexpr std::size_t terminal_columns = 80;
+  /// The lines of each column's heading; all have the same number.
+  using Heads = std::vector<std::vector<std::string>>;
+
+  [[nodiscard]] Heads columns_in_one_line() const {
+    Heads heads;
+    for (const auto& each : table_.columns) heads.push_back({each.name});
+    return heads;
+  }
+  /// A word of the name in each line, the last one at the bottom.
+  [[nodiscard]] Heads columns_in_words() const {
+    Heads heads;
+    std::size_t most = 0;
+    for (const auto& each : table_.columns) {
+      std::istringstream name(each.name);
+      std::vector<std::string>& words = heads.emplace_back();
+      for (std::string word; std::getline(name, word, '_');) words.push_back(word);
+      most = std::max(most, words.size());
+    }
+    for (std::vector<std::string>& words : heads) words.insert(words.begin(), most - words.size(), "");
+    return heads;
+  }
+
+  void head(Heads heads) {
+    heads_ = std::move(heads);
+    widths_.clear();
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+      std::size_t width = 0;
+      for (const std::string& line : heads_[i]) width = std::max(width, line.size());
+      for (const ref::ResultRow& row : table_.rows) has_printed_ = has_printed_ || row.printed[i].has_value();
+      for (const ref::ResultRow& row : table_.rows)
+        width = std::max({width, cell(row.ours, i).size(), cell(row.printed, i).size()});
+      widths_.push_back(width);
+    }
+  }
+  /// Of labels, source and columns.
+  [[nodiscard]] std::size_t header_width() const {
+    std::size_t width = 8;
+    for (std::size_t i = grouped_ ? 1 : 0; i < label_widths_.size(); ++i)
+      width += label_widths_[i] + (i == 0 ? 0 : 2);
+    for (const std::size_t column_width : widths_) width += gap_.size() + column_width;
+    return width;
+  }
+
   [[nodiscard]] std::string cell(const Figures& figures, std::size_t i) const {
     if (!figures[i]) return "-";
     // Decimals mean nothing in numbers above a thousand.
@@ -182,6 +225,7 @@ class TextTable {
   bool has_printed_ = false;  // proposals of the thesis have no printed figures
   std::string_view gap_;      // blanks between columns
   std::vector<std::size_t> label_widths_;
+  Heads heads_;
   std::vector<std::size_t> widths_;
 };
 

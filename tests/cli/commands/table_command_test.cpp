@@ -36,6 +36,13 @@ TEST(TableCommand, FitsEightyColumns) {
   }
 }
 
+TEST(TableCommand, PutsTheWordsOfWideHeadingsInLines) {
+  const Outcome outcome = run_hitpipe({"table", "7.2"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  for (const std::string& line : lines_of(outcome.out)) EXPECT_LE(line.size(), 80U) << line;
+  EXPECT_THAT(outcome.out, HasSubstr("  pipe  delay  clock  latency     mm2\nunit  "));
+}
+
 TEST(TableCommand, JsonHasBothSourcesFindingsAndNotes) {
   const auto table = nlohmann::json::parse(run_hitpipe(quick("6.2", {"--format", "json"})).out);
   EXPECT_EQ(table.at("number"), "6.2");
