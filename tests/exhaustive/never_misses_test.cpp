@@ -1,8 +1,11 @@
 // Every ray and box of the sweeps, for n = 4 and 5, every t, slabs and Pluecker, also on coarser axes, and
 // narrow units with a major axis: there is no false miss.
+#include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -21,23 +24,58 @@ struct Counts {
   std::uint64_t false_misses = 0;
 };
 
-void judge(const NarrowUnit& unit, const Ray& ray, const std::vector<Aabb>& boxes,
-           const std::vector<IntBox>& rounded, const std::vector<char>& meets, const CoarseAxes& coarse,
-           Counts& counts) {
-  Operands operands{};
-  unit.set_up(ray, unit.format, operands.data());
-  cut_origin(coarse, unit.coord, operands.data());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    put_box(rounded[i], operands.data() + unit.ray_operands);
-    const bool hit = unit.evaluate(operands.data());
-    ++counts.tests;
-    counts.hits += meets[i] != 0 ? 1 : 0;
-    counts.false_hits += hit && meets[i] == 0 ? 1 : 0;
-    if (hit || meets[i] == 0) continue;
-    if (counts.false_misses++ == 0) {
-      ADD_FAILURE() << unit.design.name << " " << to_string(unit.format)
-                    << " misses: " << adversary::to_text(adversary::Case{ray, boxes[i]});
+/// A bit for each box, 64 in a word.
+using Answers = std::vector<std::uint64_t>;
+
+template <class Answer>
+Answers answers(std::size_t boxes, Answer answer) {
+  Answers words((boxes + 63) / 64);
+  for (std::size_t i = 0; i < boxes; ++i) words[i / 64] |= std::uint64_t{answer(i)} << i % 64;
+  return words;
+}
+
+/// What a unit answers to the boxes of a sweep. Many rays have the same operands; these are sent once.
+class Answering {
+ public:
+  Answering(const NarrowUnit& unit, const std::vector<Aabb>& boxes, const CoarseAxes& coarse)
+      : unit_(unit), coarse_(coarse) {
+    for (const Aabb& box : boxes)
+      boxes_.push_back(coarse_box(narrow_box(box, unit.coord, unit.finer), coarse, unit.coord));
+  }
+  const Answers& to(const Ray& ray) {
+    Operands operands{};
+    unit_.set_up(ray, unit_.format, operands.data());
+    cut_origin(coarse_, unit_.coord, operands.data());
+    const auto [known, is_new] = known_.try_emplace(operands);
+    if (is_new) {
+      known->second = answers(boxes_.size(), [&](std::size_t i) {
+        put_box(boxes_[i], operands.data() + unit_.ray_operands);
+        return unit_.evaluate(operands.data());
+      });
     }
+    return known->second;
+  }
+
+ private:
+  const NarrowUnit& unit_;
+  CoarseAxes coarse_;
+  std::vector<IntBox> boxes_;
+  std::map<Operands, Answers> known_;
+};
+
+void judge(const NarrowUnit& unit, const Ray& ray, const std::vector<Aabb>& boxes, const Answers& hit,
+           const Answers& meets, Counts& counts) {
+  counts.tests += boxes.size();
+  for (std::size_t word = 0; word < meets.size(); ++word) {
+    counts.hits += static_cast<std::uint64_t>(std::popcount(meets[word]));
+    counts.false_hits += static_cast<std::uint64_t>(std::popcount(hit[word] & ~meets[word]));
+    const std::uint64_t missed = meets[word] & ~hit[word];
+    if (missed != 0 && counts.false_misses == 0) {
+      const Aabb& box = boxes[64 * word + static_cast<std::size_t>(std::countr_zero(missed))];
+      ADD_FAILURE() << unit.design.name << " " << to_string(unit.format)
+                    << " misses: " << adversary::to_text(adversary::Case{ray, box});
+    }
+    counts.false_misses += static_cast<std::uint64_t>(std::popcount(missed));
   }
 }
 
@@ -45,20 +83,15 @@ void judge(const NarrowUnit& unit, const Ray& ray, const std::vector<Aabb>& boxe
 void expect_no_false_miss(const std::vector<NarrowUnit>& units, const Sweep& sweep, std::uint64_t tests,
                           std::uint64_t hits, const CoarseAxes& coarse = {}) {
   const std::vector<Aabb> all_boxes = boxes(sweep.corners);
-  std::vector<std::vector<IntBox>> rounded(units.size());
-  for (std::size_t u = 0; u < units.size(); ++u) {
-    const int n = units[u].coord;
-    for (const Aabb& box : all_boxes)
-      rounded[u].push_back(coarse_box(narrow_box(box, n, units[u].finer), coarse, n));
-  }
+  std::vector<Answering> answering;
+  for (const NarrowUnit& unit : units) answering.emplace_back(unit, all_boxes, coarse);
   std::vector<Counts> counts(units.size());
-  std::vector<char> meets(all_boxes.size());
   for (const Ray& ray : sweep.rays()) {
     const BoxReferee referee(ray);
-    for (std::size_t i = 0; i < all_boxes.size(); ++i) meets[i] = referee.meets(all_boxes[i]) ? 1 : 0;
-    for (std::size_t u = 0; u < units.size(); ++u) {
-      judge(units[u], ray, all_boxes, rounded[u], meets, coarse, counts[u]);
-    }
+    const Answers meets =
+        answers(all_boxes.size(), [&](std::size_t i) { return referee.meets(all_boxes[i]); });
+    for (std::size_t u = 0; u < units.size(); ++u)
+      judge(units[u], ray, all_boxes, answering[u].to(ray), meets, counts[u]);
   }
   std::printf("%12s %10s %10s %7s  unit\n", "tests", "hits", "false", "missed");
   for (std::size_t u = 0; u < units.size(); ++u) {
