@@ -13,7 +13,7 @@
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
 
-namespace hitpipe::area {
+namespace hitpipe::area::count_test {
 namespace {
 
 using rtl::Graph;
@@ -148,4 +148,4 @@ TEST(PartName, IsTableSevenOnesWithTheWidth) {
 }
 
 }  // namespace
-}  // namespace hitpipe::area
+}  // namespace hitpipe::area::count_test

@@ -12,7 +12,7 @@
 #include "host/scratch_folder.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::area {
+namespace hitpipe::area::measure_test {
 namespace {
 
 const std::string scripts = HITPIPE_SOURCE "/area_model/measure/";
@@ -100,4 +100,4 @@ TEST(MeasuredLibrary, PricesEveryDesignAtTheClockItWasMeasuredFor) {
 }
 
 }  // namespace
-}  // namespace hitpipe::area
+}  // namespace hitpipe::area::measure_test

@@ -12,7 +12,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
 
-namespace hitpipe::area {
+namespace hitpipe::area::price_test {
 namespace {
 
 using rtl::DesignFormat;
@@ -258,4 +258,4 @@ TEST(Decimal, RoundsHalvesUp) {
 }
 
 }  // namespace
-}  // namespace hitpipe::area
+}  // namespace hitpipe::area::price_test

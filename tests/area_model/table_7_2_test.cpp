@@ -9,7 +9,7 @@
 #include "area_model/figure.hpp"
 #include "tests/area_model/csv_table.hpp"
 
-namespace hitpipe::area {
+namespace hitpipe::area::table_7_2_test {
 namespace {
 
 const std::vector<Price>& printed_prices() {
@@ -124,4 +124,4 @@ TEST(Table72, TotalsAreSumsOfRoundedRows) {
 }
 
 }  // namespace
-}  // namespace hitpipe::area
+}  // namespace hitpipe::area::table_7_2_test

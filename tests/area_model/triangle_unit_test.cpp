@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hitpipe::area {
+namespace hitpipe::area::triangle_unit_test {
 namespace {
 
 using rtl::Component;
@@ -33,4 +33,4 @@ TEST(TriangleUnit, BeginsATestInEachCycleOfTheFloatClock) {
 }
 
 }  // namespace
-}  // namespace hitpipe::area
+}  // namespace hitpipe::area::triangle_unit_test

@@ -11,7 +11,7 @@
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::area {
+namespace hitpipe::area::yosys_test {
 namespace {
 
 int bits_found_by_yosys(const rtl::Design& design, rtl::Format format) {
@@ -49,4 +49,4 @@ TEST(BuiltAccount, HasTheRegisterBitsThatYosysFinds) {
 }
 
 }  // namespace
-}  // namespace hitpipe::area
+}  // namespace hitpipe::area::yosys_test

@@ -9,7 +9,7 @@
 #include "sw_ref/scene/built_in.hpp"
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::bad_input_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -306,4 +306,4 @@ TEST_F(BadInput, MissingTemporaryFolderIsNoHarmToCosim) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::bad_input_test

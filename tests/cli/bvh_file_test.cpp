@@ -17,7 +17,7 @@
 #include "tests/cli/dump_bvh.hpp"
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::bvh_file_test {
 namespace {
 
 using nlohmann::json;
@@ -261,4 +261,4 @@ TEST(BvhFile, TakesThePlaceOfTheOptionsOfABuild) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::bvh_file_test

@@ -29,12 +29,11 @@ if(HITPIPE_OTHER_CXX AND NOT HITPIPE_SANITIZE)
             -MD -MF ${other_emit_all}.d -MT ${other_emit_all} ${other_compiler}/all.cpp $<TARGET_FILE:hitpipe_host> -lfmt -ltbb -o ${other_emit_all}
     DEPENDS ${other_compiler}/all.cpp hitpipe_host DEPFILE ${other_emit_all}.d
     COMMENT "Building emit_all with the other compiler" VERBATIM)
-  add_custom_target(rtl_emit_all_other DEPENDS ${other_emit_all})
+  add_custom_target(rtl_emit_all_other ALL DEPENDS ${other_emit_all})
 
-  hitpipe_test(rtl_compilers_test SOURCES emit/compilers_test.cpp LIBS hitpipe_host fmt::fmt)
+  hitpipe_test(rtl_compilers_test IN rtl_gen_tests SOURCES emit/compilers_test.cpp LIBS hitpipe_host fmt::fmt
+    DEFINITIONS HITPIPE_EMIT_ALL="$<TARGET_FILE:rtl_emit_all>" HITPIPE_EMIT_ALL_OTHER="${other_emit_all}")
   add_dependencies(rtl_compilers_test rtl_emit_all rtl_emit_all_other)
-  target_compile_definitions(rtl_compilers_test PRIVATE
-    HITPIPE_EMIT_ALL="$<TARGET_FILE:rtl_emit_all>" HITPIPE_EMIT_ALL_OTHER="${other_emit_all}")
 elseif(NOT HITPIPE_OTHER_CXX)
   message(STATUS "No second C++ compiler: what g++ and clang++ emit is not compared")
 endif()

@@ -11,7 +11,7 @@
 #include "tests/sim/formats.hpp"
 #include "tests/sim/small_scene.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::cosim_test {
 namespace {
 
 constexpr hls::IntBits usual{20, 24};
@@ -313,4 +313,4 @@ TEST(CosimResultShares, AreTheirDefinitions) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::cosim_test

@@ -17,7 +17,7 @@
 #include "tests/sim/temporary_folder.hpp"
 #include "tests/sim/testbench.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::damaged_verilog_test {
 namespace {
 
 constexpr hls::IntBits damaged_bits{12, 12};
@@ -143,4 +143,4 @@ TEST(DamagedVerilog, PipelineThatTakesNothingIsRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::damaged_verilog_test

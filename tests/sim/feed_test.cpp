@@ -23,7 +23,7 @@
 #include "tests/sim/small_scene.hpp"
 #include "tests/sw_ref/adversary/halved.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::feed_test {
 namespace {
 
 using ref::adversary::to_text;
@@ -308,4 +308,4 @@ TEST(FeedOfABoxOutsideTheCube, Rejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::feed_test

@@ -14,7 +14,7 @@
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/testbench.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::flow_control_test {
 namespace {
 
 constexpr hls::IntBits narrow{12, 12};
@@ -118,4 +118,4 @@ TEST(ResultFifo, LosesNothingWhateverTheConsumerDoes) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::flow_control_test

@@ -14,7 +14,7 @@
 
 #include "tests/sim/model_cache_fixture.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::model_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -243,4 +243,4 @@ TEST(ModelCacheFolder, IsTheFirstOfThreeVariables) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::model_cache_test

@@ -8,7 +8,7 @@
 #include "rtl_gen/pipeline.hpp"
 #include "tests/sim/units.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::model_latency_test {
 namespace {
 
 class ModelLatency : public testing::TestWithParam<Unit> {};
@@ -58,4 +58,4 @@ INSTANTIATE_TEST_SUITE_P(Units, ModelLatency, testing::ValuesIn(units()),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::model_latency_test

@@ -12,7 +12,7 @@
 
 #include "tests/sim/model_cache_fixture.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::model_tools_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -147,4 +147,4 @@ TEST_F(ModelTools, FullDiskRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::model_tools_test

@@ -11,7 +11,7 @@
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/units.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::ray_slots_test {
 namespace {
 
 constexpr std::uint64_t seed = 97;
@@ -164,4 +164,4 @@ TEST(DamagedRaySlots, GiveWrongAnswersInAScene) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::ray_slots_test

@@ -12,7 +12,7 @@
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/units.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::ray_unit_test {
 namespace {
 
 constexpr std::uint32_t ray_count = 2000;
@@ -245,4 +245,4 @@ TEST(UnitCountsSum, IsJudgedOnlyIfBothSidesAre) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::ray_unit_test

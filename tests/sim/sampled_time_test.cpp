@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::sampled_time_test {
 namespace {
 
 using std::chrono::nanoseconds;
@@ -55,4 +55,4 @@ TEST(SampledTime, OfNothingIsZero) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::sampled_time_test

@@ -15,7 +15,7 @@
 #include "tests/sim/slabs_with_entry.hpp"
 #include "tests/sim/small_scene.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::several_results_test {
 namespace {
 
 class SeveralResults : public testing::Test {
@@ -202,4 +202,4 @@ TEST_F(SeveralResults, OfTwoBoxesTraceNoSceneWithAFeedForOne) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::several_results_test

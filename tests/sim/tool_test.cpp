@@ -7,7 +7,7 @@
 #include "tests/sim/environment.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::tool_test {
 namespace {
 
 class FindTool : public testing::Test {
@@ -39,4 +39,4 @@ TEST_F(FindTool, WithoutAVersionRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::tool_test

@@ -11,7 +11,7 @@
 #include "tests/sim/formats.hpp"
 #include "tests/sim/testbench.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::verilated_design_test {
 namespace {
 
 constexpr std::array<Traffic, 6> traffics{{{"full", 1.0, 1.0},
@@ -210,4 +210,4 @@ TEST(VerilatedDesignModel, OutlivesItsDesignAndMoves) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::verilated_design_test

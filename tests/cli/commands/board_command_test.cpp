@@ -11,7 +11,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/sim/board/served_board.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::board_command_test {
 namespace {
 
 using sim::ServedBoard;
@@ -101,4 +101,4 @@ TEST(BoardCommand, SimulatesABoard) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::board_command_test

@@ -7,7 +7,7 @@
 #include "sw_ref/adversary/categories.hpp"
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::check_command_test {
 namespace {
 
 using nlohmann::json;
@@ -299,4 +299,4 @@ TEST(CheckPage, ListsEveryCategory) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::check_command_test

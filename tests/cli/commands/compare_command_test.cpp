@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::compare_command_test {
 namespace {
 
 class CompareCommand : public testing::Test {
@@ -78,4 +78,4 @@ TEST_F(CompareCommand, BadInputRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::compare_command_test

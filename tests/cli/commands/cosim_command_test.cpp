@@ -5,7 +5,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::cosim_command_test {
 namespace {
 
 using nlohmann::json;
@@ -403,4 +403,4 @@ TEST(CosimCommand, WrongVerilogFails) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::cosim_command_test

@@ -5,7 +5,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::designs_command_test {
 namespace {
 
 TEST(DesignsCommand, PrintsATable) {
@@ -46,4 +46,4 @@ TEST(DesignsCommand, PrintsJson) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::designs_command_test

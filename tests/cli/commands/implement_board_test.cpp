@@ -6,7 +6,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::implement_board_test {
 namespace {
 
 TEST(ImplementBoard, EndsInABitstream) {
@@ -53,4 +53,4 @@ TEST(ImplementBoard, WhatIsWrongIsOneLine) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::implement_board_test

@@ -12,7 +12,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::operands_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -272,4 +272,4 @@ TEST(OperandsPage, NamesEveryPortOfEveryDesign) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::operands_command_test

@@ -5,7 +5,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::render_command_test {
 namespace {
 
 using testing::StartsWith;
@@ -225,4 +225,4 @@ TEST(RenderCommand, DoesNotDependOnThreads) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::render_command_test

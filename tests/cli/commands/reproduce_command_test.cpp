@@ -5,7 +5,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::reproduce_command_test {
 namespace {
 
 using testing::HasSubstr;
@@ -64,4 +64,4 @@ TEST(ReproduceCommand, KeptPageHasTodaysFigures) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::reproduce_command_test

@@ -5,7 +5,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::rescale_command_test {
 namespace {
 
 using nlohmann::json;
@@ -151,4 +151,4 @@ TEST(RescaleCommand, SceneThatDoesNotSurviveRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::rescale_command_test

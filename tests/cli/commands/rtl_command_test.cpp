@@ -7,7 +7,7 @@
 #include "sim/vectors/design_vectors.hpp"
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::rtl_command_test {
 namespace {
 
 using testing::HasSubstr;
@@ -318,4 +318,4 @@ TEST_F(RtlCommand, UsesALibraryOfTheUsersOwn) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::rtl_command_test

@@ -5,7 +5,7 @@
 #include "sw_ref/scene/built_in.hpp"
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::scenes_command_test {
 namespace {
 
 TEST(ScenesCommand, PrintsATable) {
@@ -48,4 +48,4 @@ TEST(SceneOptions, TrianglesThatASceneCannotHaveRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::scenes_command_test

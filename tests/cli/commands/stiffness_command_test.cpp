@@ -7,7 +7,7 @@
 #include "sw_ref/scene/built_in.hpp"
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::stiffness_command_test {
 namespace {
 
 using nlohmann::json;
@@ -196,4 +196,4 @@ TEST(StiffnessCommand, MissingGnuplotRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::stiffness_command_test

@@ -17,7 +17,7 @@
 #include "sim/sweep/rows_file.hpp"
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::sweep_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -372,4 +372,4 @@ TEST_F(SweepCommand, RowThatIsNotVerifiedFails) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::sweep_command_test

@@ -5,7 +5,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::table_command_test {
 namespace {
 
 using testing::HasSubstr;
@@ -101,4 +101,4 @@ TEST(TableCommand, BadInputRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::table_command_test

@@ -10,7 +10,7 @@
 #include "tests/sim/environment.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::gnuplot_test {
 namespace {
 
 std::string message_of(const std::string& script) {
@@ -38,4 +38,4 @@ TEST(Gnuplot, MissingProgramRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::gnuplot_test

@@ -7,7 +7,7 @@
 #include "cli/report/column_heading.hpp"
 #include "cli/report/label_places.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::report_page_test {
 namespace {
 
 using testing::HasSubstr;
@@ -100,4 +100,4 @@ TEST(LabelPlaces, CoverNeitherEachOtherNorAMark) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::report_page_test

@@ -14,7 +14,7 @@
 #include "cli/report/unit_marks.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::sweep_plot_test {
 namespace {
 
 using testing::HasSubstr;
@@ -245,4 +245,4 @@ TEST(OccupancyDiagram, HasALineForUnitsThatDiffer) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::sweep_plot_test

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::progress_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -125,4 +125,4 @@ TEST(DurationText, HasTheTwoLargestUnits) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::progress_test

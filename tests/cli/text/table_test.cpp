@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hitpipe::cli {
+namespace hitpipe::cli::table_test {
 namespace {
 
 TEST(Record, IsOneLineAValueAsText) {
@@ -79,4 +79,4 @@ TEST(Table, WithoutRowsIsEmpty) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli
+}  // namespace hitpipe::cli::table_test

@@ -3,7 +3,7 @@
 
 #include "tests/hls/num/run.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::ap_int_assign_test {
 namespace {
 
 using exact::Integer;
@@ -52,4 +52,4 @@ TEST(ApIntCompoundAssignment, DividesAsTheOperatorDoes) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::ap_int_assign_test

@@ -5,7 +5,7 @@
 
 #include "tests/hls/num/run.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::ap_int_compare_test {
 namespace {
 
 using exact::Integer;
@@ -123,4 +123,4 @@ TEST(ApIntWithCppIntegers, CountsTheirOwnWidthAndSignOnEitherSide) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::ap_int_compare_test

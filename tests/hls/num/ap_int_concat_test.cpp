@@ -3,7 +3,7 @@
 
 #include "tests/hls/num/run.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::ap_int_concat_test {
 namespace {
 
 using exact::Integer;
@@ -69,4 +69,4 @@ TEST(ApIntConcatenation, NestsAndTakesBitsRangesAndCppIntegers) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::ap_int_concat_test

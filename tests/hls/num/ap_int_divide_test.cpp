@@ -4,7 +4,7 @@
 
 #include "tests/hls/num/run.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::ap_int_divide_test {
 namespace {
 
 using exact::Integer;
@@ -53,4 +53,4 @@ TEST(ApIntDivision, ByZeroGivesAllOnesAndTheDividend) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::ap_int_divide_test

@@ -6,7 +6,7 @@
 
 #include "tests/hls/num/run.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::ap_int_logic_test {
 namespace {
 
 using exact::Integer;
@@ -133,4 +133,4 @@ TEST(ApIntShift, OfWideValuesCrossesLimbs) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::ap_int_logic_test

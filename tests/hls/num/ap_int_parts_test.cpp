@@ -5,7 +5,7 @@
 
 #include "tests/hls/num/run.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::ap_int_parts_test {
 namespace {
 
 using exact::Integer;
@@ -241,4 +241,4 @@ TEST(ApIntReduction, CoversEveryBitAndNoMore) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::ap_int_parts_test

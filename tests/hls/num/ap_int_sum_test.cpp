@@ -3,7 +3,7 @@
 
 #include "tests/hls/num/run.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::ap_int_sum_test {
 namespace {
 
 using exact::Integer;
@@ -55,4 +55,4 @@ TEST(ApIntNegation, IsExact) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::ap_int_sum_test

@@ -6,7 +6,7 @@
 
 #include "hls/num/domain.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::ap_int_types_test {
 namespace {
 
 template <int W>
@@ -150,4 +150,4 @@ TEST(ApIntTypes, DefaultIsZero) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::ap_int_types_test

@@ -8,7 +8,7 @@
 
 #include "tests/hls/num/run.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::ap_string_test {
 namespace {
 
 template <class A>
@@ -50,4 +50,4 @@ TEST(ApIntString, OtherRadixRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::ap_string_test

@@ -5,7 +5,7 @@
 
 #include "tests/hls/num/run.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::domain_test {
 namespace {
 
 using exact::Integer;
@@ -101,4 +101,4 @@ static_assert(!sliced<int> && !named<int> && !joined<int>);
 static_assert(sliced<ap_int<3>> && named<ap_int<3>> && joined<ap_int<3>>);
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::domain_test

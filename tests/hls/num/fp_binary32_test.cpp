@@ -13,7 +13,7 @@
 #include "tests/hls/num/float_corners.hpp"
 #include "tests/hls/num/float_operators.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::fp_binary32_test {
 namespace {
 
 static_assert(std::numeric_limits<float>::is_iec559 && sizeof(float) == 4);
@@ -109,4 +109,4 @@ TEST(Binary32, RandomPairsMeetEveryKindOfResult) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::fp_binary32_test

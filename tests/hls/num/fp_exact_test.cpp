@@ -11,7 +11,7 @@
 #include "tests/hls/num/exact_float.hpp"
 #include "tests/hls/num/float_operators.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::fp_exact_test {
 namespace {
 
 using exact::FloatFormat;
@@ -127,4 +127,4 @@ static_assert(fp_less(binary32(0x80000000), binary32(0x00000000)) == 0U);
 static_assert(sign(binary32(0x80000000)) == 1U);
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::fp_exact_test

@@ -13,7 +13,7 @@
 #include "hls/num/sized.hpp"
 #include "tests/hls/num/plain_shift.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::saturating_shift_test {
 namespace {
 
 constexpr std::uint64_t seed = 611;
@@ -85,4 +85,4 @@ TEST(SaturatingShift, OfWideNumbersIsPlain) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::saturating_shift_test

@@ -13,7 +13,7 @@
 #include "tests/hls/num/float_corners.hpp"
 #include "tests/hls/num/float_operators.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::sized_fp_test {
 namespace {
 
 /// Compares the operators of one format on pairs and counts results.
@@ -100,4 +100,4 @@ TEST(SizedFloats, EveryPairOfBinary32CornersIsTheNativeOne) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::sized_fp_test

@@ -10,7 +10,7 @@
 
 #include "tests/hls/num/domain_operators.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::sized_test {
 namespace {
 
 /// Zero, one, all ones, both ends of either sign and their neighbours, alternating bits, then random ones.
@@ -67,4 +67,4 @@ TEST(Sized, TakesTheLowBitsOfAWord) {
 static_assert((Sized::sint(5, 4) - Sized::sint(7, 4)).to_int64() == -2);
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::sized_test

@@ -7,7 +7,7 @@
 
 #include "hls/num/levels.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::width_test {
 namespace {
 
 template <class T, class U>
@@ -49,4 +49,4 @@ TEST(ChangeIf, CompilesNoBranchThatIsNotTaken) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::width_test

@@ -13,7 +13,7 @@
 #include "hls/num/domain.hpp"
 #include "hls/pipelines/int_plucker.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::edge_bound_test {
 namespace {
 
 /// An edge of the silhouette: the direction's integers and the two planes that meet in it, from the origin.
@@ -177,4 +177,4 @@ TEST(EdgeBoundInTheUnit, SeparatesHitFromMiss) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::edge_bound_test

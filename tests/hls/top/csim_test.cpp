@@ -8,7 +8,7 @@
 
 #include "host/scratch_folder.hpp"
 
-namespace hitpipe::hls {
+namespace hitpipe::hls::csim_test {
 namespace {
 
 /// The lower plane as a distance, and whether the higher one lies ahead.
@@ -84,4 +84,4 @@ TEST_F(Csim, RefusesFilesThatAreNoVectors) {
 }
 
 }  // namespace
-}  // namespace hitpipe::hls
+}  // namespace hitpipe::hls::csim_test

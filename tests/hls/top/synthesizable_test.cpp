@@ -15,7 +15,7 @@
 #include "host/process.hpp"
 #include "host/scratch_folder.hpp"
 
-namespace hitpipe {
+namespace hitpipe::synthesizable_test {
 namespace {
 
 using testing::Contains;
@@ -145,4 +145,4 @@ TEST(Synthesizable, ForbiddenThingsAreFound) {
 }
 
 }  // namespace
-}  // namespace hitpipe
+}  // namespace hitpipe::synthesizable_test

@@ -7,7 +7,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::board_test {
 namespace {
 
 TEST(Board, IcebreakerHasItsPins) {
@@ -66,4 +66,4 @@ TEST(Board, DamagedFileIsRefused) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::board_test

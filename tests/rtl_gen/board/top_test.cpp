@@ -9,7 +9,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::top_test {
 namespace {
 
 /// Ports that need no padding, results of a byte and of several, one result bit alone.
@@ -60,4 +60,4 @@ TEST(BoardIdentity, TellsDesignsAndFormatsApart) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::top_test

@@ -8,7 +8,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::any_fp_formats_test {
 namespace {
 
 using hls::AnyFpBits;
@@ -59,4 +59,4 @@ TEST(AnyFpFormats, PortsHaveTheWidthsOfTheFormat) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::any_fp_formats_test

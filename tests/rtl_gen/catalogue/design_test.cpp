@@ -11,7 +11,7 @@
 #include "rtl_gen/catalogue/major_formats.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::design_test {
 namespace {
 
 TEST(Designs, AreFoundByName) {
@@ -207,4 +207,4 @@ TEST(AddDesign, SecondOfOneNameRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::design_test

@@ -9,7 +9,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::major_formats_test {
 namespace {
 
 using hls::MajorBits;
@@ -162,4 +162,4 @@ TEST(MajorFormats, PortsHaveTheWidthsOfTheFormat) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::major_formats_test

@@ -15,7 +15,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::native_test {
 namespace {
 
 /// Operands as a ray set-up gives them: a grid with a margin, a box of some size, floor and ceiling of an
@@ -232,4 +232,4 @@ TEST(BuiltInFormat, HasAnInstanceOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::native_test

@@ -12,7 +12,7 @@
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::built_in_test {
 namespace {
 
 TEST(BuiltIn, EveryFileOfTheFolderIsThere) {
@@ -62,4 +62,4 @@ TEST(BuiltIn, AFileIsCalledByItsPath) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::built_in_test

@@ -8,7 +8,7 @@
 #include "rtl_gen/component/library.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::chip_test {
 namespace {
 
 constexpr std::string_view toy_json = R"json({
@@ -100,4 +100,4 @@ TEST(Chip, WrongEntriesRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::chip_test

@@ -12,7 +12,7 @@
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::library_test {
 namespace {
 
 struct Row {
@@ -340,4 +340,4 @@ TEST(Library, FileThatIsNotThereRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::library_test

@@ -11,7 +11,7 @@
 #include "rtl_gen/schedule/registers.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::multiplier_test {
 namespace {
 
 constexpr std::uint64_t mask(int width) {
@@ -166,4 +166,4 @@ TEST(Multiplier, OneStageIsOneMultiplication) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::multiplier_test

@@ -8,7 +8,7 @@
 #include "rtl_gen/graph/canonical.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::product_test {
 namespace {
 
 constexpr std::uint64_t ones(int width) {
@@ -195,4 +195,4 @@ TEST(Product, WithoutAChipTheGraphStays) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::product_test

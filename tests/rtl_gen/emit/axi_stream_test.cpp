@@ -15,11 +15,8 @@
 #include "tests/rtl_gen/emit/axi_stream_bench.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::axi_stream_test {
 namespace {
-
-constexpr int beat_count = 1000;
-constexpr std::uint64_t beat_seed = 53;
 
 std::vector<File> emitted(const DesignFormat& d, bool axi_stream) {
   return emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), {.axi_stream = axi_stream}).files();
@@ -61,23 +58,17 @@ TEST_P(AxiStream, LintIsSilent) {
   expect_silence(run_tool(folder.path(), "iverilog", "iverilog", "-g2001 -Wall -o design " + both()));
 }
 
-/// What the bench prints about the wrapper in a folder.
-std::string streamed(const ScratchFolder& folder, const DesignFormat& d, int mode) {
-  return streamed(folder.path(), d.found(), d.parsed(), beat_count, beat_seed, mode);
-}
-
 TEST_P(AxiStream, AnswersAsTheDesignUnderStalls) {
   std::cout << "seed " << beat_seed << ", " << beat_count << " beats a mode\n";
-  for (const int mode : {1, 2, 3, 4, 5}) {
-    EXPECT_THAT(streamed(folder, GetParam(), mode), testing::StartsWith("PASS 1000 beats"))
-        << "mode " << mode;
-  }
+  const StreamBench bench(folder.path(), GetParam().found(), GetParam().parsed());
+  for (const int mode : {1, 2, 3, 4, 5})
+    EXPECT_THAT(bench.run(mode), testing::StartsWith(all_passed)) << "mode " << mode;
 }
 
 TEST_P(AxiStream, TakesABeatEveryCycleAtTheDesignsLatency) {
   const int stages = GetParam().pipeline().schedule.stages;
-  EXPECT_EQ(streamed(folder, GetParam(), 0),
-            fmt::format("PASS 1000 beats in {} cycles", beat_count + stages + 1));
+  EXPECT_EQ(StreamBench(folder.path(), GetParam().found(), GetParam().parsed()).run(0),
+            fmt::format("{} in {} cycles", all_passed, beat_count + stages + 1));
 }
 
 TEST_P(AxiStream, LeavesTheOtherFilesAsTheyAre) {
@@ -153,9 +144,9 @@ TEST(AxiStreamBench, DamagedWrappersFail) {
     const std::size_t at = text.find(good);
     ASSERT_NE(at, std::string::npos) << good;
     write_text(folder / "int_slabs_6_6_axis.v", text.replace(at, std::string(good).size(), bad));
-    EXPECT_THAT(streamed(folder, d, 1), testing::StartsWith("FAIL")) << bad;
+    EXPECT_THAT(StreamBench(folder.path(), d.found(), d.parsed()).run(1), testing::StartsWith("FAIL")) << bad;
   }
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::axi_stream_test

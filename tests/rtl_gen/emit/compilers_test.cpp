@@ -6,7 +6,7 @@
 
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::compilers_test {
 namespace {
 
 /// Files below a folder without the recorded graphs, where the compiler chooses the order of nodes.
@@ -42,4 +42,4 @@ TEST(Compilers, EmitTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::compilers_test

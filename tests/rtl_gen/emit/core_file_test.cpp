@@ -13,7 +13,7 @@
 #include "tests/rtl_gen/prune/demand_sets.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::core_file_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -220,4 +220,4 @@ TEST(FuseSoC, RunsTheTargetsAndFailsWithAWrongVector) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::core_file_test

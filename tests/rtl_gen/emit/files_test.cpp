@@ -17,7 +17,7 @@
 #include "tests/rtl_gen/tool.hpp"
 #include "tests/sim/environment.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::files_test {
 namespace {
 
 EmittedDesign emitted(const DesignFormat& d, const EmitOptions& options = {}) {
@@ -183,4 +183,4 @@ TEST(Draw, NothingIsDrawnWithoutGraphviz) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::files_test

@@ -16,7 +16,7 @@
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::hls_top_test {
 namespace {
 
 using testing::AllOf;
@@ -211,9 +211,8 @@ TEST(HlsTop, IsFormattedAsTheProjectIs) {
     for (const host::File& file : hls_top(design, design.default_format, std::string(design.name)).files()) {
       if (file.name.ends_with(".tcl") || file.name.ends_with(".cfg")) continue;
       write_text(folder / file.name, file.contents);
-      const ToolResult formatted =
-          run_tool(folder.path(), "clang-format", "clang-format",
-                   std::string("--style='file:") + HITPIPE_SOURCE + "/.clang-format' " + file.name);
+      const ToolResult formatted = run_tool(folder.path(), "clang-format", "clang-format",
+                                            "--style='file:" HITPIPE_SOURCE "/.clang-format' " + file.name);
       EXPECT_EQ(formatted.output, file.contents) << file.name;
     }
   }
@@ -303,4 +302,4 @@ TEST_F(HlsTools, TestProgramFindsAWrongTop) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::hls_top_test

@@ -8,7 +8,7 @@
 
 #include "tests/rtl_gen/catalogue/formats.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::manifest_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -131,4 +131,4 @@ TEST_P(ManifestOfADesign, LatchBitsAreThePlacedRegisters) {
 INSTANTIATE_TEST_SUITE_P(Designs, ManifestOfADesign, testing::ValuesIn(every_design()), design_suffix);
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::manifest_test

@@ -14,7 +14,7 @@
 #include "tests/rtl_gen/emit/two_boxes.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::several_results_test {
 namespace {
 
 using nlohmann::json;
@@ -84,11 +84,9 @@ TEST_F(SeveralResults, LintIsSilent) {
 }
 
 TEST_F(SeveralResults, AreStreamedOnByteBoundaries) {
-  for (const int mode : {0, 1, 2, 3}) {
-    EXPECT_THAT(streamed(folder.path(), design, format, 1000, 53, mode),
-                testing::StartsWith("PASS 1000 beats"))
-        << "mode " << mode;
-  }
+  const StreamBench bench(folder.path(), design, format);
+  for (const int mode : {0, 1, 2, 3})
+    EXPECT_THAT(bench.run(mode), testing::StartsWith(all_passed)) << "mode " << mode;
 }
 
 TEST_F(SeveralResults, AreAllComparedByTheBenchOfTheWrapper) {
@@ -100,8 +98,7 @@ TEST_F(SeveralResults, AreAllComparedByTheBenchOfTheWrapper) {
     ASSERT_NE(at, std::string::npos);
     write_text(folder / "two_boxes_axis.v",
                text.replace(at, good.size(), fmt::format("? ~spare_{0} : ~out_{0}", name)));
-    EXPECT_THAT(streamed(folder.path(), design, format, 1000, 53, 1),
-                testing::StartsWith("FAIL wrong result"))
+    EXPECT_THAT(StreamBench(folder.path(), design, format).run(1), testing::StartsWith("FAIL wrong result"))
         << name;
   }
 }
@@ -142,4 +139,4 @@ TEST_F(SeveralResults, OfADesignWithoutHitOfTheFirstBoxAreRefused) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::several_results_test

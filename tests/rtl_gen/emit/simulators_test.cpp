@@ -12,7 +12,7 @@
 #include "tests/rtl_gen/emit/two_boxes.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::simulators_test {
 namespace {
 
 using testing::HasSubstr;
@@ -245,4 +245,4 @@ TEST(SimulatorFolder, HarnessCompilesWithoutAWarning) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::simulators_test

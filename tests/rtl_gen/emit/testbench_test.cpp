@@ -18,7 +18,7 @@
 #include "tests/rtl_gen/schedule/random_schedule.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::testbench_test {
 namespace {
 
 /// What the testbench says in Icarus about the files in a folder, without what vvp adds. The exit code must
@@ -258,4 +258,4 @@ TEST(Testbench, ACombinationalProductOfAnInvertedValuePasses) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::testbench_test

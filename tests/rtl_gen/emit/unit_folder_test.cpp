@@ -10,7 +10,7 @@
 #include "tests/rtl_gen/tool.hpp"
 #include "tests/sim/environment.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::unit_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,4 +140,4 @@ TEST_F(UnitFolder, WithoutGraphvizAllButThePicturesAreWritten) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::unit_folder_test

@@ -9,7 +9,7 @@
 #include "rtl_gen/graph/sources.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::call_test {
 namespace {
 
 /// 4-bit a - 2 b.
@@ -131,4 +131,4 @@ TEST(Call, WrongOperandsRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::call_test

@@ -5,7 +5,7 @@
 
 #include "tests/rtl_gen/graph/recipe.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::canonical_test {
 namespace {
 
 TEST(Canonical, DeadNodesGoAndInputsStay) {
@@ -155,4 +155,4 @@ TEST(Canonical, DoesNotDependOnTheOrderOfRecording) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::canonical_test

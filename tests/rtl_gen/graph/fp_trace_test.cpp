@@ -15,7 +15,7 @@
 #include "tests/hls/num/float_operators.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::fp_trace_test {
 namespace {
 
 namespace exact = hls::exact;
@@ -120,4 +120,4 @@ TEST(TracedFloats, OtherFormatsAreTheNativeOnes) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::fp_trace_test

@@ -9,7 +9,7 @@
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/graph/recipe.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::graph_test {
 namespace {
 
 struct Words {
@@ -214,4 +214,4 @@ TEST(Evaluate, BitsAboveAPortAreIgnored) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::graph_test

@@ -10,7 +10,7 @@
 #include "rtl_gen/graph/trace.hpp"
 #include "tests/hls/num/plain_shift.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::saturating_shift_test {
 namespace {
 
 namespace plain = hls::plain;
@@ -59,4 +59,4 @@ TEST(SaturatingShiftGraph, IsPlainForCornersOfWideWidths) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::saturating_shift_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::sources_test {
 namespace {
 
 using Sources = std::vector<std::pair<NodeId, std::uint64_t>>;
@@ -68,4 +68,4 @@ TEST(Sources, OfANodeAreThoseOfItsOperands) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::sources_test

@@ -10,7 +10,7 @@
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::trace_test {
 namespace {
 
 namespace exact = hls::exact;
@@ -119,4 +119,4 @@ TEST(Tracer, SignalWithoutTracerRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::trace_test

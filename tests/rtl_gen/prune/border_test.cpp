@@ -5,7 +5,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::border_test {
 namespace {
 
 class BorderOf : public testing::TestWithParam<const char*> {
@@ -77,4 +77,4 @@ TEST_P(BorderOfIntSlabs, StaysWithinTheDemands) {
 INSTANTIATE_TEST_SUITE_P(Demands, BorderOfIntSlabs, testing::Values("int_slabs"));
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::border_test

@@ -8,7 +8,7 @@
 #include "rtl_gen/prune/promises.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::demands_test {
 namespace {
 
 const std::vector<Port> four_ports{{"a", 8, true}, {"b", 8, true}, {"c", 8, false}, {"d", 1, false}};
@@ -147,4 +147,4 @@ TEST(Promises, AreLegalAndAsHlsBoxSays) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::demands_test

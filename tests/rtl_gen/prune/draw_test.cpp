@@ -9,7 +9,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/prune/random_demands.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::draw_test {
 namespace {
 
 std::vector<Port> some_ports(Seeded& random) {
@@ -124,4 +124,4 @@ TEST_P(DrawnVectors, AreAsDemandedAndHitAboutEveryOtherTime) {
 INSTANTIATE_TEST_SUITE_P(Designs, DrawnVectors, testing::ValuesIn(every_design({"20/24"})), design_suffix);
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::draw_test

@@ -10,7 +10,7 @@
 #include "tests/rtl_gen/graph/recipe.hpp"
 #include "tests/rtl_gen/prune/random_demands.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::facts_test {
 namespace {
 
 bool holds(const Facts& facts, std::uint64_t value) {
@@ -201,4 +201,4 @@ TEST(Analysis, LooksIntoAComponent) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::facts_test

@@ -10,7 +10,7 @@
 #include "tests/rtl_gen/prune/compare.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::fitted_verilog_test {
 namespace {
 
 constexpr int vector_count = 500;
@@ -227,4 +227,4 @@ TEST(CheckBlock, NamesWhatNarrowPortsCannotTell) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::fitted_verilog_test

@@ -11,7 +11,7 @@
 #include "rtl_gen/prune/prune.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::narrow_units_test {
 namespace {
 
 using testing::HasSubstr;
@@ -132,4 +132,4 @@ TEST(NarrowUnits, BecomeWiresWhereOnlyWiresAreLeft) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::narrow_units_test

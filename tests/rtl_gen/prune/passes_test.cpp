@@ -11,7 +11,7 @@
 #include "tests/rtl_gen/graph/recipe.hpp"
 #include "tests/rtl_gen/prune/random_demands.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::passes_test {
 namespace {
 
 struct PassCase {
@@ -308,4 +308,4 @@ TEST_F(Small, NarrowPortsHaveNoSignWhereNumbersDoNotFit) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::passes_test

@@ -16,7 +16,7 @@
 #include "tests/rtl_gen/prune/compare.hpp"
 #include "tests/rtl_gen/prune/random_demands.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::prune_test {
 namespace {
 
 std::string verilog_of(const Graph& graph) {
@@ -246,4 +246,4 @@ TEST(DemandFields, NameLowZerosOnlyWhereThereAreAny) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::prune_test

@@ -10,7 +10,7 @@
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::balance_test {
 namespace {
 
 /// `length` multiplexers in a row: 2 gate levels each.
@@ -79,4 +79,4 @@ TEST(Balance, FloatUnitsHaveEvenStages) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::balance_test

@@ -7,7 +7,7 @@
 #include "rtl_gen/component/built_in.hpp"
 #include "rtl_gen/pipeline.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::block_registers_test {
 namespace {
 
 /// (a - c) * b, of which only bits 20:8 leave the unit; `b` also leaves it if asked.
@@ -78,4 +78,4 @@ TEST(BlockRegisters, ABlockWithoutThemLeavesAllOutside) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::block_registers_test

@@ -6,7 +6,7 @@
 
 #include "tests/rtl_gen/catalogue/formats.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::figures_test {
 namespace {
 
 using Counts = std::map<std::string, int>;
@@ -136,4 +136,4 @@ TEST(IntPlucker, HasTheCriticalPathsOfFigures712And714) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::figures_test

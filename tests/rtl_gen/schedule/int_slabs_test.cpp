@@ -9,7 +9,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/schedule/figures.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::int_slabs_test {
 namespace {
 
 Pipeline int_slabs(int n, int t) {
@@ -126,4 +126,4 @@ TEST(IntSlabs, AClockThatIsTooShortIsToldTheShortest) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::int_slabs_test

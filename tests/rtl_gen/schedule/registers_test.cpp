@@ -13,7 +13,7 @@
 #include "tests/rtl_gen/graph/recipe.hpp"
 #include "tests/rtl_gen/schedule/random_schedule.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::registers_test {
 namespace {
 
 /// "boundary: name[high:low] ...", one line for each boundary with registers.
@@ -218,4 +218,4 @@ TEST(Registers, RandomSchedulesLatchEveryBitThatIsReadLaterAndNoOther) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::registers_test

@@ -12,7 +12,7 @@
 #include "tests/rtl_gen/graph/recipe.hpp"
 #include "tests/rtl_gen/schedule/random_schedule.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::tiny_graphs_test {
 namespace {
 
 std::string slots(const Graph& graph, const Schedule& schedule) {
@@ -284,4 +284,4 @@ TEST(AsStated, IsVerified) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::tiny_graphs_test

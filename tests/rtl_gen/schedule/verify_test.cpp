@@ -7,7 +7,7 @@
 #include "tests/rtl_gen/graph/recipe.hpp"
 #include "tests/rtl_gen/schedule/random_schedule.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::verify_test {
 namespace {
 
 using Broken = std::vector<std::string>;
@@ -228,4 +228,4 @@ TEST(Verify, RejectsRandomSchedulesWithOneNodeTooLate) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::verify_test

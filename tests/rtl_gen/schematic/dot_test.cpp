@@ -18,7 +18,7 @@
 #include "tests/rtl_gen/tool.hpp"
 #include "tests/rtl_gen/verilog/toy.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::dot_test {
 namespace {
 
 int times(const std::string& text, const std::string& part) {
@@ -279,4 +279,4 @@ TEST(AxisOrder, IsTheMeanOfWhatAValueIsMadeOf) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::dot_test

@@ -13,7 +13,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::chips_test {
 namespace {
 
 struct Mapped {
@@ -135,4 +135,4 @@ TEST(ChipClock, ALongerOneTakesStagesOutOfFloatOperatorsAndAnswersAlike) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::chips_test

@@ -7,7 +7,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::lint_test {
 namespace {
 
 class Lint : public testing::TestWithParam<DesignFormat> {
@@ -94,4 +94,4 @@ TEST(RunTool, AMissingProgramIsToldItsPackage) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::lint_test

@@ -12,7 +12,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/verilog/toy.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::module_test {
 namespace {
 
 constexpr std::string_view toy_verilog = R"v(// toy 6/6: 5 stages, one test a cycle.
@@ -244,4 +244,4 @@ TEST_P(EmittedFiles, NameTheLinesOfTheCpp) {
 INSTANTIATE_TEST_SUITE_P(Designs, EmittedFiles, testing::ValuesIn(every_design()), design_suffix);
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::module_test

@@ -8,7 +8,7 @@
 #include "tests/rtl_gen/component/unit_library.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::names_test {
 namespace {
 
 struct Tiny {
@@ -117,4 +117,4 @@ TEST(Names, ValuesMayBeCalledAsTheHandshake) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::names_test

@@ -10,7 +10,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::register_bits_test {
 namespace {
 
 constexpr int tag_bits = 16;
@@ -94,4 +94,4 @@ TEST(RegisterWords, AreTheThesiss38Of24Bits) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::register_bits_test

@@ -6,7 +6,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::synth_test {
 namespace {
 
 class Synth : public testing::TestWithParam<DesignFormat> {};
@@ -29,4 +29,4 @@ TEST_P(Synth, YosysMapsItToGates) {
 INSTANTIATE_TEST_SUITE_P(Designs, Synth, testing::ValuesIn(every_design({"20/24"})), design_suffix);
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::synth_test

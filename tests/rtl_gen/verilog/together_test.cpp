@@ -8,7 +8,7 @@
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
-namespace hitpipe::rtl {
+namespace hitpipe::rtl::together_test {
 namespace {
 
 /// A module that instantiates the wrappers of both units, with every port on a port of its own.
@@ -68,4 +68,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& units) { return units.param.first.module() + "_and_" + units.param.second.module(); });
 
 }  // namespace
-}  // namespace hitpipe::rtl
+}  // namespace hitpipe::rtl::together_test

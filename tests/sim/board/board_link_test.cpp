@@ -12,7 +12,7 @@
 #include "tests/sim/board/served_board.hpp"
 #include "tests/sim/small_scene.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::board_link_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -180,4 +180,4 @@ TEST(SimulatedBoard, AnswersTheTestsOfAScene) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::board_link_test

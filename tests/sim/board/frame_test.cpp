@@ -6,7 +6,7 @@
 
 #include "sim/board/packed_bits.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::frame_test {
 namespace {
 
 using namespace std::string_literals;
@@ -97,4 +97,4 @@ TEST(PackedBits, HoldTheWidestPorts) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::frame_test

@@ -15,7 +15,7 @@
 #include "tests/sim/temporary_folder.hpp"
 #include "tests/sim/units.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::check_test {
 namespace {
 
 using ref::adversary::Case;
@@ -268,4 +268,4 @@ TEST(CheckOfTheVerilog, CountsEveryWrongAnswerOfAShortBatch) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::check_test

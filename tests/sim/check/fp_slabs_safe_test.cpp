@@ -16,7 +16,7 @@
 #include "sw_ref/exact/box_referee.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::fp_slabs_safe_test {
 namespace {
 
 using hls::AnyFpBits;
@@ -138,4 +138,4 @@ TEST(FpSlabsSafeSetUp, EachStepIsNeeded) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::fp_slabs_safe_test

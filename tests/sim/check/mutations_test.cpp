@@ -25,7 +25,7 @@
 #include "tests/sim/check/mutated_major.hpp"
 #include "tests/sim/check/mutated_set_up.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::mutations_test {
 namespace {
 
 using ref::adversary::Category;
@@ -337,4 +337,4 @@ INSTANTIATE_TEST_SUITE_P(Faults, Mutations, testing::ValuesIn(faults), name_of);
 INSTANTIATE_TEST_SUITE_P(Changes, HarmlessChanges, testing::ValuesIn(no_faults), name_of);
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::mutations_test

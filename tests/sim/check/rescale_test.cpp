@@ -10,7 +10,7 @@
 
 #include "sw_ref/exact/triangle_test.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::rescale_test {
 namespace {
 
 constexpr int side = 64;
@@ -138,4 +138,4 @@ TEST(PixelChanges, CountTrianglesAndVisibleColours) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::rescale_test

@@ -10,7 +10,7 @@
 #include "sw_ref/adversary/case.hpp"
 #include "tests/sim/small_scene.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::stiffness_test {
 namespace {
 
 constexpr std::uint64_t seed = 11;
@@ -152,4 +152,4 @@ TEST(StiffTraversals, FindTheSameTrianglesWithMoreBoxTests) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::stiffness_test

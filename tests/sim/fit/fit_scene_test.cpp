@@ -11,7 +11,7 @@
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::fit_scene_test {
 namespace {
 
 class FitToScene : public testing::Test {
@@ -98,4 +98,4 @@ TEST_F(FitToScene, IsVerifiedByRightVectorsAndAPictureThatARefereeJudged) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::fit_scene_test

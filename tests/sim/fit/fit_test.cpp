@@ -17,7 +17,7 @@
 #include "tests/rtl_gen/tool.hpp"
 #include "tests/sw_ref/demands/demand_scenes.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::fit_test {
 namespace {
 
 using testing::HasSubstr;
@@ -361,4 +361,4 @@ INSTANTIATE_TEST_SUITE_P(Designs, PrecisionOf, testing::Values("int_slabs", "int
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::fit_test

@@ -26,7 +26,7 @@
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sw_ref/demands/demand_scenes.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::port_demands_test {
 namespace {
 
 using testing::HasSubstr;
@@ -319,4 +319,4 @@ TEST(Guard, NamesPortNumberAndDemand) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::port_demands_test

@@ -12,7 +12,7 @@
 #include "tests/sim/temporary_folder.hpp"
 #include "tests/sw_ref/demands/demand_scenes.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::unit_cosim_test {
 namespace {
 
 const rtl::Design& design() {
@@ -72,4 +72,4 @@ TEST(UnitCosim, OfACutUnitChecksEveryOperand) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::unit_cosim_test

@@ -8,7 +8,7 @@
 #include "sim/fit/fit.hpp"
 #include "tests/sw_ref/demands/demand_scenes.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::vector_check_test {
 namespace {
 
 using testing::HasSubstr;
@@ -86,4 +86,4 @@ TEST_F(Vectors, FindLostTests) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::vector_check_test

@@ -10,7 +10,7 @@
 #include "sim/implement/synthesis.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::reports_test {
 namespace {
 
 using testing::ElementsAre;
@@ -175,4 +175,4 @@ TEST(NetlistSimulation, FailCountsBeforePass) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::reports_test

@@ -15,7 +15,7 @@
 #include "tests/message_of.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::unit_implementation_test {
 namespace {
 
 using testing::StartsWith;
@@ -173,4 +173,4 @@ TEST(Implementation, TargetWithoutModelsIsNotSimulated) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::unit_implementation_test

@@ -14,7 +14,7 @@
 #include "sim/vectors/design_vectors.hpp"
 #include "tests/sim/mutations/fault_simulation.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::planted_faults_test {
 namespace {
 
 using Operands = std::vector<std::vector<std::int64_t>>;
@@ -188,4 +188,4 @@ std::string name_of(const testing::TestParamInfo<FaultyUnit>& parameter) {
 INSTANTIATE_TEST_SUITE_P(Designs, PlantedFaults, testing::ValuesIn(units), name_of);
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::planted_faults_test

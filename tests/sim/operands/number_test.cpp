@@ -12,7 +12,7 @@
 #include "sim/operands/placement.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::number_test {
 namespace {
 
 using boost::multiprecision::cpp_rational;
@@ -105,4 +105,4 @@ TEST(Placement, BoundsOfNoUseRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::number_test

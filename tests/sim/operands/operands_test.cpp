@@ -15,7 +15,7 @@
 #include "tests/message_of.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::operands_test {
 namespace {
 
 using ref::adversary::Case;
@@ -255,4 +255,4 @@ TEST_F(Operands, FilesOfDifferentLengthRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::operands_test

@@ -9,7 +9,7 @@
 #include "tests/message_of.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::rays_and_boxes_test {
 namespace {
 
 class RaysAndBoxes : public testing::Test {
@@ -166,4 +166,4 @@ TEST_F(RaysAndBoxes, LineWithoutAnEndRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::rays_and_boxes_test

@@ -16,7 +16,7 @@
 #include "tests/sim/sweep/sample_rows.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::plan_test {
 namespace {
 
 TEST(SweepFormats, HoldThoseOfTheThesis) {
@@ -140,4 +140,4 @@ TEST(Shards, ThatAreNotAllThereAreNotJoined) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::plan_test

@@ -8,7 +8,7 @@
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::resume_test {
 namespace {
 
 class Resume : public testing::Test {
@@ -99,4 +99,4 @@ TEST_F(Resume, FileThatCannotBeWrittenIsRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::resume_test

@@ -23,7 +23,7 @@
 #include "tests/sim/temporary_folder.hpp"
 #include "tests/sim/units.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::sweep_test {
 namespace {
 
 using testing::HasSubstr;
@@ -182,4 +182,4 @@ TEST(AboutSweep, ChangesWithAllThatDecidesTheRows) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::sweep_test

@@ -5,7 +5,7 @@
 
 #include "sim/thesis/chapter_7.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::adaptive_test {
 namespace {
 
 TEST(AdaptivePrecision, AsksLessOftenWithMoreBitsAndWithAThirdAnswer) {
@@ -42,4 +42,4 @@ TEST(Table72, RowsAreThePrintedOnes) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::adaptive_test

@@ -7,7 +7,7 @@
 
 #include "sim/software.hpp"
 
-namespace hitpipe::sim {
+namespace hitpipe::sim::design_vectors_test {
 namespace {
 
 constexpr std::size_t count = 600;
@@ -74,4 +74,4 @@ TEST(VectorSummary, NamesTheLinesOfEveryGroup) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim
+}  // namespace hitpipe::sim::design_vectors_test

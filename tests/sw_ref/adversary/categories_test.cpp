@@ -15,7 +15,7 @@
 #include "sw_ref/adversary/major.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 
-namespace hitpipe::ref::adversary {
+namespace hitpipe::ref::adversary::categories_test {
 namespace {
 
 constexpr std::uint64_t seed = 20071;
@@ -342,4 +342,4 @@ TEST(Adversary, TextIsExact) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref::adversary
+}  // namespace hitpipe::ref::adversary::categories_test

@@ -18,7 +18,7 @@
 #include "tests/sw_ref/adversary/halved.hpp"
 #include "tests/sw_ref/quantise/native_units.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::false_miss_test {
 namespace {
 
 using adversary::Case;
@@ -157,4 +157,4 @@ TEST(NoFalseMiss, IntPluckerOnCoarseAxesInEveryCategory) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::false_miss_test

@@ -17,7 +17,7 @@
 #include "sw_ref/adversary/categories.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 
-namespace hitpipe::ref::adversary {
+namespace hitpipe::ref::adversary::neighbours_test {
 namespace {
 
 constexpr std::uint64_t seed = 20073;
@@ -140,4 +140,4 @@ TEST(Neighbours, FillAnyNumberOfBoxesFromTheSameDraws) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref::adversary
+}  // namespace hitpipe::ref::adversary::neighbours_test

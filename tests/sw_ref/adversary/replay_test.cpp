@@ -11,7 +11,7 @@
 
 #include "sw_ref/adversary/categories.hpp"
 
-namespace hitpipe::ref::adversary {
+namespace hitpipe::ref::adversary::replay_test {
 namespace {
 
 constexpr std::uint64_t seed = 20075;
@@ -109,4 +109,4 @@ TEST(ParseCase, RefusedBoxRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref::adversary
+}  // namespace hitpipe::ref::adversary::replay_test

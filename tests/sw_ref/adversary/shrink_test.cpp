@@ -9,7 +9,7 @@
 #include "sw_ref/adversary/categories.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 
-namespace hitpipe::ref::adversary {
+namespace hitpipe::ref::adversary::shrink_test {
 namespace {
 
 constexpr std::uint64_t seed = 20074;
@@ -81,4 +81,4 @@ TEST(Shrink, AsksOnlyAboutAcceptableCasesAndEndsAtOneThatFails) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref::adversary
+}  // namespace hitpipe::ref::adversary::shrink_test

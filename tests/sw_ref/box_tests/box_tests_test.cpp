@@ -18,7 +18,7 @@
 #include "sw_ref/box_tests/workload.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::box_tests_test {
 namespace {
 
 constexpr std::uint64_t seed = 20034;
@@ -219,4 +219,4 @@ TEST(BoxTiming, TimesEveryVariantMixAndPrecision) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::box_tests_test

@@ -9,7 +9,7 @@
 #include "tests/message_of.hpp"
 #include "tests/sw_ref/bvh/meshes.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::build_test {
 namespace {
 
 BuildOptions one_per_leaf() {
@@ -169,4 +169,4 @@ TEST(Build, OptionsOutOfRangeAreRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::build_test

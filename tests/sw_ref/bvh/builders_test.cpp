@@ -10,7 +10,7 @@
 #include "sw_ref/scene/scene.hpp"
 #include "tests/sw_ref/bvh/meshes.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::builders_test {
 namespace {
 
 struct NamedMesh {
@@ -260,4 +260,4 @@ INSTANTIATE_TEST_SUITE_P(Both, Grid, testing::Values(Builder::median, Builder::s
                          });
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::builders_test

@@ -15,7 +15,7 @@
 #include "tests/message_of.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::bvh_file_test {
 namespace {
 
 using testing::ElementsAre;
@@ -340,4 +340,4 @@ TEST_F(BvhFile, MayBeLongerThanThePiecesInWhichItIsRead) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::bvh_file_test

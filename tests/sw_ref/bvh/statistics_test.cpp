@@ -6,7 +6,7 @@
 #include "sw_ref/bvh/sweep.hpp"
 #include "tests/sw_ref/bvh/meshes.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::statistics_test {
 namespace {
 
 TEST(Statistics, AreThoseOfAHierarchyWorkedOutByHand) {
@@ -62,4 +62,4 @@ TEST(Sweep, BuildsEachSizeOfAppendixBOnce) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::statistics_test

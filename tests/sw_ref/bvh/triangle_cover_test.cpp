@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::triangle_cover_test {
 namespace {
 
 const Mesh::Corners slanted{{0, 0, 0}, {1, 0, 0.25F}, {0, 1, 0.5F}};
@@ -53,4 +53,4 @@ TEST(TriangleCover, OfManyBoxesEnds) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::triangle_cover_test

@@ -10,7 +10,7 @@
 
 #include "tests/sw_ref/demands/demand_scenes.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::guard_test {
 namespace {
 
 using testing::HasSubstr;
@@ -81,4 +81,4 @@ TEST_F(GuardOfStairs, SeesAnEndThatIsMissingOrNotWanted) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::guard_test

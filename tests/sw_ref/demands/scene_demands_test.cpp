@@ -13,7 +13,7 @@
 #include "sw_ref/traverse/child_order.hpp"
 #include "tests/sw_ref/demands/demand_scenes.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::scene_demands_test {
 namespace {
 
 Scene glass_hills() {
@@ -243,4 +243,4 @@ TEST(EvidenceOfDemands, SaysWhatIsKeptWhole) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::scene_demands_test

@@ -17,7 +17,7 @@
 #include "sw_ref/encode/relative_box.hpp"
 #include "tests/sw_ref/encode/hierarchies.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::encode_test {
 namespace {
 
 using hierarchies::built;
@@ -196,4 +196,4 @@ TEST(DoubleNodes, BoxesAreExactCopies) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::encode_test

@@ -6,7 +6,7 @@
 
 #include "tests/sw_ref/encode/hierarchies.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::int_nodes_test {
 namespace {
 
 using hierarchies::built;
@@ -93,4 +93,4 @@ TEST(IntNodes, BitsAndBoxesOutsideTheGridAreRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::int_nodes_test

@@ -9,7 +9,7 @@
 #include "tests/sw_ref/exact/box_cases.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::box_referee_test {
 namespace {
 
 constexpr std::uint64_t seed = 20051;
@@ -149,4 +149,4 @@ TEST(Acceptable, BoxOutsideTheDomainIsRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::box_referee_test

@@ -17,7 +17,7 @@
 #include "sw_ref/exact/triangle_test.hpp"
 #include "tests/sw_ref/exact/triangle_cases.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::triangle_mesh_test {
 namespace {
 
 using cases::Random;
@@ -204,4 +204,4 @@ TEST(TriangleMesh, OrderOfTestsDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::triangle_mesh_test

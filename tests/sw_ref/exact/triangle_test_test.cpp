@@ -9,7 +9,7 @@
 
 #include "tests/sw_ref/exact/triangle_cases.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::triangle_test_test {
 namespace {
 
 using cases::Random;
@@ -156,4 +156,4 @@ TEST(HasArea, MatchesRationalArithmetic) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::triangle_test_test

@@ -10,7 +10,7 @@
 #include "sw_ref/experiment/recording.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::experiment_test {
 namespace {
 
 using testing::AllOf;
@@ -196,4 +196,4 @@ TEST(Measurement, CountsWhatTheRendererCounts) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::experiment_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::interval_test {
 namespace {
 
 void expect_interval(Interval interval, double low, double high) {
@@ -106,4 +106,4 @@ TEST(GroupedRatio, AddsUpInAnyOrderAndLeavesOutEmptyGroups) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::interval_test

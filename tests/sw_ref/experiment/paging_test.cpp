@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::paging_test {
 namespace {
 
 constexpr std::uint64_t page = PagedMemory::page_bytes;
@@ -78,4 +78,4 @@ TEST(PagedMemory, MoreRoomNeverFaultsMore) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::paging_test

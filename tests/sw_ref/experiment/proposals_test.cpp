@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::proposals_test {
 namespace {
 
 ExperimentOptions spheres() {
@@ -50,4 +50,4 @@ TEST(Proposals, UnknownSceneRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::proposals_test

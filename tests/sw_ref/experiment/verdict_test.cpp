@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::verdict_test {
 namespace {
 
 Comparison percents(double printed, double ours) {
@@ -61,4 +61,4 @@ TEST(FigureText, HasItsIntervalAndWholeThousands) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::verdict_test

@@ -8,7 +8,7 @@
 #include "sw_ref/quantise/grid.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::coarse_axes_test {
 namespace {
 
 IntOrigin all(std::int64_t coordinate) {
@@ -121,4 +121,4 @@ TEST(CoarseAxes, AreNamedWithTheirBits) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::coarse_axes_test

@@ -14,7 +14,7 @@
 #include "tests/sw_ref/exact/box_cases.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::fine_grid_test {
 namespace {
 
 using cases::Random;
@@ -167,4 +167,4 @@ TEST(QuantiseBoxForAFinerOrigin, CoordinateOutsideTheCubeIsRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::fine_grid_test

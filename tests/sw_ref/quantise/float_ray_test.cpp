@@ -12,7 +12,7 @@
 #include "tests/message_of.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::float_ray_test {
 namespace {
 
 using adversary::Category;
@@ -107,4 +107,4 @@ TEST(FloatIrdvc, IsTheRoundedInverseWithInfinitiesOfTheZerosSign) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::float_ray_test

@@ -15,7 +15,7 @@
 #include "tests/message_of.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::fp_slabs_safe_ray_test {
 namespace {
 
 using hls::AnyFpBits;
@@ -165,4 +165,4 @@ TEST(FpRounding, RefusesBoxesOutsideTheCube) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::fp_slabs_safe_ray_test

@@ -14,7 +14,7 @@
 #include "tests/sw_ref/exact/box_cases.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::int_box_test {
 namespace {
 
 using cases::Random;
@@ -192,4 +192,4 @@ TEST(QuantiseBox, WidthOutsideTheFormatIsRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::int_box_test

@@ -17,7 +17,7 @@
 #include "tests/sw_ref/exact/rational.hpp"
 #include "tests/sw_ref/quantise/major_formats.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::int_major_ray_test {
 namespace {
 
 using cases::Random;
@@ -360,4 +360,4 @@ TEST(IntMajorRaySetup, FormatOutsideTheRangeIsRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::int_major_ray_test

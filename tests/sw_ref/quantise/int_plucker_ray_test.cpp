@@ -13,7 +13,7 @@
 #include "tests/message_of.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::int_plucker_ray_test {
 namespace {
 
 using adversary::Category;
@@ -224,4 +224,4 @@ TEST(IntPluckerRaySetup, FormatOutsideTheRangeIsRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::int_plucker_ray_test

@@ -12,7 +12,7 @@
 #include "tests/sw_ref/exact/box_cases.hpp"
 #include "tests/sw_ref/exact/rational.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::int_slabs_ray_test {
 namespace {
 
 using cases::Random;
@@ -301,4 +301,4 @@ TEST(IntSlabsRaySetup, FormatOutsideTheRangeIsRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::int_slabs_ray_test

@@ -13,7 +13,7 @@
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sw_ref/exact/box_cases.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::int_slabs_test {
 namespace {
 
 using hls::IntBits;
@@ -110,4 +110,4 @@ TEST(IntSlabs, ZeroComponentLeavesAOneAxisTest) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::int_slabs_test

@@ -14,7 +14,7 @@
 #include "sw_ref/render/colour_map.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::image_compare_test {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -182,4 +182,4 @@ TEST_F(ImageOnDisk, WhatIsNoImageRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::image_compare_test

@@ -19,7 +19,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::image_file_test {
 namespace {
 
 class ImageFile : public testing::Test {
@@ -148,4 +148,4 @@ TEST_F(ImageFile, FullDiskLeavesTheOldFileAndNoPart) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::image_file_test

@@ -10,7 +10,7 @@
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::ray_causes_test {
 namespace {
 
 using testing::ElementsAre;
@@ -183,4 +183,4 @@ TEST(ShadingCounters, DoNotDependOnThreads) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::ray_causes_test

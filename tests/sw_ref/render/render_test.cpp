@@ -15,7 +15,7 @@
 #include "sw_ref/render/shade.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::render_test {
 namespace {
 
 bool same_bits(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
@@ -280,4 +280,4 @@ TEST_F(Render, OptionsOutOfRangeRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::render_test

@@ -10,7 +10,7 @@
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/render/camera.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::shade_test {
 namespace {
 
 Mesh floor_triangle(float height = 0.0F) {
@@ -239,4 +239,4 @@ TEST(Direct, OfASunIsTheSameEverywhere) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::shade_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::stiff_rays_test {
 namespace {
 
 Ray along(float x, float y, float z) {
@@ -35,4 +35,4 @@ TEST(StiffRays, AreSharesOfAllRays) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::stiff_rays_test

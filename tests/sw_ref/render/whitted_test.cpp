@@ -15,7 +15,7 @@
 #include "sw_ref/render/shade.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::whitted_test {
 namespace {
 
 const double root_half = std::sqrt(0.5);
@@ -335,4 +335,4 @@ TEST(Whitted, OptionsOutOfRangeRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::whitted_test

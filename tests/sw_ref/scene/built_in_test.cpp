@@ -16,7 +16,7 @@
 #include "sw_ref/scene/figure.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::built_in_test {
 namespace {
 
 /// FNV-1a over the bits of vertices, indices and materials.
@@ -154,4 +154,4 @@ TEST(BuiltInScenes, NumbersOfTrianglesTheyCannotHaveRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::built_in_test

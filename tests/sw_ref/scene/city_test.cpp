@@ -11,7 +11,7 @@
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::city_test {
 namespace {
 
 constexpr std::size_t fewest = 100'000;
@@ -105,4 +105,4 @@ TEST(City, DetailLeavesThePlanAsItIs) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::city_test

@@ -18,7 +18,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::mesh_file_test {
 namespace {
 
 class MeshFile : public testing::Test {
@@ -349,4 +349,4 @@ TEST_F(MeshFile, QuotedLineBreaksStayOutOfTheMessage) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::mesh_file_test

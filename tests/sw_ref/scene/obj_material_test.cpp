@@ -7,7 +7,7 @@
 
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::obj_material_test {
 namespace {
 
 /// Five triangles: no material, red, mirror, glass, and a name that is not defined. If there is an MTL file,
@@ -106,4 +106,4 @@ TEST_F(ObjMaterials, ASceneFileMayReplaceThem) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::obj_material_test

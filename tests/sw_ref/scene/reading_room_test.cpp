@@ -8,7 +8,7 @@
 
 #include "sw_ref/render/render.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::reading_room_test {
 namespace {
 
 constexpr std::size_t fewest_of_a_room = 60'000;
@@ -53,4 +53,4 @@ TEST(ReadingRoom, WallsAndShelvesLieOnAGrid) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::reading_room_test

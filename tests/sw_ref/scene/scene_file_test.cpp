@@ -10,7 +10,7 @@
 #include "tests/message_of.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::scene_file_test {
 namespace {
 
 /// Three groups in one OBJ; the second has a triangle without area, which is dropped.
@@ -190,4 +190,4 @@ TEST_F(SceneFile, ThatIsNoJsonOrNoFileRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::scene_file_test

@@ -16,7 +16,7 @@
 #include "sw_ref/scene/built_in.hpp"
 #include "tests/message_of.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::scene_test {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -352,4 +352,4 @@ TEST(LoadScene, UnknownNameIsRejectedWithTheBuiltInOnes) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::scene_test

@@ -8,7 +8,7 @@
 
 #include "sw_ref/scene/scene.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::spheres_test {
 namespace {
 
 TEST(Spheres, HasTheTrianglesAndLightsOfTheThesis) {
@@ -81,4 +81,4 @@ TEST(Spheres, IsTheSameEveryTime) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::spheres_test

@@ -7,7 +7,7 @@
 #include "sw_ref/exact/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::terrain_test {
 namespace {
 
 glm::dvec3 normal_of(const Mesh& mesh, std::uint32_t triangle) {
@@ -68,4 +68,4 @@ TEST(Terrain, IsSeenAndLitAlongItsSurface) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::terrain_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::triangle_numbers_test {
 namespace {
 
 using testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(TriangleNumbers, AreKeptWhereNothingIsDropped) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::triangle_numbers_test

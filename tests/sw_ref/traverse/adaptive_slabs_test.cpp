@@ -7,7 +7,7 @@
 #include "sw_ref/adversary/neighbours.hpp"
 #include "sw_ref/exact/box_referee.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::adaptive_slabs_test {
 namespace {
 
 struct Answers {
@@ -53,4 +53,4 @@ TEST(AdaptiveSlabs, MoreBitsLeaveFewerTestsOpen) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::adaptive_slabs_test

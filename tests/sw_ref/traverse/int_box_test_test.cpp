@@ -19,7 +19,7 @@
 #include "tests/sw_ref/quantise/native_units.hpp"
 #include "tests/sw_ref/traverse/box_near.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::int_box_test_test {
 namespace {
 
 using adversary::Random;
@@ -139,4 +139,4 @@ TEST(IntBoxTest, MoreDroppedBitsThanACoordinateHasAreRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::int_box_test_test

@@ -16,7 +16,7 @@
 #include "tests/sw_ref/quantise/major_operands.hpp"
 #include "tests/sw_ref/traverse/box_near.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::int_major_test {
 namespace {
 
 using adversary::Random;
@@ -161,4 +161,4 @@ TEST(IntMajorTest, FormatsThatNoUnitHasAreRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::int_major_test

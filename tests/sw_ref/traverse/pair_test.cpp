@@ -15,7 +15,7 @@
 #include "sw_ref/traverse/pair_traversal.hpp"
 #include "tests/sw_ref/traverse/tracer_scenes.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::pair_test {
 namespace {
 
 using hls::MajorBits;
@@ -349,4 +349,4 @@ TEST(PairTraversal, NeedsItsOwnRecordsAndOrder) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::pair_test

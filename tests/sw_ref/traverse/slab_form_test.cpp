@@ -14,7 +14,7 @@
 #include "sw_ref/exact/box_referee.hpp"
 #include "sw_ref/traverse/fp_slabs_safe.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::slab_form_test {
 namespace {
 
 /// Calls judge(case, boxes) until it returns false.
@@ -95,4 +95,4 @@ TEST(SlabForms, PlainAnswersAsTheUnit) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::slab_form_test

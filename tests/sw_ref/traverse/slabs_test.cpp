@@ -18,7 +18,7 @@
 
 #include "sw_ref/traverse/plucker.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::slabs_test {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -351,4 +351,4 @@ TYPED_TEST(EveryBoxTest, ParallelRayInAFaceIsAHit) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::slabs_test

@@ -21,7 +21,7 @@
 #include "tests/sw_ref/quantise/major_formats.hpp"
 #include "tests/sw_ref/traverse/tracer_scenes.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::tracer_test {
 namespace {
 
 constexpr unsigned seed = 17;
@@ -414,4 +414,4 @@ TEST(Tracer, CombinationsThatDoNotExistAreRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::tracer_test

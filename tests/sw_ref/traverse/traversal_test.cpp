@@ -11,7 +11,7 @@
 #include "sw_ref/scene/scene.hpp"
 #include "sw_ref/traverse/slabs.hpp"
 
-namespace hitpipe::ref {
+namespace hitpipe::ref::traversal_test {
 namespace {
 
 struct Spheres {
@@ -217,4 +217,4 @@ TEST(Traversal, DeepestHierarchyFitsTheStack) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref
+}  // namespace hitpipe::ref::traversal_test
