@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/prune/draw.hpp"
 #include "sw_ref/bvh/bvh.hpp"
 #include "sw_ref/render/whitted.hpp"
