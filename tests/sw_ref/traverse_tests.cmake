@@ -1,5 +1,5 @@
 # Box tests and traversals.
-foreach(name traverse/adaptive_slabs traverse/slab_form traverse/tracer)
+foreach(name traverse/adaptive_slabs traverse/tracer)
   get_filename_component(program ${name} NAME)
   hitpipe_test(${program}_test IN sw_ref_tests SOURCES ${name}_test.cpp LIBS hitpipe_sw_ref fmt::fmt)
 endforeach()
