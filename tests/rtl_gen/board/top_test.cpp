@@ -1,6 +1,7 @@
 // The top module of a board is plain Verilog-2001 for all tools, and says what unit it has.
 #include "rtl_gen/board/top.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
