@@ -11,6 +11,8 @@
 // A width is a Width<N> where D's types carry their widths (Native, Vendor), else an int (Sized, Trace).
 #pragma once
 
+#include <cstdint>
+
 #include "hls/num/width.hpp"
 
 namespace hitpipe {
@@ -50,6 +52,15 @@ constexpr typename D::bit any(const X& x) {
 template <class Bit, class W>
 constexpr auto spread(const Bit& bit, const W& w) {
   return as_unsigned(resize(as_signed(bit), w));
+}
+
+/// A word whose low `width` bits are 1, 0 <= width <= 64.
+constexpr std::uint64_t low_mask(int width) {
+  return width == 0 ? 0 : ~std::uint64_t{0} >> (64 - width);
+}
+/// The low `width` bits of a word as two's complement, 0 <= width <= 64. They are 0 if there are none.
+constexpr std::int64_t sign_extended(std::uint64_t word, int width) {
+  return width == 0 ? 0 : static_cast<std::int64_t>(word << (64 - width)) >> (64 - width);
 }
 
 }  // namespace hls

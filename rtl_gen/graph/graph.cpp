@@ -5,20 +5,16 @@
 
 #include <fmt/format.h>
 
+#include "hls/num/bits.hpp"
+
 namespace hitpipe::rtl {
 
 namespace {
 
+using hls::low_mask;
+using hls::sign_extended;
+
 constexpr int max_width = 64;
-
-constexpr std::uint64_t low_mask(int width) {
-  return width >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1;
-}
-
-std::int64_t as_signed(std::uint64_t value, int width) {
-  const int spare = 64 - width;
-  return static_cast<std::int64_t>(value << spare) >> spare;
-}
 
 bool are_equal(const Unit& a, const Unit& b) {
   return a.component == b.component && a.bits == b.bits && to_text(a.body) == to_text(b.body);
@@ -140,7 +136,7 @@ NodeId Graph::extend(NodeId a, int width, bool is_signed) {
   const Node n = nodes_[a];
   if (width == n.width) return a;
   if (n.op == Op::constant) {
-    return constant(width, is_signed ? static_cast<std::uint64_t>(as_signed(n.value, n.width)) : n.value);
+    return constant(width, is_signed ? static_cast<std::uint64_t>(sign_extended(n.value, n.width)) : n.value);
   }
   if (n.op == Op::extend && (n.is_signed == is_signed || !n.is_signed)) {
     return extend(n.args[0], width, n.is_signed);
@@ -269,7 +265,7 @@ std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uin
         v = a << wb | b;
         break;
       case Op::extend:
-        v = n.is_signed ? static_cast<std::uint64_t>(as_signed(a, wa)) : a;
+        v = n.is_signed ? static_cast<std::uint64_t>(sign_extended(a, wa)) : a;
         break;
       case Op::invert:
         v = ~a;
@@ -290,12 +286,12 @@ std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uin
         v = a - b;
         break;
       case Op::mul:
-        v = n.is_signed
-                ? static_cast<std::uint64_t>(as_signed(a, wa)) * static_cast<std::uint64_t>(as_signed(b, wb))
-                : a * b;
+        v = n.is_signed ? static_cast<std::uint64_t>(sign_extended(a, wa)) *
+                              static_cast<std::uint64_t>(sign_extended(b, wb))
+                        : a * b;
         break;
       case Op::less:
-        v = n.is_signed ? as_signed(a, wa) < as_signed(b, wb) : a < b;
+        v = n.is_signed ? sign_extended(a, wa) < sign_extended(b, wb) : a < b;
         break;
       case Op::equal:
         v = a == b;

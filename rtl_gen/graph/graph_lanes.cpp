@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hls/num/bits.hpp"
+
 namespace hitpipe::rtl {
 
 namespace {
@@ -25,14 +27,14 @@ Read read(const Graph& graph, const Node& node, LanesOf&& lanes_of) {
 /// Of any node but an input.
 void run(const Graph& graph, NodeId id, const Read& in, RunUnit run_unit, Lanes& out) {
   const Node& n = graph[id];
-  const std::uint64_t mask = ~std::uint64_t{0} >> (64 - n.width);
+  const std::uint64_t mask = hls::low_mask(n.width);
   const auto all = [&](auto&& function) {
     for (std::size_t i = 0; i < most_lanes; ++i) out[i] = static_cast<std::uint64_t>(function(i)) & mask;
   };
   const auto a = [&](std::size_t i) { return (*in.of[0])[i]; };
   const auto b = [&](std::size_t i) { return (*in.of[1])[i]; };
-  const auto signed_a = [&](std::size_t i) { return two_s_complement(a(i), in.width_a); };
-  const auto signed_b = [&](std::size_t i) { return two_s_complement(b(i), in.width_b); };
+  const auto signed_a = [&](std::size_t i) { return hls::sign_extended(a(i), in.width_a); };
+  const auto signed_b = [&](std::size_t i) { return hls::sign_extended(b(i), in.width_b); };
   switch (n.op) {
     case Op::input:
       return;
@@ -105,7 +107,7 @@ GraphLanes::GraphLanes(const Graph& graph, RunUnit run_unit)
 void GraphLanes::load(std::span<const std::vector<std::int64_t>> operands) {
   for (std::size_t input = 0; input < graph_.inputs().size(); ++input) {
     const NodeId id = graph_.inputs()[input];
-    const std::uint64_t mask = ~std::uint64_t{0} >> (64 - graph_[id].width);
+    const std::uint64_t mask = hls::low_mask(graph_[id].width);
     for (std::size_t i = 0; i < most_lanes; ++i)
       right_[id][i] = static_cast<std::uint64_t>(operands[std::min(i, operands.size() - 1)][input]) & mask;
   }

@@ -14,11 +14,6 @@ inline constexpr std::size_t most_lanes = 64;
 /// A value for each lane. Lanes without a vector have those of the last.
 using Lanes = std::array<std::uint64_t, most_lanes>;
 
-/// The value of a word of that width, read as two's complement.
-constexpr std::int64_t two_s_complement(std::uint64_t value, int width) {
-  return static_cast<std::int64_t>(value << (64 - width)) >> (64 - width);
-}
-
 /// The output of a unit.
 using RunUnit = std::uint64_t (*)(const Unit& unit, std::span<const std::uint64_t> operands);
 [[nodiscard]] std::uint64_t run_body(const Unit& unit, std::span<const std::uint64_t> operands);

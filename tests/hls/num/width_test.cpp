@@ -1,10 +1,12 @@
 // Widths: arithmetic on Widths gives Widths, on ints and mixtures it gives ints; loops and choices over both.
 #include "hls/num/width.hpp"
 
+#include <cstdint>
 #include <type_traits>
 
 #include <gtest/gtest.h>
 
+#include "hls/num/bits.hpp"
 #include "hls/num/levels.hpp"
 
 namespace hitpipe::hls::width_test {
@@ -24,6 +26,13 @@ static_assert(count_bits(1) == 0 && count_bits(2) == 1 && count_bits(3) == 2 && 
 static_assert(same(3_w < 5_w, Truth<true>()) && same(5_w < 5_w, Truth<false>()));
 static_assert(same(20 - 1_w, 19) && 20 - 1_w == 19 && same(3_w < 5, true));
 static_assert(same(min(3_w, 5), 3) && max(3_w, 5) == 5);
+
+static_assert(low_mask(0) == 0 && low_mask(1) == 1 && low_mask(63) == ~std::uint64_t{0} >> 1);
+static_assert(low_mask(64) == ~std::uint64_t{0});
+static_assert(sign_extended(~std::uint64_t{0}, 0) == 0 && sign_extended(1, 1) == -1 &&
+              sign_extended(2, 1) == 0);
+static_assert(sign_extended(0x7F, 8) == 127 && sign_extended(0xF80, 8) == -128);
+static_assert(sign_extended(std::uint64_t{1} << 63, 64) == INT64_MIN);
 
 /// N - 8: compiles only for N of at least 8.
 template <int N>

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "hls/num/bits.hpp"
 #include "tests/sim/mutations/fault.hpp"
 #include "tests/sim/mutations/float_units.hpp"
 
@@ -18,7 +19,7 @@ inline std::uint64_t as_unsigned(std::int64_t value) {
 }
 
 inline bool less(std::uint64_t a, std::uint64_t b, int width, bool is_signed) {
-  return is_signed ? rtl::two_s_complement(a, width) < rtl::two_s_complement(b, width) : a < b;
+  return is_signed ? hls::sign_extended(a, width) < hls::sign_extended(b, width) : a < b;
 }
 inline bool less(const Site& s) {
   return less(s.a, s.b, s.width_a, s.node.is_signed);
@@ -51,7 +52,7 @@ inline std::uint64_t product(std::int64_t a, std::int64_t b) {
   return as_unsigned(a) * as_unsigned(b);
 }
 inline std::int64_t factor(std::uint64_t value, int width, bool is_signed) {
-  return is_signed ? rtl::two_s_complement(value, width) : static_cast<std::int64_t>(value);
+  return is_signed ? hls::sign_extended(value, width) : static_cast<std::int64_t>(value);
 }
 inline std::int64_t factor_a(const Site& s) {
   return factor(s.a, s.width_a, s.node.is_signed);
@@ -119,7 +120,7 @@ inline constexpr Kind of_input_bit[] = {
 };
 inline constexpr Kind of_sign_extend{"by zeros", first_operand};
 inline constexpr Kind of_zero_extend{
-    "by the sign", [](const Site& s) { return as_unsigned(rtl::two_s_complement(s.a, s.width_a)); }};
+    "by the sign", [](const Site& s) { return as_unsigned(hls::sign_extended(s.a, s.width_a)); }};
 inline constexpr Kind of_constant[] = {{"one too large", one_more}, {"one too small", one_less}};
 inline constexpr Kind a_bit_higher{"a bit higher", [](const Site& s) { return s.a >> (s.node.low + 1); }};
 inline constexpr Kind a_bit_lower{"a bit lower", [](const Site& s) { return s.a >> (s.node.low - 1); }};
