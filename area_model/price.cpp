@@ -69,7 +69,7 @@ Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, co
              const rtl::Format& format, const rtl::Library& library) {
   Price price{.design = design.name,
               .format = format,
-              .boxes = design.boxes_per_test(),
+              .boxes = design.kind.objects,
               .lines = {},
               .by_stage = std::vector<StagePrice>(static_cast<std::size_t>(pipeline.schedule.stages) + 1),
               .stages = pipeline.schedule.stages,

@@ -73,6 +73,7 @@ const rtl::Design& triangle_unit() {
   static const rtl::Design design{
       .name = "float_triangle",
       .summary = "float triangle test of Moeller and Trumbore",
+      .kind = {"triangle", 1, hls::meanings(hls::Meaning::hit), hls::meanings()},
       .conservative = false,
       .default_format = hls::FpBits{},
       .results_at =

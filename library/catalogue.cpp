@@ -98,7 +98,7 @@ hitpipe_status hitpipe_design(size_t index, hitpipe_design_info* out) {
                          .default_format = its.default_format.c_str(),
                          .formats = its.formats.c_str(),
                          .conservative = design.conservative ? 1 : 0,
-                         .boxes_per_test = design.boxes_per_test()};
+                         .boxes_per_test = design.kind.objects};
   });
 }
 

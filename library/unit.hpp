@@ -19,7 +19,7 @@ struct hitpipe_unit {
         format(to_string(its_format)),
         ports(its_design.ports(its_format)),
         results(its_design.results(its_format)),
-        boxes_per_test(static_cast<std::size_t>(its_design.boxes_per_test())),
+        boxes_per_test(static_cast<std::size_t>(its_design.kind.objects)),
         test(hitpipe::sim::make_box_test(its_design, its_format)) {}
 
   const hitpipe::rtl::Design* design;

@@ -40,9 +40,9 @@ std::string missing(const rtl::Design& design, std::string_view part) {
 
 std::string why_not_traced(const rtl::Design& design) {
   if (software_of(design).feed == nullptr) return missing(design, set_up_part);
-  if (design.boxes_per_test() > 2)
+  if (design.kind.objects > 2)
     return fmt::format("design {}: answers for {} boxes at a time; traversals ask about one or two",
-                       design.name, design.boxes_per_test());
+                       design.name, design.kind.objects);
   return "";
 }
 

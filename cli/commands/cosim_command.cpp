@@ -57,7 +57,7 @@ Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref:
            const sim::CosimResult& r) {
   const auto judged = [](std::optional<std::uint64_t> count) { return count ? Row(*count) : Row(nullptr); };
   // Where each test answers for one box, tests and boxes are the same.
-  const bool several_boxes = command.choice.design().boxes_per_test() > 1;
+  const bool several_boxes = command.choice.design().kind.objects > 1;
   Row row{{"design", command.choice.name}, {"bits", rtl::to_string(unit.format)}};
   if (command.library != rtl::default_library) row["library"] = command.library;
   row.update({{"scene", scene.name},

@@ -85,8 +85,8 @@ Row record(const ImplementCommand& command, const sim::Target& target, const sim
        {"critical_from", placed ? Row(unit.placed->median().critical.from) : Row(nullptr)},
        {"critical_to", placed ? Row(unit.placed->median().critical.to) : Row(nullptr)},
        {"latency_ns", unit.critical_path_ns ? rounded(unit.latency * *unit.critical_path_ns) : Row(nullptr)},
-       {"boxes_per_test", design.boxes_per_test()},
-       {"million_hits_per_s", fmax ? rounded(*fmax * design.boxes_per_test()) : Row(nullptr)},
+       {"boxes_per_test", design.kind.objects},
+       {"million_hits_per_s", fmax ? rounded(*fmax * design.kind.objects) : Row(nullptr)},
        {"netlist", unit.simulated ? Row(unit.simulated->said) : Row(nullptr)},
        {"not_placed", target.placement ? Row(nullptr) : Row(target.not_placed)},
        {"tools", fmt::format("{}", fmt::join(unit.tools, "; "))}});

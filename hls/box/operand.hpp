@@ -1,5 +1,5 @@
-// What a design says about its ports. Set-up, tests, fit and manifests read these lists. None of them reads a
-// meaning from a port's name.
+// What a design says about its ports, and what it is. Set-up, tests, fit and manifests read these lists. None
+// of them reads a meaning from a port's name.
 #pragma once
 
 #include <cstdint>
@@ -84,6 +84,38 @@ struct Result {
   int width;
   bool is_signed;
 };
+
+/// A set of meanings.
+using Meanings = unsigned;
+constexpr Meanings meanings() {
+  return 0;
+}
+template <class... Others>
+constexpr Meanings meanings(Meaning first, Others... others) {
+  return 1U << static_cast<unsigned>(first) | meanings(others...);
+}
+
+/// What a design is. Code that drives a design asks for its kind and never for its name. Another kind is
+/// another constant.
+struct DesignKind {
+  const char* name;      ///< as manifests have it
+  int objects;           ///< how many boxes, or what else it tests, one test answers for
+  Meanings of_each;      ///< a design of this kind has these results for each object
+  Meanings of_the_test;  ///< and these once
+};
+/// Does the ray meet the box?
+constexpr DesignKind box_kind{"box", 1, meanings(Meaning::hit), meanings()};
+/// Where does the ray meet the two children of a parent, and which comes first?
+constexpr DesignKind pair_kind{"pair", 2, meanings(Meaning::hit, Meaning::entry, Meaning::exit),
+                               meanings(Meaning::order)};
+
+constexpr bool operator==(const DesignKind& a, const DesignKind& b) {
+  const char* y = b.name;
+  for (const char* x = a.name; *x != 0 || *y != 0; ++x, ++y) {
+    if (*x != *y) return false;
+  }
+  return true;
+}
 
 }  // namespace hls
 }  // namespace hitpipe

@@ -70,7 +70,7 @@ struct FpPlucker {
   static constexpr const char* name = "fp_plucker";
   static constexpr const char* summary = "float Pluecker test, figures 7.7-7.10";
   static constexpr bool conservative = false;
-
+  static constexpr DesignKind kind = box_kind;
   using Bits = FpBits;
   using BuiltIn = FormatList<Fp32>;
   template <class D, class F>

@@ -26,7 +26,7 @@ struct FpPluckerDirect {
   static constexpr const char* name = "fp_plucker_direct";
   static constexpr const char* summary = "float Pluecker test without side relations";
   static constexpr bool conservative = false;
-
+  static constexpr DesignKind kind = box_kind;
   using Bits = FpBits;
   using BuiltIn = FormatList<Fp32>;
   template <class D, class F>

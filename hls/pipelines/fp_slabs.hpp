@@ -49,7 +49,7 @@ struct FpSlabs {
   static constexpr const char* name = "fp_slabs";
   static constexpr const char* summary = "float slabs test, figures 7.2-7.3";
   static constexpr bool conservative = false;
-
+  static constexpr DesignKind kind = box_kind;
   using Bits = FpBits;
   using BuiltIn = FormatList<Fp32>;
   template <class D, class F>

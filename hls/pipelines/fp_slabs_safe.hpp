@@ -54,7 +54,7 @@ struct FpSlabsSafe {
   static constexpr const char* name = "fp_slabs_safe";
   static constexpr const char* summary = "float slabs test that never misses";
   static constexpr bool conservative = true;
-
+  static constexpr DesignKind kind = box_kind;
   using Bits = AnyFpBits;
   using BuiltIn = FormatList<FpFormat<8, 23>, FpFormat<8, 15>, FpFormat<8, 7>, FpFormat<5, 10>>;
   template <class D, class F>

@@ -17,7 +17,7 @@ struct IntMajor {
   static constexpr const char* name = "int_major";
   static constexpr const char* summary = "integer slabs along the ray's major axis";
   static constexpr bool conservative = true;
-
+  static constexpr DesignKind kind = box_kind;
   using Bits = MajorBits;
   using BuiltIn = FormatList<MajorFormat<20, 1, 13>>;
   template <class D, class F>

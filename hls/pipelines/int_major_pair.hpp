@@ -39,7 +39,7 @@ struct IntMajorPair {
   static constexpr const char* name = "int_major_pair";
   static constexpr const char* summary = "as int_major, for two boxes at a time";
   static constexpr bool conservative = true;
-
+  static constexpr DesignKind kind = pair_kind;
   using Bits = MajorBits;
   using BuiltIn = FormatList<MajorFormat<20, 1, 13>>;
   template <class D, class F>

@@ -54,7 +54,7 @@ struct IntPlucker {
   static constexpr const char* name = "int_plucker";
   static constexpr const char* summary = "integer Pluecker test, figures 7.11-7.14";
   static constexpr bool conservative = true;
-
+  static constexpr DesignKind kind = box_kind;
   using Bits = IntBits;
   using BuiltIn = FormatList<IntFormat<24, 24>, IntFormat<20, 24>, IntFormat<16, 16>, IntFormat<12, 12>>;
   template <class D, class F>

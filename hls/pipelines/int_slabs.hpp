@@ -70,7 +70,7 @@ struct IntSlabs {
   static constexpr const char* name = "int_slabs";
   static constexpr const char* summary = "integer slabs test, figures 7.4-7.6";
   static constexpr bool conservative = true;
-
+  static constexpr DesignKind kind = box_kind;
   using Bits = IntBits;
   using BuiltIn = FormatList<IntFormat<24, 24>, IntFormat<20, 24>, IntFormat<16, 16>, IntFormat<12, 12>>;
   template <class D, class F>

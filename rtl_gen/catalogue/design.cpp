@@ -1,6 +1,8 @@
 #include "rtl_gen/catalogue/design.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <stdexcept>
 #include <utility>
 
@@ -64,12 +66,6 @@ std::optional<Evaluate> Design::evaluate_on_float_unit(const Format& format) con
   return Evaluate(run, format, results_at(format));
 }
 
-int Design::boxes_per_test() const {
-  int last = 0;
-  for (const hls::Result& result : results_at(default_format)) last = std::max(last, result.box);
-  return last + 1;
-}
-
 std::string Design::name_at(const Format& format) const {
   return format.family().single ? std::string(name) : fmt::format("{} {}", name, to_string(format));
 }
@@ -94,6 +90,28 @@ Evaluate::Evaluate(Run run, const Format& format, std::span<const hls::Result> r
     : run_(run), format_(format), hit_(place_of_hit(results)), result_count_(results.size()) {
   if (results.size() > most_results)
     throw std::invalid_argument(fmt::format("a design has 1 to {} results", most_results));
+}
+
+void check_kind(const Design& design) {
+  const std::vector<hls::Result> results = design.results_at(design.default_format);
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(
+        fmt::format("design {} is of kind {}: {}", design.name, design.kind.name, why));
+  };
+  const auto require = [&](hls::Meanings wanted, int object) {
+    for (const hls::Result& result : results)
+      if (result.box == object) wanted &= ~hls::meanings(result.meaning);
+    if (wanted == 0) return;
+    constexpr std::array names{"hit", "entry", "exit", "order"};
+    const auto missing = names.at(static_cast<std::size_t>(std::countr_zero(wanted)));
+    refuse(fmt::format("it needs the result {} of number {}", missing, object));
+  };
+  for (const hls::Result& result : results)
+    if (result.box < 0 || result.box >= design.kind.objects)
+      refuse(fmt::format("its result {} is of number {}, a test answers for {}", result.name, result.box,
+                         design.kind.objects));
+  for (int object = 0; object < design.kind.objects; ++object) require(design.kind.of_each, object);
+  require(design.kind.of_the_test, 0);
 }
 
 const std::deque<Design>& designs() {

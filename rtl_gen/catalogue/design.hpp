@@ -28,6 +28,7 @@ struct DesignSource {
 struct Design {
   std::string_view name;
   std::string_view summary;  ///< one line, with its figures in the thesis
+  hls::DesignKind kind;      ///< what a test answers
   bool conservative;         ///< HIT whenever the exact ray meets the closed box
   Format default_format;     ///< of the family that all its formats are of
   std::vector<hls::Result> (*results_at)(const Format&);
@@ -49,8 +50,6 @@ struct Design {
   [[nodiscard]] Evaluate evaluate(const Format& format) const;
   /// The same answers by the host's floating-point unit. Nothing when no part of the design is for that unit.
   [[nodiscard]] std::optional<Evaluate> evaluate_on_float_unit(const Format& format) const;
-  /// Boxes that one test answers for.
-  [[nodiscard]] int boxes_per_test() const;
   /// The name and the format, or the name alone where there is one format only.
   [[nodiscard]] std::string name_at(const Format& format) const;
   /// The name of its Verilog module unless the user gives another: the design's name at the default format,
@@ -59,6 +58,9 @@ struct Design {
   /// " --bits 20/24", or nothing when it has one format only: as a command takes it.
   [[nodiscard]] std::string bits_option(const Format& format) const;
 };
+
+/// Throws std::invalid_argument, one line, when a design's results are not those of its kind.
+void check_kind(const Design& design);
 
 /// hitpipe's own: those of designs.cmake. The build writes this function.
 [[nodiscard]] std::deque<Design> own_designs();

@@ -8,21 +8,25 @@
 
 namespace hitpipe::rtl {
 
-/// Without `source` no top function for high-level synthesis can be written.
+/// Without `source` no top function for high-level synthesis can be written. Throws std::invalid_argument
+/// when the results are not those of the design's kind.
 template <class Pipeline>
 Design design_of(DesignSource source = {}) {
   using Bits = typename Pipeline::Bits;
-  return {.name = Pipeline::name,
-          .summary = Pipeline::summary,
-          .conservative = Pipeline::conservative,
-          .default_format = Bits{},
-          .results_at = [](const Format& format) { return results_of<Pipeline>(format.as<Bits>()); },
-          .ports_at = [](const Format& format) { return ports_of<Pipeline>(format.as<Bits>()); },
-          .trace_at = [](const Format& format) { return traced<Pipeline>(format.as<Bits>()); },
-          .run_at = [](const Format& format) { return native_function<Pipeline>(format.as<Bits>()); },
-          .float_unit_run_at =
-              [](const Format& format) { return float_unit_function<Pipeline>(format.as<Bits>()); },
-          .source = source};
+  Design design{.name = Pipeline::name,
+                .summary = Pipeline::summary,
+                .kind = Pipeline::kind,
+                .conservative = Pipeline::conservative,
+                .default_format = Bits{},
+                .results_at = [](const Format& format) { return results_of<Pipeline>(format.as<Bits>()); },
+                .ports_at = [](const Format& format) { return ports_of<Pipeline>(format.as<Bits>()); },
+                .trace_at = [](const Format& format) { return traced<Pipeline>(format.as<Bits>()); },
+                .run_at = [](const Format& format) { return native_function<Pipeline>(format.as<Bits>()); },
+                .float_unit_run_at =
+                    [](const Format& format) { return float_unit_function<Pipeline>(format.as<Bits>()); },
+                .source = source};
+  check_kind(design);
+  return design;
 }
 
 }  // namespace hitpipe::rtl

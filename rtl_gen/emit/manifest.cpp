@@ -104,6 +104,7 @@ std::string manifest(const Design& design, Format format, const std::string& mod
   const std::vector<hls::Result> results = design.results(format);
   Json json{
       {"design", std::string(design.name)},
+      {"kind", design.kind.name},
       {"bits", to_string(format)},
       {"module", module},
       {"verilog", {module + ".v"}},

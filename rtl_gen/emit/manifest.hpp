@@ -11,10 +11,10 @@
 
 namespace hitpipe::rtl {
 
-/// Keys: design, bits, module, verilog, clock, reset, flow_control, handshake, ports (name, direction, width,
-/// signed), results (name, meaning, box, width), stages, latency, clock_ps, library, by_stage (for each
-/// stage, its components with their counts and the latch bits at its end). With `stream` also axi_stream: the
-/// wrapper's module, file, clock, reset, and the fields of its tdata and tid.
+/// Keys: design, kind, bits, module, verilog, clock, reset, flow_control, handshake, ports (name, direction,
+/// width, signed), results (name, meaning, box, width), stages, latency, clock_ps, library, by_stage (for
+/// each stage, its components with their counts and the latch bits at its end). With `stream` also
+/// axi_stream: the wrapper's module, file, clock, reset, and the fields of its tdata and tid.
 [[nodiscard]] std::string manifest(const Design& design, Format format, const std::string& module,
                                    const Pipeline& pipeline, const Library& library, bool stream = false,
                                    FlowControl flow = FlowControl::stall);

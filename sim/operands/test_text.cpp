@@ -59,7 +59,7 @@ TestLayout::TestLayout(const rtl::Design& design, const rtl::Format& format, con
       placement_(placement),
       form_(form),
       with_input_(with_input),
-      boxes_(static_cast<std::size_t>(design.boxes_per_test())),
+      boxes_(static_cast<std::size_t>(design.kind.objects)),
       ports_(design.ports(format)),
       results_(design.results(format)) {
   columns_ = {{"ray"}, {"box"}};

@@ -44,6 +44,7 @@ struct EndlessSlabs {
   static constexpr const char* name = "endless_slabs";
   static constexpr const char* summary = "integer slabs test of rays without an end";
   static constexpr bool conservative = true;
+  static constexpr DesignKind kind = box_kind;
 
   using Bits = IntBits;
   using BuiltIn = FormatList<>;

@@ -34,6 +34,7 @@ struct OneAxisSlab {
   static constexpr const char* name = "one_axis_slab";
   static constexpr const char* summary = "one slab, for a test";
   static constexpr bool conservative = false;
+  static constexpr DesignKind kind = box_kind;
 
   using Bits = IntBits;
   using BuiltIn = FormatList<>;

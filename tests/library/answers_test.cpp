@@ -25,7 +25,7 @@ std::vector<std::string> formats_of(const rtl::Design& design) {
 TEST(LibraryAnswers, AreThoseOfTheProgramForEveryDesignOfOneBox) {
   std::size_t tests = 0;
   for (const rtl::Design& design : rtl::designs()) {
-    if (design.boxes_per_test() != 1) continue;
+    if (design.kind.objects != 1) continue;
     for (const std::string& bits : formats_of(design)) {
       SCOPED_TRACE(std::string(design.name) + " " + bits);
       const auto expected = sim::make_box_test(design, design.parse_format(bits));

@@ -18,7 +18,7 @@ TEST(LibraryCatalogue, ListsAllDesigns) {
     EXPECT_EQ(listed[i].default_format, to_string(design.default_format));
     EXPECT_EQ(listed[i].formats, design.default_format.family().allowed);
     EXPECT_EQ(listed[i].conservative != 0, design.conservative);
-    EXPECT_EQ(listed[i].boxes_per_test, design.boxes_per_test());
+    EXPECT_EQ(listed[i].boxes_per_test, design.kind.objects);
   }
 }
 

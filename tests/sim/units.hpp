@@ -54,7 +54,7 @@ inline std::vector<Unit> units() {
 /// Those whose tests are of one box each.
 inline std::vector<Unit> units_of_one_box() {
   std::vector<Unit> all = units();
-  std::erase_if(all, [](const Unit& unit) { return unit.design().boxes_per_test() > 1; });
+  std::erase_if(all, [](const Unit& unit) { return unit.design().kind.objects > 1; });
   return all;
 }
 

@@ -25,6 +25,7 @@ struct Emitted {
 TEST(Manifest, NamesTheDesignAndItsConventions) {
   const Json json = Emitted({20, 24}).json;
   EXPECT_EQ(json.at("design"), "int_slabs");
+  EXPECT_EQ(json.at("kind"), "box");
   EXPECT_EQ(json.at("bits"), "20/24");
   EXPECT_EQ(json.at("module"), "int_slabs");
   EXPECT_EQ(json.at("verilog"), Json::array({"int_slabs.v"}));

@@ -10,6 +10,7 @@
 #include "rtl_gen/emit/axi_stream.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/emit/testbench.hpp"
+#include "tests/message_of.hpp"
 #include "tests/rtl_gen/emit/axi_stream_bench.hpp"
 #include "tests/rtl_gen/emit/two_boxes.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -135,7 +136,26 @@ TEST_F(SeveralResults, OfADesignWithoutHitOfTheFirstBoxAreRefused) {
                                                            {"near", hls::Meaning::entry, 0, 2, true}}),
                std::invalid_argument);
   EXPECT_EQ(place_of_hit(design.results(format)), 1U);
-  EXPECT_EQ(design.boxes_per_test(), 2);
+  EXPECT_EQ(design.kind.objects, 2);
+}
+
+TEST_F(SeveralResults, AreThoseOfTheKind) {
+  const auto refused = [&](const hls::DesignKind& kind) {
+    Design other = design;
+    other.kind = kind;
+    return message_of<std::invalid_argument>([&] { check_kind(other); });
+  };
+  EXPECT_EQ(refused(hls::box_kind),
+            "design two_boxes is of kind box: its result hit_b is of number 1, a test answers for 1");
+  EXPECT_EQ(refused(hls::pair_kind),
+            "design two_boxes is of kind pair: it needs the result exit of number 0");
+  EXPECT_EQ(refused({"far", 2, hls::meanings(hls::Meaning::hit), hls::meanings(hls::Meaning::order)}),
+            "design two_boxes is of kind far: it needs the result order of number 0");
+  EXPECT_EQ(refused({"near", 2, hls::meanings(hls::Meaning::hit, hls::Meaning::entry), hls::meanings()}),
+            "design two_boxes is of kind near: it needs the result entry of number 1");
+  check_kind(design);
+  EXPECT_FALSE(design.kind == hls::pair_kind);
+  EXPECT_TRUE(find_design("int_major_pair").kind == hls::pair_kind);
 }
 
 }  // namespace

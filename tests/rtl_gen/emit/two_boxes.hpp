@@ -51,6 +51,7 @@ struct TwoBoxes {
   static constexpr const char* name = "two_boxes";
   static constexpr const char* summary = "two boxes on one axis, for a test";
   static constexpr bool conservative = false;
+  static constexpr DesignKind kind{"two_hits", 2, meanings(Meaning::hit), meanings()};
 
   using Bits = IntBits;
   using BuiltIn = FormatList<IntFormat<6, 6>>;
