@@ -1,13 +1,16 @@
 #include "host/files.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <deque>
+#include <memory>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 namespace hitpipe::host {
@@ -22,6 +25,21 @@ namespace {
 }
 
 }  // namespace
+
+std::optional<std::string> contents_of(const fs::path& file) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rbe"), std::fclose);
+  if (in == nullptr) return std::nullopt;
+  std::string contents;
+  std::array<char, 1 << 16> buffer;
+  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), in.get()))
+    contents.append(buffer.data(), got);
+  return std::ferror(in.get()) == 0 ? std::optional(std::move(contents)) : std::nullopt;
+}
+
+std::string read_file(const fs::path& file, std::string_view complaint) {
+  if (std::optional<std::string> contents = contents_of(file)) return *std::move(contents);
+  throw std::runtime_error(fmt::format("{}: {}", file.string(), complaint));
+}
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
@@ -54,6 +72,9 @@ void PendingFile::write(std::string_view text) {
 }
 
 void PendingFile::close() {
+  // A file system that cannot be synchronised says EINVAL.
+  if (std::fflush(file_) != 0 || (fsync(fileno(file_)) != 0 && errno != EINVAL))
+    fail(place_, "write the file", errno);
   if (std::fclose(std::exchange(file_, nullptr)) != 0) fail(place_, "write the file", errno);
 }
 
@@ -79,6 +100,21 @@ void write_file(const fs::path& file, std::string_view contents) {
   pending.write(contents);
   pending.close();
   pending.rename();
+}
+
+ScratchFolder::ScratchFolder(const std::string& prefix) : ScratchFolder(fs::temp_directory_path(), prefix) {}
+
+ScratchFolder::ScratchFolder(const fs::path& parent, const std::string& prefix) {
+  std::string name = (parent / (prefix + "XXXXXX")).string();
+  if (mkdtemp(name.data()) == nullptr)
+    throw std::runtime_error(fmt::format("{}: cannot create a folder in it: {}", parent.string(),
+                                         std::generic_category().message(errno)));
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
 }
 
 }  // namespace hitpipe::host

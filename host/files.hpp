@@ -1,13 +1,21 @@
-// Files that appear whole or not at all. Each is written beside its place under another name, then renamed.
+// Files that are read whole, files that appear whole or not at all, and folders for temporary files.
 #pragma once
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace hitpipe::host {
+
+/// The bytes of the file. Nothing if it cannot be read, as a folder cannot.
+[[nodiscard]] std::optional<std::string> contents_of(const std::filesystem::path& file);
+
+/// The bytes of the file. Throws std::runtime_error, "FILE: COMPLAINT", if it cannot be read.
+[[nodiscard]] std::string read_file(const std::filesystem::path& file,
+                                    std::string_view complaint = "cannot read the file");
 
 struct File {
   std::string name;
@@ -18,8 +26,9 @@ struct File {
 /// be made or written to.
 void make_folder(const std::filesystem::path& folder);
 
-/// A file that is written piece by piece. It takes its place when it is renamed. Without that nothing of it
-/// is left. All functions throw std::runtime_error, naming file and reason.
+/// A file that is written piece by piece beside its place, under another name. It takes its place when it is
+/// renamed. Without that nothing of it is left. All functions throw std::runtime_error, naming file and
+/// reason.
 class PendingFile {
  public:
   /// Makes the folder. Refuses a place that is a folder or a device such as /dev/null.
@@ -29,7 +38,7 @@ class PendingFile {
   PendingFile& operator=(const PendingFile&) = delete;
 
   void write(std::string_view text);
-  /// Nothing more is written.
+  /// Nothing more is written. The bytes are on the disk, so a file of this name is whole even after a crash.
   void close();
   /// The file has been closed.
   void rename();
@@ -40,10 +49,29 @@ class PendingFile {
   std::FILE* file_ = nullptr;
 };
 
-/// Writes all files or none. Makes their folders. Throws std::runtime_error, naming file and reason.
+/// Writes each file whole. No file takes its place before all are written, but a crash between two may leave
+/// the first without the second. Makes their folders. Throws std::runtime_error, naming file and reason.
 void write_files(const std::filesystem::path& folder, const std::vector<File>& files);
 
 /// Writes one file as write_files() does.
 void write_file(const std::filesystem::path& file, std::string_view contents);
+
+/// A folder for temporary files. Its name begins with `prefix` and is unique. It is removed at the
+/// end with everything in it, unless it was moved elsewhere. Throws std::runtime_error, one line, when it
+/// cannot be made.
+class ScratchFolder {
+ public:
+  explicit ScratchFolder(const std::string& prefix = "hitpipe-");  ///< in $TMPDIR or else /tmp
+  ScratchFolder(const std::filesystem::path& parent, const std::string& prefix);
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 }  // namespace hitpipe::host

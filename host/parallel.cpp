@@ -6,6 +6,7 @@
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#include <time.h>
 
 namespace hitpipe::host {
 
@@ -25,6 +26,12 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
       progress(static_cast<double>(++done) / static_cast<double>(count));
     });
   });
+}
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace hitpipe::host

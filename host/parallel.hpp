@@ -1,4 +1,4 @@
-// Work on a limited number of threads.
+// Work on a limited number of threads, and the processor time of one of them.
 #pragma once
 
 #include <cstddef>
@@ -15,5 +15,9 @@ void with_threads(int threads, const std::function<void()>& work);
 void for_each_index(
     std::size_t count, int threads, const std::function<void(std::size_t)>& work,
     const std::function<void(double)>& progress = [](double) {});
+
+/// Processor time of the calling thread since its start, in seconds. It does not advance while the thread
+/// waits.
+[[nodiscard]] double thread_seconds();
 
 }  // namespace hitpipe::host

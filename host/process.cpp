@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
@@ -15,6 +16,8 @@
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "host/text.hpp"
 
 namespace hitpipe::host {
 
@@ -111,6 +114,19 @@ void drain(std::array<std::pair<Pipe*, std::string*>, 2> streams) {
 }
 
 }  // namespace
+
+std::string environment(const char* name, const std::string& otherwise) {
+  const char* const value = std::getenv(name);
+  return value != nullptr && *value != '\0' ? value : otherwise;
+}
+
+std::vector<std::string> program_of(const char* variable, const std::string& otherwise) {
+  const std::string value = environment(variable, otherwise);
+  std::error_code ignored;
+  if (value.find('/') != std::string::npos && std::filesystem::exists(value, ignored)) return {value};
+  std::vector<std::string> words = words_of(value);
+  return words.empty() ? std::vector{otherwise} : words;
+}
 
 bool Outcome::not_found() const {
   return start_error == ENOENT;

@@ -1,4 +1,4 @@
-// Runs other programs as child processes without a shell, so every byte of an argument reaches the program.
+// Other programs: which the user chooses by environment variables, and how they run as child processes.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +6,13 @@
 #include <vector>
 
 namespace hitpipe::host {
+
+/// The variable's value. `otherwise` if it is not set or empty.
+[[nodiscard]] std::string environment(const char* name, const std::string& otherwise);
+
+/// The program that the variable names and the arguments after it, for example "env g++". `otherwise` if it
+/// names none. A value that is the path of a file is one word, even with blanks.
+[[nodiscard]] std::vector<std::string> program_of(const char* variable, const std::string& otherwise);
 
 struct Outcome {
   int start_error = 0;  ///< errno if the program could not be started

@@ -12,8 +12,7 @@
 #include <fmt/format.h>
 
 #include "host/files.hpp"
-#include "host/hash.hpp"
-#include "host/scratch_folder.hpp"
+#include "host/text.hpp"
 
 namespace hitpipe::sim {
 

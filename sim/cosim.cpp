@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "host/parallel.hpp"
-#include "host/thread_time.hpp"
 #include "sim/feeds/endless.hpp"
 #include "sw_ref/demands/guard.hpp"
 #include "sw_ref/exact/box_referee.hpp"

@@ -14,8 +14,9 @@
 #include <sanitizer/lsan_interface.h>
 #endif
 
-#include "host/environment.hpp"
 #include "host/files.hpp"
+#include "host/process.hpp"
+#include "host/text.hpp"
 #include "sim/build_cache.hpp"
 #include "sim/pins_source.hpp"
 #include "sim/tool.hpp"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "host/environment.hpp"
+#include "host/process.hpp"
 
 namespace hitpipe::sim {
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -37,15 +36,6 @@ struct FitCommand {
   std::string out;
   Format format = Format::text;
 };
-
-constexpr double most_overhead_pct = 1000.0;
-
-/// CLI::Range accepts NaN.
-std::string overhead_problem(const std::string& text) {
-  const double value = std::strtod(text.c_str(), nullptr);
-  if (value >= 0.0 && value <= most_overhead_pct) return "";
-  return fmt::format("Value {} not in range 0 to {}", text, most_overhead_pct);
-}
 
 /// A design and its format before the fit.
 struct Wanted {
@@ -252,7 +242,7 @@ void add_fit_command(CLI::App& program, int& exit_code) {
       ->add_option("--overhead", options->overhead_pct,
                    "Take the fewest bits with at most P percent more box tests, instead of the least whole "
                    "cost. It also limits what rays without ends cost")
-      ->check(overhead_problem)
+      ->transform(number_from(0.0, 1000.0))
       ->type_name("P");
   add_triangle_options(*command, options->cost);
   add_bits_option(*command, options->units, "24/24 for n/t designs. The fit starts from these formats");

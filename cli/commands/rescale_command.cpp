@@ -1,4 +1,3 @@
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "host/text.hpp"
 #include "sim/check/rescale.hpp"
 
 namespace hitpipe::cli {
@@ -33,10 +33,8 @@ struct RescaleCommand {
 };
 
 std::optional<double> number(std::string_view text) {
-  double value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc{} && stop == text.data() + text.size();
-  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  const auto value = host::number_in<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 /// "0.1" or "2^-100".

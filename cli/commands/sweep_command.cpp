@@ -157,7 +157,7 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
                   "for n/t designs, n from 8 to 32 in steps of 4, each with t of n, n+4 and n+8");
   add_list_option(*command, "--rays-in-flight", options->rays_in_flight,
                   "Rays that share one pipeline; one row for each number (1 to 65536; default: 32)", "K")
-      ->transform(whole_number(1, sim::RayUnit::most_rays_in_flight));
+      ->transform(number_from(1, sim::RayUnit::most_rays_in_flight));
   add_bounces_option(*command, options->light);
   add_cost_options(*command, options->cost);
   CLI::Option* const shard =

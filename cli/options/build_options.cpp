@@ -1,6 +1,5 @@
 #include "cli/options/build_options.hpp"
 
-#include <charconv>
 #include <limits>
 
 #include <CLI/CLI.hpp>
@@ -18,10 +17,8 @@ const Choices<ref::Builder> builders{{"median", ref::Builder::median}, {"sah", r
 constexpr double most_padding = 0x1p-10;
 
 std::string padding_error(const std::string& text) {
-  double padding = -1;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), padding);
-  const bool whole = error == std::errc{} && stop == text.data() + text.size();
-  if (whole && padding >= 0.0 && padding <= most_padding) return {};
+  const auto padding = host::number_in<double>(text);
+  if (padding && *padding >= 0.0 && *padding <= most_padding) return {};
   return fmt::format("{} is not a padding; allowed is 0 to 2^-10 = {:.6f}", text, most_padding);
 }
 

@@ -1,33 +1,23 @@
 #include "cli/options/cost_options.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/options/library_option.hpp"
+#include "cli/options/values.hpp"
 
 namespace hitpipe::cli {
 
 namespace {
 
-constexpr double most_cost = 1e6;
-
-/// CLI::Range accepts NaN.
-std::string cost_problem(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (*end == '\0' && value >= 0 && value <= most_cost) return "";
-  return fmt::format("Value {} not in range 0 to {}", text, most_cost);
-}
-
 void add_cost(CLI::App& command, const char* name, std::optional<double>& value, const std::string& what) {
   command
       .add_option(name, value,
                   what + " (default: that of a float unit of the same library, on a chip estimated)")
-      ->check(cost_problem)
+      ->transform(number_from(0.0, 1e6))
       ->type_name("X");
 }
 

@@ -2,7 +2,6 @@
 // what is allowed.
 #pragma once
 
-#include <charconv>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -13,19 +12,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/text.hpp"
+
 namespace hitpipe::cli {
 
-/// Accepts only decimal whole numbers from `least` to `most`. CLI::Range would accept -1 as the largest
-/// number, read 010 as 8, and print its own description in the help.
-template <class Whole>
-CLI::Validator whole_number(Whole least, Whole most) {
+/// Accepts only decimal numbers of this type from `least` to `most`. CLI::Range would accept NaN, take -1 for
+/// the largest whole number, read 010 as 8, and print its own description in the help.
+template <class Number>
+CLI::Validator number_from(Number least, Number most) {
   const auto read = [least, most](std::string& text) {
-    Whole value{};
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || stop != end || value < least || value > most)
+    const auto value = host::number_in<Number>(text);
+    if (!value || !(*value >= least && *value <= most))
       return fmt::format("Value {} not in range {} to {}", text, least, most);
-    text = fmt::format("{}", value);
+    text = fmt::format("{}", *value);
     return std::string();
   };
   return {read, ""};
@@ -41,7 +40,7 @@ template <class Count>
 CLI::Option* add_count_option(CLI::App& command, const std::string& name, Count& value, CountRange allowed,
                               const std::string& what) {
   return command.add_option(name, value, fmt::format("{} ({} to {})", what, allowed.least, allowed.most))
-      ->transform(whole_number(allowed.least, allowed.most))
+      ->transform(number_from(allowed.least, allowed.most))
       ->type_name("N");
 }
 
@@ -49,7 +48,7 @@ CLI::Option* add_count_option(CLI::App& command, const std::string& name, Count&
 inline CLI::Option* add_large_count_option(CLI::App& command, const std::string& name, std::uint64_t& value,
                                            std::uint64_t least, std::uint64_t most, const std::string& what) {
   return command.add_option(name, value, what)
-      ->transform(whole_number(least, most))
+      ->transform(number_from(least, most))
       ->type_name("N")
       ->capture_default_str();
 }

@@ -7,7 +7,6 @@
 
 #include "cli/report/gnuplot.hpp"
 #include "cli/report/sweep_plot.hpp"
-#include "host/environment.hpp"
 #include "host/process.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "sim/check/check.hpp"

@@ -1,7 +1,6 @@
 #include "cli/report/report_page.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "host/text.hpp"
 #include "sw_ref/render/colour_map.hpp"
 
 namespace hitpipe::cli {
@@ -52,18 +52,11 @@ summary{cursor:pointer;padding:.3em 0;font-weight:600}
 @media(max-width:600px){body{padding:12px}dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.5em}}
 )";
 
-std::optional<double> number_in(const std::string& cell) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
-  return value;
-}
-
 /// A number, with the separators that readable_number() puts in.
 bool is_number(std::string cell) {
   std::erase(cell, ',');
   if (cell.ends_with('%')) cell.pop_back();
-  return number_in(cell).has_value();
+  return host::number_in<double>(cell).has_value();
 }
 
 std::string colours() {
@@ -135,7 +128,7 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string readable_number(const std::string& cell) {
-  const std::optional<double> value = number_in(cell);
+  const std::optional<double> value = host::number_in<double>(cell);
   if (!value || !std::isfinite(*value)) return cell;
   std::string text = cell;
   if (cell.find_first_of(".eE") != std::string::npos && cell.size() > 7)

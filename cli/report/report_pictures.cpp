@@ -1,14 +1,12 @@
 #include "cli/report/report_pictures.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "cli/options/trace_options.hpp"
-#include "host/scratch_folder.hpp"
+#include "host/files.hpp"
 #include "sim/cosim.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/render/image_file.hpp"
@@ -25,8 +23,7 @@ template <class Write>
 std::string png_of(const Write& write) {
   const host::ScratchFolder folder;
   write(folder / "picture.png");
-  std::ifstream in(folder / "picture.png", std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return host::read_file(folder / "picture.png");
 }
 
 class Studio {

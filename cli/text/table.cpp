@@ -5,9 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/options/values.hpp"
+#include "host/text.hpp"
 
 namespace hitpipe::cli {
 
@@ -37,18 +37,11 @@ std::string readable(const Row& value) {
 
 std::string csv_cell(const Row& value) {
   if (value.is_null()) return "";
-  if (value.is_array()) {
-    std::string words;
-    for (const Row& entry : value)
-      words += (words.empty() ? "" : " ") + (entry.is_string() ? entry.get<std::string>() : dump(entry));
-    return csv_cell(words);
-  }
-  if (!value.is_string()) return dump(value);
-  const auto text = value.get<std::string>();
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return cell + "\"";
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return dump(value);
+  std::string words;
+  for (const Row& entry : value) words += (words.empty() ? "" : " ") + csv_cell(entry);
+  return words;
 }
 
 std::string csv_text(const std::vector<Row>& rows) {
@@ -56,11 +49,11 @@ std::string csv_text(const std::vector<Row>& rows) {
   if (rows.empty()) return text;
   std::vector<std::string> cells;
   for (const auto& [key, value] : rows.front().items()) cells.push_back(key);
-  text += fmt::format("{}\n", fmt::join(cells, ","));
+  text += host::csv_line(cells);
   for (const Row& row : rows) {
     cells.clear();
     for (const auto& [key, value] : row.items()) cells.push_back(csv_cell(value));
-    text += fmt::format("{}\n", fmt::join(cells, ","));
+    text += host::csv_line(cells);
   }
   return text;
 }

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "host/hash.hpp"
+#include "host/text.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 
 namespace hitpipe::rtl {

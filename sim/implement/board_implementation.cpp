@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "host/environment.hpp"
+#include "host/process.hpp"
 #include "rtl_gen/board/top.hpp"
 #include "rtl_gen/component/built_in.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"

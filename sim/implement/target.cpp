@@ -1,13 +1,13 @@
 #include "sim/implement/target.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+
+#include "host/files.hpp"
 
 namespace hitpipe::sim {
 
@@ -126,11 +126,7 @@ std::vector<std::string> target_names() {
 }
 
 Target target_called(const std::string& name_or_file) {
-  if (name_or_file.ends_with(".json")) {
-    std::ifstream in(name_or_file, std::ios::binary);
-    if (!in) throw std::runtime_error(fmt::format("{}: cannot read the file", name_or_file));
-    return Target::from_json(std::string(std::istreambuf_iterator<char>(in), {}), name_or_file);
-  }
+  if (name_or_file.ends_with(".json")) return Target::from_json(host::read_file(name_or_file), name_or_file);
   const auto targets = built_in_targets();
   const auto found = std::find_if(targets.begin(), targets.end(),
                                   [&](const BuiltInTarget& target) { return target.name == name_or_file; });

@@ -1,7 +1,6 @@
 #include "sim/implement/workbench.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -30,9 +29,8 @@ void Workbench::put_and_keep(const host::File& file) const {
 }
 
 std::string Workbench::read(const std::string& name) const {
-  std::ifstream in(work_ / name, std::ios::binary);
-  if (!in) throw std::runtime_error(fmt::format("{}: a tool did not write it", name));
-  return {std::istreambuf_iterator<char>(in), {}};
+  if (std::optional<std::string> contents = host::contents_of(work_ / name)) return *std::move(contents);
+  throw std::runtime_error(fmt::format("{}: a tool did not write it", name));
 }
 
 host::Outcome Workbench::try_run(const Tool& tool, const std::vector<std::string>& arguments,

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "host/files.hpp"
-#include "host/scratch_folder.hpp"
 #include "sim/tool.hpp"
 
 namespace hitpipe::sim {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "host/hash.hpp"
+#include "host/text.hpp"
 #include "sim/sweep/printable.hpp"
 #include "sim/sweep/sweep.hpp"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "host/thread_time.hpp"
+#include "host/parallel.hpp"
 #include "sw_ref/exact/triangle_test.hpp"
 
 namespace hitpipe::ref {

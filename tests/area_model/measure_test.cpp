@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "area_model/price.hpp"
+#include "host/files.hpp"
 #include "host/process.hpp"
-#include "host/scratch_folder.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::area::measure_test {

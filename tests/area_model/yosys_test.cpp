@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "area_model/price.hpp"
-#include "host/scratch_folder.hpp"
+#include "host/files.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/tool.hpp"

@@ -9,7 +9,6 @@
 
 #include "area_model/price.hpp"
 #include "host/files.hpp"
-#include "host/scratch_folder.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"

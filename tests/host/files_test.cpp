@@ -1,8 +1,10 @@
-// Files appear whole or not at all, and a failure names the file and the reason.
+// Files are read whole and appear whole or not at all, and a failure names the file and the reason. Temporary
+// folders exist as long as their objects.
 #include "host/files.hpp"
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -14,6 +16,7 @@
 
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/tool.hpp"
+#include "tests/sim/environment.hpp"
 
 namespace hitpipe::host {
 namespace {
@@ -34,6 +37,27 @@ std::vector<std::string> files_in(const std::filesystem::path& folder) {
 
 std::string told(const std::filesystem::path& folder, const std::vector<File>& files) {
   return message_of<std::runtime_error>([&] { host::write_files(folder, files); });
+}
+
+TEST(ReadFile, GivesEveryByte) {
+  const ScratchFolder folder;
+  const std::string bytes = std::string(100'000, 'x') + std::string("\r\n\0\x1a", 4);
+  write_file(folder / "file", bytes);
+  EXPECT_EQ(read_file(folder / "file"), bytes);
+  EXPECT_EQ(contents_of(folder / "file"), bytes);
+  write_file(folder / "empty", "");
+  EXPECT_EQ(read_file(folder / "empty"), "");
+}
+
+TEST(ReadFile, ComplainsInTheCallersWords) {
+  const ScratchFolder folder;
+  for (const std::filesystem::path& file : {folder / "none", folder.path()}) {
+    EXPECT_EQ(contents_of(file), std::nullopt);
+    EXPECT_EQ(message_of<std::runtime_error>([&] { (void)read_file(file); }),
+              file.string() + ": cannot read the file");
+    EXPECT_EQ(message_of<std::runtime_error>([&] { (void)read_file(file, "is no library"); }),
+              file.string() + ": is no library");
+  }
 }
 
 TEST(WriteFiles, CreatesFoldersAndReplacesFiles) {
@@ -183,6 +207,43 @@ TEST(PendingFile, LeavesNothingWhenItIsGivenUp) {
     closed.close();
   }
   EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
+}
+
+TEST(ScratchFolder, IsNewAndGoesWithAllThatIsInIt) {
+  std::optional<ScratchFolder> one(std::in_place);
+  const ScratchFolder other;
+  const std::filesystem::path path = one->path();
+  EXPECT_NE(path, other.path());
+  write_file(*one / "below" / "file", "text");
+  one.reset();
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_TRUE(std::filesystem::is_directory(other.path()));
+}
+
+TEST(ScratchFolder, IsWhereTmpdirSays) {
+  const ScratchFolder folder;
+  const std::filesystem::path parent = folder / "it's a \"folder\"";
+  std::filesystem::create_directory(parent);
+  const sim::EnvironmentValue variable("TMPDIR", parent.string());
+  const ScratchFolder inside;
+  EXPECT_EQ(inside.path().parent_path(), parent);
+  EXPECT_TRUE(std::filesystem::is_directory(inside.path()));
+}
+
+TEST(ScratchFolder, StaysWhereItWasMoved) {
+  const ScratchFolder folder;
+  {
+    const ScratchFolder made(folder.path(), "building-");
+    EXPECT_THAT(made.path().filename().string(), testing::MatchesRegex("building-......"));
+    write_file(made / "file", "text");
+    std::filesystem::rename(made.path(), folder / "kept");
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "kept" / "file"));
+}
+
+TEST(ScratchFolder, MissingParentRejected) {
+  EXPECT_EQ(message_of<std::runtime_error>([] { const ScratchFolder folder("/nonexistent", "a-"); }),
+            "/nonexistent: cannot create a folder in it: No such file or directory");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Programs get their words unchanged, and their end is reported.
+// Environment variables name programs; programs get their words unchanged, and their end is reported.
 #include "host/process.hpp"
 
 #include <stdexcept>
@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using sim::EnvironmentValue;
 using sim::TemporaryFolder;
+using testing::ElementsAre;
 
 TEST(Run, GivesEachWordAsItIs) {
   const std::string words[] = {"two words", "it's",    "a\nline", "$HOME `id` \\ \"x\" *; exit 3",
@@ -106,6 +107,36 @@ TEST(Run, SignalIsTold) {
   EXPECT_FALSE(ended.succeeded());
   EXPECT_EQ(ended.failure(), "was ended by signal 9 (Killed)");
   EXPECT_EQ(ended.out, "said\n");
+}
+
+constexpr const char* variable_name = "HITPIPE_TEST_VARIABLE";
+
+TEST(Environment, UnsetAndEmptyVariablesGiveTheOther) {
+  const EnvironmentValue unset(variable_name, std::nullopt);
+  EXPECT_EQ(environment(variable_name, "other"), "other");
+  const EnvironmentValue empty(variable_name, "");
+  EXPECT_EQ(environment(variable_name, "other"), "other");
+  const EnvironmentValue set(variable_name, "it's set");
+  EXPECT_EQ(environment(variable_name, "other"), "it's set");
+}
+
+TEST(ProgramOf, TakesArgumentsThatFollowTheProgram) {
+  const EnvironmentValue variable(variable_name, "env LANG=C g++");
+  EXPECT_THAT(program_of(variable_name, "c++"), ElementsAre("env", "LANG=C", "g++"));
+}
+
+TEST(ProgramOf, PathOfAFileIsOneWord) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write_program("it's a compiler", "").string();
+  const EnvironmentValue variable(variable_name, program);
+  EXPECT_THAT(program_of(variable_name, "c++"), ElementsAre(program));
+}
+
+TEST(ProgramOf, NothingButBlanksNamesNone) {
+  const EnvironmentValue blank(variable_name, " ");
+  EXPECT_THAT(program_of(variable_name, "c++"), ElementsAre("c++"));
+  const EnvironmentValue unset(variable_name, std::nullopt);
+  EXPECT_THAT(program_of(variable_name, "c++"), ElementsAre("c++"));
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/files.hpp"
 #include "host/process.hpp"
-#include "host/scratch_folder.hpp"
 
 namespace hitpipe::rtl {
 

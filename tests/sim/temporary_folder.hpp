@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "host/scratch_folder.hpp"
+#include "host/files.hpp"
 
 namespace hitpipe::sim {
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/scratch_folder.hpp"
+#include "host/files.hpp"
 
 namespace hitpipe::hls::csim_test {
 namespace {

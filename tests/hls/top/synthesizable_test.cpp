@@ -12,8 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/files.hpp"
 #include "host/process.hpp"
-#include "host/scratch_folder.hpp"
 
 namespace hitpipe::synthesizable_test {
 namespace {

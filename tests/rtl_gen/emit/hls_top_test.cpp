@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/scratch_folder.hpp"
+#include "host/files.hpp"
 #include "rtl_gen/catalogue/fp_formats.hpp"
 #include "rtl_gen/catalogue/int_formats.hpp"
 #include "rtl_gen/emit/testbench.hpp"

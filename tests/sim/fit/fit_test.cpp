@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"
-#include "host/scratch_folder.hpp"
 #include "rtl_gen/catalogue/any_fp_formats.hpp"
 #include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
