@@ -1,6 +1,7 @@
 #include "host/process.hpp"
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -72,11 +73,19 @@ Descriptor file_of(const std::string& text) {
   return file;
 }
 
-/// What the child does before its program starts.
+/// What the child does before its program starts. It leads a group of its own.
 class Actions {
  public:
-  Actions() { check(posix_spawn_file_actions_init(&actions_)); }
-  ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
+  Actions() {
+    check(posix_spawn_file_actions_init(&actions_));
+    check(posix_spawnattr_init(&attributes_));
+    check(posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP));
+    check(posix_spawnattr_setpgroup(&attributes_, 0));
+  }
+  ~Actions() {
+    posix_spawnattr_destroy(&attributes_);
+    posix_spawn_file_actions_destroy(&actions_);
+  }
   Actions(const Actions&) = delete;
   Actions& operator=(const Actions&) = delete;
 
@@ -86,7 +95,10 @@ class Actions {
   void enter(const std::filesystem::path& folder) {
     check(posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str()));
   }
-  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
+  /// Returns errno, or 0.
+  int spawn(pid_t& child, std::vector<char*>& words) const {
+    return posix_spawnp(&child, words.front(), &actions_, &attributes_, words.data(), environ);
+  }
 
  private:
   static void check(int error) {
@@ -94,16 +106,94 @@ class Actions {
     if (error != 0) fail("prepare a process");
   }
   posix_spawn_file_actions_t actions_{};
+  posix_spawnattr_t attributes_{};
 };
 
+/// The groups of the children that run. A program that is ended by a signal ends them too, since a terminal
+/// sends its signals only to the program's own group.
+std::array<std::atomic<pid_t>, 256> running_groups;
+
+void end_with_children(int number) {
+  for (const std::atomic<pid_t>& group : running_groups)
+    if (const pid_t leader = group; leader != 0) kill(-leader, number);
+  static_cast<void>(raise(number));  // comes when this returns, and now ends the program
+}
+
+void take_children_along() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
+    action.sa_handler = end_with_children;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(number, &action, nullptr);
+  }
+}
+
+/// A child that leads a group of its own. Without wait() it is killed with its group.
+class Child {
+ public:
+  explicit Child(pid_t id) : id_(id) {
+    for (std::atomic<pid_t>& group : running_groups) {
+      pid_t none = 0;
+      if (!group.compare_exchange_strong(none, id_)) continue;
+      group_ = &group;
+      break;
+    }
+  }
+  ~Child() {
+    if (!waited_) {
+      kill_group();
+      static_cast<void>(reap());
+    }
+    if (group_ != nullptr) *group_ = 0;
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Whether it has ended; it still waits to be reaped, so no other process has its number.
+  [[nodiscard]] bool ended() const {
+    siginfo_t found{};
+    return waitid(P_PID, static_cast<id_t>(id_), &found, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           found.si_pid == id_;
+  }
+  void kill_group() const { kill(-id_, SIGKILL); }
+  /// Its status, as of waitpid().
+  int wait() {
+    const int status = reap();
+    waited_ = true;
+    return status;
+  }
+
+ private:
+  [[nodiscard]] int reap() const {
+    int status = 0;
+    while (waitpid(id_, &status, 0) < 0 && errno == EINTR) continue;
+    return status;
+  }
+
+  pid_t id_;
+  std::atomic<pid_t>* group_ = nullptr;
+  bool waited_ = false;
+};
+
+using Clock = std::chrono::steady_clock;
+
 /// Reads both pipes as the child fills them, so the child never waits for one while this waits for the other.
-void drain(std::array<std::pair<Pipe*, std::string*>, 2> streams) {
+/// Ends with the child, although its own children may keep the pipes open. False if that took too long.
+bool drain(const Child& child, std::array<std::pair<Pipe*, std::string*>, 2> streams,
+           Clock::time_point deadline) {
   for (;;) {
     std::array<pollfd, 2> ready{};
     for (std::size_t i = 0; i < 2; ++i) ready[i] = {streams[i].first->read.number(), POLLIN, 0};
-    if (ready[0].fd < 0 && ready[1].fd < 0) return;
-    if (poll(ready.data(), ready.size(), -1) < 0 && errno != EINTR) fail("read what a program prints");
-    for (std::size_t i = 0; i < 2; ++i) {
+    const bool ended = child.ended();  // all that it wrote is in the pipes
+    const bool closed = ready[0].fd < 0 && ready[1].fd < 0;
+    if (ended && closed) return true;
+    if (!ended && Clock::now() >= deadline) return false;
+    // The end of a child wakes nobody when the pipes stay open, or are closed before.
+    const int count = poll(ready.data(), ready.size(), ended ? 0 : closed ? 1 : 50);
+    if (count < 0 && errno != EINTR) fail("read what a program prints");
+    if (count == 0 && ended) return true;
+    for (std::size_t i = 0; i < 2 && count > 0; ++i) {
       if (ready[i].revents == 0) continue;
       std::array<char, 1 << 16> buffer;
       const ssize_t got = read(ready[i].fd, buffer.data(), buffer.size());
@@ -135,19 +225,25 @@ bool Outcome::not_found() const {
 std::string Outcome::failure() const {
   if (not_found()) return "was not found";
   if (start_error != 0) return fmt::format("cannot be started: {}", reason(start_error));
-  if (signal != 0) return fmt::format("was ended by signal {} ({})", signal, strsignal(signal));
+  if (stopped_after.count() != 0)
+    return fmt::format("did not end within {:g} s and was stopped",
+                       std::chrono::duration<double>(stopped_after).count());
+  if (signal != 0) {
+    const char* const meaning = sigdescr_np(signal);
+    return fmt::format("was ended by signal {} ({})", signal, meaning != nullptr ? meaning : "unknown");
+  }
   return fmt::format("failed with exit code {}", exit_code);
 }
 
-Outcome run(const std::vector<std::string>& words, const Surroundings& surroundings) {
-  const std::filesystem::path& folder = surroundings.folder;
+Outcome run(const std::vector<std::string>& words, const RunOptions& options) {
+  const std::filesystem::path& folder = options.folder;
   Actions actions;
   if (!folder.empty()) {
     if (!std::filesystem::is_directory(folder))
       throw std::runtime_error(fmt::format("{}: no such folder", folder.string()));
     actions.enter(folder);
   }
-  const Descriptor in = file_of(surroundings.input);
+  const Descriptor in = file_of(options.input);
   Pipe out = make_pipe();
   Pipe err = make_pipe();
   actions.connect(in, STDIN_FILENO);
@@ -157,18 +253,23 @@ Outcome run(const std::vector<std::string>& words, const Surroundings& surroundi
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
 
+  static const bool once = [] {
+    take_children_along();
+    return true;
+  }();
+  static_cast<void>(once);
   Outcome outcome;
-  pid_t child = 0;
-  outcome.start_error =
-      posix_spawnp(&child, arguments.front(), actions.get(), nullptr, arguments.data(), environ);
+  pid_t id = 0;
+  outcome.start_error = actions.spawn(id, arguments);
   if (outcome.start_error != 0) return outcome;
+  Child child(id);
   out.write.shut();
   err.write.shut();
-  drain({{{&out, &outcome.out}, {&err, &outcome.err}}});
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) fail("wait for a program");
+  if (!drain(child, {{{&out, &outcome.out}, {&err, &outcome.err}}}, Clock::now() + options.time_limit)) {
+    outcome.stopped_after = options.time_limit;
+    child.kill_group();
   }
+  const int status = child.wait();
   outcome.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   return outcome;

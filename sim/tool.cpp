@@ -13,11 +13,11 @@ std::string Tool::name() const {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-host::Outcome Tool::run(const std::vector<std::string>& arguments,
-                        const std::filesystem::path& folder) const {
+host::Outcome Tool::run(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                        std::chrono::milliseconds time_limit) const {
   std::vector<std::string> all = words;
   all.insert(all.end(), arguments.begin(), arguments.end());
-  return host::run(all, {.folder = folder});
+  return host::run(all, {.folder = folder, .time_limit = time_limit});
 }
 
 namespace {
@@ -29,7 +29,7 @@ std::string without_last_newlines(const std::string& text) {
 }  // namespace
 
 std::string Tool::answer(const std::vector<std::string>& arguments) const {
-  const host::Outcome outcome = run(arguments);
+  const host::Outcome outcome = run(arguments, {}, host::answering_time);
   return outcome.succeeded() ? without_last_newlines(outcome.out) : "";
 }
 
@@ -38,7 +38,9 @@ Tool find_tool(const char* variable, const std::string& otherwise, std::string_v
   Tool tool{host::program_of(variable, otherwise), ""};
   std::string& program = tool.words.front();
   if (program.find('/') != std::string::npos) program = std::filesystem::absolute(program).string();
-  const host::Outcome asked = tool.run({version_option});
+  const host::Outcome asked = tool.run({version_option}, {}, host::answering_time);
+  if (asked.stopped_after.count() != 0)
+    throw std::runtime_error(fmt::format("{} {}: {}", tool.name(), version_option, asked.failure()));
   if (asked.succeeded()) tool.version = without_last_newlines(asked.out.empty() ? asked.err : asked.out);
   if (tool.version.empty())
     throw std::runtime_error(fmt::format("{}: cannot be run; install the package {} or set {} to the program",

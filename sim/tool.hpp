@@ -1,6 +1,7 @@
 // Programs that are not hitpipe's and do a part of its work, as the user chooses them.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -16,7 +17,8 @@ struct Tool {
 
   [[nodiscard]] std::string name() const;
   [[nodiscard]] host::Outcome run(const std::vector<std::string>& arguments,
-                                  const std::filesystem::path& folder = {}) const;
+                                  const std::filesystem::path& folder = {},
+                                  std::chrono::milliseconds time_limit = host::working_time) const;
   /// What it prints to standard output, without the newlines at the end. Nothing when it fails.
   [[nodiscard]] std::string answer(const std::vector<std::string>& arguments) const;
   /// The first line of its version.

@@ -16,7 +16,7 @@ std::string gnuplot_string(const std::string& text) {
 }
 
 std::string run_gnuplot(const std::string& command, const std::string& script) {
-  host::Outcome plotted = host::run({"gnuplot"}, {.input = script});
+  host::Outcome plotted = host::run({"gnuplot"}, {.input = script, .time_limit = host::answering_time});
   if (!plotted.succeeded() || plotted.out.empty()) {
     throw std::runtime_error(fmt::format("{}: gnuplot {}{}", command, plotted.failure(),
                                          plotted.not_found() ? "; install the package gnuplot-nox" : ""));

@@ -20,7 +20,7 @@ namespace {
 /// The first line that a program prints to either stream when it is called with `option`.
 std::string version_of(std::vector<std::string> program, const char* option = "--version") {
   program.emplace_back(option);
-  const host::Outcome said = host::run(program);
+  const host::Outcome said = host::run(program, {.time_limit = host::answering_time});
   const std::string text = said.out + said.err;
   const std::string line = text.substr(0, text.find('\n'));
   return !said.succeeded() || line.empty() ? "not found" : line;

@@ -43,7 +43,8 @@ void check_together(const EmitOptions& options) {
 
 /// Nothing when dot is not installed.
 std::optional<File> drawing_of(const File& dot) {
-  host::Outcome drawn = host::run({"dot", "-Tsvg"}, {.input = dot.contents});
+  host::Outcome drawn =
+      host::run({"dot", "-Tsvg"}, {.input = dot.contents, .time_limit = host::answering_time});
   if (drawn.not_found()) return std::nullopt;
   if (!drawn.succeeded() || drawn.out.empty())
     throw std::runtime_error(fmt::format("{}: Graphviz's dot {}", dot.name, drawn.failure()));

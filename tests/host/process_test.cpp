@@ -1,11 +1,21 @@
 // Environment variables name programs; programs get their words unchanged, and their end is reported.
 #include "host/process.hpp"
 
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include "host/files.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/temporary_folder.hpp"
@@ -110,6 +120,107 @@ TEST(Run, SignalIsTold) {
 }
 
 constexpr const char* variable_name = "HITPIPE_TEST_VARIABLE";
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+/// Whether the process runs; a zombie does not.
+bool runs(const std::string& id) {
+  const std::optional<std::string> status = contents_of("/proc/" + id + "/stat");
+  return status && status->find(") Z ") == std::string::npos;
+}
+
+/// Kills reach a process a little later.
+bool is_gone(const std::string& id) {
+  const auto deadline = steady_clock::now() + std::chrono::seconds(10);
+  while (runs(id) && steady_clock::now() < deadline) std::this_thread::sleep_for(milliseconds(1));
+  return !runs(id);
+}
+
+bool has_child() {
+  return waitpid(-1, nullptr, WNOHANG) != -1 || errno != ECHILD;
+}
+
+TEST(Run, ProgramThatHangsIsStoppedWithAllThatItStarted) {
+  const Outcome ended = run({"sh", "-c", "echo said; sleep 1000 & echo $!; exec sleep 1000"},
+                            {.time_limit = milliseconds(300)});
+  EXPECT_FALSE(ended.succeeded());
+  EXPECT_EQ(ended.failure(), "did not end within 0.3 s and was stopped");
+  ASSERT_TRUE(ended.out.starts_with("said\n"));
+  EXPECT_TRUE(is_gone(ended.out.substr(5, ended.out.size() - 6)));
+  EXPECT_FALSE(has_child());
+}
+
+/// Its pipes close long before its end.
+TEST(Run, ProgramThatHangsInSilenceIsStopped) {
+  const Outcome ended = run({"sh", "-c", "exec >&- 2>&-; sleep 1000"}, {.time_limit = milliseconds(300)});
+  EXPECT_EQ(ended.failure(), "did not end within 0.3 s and was stopped");
+  EXPECT_FALSE(has_child());
+}
+
+TEST(Run, ProgramThatClosesItsOutputIsWaitedFor) {
+  const Outcome ended = run({"sh", "-c", "exec >&- 2>&-; sleep 0.1; exit 5"});
+  EXPECT_EQ(ended.failure(), "failed with exit code 5");
+}
+
+TEST(Run, EndsWithItsProgramAlthoughAGrandchildKeepsThePipesOpen) {
+  const auto start = steady_clock::now();
+  const Outcome ended = run({"sh", "-c", "sleep 1000 & echo $!; head -c 100000 /dev/zero >&2"});
+  EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(30));
+  EXPECT_TRUE(ended.succeeded());
+  EXPECT_EQ(ended.err, std::string(100'000, '\0'));
+  const std::string grandchild = ended.out.substr(0, ended.out.size() - 1);
+  EXPECT_TRUE(runs(grandchild));
+  kill(std::stoi(grandchild), SIGKILL);
+}
+
+/// Waits until the tester's child has written its number.
+std::string child_in(const fs::path& folder) {
+  while (!fs::exists(folder / "child")) std::this_thread::sleep_for(milliseconds(1));
+  const std::string text = read_file(folder / "child");
+  return text.substr(0, text.size() - 1);
+}
+
+const std::vector<std::string> tells_its_number{"sh", "-c", "echo $$ > part; mv part child; exec sleep 1000"};
+
+/// poll() refuses more descriptors than a process may have.
+TEST(Run, LeavesNoChildWhenItsOutputCannotBeRead) {
+  const TemporaryFolder folder;
+  const pid_t tester = fork();
+  if (tester == 0) {
+    try {
+      static_cast<void>(run(tells_its_number, {.folder = folder.path()}));
+    } catch (const std::runtime_error& error) {
+      _exit(std::string_view(error.what()).starts_with("cannot read what a program prints")
+                ? (has_child() ? 1 : 0)
+                : 2);
+    }
+    _exit(3);
+  }
+  const std::string child = child_in(folder.path());
+  const rlimit none{1, 1};
+  ASSERT_EQ(prlimit(tester, RLIMIT_NOFILE, &none, nullptr), 0);
+  int status = 0;
+  ASSERT_EQ(waitpid(tester, &status, 0), tester);
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(is_gone(child));
+}
+
+/// As Ctrl-C in a terminal does, which reaches only the program's own group.
+TEST(Run, SignalThatEndsTheProgramEndsItsChildren) {
+  const TemporaryFolder folder;
+  const pid_t tester = fork();
+  if (tester == 0) {
+    static_cast<void>(run(tells_its_number, {.folder = folder.path()}));
+    _exit(0);
+  }
+  const std::string child = child_in(folder.path());
+  kill(tester, SIGINT);
+  int status = 0;
+  ASSERT_EQ(waitpid(tester, &status, 0), tester);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
+  EXPECT_TRUE(is_gone(child));
+}
 
 TEST(Environment, UnsetAndEmptyVariablesGiveTheOther) {
   const EnvironmentValue unset(variable_name, std::nullopt);
