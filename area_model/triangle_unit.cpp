@@ -40,7 +40,7 @@ FpSignal dot(const Vector& a, const Vector& b) {
 
 rtl::Graph trace(const hls::FpBits& format) {
   rtl::Graph graph("float_triangle");
-  const rtl::Tracer tracer(graph);
+  const rtl::TraceRecorder tracer(graph);
   const auto number = [&](const std::string& name) {
     return FpSignal{rtl::Trace::uint(graph.input(name, format.width(), false)), format};
   };

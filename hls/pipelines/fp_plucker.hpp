@@ -10,7 +10,7 @@
 
 namespace hitpipe {
 namespace hls {
-
+namespace fp_plucker {
 /// Planes less the origin: stages 1 to 7, figure 7.8.
 template <class Real>
 constexpr auto fp_axis_view(char axis, const Real& direction, const Real& origin, const Real& plane_min,
@@ -71,6 +71,8 @@ struct FpPlucker {
   static constexpr const char* summary = "float Pluecker test, figures 7.7-7.10";
   static constexpr bool conservative = false;
   static constexpr DesignKind kind = box_kind;
+  static constexpr const char* header = __FILE__;
+  static constexpr bool rounds_to_nearest = true;
   using Bits = FpBits;
   using BuiltIn = FormatList<Fp32>;
   template <class D, class F>
@@ -83,6 +85,10 @@ struct FpPlucker {
     return {fp_plucker_hit(in, FpNegativeSide())};
   }
 };
+
+}  // namespace fp_plucker
+
+using fp_plucker::FpPlucker;
 
 }  // namespace hls
 }  // namespace hitpipe

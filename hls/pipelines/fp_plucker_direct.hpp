@@ -13,32 +13,32 @@
 
 namespace hitpipe {
 namespace hls {
-
+namespace fp_plucker_direct {
 struct FpLesserTerm {
   template <class Real>
   constexpr typename Real::Bit operator()(char number, const SilhouetteEdge<Real>& edge) const {
     return as("outside", number,
-              fp_less(fp_side_term("q", number, edge.q), fp_side_term("p", number, edge.p)));
+              fp_less(fp_plucker::fp_side_term("q", number, edge.q),
+                      fp_plucker::fp_side_term("p", number, edge.p)));
   }
 };
 
-struct FpPluckerDirect {
+/// It takes all but its sides from the other.
+struct FpPluckerDirect : FpPlucker {
   static constexpr const char* name = "fp_plucker_direct";
   static constexpr const char* summary = "float Pluecker test without side relations";
-  static constexpr bool conservative = false;
-  static constexpr DesignKind kind = box_kind;
-  using Bits = FpBits;
-  using BuiltIn = FormatList<Fp32>;
-  template <class D, class F>
-  using Operands = FpPluckerOperands<D, F>;
-  template <class D, class F>
-  using Results = BoxHit<typename D::bit>;
+  static constexpr const char* header = __FILE__;
+  using Shares = FpPlucker;
 
   template <class D, class F>
-  static constexpr Results<D, F> test(const F& /*format*/, const FpPluckerOperands<D, F>& in) {
-    return {fp_plucker_hit(in, FpLesserTerm())};
+  static constexpr Results<D, F> test(const F& /*format*/, const Operands<D, F>& in) {
+    return {fp_plucker::fp_plucker_hit(in, FpLesserTerm())};
   }
 };
+
+}  // namespace fp_plucker_direct
+
+using fp_plucker_direct::FpPluckerDirect;
 
 }  // namespace hls
 }  // namespace hitpipe

@@ -10,7 +10,7 @@
 
 namespace hitpipe {
 namespace hls {
-
+namespace fp_slabs {
 /// Distances at which a ray enters and leaves a slab.
 template <class Real>
 struct FpSlabInterval {
@@ -50,6 +50,8 @@ struct FpSlabs {
   static constexpr const char* summary = "float slabs test, figures 7.2-7.3";
   static constexpr bool conservative = false;
   static constexpr DesignKind kind = box_kind;
+  static constexpr const char* header = __FILE__;
+  static constexpr bool rounds_to_nearest = true;
   using Bits = FpBits;
   using BuiltIn = FormatList<Fp32>;
   template <class D, class F>
@@ -65,6 +67,10 @@ struct FpSlabs {
     return {fp_slabs_overlap(x, y, z, in.rlen, in.rinf)};
   }
 };
+
+}  // namespace fp_slabs
+
+using fp_slabs::FpSlabs;
 
 }  // namespace hls
 }  // namespace hitpipe

@@ -1,4 +1,4 @@
-// The float slabs test that never misses eEmM: does a ray meet a closed box? All rounding is
+// A float slabs test, in eEmM, that never misses: does a ray meet a closed box? All rounding is
 // toward zero, which takes the fewest gates. A near distance may be too small. A far difference that is too
 // small is made up for by its factor, which the set-up rounds up by one part in 2^M more. Products are cut in
 // the same way for near and far, which keeps their order. docs/conservative.md proves that the unit never
@@ -12,7 +12,7 @@
 
 namespace hitpipe {
 namespace hls {
-
+namespace fp_slabs_safe {
 /// Distances at which a ray enters and leaves a slab, as patterns without sign. Their order is that of the
 /// numbers.
 template <class Magnitude, class Bit>
@@ -55,13 +55,13 @@ struct FpSlabsSafe {
   static constexpr const char* summary = "float slabs test that never misses";
   static constexpr bool conservative = true;
   static constexpr DesignKind kind = box_kind;
+  static constexpr const char* header = __FILE__;
   using Bits = AnyFpBits;
   using BuiltIn = FormatList<FpFormat<8, 23>, FpFormat<8, 15>, FpFormat<8, 7>, FpFormat<5, 10>>;
   template <class D, class F>
   using Operands = FpSlabsSafeOperands<D, F>;
   template <class D, class F>
   using Results = BoxHit<typename D::bit>;
-
   template <class D, class F>
   static constexpr Results<D, F> test(const F& format, const FpSlabsSafeOperands<D, F>& in) {
     using Bit = typename D::bit;
@@ -92,6 +92,10 @@ struct FpSlabsSafe {
     return {as("overlap", (~behind & ~apart) & (~beyond | in.rinf))};
   }
 };
+
+}  // namespace fp_slabs_safe
+
+using fp_slabs_safe::FpSlabsSafe;
 
 }  // namespace hls
 }  // namespace hitpipe

@@ -12,19 +12,19 @@
 
 namespace hitpipe {
 namespace hls {
-
+namespace int_major {
 struct IntMajor {
   static constexpr const char* name = "int_major";
   static constexpr const char* summary = "integer slabs along the ray's major axis";
   static constexpr bool conservative = true;
   static constexpr DesignKind kind = box_kind;
+  static constexpr const char* header = __FILE__;
   using Bits = MajorBits;
   using BuiltIn = FormatList<MajorFormat<20, 1, 13>>;
   template <class D, class F>
   using Operands = IntMajorOperands<D, F>;
   template <class D, class F>
   using Results = BoxHit<typename D::bit>;
-
   /// The three intervals and [0, len] have a point in common.
   template <class D, class F>
   static constexpr Results<D, F> test(const F& format, const IntMajorOperands<D, F>& in) {
@@ -39,6 +39,10 @@ struct IntMajor {
     return {as("overlap", ~behind & ~apart & ~beyond)};
   }
 };
+
+}  // namespace int_major
+
+using int_major::IntMajor;
 
 }  // namespace hls
 }  // namespace hitpipe

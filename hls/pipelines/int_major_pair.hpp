@@ -11,7 +11,7 @@
 
 namespace hitpipe {
 namespace hls {
-
+namespace int_major_pair {
 /// A near distance that does not bind: 0 where the plane is not the box's own.
 template <class Bit, class X>
 constexpr X own_near(const Bit& own, const X& t) {
@@ -40,13 +40,13 @@ struct IntMajorPair {
   static constexpr const char* summary = "as int_major, for two boxes at a time";
   static constexpr bool conservative = true;
   static constexpr DesignKind kind = pair_kind;
+  static constexpr const char* header = __FILE__;
   using Bits = MajorBits;
   using BuiltIn = FormatList<MajorFormat<20, 1, 13>>;
   template <class D, class F>
   using Operands = IntMajorPairOperands<D, F>;
   template <class D, class F>
   using Results = IntMajorPairResults<D, F>;
-
   template <class D, class F>
   static constexpr Results<D, F> test(const F& format, const IntMajorPairOperands<D, F>& in) {
     using Bit = typename D::bit;
@@ -80,6 +80,10 @@ struct IntMajorPair {
     return out;
   }
 };
+
+}  // namespace int_major_pair
+
+using int_major_pair::IntMajorPair;
 
 }  // namespace hls
 }  // namespace hitpipe

@@ -14,7 +14,7 @@
 
 namespace hitpipe {
 namespace hls {
-
+namespace int_plucker {
 /// EBND, the smallest side relation of a ray that passes inside an edge: -ceil((2^(n-1)-2) / 2^k) with
 /// k = 2n-1-t dropped bits; proved in sw_ref/quantise/int_plucker_ray.cpp. -1 at 24/24, -16 at 20/24.
 constexpr std::int64_t edge_bound(const IntBits& format) {
@@ -55,13 +55,13 @@ struct IntPlucker {
   static constexpr const char* summary = "integer Pluecker test, figures 7.11-7.14";
   static constexpr bool conservative = true;
   static constexpr DesignKind kind = box_kind;
+  static constexpr const char* header = __FILE__;
   using Bits = IntBits;
   using BuiltIn = FormatList<IntFormat<24, 24>, IntFormat<20, 24>, IntFormat<16, 16>, IntFormat<12, 12>>;
   template <class D, class F>
   using Operands = IntPluckerOperands<D, F>;
   template <class D, class F>
   using Results = BoxHit<typename D::bit>;
-
   template <class D, class F>
   static constexpr Results<D, F> test(const F& format, const IntPluckerOperands<D, F>& in) {
     using Bit = typename D::bit;
@@ -85,6 +85,10 @@ struct IntPlucker {
     return {as("inside", (hit01 & hit23) & (hit45 & extent))};
   }
 };
+
+}  // namespace int_plucker
+
+using int_plucker::IntPlucker;
 
 }  // namespace hls
 }  // namespace hitpipe

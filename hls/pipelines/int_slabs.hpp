@@ -11,7 +11,7 @@
 
 namespace hitpipe {
 namespace hls {
-
+namespace int_slabs {
 /// Operands of the two multipliers of one axis: end of stage 1, figure 7.4.
 template <class Coord>
 struct SlabFactors {
@@ -71,6 +71,7 @@ struct IntSlabs {
   static constexpr const char* summary = "integer slabs test, figures 7.4-7.6";
   static constexpr bool conservative = true;
   static constexpr DesignKind kind = box_kind;
+  static constexpr const char* header = __FILE__;
   using Bits = IntBits;
   using BuiltIn = FormatList<IntFormat<24, 24>, IntFormat<20, 24>, IntFormat<16, 16>, IntFormat<12, 12>>;
   template <class D, class F>
@@ -88,6 +89,10 @@ struct IntSlabs {
                           int_slab<Interval>(format, 'z', z), in.irlen, in.rinf)};
   }
 };
+
+}  // namespace int_slabs
+
+using int_slabs::IntSlabs;
 
 }  // namespace hls
 }  // namespace hitpipe

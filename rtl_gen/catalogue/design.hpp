@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,7 +23,7 @@ namespace hitpipe::rtl {
 /// Where a design's C++ is, for programs that are written to compile it.
 struct DesignSource {
   std::string_view pipeline{};  ///< its struct in hitpipe::hls: "IntSlabs"
-  std::string_view header{};    ///< "hls/pipelines/int_slabs.hpp"
+  std::string header{};         ///< "hls/pipelines/int_slabs.hpp"
 };
 
 struct Design {

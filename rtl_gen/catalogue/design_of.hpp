@@ -8,10 +8,10 @@
 
 namespace hitpipe::rtl {
 
-/// Without `source` no top function for high-level synthesis can be written. Throws std::invalid_argument
-/// when the results are not those of the design's kind.
+/// `name` is the struct's in hitpipe::hls. Without a name no top function for high-level synthesis can be
+/// written. Throws std::invalid_argument when the results are not those of the design's kind.
 template <class Pipeline>
-Design design_of(DesignSource source = {}) {
+Design design_of(std::string_view name = {}) {
   using Bits = typename Pipeline::Bits;
   Design design{.name = Pipeline::name,
                 .summary = Pipeline::summary,
@@ -24,7 +24,7 @@ Design design_of(DesignSource source = {}) {
                 .run_at = [](const Format& format) { return native_function<Pipeline>(format.as<Bits>()); },
                 .float_unit_run_at =
                     [](const Format& format) { return float_unit_function<Pipeline>(format.as<Bits>()); },
-                .source = source};
+                .source = {name, source_line(Pipeline::header, 0).file}};
   check_kind(design);
   return design;
 }

@@ -2,7 +2,6 @@
 // domain, all others share the one whose widths are known at run time.
 #pragma once
 
-#include <concepts>
 #include <cstdint>
 
 #include "hls/box/format_list.hpp"
@@ -57,8 +56,8 @@ void run(const F& format, const std::int64_t* operands, std::int64_t* results) {
   Results::for_each(format, out, ResultWriter{results});
 }
 
-// Judging a design runs its datapath once a test: flat, its values stay in registers. GCC's sanitizers take
-// minutes over so large a function.
+// `flatten`: the datapath runs once per test; inlined whole, its values stay in registers. GCC's sanitizers
+// take minutes over so large a function.
 #ifdef __SANITIZE_ADDRESS__
 #define HITPIPE_FLATTEN
 #else
@@ -96,13 +95,13 @@ Evaluate::Run native_function(const typename Pipeline::Bits& format) {
   return found;
 }
 
-/// The same with float operators by the host's floating-point unit. Null when the host has no such numbers.
+/// The same with float operators by the host's floating-point unit, which rounds to nearest. Null when the
+/// pipeline does not, or the host has no such numbers.
 template <class Pipeline>
 Evaluate::Run float_unit_function([[maybe_unused]] const typename Pipeline::Bits& format) {
   Evaluate::Run found = nullptr;
   const auto choose_one = [&]<class F>(F) {
-    // That unit rounds to nearest, as pipelines do whose formats are FpBits.
-    if constexpr (host_format<F> && std::same_as<typename Pipeline::Bits, hls::FpBits>) {
+    if constexpr (host_format<F> && requires { requires Pipeline::rounds_to_nearest; }) {
       if (format == F::bits) found = detail::run_on_float_unit<Pipeline, F>;
     }
   };

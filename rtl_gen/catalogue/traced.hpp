@@ -1,6 +1,8 @@
 // A pipeline as a graph: its template run in the trace domain, in any format.
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "hls/box/operand.hpp"
@@ -36,18 +38,31 @@ struct TracedPorts {
 
 }  // namespace detail
 
+/// The header of a pipeline's C++, and those of pipelines whose parts it uses.
+template <class Pipeline>
+std::vector<std::string> headers_of() {
+  std::vector<std::string> headers{source_line(Pipeline::header, 0).file};
+  if constexpr (requires { typename Pipeline::Shares; }) {
+    for (std::string& other : headers_of<typename Pipeline::Shares>()) headers.push_back(std::move(other));
+  }
+  return headers;
+}
+
+/// Throws std::runtime_error, one line, when a value is computed elsewhere than in the pipeline's headers and
+/// the shared ones (check_sources).
 template <class Pipeline>
 Graph traced(const typename Pipeline::Bits& format) {
   using Bits = typename Pipeline::Bits;
   using Operands = typename Pipeline::template Operands<Trace, Bits>;
   using Results = typename Pipeline::template Results<Trace, Bits>;
   Graph graph(Pipeline::name);
-  const Tracer tracer(graph);
+  const TraceRecorder recorder(graph);
   const detail::TracedPorts<Bits> ports{graph, format};
   Operands in;
   Operands::for_each(format, in, ports);
   const Results out = Pipeline::template test<Trace>(format, in);
   Results::for_each(format, out, ports);
+  check_sources(graph, headers_of<Pipeline>());
   return graph;
 }
 

@@ -5,7 +5,7 @@
 namespace hitpipe::rtl {
 
 Design fp_plucker() {
-  Design design = design_of<hls::FpPlucker>({"FpPlucker", "hls/pipelines/fp_plucker.hpp"});
+  Design design = design_of<hls::FpPlucker>("FpPlucker");
   design.printed = {.rows = {{2, hls::FpBits{}}}};
   return design;
 }

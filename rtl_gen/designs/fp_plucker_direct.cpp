@@ -5,7 +5,7 @@
 namespace hitpipe::rtl {
 
 Design fp_plucker_direct() {
-  return design_of<hls::FpPluckerDirect>({"FpPluckerDirect", "hls/pipelines/fp_plucker_direct.hpp"});
+  return design_of<hls::FpPluckerDirect>("FpPluckerDirect");
 }
 
 }  // namespace hitpipe::rtl

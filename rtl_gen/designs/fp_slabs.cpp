@@ -5,7 +5,7 @@
 namespace hitpipe::rtl {
 
 Design fp_slabs() {
-  Design design = design_of<hls::FpSlabs>({"FpSlabs", "hls/pipelines/fp_slabs.hpp"});
+  Design design = design_of<hls::FpSlabs>("FpSlabs");
   design.printed = {.rows = {{1, hls::FpBits{}}}, .input_latches = true};
   return design;
 }

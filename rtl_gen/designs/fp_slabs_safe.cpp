@@ -6,7 +6,7 @@
 namespace hitpipe::rtl {
 
 Design fp_slabs_safe() {
-  return design_of<hls::FpSlabsSafe>({"FpSlabsSafe", "hls/pipelines/fp_slabs_safe.hpp"});
+  return design_of<hls::FpSlabsSafe>("FpSlabsSafe");
 }
 
 }  // namespace hitpipe::rtl

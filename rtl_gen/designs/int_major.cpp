@@ -6,7 +6,7 @@
 namespace hitpipe::rtl {
 
 Design int_major() {
-  return design_of<hls::IntMajor>({"IntMajor", "hls/pipelines/int_major.hpp"});
+  return design_of<hls::IntMajor>("IntMajor");
 }
 
 }  // namespace hitpipe::rtl

@@ -6,7 +6,7 @@
 namespace hitpipe::rtl {
 
 Design int_major_pair() {
-  return design_of<hls::IntMajorPair>({"IntMajorPair", "hls/pipelines/int_major_pair.hpp"});
+  return design_of<hls::IntMajorPair>("IntMajorPair");
 }
 
 }  // namespace hitpipe::rtl

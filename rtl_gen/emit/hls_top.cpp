@@ -125,7 +125,7 @@ std::vector<host::File> HlsTop::files() const {
 }
 
 HlsTop hls_top(const Design& design, const Format& format, const std::string& module) {
-  if (design.source.header.empty())
+  if (design.source.pipeline.empty())
     throw std::runtime_error(
         fmt::format("{}: no top function for high-level synthesis; the design does not say where its C++ is",
                     design.name));

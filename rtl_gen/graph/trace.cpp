@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace hitpipe::rtl {
 
 namespace {
@@ -18,10 +21,10 @@ std::string_view last_components(std::string_view path, int count) {
 
 }  // namespace
 
-thread_local Graph* Tracer::current_ = nullptr;
+thread_local Graph* TraceRecorder::current_ = nullptr;
 
-Graph& Tracer::graph() {
-  if (current_ == nullptr) throw std::logic_error("a Signal was used while no Tracer is in scope");
+Graph& TraceRecorder::graph() {
+  if (current_ == nullptr) throw std::logic_error("a Signal was used while no TraceRecorder is in scope");
   return *current_;
 }
 
@@ -30,17 +33,31 @@ SourceLine source_line(std::string_view path, unsigned line) {
   return {std::string(of_project.starts_with("hls/") ? of_project : last_components(path, 2)), line};
 }
 
+void check_sources(const Graph& graph, const std::vector<std::string>& headers) {
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const std::string& file = graph[id].source.file;
+    const bool shared = file.empty() || file.starts_with("hls/num/") || file.starts_with("hls/box/") ||
+                        file.ends_with("_parts.hpp");
+    if (shared || std::find(headers.begin(), headers.end(), file) != headers.end()) continue;
+    throw std::runtime_error(fmt::format(
+        "design {}: its value {} comes from {}:{}, not from {} or a shared header; give its functions a "
+        "namespace of their own, or name the other pipeline in `Shares`",
+        graph.name(), graph[id].name, file, graph[id].source.line, fmt::join(headers, ", ")));
+  }
+  for (const auto& unit : graph.units()) check_sources(unit->body, headers);
+}
+
 namespace detail {
 
 namespace {
 
 /// Of a beside b: an unsigned operand beside a signed one needs a zero bit above it.
 int exact_width(Operand a, Operand b) {
-  return Tracer::graph()[a.id].width + (b.is_signed && !a.is_signed ? 1 : 0);
+  return TraceRecorder::graph()[a.id].width + (b.is_signed && !a.is_signed ? 1 : 0);
 }
 
 NodeId binary(Op op, Operand a, Operand b, int width, bool is_signed) {
-  Graph& graph = Tracer::graph();
+  Graph& graph = TraceRecorder::graph();
   const NodeId wide_a = graph.resize(a.id, width, a.is_signed);
   return graph.binary(op, wide_a, graph.resize(b.id, width, b.is_signed), is_signed);
 }
@@ -57,7 +74,7 @@ NodeId less(Operand a, Operand b) {
 }
 
 NodeId product(Operand a, Operand b) {
-  Graph& graph = Tracer::graph();
+  Graph& graph = TraceRecorder::graph();
   const int width = graph[a.id].width + graph[b.id].width;
   // A multiplier has one sign for both operands; an unsigned one beside a signed one gains a zero bit.
   const NodeId left = graph.resize(a.id, exact_width(a, b), a.is_signed);

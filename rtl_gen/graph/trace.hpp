@@ -1,11 +1,12 @@
 // The trace domain: the values of a pipeline that record what is done to them. Widths are known at run time.
 // Widths and signs follow the rules of hls/num (a + b grows by a bit, and so on), so that the same C++ means
-// the same bits here and on the host. Values live while a Tracer is in scope on their thread.
+// the same bits here and on the host. Values live while a TraceRecorder is in scope on their thread.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hls/num/bits.hpp"
 #include "rtl_gen/graph/graph.hpp"
@@ -13,14 +14,14 @@
 namespace hitpipe::rtl {
 
 /// Makes a graph the one that Signals record into, on this thread, until it is destroyed.
-class Tracer {
+class TraceRecorder {
  public:
-  explicit Tracer(Graph& graph) : outer_(current_) { current_ = &graph; }
-  ~Tracer() { current_ = outer_; }
-  Tracer(const Tracer&) = delete;
-  Tracer& operator=(const Tracer&) = delete;
+  explicit TraceRecorder(Graph& graph) : outer_(current_) { current_ = &graph; }
+  ~TraceRecorder() { current_ = outer_; }
+  TraceRecorder(const TraceRecorder&) = delete;
+  TraceRecorder& operator=(const TraceRecorder&) = delete;
 
-  /// Throws std::logic_error when no Tracer is in scope.
+  /// Throws std::logic_error when no TraceRecorder is in scope.
   [[nodiscard]] static Graph& graph();
 
  private:
@@ -31,6 +32,11 @@ class Tracer {
 /// A short path, the same on every machine: hls/FOLDER/FILE for a source of the project, FOLDER/FILE for any
 /// other.
 [[nodiscard]] SourceLine source_line(std::string_view path, unsigned line);
+
+/// Throws std::runtime_error, one line, when a named value comes neither from one of these headers nor from a
+/// shared one: hls/num, hls/box or a file *_parts.hpp. Then two designs may define the same function, of
+/// which the linker keeps only the other design's.
+void check_sources(const Graph& graph, const std::vector<std::string>& headers);
 
 /// A node of the traced graph, read as two's complement or not. Its width is the node's.
 template <bool S>
@@ -52,13 +58,13 @@ struct Trace {
   using bit = uint;
 
   static uint lit(std::int64_t value, int width) {
-    return uint(Tracer::graph().constant(width, static_cast<std::uint64_t>(value)));
+    return uint(TraceRecorder::graph().constant(width, static_cast<std::uint64_t>(value)));
   }
 };
 
 template <bool S>
 int width_of(const Signal<S>& x) {
-  return Tracer::graph()[x.id()].width;
+  return TraceRecorder::graph()[x.id()].width;
 }
 
 namespace detail {
@@ -103,7 +109,7 @@ Signal<S1 || S2> operator^(const Signal<S1>& a, const Signal<S2>& b) {
 }
 template <bool S>
 Signal<S> operator~(const Signal<S>& a) {
-  return Signal<S>(Tracer::graph().invert(a.id()));
+  return Signal<S>(TraceRecorder::graph().invert(a.id()));
 }
 
 template <bool S1, bool S2>
@@ -133,19 +139,19 @@ Trace::bit operator!=(const Signal<S1>& a, const Signal<S2>& b) {
 
 template <bool S>
 Trace::uint slice(const Signal<S>& x, int high, int low) {
-  return Trace::uint(Tracer::graph().slice(x.id(), high, low));
+  return Trace::uint(TraceRecorder::graph().slice(x.id(), high, low));
 }
 template <bool S1, bool S2>
 Trace::uint cat(const Signal<S1>& high, const Signal<S2>& low) {
-  return Trace::uint(Tracer::graph().concat(high.id(), low.id()));
+  return Trace::uint(TraceRecorder::graph().concat(high.id(), low.id()));
 }
 template <bool S>
 Signal<S> select(const Trace::bit& choose_a, const Signal<S>& a, const Signal<S>& b) {
-  return Signal<S>(Tracer::graph().mux(choose_a.id(), a.id(), b.id()));
+  return Signal<S>(TraceRecorder::graph().mux(choose_a.id(), a.id(), b.id()));
 }
 template <bool S>
 Signal<S> resize(const Signal<S>& x, int width) {
-  return Signal<S>(Tracer::graph().resize(x.id(), width, S));
+  return Signal<S>(TraceRecorder::graph().resize(x.id(), width, S));
 }
 template <bool S>
 Trace::sint as_signed(const Signal<S>& x) {
@@ -160,13 +166,13 @@ Trace::uint as_unsigned(const Signal<S>& x) {
 template <bool S>
 Signal<S> as(const char* name, const Signal<S>& x, const char* file = __builtin_FILE(),
              unsigned line = __builtin_LINE()) {
-  Tracer::graph().annotate(x.id(), name, source_line(file, line));
+  TraceRecorder::graph().annotate(x.id(), name, source_line(file, line));
   return x;
 }
 template <bool S>
 Signal<S> as(const char* name, char axis, const Signal<S>& x, const char* file = __builtin_FILE(),
              unsigned line = __builtin_LINE()) {
-  Tracer::graph().annotate(x.id(), std::string(name) + '_' + axis, source_line(file, line));
+  TraceRecorder::graph().annotate(x.id(), std::string(name) + '_' + axis, source_line(file, line));
   return x;
 }
 

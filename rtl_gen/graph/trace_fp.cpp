@@ -22,7 +22,7 @@ struct Operator {
 template <class Logic>
 Trace::uint call(const Operator& what, const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b,
                  Logic&& logic) {
-  Graph& graph = Tracer::graph();
+  Graph& graph = TraceRecorder::graph();
   const std::string name = std::string(what.component) + '_' + std::to_string(format.exponent) + '_' +
                            std::to_string(format.fraction);
   const auto known = std::find_if(graph.units().begin(), graph.units().end(),
@@ -33,7 +33,7 @@ Trace::uint call(const Operator& what, const hls::FpBits& format, const Trace::u
   } else {
     const int width = width_of(a);
     Graph body(name);
-    const Tracer tracer(body);
+    const TraceRecorder recorder(body);
     const Trace::uint left(body.input("a", width, false));
     const Trace::uint right(body.input("b", width, false));
     body.output(what.result, logic(format, left, right).id());

@@ -9,7 +9,7 @@ namespace hitpipe::ref {
 static_assert(BoxTest<IntPluckerTest, IntBox>);
 
 IntPluckerTest::IntPluckerTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse)
-    : set_up_(ray, bits), trimmed_(bits.trimmed()), edge_bound_(hls::edge_bound(bits)) {
+    : set_up_(ray, bits), trimmed_(bits.trimmed()), edge_bound_(hls::int_plucker::edge_bound(bits)) {
   const IntPluckerRay& prepared = set_up_.ray();
   const IntOrigin origin = coarse_origin(prepared.origin, coarse, bits.coord);
   for (std::size_t i = 0; i < 3; ++i) {

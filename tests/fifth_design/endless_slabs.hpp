@@ -45,6 +45,8 @@ struct EndlessSlabs {
   static constexpr const char* summary = "integer slabs test of rays without an end";
   static constexpr bool conservative = true;
   static constexpr DesignKind kind = box_kind;
+  static constexpr const char* header = __FILE__;
+  using Shares = IntSlabs;
 
   using Bits = IntBits;
   using BuiltIn = FormatList<>;
@@ -59,7 +61,8 @@ struct EndlessSlabs {
     using Interval = typename F::template Interval<D>;
     const auto slab = [&](char axis, const auto& origin, const auto& low, const auto& high, const auto& floor,
                           const auto& ceil) {
-      return int_slab<Interval>(format, axis, slab_factors(format, axis, origin, low, high, floor, ceil));
+      return int_slabs::int_slab<Interval>(
+          format, axis, int_slabs::slab_factors(format, axis, origin, low, high, floor, ceil));
     };
     const auto x = slab('x', in.irx, in.ixmin, in.ixmax, in.iri_floor, in.iri_ceil);
     const auto y = slab('y', in.iry, in.iymin, in.iymax, in.irj_floor, in.irj_ceil);

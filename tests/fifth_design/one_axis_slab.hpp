@@ -35,6 +35,7 @@ struct OneAxisSlab {
   static constexpr const char* summary = "one slab, for a test";
   static constexpr bool conservative = false;
   static constexpr DesignKind kind = box_kind;
+  static constexpr const char* header = __FILE__;
 
   using Bits = IntBits;
   using BuiltIn = FormatList<>;

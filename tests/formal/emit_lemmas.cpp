@@ -215,7 +215,8 @@ void attained(int n) {
   for (int k = 0; k <= 2 * n - 3; ++k) {
     const std::int64_t unit = std::int64_t{1} << k;
     const std::int64_t attained = -((most - 1 + unit - 1) / unit);
-    if (hls::edge_bound({n, 2 * n - 1 - k}) != attained) throw std::runtime_error("EBND is not the bound");
+    if (hls::int_plucker::edge_bound({n, 2 * n - 1 - k}) != attained)
+      throw std::runtime_error("EBND is not the bound");
     const std::string side =
         fmt::format("(bvsub (bvashr (bvmul dj i) {0}) (bvashr (bvmul di j) {0}))", word(k));
     check(fmt::format("side < {}, n = {}, k = {}", attained, n, k), "unsat",
@@ -258,7 +259,8 @@ void bound() {
     std::string wrong;
     for (int t = hls::IntBits::min_interval; t <= 2 * n - 1; ++t) {
       const std::int64_t unit = std::int64_t{1} << (2 * n - 1 - t);
-      wrong += fmt::format(" (< (- (div q {0}) (div p {0})) {1})", unit, integer(hls::edge_bound({n, t})));
+      wrong += fmt::format(" (< (- (div q {0}) (div p {0})) {1})", unit,
+                           integer(hls::int_plucker::edge_bound({n, t})));
     }
     check(fmt::format("q - p > -M: trimmed, >= EBND, n = {}, t = 6..{}", n, 2 * n - 1), "unsat",
           fmt::format("(assert (> (- q p) {}))\n(assert (or{}))\n", integer(-most), wrong));

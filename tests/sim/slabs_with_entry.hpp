@@ -27,8 +27,9 @@ struct SlabsWithEntry : IntSlabs {
   template <class D, class F>
   static constexpr Results<D, F> test(const F& format, const IntSlabsOperands<D, F>& in) {
     using Interval = typename F::template Interval<D>;
-    const auto x = slab_factors(format, 'x', in.irx, in.ixmin, in.ixmax, in.iri_floor, in.iri_ceil);
-    return {IntSlabs::test<D>(format, in).hit, int_slab<Interval>(format, 'x', x).near};
+    const auto x =
+        int_slabs::slab_factors(format, 'x', in.irx, in.ixmin, in.ixmax, in.iri_floor, in.iri_ceil);
+    return {IntSlabs::test<D>(format, in).hit, int_slabs::int_slab<Interval>(format, 'x', x).near};
   }
 };
 

@@ -118,7 +118,7 @@ TEST_P(EdgeBound, IsTheAttainedMinimumForEveryNumberOfDroppedBits) {
   for (int dropped = 0; dropped <= 2 * n - 3; ++dropped) {
     const int attained = found.least[static_cast<std::size_t>(dropped)].side;
     EXPECT_EQ(attained, proven_bound(n, dropped)) << "k = " << dropped;
-    EXPECT_EQ(edge_bound({n, 2 * n - 1 - dropped}), attained) << "k = " << dropped;
+    EXPECT_EQ(int_plucker::edge_bound({n, 2 * n - 1 - dropped}), attained) << "k = " << dropped;
   }
 }
 
@@ -126,9 +126,9 @@ INSTANTIATE_TEST_SUITE_P(Coordinates, EdgeBound, testing::Values(4, 5, 6),
                          [](const auto& n) { return fmt::format("n{}", n.param); });
 
 TEST(EdgeBoundOfTheThesis, IsThePrintedOne) {
-  EXPECT_EQ(edge_bound({24, 24}), -1);
-  EXPECT_EQ(edge_bound({20, 24}), -16);
-  EXPECT_EQ(edge_bound({16, 15}), -1);
+  EXPECT_EQ(int_plucker::edge_bound({24, 24}), -1);
+  EXPECT_EQ(int_plucker::edge_bound({20, 24}), -16);
+  EXPECT_EQ(int_plucker::edge_bound({16, 15}), -1);
   EXPECT_EQ(proven_bound(16, 0), -32766);
 }
 
@@ -157,12 +157,12 @@ void expect_bound_in_the_unit(const Search& found) {
   EXPECT_TRUE(hit(worst)) << "t = " << T;
   // Moves the edge over the ray until the relation drops below the bound. The rest of the box stays.
   Edge moved = worst;
-  while (moved.side(F::bits.trimmed()) >= edge_bound(F::bits) &&
+  while (moved.side(F::bits.trimmed()) >= int_plucker::edge_bound(F::bits) &&
          std::max(std::abs(moved.plane_i), std::abs(moved.plane_j)) < 31) {
     moved.plane_i -= moved.dj > 0 ? 1 : moved.dj < 0 ? -1 : 0;
     moved.plane_j += moved.di > 0 ? 1 : moved.di < 0 ? -1 : 0;
   }
-  ASSERT_LT(moved.side(F::bits.trimmed()), edge_bound(F::bits)) << "t = " << T;
+  ASSERT_LT(moved.side(F::bits.trimmed()), int_plucker::edge_bound(F::bits)) << "t = " << T;
   EXPECT_FALSE(hit(moved)) << "t = " << T;
 }
 

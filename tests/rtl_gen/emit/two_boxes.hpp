@@ -52,6 +52,7 @@ struct TwoBoxes {
   static constexpr const char* summary = "two boxes on one axis, for a test";
   static constexpr bool conservative = false;
   static constexpr DesignKind kind{"two_hits", 2, meanings(Meaning::hit), meanings()};
+  static constexpr const char* header = __FILE__;
 
   using Bits = IntBits;
   using BuiltIn = FormatList<IntFormat<6, 6>>;

@@ -29,7 +29,7 @@ struct TracedOperator {
 template <class Logic>
 TracedOperator traced(const char* name, hls::FpBits format, exact::FloatOperator native, Logic logic) {
   Graph graph(name);
-  const Tracer tracer(graph);
+  const TraceRecorder recorder(graph);
   const Trace::uint a(graph.input("a", format.width(), false));
   const Trace::uint b(graph.input("b", format.width(), false));
   graph.output("result", logic(format, a, b).id());

@@ -17,7 +17,7 @@ namespace plain = hls::plain;
 
 Graph shift_of(int width) {
   Graph graph("shift");
-  const Tracer tracer(graph);
+  const TraceRecorder recorder(graph);
   const Trace::sint x(graph.input("x", width, true));
   const Trace::uint e(graph.input("e", hls::count_bits(width), false));
   const auto shifted = hls::saturating_shift<Trace>(x, e);

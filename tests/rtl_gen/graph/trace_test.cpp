@@ -20,7 +20,7 @@ namespace exact = hls::exact;
 template <class A, class B>
 int compare_pair(Seeded& random, int vectors) {
   Graph graph("pair");
-  const Tracer tracer(graph);
+  const TraceRecorder recorder(graph);
   const Signal<A::is_signed> a(graph.input("a", A::width, A::is_signed));
   const Signal<B::is_signed> b(graph.input("b", B::width, B::is_signed));
   exact::for_each_operator<A, B>([&]<class Op>(const Op& op) {
@@ -64,7 +64,7 @@ TEST(Signal, EveryOperatorMeansWhatTheHostsDoes) {
 
 TEST(Signal, ExtendsByTheSignOfItsSource) {
   Graph graph("conversion");
-  const Tracer tracer(graph);
+  const TraceRecorder recorder(graph);
   const Trace::uint positive(graph.input("u", 4, false));
   const Trace::sint negative(graph.input("s", 4, true));
   graph.output("u_to_s", as_signed(resize(positive, 8)).id());
@@ -74,7 +74,7 @@ TEST(Signal, ExtendsByTheSignOfItsSource) {
 
 TEST(Signal, NamesLandOnTheValue) {
   Graph graph("names");
-  const Tracer tracer(graph);
+  const TraceRecorder recorder(graph);
   const Trace::sint a(graph.input("a", 4, true));
   const auto sum = as("sum", a + a);
   const auto next = as("d", 'y', a - a);
@@ -102,20 +102,20 @@ TEST(SourceLine, OfAnyOtherSourceIsItsLastTwoComponents) {
   EXPECT_EQ(source_line("", 33).file, "");
 }
 
-TEST(Tracer, TheInnerOneRecordsUntilItEnds) {
+TEST(TraceRecorder, TheInnerOneRecordsUntilItEnds) {
   Graph outer("outer");
   Graph inner("inner");
-  const Tracer first(outer);
+  const TraceRecorder first(outer);
   {
-    const Tracer second(inner);
-    EXPECT_EQ(&Tracer::graph(), &inner);
+    const TraceRecorder second(inner);
+    EXPECT_EQ(&TraceRecorder::graph(), &inner);
   }
-  EXPECT_EQ(&Tracer::graph(), &outer);
+  EXPECT_EQ(&TraceRecorder::graph(), &outer);
 }
 
-TEST(Tracer, SignalWithoutTracerRejected) {
+TEST(TraceRecorder, SignalWithoutRecorderRejected) {
   EXPECT_EQ(message_of<std::logic_error>([] { static_cast<void>(Trace::lit(1, 3)); }),
-            "a Signal was used while no Tracer is in scope");
+            "a Signal was used while no TraceRecorder is in scope");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ constexpr std::array operators{Operator{"fp_subtract_rz", call_subtract_rz, 1},
 
 Graph caller(const Operator& what, const hls::FpBits& format) {
   Graph graph("caller");
-  const Tracer tracer(graph);
+  const TraceRecorder recorder(graph);
   const int width = what.sign_bits + format.exponent + format.fraction;
   const Trace::uint a(graph.input("a", width, false));
   const Trace::uint b(graph.input("b", width, false));

@@ -198,7 +198,7 @@ TEST(Verilog, ComponentsOfOneShapeAreOneModule) {
 TEST(Verilog, NamesASourceOutsideTheProjectWithoutItsMachine) {
   Graph graph("outside");
   {
-    const Tracer tracer(graph);
+    const TraceRecorder recorder(graph);
     const auto a = Signal<true>(graph.input("a", 4, true));
     const auto b = Signal<true>(graph.input("b", 4, true));
     graph.output("hit", as("below", Trace::bit(a < b), "/home/somebody/designs/toy.hpp", 7).id());
