@@ -8,13 +8,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include "sw_ref/box_tests/variants.hpp"
-#include "sw_ref/box_tests/workload.hpp"
-#include "sw_ref/encode/hierarchical_nodes.hpp"
-#include "sw_ref/encode/int_nodes.hpp"
+#include "sw_ref/hierarchy/hierarchical_nodes.hpp"
+#include "sw_ref/hierarchy/int_nodes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/traverse/int_plucker.hpp"
-#include "sw_ref/traverse/int_slabs.hpp"
+#include "sw_ref/thesis/variants.hpp"
+#include "sw_ref/thesis/workload.hpp"
+#include "sw_ref/trace/int_plucker.hpp"
+#include "sw_ref/trace/int_slabs.hpp"
 
 namespace {
 

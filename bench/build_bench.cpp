@@ -11,8 +11,8 @@
 #include <benchmark/benchmark.h>
 #include <glm/geometric.hpp>
 
-#include "sw_ref/bvh/bvh.hpp"
-#include "sw_ref/bvh/statistics.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/hierarchy/statistics.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace {

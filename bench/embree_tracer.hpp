@@ -9,8 +9,8 @@
 
 #include <embree3/rtcore.h>
 
-#include "sw_ref/geometry/ray.hpp"
 #include "sw_ref/scene/mesh.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::bench {
 

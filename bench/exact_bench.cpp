@@ -10,8 +10,8 @@
 #include <benchmark/benchmark.h>
 #include <glm/geometric.hpp>
 
-#include "sw_ref/exact/box_referee.hpp"
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/box_referee.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 

@@ -13,7 +13,7 @@
 #include "sim/cosim.hpp"
 #include "sim/sampled_time.hpp"
 #include "sim/walk.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 
 namespace {
 

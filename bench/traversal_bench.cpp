@@ -8,10 +8,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/render/camera.hpp"
 #include "sw_ref/scene/scene.hpp"
-#include "sw_ref/traverse/tracer.hpp"
+#include "sw_ref/trace/tracer.hpp"
 #ifdef HITPIPE_EMBREE
 #include "bench/embree_tracer.hpp"
 #endif

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "library/failure.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/quantise/ray_check.hpp"
 
 namespace hitpipe::library {

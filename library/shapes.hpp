@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "hitpipe/ref.h"
-#include "sw_ref/geometry/aabb.hpp"
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/aabb.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::library {
 

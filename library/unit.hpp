@@ -9,7 +9,7 @@
 #include "hitpipe/ref.h"
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/box_test.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 
 struct hitpipe_unit {
   /// Throws what make_box_test() throws.

@@ -9,10 +9,10 @@
 
 #include "host/parallel.hpp"
 #include "sim/feeds/endless.hpp"
-#include "sw_ref/demands/guard.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/box_referee.hpp"
+#include "sw_ref/quantise/guard.hpp"
 #include "sw_ref/render/whitted.hpp"
-#include "sw_ref/traverse/slabs.hpp"
+#include "sw_ref/trace/slabs.hpp"
 
 namespace hitpipe::sim {
 

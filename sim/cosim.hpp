@@ -11,7 +11,7 @@
 
 #include "sim/fit/guarded_feed.hpp"
 #include "sim/ray_unit.hpp"
-#include "sw_ref/demands/scene_demands.hpp"
+#include "sw_ref/quantise/scene_demands.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
 

@@ -9,11 +9,11 @@
 
 #include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "sw_ref/bvh/bvh.hpp"
-#include "sw_ref/encode/pair_nodes.hpp"
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/hierarchy/pair_nodes.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
-#include "sw_ref/traverse/int_major.hpp"
+#include "sw_ref/scene/ray.hpp"
+#include "sw_ref/trace/int_major.hpp"
 
 namespace hitpipe::sim {
 
@@ -21,7 +21,7 @@ namespace hitpipe::sim {
 class RayFeed {
  public:
   virtual ~RayFeed() = default;
-  /// Sets up the ray of a slot. The ray must be acceptable (sw_ref/exact/box_referee.hpp).
+  /// Sets up the ray of a slot. The ray must be acceptable (sw_ref/judge/box_referee.hpp).
   virtual void start(std::size_t slot, const ref::Ray& ray) = 0;
   /// The operands, in port order: the slot's ray, cut at `length`, against the box of a BVH node.
   virtual void operands(std::size_t slot, std::uint32_t node, float length, std::int64_t* out) const = 0;

@@ -6,7 +6,7 @@
 
 #include "sim/slot_queue.hpp"
 #include "sim/wrong_hardware.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {
 

@@ -15,7 +15,7 @@
 #include "sim/sampled_time.hpp"
 #include "sim/verilated_design.hpp"
 #include "sim/walk.hpp"
-#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/scene/mesh.hpp"
 
 namespace hitpipe::sim {

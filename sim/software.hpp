@@ -14,10 +14,10 @@
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/box_test.hpp"
 #include "sim/feed.hpp"
-#include "sw_ref/adversary/categories.hpp"
-#include "sw_ref/demands/scene_demands.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
-#include "sw_ref/traverse/tracer.hpp"
+#include "sw_ref/quantise/scene_demands.hpp"
+#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::sim {
 

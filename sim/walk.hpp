@@ -10,8 +10,8 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/feed.hpp"
-#include "sw_ref/traverse/pair_traversal.hpp"
-#include "sw_ref/traverse/traversal.hpp"
+#include "sw_ref/trace/pair_traversal.hpp"
+#include "sw_ref/trace/traversal.hpp"
 
 namespace hitpipe::sim {
 

@@ -13,9 +13,9 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
-#include "sw_ref/bvh/bvh_text.hpp"
-#include "sw_ref/bvh/statistics.hpp"
-#include "sw_ref/bvh/sweep.hpp"
+#include "sw_ref/hierarchy/bvh_text.hpp"
+#include "sw_ref/hierarchy/statistics.hpp"
+#include "sw_ref/hierarchy/sweep.hpp"
 
 namespace hitpipe::cli {
 

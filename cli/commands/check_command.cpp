@@ -15,9 +15,9 @@
 #include "cli/text/table.hpp"
 #include "sim/check/check.hpp"
 #include "sim/software.hpp"
-#include "sw_ref/adversary/replay.hpp"
-#include "sw_ref/adversary/shrink.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/adversary/replay.hpp"
+#include "sw_ref/judge/adversary/shrink.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::cli {
 

@@ -13,7 +13,7 @@
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
-#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/render/image_file.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/render/stiff_rays.hpp"

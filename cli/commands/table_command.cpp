@@ -8,7 +8,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/result_text.hpp"
 #include "sim/thesis/chapter_7.hpp"
-#include "sw_ref/experiment/experiment.hpp"
+#include "sw_ref/thesis/experiment.hpp"
 
 namespace hitpipe::cli {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "sw_ref/bvh/bvh.hpp"
-#include "sw_ref/bvh/load_bvh.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/hierarchy/load_bvh.hpp"
 
 namespace CLI {
 class App;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sw_ref/experiment/experiment.hpp"
+#include "sw_ref/thesis/experiment.hpp"
 
 namespace CLI {
 class App;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "sw_ref/render/whitted.hpp"
-#include "sw_ref/traverse/tracer.hpp"
+#include "sw_ref/trace/tracer.hpp"
 
 namespace CLI {
 class App;

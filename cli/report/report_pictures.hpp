@@ -10,7 +10,7 @@
 #include "cli/report/report_page.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/emit/files.hpp"
-#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
 

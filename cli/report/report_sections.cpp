@@ -10,7 +10,7 @@
 #include "area_model/figure.hpp"
 #include "cli/report/column_heading.hpp"
 #include "cli/report/recommendation.hpp"
-#include "sw_ref/experiment/interval.hpp"
+#include "sw_ref/judge/interval.hpp"
 
 namespace hitpipe::cli {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/text/table.hpp"
-#include "sw_ref/experiment/result.hpp"
+#include "sw_ref/thesis/result.hpp"
 
 namespace hitpipe::cli {
 

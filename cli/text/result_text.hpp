@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/text/table.hpp"
-#include "sw_ref/experiment/result.hpp"
+#include "sw_ref/thesis/result.hpp"
 
 namespace hitpipe::cli {
 

@@ -11,7 +11,7 @@
 #include "sim/feed.hpp"
 #include "sim/vectors/design_vectors.hpp"
 #include "sim/walk.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {
 

@@ -7,7 +7,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/prune/draw.hpp"
-#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
 

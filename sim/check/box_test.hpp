@@ -8,8 +8,8 @@
 #include <span>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "sw_ref/geometry/aabb.hpp"
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/aabb.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::sim {
 

@@ -9,8 +9,8 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include "host/parallel.hpp"
-#include "sw_ref/adversary/neighbours.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/adversary/neighbours.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {
 

@@ -10,9 +10,9 @@
 
 #include "sim/check/box_test.hpp"
 #include "sim/verilated_design.hpp"
-#include "sw_ref/adversary/case.hpp"
-#include "sw_ref/adversary/categories.hpp"
-#include "sw_ref/experiment/interval.hpp"
+#include "sw_ref/judge/adversary/case.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
+#include "sw_ref/judge/interval.hpp"
 
 namespace hitpipe::sim {
 

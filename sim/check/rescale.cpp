@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "sim/cosim.hpp"
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
-#include "sw_ref/traverse/tracer.hpp"
+#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::sim {
 

@@ -9,8 +9,8 @@
 #include "host/parallel.hpp"
 #include "sim/feed.hpp"
 #include "sim/walk.hpp"
-#include "sw_ref/exact/box_referee.hpp"
-#include "sw_ref/traverse/slabs.hpp"
+#include "sw_ref/judge/box_referee.hpp"
+#include "sw_ref/trace/slabs.hpp"
 
 namespace hitpipe::sim {
 

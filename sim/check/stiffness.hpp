@@ -11,9 +11,9 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/box_test.hpp"
-#include "sw_ref/adversary/random.hpp"
-#include "sw_ref/bvh/bvh.hpp"
-#include "sw_ref/experiment/interval.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/judge/adversary/random.hpp"
+#include "sw_ref/judge/interval.hpp"
 
 namespace hitpipe::sim {
 

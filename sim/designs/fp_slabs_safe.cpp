@@ -6,8 +6,8 @@
 #include "sim/feeds/set_up_feed.hpp"
 #include "sim/fit/float_range.hpp"
 #include "sim/software.hpp"
-#include "sw_ref/adversary/float_unit.hpp"
-#include "sw_ref/encode/fp_nodes.hpp"
+#include "sw_ref/hierarchy/fp_nodes.hpp"
+#include "sw_ref/judge/adversary/float_unit.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/fit/port_ranges.hpp"
-#include "sw_ref/encode/int_nodes.hpp"
+#include "sw_ref/hierarchy/int_nodes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 
 namespace hitpipe::sim {

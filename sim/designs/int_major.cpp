@@ -1,7 +1,7 @@
 // The operands of hls::IntMajorOperands, in that order (docs/major.md).
 #include "sim/designs/major_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
-#include "sw_ref/encode/int_nodes.hpp"
+#include "sw_ref/hierarchy/int_nodes.hpp"
 
 namespace hitpipe::sim {
 

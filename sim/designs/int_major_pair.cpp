@@ -5,8 +5,8 @@
 #include "sim/designs/major_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sim/walk.hpp"
-#include "sw_ref/adversary/random.hpp"
-#include "sw_ref/encode/pair_nodes.hpp"
+#include "sw_ref/hierarchy/pair_nodes.hpp"
+#include "sw_ref/judge/adversary/random.hpp"
 
 namespace hitpipe::sim {
 

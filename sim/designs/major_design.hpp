@@ -8,9 +8,9 @@
 #include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/major_formats.hpp"
 #include "sim/software.hpp"
-#include "sw_ref/geometry/aabb.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_major_ray.hpp"
+#include "sw_ref/scene/aabb.hpp"
 
 namespace hitpipe::sim {
 

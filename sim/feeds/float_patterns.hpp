@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/geometry/aabb.hpp"
+#include "sw_ref/scene/aabb.hpp"
 
 namespace hitpipe::sim {
 

@@ -8,7 +8,7 @@
 
 #include "rtl_gen/prune/demands.hpp"
 #include "sim/fit/precision.hpp"
-#include "sw_ref/demands/scene_demands.hpp"
+#include "sw_ref/quantise/scene_demands.hpp"
 
 namespace hitpipe::sim {
 

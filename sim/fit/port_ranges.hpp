@@ -6,8 +6,8 @@
 
 #include "hls/box/int_format.hpp"
 #include "rtl_gen/prune/demands.hpp"
-#include "sw_ref/demands/scene_demands.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
+#include "sw_ref/quantise/scene_demands.hpp"
 
 namespace hitpipe::sim {
 

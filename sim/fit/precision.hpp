@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "sw_ref/demands/scene_demands.hpp"
-#include "sw_ref/experiment/recording.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
+#include "sw_ref/quantise/scene_demands.hpp"
+#include "sw_ref/render/recording.hpp"
 
 namespace hitpipe::sim {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "host/parallel.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {
 

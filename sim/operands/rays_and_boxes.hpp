@@ -6,8 +6,8 @@
 
 #include "sim/operands/number_file.hpp"
 #include "sim/operands/placement.hpp"
-#include "sw_ref/geometry/aabb.hpp"
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/aabb.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::sim {
 

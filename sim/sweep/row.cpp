@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "area_model/figure.hpp"
-#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
 
 namespace hitpipe::sim {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "sw_ref/experiment/recording.hpp"
+#include "sw_ref/render/recording.hpp"
 
 namespace hitpipe::sim {
 

@@ -11,7 +11,7 @@
 #include "sim/cosim.hpp"
 #include "sim/sweep/plan.hpp"
 #include "sim/sweep/row.hpp"
-#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
 

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "area_model/price.hpp"
-#include "sw_ref/experiment/proposals.hpp"
-#include "sw_ref/experiment/recording.hpp"
-#include "sw_ref/traverse/adaptive_slabs.hpp"
-#include "sw_ref/traverse/int_slabs.hpp"
-#include "sw_ref/traverse/traversal.hpp"
+#include "sw_ref/render/recording.hpp"
+#include "sw_ref/thesis/adaptive_slabs.hpp"
+#include "sw_ref/thesis/proposals.hpp"
+#include "sw_ref/trace/int_slabs.hpp"
+#include "sw_ref/trace/traversal.hpp"
 
 namespace hitpipe::sim {
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "sw_ref/experiment/experiment.hpp"
+#include "sw_ref/thesis/experiment.hpp"
 
 namespace hitpipe::sim {
 

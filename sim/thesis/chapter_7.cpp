@@ -9,8 +9,8 @@
 #include "area_model/price.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "sim/thesis/adaptive.hpp"
-#include "sw_ref/experiment/printed.hpp"
-#include "sw_ref/experiment/proposals.hpp"
+#include "sw_ref/thesis/printed.hpp"
+#include "sw_ref/thesis/proposals.hpp"
 
 namespace hitpipe::sim {
 

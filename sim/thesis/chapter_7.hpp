@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "sw_ref/experiment/experiment.hpp"
+#include "sw_ref/thesis/experiment.hpp"
 
 namespace hitpipe::sim {
 

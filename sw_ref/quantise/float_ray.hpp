@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::ref {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "hls/box/any_fp_format.hpp"
-#include "sw_ref/geometry/aabb.hpp"
+#include "sw_ref/scene/aabb.hpp"
 
 namespace hitpipe::ref {
 

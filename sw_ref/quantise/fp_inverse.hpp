@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "hls/box/any_fp_format.hpp"
-#include "sw_ref/exact/binary32.hpp"
+#include "sw_ref/judge/binary32.hpp"
 
 namespace hitpipe::ref {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "hls/box/any_fp_format.hpp"
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::ref {
 

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "sw_ref/exact/binary32.hpp"
+#include "sw_ref/judge/binary32.hpp"
 
 #ifdef __FAST_MATH__
 #error "rounding to a grid needs IEEE arithmetic: build without -ffast-math"

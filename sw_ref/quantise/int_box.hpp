@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "sw_ref/geometry/aabb.hpp"
+#include "sw_ref/scene/aabb.hpp"
 
 namespace hitpipe::ref {
 

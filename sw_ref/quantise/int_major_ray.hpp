@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "hls/box/major_format.hpp"
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::ref {
 

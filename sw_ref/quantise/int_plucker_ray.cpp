@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "sw_ref/exact/binary32.hpp"
+#include "sw_ref/judge/binary32.hpp"
 #include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/ray_check.hpp"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "hls/box/int_format.hpp"
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::ref {
 

@@ -4,9 +4,9 @@
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/geometry/aabb.hpp"
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/aabb.hpp"
 #include "sw_ref/scene/normalise.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::ref {
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/ray.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::ref {

@@ -12,7 +12,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "host/parallel.hpp"
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/camera.hpp"
 #include "sw_ref/render/shade.hpp"
 

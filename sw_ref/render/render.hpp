@@ -13,7 +13,7 @@
 
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
-#include "sw_ref/traverse/tracer.hpp"
+#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 

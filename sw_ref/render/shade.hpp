@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/ray.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::ref {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::ref {
 

@@ -10,12 +10,12 @@
 
 #include <glm/vec3.hpp>
 
-#include "sw_ref/geometry/ray.hpp"
 #include "sw_ref/render/light_sum.hpp"
 #include "sw_ref/render/ray_causes.hpp"
 #include "sw_ref/render/shade.hpp"
+#include "sw_ref/scene/ray.hpp"
 #include "sw_ref/scene/scene.hpp"
-#include "sw_ref/traverse/query.hpp"
+#include "sw_ref/trace/query.hpp"
 
 namespace hitpipe::ref {
 

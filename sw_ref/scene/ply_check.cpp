@@ -55,10 +55,10 @@ struct Element {
   std::vector<Property> properties;
 };
 
-enum class Encoding { text, little_endian, big_endian };
+enum class DataFormat { text, little_endian, big_endian };
 
 struct Header {
-  Encoding encoding;
+  DataFormat encoding;
   std::vector<Element> elements;
 };
 
@@ -122,11 +122,11 @@ Header parse_header(std::istream& in) {
   format >> keyword >> encoding;
   Header header{};
   if (keyword == "format" && encoding == "ascii")
-    header.encoding = Encoding::text;
+    header.encoding = DataFormat::text;
   else if (keyword == "format" && encoding == "binary_little_endian")
-    header.encoding = Encoding::little_endian;
+    header.encoding = DataFormat::little_endian;
   else if (keyword == "format" && encoding == "binary_big_endian")
-    header.encoding = Encoding::big_endian;
+    header.encoding = DataFormat::big_endian;
   else
     reject("the second line must be \"format\" with ascii, binary_little_endian or binary_big_endian");
   for (;;) {
@@ -299,10 +299,10 @@ void check_ply(const std::filesystem::path& file) {
   if (!in) reject("cannot be opened; give a file that can be read");
   const Header header = parse_header(in);
   const std::uint64_t vertices = check_elements(header);
-  if (header.encoding == Encoding::text)
+  if (header.encoding == DataFormat::text)
     walk(header, vertices, TextBody(in));
   else
-    walk(header, vertices, BinaryBody(in, header.encoding == Encoding::little_endian));
+    walk(header, vertices, BinaryBody(in, header.encoding == DataFormat::little_endian));
 }
 
 }  // namespace hitpipe::ref

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 
 namespace hitpipe::ref {
 

@@ -14,12 +14,12 @@
 #include "hls/pipelines/fp_slabs_safe.hpp"
 #include "rtl_gen/catalogue/any_fp_formats.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"
-#include "sw_ref/adversary/case.hpp"
-#include "sw_ref/adversary/random.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/adversary/case.hpp"
+#include "sw_ref/judge/adversary/random.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
-#include "sw_ref/traverse/fp_slabs_safe.hpp"
+#include "sw_ref/trace/fp_slabs_safe.hpp"
 
 namespace hitpipe::ref::exhaustive {
 namespace {

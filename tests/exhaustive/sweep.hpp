@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "sw_ref/geometry/aabb.hpp"
-#include "sw_ref/geometry/ray.hpp"
+#include "sw_ref/scene/aabb.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::ref::exhaustive {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sw_ref/bvh/load_bvh.hpp"
+#include "sw_ref/hierarchy/load_bvh.hpp"
 #include "tests/fuzz/expect.hpp"
 #include "tests/sim/temporary_folder.hpp"
 

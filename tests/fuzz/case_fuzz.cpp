@@ -10,8 +10,8 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/box_test.hpp"
-#include "sw_ref/adversary/replay.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/adversary/replay.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 #include "tests/fuzz/expect.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include <glm/common.hpp>
 
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "tests/fuzz/expect.hpp"
 #include "tests/sim/temporary_folder.hpp"

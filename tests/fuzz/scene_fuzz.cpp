@@ -11,7 +11,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/camera.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "tests/fuzz/expect.hpp"

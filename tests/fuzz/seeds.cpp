@@ -16,9 +16,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "sw_ref/adversary/case.hpp"
-#include "sw_ref/adversary/categories.hpp"
-#include "sw_ref/adversary/random.hpp"
+#include "sw_ref/judge/adversary/case.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
+#include "sw_ref/judge/adversary/random.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include "sim/check/box_test.hpp"
 #include "sim/software.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 #include "tests/library/cases.hpp"
 
 namespace hitpipe {

@@ -6,7 +6,7 @@
 
 #include <hitpipe/ref.hpp>
 
-#include "sw_ref/adversary/categories.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
 
 namespace hitpipe {
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <hitpipe/ref.hpp>
 
-#include "sw_ref/adversary/random.hpp"
+#include "sw_ref/judge/adversary/random.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe {

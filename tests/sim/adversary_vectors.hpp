@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sw_ref/adversary/categories.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
 #include "tests/sim/units.hpp"
 
 namespace hitpipe::sim {

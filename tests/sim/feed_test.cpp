@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/check/box_test.hpp"
-#include "sw_ref/adversary/categories.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
@@ -21,7 +21,7 @@
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/small_scene.hpp"
-#include "tests/sw_ref/adversary/halved.hpp"
+#include "tests/sw_ref/judge/adversary/halved.hpp"
 
 namespace hitpipe::sim::feed_test {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/exact/box_referee.hpp"
-#include "sw_ref/traverse/slabs.hpp"
+#include "sw_ref/judge/box_referee.hpp"
+#include "sw_ref/trace/slabs.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/units.hpp"
 

@@ -1,7 +1,7 @@
 // Two small scenes made in code: hills under two lights, and the same seen by a camera outside the cube.
 #pragma once
 
-#include "sw_ref/bvh/bvh.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::sim {

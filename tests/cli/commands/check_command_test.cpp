@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "sw_ref/adversary/categories.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
 #include "tests/cli/program.hpp"
 
 namespace hitpipe::cli::check_command_test {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/temporary_folder.hpp"
 #include "tests/sim/units.hpp"

@@ -1,6 +1,6 @@
 // The float unit that never misses: in many formats and all categories it misses no box, and the box test of
 // its software traversal gives the same answers, also after a cut. Each step of the set-up is needed.
-#include "sw_ref/traverse/fp_slabs_safe.hpp"
+#include "sw_ref/trace/fp_slabs_safe.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 #include "rtl_gen/catalogue/any_fp_formats.hpp"
 #include "sim/check/box_test.hpp"
-#include "sw_ref/adversary/categories.hpp"
-#include "sw_ref/adversary/float_unit.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
+#include "sw_ref/judge/adversary/float_unit.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 
 namespace hitpipe::sim::fp_slabs_safe_test {

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 
 namespace hitpipe::sim::rescale_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/catalogue/major_formats.hpp"
-#include "sw_ref/adversary/case.hpp"
+#include "sw_ref/judge/adversary/case.hpp"
 #include "tests/sim/small_scene.hpp"
 
 namespace hitpipe::sim::stiffness_test {

@@ -14,7 +14,7 @@
 #include "rtl_gen/prune/demand_fields.hpp"
 #include "sim/cosim.hpp"
 #include "tests/rtl_gen/tool.hpp"
-#include "tests/sw_ref/demands/demand_scenes.hpp"
+#include "tests/sw_ref/quantise/demand_scenes.hpp"
 
 namespace hitpipe::sim::fit_test {
 namespace {

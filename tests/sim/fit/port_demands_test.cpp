@@ -24,7 +24,7 @@
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
-#include "tests/sw_ref/demands/demand_scenes.hpp"
+#include "tests/sw_ref/quantise/demand_scenes.hpp"
 
 namespace hitpipe::sim::port_demands_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "sim/fit/fit.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/temporary_folder.hpp"
-#include "tests/sw_ref/demands/demand_scenes.hpp"
+#include "tests/sw_ref/quantise/demand_scenes.hpp"
 
 namespace hitpipe::sim::unit_cosim_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/fit/fit.hpp"
-#include "tests/sw_ref/demands/demand_scenes.hpp"
+#include "tests/sw_ref/quantise/demand_scenes.hpp"
 
 namespace hitpipe::sim::vector_check_test {
 namespace {

@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/adversary/categories.hpp"
-#include "sw_ref/adversary/random.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
+#include "sw_ref/judge/adversary/random.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/temporary_folder.hpp"
 

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/quantise/int_box.hpp"
-#include "tests/sw_ref/exact/box_cases.hpp"
-#include "tests/sw_ref/exact/rational.hpp"
+#include "tests/sw_ref/judge/box_cases.hpp"
+#include "tests/sw_ref/judge/rational.hpp"
 
 namespace hitpipe::ref::fine_grid_test {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/adversary/categories.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
 #include "tests/message_of.hpp"
-#include "tests/sw_ref/exact/rational.hpp"
+#include "tests/sw_ref/judge/rational.hpp"
 
 namespace hitpipe::ref::float_ray_test {
 namespace {

@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/adversary/categories.hpp"
-#include "sw_ref/adversary/float_unit.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
+#include "sw_ref/judge/adversary/float_unit.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "tests/message_of.hpp"
-#include "tests/sw_ref/exact/rational.hpp"
+#include "tests/sw_ref/judge/rational.hpp"
 
 namespace hitpipe::ref::fp_slabs_safe_ray_test {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "sw_ref/quantise/grid.hpp"
 #include "tests/message_of.hpp"
-#include "tests/sw_ref/exact/box_cases.hpp"
-#include "tests/sw_ref/exact/rational.hpp"
+#include "tests/sw_ref/judge/box_cases.hpp"
+#include "tests/sw_ref/judge/rational.hpp"
 
 namespace hitpipe::ref::int_box_test {
 namespace {

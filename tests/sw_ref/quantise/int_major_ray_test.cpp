@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/message_of.hpp"
-#include "tests/sw_ref/exact/box_cases.hpp"
-#include "tests/sw_ref/exact/rational.hpp"
+#include "tests/sw_ref/judge/box_cases.hpp"
+#include "tests/sw_ref/judge/rational.hpp"
 #include "tests/sw_ref/quantise/major_formats.hpp"
 
 namespace hitpipe::ref::int_major_ray_test {

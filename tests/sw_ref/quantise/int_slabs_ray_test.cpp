@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/message_of.hpp"
-#include "tests/sw_ref/exact/box_cases.hpp"
-#include "tests/sw_ref/exact/rational.hpp"
+#include "tests/sw_ref/judge/box_cases.hpp"
+#include "tests/sw_ref/judge/rational.hpp"
 
 namespace hitpipe::ref::int_slabs_ray_test {
 namespace {

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "hls/box/int_format.hpp"
-#include "sw_ref/exact/box_referee.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
-#include "tests/sw_ref/exact/box_cases.hpp"
+#include "tests/sw_ref/judge/box_cases.hpp"
 
 namespace hitpipe::ref::int_slabs_test {
 namespace {

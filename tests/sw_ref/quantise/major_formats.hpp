@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "hls/box/major_format.hpp"
-#include "sw_ref/adversary/random.hpp"
+#include "sw_ref/judge/adversary/random.hpp"
 
 namespace hitpipe::ref {
 

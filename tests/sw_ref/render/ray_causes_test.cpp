@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
 
 namespace hitpipe::ref::ray_causes_test {

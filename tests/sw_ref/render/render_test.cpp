@@ -11,7 +11,7 @@
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
 
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/shade.hpp"
 #include "tests/message_of.hpp"
 

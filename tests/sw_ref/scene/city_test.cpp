@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
 
 namespace hitpipe::ref::city_test {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/exact/triangle_test.hpp"
+#include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
 
 namespace hitpipe::ref::reading_room_test {

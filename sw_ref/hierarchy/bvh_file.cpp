@@ -1,0 +1,223 @@
+#include "sw_ref/hierarchy/bvh_file.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sw_ref/hierarchy/word_reader.hpp"
+#include "sw_ref/reject.hpp"
+
+namespace hitpipe::ref {
+
+namespace {
+
+/// Nodes and triangles of a hierarchy have 31 bits.
+constexpr std::uint32_t most = std::numeric_limits<std::int32_t>::max();
+
+/// A number in decimal or, as C's %a prints it, in hexadecimal; rounded to the nearest binary32.
+bool read_float(std::string_view word, float& value) {
+  const bool negative = word.starts_with('-');
+  if (negative || word.starts_with('+')) word.remove_prefix(1);
+  if (word.starts_with('-')) return false;
+  const bool hexadecimal = word.starts_with("0x") || word.starts_with("0X");
+  if (hexadecimal) word.remove_prefix(2);
+  const char* const end = word.data() + word.size();
+  const auto format = hexadecimal ? std::chars_format::hex : std::chars_format::general;
+  auto [stop, error] = std::from_chars(word.data(), end, value, format);
+  if (error == std::errc::result_out_of_range) {
+    // Also for numbers so small that they round to 0.
+    double wide = 0.0;
+    error = std::from_chars(word.data(), end, wide, format).ec;
+    value = static_cast<float>(wide);
+  }
+  if (negative) value = -value;
+  return error == std::errc{} && stop == end;
+}
+
+class BvhFileReader {
+ public:
+  explicit BvhFileReader(const std::filesystem::path& path) : words_(path) { file_.path = path; }
+
+  BvhFile read() {
+    read_head();
+    const std::uint32_t nodes = read_count_line("nodes");
+    if (nodes == 0) fail("nodes 0; at least 1 is needed");
+    for (std::uint32_t i = 0; i < nodes; ++i) {
+      if (!words_.next_line()) fail(fmt::format("the file ends after {} of {} nodes", i, nodes));
+      read_node(nodes);
+    }
+    read_triangles();
+    return std::move(file_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const {
+    reject(fmt::format("line {}: {}", words_.line(), reason));
+  }
+
+  void read_head() {
+    constexpr const char* head = "the first line must be \"hitpipe-bvh 1\"";
+    if (!words_.next_line() || words_.word() != "hitpipe-bvh") fail(head);
+    if (words_.word() != "1") fail(fmt::format("{}; no other version is known", head));
+    expect_end();
+    constexpr const char* space = "expected \"space scene\" or \"space cube\"";
+    if (!words_.next_line() || words_.word() != "space") fail(space);
+    const std::string_view word = words_.word();
+    if (word != "scene" && word != "cube") fail(space);
+    file_.space = word == "cube" ? FileSpace::cube : FileSpace::scene;
+    expect_end();
+  }
+
+  std::uint32_t read_count_line(const char* what) {
+    if (!words_.next_line() || words_.word() != what)
+      fail(fmt::format("expected \"{}\" and their number", what));
+    const std::uint32_t count = whole_number(most, what);
+    expect_end();
+    return count;
+  }
+
+  void read_node(std::uint32_t nodes) {
+    const std::string_view kind = words_.word();
+    if (kind != "branch" && kind != "leaf")
+      fail(fmt::format("node {}: {} is neither branch nor leaf", file_.nodes.size(), quoted(kind)));
+    FileNode node{};
+    node.is_leaf = kind == "leaf";
+    node.line = static_cast<std::uint32_t>(words_.line());
+    node.split = FileNode::no_split;
+    for (int axis = 0; axis < 3; ++axis) node.box.min[axis] = coordinate();
+    for (int axis = 0; axis < 3; ++axis) node.box.max[axis] = coordinate();
+    if (node.is_leaf) {
+      node.first = whole_number(most, "first triangle");
+      node.count = whole_number(most, "number of triangles");
+      expect_end();
+    } else {
+      read_children(node, nodes);
+    }
+    if (!node.is_leaf || node.count > 0) check_box(node.box);
+    file_.nodes.push_back(node);
+  }
+
+  void read_children(FileNode& node, std::uint32_t nodes) {
+    node.first = static_cast<std::uint32_t>(file_.children.size());
+    std::string_view word = words_.word();
+    for (; !word.empty() && word != "split"; word = words_.word()) {
+      const std::uint32_t child = whole_number(word, most, "child");
+      if (child >= nodes)
+        fail(fmt::format("node {}: there is no node {}; the nodes are 0 to {}", file_.nodes.size(), child,
+                         nodes - 1));
+      if (file_.children.size() == most) fail(fmt::format("more than {} children", most));
+      file_.children.push_back(child);
+    }
+    node.count = static_cast<std::uint32_t>(file_.children.size()) - node.first;
+    if (node.count == 0) fail(fmt::format("node {}: a branch needs a child", file_.nodes.size()));
+    if (word.empty()) return;
+    if (node.count != 2)
+      fail(fmt::format("node {}: split is for a branch of two children; this one has {}", file_.nodes.size(),
+                       node.count));
+    const std::string_view axis = words_.word();
+    if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z')
+      fail(fmt::format("node {}: split {} is none of x, y, z", file_.nodes.size(), quoted(axis)));
+    node.split = static_cast<std::int8_t>(axis[0] - 'x');
+    expect_end();
+  }
+
+  void check_box(const Aabb& box) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float low = box.min[axis];
+      const float high = box.max[axis];
+      if (!std::isfinite(low) || !std::isfinite(high))
+        fail(fmt::format("node {}: {} to {} along {}; coordinates must be finite", file_.nodes.size(), low,
+                         high, "xyz"[axis]));
+      if (low > high)
+        fail(fmt::format("node {}: the box is inverted: min.{} {} is above max.{} {}", file_.nodes.size(),
+                         "xyz"[axis], low, "xyz"[axis], high));
+    }
+  }
+
+  void read_triangles() {
+    const std::uint32_t count = read_count_line("triangles");
+    bool more = words_.next_line();
+    while (more) {
+      const std::string_view word = words_.word();
+      if (word.empty()) {
+        more = words_.next_line();
+        continue;
+      }
+      if (file_.triangles.size() == count)
+        fail(fmt::format("more than the {} triangles that were announced", count));
+      file_.triangles.push_back(whole_number(word, most, "triangle"));
+    }
+    if (file_.triangles.size() < count)
+      fail(fmt::format("the file ends after {} of {} triangles", file_.triangles.size(), count));
+  }
+
+  float coordinate() {
+    const std::string_view word = words_.word();
+    float value = 0.0F;
+    if (!read_float(word, value))
+      fail(fmt::format("node {}: expected a coordinate, found {}", file_.nodes.size(), found(word)));
+    return value;
+  }
+
+  std::uint32_t whole_number(std::uint32_t largest, const char* what) {
+    return whole_number(words_.word(), largest, what);
+  }
+  [[nodiscard]] std::uint32_t whole_number(std::string_view word, std::uint32_t largest,
+                                           const char* what) const {
+    std::uint32_t value = 0;
+    const char* const end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, value);
+    if (error != std::errc{} || stop != end || value > largest)
+      fail(fmt::format("{}: expected a whole number from 0 to {}, found {}", what, largest, found(word)));
+    return value;
+  }
+
+  void expect_end() {
+    const std::string_view word = words_.word();
+    if (!word.empty()) fail(fmt::format("expected the end of the line, found {}", quoted(word)));
+  }
+  static std::string found(std::string_view word) {
+    return word.empty() ? "the end of the line" : quoted(word);
+  }
+
+  BvhFile file_;
+  WordReader words_;
+};
+
+}  // namespace
+
+std::string of_bvh_file(const std::filesystem::path& file, const std::string& reason) {
+  return fmt::format("BVH file \"{}\": {}", file.string(), reason);
+}
+
+void BvhFile::reject(const FileNode& node, const std::string& reason) const {
+  throw std::runtime_error(
+      of_bvh_file(path, fmt::format("line {}: node {} {}", node.line, number(node), reason)));
+}
+
+BvhFile read_bvh_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) reject(of_bvh_file(file, "no such file"));
+  BvhFile read = [&] {
+    try {
+      return BvhFileReader(file).read();
+    } catch (const std::runtime_error& error) {
+      reject(of_bvh_file(file, error.what()));
+    }
+  }();
+  for (const FileNode& node : read.nodes) {
+    const std::uint64_t end = std::uint64_t{node.first} + node.count;
+    if (node.is_leaf && node.count > 0 && end > read.triangles.size())
+      read.reject(node, fmt::format("takes the entries {} to {} of the list of triangles, which has {}",
+                                    node.first, end - 1, read.triangles.size()));
+  }
+  return read;
+}
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,91 @@
+#include "sw_ref/judge/interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hitpipe::ref {
+
+namespace {
+
+/// 95 % of a normal distribution lie within this many standard deviations.
+constexpr double normal_quantile = 1.959963984540054;
+
+/// The same of Student's distribution: few groups know their own spread badly. Abramowitz and Stegun 26.7.5,
+/// within 1 % from 4 degrees of freedom on.
+double students_quantile(double degrees) {
+  const double z = normal_quantile;
+  const double z3 = z * z * z;
+  const double z5 = z3 * z * z;
+  const double z7 = z5 * z * z;
+  return z + (z3 + z) / (4 * degrees) + (5 * z5 + 16 * z3 + 3 * z) / (96 * degrees * degrees) +
+         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * degrees * degrees * degrees);
+}
+
+/// Wilson 1927: solves |share - p| = z sqrt(p (1 - p) / cases) for p.
+Interval wilson(double share, double cases) {
+  if (cases <= 0) return {0, 1};
+  const double z = normal_quantile;
+  const double shrink = 1 + z * z / cases;
+  const double middle = (share + z * z / (2 * cases)) / shrink;
+  const double half = z * std::sqrt(share * (1 - share) / cases + z * z / (4 * cases * cases)) / shrink;
+  return {share <= 0 ? 0.0 : middle - half, share >= 1 ? 1.0 : middle + half};
+}
+
+}  // namespace
+
+Interval wilson_interval(std::uint64_t part, std::uint64_t whole) {
+  const auto cases = static_cast<double>(whole);
+  return wilson(whole == 0 ? 0.0 : static_cast<double>(part) / cases, cases);
+}
+
+void GroupedRatio::add(double above, double below) {
+  if (above == 0 && below == 0) return;
+  ++groups_;
+  above_ += above;
+  below_ += below;
+  above_squared_ += above * above;
+  below_squared_ += below * below;
+  product_ += above * below;
+}
+
+GroupedRatio& GroupedRatio::operator+=(const GroupedRatio& other) {
+  groups_ += other.groups_;
+  above_ += other.above_;
+  below_ += other.below_;
+  above_squared_ += other.above_squared_;
+  below_squared_ += other.below_squared_;
+  product_ += other.product_;
+  return *this;
+}
+
+double GroupedRatio::ratio() const {
+  return groups_ == 0 ? 0.0 : above_ / below_;
+}
+
+/// Cochran, Sampling Techniques, chapter 6: the spread of above - ratio * below, which is 0 on average.
+double GroupedRatio::variance() const {
+  const auto groups = static_cast<double>(groups_);
+  const double r = ratio();
+  const double squares = above_squared_ - 2 * r * product_ + r * r * below_squared_;
+  return std::max(0.0, squares) * groups / (groups - 1) / (below_ * below_);
+}
+
+Interval GroupedRatio::interval() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (groups_ < 2) return {-infinity, infinity};
+  const double half = students_quantile(static_cast<double>(groups_ - 1)) * std::sqrt(variance());
+  return {ratio() - half, ratio() + half};
+}
+
+Interval GroupedRatio::share_interval() const {
+  const double share = ratio();
+  const auto groups = static_cast<double>(groups_);
+  if (groups_ < 2 || share <= 0 || share >= 1) return wilson(share, groups);
+  // Korn and Graubard 1998: few groups know their own spread badly, so they count as fewer cases.
+  const double few = students_quantile(groups - 1) / normal_quantile;
+  const double spread = few * few * variance();
+  return wilson(share, spread > 0 ? std::min(below_, share * (1 - share) / spread) : below_);
+}
+
+}  // namespace hitpipe::ref

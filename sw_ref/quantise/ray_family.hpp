@@ -1,0 +1,35 @@
+// Bounds of all rays of one kind and source, as intervals. They follow from the camera's image, the lights
+// and the surfaces, and hold for any pixels of the image.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sw_ref/render/whitted.hpp"
+#include "sw_ref/scene/aabb.hpp"
+#include "sw_ref/scene/scene.hpp"
+
+namespace hitpipe::ref {
+
+/// Every ray of the family has its origin in one box and its computed direction in the other.
+struct RayFamily {
+  RayKind kind = RayKind::primary;
+  Aabb origin;
+  Aabb direction;
+  std::string why;       ///< what the bounds follow from
+  bool has_end = false;  ///< its rays end at a light; others end only where they meet a surface
+
+  [[nodiscard]] bool has_one_origin() const { return origin.min == origin.max; }
+};
+
+/// The image that the bounds cover: any of its pixels.
+struct ViewOptions {
+  int width = 256;  ///< only the ratio of the two matters
+  int height = 256;
+  int bounces = WhittedOptions{}.bounces;
+};
+
+/// Primary rays first, then secondary ones, then those to each light.
+[[nodiscard]] std::vector<RayFamily> ray_families(const Scene& scene, const ViewOptions& view);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,22 @@
+// What the thesis proposes in section 8.2 and did not run. It prints no figures, so ours stand alone.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sw_ref/scene/scene.hpp"
+#include "sw_ref/thesis/experiment.hpp"
+
+namespace hitpipe::ref {
+
+/// The built-in scenes, or those of options.only. Throws std::runtime_error for another name.
+[[nodiscard]] std::vector<std::string> proposal_scenes(std::string_view number,
+                                                       const ExperimentOptions& options);
+/// With options.triangles where the scene can have as many.
+[[nodiscard]] Scene proposal_scene(const std::string& name, const ExperimentOptions& options);
+
+[[nodiscard]] ResultTable kd_planes(std::string_view number, const ExperimentOptions& options);
+[[nodiscard]] ResultTable grid_cells(std::string_view number, const ExperimentOptions& options);
+
+}  // namespace hitpipe::ref

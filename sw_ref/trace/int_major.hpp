@@ -1,0 +1,110 @@
+// The box test of the unit with a major axis (docs/major.md) in 64-bit words, for any format chosen at run
+// time. It gives the same HIT as the datapath of hls/pipelines/int_major.hpp. It takes boxes of the n-bit
+// grid, grown for the finer origin, and is a BoxTest (sw_ref/trace/box_test.hpp).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hls/box/major_format.hpp"
+#include "sw_ref/quantise/int_box.hpp"
+#include "sw_ref/quantise/int_major_ray.hpp"
+#include "sw_ref/scene/ray.hpp"
+
+namespace hitpipe::ref {
+
+/// Where a ray enters and leaves a slab, a box or a parent, in units of 2^-F of the planes' grid.
+struct MajorInterval {
+  std::int64_t near, far;
+};
+
+/// The distances of one ray to planes.
+class MajorDistances {
+ public:
+  /// Throws as IntMajorRaySetup does.
+  MajorDistances(const Ray& ray, hls::MajorBits bits) : MajorDistances(IntMajorRaySetup(ray, bits), bits) {}
+  /// For a ray that is set up for this format already.
+  MajorDistances(const IntMajorRaySetup& set_up, hls::MajorBits bits);
+
+  /// Of the lower and upper plane of slot m, a or b.
+  [[nodiscard]] MajorInterval slab(std::size_t slot, const IntBox& box) const {
+    const Slot& s = slots_[slot];
+    const std::int64_t low = (std::int64_t{box.min[s.axis]} << finer_) ^ s.mirror;
+    const std::int64_t high = (std::int64_t{box.max[s.axis]} << finer_) ^ s.mirror;
+    const std::int64_t d_near = (s.mirror < 0 ? high : low) - s.origin;
+    const std::int64_t d_far = (s.mirror < 0 ? low : high) - s.origin;
+    if (slot == 0) return {trimmed(d_near, 0), trimmed(d_far, 0)};
+    const std::int64_t near = shifted(d_near, s.exponent) * (d_near < 0 ? s.ceil : s.floor);
+    const std::int64_t far = shifted(d_far, s.exponent) * (d_far < 0 ? s.floor : s.ceil);
+    return {trimmed(near, mantissa_), trimmed(far, mantissa_)};
+  }
+  /// The axis in a slot, and whether the ray goes down it.
+  [[nodiscard]] std::size_t axis(std::size_t slot) const { return slots_[slot].axis; }
+  [[nodiscard]] bool backward(std::size_t slot) const { return slots_[slot].mirror < 0; }
+  /// `length` must be >= 0 or infinite.
+  [[nodiscard]] std::int64_t length(float length) const { return set_up_.length(length); }
+
+ private:
+  struct Slot {
+    std::size_t axis;
+    std::int64_t mirror;  ///< -1: backward, else 0
+    std::int64_t origin, floor, ceil;
+    int exponent;
+  };
+
+  /// d 2^exponent, saturated as in the datapath.
+  [[nodiscard]] std::int64_t shifted(std::int64_t d, int exponent) const {
+    return std::clamp(d, least_ >> exponent, most_ >> exponent) == d ? d * (std::int64_t{1} << exponent)
+                                                                     : (d < 0 ? least_ : most_);
+  }
+  /// Without bits below the fraction; `bits` more of them are a mantissa's.
+  [[nodiscard]] std::int64_t trimmed(std::int64_t x, int bits) const {
+    const int below = finer_ - fraction_ + bits;
+    return below >= 0 ? x >> below : x * (std::int64_t{1} << -below);
+  }
+
+  IntMajorRaySetup set_up_;
+  std::array<Slot, 3> slots_{};
+  int finer_, fraction_;
+  int mantissa_;  ///< p - 1
+  std::int64_t least_, most_;
+};
+
+class IntMajorTest {
+ public:
+  /// Throws as IntMajorRaySetup does.
+  IntMajorTest(const Ray& ray, hls::MajorBits bits) : distances_(ray, bits) { cut(ray.length); }
+
+  /// `length` must be >= 0 or infinite.
+  void cut(float length) { length_ = distances_.length(length); }
+
+  [[nodiscard]] bool operator()(const IntBox& box) const {
+    // Starting at 0 and at the length is the same as comparing with them afterwards.
+    MajorInterval all{0, length_};
+    for (std::size_t slot = 0; slot < 3; ++slot) {
+      const MajorInterval slab = distances_.slab(slot, box);
+      all.near = std::max(all.near, slab.near);
+      all.far = std::min(all.far, slab.far);
+    }
+    return all.near <= all.far;
+  }
+
+ private:
+  MajorDistances distances_;
+  std::int64_t length_ = 0;
+};
+
+/// Makes the box test of a ray: a functor of (const Ray&).
+class IntMajorTestMaker {
+ public:
+  explicit IntMajorTestMaker(hls::MajorBits bits) : bits_(bits) {}
+
+  [[nodiscard]] IntMajorTest operator()(const Ray& ray) const { return {ray, bits_}; }
+
+ private:
+  hls::MajorBits bits_;
+};
+
+}  // namespace hitpipe::ref

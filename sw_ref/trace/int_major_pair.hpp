@@ -1,0 +1,40 @@
+// The test of two boxes at a time (docs/major.md) in 64-bit words, for any format chosen at run time. It
+// gives the same results as the datapath of hls/pipelines/int_major_pair.hpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "sw_ref/hierarchy/pair_nodes.hpp"
+#include "sw_ref/trace/int_major.hpp"
+
+namespace hitpipe::ref {
+
+struct PairAnswer {
+  std::array<bool, 2> hit{};
+  std::array<MajorInterval, 2> interval{};  ///< of a box that is hit; others have none
+  bool second_first = false;                ///< the ray enters the second box before the first
+};
+
+/// `parent` is where the ray is within the parent, cut at the ray's end; it is not empty.
+[[nodiscard]] inline PairAnswer test_pair(const MajorDistances& ray, const PairBoxes& boxes,
+                                          const MajorInterval& parent) {
+  PairAnswer answer;
+  answer.interval = {parent, parent};
+  for (std::size_t slot = 0; slot < 3; ++slot) {
+    const MajorInterval t = ray.slab(slot, boxes.planes);
+    const std::size_t axis = ray.axis(slot);
+    const std::size_t low = boxes.owners >> axis & 1U;
+    const std::size_t high = boxes.owners >> (axis + 3) & 1U;
+    MajorInterval& entered = answer.interval[ray.backward(slot) ? high : low];
+    MajorInterval& left = answer.interval[ray.backward(slot) ? low : high];
+    entered.near = std::max(entered.near, t.near);
+    left.far = std::min(left.far, t.far);
+  }
+  for (std::size_t box = 0; box < 2; ++box)
+    answer.hit[box] = answer.interval[box].near <= answer.interval[box].far;
+  answer.second_first = answer.interval[1].near < answer.interval[0].near;
+  return answer;
+}
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,129 @@
+// Traces a batch of rays, one by one or in bundles, over a store of nodes with a box test. It is a template
+// over all parts. To watch the loads, as the out-of-core model does (section 5.8), call it with an observer
+// of your own.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+#include "sw_ref/trace/trace_bundle.hpp"
+#include "sw_ref/trace/trace_by_distance.hpp"
+#include "sw_ref/trace/trace_ray.hpp"
+#include "sw_ref/trace/tracer.hpp"
+
+namespace hitpipe::ref {
+
+enum class ChildOrder : std::uint8_t { fixed, by_direction, by_distance };
+
+/// `make_test(ray)` makes the box test of a ray. Bundles need a test that allows them, and an order other
+/// than by_distance.
+template <class Store, class Maker>
+struct TraceWith {
+  const Store& store;
+  const Maker& make_test;
+  Leaves leaves;
+  ChildOrder order;
+  int bundle;
+  bool ends = true;  ///< as in TracerOptions
+};
+
+template <class Maker>
+using BoxTestOf = std::invoke_result_t<const Maker&, const Ray&>;
+
+/// Box tests that give the distance at which a ray enters a box.
+template <class Test, class Box>
+concept HasDistance = requires(const Test& test, const Box& box, typename Test::Distance& distance) {
+  { test.enters(box, distance) } -> std::same_as<bool>;
+};
+
+template <class Store, class Maker, class Observer>
+RayWork trace_one(const TraceWith<Store, Maker>& with, const Ray& ray, Query query, Hit& hit,
+                  Observer& observer) {
+  using Test = BoxTestOf<Maker>;
+  if constexpr (HasDistance<Test, typename Store::Box>) {
+    if (with.order == ChildOrder::by_distance) {
+      return trace_by_distance(with.store, with.leaves, with.make_test(ray), ray, query, hit, observer);
+    }
+  }
+  const unsigned order_class = with.order == ChildOrder::fixed ? 0 : direction_class(ray.direction);
+  const Ray tested{ray.origin, ray.direction, with.ends ? ray.length : Ray::infinite};
+  return trace_ray(with.store, with.leaves, with.make_test(tested), ray, query, order_class, with.ends, hit,
+                   observer);
+}
+
+template <class Store, class Maker, class Observer>
+void trace_singly(const TraceWith<Store, Maker>& with, const TraceJob& job, TraceCounts& counts,
+                  Observer& observer) {
+  for (std::size_t i = 0; i < job.rays.size(); ++i) {
+    Hit hit;
+    const RayWork work = trace_one(with, job.rays[i], job.query, hit, observer);
+    job.triangles[i] = hit.triangle;
+    if (!job.work.empty()) job.work[i] = work;
+    counts.box_tests += work.box_tests;
+    counts.triangle_tests += work.triangle_tests;
+    counts.nodes_loaded += work.box_tests;
+    counts.triangles_loaded += work.triangle_tests;
+  }
+}
+
+/// Traces the rays first..first + count of the job, as one bundle for each direction class that they have.
+template <class Store, class Maker, class Observer>
+void trace_bundles(const TraceWith<Store, Maker>& with, const TraceJob& job, std::size_t first,
+                   std::size_t count, TraceCounts& counts, Observer& observer) {
+  using Test = BoxTestOf<Maker>;
+  static_assert(std::is_trivially_destructible_v<Test> && std::is_trivially_destructible_v<BundledRay>);
+  std::array<unsigned char, largest_bundle> classes;
+  unsigned present = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const unsigned ray_class = direction_class(job.rays[first + i].direction);
+    classes[i] = static_cast<unsigned char>(ray_class);
+    present |= 1U << ray_class;
+  }
+  // The memory is not initialised; only as many elements are made as there are rays.
+  alignas(Test) std::array<std::byte, sizeof(Test) * largest_bundle> test_memory;
+  alignas(BundledRay) std::array<std::byte, sizeof(BundledRay) * largest_bundle> ray_memory;
+  Test* const tests = reinterpret_cast<Test*>(test_memory.data());
+  BundledRay* const rays = reinterpret_cast<BundledRay*>(ray_memory.data());
+  std::array<std::size_t, largest_bundle> places;
+  for (unsigned ray_class = 0; ray_class < direction_classes; ++ray_class) {
+    if ((present >> ray_class & 1U) == 0) continue;
+    std::size_t members = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (classes[i] != ray_class) continue;
+      const Ray& ray = job.rays[first + i];
+      std::construct_at(tests + members, with.make_test(ray));
+      std::construct_at(rays + members, ray);
+      places[members++] = first + i;
+    }
+    BundleTrace bundle(with.store, with.leaves, job.query, std::span(rays, members), tests, !job.work.empty(),
+                       observer);
+    bundle.run(with.order == ChildOrder::fixed ? 0 : ray_class, counts);
+    for (std::size_t i = 0; i < members; ++i) {
+      job.triangles[places[i]] = rays[i].hit.triangle;
+      if (!job.work.empty()) job.work[places[i]] = rays[i].work;
+    }
+  }
+}
+
+/// Adds to `counts`; tells `observer` each load.
+template <class Store, class Maker, class Observer>
+void trace_batch(const TraceWith<Store, Maker>& with, const TraceJob& job, TraceCounts& counts,
+                 Observer& observer) {
+  counts.rays += job.rays.size();
+  if constexpr (BundleBoxTest<BoxTestOf<Maker>, typename Store::Box>) {
+    if (with.bundle > 1) {
+      const auto most = static_cast<std::size_t>(with.bundle);
+      for (std::size_t first = 0; first < job.rays.size(); first += most) {
+        trace_bundles(with, job, first, std::min(most, job.rays.size() - first), counts, observer);
+      }
+      return;
+    }
+  }
+  trace_singly(with, job, counts, observer);
+}
+
+}  // namespace hitpipe::ref

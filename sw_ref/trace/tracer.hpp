@@ -1,0 +1,123 @@
+// Rays in, triangles out: the interface between code that makes rays (renderer, experiments) and code that
+// traces them. Box test, node encoding, child order, precision and bundle size are chosen when a tracer is
+// made. With the exact triangle test all tracers give the same answers (docs/one_answer.md).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "hls/box/any_fp_format.hpp"
+#include "hls/box/int_format.hpp"
+#include "hls/box/major_format.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/quantise/coarse_axes.hpp"
+#include "sw_ref/scene/mesh.hpp"
+#include "sw_ref/scene/ray.hpp"
+#include "sw_ref/trace/query.hpp"
+
+namespace hitpipe::ref {
+
+/// The work of tracing. A load is one fetch of a node or triangle, for any number of rays. For single rays
+/// loads equal tests; for bundles there are fewer loads (section 5.6).
+struct TraceCounts {
+  std::uint64_t rays = 0;
+  std::uint64_t box_tests = 0;
+  std::uint64_t triangle_tests = 0;
+  std::uint64_t nodes_loaded = 0;
+  std::uint64_t triangles_loaded = 0;
+
+  TraceCounts& operator+=(const TraceCounts& other) {
+    rays += other.rays;
+    box_tests += other.box_tests;
+    triangle_tests += other.triangle_tests;
+    nodes_loaded += other.nodes_loaded;
+    triangles_loaded += other.triangles_loaded;
+    return *this;
+  }
+  friend bool operator==(const TraceCounts&, const TraceCounts&) = default;
+};
+
+/// The work for one ray, for heat maps.
+struct RayWork {
+  std::uint32_t box_tests = 0;
+  std::uint32_t triangle_tests = 0;
+};
+
+/// Rays to trace, and places for the answers.
+struct TraceJob {
+  std::span<const Ray> rays;
+  Query query = Query::closest;
+  /// One for each ray: the triangle that the ray hits, or Hit::none. With Query::any it is some triangle that
+  /// the ray hits.
+  std::span<std::uint32_t> triangles;
+  /// One for each ray, or empty if the work is not needed.
+  std::span<RayWork> work = {};
+};
+
+/// Thread-safe. Its hierarchy and mesh must outlive it and not change.
+class Tracer {
+ public:
+  virtual ~Tracer() = default;
+
+  /// Adds to `counts`. Rays must be acceptable() (sw_ref/judge/box_referee.hpp).
+  virtual void trace(const TraceJob& job, TraceCounts& counts) const = 0;
+
+  [[nodiscard]] virtual std::size_t bytes_per_node() const = 0;
+  [[nodiscard]] virtual std::size_t node_count() const = 0;
+};
+
+/// Box test and order of the children (chapter 4).
+enum class Algorithm : std::uint8_t {
+  slabs,       ///< BVH-Slabs: child 0, then child 1 (section 4.4)
+  plu,         ///< BVH-Plu
+  slabs_dist,  ///< BVH-Slabs-Dist: nearer box first (section 4.5)
+  slabs_dsa,   ///< BVH-Slabs-DSA: by direction and split axis
+  plu_dsa,     ///< BVH-Plu-DSA
+};
+
+enum class Arithmetic : std::uint8_t {
+  binary32,   ///< as the thesis computes; never misses a triangle in a padded box
+  binary64,   ///< section 5.7
+  robust,     ///< binary32 slabs widened by a proven bound: never misses a box, padded or not. Not for plu
+  integer,    ///< chapter 6, n/t bits: integer slabs or Pluecker as the algorithm says; not slabs_dist
+  major,      ///< integer slabs along the major axis, n+g/p bits; slabs or slabs_dsa
+  any_float,  ///< slabs of the float unit that never misses, eEmM bits; slabs or slabs_dsa
+};
+
+enum class Encoding : std::uint8_t {
+  plain,  ///< 32 bytes a node; 56 with binary64; 20, 23, 26 with integers of 16, 20, 24 bits (Table 6.1)
+  hierarchical_4,  ///< 8 bytes a node, relative to the quantised parent (section 5.2)
+  hierarchical_8,  ///< 12 bytes
+  hierarchical_12,
+  hierarchical_16,
+  pairs,  ///< two boxes a record (pair_nodes.hpp); with major arithmetic and slabs_dsa
+};
+
+enum class TriangleTest : std::uint8_t {
+  exact,     ///< sw_ref/exact: one answer for every traversal
+  binary32,  ///< Moeller and Trumbore (1997), as in the thesis, for its timings
+  binary64,
+};
+
+struct TracerOptions {
+  Algorithm algorithm = Algorithm::slabs_dsa;
+  Arithmetic arithmetic = Arithmetic::robust;
+  Encoding encoding = Encoding::plain;
+  bool look_up_table = false;  ///< integer-to-float conversion by table; hierarchical 4 and 8 bits only
+  int bundle = 1;  ///< the most rays traced together: 1, 64 or 256 (section 5.5); 1 with integers, slabs_dist
+  hls::IntBits bits{24, 24};  ///< of integer arithmetic
+  TriangleTest triangle_test = TriangleTest::exact;
+  CoarseAxes coarse{};  ///< of integer arithmetic; rays and boxes must fit the coarser grid
+  bool ends = true;     ///< box tests know where rays end; if not, single rays only and not slabs_dist
+  hls::MajorBits major_bits{};  ///< of major arithmetic
+  hls::AnyFpBits float_bits{};  ///< of any_float arithmetic
+};
+
+/// Encodes the nodes and picks the traversal loop. Throws std::invalid_argument, one line, for a combination
+/// that does not exist (see the comments above), and std::out_of_range for boxes that leave the grid.
+[[nodiscard]] std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh,
+                                                  const TracerOptions& options);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,109 @@
+#include "sw_ref/judge/interval.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace hitpipe::ref::interval_test {
+namespace {
+
+void expect_interval(Interval interval, double low, double high) {
+  EXPECT_NEAR(interval.low, low, 5e-5);
+  EXPECT_NEAR(interval.high, high, 5e-5);
+}
+
+// Newcombe 1998, Statistics in Medicine 17, table I, method 3.
+TEST(WilsonInterval, HasTheValuesThatNewcombePrints) {
+  expect_interval(wilson_interval(81, 263), 0.2553, 0.3662);
+  expect_interval(wilson_interval(15, 148), 0.0624, 0.1605);
+  expect_interval(wilson_interval(0, 20), 0.0, 0.1611);
+  expect_interval(wilson_interval(1, 29), 0.0061, 0.1718);
+}
+
+TEST(WilsonInterval, IsMirroredAndEndsAtTheSharesThatAreCertain) {
+  const Interval few = wilson_interval(3, 40);
+  const Interval many = wilson_interval(37, 40);
+  EXPECT_NEAR(few.low, 1 - many.high, 1e-12);
+  EXPECT_NEAR(few.high, 1 - many.low, 1e-12);
+  EXPECT_EQ(wilson_interval(0, 1'000'000).low, 0.0);
+  EXPECT_EQ(wilson_interval(1'000'000, 1'000'000).high, 1.0);
+  expect_interval(wilson_interval(0, 0), 0.0, 1.0);
+}
+
+TEST(GroupedRatio, OfIndependentCasesIsWilsonsInterval) {
+  GroupedRatio shares;
+  for (int i = 0; i < 263; ++i) shares.add(i < 81 ? 1 : 0, 1);
+  EXPECT_DOUBLE_EQ(shares.ratio(), 81.0 / 263);
+  EXPECT_NEAR(shares.share_interval().low, wilson_interval(81, 263).low, 5e-4);
+  EXPECT_NEAR(shares.share_interval().high, wilson_interval(81, 263).high, 5e-4);
+}
+
+TEST(GroupedRatio, CasesThatAreCopiesOfEachOtherCountOnce) {
+  GroupedRatio shares;
+  for (int i = 0; i < 263; ++i) shares.add(i < 81 ? 32 : 0, 32);
+  EXPECT_NEAR(shares.share_interval().low, wilson_interval(81, 263).low, 5e-4);
+  GroupedRatio none;
+  for (int i = 0; i < 20; ++i) none.add(0, 32);
+  expect_interval(none.share_interval(), 0.0, 0.1611);
+}
+
+TEST(GroupedRatio, FourGroupsHoldTheTrueShareToo) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> share(0.2, 0.4);
+  int holds = 0;
+  constexpr int samples = 2'000;
+  for (int sample = 0; sample < samples; ++sample) {
+    GroupedRatio ratio;
+    for (int group = 0; group < 4; ++group) {
+      std::binomial_distribution<int> counted(1'000, share(random));
+      ratio.add(counted(random), 1'000);
+    }
+    const Interval interval = ratio.share_interval();
+    holds += interval.low <= 0.3 && 0.3 <= interval.high ? 1 : 0;
+  }
+  EXPECT_NEAR(holds / static_cast<double>(samples), 0.95, 0.02);
+}
+
+TEST(GroupedRatio, HoldsTheTrueRatioIn95OfAHundredSamples) {
+  std::mt19937_64 random(1);
+  std::exponential_distribution<double> size(0.1);
+  int holds = 0;
+  constexpr int samples = 2'000;
+  for (int sample = 0; sample < samples; ++sample) {
+    GroupedRatio ratio;
+    for (int group = 0; group < 200; ++group) {
+      const double below = 1 + size(random);
+      ratio.add(1.5 * below + size(random) - 10, below);
+    }
+    const Interval interval = ratio.interval();
+    holds += interval.low <= 1.5 && 1.5 <= interval.high ? 1 : 0;
+  }
+  EXPECT_NEAR(holds / static_cast<double>(samples), 0.95, 0.02);
+}
+
+TEST(GroupedRatio, GroupWithNothingBelowTheLineStillCountsAbove) {
+  GroupedRatio ratio;
+  ratio.add(2, 4);
+  ratio.add(3, 0);
+  EXPECT_DOUBLE_EQ(ratio.ratio(), 1.25);
+  EXPECT_EQ(ratio.groups(), 2U);
+}
+
+TEST(GroupedRatio, AddsUpInAnyOrderAndLeavesOutEmptyGroups) {
+  GroupedRatio first;
+  first.add(3, 7);
+  first.add(0, 0);
+  GroupedRatio second;
+  second.add(5, 9);
+  GroupedRatio sum = first;
+  sum += second;
+  second += first;
+  EXPECT_EQ(sum.groups(), 2U);
+  EXPECT_DOUBLE_EQ(sum.ratio(), 0.5);
+  EXPECT_EQ(sum.interval().low, second.interval().low);
+  EXPECT_TRUE(std::isinf(first.interval().high)) << "one group has no spread";
+}
+
+}  // namespace
+}  // namespace hitpipe::ref::interval_test

@@ -1,0 +1,159 @@
+// The triangle test against rational arithmetic, by category of triangle_cases.hpp.
+#include "sw_ref/judge/triangle_test.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "tests/sw_ref/judge/triangle_cases.hpp"
+
+namespace hitpipe::ref::triangle_test_test {
+namespace {
+
+using cases::Random;
+using cases::Rational;
+using cases::Shot;
+
+constexpr std::uint64_t seed = 20052;
+
+TEST(TriangleTest, MatchesRationalArithmetic) {
+  constexpr int cases_per_category = 8'000;
+  std::printf("seed %llu\n%9s %9s %9s  category\n", static_cast<unsigned long long>(seed), "cases", "hits",
+              "in doubt");
+  Random random(seed);
+  int total = 0;
+  int hits_in_all = 0;
+  int doubts_in_all = 0;
+  for (const cases::ShotCategory& category : cases::shot_categories) {
+    int hits = 0;
+    int doubts = 0;
+    for (int i = 0; i < cases_per_category; ++i) {
+      const Shot s = category.make(random);
+      const std::optional<Rational> t = cases::time_of_hit(s.corners, s.ray);
+      Hit hit;
+      ASSERT_EQ(intersect_triangle(cases::single(s.corners), 0, s.ray, hit), t.has_value())
+          << cases::describe(s);
+      ASSERT_EQ(hit.found(), t.has_value()) << cases::describe(s);
+      triangle_filter::Enclosure enclosure{};
+      const auto verdict = triangle_filter::classify(s.corners, s.ray, enclosure);
+      if (verdict == triangle_filter::Verdict::doubt) ++doubts;
+      ASSERT_FALSE(verdict == triangle_filter::Verdict::miss && t) << cases::describe(s);
+      ++total;
+      if (!t) continue;
+      ++hits;
+      ASSERT_LE(cases::exact(hit.t_low), *t) << cases::describe(s);
+      ASSERT_GE(cases::exact(hit.t_high), *t) << cases::describe(s);
+      ASSERT_GE(cases::exact(std::min<double>(cull_length(hit), 1e300)), *t) << cases::describe(s);
+      triangle_filter::Enclosure tight{};
+      ASSERT_TRUE(triangle_filter::enclose_exactly(s.corners, s.ray, tight)) << cases::describe(s);
+      ASSERT_LE(cases::exact(tight.low), *t) << cases::describe(s);
+      ASSERT_GE(cases::exact(tight.high), *t) << cases::describe(s);
+      ASSERT_TRUE(tight.high == tight.low ||
+                  tight.high == std::nextafter(tight.low, std::numeric_limits<double>::infinity()))
+          << cases::describe(s);
+    }
+    std::printf("%9d %9d %9d  %s\n", cases_per_category, hits, doubts, category.name);
+    hits_in_all += hits;
+    doubts_in_all += doubts;
+    if (category.make == cases::coplanar_shot) {
+      EXPECT_EQ(hits, 0);
+    } else {
+      EXPECT_GT(hits, cases_per_category / 50) << category.name;
+    }
+    if (category.make == cases::random_shot) {
+      EXPECT_LT(doubts, 3);
+    }
+  }
+  EXPECT_EQ(total, cases_per_category * static_cast<int>(cases::shot_categories.size()));
+  EXPECT_GT(hits_in_all, total / 5);
+  EXPECT_GT(doubts_in_all, total / 20);
+}
+
+constexpr Mesh::Corners right_angle{{0, 0, 0}, {0.5F, 0, 0}, {0, 0.5F, 0}};
+
+TEST(TriangleTest, BothFacesHit) {
+  const Mesh mesh = cases::single(right_angle);
+  for (const float side : {-0.5F, 0.5F}) {
+    Hit hit;
+    EXPECT_TRUE(intersect_triangle(mesh, 0, {{0.125F, 0.125F, side}, {0, 0, -side}, Ray::infinite}, hit));
+    EXPECT_LE(hit.t_low, 1.0);
+    EXPECT_GE(hit.t_high, 1.0);
+    EXPECT_LT(hit.t_high - hit.t_low, 1e-13);
+  }
+}
+
+TEST(TriangleTest, BehindTheOriginOrBeyondTheLengthIsAMiss) {
+  const Mesh mesh = cases::single(right_angle);
+  Hit hit;
+  EXPECT_FALSE(intersect_triangle(mesh, 0, {{0.125F, 0.125F, 0.5F}, {0, 0, 1}, Ray::infinite}, hit));
+  EXPECT_FALSE(intersect_triangle(mesh, 0, {{0.125F, 0.125F, 0.5F}, {0, 0, -1}, 0.25F}, hit));
+  EXPECT_FALSE(hit.found());
+  EXPECT_TRUE(intersect_triangle(mesh, 0, {{0.125F, 0.125F, 0.5F}, {0, 0, -1}, 0.5F}, hit));
+}
+
+TEST(TriangleTest, TriangleWithoutAreaNeverHits) {
+  Hit hit;
+  const Mesh mesh = cases::single({{0, 0, 0}, {0.25F, 0, 0}, {0.5F, 0, 0}});
+  EXPECT_FALSE(intersect_triangle(mesh, 0, {{0.25F, 0, 0.5F}, {0, 0, -1}, Ray::infinite}, hit));
+}
+
+TEST(TriangleTest, TestingTheSameTriangleTwiceChangesNothing) {
+  Hit hit;
+  const Mesh mesh = cases::single(right_angle);
+  const Ray ray{{0.125F, 0.125F, 0.5F}, {0, 0, -1}, Ray::infinite};
+  EXPECT_TRUE(intersect_triangle(mesh, 0, ray, hit));
+  EXPECT_FALSE(intersect_triangle(mesh, 0, ray, hit));
+}
+
+TEST(CullLength, IsTheLeastFloatNotBelowT) {
+  const auto of = [](double t_high) { return cull_length(Hit{0, 0.0, t_high}); };
+  EXPECT_EQ(of(0.0), 0.0F);
+  EXPECT_EQ(of(1.0), 1.0F);
+  EXPECT_EQ(of(std::nextafter(1.0, 2.0)), std::nextafter(1.0F, 2.0F));
+  EXPECT_EQ(of(0x1p-400), 0x1p-149F);
+  EXPECT_EQ(of(0x1.8p-149), 0x1p-148F);
+  EXPECT_EQ(of(0x1.fffffep127), 0x1.fffffep127F);
+  EXPECT_EQ(of(0x1.fffffe00001p127), Ray::infinite);
+  EXPECT_EQ(of(0x1p200), Ray::infinite);
+  EXPECT_EQ(cull_length(Hit{}), Ray::infinite);
+  Random random(seed + 5);
+  for (int i = 0; i < 100'000; ++i) {
+    const double t =
+        std::ldexp(1.5 + 0.5 * static_cast<double>(random.signed_unit()), random.between(-150, 126));
+    ASSERT_GE(static_cast<double>(of(t)), t);
+    ASSERT_LT(static_cast<double>(cases::nudged(of(t), -1)), t);
+  }
+}
+
+TEST(HasArea, MatchesRationalArithmetic) {
+  Random random(seed + 6);
+  int without = 0;
+  for (int i = 0; i < 40'000; ++i) {
+    const glm::vec3 scale(std::ldexp(1.0F, -random.between(0, 140)));
+    Mesh::Corners c{cases::coarse_point(random), cases::coarse_point(random), cases::coarse_point(random)};
+    if (random.coin()) c.c = c.a + (c.b - c.a) * (static_cast<float>(random.between(-2, 4)) * 0.25F);
+    c = {c.a * scale, c.b * scale, c.c * scale};
+    if (random.coin()) {
+      float& x = cases::at(c.b, random.axis());
+      x = cases::nudged(x, random.between(-1, 1));
+    }
+    if (random.below(4) == 0) {
+      // On one line, but so far apart in magnitude that double rounds the differences.
+      const glm::vec3 line(1, 3, 5);
+      const auto step = [&] { return 0x1p-9F * static_cast<float>(random.between(-63, 63)); };
+      c = {line * (step() * std::ldexp(1.0F, -random.between(40, 60))), line * step(), line * step()};
+    }
+    const cases::RationalVec normal = cases::cross(cases::minus(cases::exact(c.b), cases::exact(c.a)),
+                                                   cases::minus(cases::exact(c.c), cases::exact(c.a)));
+    const bool expected = normal[0] != 0 || normal[1] != 0 || normal[2] != 0;
+    ASSERT_EQ(has_area(c), expected) << cases::describe({c, {}});
+    without += expected ? 0 : 1;
+  }
+  EXPECT_GT(without, 4'000);
+  EXPECT_LT(without, 36'000);
+}
+
+}  // namespace
+}  // namespace hitpipe::ref::triangle_test_test

@@ -1,0 +1,417 @@
+// Every possible tracer: it finds the same triangles as testing all of them, bundles do not change the
+// counts, and a combination that does not exist gets one line.
+#include "sw_ref/trace/tracer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sw_ref/hierarchy/plain_nodes.hpp"
+#include "sw_ref/trace/slabs.hpp"
+#include "sw_ref/trace/trace_batch.hpp"
+#include "sw_ref/trace/traversal.hpp"
+#include "tests/sw_ref/quantise/major_formats.hpp"
+#include "tests/sw_ref/trace/tracer_scenes.hpp"
+
+namespace hitpipe::ref::tracer_test {
+namespace {
+
+constexpr unsigned seed = 17;
+
+constexpr std::array algorithms{Algorithm::slabs, Algorithm::plu, Algorithm::slabs_dist, Algorithm::slabs_dsa,
+                                Algorithm::plu_dsa};
+constexpr std::array arithmetics{Arithmetic::binary32, Arithmetic::binary64, Arithmetic::robust,
+                                 Arithmetic::integer, Arithmetic::major};
+constexpr std::array encodings{Encoding::plain, Encoding::hierarchical_4, Encoding::hierarchical_8,
+                               Encoding::hierarchical_12, Encoding::hierarchical_16};
+
+std::string name(const TracerOptions& options) {
+  return fmt::format(
+      "algorithm {} arithmetic {} encoding {} table {} bundle {} bits {}/{} dropped {} ends {} major {}",
+      static_cast<int>(options.algorithm), static_cast<int>(options.arithmetic),
+      static_cast<int>(options.encoding), options.look_up_table, options.bundle, options.bits.coord,
+      options.bits.interval, to_text(options.coarse), options.ends, name_of(options.major_bits));
+}
+
+/// Written independently of the checks in make_tracer().
+bool exists(const TracerOptions& options) {
+  const bool plucker = options.algorithm == Algorithm::plu || options.algorithm == Algorithm::plu_dsa;
+  const bool by_distance = options.algorithm == Algorithm::slabs_dist;
+  if (plucker && options.arithmetic == Arithmetic::robust) return false;
+  if (!options.ends && (by_distance || options.bundle != 1)) return false;
+  if (options.arithmetic == Arithmetic::major) {
+    return !plucker && !by_distance && options.encoding == Encoding::plain && !options.look_up_table &&
+           options.bundle == 1 && !options.coarse.any();
+  }
+  if (options.arithmetic == Arithmetic::integer) {
+    return !by_distance && options.encoding == Encoding::plain && !options.look_up_table &&
+           options.bundle == 1;
+  }
+  if (by_distance && options.bundle != 1) return false;
+  return !options.look_up_table || options.encoding == Encoding::hierarchical_4 ||
+         options.encoding == Encoding::hierarchical_8;
+}
+
+/// Every combination with the exact triangle test: three formats of integers, two with coarser axes, six with
+/// a major axis, and some without the ends of rays.
+std::vector<TracerOptions> all_combinations() {
+  std::vector<TracerOptions> all;
+  for (const Algorithm algorithm : algorithms)
+    for (const Arithmetic arithmetic : arithmetics)
+      for (const Encoding encoding : encodings)
+        for (const bool table : {false, true})
+          for (const int bundle : {1, 64, 256})
+            all.push_back({algorithm, arithmetic, encoding, table, bundle, {24, 24}, TriangleTest::exact});
+  for (const Algorithm algorithm : algorithms)
+    for (const hls::IntBits bits : {hls::IntBits{16, 16}, hls::IntBits{12, 20}})
+      all.push_back({algorithm, Arithmetic::integer, Encoding::plain, false, 1, bits, TriangleTest::exact});
+  for (const Algorithm algorithm : algorithms)
+    for (const CoarseAxes coarse : {CoarseAxes{{0, 4, 0}}, CoarseAxes{{2, 1, 3}}})
+      all.push_back(
+          {algorithm, Arithmetic::integer, Encoding::plain, false, 1, {12, 12}, TriangleTest::exact, coarse});
+  for (const Algorithm algorithm : algorithms)
+    for (const Arithmetic arithmetic : {Arithmetic::binary32, Arithmetic::integer, Arithmetic::major})
+      for (const int bundle : {1, 64})
+        all.push_back({algorithm,
+                       arithmetic,
+                       Encoding::plain,
+                       false,
+                       bundle,
+                       {16, 16},
+                       TriangleTest::exact,
+                       CoarseAxes{},
+                       false});
+  for (const Algorithm algorithm : algorithms)
+    for (const hls::MajorBits bits :
+         {hls::MajorBits{16, 0, 8}, hls::MajorBits{12, 2, 10, 3}, hls::MajorBits{8, 3, 6, -1},
+          hls::MajorBits{6, 0, 4}, hls::MajorBits{32, 3, 28}})
+      all.push_back({.algorithm = algorithm, .arithmetic = Arithmetic::major, .major_bits = bits});
+  all.push_back({.arithmetic = Arithmetic::major, .coarse = {{0, 1, 0}}});
+  return all;
+}
+
+struct Traced {
+  std::vector<std::uint32_t> triangles;
+  std::vector<RayWork> work;
+  TraceCounts counts;
+};
+
+Traced traced(const Tracer& tracer, const std::vector<Ray>& rays, Query query) {
+  Traced result;
+  result.triangles.resize(rays.size());
+  result.work.resize(rays.size());
+  tracer.trace({rays, query, result.triangles, result.work}, result.counts);
+  return result;
+}
+
+struct Case {
+  const char* name;
+  Mesh (*make)(Random&);
+  int max_triangles;
+  Builder builder;
+
+  friend void PrintTo(const Case& it, std::ostream* out) { *out << it.name; }
+};
+
+class EveryTracer : public testing::TestWithParam<Case> {};
+
+TEST_P(EveryTracer, FindsWhatTestingEveryTriangleFinds) {
+  Random random(seed);
+  const Mesh mesh = GetParam().make(random);
+  BuildOptions build;
+  build.max_triangles = GetParam().max_triangles;
+  build.builder = GetParam().builder;
+  const Bvh bvh = build_bvh(mesh, build);
+  const std::vector<Ray> rays = special_rays(random, mesh, 300);
+  std::vector<std::uint32_t> expected;
+  for (const Ray& ray : rays) expected.push_back(test_every_triangle(mesh, ray).triangle);
+  const auto hits = static_cast<std::size_t>(std::count_if(
+      expected.begin(), expected.end(), [](std::uint32_t triangle) { return triangle != Hit::none; }));
+  EXPECT_GT(hits, rays.size() / 4);
+  EXPECT_LT(hits, rays.size());
+
+  int tracers = 0;
+  for (const TracerOptions& options : all_combinations()) {
+    if (!exists(options)) continue;
+    ++tracers;
+    const auto tracer = make_tracer(mesh, bvh, options);
+    const Traced closest = traced(*tracer, rays, Query::closest);
+    const Traced any = traced(*tracer, rays, Query::any);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Ray& ray = rays[i];
+      const auto in_hex = [&] {
+        return fmt::format("{}: seed {} ray {}: origin {:a} {:a} {:a} direction {:a} {:a} {:a} length {:a}",
+                           name(options), seed, i, ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x,
+                           ray.direction.y, ray.direction.z, ray.length);
+      };
+      ASSERT_EQ(closest.triangles[i], expected[i]) << in_hex();
+      ASSERT_EQ(any.triangles[i] == Hit::none, expected[i] == Hit::none) << in_hex();
+    }
+    ASSERT_LE(any.counts.triangle_tests, closest.counts.triangle_tests) << name(options);
+  }
+  fmt::print("seed {}: {} tracers, {} rays, {} hit\n", seed, tracers, rays.size(), hits);
+  EXPECT_EQ(tracers, 33 + 4 + 8 + 8 + 8 + 6 * 33 + 2 + 2 * 5 + 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, EveryTracer,
+    testing::Values(Case{"soup", [](Random& random) { return soup(random, 400); }, 6, Builder::median},
+                    Case{"grid", [](Random& random) { return grid_soup(random, 120); }, 2, Builder::sah},
+                    Case{"hills", [](Random&) { return hills(12); }, 1, Builder::median}),
+    [](const auto& parameter) { return parameter.param.name; });
+
+class TracersOnHills : public testing::Test {
+ protected:
+  Mesh mesh_ = hills(24);
+  Bvh bvh_ = build_bvh(mesh_);
+  std::vector<Ray> rays_ = [this] {
+    Random random(seed);
+    std::vector<Ray> rays = coherent_rays({0.1F, 0.9F, 0.1F}, {0.2F, 0.0F, -0.3F}, 16);
+    for (const Ray& ray : special_rays(random, mesh_, 100)) rays.push_back(ray);
+    return rays;
+  }();
+};
+
+TEST_F(TracersOnHills, BundlesTestWhatSingleRaysTest) {
+  for (TracerOptions options : all_combinations()) {
+    if (options.bundle == 1 || !exists(options)) continue;
+    const auto bundled = make_tracer(mesh_, bvh_, options);
+    options.bundle = 1;
+    const auto single = make_tracer(mesh_, bvh_, options);
+    for (const Query query : {Query::closest, Query::any}) {
+      const Traced alone = traced(*single, rays_, query);
+      const Traced together = traced(*bundled, rays_, query);
+      ASSERT_EQ(together.counts.rays, rays_.size());
+      ASSERT_EQ(together.counts.box_tests, alone.counts.box_tests) << name(options);
+      ASSERT_EQ(together.counts.triangle_tests, alone.counts.triangle_tests) << name(options);
+      for (std::size_t i = 0; i < rays_.size(); ++i) {
+        ASSERT_EQ(together.work[i].box_tests, alone.work[i].box_tests) << name(options) << " ray " << i;
+        ASSERT_EQ(together.work[i].triangle_tests, alone.work[i].triangle_tests)
+            << name(options) << " ray " << i;
+      }
+      ASSERT_LT(3 * together.counts.nodes_loaded, alone.counts.nodes_loaded) << name(options);
+      ASSERT_LT(2 * together.counts.triangles_loaded, alone.counts.triangles_loaded) << name(options);
+    }
+  }
+}
+
+TEST_F(TracersOnHills, WithoutTheEndsOfRaysMoreBoxesAreTested) {
+  for (TracerOptions options : all_combinations()) {
+    if (options.ends || !exists(options)) continue;
+    const Traced endless = traced(*make_tracer(mesh_, bvh_, options), rays_, Query::closest);
+    options.ends = true;
+    const Traced ended = traced(*make_tracer(mesh_, bvh_, options), rays_, Query::closest);
+    EXPECT_GT(endless.counts.box_tests, ended.counts.box_tests) << name(options);
+    EXPECT_EQ(endless.triangles, ended.triangles) << name(options);
+  }
+}
+
+TEST_F(TracersOnHills, LoadsOfSingleRaysAreTheirTestsAndWorkAddsUp) {
+  for (const TracerOptions& options : all_combinations()) {
+    if (!exists(options)) continue;
+    const Traced result = traced(*make_tracer(mesh_, bvh_, options), rays_, Query::closest);
+    if (options.bundle == 1) {
+      ASSERT_EQ(result.counts.nodes_loaded, result.counts.box_tests);
+      ASSERT_EQ(result.counts.triangles_loaded, result.counts.triangle_tests);
+    }
+    RayWork sum;
+    for (const RayWork& work : result.work) {
+      sum.box_tests += work.box_tests;
+      sum.triangle_tests += work.triangle_tests;
+    }
+    ASSERT_EQ(sum.box_tests, result.counts.box_tests) << name(options);
+    ASSERT_EQ(sum.triangle_tests, result.counts.triangle_tests) << name(options);
+  }
+}
+
+TEST_F(TracersOnHills, SingleRaysCountAsTheResumableTraversal) {
+  const Traced result = traced(*make_tracer(mesh_, bvh_, {}), rays_, Query::closest);
+  TraversalCounts counts;
+  for (const Ray& ray : rays_) trace<RobustSlabs>(bvh_, mesh_, ray, Query::closest, counts);
+  EXPECT_EQ(result.counts.box_tests, counts.box_tests);
+  EXPECT_EQ(result.counts.triangle_tests, counts.triangle_tests);
+}
+
+TEST_F(TracersOnHills, OrderByDirectionOrDistanceSavesTests) {
+  const auto tests = [&](Algorithm algorithm) {
+    const TracerOptions options{.algorithm = algorithm, .arithmetic = Arithmetic::binary32};
+    return traced(*make_tracer(mesh_, bvh_, options), rays_, Query::closest).counts;
+  };
+  // From above, child 1 is the near one of splits along y.
+  EXPECT_LT(tests(Algorithm::slabs_dsa).box_tests, tests(Algorithm::slabs).box_tests);
+  EXPECT_LT(tests(Algorithm::plu_dsa).box_tests, tests(Algorithm::plu).box_tests);
+  EXPECT_LT(tests(Algorithm::slabs_dist).triangle_tests, tests(Algorithm::slabs).triangle_tests);
+}
+
+TEST_F(TracersOnHills, NodesHaveTheBytesOfTables51And61) {
+  const auto bytes = [&](TracerOptions options) {
+    return make_tracer(mesh_, bvh_, options)->bytes_per_node();
+  };
+  EXPECT_EQ(bytes({}), 32U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::binary64}), 56U);
+  EXPECT_EQ(bytes({.encoding = Encoding::hierarchical_4}), 8U);
+  EXPECT_EQ(bytes({.encoding = Encoding::hierarchical_8}), 12U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {16, 16}}), 20U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {20, 20}}), 23U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {24, 24}}), 26U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {16, 16}, .coarse = {{1, 0, 2}}}), 20U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::integer, .bits = {16, 16}, .coarse = {{1, 0, 3}}}), 19U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::major, .major_bits = {20, 2, 12}}), 23U);
+  EXPECT_EQ(bytes({.arithmetic = Arithmetic::major, .major_bits = {16, 0, 8}}), 20U);
+  EXPECT_EQ(make_tracer(mesh_, bvh_, {})->node_count(), bvh_.nodes.size());
+}
+
+struct Recorder {
+  std::vector<std::uint32_t> nodes, triangles;
+  void node_loaded(std::uint32_t index) { nodes.push_back(index); }
+  void triangle_loaded(std::uint32_t index) { triangles.push_back(index); }
+};
+
+struct SetUpRobust {
+  RobustSlabs operator()(const Ray& ray) const { return RobustSlabs(ray); }
+};
+
+TEST_F(TracersOnHills, ObserverIsToldEveryLoad) {
+  const PlainNodes nodes(bvh_);
+  const SetUpRobust set_up;
+  const Leaves leaves{mesh_, bvh_.order, leaf_test(TriangleTest::exact)};
+  for (const ChildOrder order : {ChildOrder::by_direction, ChildOrder::by_distance}) {
+    for (const int bundle : {1, 64}) {
+      if (order == ChildOrder::by_distance && bundle > 1) continue;
+      for (const Query query : {Query::closest, Query::any}) {
+        Recorder recorder;
+        TraceCounts counts;
+        std::vector<std::uint32_t> triangles(rays_.size());
+        trace_batch(TraceWith<PlainNodes, SetUpRobust>{nodes, set_up, leaves, order, bundle},
+                    {rays_, query, triangles}, counts, recorder);
+        EXPECT_EQ(recorder.nodes.size(), counts.nodes_loaded);
+        EXPECT_EQ(recorder.triangles.size(), counts.triangles_loaded);
+        EXPECT_EQ(recorder.nodes.front(), 0U);
+        for (const std::uint32_t found : triangles) {
+          const auto told = std::find(recorder.triangles.begin(), recorder.triangles.end(), found);
+          EXPECT_TRUE(found == Hit::none || told != recorder.triangles.end());
+        }
+      }
+    }
+  }
+}
+
+TEST_F(TracersOnHills, MoellerTrumboreNearlyAgreesWithTheExactTest) {
+  const std::vector<std::uint32_t> exact =
+      traced(*make_tracer(mesh_, bvh_, {}), rays_, Query::closest).triangles;
+  for (const TriangleTest test : {TriangleTest::binary32, TriangleTest::binary64}) {
+    std::size_t different = 0;
+    std::vector<std::uint32_t> first;
+    for (const Algorithm algorithm : algorithms) {
+      TracerOptions options{.algorithm = algorithm, .arithmetic = Arithmetic::binary64};
+      options.triangle_test = test;
+      const Traced result = traced(*make_tracer(mesh_, bvh_, options), rays_, Query::closest);
+      for (std::size_t i = 0; i < rays_.size(); ++i) different += result.triangles[i] != exact[i] ? 1 : 0;
+    }
+    // The special rays aim at vertices, where rounding decides between a neighbour and no triangle.
+    EXPECT_LT(different, algorithms.size() * 100);
+  }
+}
+
+TEST(MoellerTrumboreTest, IsTwoSidedAndTakesTheNearestWithTiesToTheLowerIndex) {
+  Mesh mesh;
+  for (const float z : {0.5F, 0.25F, 0.25F, 0.75F}) add_triangle(mesh, {0, 0, z}, {0.5F, 0, z}, {0, 0.5F, z});
+  const Bvh bvh = build_bvh(mesh);
+  const Ray up{{0.125F, 0.125F, 0.0F}, {0, 0, 0.5F}, Ray::infinite};
+  const Ray down{{0.125F, 0.125F, 0.9F}, {0, 0, -1}, Ray::infinite};
+  Ray as_long = up;
+  as_long.length = 0.5F;
+  Ray too_short = up;
+  too_short.length = 0.499F;
+  Ray beside = up;
+  beside.origin.x = -0.01F;
+  Ray in_plane{{-0.5F, 0.125F, 0.25F}, {1, 0, 0}, Ray::infinite};
+  for (const TriangleTest test : {TriangleTest::binary32, TriangleTest::binary64}) {
+    TracerOptions options;
+    options.triangle_test = test;
+    const std::vector<Ray> rays{up, down, as_long, too_short, beside, in_plane};
+    EXPECT_THAT(traced(*make_tracer(mesh, bvh, options), rays, Query::closest).triangles,
+                testing::ElementsAre(1, 3, 1, Hit::none, Hit::none, Hit::none));
+  }
+}
+
+TEST(Tracer, DeepestHierarchyFitsTheStacks) {
+  const Mesh mesh = one_triangle_a_level();
+  const Bvh bvh = build_bvh(mesh, {.max_triangles = 1, .min_split = 0.0F});
+  ASSERT_EQ(bvh.depth, BuildOptions::deepest);
+  std::vector<Ray> rays(256, Ray{{0.95F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}});
+  rays.resize(512, Ray{{-0.95F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}});
+  for (TracerOptions options : all_combinations()) {
+    if (!exists(options) || options.encoding != Encoding::plain) continue;
+    options.triangle_test = TriangleTest::binary64;  // the exact one is in doubt at nearly every triangle
+    const Traced result = traced(*make_tracer(mesh, bvh, options), rays, Query::closest);
+    EXPECT_EQ(result.triangles.front(), 0U) << name(options);
+    EXPECT_NE(result.triangles.back(), Hit::none) << name(options);
+    EXPECT_GE(result.work.front().box_tests, 3U) << name(options);
+  }
+}
+
+TEST(Tracer, CombinationsThatDoNotExistAreRejected) {
+  const Mesh mesh = hills(4);
+  const Bvh bvh = build_bvh(mesh);
+  std::set<std::string> messages;
+  for (TracerOptions options : all_combinations()) {
+    if (exists(options)) {
+      EXPECT_NO_THROW((void)make_tracer(mesh, bvh, options)) << name(options);
+      continue;
+    }
+    try {
+      (void)make_tracer(mesh, bvh, options);
+      ADD_FAILURE() << name(options) << " was made";
+    } catch (const std::invalid_argument& error) {
+      messages.insert(error.what());
+    }
+  }
+  const auto message = [&](const TracerOptions& options) -> std::string {
+    try {
+      (void)make_tracer(mesh, bvh, options);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  messages.insert(message({.bundle = 2}));
+  messages.insert(message({.arithmetic = Arithmetic::integer, .bits = {5, 24}}));
+  messages.insert(message({.coarse = {{1, 0, 0}}}));
+  messages.insert(message({.arithmetic = Arithmetic::integer, .bits = {16, 16}, .coarse = {{0, 0, 15}}}));
+  messages.insert(message({.arithmetic = Arithmetic::major, .major_bits = {20, 1, 33}}));
+  EXPECT_EQ(message({.arithmetic = Arithmetic::major, .major_bits = {5, 1, 12}}),
+            "tracer: there is no format 5+1/12f0");
+  EXPECT_THAT(
+      messages,
+      testing::UnorderedElementsAre(
+          "tracer: a major axis is for slabs; take slabs or slabs_dsa",
+          "tracer: there is no format 20+1/33f0",
+          "tracer: robust arithmetic is for slabs; with Pluecker take binary32 or binary64",
+          "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa",
+          "tracer: integer arithmetic has nodes of its own; take the plain encoding",
+          "tracer: a look-up table is for hierarchical nodes of 4 or 8 bits",
+          "tracer: bundles of 2 rays; allowed are 1, 64 and 256",
+          "tracer: the order by distance is of single rays; take bundle 1",
+          "tracer: integer units take single rays; take bundle 1",
+          "tracer: format 5/24; n must be 6 to 32 and t 6 to 2n-1",
+          "tracer: coarse axes are of integer arithmetic",
+          "tracer: the order by distance and bundles need the ends of rays; take bundle 1 and another order",
+          "tracer: 15 dropped bits of z; of 16 bits 0 to 14 can be dropped"));
+  const auto tracer = make_tracer(mesh, bvh, {});
+  const std::vector<Ray> rays(2, Ray{{0, 0, 0}, {0, 1, 0}});
+  std::vector<std::uint32_t> triangles(1);
+  TraceCounts counts;
+  EXPECT_THROW(tracer->trace({rays, Query::closest, triangles}, counts), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hitpipe::ref::tracer_test
