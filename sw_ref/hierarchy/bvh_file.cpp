@@ -18,7 +18,7 @@ namespace hitpipe::ref {
 namespace {
 
 /// Nodes and triangles of a hierarchy have 31 bits.
-constexpr std::uint32_t most = std::numeric_limits<std::int32_t>::max();
+constexpr std::uint32_t most_number = std::numeric_limits<std::int32_t>::max();
 
 /// A number in decimal or, as C's %a prints it, in hexadecimal; rounded to the nearest binary32.
 bool read_float(std::string_view word, float& value) {
@@ -77,7 +77,7 @@ class BvhFileReader {
   std::uint32_t read_count_line(const char* what) {
     if (!words_.next_line() || words_.word() != what)
       fail(fmt::format("expected \"{}\" and their number", what));
-    const std::uint32_t count = whole_number(most, what);
+    const std::uint32_t count = whole_number(most_number, what);
     expect_end();
     return count;
   }
@@ -93,8 +93,8 @@ class BvhFileReader {
     for (int axis = 0; axis < 3; ++axis) node.box.min[axis] = coordinate();
     for (int axis = 0; axis < 3; ++axis) node.box.max[axis] = coordinate();
     if (node.is_leaf) {
-      node.first = whole_number(most, "first triangle");
-      node.count = whole_number(most, "number of triangles");
+      node.first = whole_number(most_number, "first triangle");
+      node.count = whole_number(most_number, "number of triangles");
       expect_end();
     } else {
       read_children(node, nodes);
@@ -107,11 +107,11 @@ class BvhFileReader {
     node.first = static_cast<std::uint32_t>(file_.children.size());
     std::string_view word = words_.word();
     for (; !word.empty() && word != "split"; word = words_.word()) {
-      const std::uint32_t child = whole_number(word, most, "child");
+      const std::uint32_t child = whole_number(word, most_number, "child");
       if (child >= nodes)
         fail(fmt::format("node {}: there is no node {}; the nodes are 0 to {}", file_.nodes.size(), child,
                          nodes - 1));
-      if (file_.children.size() == most) fail(fmt::format("more than {} children", most));
+      if (file_.children.size() == most_number) fail(fmt::format("more than {} children", most_number));
       file_.children.push_back(child);
     }
     node.count = static_cast<std::uint32_t>(file_.children.size()) - node.first;
@@ -151,7 +151,7 @@ class BvhFileReader {
       }
       if (file_.triangles.size() == count)
         fail(fmt::format("more than the {} triangles that were announced", count));
-      file_.triangles.push_back(whole_number(word, most, "triangle"));
+      file_.triangles.push_back(whole_number(word, most_number, "triangle"));
     }
     if (file_.triangles.size() < count)
       fail(fmt::format("the file ends after {} of {} triangles", file_.triangles.size(), count));

@@ -13,7 +13,7 @@ namespace hitpipe::ref {
 namespace {
 
 /// 1: may be positive (or +0), 2: may be negative (or -0). The sign of a zero is not bounded.
-unsigned signs(const RayFamily& family, int axis) {
+unsigned possible_signs(const RayFamily& family, int axis) {
   return (family.direction.max[axis] >= 0.0F ? 1U : 0U) | (family.direction.min[axis] <= 0.0F ? 2U : 0U);
 }
 
@@ -67,7 +67,8 @@ unsigned SceneDemands::classes() const {
     for (unsigned c = 0; c < direction_classes; ++c) {
       bool possible = true;
       for (int axis = 0; axis < 3; ++axis)
-        possible = possible && (signs(family, axis) >> (c >> static_cast<unsigned>(axis) & 1U) & 1U) != 0;
+        possible =
+            possible && (possible_signs(family, axis) >> (c >> static_cast<unsigned>(axis) & 1U) & 1U) != 0;
       if (possible) found |= 1U << c;
     }
   }

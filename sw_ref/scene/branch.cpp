@@ -14,7 +14,7 @@
 namespace hitpipe::ref {
 namespace {
 
-enum Colour : std::uint8_t { paper, bark, old_needle, needle, young_needle, cone_scale };
+enum BranchColour : std::uint8_t { paper, bark, old_needle, needle, young_needle, cone_scale };
 
 constexpr double golden_angle = 2.39996323;  // between successive needles, as in real twigs
 

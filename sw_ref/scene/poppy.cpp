@@ -15,7 +15,7 @@
 namespace hitpipe::ref {
 namespace {
 
-enum Colour : std::uint8_t { soil, green, leaf_green, red, deep_red, black, pale_green, hair };
+enum PoppyColour : std::uint8_t { soil, green, leaf_green, red, deep_red, black, pale_green, hair };
 
 constexpr double half_turn = std::numbers::pi;
 

@@ -12,7 +12,7 @@ namespace hitpipe::ref {
 namespace reading_room_parts {
 namespace {
 
-enum Colour : std::uint8_t {
+enum RoomColour : std::uint8_t {
   plaster,
   oak,
   walnut,
@@ -59,12 +59,12 @@ class Room {
   }
 
  private:
-  void box(Colour colour, const glm::dvec3& low, const glm::dvec3& high) {
+  void box(RoomColour colour, const glm::dvec3& low, const glm::dvec3& high) {
     shapes_.material(colour);
     shapes_.box(low, high);
   }
   /// A box that reaches from x0 to x1 on the side of the room where x has the sign of `side`.
-  void side_box(Colour colour, double side, glm::dvec3 low, glm::dvec3 high) {
+  void side_box(RoomColour colour, double side, glm::dvec3 low, glm::dvec3 high) {
     if (side < 0) {
       const double near = low.x;
       low.x = -high.x;
@@ -169,7 +169,7 @@ class Room {
       const double end = std::min(to, on_grid(z + dice.between(0.6, 1.6) * thickness + 0.0078125));
       const double height = on_grid(dice.between(0.62, 1.0) * most);
       const double depth = on_grid(dice.between(0.55, 0.9) * case_depth);
-      const auto colour = static_cast<Colour>(first_binding + dice.below(bindings));
+      const auto colour = static_cast<RoomColour>(first_binding + dice.below(bindings));
       const bool missing = dice.chance(0.04);
       if (end <= z) break;
       if (!missing) side_box(colour, side, {half_width - depth, base, z}, {half_width, base + height, end});

@@ -10,6 +10,7 @@
 
 #include "sw_ref/scene/scene.hpp"
 #include "sw_ref/trace/slabs.hpp"
+#include "tests/sw_ref/trace/tracer_scenes.hpp"
 
 namespace hitpipe::ref::traversal_test {
 namespace {
@@ -22,12 +23,6 @@ struct Spheres {
 const Spheres& spheres_scene() {
   static const Spheres it;
   return it;
-}
-
-Hit test_every_triangle(const Mesh& mesh, const Ray& ray) {
-  Hit best;
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) intersect_triangle(mesh, i, ray, best);
-  return best;
 }
 
 /// Rays from the eye, from surfaces and from anywhere, a third of them cut short.
