@@ -2,7 +2,7 @@
 
 #include "rtl_gen/component/product.hpp"
 #include "rtl_gen/graph/canonical.hpp"
-#include "rtl_gen/schedule/block_registers.hpp"
+#include "rtl_gen/schedule/registers.hpp"
 
 namespace hitpipe::rtl {
 

@@ -15,7 +15,7 @@
 #include "cli/options/values.hpp"
 #include "cli/text/area_text.hpp"
 #include "cli/text/table.hpp"
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 
 namespace hitpipe::cli {
 

@@ -17,7 +17,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/fit/unit_cosim.hpp"
 #include "sim/software.hpp"

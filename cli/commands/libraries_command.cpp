@@ -6,7 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/text/table.hpp"
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 
 namespace hitpipe::cli {
 

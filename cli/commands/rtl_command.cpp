@@ -10,12 +10,12 @@
 #include "cli/options/library_option.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/result_fifo.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
-#include "rtl_gen/verilog/module_name.hpp"
+#include "rtl_gen/verilog/names.hpp"
 #include "sim/vectors/design_vectors.hpp"
 
 namespace hitpipe::cli {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 #include "sim/sweep/sweep.hpp"
 
 namespace CLI {

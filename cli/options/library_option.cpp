@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 
 namespace hitpipe::cli {
 

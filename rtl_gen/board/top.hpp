@@ -1,8 +1,10 @@
 // A unit as the whole of a chip: operands come over a serial line and results go back. The module takes
-// frames (docs/board.md) and answers each with a frame. It has one clock.
+// frames (docs/board.md) and answers each with a frame. It has one clock. It says which unit it contains, so
+// that nobody compares answers of the wrong bitstream.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +13,17 @@
 #include "rtl_gen/pipeline.hpp"
 
 namespace hitpipe::rtl {
+
+/// The number of the protocol in docs/board.md.
+inline constexpr int board_protocol = 1;
+
+/// A hash of the ports, of the results, and of the answers to 1000 drawn operands. Two units with the same
+/// fingerprint take the same bits and mean the same by them; how their Verilog is cut into stages or blocks
+/// does not matter.
+[[nodiscard]] std::uint64_t fingerprint(const Design& design, const Format& format);
+
+/// "hitpipe 1 int_slabs 16/16 0123456789abcdef": protocol, design, format, fingerprint.
+[[nodiscard]] std::string board_identity(const Design& design, const Format& format);
 
 /// The ports of the top module. Button and lamps are active low.
 inline constexpr std::array<std::string_view, 6> top_ports{"clk",      "rx",        "tx",

@@ -4,9 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace hitpipe::rtl {
 
@@ -51,8 +48,5 @@ struct Chip {
  private:
   [[nodiscard]] static int rounded_up(int percent) { return (percent + 99) / 100; }
 };
-
-/// The object "chip" of a library's file. Throws std::runtime_error with `where` and the wrong entry.
-[[nodiscard]] Chip chip_from(const nlohmann::json& json, std::string_view where);
 
 }  // namespace hitpipe::rtl

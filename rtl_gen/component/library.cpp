@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
-
-#include "rtl_gen/component/json_entry.hpp"
 
 namespace hitpipe::rtl {
 
@@ -19,44 +15,8 @@ constexpr std::array<std::string_view, component_count> component_names{
     "latch",       "mux2",       "int_subtract",   "int_multiply",   "int_compare", "fp_subtract",
     "fp_multiply", "fp_compare", "fp_subtract_rz", "fp_multiply_rz", "gate",        "latch_enable"};
 
-/// A file of cells states all others. Gates have one delay and no area (section 7.3).
-bool has_cells(Component component) {
-  return component != Component::gate;
-}
-
 int tree_depth(int bits) {
   return static_cast<int>(std::bit_width(static_cast<unsigned>(bits - 1)));
-}
-
-FileJson parsed(std::string_view text, std::string_view origin) {
-  try {
-    return FileJson::parse(text);
-  } catch (const FileJson::exception& error) {
-    throw std::runtime_error(fmt::format("{}: not JSON: {}", origin, error.what()));
-  }
-}
-
-// In the order of their enumerations.
-constexpr std::array<std::string_view, 3> above_laws{"same", "tree", "stages"};
-constexpr std::array<std::string_view, 2> area_laws{"linear", "quadratic"};
-
-std::vector<Cell> cells_of(const FileJson& entry, std::string_view where) {
-  const FileJson& rows = required(entry, "cells", where);
-  if (!rows.is_array() || rows.empty()) throw std::runtime_error(fmt::format("{}: no cells", where));
-  std::vector<Cell> cells;
-  for (const FileJson& row : rows) {
-    const int bits = count_of(row, "bits", where, bits_limits);
-    const std::string cell = fmt::format("{}_{}", where, bits);
-    if (!cells.empty() && cells.back().bits >= bits) {
-      throw std::runtime_error(fmt::format("{}: cells must be in ascending order of bits", where));
-    }
-    cells.push_back({.bits = bits,
-                     .area_um2 = count_of(row, "area_um2", cell, area_limits),
-                     .delay_ps = count_of(row, "delay_ps", cell, delay_limits),
-                     .stages = count_of(row, "stages", cell, stages_limits),
-                     .estimated = row.contains("estimated") && truth_of(row, "estimated", cell)});
-  }
-  return cells;
 }
 
 /// The area is proportional to this.
@@ -71,6 +31,13 @@ std::int64_t rounded_quotient(std::int64_t dividend, std::int64_t divisor) {
 
 }  // namespace
 
+bool Block::multiplies(int a, bool a_signed, int b, bool b_signed) const {
+  const bool as_signed = a_signed || b_signed || !reads_unsigned;
+  const int need_a = a + (as_signed && !a_signed ? 1 : 0);
+  const int need_b = b + (as_signed && !b_signed ? 1 : 0);
+  return std::max(need_a, need_b) <= width_a && std::min(need_a, need_b) <= width_b;
+}
+
 std::string_view component_name(Component component) {
   return component_names[static_cast<std::size_t>(component)];
 }
@@ -80,44 +47,6 @@ Component component_called(std::string_view name) {
   if (found == component_names.end())
     throw std::invalid_argument(fmt::format("component {}: no library has it", name));
   return static_cast<Component>(found - component_names.begin());
-}
-
-Library Library::from_json(std::string_view text, std::string_view origin) {
-  const FileJson json = parsed(text, origin);
-  Library library;
-  library.name_ = line_of_text(json, "name", origin);
-  if (json.contains("process")) library.process_ = line_of_text(json, "process", origin);
-  if (json.contains("source")) library.source_ = text_of(json, "source", origin);
-  if (json.contains("chip")) {
-    library.chip_ = chip_from(json.at("chip"), origin);
-    library.gate_delay_ps_ = library.chip_->gate_delay_ps;
-    return library;
-  }
-  library.gate_delay_ps_ = count_of(json, "gate_delay_ps", origin, delay_limits);
-  const FileJson& components = required(json, "components", origin);
-  for (std::size_t i = 0; i < component_count; ++i) {
-    if (!has_cells(static_cast<Component>(i))) continue;
-    const std::string name(component_names[i]);
-    const bool is_optional = static_cast<Component>(i) >= Component::fp_subtract;
-    if (is_optional && !components.contains(name)) continue;
-    const FileJson& entry = required(components, name, origin);
-    const std::string where = fmt::format("{}: {}", origin, name);
-    Family& family = library.families_[i];
-    family.above = law_of<Above>(entry, "above", where, above_laws);
-    family.area = law_of<AreaLaw>(entry, "area", where, area_laws);
-    family.cells = cells_of(entry, where);
-    if (family.above == Above::tree && family.cells.back().bits < 2) {
-      throw std::runtime_error(fmt::format("{}: \"tree\" needs a cell of at least 2 bits", where));
-    }
-  }
-  return library;
-}
-
-Library Library::load(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error(fmt::format("{}: cannot read the component library", file.string()));
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return from_json(text, file.string());
 }
 
 const Library::Family& Library::found(Component component) const {
@@ -211,9 +140,9 @@ Cell Library::cell(Component component, int bits) const {
     const std::int64_t short_of = measure(above->bits) - measure(bits);
     area_um2 = rounded_quotient(below.area_um2 * short_of + above->area_um2 * past, past + short_of);
   }
-  if (area_um2 > area_limits.most) {
+  if (area_um2 > most_area_um2) {
     throw std::runtime_error(fmt::format("library {}: {}_{} would have {} um2, allowed are {}", name_,
-                                         component_name(component), bits, area_um2, area_limits.most));
+                                         component_name(component), bits, area_um2, most_area_um2));
   }
   cell.bits = bits;
   cell.area_um2 = static_cast<int>(area_um2);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,6 +80,8 @@ enum class AreaLaw {
 
 class Library {
  public:
+  static constexpr std::int64_t most_area_um2 = 100'000'000;  ///< of a component
+
   /// Widths must ascend. The float components and latch_enable may be left
   /// out. Throws std::runtime_error with `origin`, the
   /// component and the wrong entry.
@@ -125,6 +128,22 @@ class Library {
   int gate_delay_ps_ = 0;
   std::array<Family, component_count> families_;
 };
+
+/// A library of the program: every file NAME.json in rtl_gen/component/libraries is compiled in under the
+/// name NAME; there is no list of them.
+struct BuiltInFile {
+  std::string_view name;
+  std::string_view json;
+};
+/// In the order of their names.
+[[nodiscard]] std::span<const BuiltInFile> built_in_files();
+[[nodiscard]] std::vector<std::string> built_in_names();
+
+inline constexpr std::string_view default_library = "thesis_250nm";
+
+/// The library of a built-in name, or of a file whose name ends in .json. Throws std::runtime_error with one
+/// line; for an unknown name it says which names there are.
+[[nodiscard]] Library library_called(std::string_view name_or_file);
 
 /// What a node costs: the component, and the width at which the library is asked. Wires and inputs cost
 /// nothing. Gates cost something on a chip only; is_component() leaves them out.

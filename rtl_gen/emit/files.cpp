@@ -10,7 +10,6 @@
 #include "host/process.hpp"
 #include "rtl_gen/emit/axi_stream.hpp"
 #include "rtl_gen/emit/core_file.hpp"
-#include "rtl_gen/emit/harness.hpp"
 #include "rtl_gen/emit/hls_top.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/port_vectors.hpp"
@@ -21,7 +20,7 @@
 #include "rtl_gen/prune/demand_fields.hpp"
 #include "rtl_gen/schematic/dot.hpp"
 #include "rtl_gen/verilog/module.hpp"
-#include "rtl_gen/verilog/module_name.hpp"
+#include "rtl_gen/verilog/names.hpp"
 
 namespace hitpipe::rtl {
 

@@ -8,7 +8,7 @@
 #include "host/files.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
-#include "rtl_gen/emit/vector_set.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/prune/report.hpp"
 #include "rtl_gen/verilog/flow_control.hpp"

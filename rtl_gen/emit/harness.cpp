@@ -1,6 +1,6 @@
-#include "rtl_gen/emit/harness.hpp"
-
 #include <fmt/format.h>
+
+#include "rtl_gen/emit/testbench.hpp"
 
 namespace hitpipe::rtl {
 

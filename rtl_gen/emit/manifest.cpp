@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "rtl_gen/emit/axi_stream.hpp"
-#include "rtl_gen/verilog/module_name.hpp"
+#include "rtl_gen/verilog/names.hpp"
 
 namespace hitpipe::rtl {
 

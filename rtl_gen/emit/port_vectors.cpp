@@ -4,9 +4,114 @@
 #include <span>
 #include <utility>
 
-#include "rtl_gen/emit/shown_bits.hpp"
-
 namespace hitpipe::rtl {
+
+namespace {
+
+constexpr int most_ports = 4;  ///< for which one search looks for the border
+constexpr int most_ways = 16;  ///< tried from one place
+constexpr int most_bits = 3;   ///< tried for one vector with a bit changed, and such vectors on either side
+
+}  // namespace
+
+Border::Border(const Draw& draw, const Evaluate& evaluate, const std::vector<hls::Result>& results)
+    : draw_(draw), evaluate_(evaluate) {
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (results[i].width == 1) answers_.push_back(i);
+}
+
+std::optional<Border::Way> Border::way_across(const Vector& here, std::mt19937_64& random) const {
+  const std::vector<std::size_t>& ports = draw_.free_ports();
+  for (int tries = 0; tries < most_ways && !ports.empty(); ++tries) {
+    const std::size_t port = ports[random() % ports.size()];
+    std::vector<std::int64_t> operands = here.operands;
+    operands[port] = draw_.another(operands, port, random);
+    if (!draw_.meets_all(operands)) continue;
+    Vector there = with_results(std::move(operands), evaluate_);
+    for (const std::size_t answer : answers_)
+      if (there.results[answer] != here.results[answer]) return Way{here, std::move(there), port, answer};
+  }
+  return std::nullopt;
+}
+
+bool Border::shorten(Way& way) const {
+  while (true) {
+    const std::int64_t from = way.here.operands[way.port];
+    const std::int64_t middle = draw_.halfway(way.port, from, way.there.operands[way.port]);
+    if (middle == from) return true;
+    std::vector<std::int64_t> operands = way.here.operands;
+    operands[way.port] = middle;
+    if (!draw_.meets_all(operands)) return false;
+    Vector between = with_results(std::move(operands), evaluate_);
+    const bool is_here = between.results[way.answer] == way.here.results[way.answer];
+    (is_here ? way.here : way.there) = std::move(between);
+  }
+}
+
+std::optional<Vector> Border::bit_across(const Vector& from, const Vector& as, const Way& way,
+                                         std::mt19937_64& random) const {
+  for (int tries = 0; tries < most_bits; ++tries) {
+    std::vector<std::int64_t> operands = from.operands;
+    operands[way.port] = draw_.one_bit_changed(operands[way.port], way.port, random);
+    if (operands == as.operands || !draw_.meets_all(operands)) continue;
+    Vector changed = with_results(std::move(operands), evaluate_);
+    if (changed.results[way.answer] == as.results[way.answer]) return changed;
+  }
+  return std::nullopt;
+}
+
+std::vector<Vector> Border::near(const std::vector<std::int64_t>& operands, std::mt19937_64& random) const {
+  std::optional<Way> found;
+  Vector here = with_results(operands, evaluate_);
+  for (auto ports = 1 + random() % most_ports; ports > 0; --ports) {
+    std::optional<Way> way = way_across(here, random);
+    if (!way || !shorten(*way)) break;
+    here = way->here;
+    found = std::move(way);
+  }
+  if (!found) return {};
+  std::vector<Vector> vectors{found->here, found->there};
+  const auto add = [&](const Vector& from, const Vector& as) {
+    if (std::optional<Vector> changed = bit_across(from, as, *found, random))
+      vectors.push_back(std::move(*changed));
+  };
+  for (int i = 0; i < most_bits; ++i) {
+    add(found->there, found->here);
+    add(found->here, found->there);
+  }
+  return vectors;
+}
+
+ShownBits::ShownBits(const Graph& graph, const std::vector<Port>& ports) : lanes_(graph) {
+  for (const NodeId id : graph.inputs()) places_.push_back(index_of(ports, graph[id].name));
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    if (graph[id].op == Op::constant) continue;
+    for (int bit = 0; bit < graph[id].width; ++bit)
+      for (const bool value : {false, true}) hidden_.push_back({id, bit, value});
+  }
+}
+
+std::vector<Vector> ShownBits::new_ones(std::span<const Vector> vectors) {
+  std::vector<std::vector<std::int64_t>> operands;
+  for (const Vector& vector : vectors) {
+    std::vector<std::int64_t>& own = operands.emplace_back();
+    for (const std::size_t place : places_) own.push_back(vector.operands[place]);
+  }
+  lanes_.load(operands);
+  std::uint64_t taken = 0;
+  std::erase_if(hidden_, [&](const Bit& hidden) {
+    const std::uint64_t bit = std::uint64_t{1} << hidden.bit;
+    Lanes wrong = lanes_.right(hidden.node);
+    for (std::uint64_t& each : wrong) each = hidden.value ? each & ~bit : each | bit;
+    const std::uint64_t shown = lanes_.shown_by(hidden.node, wrong);
+    if ((shown & taken) == 0) taken |= shown & (~shown + 1);
+    return shown != 0;
+  });
+  std::vector<Vector> chosen;
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    if ((taken >> i & 1U) != 0) chosen.push_back(vectors[i]);
+  return chosen;
+}
 
 namespace {
 
@@ -31,7 +136,7 @@ PortVectors::PortVectors(const VectorUnit& unit, std::uint64_t seed)
 }
 
 Vector PortVectors::noted(LastHit& last, std::vector<std::int64_t> operands) const {
-  Vector vector = judged(std::move(operands), unit_.evaluate);
+  Vector vector = with_results(std::move(operands), unit_.evaluate);
   if (unit_.evaluate.hit(vector.results.data())) last = vector.operands;
   return vector;
 }
@@ -62,8 +167,8 @@ std::vector<Vector> PortVectors::beside_found(const std::vector<Vector>& found, 
     const std::size_t back = random_() % std::min(found.size(), most_starts);
     const std::vector<std::int64_t>& start = found[found.size() - 1 - back].operands;
     Vector beside =
-        judged(random_() % 4 == 0 ? draw_.beside(start, random_) : draw_.corners_beside(start, random_),
-               unit_.evaluate);
+        with_results(random_() % 4 == 0 ? draw_.beside(start, random_) : draw_.corners_beside(start, random_),
+                     unit_.evaluate);
     std::vector<Vector> near = border(beside.operands);
     vectors.push_back(std::move(beside));
     for (Vector& each : near)

@@ -1,13 +1,70 @@
-// Vectors that know nothing of rays and boxes: what can be drawn at the ports of a unit and judged by its
-// C++. Few of any operands hit, and most hits stay hits when a part of the unit fails. So vectors are drawn
-// beside hits, at corners, and in pairs across the border of a hit; and those are sought whose result depends
-// on bits on which no other vector's result depends.
+// Vectors that know nothing of rays and boxes: what can be drawn at the ports of a unit and answered by its
+// C++. Few random operands hit, and most hits stay hits when a part of the unit fails. So vectors are drawn
+// beside hits, at corners, and in pairs across the border of a hit; and vectors are sought whose result
+// depends on bits on which no other vector's result depends.
 #pragma once
 
-#include "rtl_gen/emit/vector_set.hpp"
-#include "rtl_gen/prune/border.hpp"
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "rtl_gen/emit/vectors.hpp"
+#include "rtl_gen/graph/graph_lanes.hpp"
+#include "rtl_gen/prune/draw.hpp"
 
 namespace hitpipe::rtl {
+
+class Border {
+ public:
+  /// `draw` and `evaluate` must be those of one unit. Answers are the results of one bit.
+  Border(const Draw& draw, const Evaluate& evaluate, const std::vector<hls::Result>& results);
+
+  /// From operands that meet the demands: a pair, then those with one bit changed. Empty when chance finds no
+  /// way to another answer.
+  [[nodiscard]] std::vector<Vector> near(const std::vector<std::int64_t>& operands,
+                                         std::mt19937_64& random) const;
+
+ private:
+  /// Operands of another answer that differ from these in one port, and that port.
+  struct Way {
+    Vector here, there;
+    std::size_t port;
+    std::size_t answer;
+  };
+  [[nodiscard]] std::optional<Way> way_across(const Vector& here, std::mt19937_64& random) const;
+  /// Shortens it to one unit; false when what lies between is not as demanded.
+  [[nodiscard]] bool shorten(Way& way) const;
+  /// `from` with one bit of the way's port changed, which answers as `as` does.
+  [[nodiscard]] std::optional<Vector> bit_across(const Vector& from, const Vector& as, const Way& way,
+                                                 std::mt19937_64& random) const;
+
+  const Draw& draw_;
+  const Evaluate& evaluate_;
+  std::vector<std::size_t> answers_;  ///< places of the results of one bit
+};
+
+class ShownBits {
+ public:
+  /// The vectors' operands are those of `ports`, of which the graph has some or all. Both must outlive it.
+  ShownBits(const Graph& graph, const std::vector<Port>& ports);
+
+  /// Of at most 64 vectors those that show a bit, as 0 or as 1, that none before them has shown.
+  [[nodiscard]] std::vector<Vector> new_ones(std::span<const Vector> vectors);
+  /// Bits, each as 0 and as 1, that no vector has shown so far.
+  [[nodiscard]] std::size_t hidden() const { return hidden_.size(); }
+
+ private:
+  struct Bit {
+    NodeId node;
+    int bit;
+    bool value;
+  };
+
+  GraphLanes lanes_;
+  std::vector<std::size_t> places_;  ///< of the graph's inputs among the ports
+  std::vector<Bit> hidden_;
+};
 
 /// What the vectors of a unit are drawn for.
 struct VectorUnit {

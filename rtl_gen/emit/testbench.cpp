@@ -1,35 +1,11 @@
 #include "rtl_gen/emit/testbench.hpp"
 
-#include <random>
-#include <utility>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace hitpipe::rtl {
 
 namespace {
-
-std::int64_t fit(std::uint64_t bits, const Port& port) {
-  const int spare = 64 - port.width;
-  const std::uint64_t high = bits << spare;
-  return port.is_signed ? static_cast<std::int64_t>(high) >> spare : static_cast<std::int64_t>(high >> spare);
-}
-
-/// Most significant bit first.
-std::string binary(std::int64_t value, int width) {
-  std::string text;
-  for (int i = width - 1; i >= 0; --i) text += (value >> i & 1) != 0 ? '1' : '0';
-  return text;
-}
-
-std::string hexadecimal(std::string bits) {
-  while (bits.size() % 4 != 0) bits.insert(bits.begin(), '0');
-  std::string text;
-  for (std::size_t i = 0; i < bits.size(); i += 4)
-    text += fmt::format("{:x}", std::stoi(bits.substr(i, 4), nullptr, 2));
-  return text;
-}
 
 /// The bits of a word, or its only bit.
 std::string part_of(const char* word, int high, int low) {
@@ -132,51 +108,6 @@ struct FlowText {
 };
 
 }  // namespace
-
-std::vector<std::vector<std::int64_t>> operand_vectors(const std::vector<Port>& ports, int count,
-                                                       std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::vector<std::vector<std::int64_t>> vectors;
-  // Corners as bit patterns: zero, one, minus one, most and least, alternating; each port draws its own.
-  const std::vector<std::uint64_t> corners{
-      0, 1, ~std::uint64_t{0}, ~std::uint64_t{0} >> 1, std::uint64_t{1} << 63, 0x5555555555555555U};
-  for (int i = 0; i < count; ++i) {
-    std::vector<std::int64_t> operands;
-    for (const Port& port : ports) {
-      std::uint64_t bits = random();
-      if (i % 4 == 0) {
-        const std::uint64_t corner = corners[bits % corners.size()];
-        // Extremes sit at the top of the port's own width.
-        bits = corner > 1 && corner != ~std::uint64_t{0} ? corner >> (64 - port.width) : corner;
-      } else if (i % 4 == 1) {
-        bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(bits) >> (64 - 4));  // close to zero
-      }
-      operands.push_back(fit(bits, port));
-    }
-    vectors.push_back(std::move(operands));
-  }
-  return vectors;
-}
-
-std::vector<Vector> judged(std::vector<std::vector<std::int64_t>> operands, const Evaluate& evaluate) {
-  std::vector<Vector> vectors;
-  for (std::vector<std::int64_t>& each : operands) vectors.push_back(judged(std::move(each), evaluate));
-  return vectors;
-}
-
-std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>& left,
-                        const std::vector<hls::Result>& results, const std::vector<Vector>& vectors) {
-  std::vector<std::size_t> places;
-  for (const Port& port : left) places.push_back(index_of(ports, port.name));
-  std::string text;
-  for (const Vector& vector : vectors) {
-    std::string bits;
-    for (std::size_t i = 0; i < left.size(); ++i) bits += binary(vector.operands[places[i]], left[i].width);
-    for (std::size_t i = 0; i < results.size(); ++i) bits += binary(vector.results[i], results[i].width);
-    text += hexadecimal(std::move(bits)) + "\n";
-  }
-  return text;
-}
 
 std::string testbench(const std::string& module, const std::vector<Port>& ports,
                       const std::vector<hls::Result>& results, int count, std::optional<int> fixed_latency) {
@@ -314,6 +245,61 @@ endmodule
       fmt::arg("nothing_due", flow.ready ? "" : " due = 0; idle = 0;"),
       fmt::arg("running", flow.ready ? "received != COUNT && cycles < 16 * COUNT + 1000" : "idle != IDLE"),
       fmt::arg("drive", flow.drive(compare)));
+}
+
+std::string testbench_makefile() {
+  return R"(# Simulates the units that have a testbench in this folder. Each target fails when a vector does.
+#   make icarus       the testbench in Icarus Verilog (11 or later)
+#   make verilator    the testbench in Verilator (5.006 or later)
+#   make harness      the C++ program that drives the unit as Verilator compiles it
+#   make waves        the testbench in Icarus Verilog; writes UNIT.vcd
+#   make clean        removes all that these have written
+# With WAVES=vcd or WAVES=fst each of them writes waves in that format. UNITS=NAME takes one unit of several.
+UNITS := $(patsubst %_tb.sv,%,$(wildcard *_tb.sv))
+IVERILOG := iverilog
+VVP := vvp
+VERILATOR := verilator
+# A unit that was fitted to a scene checks its operands; other units do not read this.
+DEFINES := -DHITPIPE_CHECK
+
+ifneq ($(filter-out vcd fst,$(WAVES)),)
+$(error WAVES=$(WAVES): allowed are vcd and fst)
+endif
+TRACE_vcd := --trace
+TRACE_fst := --trace-fst
+TRACE := $(TRACE_$(WAVES))
+
+.PHONY: icarus verilator harness waves clean
+icarus: $(UNITS:%=icarus-%)
+verilator: $(UNITS:%=verilator-%)
+harness: $(UNITS:%=harness-%)
+waves:
+	$(MAKE) icarus WAVES=$(or $(WAVES),vcd)
+
+# Verilator and make see for themselves what must be compiled again.
+BUILD = build/$(1)_$*$(WAVES:%=_%)
+RUN_WAVES = $(if $(WAVES),+waves=$*.$(WAVES))
+COMPILE = $(VERILATOR) -Wall $(TRACE) $(DEFINES) -j 0 -MAKEFLAGS -s -Mdir
+
+.PHONY: $(UNITS:%=icarus-%) $(UNITS:%=verilator-%) $(UNITS:%=harness-%)
+$(UNITS:%=icarus-%): icarus-%:
+	@mkdir -p build
+	$(IVERILOG) -g2012 -Wall $(DEFINES) -s $*_tb -o $(call BUILD,icarus) $*_tb.sv ../$*.v
+	$(VVP) -n $(call BUILD,icarus) $(if $(WAVES),-$(WAVES)) $(RUN_WAVES)
+
+$(UNITS:%=verilator-%): verilator-%:
+	@mkdir -p build
+	$(COMPILE) $(call BUILD,tb) --binary --top-module $*_tb $*_tb.sv ../$*.v
+	$(call BUILD,tb)/V$*_tb $(RUN_WAVES)
+
+$(UNITS:%=harness-%): harness-%:
+	@mkdir -p build
+	$(COMPILE) $(call BUILD,harness) --cc --exe --build --top-module $* ../$*.v $(CURDIR)/$*_harness.cpp
+	$(call BUILD,harness)/V$*
+
+clean:
+	rm -rf build $(UNITS:%=%.vcd) $(UNITS:%=%.fst)
+)";
 }
 
 }  // namespace hitpipe::rtl

@@ -1,30 +1,14 @@
-// Vectors for a design and a testbench that replays them in a simulator, without hitpipe.
+// What replays the vectors of a unit without hitpipe: a testbench in SystemVerilog and a C++ program around
+// the unit as Verilator compiles it, from which engineers start their own.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/prune/draw.hpp"
 
 namespace hitpipe::rtl {
-
-/// Operands for every port, drawn from the seed. Of four vectors the first has corner values (0, 1, -1, the
-/// extremes, alternating bits), the second numbers near 0, the other two any numbers.
-[[nodiscard]] std::vector<std::vector<std::int64_t>> operand_vectors(const std::vector<Port>& ports,
-                                                                     int count, std::uint64_t seed);
-/// The operands with their results.
-[[nodiscard]] std::vector<Vector> judged(std::vector<std::vector<std::int64_t>> operands,
-                                         const Evaluate& evaluate);
-
-/// One vector a line, hexadecimal: the operands, first port in the high bits, then the expected results, last
-/// result in the low bits. Vectors hold operands of all `ports`; the file has only those of the ports that
-/// are `left`.
-[[nodiscard]] std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>& left,
-                                      const std::vector<hls::Result>& results,
-                                      const std::vector<Vector>& vectors);
 
 /// tb/<module>_tb.sv in SystemVerilog, for Icarus Verilog and Verilator. It sends the vectors with gaps and
 /// stalls, and compares every result and every tag. It prints "PASS <n> vectors"; or it prints "FAIL" with
@@ -36,5 +20,12 @@ namespace hitpipe::rtl {
                                     std::optional<int> fixed_latency = {});
 /// tb/Makefile: icarus, verilator, harness and waves, for all units in the folder. It names none of them.
 [[nodiscard]] std::string testbench_makefile();
+
+/// Sends the `count` vectors of tb/<module>_vectors.hex with gaps and stalls, and compares every result and
+/// every tag. Prints "PASS <n> vectors" and returns 0, or prints "FAIL" with the reason and returns 1. With a
+/// `fixed_latency` the unit has no ready, as in testbench().
+[[nodiscard]] std::string harness(const std::string& module, const std::vector<Port>& ports,
+                                  const std::vector<hls::Result>& results, int count,
+                                  std::optional<int> fixed_latency = {});
 
 }  // namespace hitpipe::rtl

@@ -174,4 +174,11 @@ std::string demand_text(const Demands& demands, std::size_t index) {
   return fmt::format("{} <= {}", order.lesser, order.greater);
 }
 
+Demands set_up_demands(const std::vector<Port>& ports) {
+  Demands all;
+  for (const Port& port : ports)
+    if (port.range && *port.range != all_numbers(port)) all.ports.push_back({port.name, {*port.range}});
+  return all;
+}
+
 }  // namespace hitpipe::rtl

@@ -65,4 +65,8 @@ void check_demands(const Demands& demands, const std::vector<Port>& ports);
 [[nodiscard]] std::string demand_text(const Demands& demands, std::size_t index);
 [[nodiscard]] std::string demand_text(const PortDemand& demand);
 
+/// What the set-up of a design meets in any scene: a demand for each port whose range, as its operand states
+/// it (hls/box), is narrower than its width. Demands that say no more than these leave the design as it is.
+[[nodiscard]] Demands set_up_demands(const std::vector<Port>& ports);
+
 }  // namespace hitpipe::rtl

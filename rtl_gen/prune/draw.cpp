@@ -274,7 +274,7 @@ std::int64_t Draw::halfway(std::size_t port, std::int64_t low, std::int64_t high
   return pattern_of(middle(by_value(low, width), by_value(high, width)), width);
 }
 
-Vector judged(std::vector<std::int64_t> operands, const Evaluate& evaluate) {
+Vector with_results(std::vector<std::int64_t> operands, const Evaluate& evaluate) {
   std::vector<std::int64_t> results(evaluate.result_count());
   evaluate(operands.data(), results.data());
   return {std::move(operands), std::move(results)};
@@ -287,7 +287,7 @@ DrawVectors::DrawVectors(const std::vector<Port>& ports, const Demands& demands,
 }
 
 Vector DrawVectors::noted(std::vector<std::int64_t> operands) {
-  Vector vector = judged(std::move(operands), evaluate_);
+  Vector vector = with_results(std::move(operands), evaluate_);
   if (evaluate_.hit(vector.results.data())) last_hit_ = vector.operands;
   return vector;
 }

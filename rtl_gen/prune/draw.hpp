@@ -65,7 +65,7 @@ struct Vector {
   std::vector<std::int64_t> operands;
   std::vector<std::int64_t> results;
 };
-[[nodiscard]] Vector judged(std::vector<std::int64_t> operands, const Evaluate& evaluate);
+[[nodiscard]] Vector with_results(std::vector<std::int64_t> operands, const Evaluate& evaluate);
 
 /// In turn any operands, and ones beside the last that hit: of any ones few do. What is beside goes astray in
 /// a walk through all hits, and meets their border at every other step.

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "rtl_gen/graph/sources.hpp"
 
 namespace hitpipe::rtl {
 
@@ -104,6 +109,250 @@ int Facts::known_low() const {
 
 int Facts::low_zeros() const {
   return std::countr_one(zeros_);
+}
+
+namespace {
+
+/// Pairs of port nodes that the demands order: lesser, greater.
+using Orders = std::set<std::pair<NodeId, NodeId>>;
+
+/// The low bits of a sum or difference are known up to where the bits of both operands are.
+Facts known_low_bits(const Facts& a, const Facts& b, std::uint64_t result_of_ones) {
+  const std::uint64_t mask = all_bits(std::min(a.known_low(), b.known_low()));
+  return Facts::bits(a.width(), ~result_of_ones & mask, result_of_ones & mask);
+}
+
+Facts sum(const Facts& a, const Facts& b) {
+  const Facts bounds = Facts::number(a.width(), Wide{a.number().low} + b.number().low,
+                                     Wide{a.number().high} + b.number().high);
+  return Facts::both(bounds, known_low_bits(a, b, a.ones() + b.ones()));
+}
+
+Facts difference(const Facts& a, const Facts& b) {
+  const Facts bounds = Facts::number(a.width(), Wide{a.number().low} - b.number().high,
+                                     Wide{a.number().high} - b.number().low);
+  return Facts::both(bounds, known_low_bits(a, b, a.ones() - b.ones()));
+}
+
+/// The product is exact: it is as wide as both operands together.
+Facts product_in_range(int width, const Facts& a, const Facts& b, bool is_signed) {
+  if (!is_signed) {
+    return Facts::patterns(width,
+                           {a.patterns().low * b.patterns().low, a.patterns().high * b.patterns().high});
+  }
+  const Wide corners[] = {Wide{a.number().low} * b.number().low, Wide{a.number().low} * b.number().high,
+                          Wide{a.number().high} * b.number().low, Wide{a.number().high} * b.number().high};
+  const auto [least, most] = std::minmax_element(std::begin(corners), std::end(corners));
+  return Facts::number(width, *least, *most);
+}
+
+Facts product(int width, const Facts& a, const Facts& b, bool is_signed) {
+  return Facts::both(product_in_range(width, a, b, is_signed),
+                     Facts::bits(width, all_bits(std::min(width, a.low_zeros() + b.low_zeros())), 0));
+}
+
+Facts sliced(const Facts& a, int low, int width) {
+  const Facts bits = Facts::bits(width, a.zeros() >> low, a.ones() >> low);
+  return Facts::both(bits, Facts::number(width, a.number().low >> low, a.number().high >> low));
+}
+
+Facts concatenated(int width, const Facts& high, const Facts& low) {
+  const int shift = low.width();
+  const Facts bits =
+      Facts::bits(width, high.zeros() << shift | low.zeros(), high.ones() << shift | low.ones());
+  const Wide unit = Wide{1} << shift;
+  return Facts::both(bits, Facts::number(width, high.number().low * unit + Wide{low.patterns().low},
+                                         high.number().high * unit + Wide{low.patterns().high}));
+}
+
+Facts extended(const Facts& a, int width, bool is_signed) {
+  if (is_signed) {
+    const Facts bounds = Facts::number(width, a.number().low, a.number().high);
+    return Facts::both(bounds, Facts::bits(width, a.zeros() & all_bits(a.width()) >> 1,
+                                           a.ones() & all_bits(a.width()) >> 1));
+  }
+  const std::uint64_t above = ~all_bits(a.width());
+  return Facts::both(Facts::bits(width, a.zeros() | above, a.ones()), Facts::patterns(width, a.patterns()));
+}
+
+Facts less(const Facts& a, const Facts& b, bool is_signed) {
+  const bool always = is_signed ? a.number().high < b.number().low : a.patterns().high < b.patterns().low;
+  const bool never = is_signed ? a.number().low >= b.number().high : a.patterns().low >= b.patterns().high;
+  return always ? Facts::constant(1, 1) : never ? Facts::constant(1, 0) : Facts::nothing(1);
+}
+
+Facts equal(const Facts& a, const Facts& b) {
+  const bool apart = (a.ones() & b.zeros()) != 0 || (a.zeros() & b.ones()) != 0 ||
+                     a.number().high < b.number().low || b.number().high < a.number().low;
+  if (apart) return Facts::constant(1, 0);
+  const bool same = a.is_constant() && b.is_constant() && a.pattern() == b.pattern();
+  return same ? Facts::constant(1, 1) : Facts::nothing(1);
+}
+
+class Analysis {
+ public:
+  Analysis(const Graph& graph, const std::vector<Facts>& ports, Orders orders)
+      : graph_(graph), orders_(std::move(orders)) {
+    facts_.reserve(graph.size());
+    std::size_t next_port = 0;
+    for (NodeId id = 0; id < graph.size(); ++id) {
+      facts_.push_back(graph[id].op == Op::input ? ports[next_port++] : of(graph[id], id));
+    }
+  }
+  [[nodiscard]] std::vector<Facts> take() { return std::move(facts_); }
+
+ private:
+  [[nodiscard]] Facts of(const Node& n, NodeId id) const {
+    const auto arg = [&](std::size_t i) -> const Facts& { return facts_[n.args[i]]; };
+    switch (n.op) {
+      case Op::input:
+        break;  // given
+      case Op::constant:
+        return Facts::constant(n.width, n.value);
+      case Op::slice:
+        return sliced(arg(0), n.low, n.width);
+      case Op::concat:
+        return concatenated(n.width, arg(0), arg(1));
+      case Op::extend:
+        return extended(arg(0), n.width, n.is_signed);
+      case Op::invert:
+        return Facts::both(Facts::bits(n.width, arg(0).ones(), arg(0).zeros()),
+                           Facts::number(n.width, ~arg(0).number().high, ~arg(0).number().low));
+      case Op::bit_and:
+        return Facts::bits(n.width, arg(0).zeros() | arg(1).zeros(), arg(0).ones() & arg(1).ones());
+      case Op::bit_or:
+        return Facts::bits(n.width, arg(0).zeros() & arg(1).zeros(), arg(0).ones() | arg(1).ones());
+      case Op::bit_xor:
+        return Facts::bits(n.width, (arg(0).zeros() & arg(1).zeros()) | (arg(0).ones() & arg(1).ones()),
+                           (arg(0).zeros() & arg(1).ones()) | (arg(0).ones() & arg(1).zeros()));
+      case Op::add:
+        return sum(arg(0), arg(1));
+      case Op::sub:
+        return of_difference(n);
+      case Op::mul:
+        return product(n.width, arg(0), arg(1), n.is_signed);
+      case Op::less:
+        if (n.args[0] == n.args[1] || in_order(n.args[1], n.args[0], n.is_signed))
+          return Facts::constant(1, 0);
+        return less(arg(0), arg(1), n.is_signed);
+      case Op::equal:
+        return n.args[0] == n.args[1] ? Facts::constant(1, 1) : equal(arg(0), arg(1));
+      case Op::mux:
+        return of_mux(n);
+      case Op::call: {
+        std::vector<Facts> operands;
+        for (const NodeId operand : n.operands()) operands.push_back(facts_[operand]);
+        const Graph& body = graph_.unit_of(id)->body;
+        return Analysis(body, operands, {}).take()[body.outputs().front().node];
+      }
+    }
+    return Facts::nothing(n.width);
+  }
+
+  [[nodiscard]] Facts of_difference(const Node& n) const {
+    const Facts& a = facts_[n.args[0]];
+    const Facts& b = facts_[n.args[1]];
+    if (n.args[0] == n.args[1]) return Facts::constant(n.width, 0);
+    const Wide most = Wide{a.number().high} - b.number().low;
+    if (in_order(n.args[1], n.args[0], true) && most <= Wide{all_bits(n.width) >> 1})
+      return Facts::both(difference(a, b), Facts::number(n.width, 0, most));
+    return difference(a, b);
+  }
+
+  [[nodiscard]] Facts of_mux(const Node& n) const {
+    const Facts& select = facts_[n.args[0]];
+    const Facts& if_one = facts_[n.args[1]];
+    const Facts& if_zero = facts_[n.args[2]];
+    if (select.is_constant()) return select.pattern() != 0 ? if_one : if_zero;
+    const Facts plain = Facts::either(if_one, if_zero);
+    // a < b ? b : a is the greater of two, a < b ? a : b the lesser.
+    const Node& order = graph_[n.args[0]];
+    if (order.op != Op::less || !order.is_signed) return plain;
+    const Interval a = facts_[n.args[1]].number();
+    const Interval b = facts_[n.args[2]].number();
+    if (order.args[0] == n.args[2] && order.args[1] == n.args[1]) {
+      return Facts::both(plain, Facts::number(n.width, std::max(a.low, b.low), std::max(a.high, b.high)));
+    }
+    if (order.args[0] == n.args[1] && order.args[1] == n.args[2]) {
+      return Facts::both(plain, Facts::number(n.width, std::min(a.low, b.low), std::min(a.high, b.high)));
+    }
+    return plain;
+  }
+
+  /// Whether both are ports, perhaps made wider or narrower by wires, and the demands order them.
+  [[nodiscard]] bool in_order(NodeId lesser, NodeId greater, bool is_signed) const {
+    const auto keeps_number = [&](const Node& n) {
+      if (n.op == Op::extend) return n.is_signed == is_signed;
+      if (n.op != Op::slice || n.low != 0) return false;
+      const Facts& whole = facts_[n.args[0]];
+      return is_signed ? whole.signed_width() <= n.width : whole.patterns().high <= all_bits(n.width);
+    };
+    const auto port_of = [&](NodeId id) {
+      while (keeps_number(graph_[id])) id = graph_[id].args[0];
+      return id;
+    };
+    const NodeId port = port_of(lesser);
+    return graph_[port].op == Op::input && graph_[port].is_signed == is_signed &&
+           orders_.contains({port, port_of(greater)});
+  }
+
+  const Graph& graph_;
+  Orders orders_;
+  std::vector<Facts> facts_;
+};
+
+}  // namespace
+
+Facts facts_of(const PortDemand& demand, int width, bool is_signed) {
+  const auto of = [&](const Interval& i) {
+    return is_signed ? Facts::number(width, i.low, i.high)
+                     : Facts::patterns(
+                           width, {static_cast<std::uint64_t>(i.low), static_cast<std::uint64_t>(i.high)});
+  };
+  Facts facts = of(*multiples_in(demand.within.front(), demand.low_zeros));
+  for (const Interval& i : demand.within)
+    facts = Facts::either(facts, of(*multiples_in(i, demand.low_zeros)));
+  return Facts::both(facts, Facts::bits(width, all_bits(demand.low_zeros), 0));
+}
+
+std::vector<Facts> analyse(const Graph& graph, const Demands& demands) {
+  std::map<std::string, std::size_t> index;
+  std::vector<Facts> ports;
+  for (const NodeId id : graph.inputs()) {
+    index[graph[id].name] = ports.size();
+    ports.push_back(Facts::nothing(graph[id].width));
+  }
+  for (const PortDemand& demand : demands.ports) {
+    const std::size_t port = index.at(demand.port);
+    const Node& input = graph[graph.inputs()[port]];
+    ports[port] = facts_of(demand, input.width, input.is_signed);
+  }
+  Orders orders;
+  for (const OrderDemand& order : demands.orders) {
+    const std::size_t lesser = index.at(order.lesser);
+    const std::size_t greater = index.at(order.greater);
+    const NodeId node = graph.inputs()[lesser];
+    orders.insert({node, graph.inputs()[greater]});
+    if (!graph[node].is_signed) continue;
+    const auto within = [&](std::int64_t low, std::int64_t high) {
+      return Facts::number(graph[node].width, low, high);
+    };
+    const Interval below = ports[lesser].number();
+    const Interval above = ports[greater].number();
+    ports[lesser] = Facts::both(ports[lesser], within(below.low, std::min(below.high, above.high)));
+    ports[greater] = Facts::both(ports[greater], within(std::max(below.low, above.low), above.high));
+  }
+  return Analysis(graph, ports, orders).take();
+}
+
+std::vector<std::uint64_t> read_bits(const Graph& graph) {
+  std::vector<std::uint64_t> bits(graph.size(), 0);
+  const auto read = [&](NodeId source, std::uint64_t mask) { bits[source] |= mask; };
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    if (is_root(graph[id].op)) for_each_source(graph, id, read);
+  }
+  for (const Output& out : graph.outputs()) for_each_source_of(graph, out.node, read);
+  return bits;
 }
 
 }  // namespace hitpipe::rtl

@@ -1,9 +1,12 @@
-// What is known of a value for all operands that meet the demands: bits that are always 0 or always 1, and
-// the interval of its number in two's complement. Each of the two sharpens the other.
+// What is known of the values of a graph while the operands meet the demands: intervals and known bits, by an
+// analysis that is sound for every operation. For a component with logic of its own (a float operator) it
+// analyses that logic. Beside it: which bits of the values are read.
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "rtl_gen/graph/graph.hpp"
 #include "rtl_gen/prune/demands.hpp"
 
 namespace hitpipe::rtl {
@@ -68,5 +71,15 @@ class Facts {
   std::uint64_t ones_;
   Interval number_;
 };
+
+/// By node. The demands must have passed check_demands() for the graph's ports.
+[[nodiscard]] std::vector<Facts> analyse(const Graph& graph, const Demands& demands);
+
+/// What a demand tells of its port, which has this width and sign.
+[[nodiscard]] Facts facts_of(const PortDemand& demand, int width, bool is_signed);
+
+/// By node; 0 for wires and constants. A node that nothing reads still counts as a reader, so run canonical()
+/// first.
+[[nodiscard]] std::vector<std::uint64_t> read_bits(const Graph& graph);
 
 }  // namespace hitpipe::rtl

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/graph/canonical.hpp"
-#include "rtl_gen/prune/passes.hpp"
 
 namespace hitpipe::rtl {
 
@@ -131,7 +130,7 @@ Pruned prune(const Graph& traced, const Demands& demands, const PruneOptions& op
   check_demands(demands, ports);
   const Graph plain = canonical(traced);
   const Size before = size_of(plain);
-  if (implies(options.promised, demands, ports)) return {traced, {.before = before, .after = before}};
+  if (implies(options.set_up, demands, ports)) return {traced, {.before = before, .after = before}};
 
   const Graph named = canonical(with_names(plain));
   Reduced reduced = reduce(named, demands);

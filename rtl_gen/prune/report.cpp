@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "rtl_gen/component/library.hpp"
-#include "rtl_gen/prune/read_bits.hpp"
+#include "rtl_gen/prune/facts.hpp"
 #include "rtl_gen/prune/rewrite.hpp"
 
 namespace hitpipe::rtl {

@@ -36,4 +36,10 @@ class NodeTiming {
   std::vector<Cell> units_;  ///< in the order of graph.units()
 };
 
+/// Schedules as soon as possible under the shortest clock that needs no more than `stages`. Time is counted
+/// in gate levels (rtl_gen/schedule/logic_levels.json), since a library gives one delay for all
+/// stages of a component and says nothing of its inside. Shallow logic ends before the last stage; its result
+/// then waits in the stages that are left.
+[[nodiscard]] Schedule balance(const Graph& graph, int stages);
+
 }  // namespace hitpipe::rtl

@@ -1,11 +1,12 @@
 // Where values are latched. At every stage boundary that a value crosses, exactly the bits that are read
 // later are latched. A wire is never latched: its reader takes it from its source (so a sign bit is not
-// latched beside its word).
+// latched beside its word). On a chip some registers lie in multiplier blocks, as Yosys puts them there.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "rtl_gen/component/library.hpp"
 #include "rtl_gen/graph/graph.hpp"
 #include "rtl_gen/schedule/schedule.hpp"
 
@@ -35,5 +36,11 @@ struct Placement {
 };
 
 [[nodiscard]] Placement place_registers(const Graph& graph, const Schedule& schedule, Ports ports);
+
+/// Marks the registers that only blocks read, and those behind a block. A block has no register for some bits
+/// of its product alone, so a register behind it begins at bit 0; nothing reads the bits that are added.
+/// Without a chip, or without registers in its blocks, nothing changes.
+void use_block_registers(Placement& placement, const Graph& graph, const Schedule& schedule,
+                         const Library& library);
 
 }  // namespace hitpipe::rtl

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/port.hpp"
+#include "rtl_gen/graph/graph.hpp"
 #include "rtl_gen/pipeline.hpp"
 
 namespace hitpipe::rtl {
@@ -23,5 +24,10 @@ struct StageRange {
 /// are those of `ports`, the design's.
 [[nodiscard]] std::string to_dot(const Pipeline& pipeline, const std::vector<Port>& ports,
                                  const std::string& title, StageRange range);
+
+/// A place for every node: 1 for x, 2 for y, 3 for z, as the operands' axes say, and 4 for what has no axis.
+/// A value has the mean of what it is made of; operands without an axis do not count beside others. `ports`
+/// are the design's; the graph may have lost some.
+[[nodiscard]] std::vector<double> axis_order(const Graph& graph, const std::vector<Port>& ports);
 
 }  // namespace hitpipe::rtl

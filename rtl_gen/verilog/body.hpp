@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rtl_gen/component/multiplier.hpp"
+#include "rtl_gen/component/product.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/names.hpp"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "rtl_gen/component/multiplier.hpp"
+#include "rtl_gen/component/product.hpp"
 #include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/verilog/body.hpp"
 

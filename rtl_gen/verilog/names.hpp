@@ -1,4 +1,4 @@
-// Verilog names of the values of a graph, from the names in the C++.
+// Names in the emitted files: of values, registers and modules, and the words that cannot be names.
 #pragma once
 
 #include <set>
@@ -24,5 +24,16 @@ struct BitSpan {
 /// reader and the operation.
 [[nodiscard]] std::vector<std::string> value_names(const Graph& graph, const Placement& placement,
                                                    std::set<std::string> taken);
+
+/// Of Verilog (IEEE 1364-2001) and of SystemVerilog (IEEE 1800-2012): some tools read every design as
+/// SystemVerilog.
+[[nodiscard]] const std::set<std::string>& verilog_keywords();
+/// Of C++20.
+[[nodiscard]] const std::set<std::string>& cpp_keywords();
+
+/// The name also begins the names of files, of other modules, of C++ functions and of what Verilator makes.
+/// It has letters, digits and single underscores, begins with a letter, and is no keyword of Verilog,
+/// SystemVerilog or C++. Throws std::runtime_error, one line, for any other.
+void check_module_name(const std::string& name);
 
 }  // namespace hitpipe::rtl

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "rtl_gen/verilog/combinational.hpp"
+#include "tests/formal/combinational.hpp"
 
 namespace hitpipe::formal {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/component/multiplier.hpp"
+#include "rtl_gen/component/product.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/body.hpp"
 #include "rtl_gen/verilog/flow_control.hpp"

@@ -109,7 +109,8 @@ TEST_P(RayUnitOnHills, CountsWhatTheDatapathSays) {
   std::vector<std::int64_t> answers(results.size());
   with_walk({feed_.get(), &bvh_, &scene_.mesh}, results, [&](const auto& walk) {
     for (const RayJob& job : jobs_) {
-      auto traversal = walk.start(*rays, 0, job.ray, job.query);
+      rays->start(0, job.ray);
+      auto traversal = walk.start(job.ray, job.query);
       while (!traversal.done()) {
         walk.ask(*rays, 0, traversal, operands.data());
         datapath()(operands.data(), answers.data());
@@ -124,7 +125,7 @@ TEST_P(RayUnitOnHills, CountsWhatTheDatapathSays) {
           *expected.false_hits += hit && !meets ? 1 : 0;
           *expected.false_misses += !hit && meets ? 1 : 0;
         });
-        walk.answer(*rays, 0, traversal, answers.data());
+        walk.answer(traversal, answers.data());
       }
       expected.triangle_tests += traversal.counts().triangle_tests;
     }

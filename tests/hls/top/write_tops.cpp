@@ -9,7 +9,7 @@
 
 #include "host/files.hpp"
 #include "rtl_gen/emit/hls_top.hpp"
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 
 using namespace hitpipe;
 

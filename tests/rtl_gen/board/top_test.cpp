@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rtl_gen/board/identity.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"

@@ -10,7 +10,7 @@
 #include "hls/pipelines/int_plucker.hpp"
 #include "hls/pipelines/int_slabs.hpp"
 #include "rtl_gen/catalogue/traced.hpp"
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/seeded.hpp"

@@ -1,6 +1,4 @@
 // The libraries of the program: each file is there by its name.
-#include "rtl_gen/component/built_in.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rtl_gen/component/library.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
 

@@ -1,13 +1,12 @@
 // The divided multiplier: every product of small widths, random products of large widths, and its stated
 // stages.
-#include "rtl_gen/component/multiplier.hpp"
-
 #include <algorithm>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "rtl_gen/component/product.hpp"
 #include "rtl_gen/schedule/registers.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 

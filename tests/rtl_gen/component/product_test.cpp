@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 

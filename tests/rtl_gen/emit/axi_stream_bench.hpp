@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::rtl {
@@ -50,7 +50,7 @@ inline std::string stream_beats(const Design& design, Format format, int count, 
   const std::vector<Port> results = result_ports(design.results(format));
   std::mt19937_64 random(seed);
   std::string text;
-  for (const Vector& vector : judged(operand_vectors(ports, count, seed), design.evaluate(format))) {
+  for (const Vector& vector : with_results(operand_vectors(ports, count, seed), design.evaluate(format))) {
     text += stream_bytes(results, vector.results, [] { return std::uint64_t{0}; });
     text += stream_bytes(ports, vector.operands, [&] { return random(); }) + "\n";
   }

@@ -11,7 +11,7 @@
 
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/schematic/dot.hpp"
-#include "rtl_gen/verilog/module_name.hpp"
+#include "rtl_gen/verilog/names.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/tool.hpp"

@@ -12,7 +12,7 @@
 #include "host/files.hpp"
 #include "rtl_gen/catalogue/fp_formats.hpp"
 #include "rtl_gen/catalogue/int_formats.hpp"
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/tool.hpp"
 

@@ -9,7 +9,7 @@
 #include "host/files.hpp"
 #include "rtl_gen/emit/axi_stream.hpp"
 #include "rtl_gen/emit/files.hpp"
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/emit/axi_stream_bench.hpp"
 #include "tests/rtl_gen/emit/two_boxes.hpp"

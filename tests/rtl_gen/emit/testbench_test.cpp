@@ -11,6 +11,7 @@
 
 #include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
@@ -171,7 +172,7 @@ TEST(Vectors, FirstPortIsInTheHighBitsAndHitInBit0) {
   const Evaluate less(
       [](const Format&, const std::int64_t* v, std::int64_t* results) { *results = v[0] < v[1] ? 1 : 0; },
       hls::IntBits{}, hit_alone);
-  EXPECT_EQ(vector_file(ports, ports, hit_alone, judged(vectors, less)), expected);
+  EXPECT_EQ(vector_file(ports, ports, hit_alone, with_results(vectors, less)), expected);
 }
 
 // The random graph that the Evaluate below runs. It is here because a Design can only hold a function without
@@ -191,7 +192,7 @@ std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library
   const ScratchFolder folder;
   evaluated_graph = &graph;
   const std::vector<Vector> expected =
-      judged(operand_vectors(ports, vectors, 5), Evaluate(evaluate_graph, hls::IntBits{}, hit_alone));
+      with_results(operand_vectors(ports, vectors, 5), Evaluate(evaluate_graph, hls::IntBits{}, hit_alone));
   host::write_files(folder.path(), {{"toy.v", to_verilog(pipeline, library)},
                                     {"tb/toy_tb.sv", testbench("toy", ports, hit_alone, vectors)},
                                     {"tb/toy_vectors.hex", vector_file(ports, ports, hit_alone, expected)}});

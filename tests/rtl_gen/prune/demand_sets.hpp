@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/any_fp_formats.hpp"
+#include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/catalogue/major_formats.hpp"
+#include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/draw.hpp"
-#include "rtl_gen/prune/promises.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
 namespace hitpipe::rtl {
@@ -45,7 +46,7 @@ class Scene {
         floats_(!design.conservative),
         bits_(floats_ ? hls::IntBits{} : format.as<hls::IntBits>()),
         grid_(std::int64_t{1} << (bits_.coord - 2)),
-        demands_(promises(design, format)) {}
+        demands_(set_up_demands(design.ports(format))) {}
 
   [[nodiscard]] Demands demands() const { return demands_; }
 
@@ -162,7 +163,7 @@ inline std::vector<DemandSet> major_demand_sets(const Design& design, Format for
     for (const std::string a : {"x", "y", "z"}) demands.orders.push_back({a + "min", a + "max"});
   };
   const auto with = [&](const auto&... parts) {
-    Demands demands = promises(design, format);
+    Demands demands = set_up_demands(design.ports(format));
     (parts(demands), ...);
     return demands;
   };
@@ -202,7 +203,7 @@ inline std::vector<DemandSet> any_float_demand_sets(const Design& design, Format
       demand(demands, port, {{bits.one(), bits.infinity() - 1}});
   };
   const auto with = [&](const auto&... parts) {
-    Demands demands = promises(design, format);
+    Demands demands = set_up_demands(design.ports(format));
     (parts(demands), ...);
     return demands;
   };

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "rtl_gen/prune/promises.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe::rtl::demands_test {
@@ -136,9 +135,9 @@ TEST(Demands, OneLeftOut) {
 TEST(Promises, AreLegalAndAsHlsBoxSays) {
   for (const Design& design : designs()) {
     const Format format = design.default_format;
-    check_demands(promises(design, format), design.ports(format));
+    check_demands(set_up_demands(design.ports(format)), design.ports(format));
   }
-  const Demands of_slabs = promises(find_design("int_slabs"), hls::IntBits{24, 24});
+  const Demands of_slabs = set_up_demands(find_design("int_slabs").ports(hls::IntBits{24, 24}));
   EXPECT_EQ(of_slabs.ports.size(), 16U) << "all but rinf";
   EXPECT_EQ(demand_text(of_slabs.ports[0]), "irx in [-4194303, 4194303]");
   EXPECT_EQ(demand_text(of_slabs.ports[3]), "irlen in [0, 8388607]");

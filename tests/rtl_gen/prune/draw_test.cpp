@@ -112,7 +112,7 @@ TEST_P(DrawnVectors, AreAsDemandedAndHitAboutEveryOtherTime) {
     for (int i = 0; i < count; ++i) {
       const Vector vector = draw();
       ASSERT_TRUE(meets(set.demands, ports, vector.operands.data())) << set.name;
-      ASSERT_EQ(vector.results, judged(vector.operands, evaluate).results);
+      ASSERT_EQ(vector.results, with_results(vector.operands, evaluate).results);
       ASSERT_EQ(vector.operands, again().operands);
       hits += evaluate(vector.operands.data()) ? 1 : 0;
     }

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "rtl_gen/prune/analysis.hpp"
 #include "tests/rtl_gen/graph/recipe.hpp"
 #include "tests/rtl_gen/prune/random_demands.hpp"
 

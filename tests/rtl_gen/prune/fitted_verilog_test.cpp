@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/prune/check_block.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
@@ -58,7 +59,7 @@ class Fitted {
                      const std::vector<std::vector<std::int64_t>>& vectors) const {
     std::string lines;
     for (const auto& operands : vectors) {
-      const Vector vector = judged(operands, design.evaluate(format));
+      const Vector vector = with_results(operands, design.evaluate(format));
       lines +=
           vector_line(left, operands_left(graph, ports, operands), design.results(format), vector.results);
     }

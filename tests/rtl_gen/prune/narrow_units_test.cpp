@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/graph/trace_fp.hpp"
-#include "rtl_gen/prune/passes.hpp"
 #include "rtl_gen/prune/prune.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 

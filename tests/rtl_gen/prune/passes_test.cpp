@@ -1,13 +1,12 @@
 // Each pass alone: what it makes of small graphs, and that on random graphs no output changes for operands as
 // demanded.
-#include "rtl_gen/prune/passes.hpp"
-
 #include <functional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "rtl_gen/graph/canonical.hpp"
+#include "rtl_gen/prune/prune.hpp"
 #include "tests/rtl_gen/graph/recipe.hpp"
 #include "tests/rtl_gen/prune/random_demands.hpp"
 

@@ -59,8 +59,8 @@ TEST_P(PrunedDesign, WithoutDemandsIsAsItWas) {
 }
 
 TEST_P(PrunedDesign, ByWhatItsPortsPromiseAnywayIsAsItWas) {
-  const Demands promised = promises(design, format);
-  EXPECT_EQ(verilog_of(prune(traced, promised, {.promised = promised}).graph), verilog_of(traced));
+  const Demands promised = set_up_demands(design.ports(format));
+  EXPECT_EQ(verilog_of(prune(traced, promised, {.set_up = promised}).graph), verilog_of(traced));
   Demands whole;
   for (const Port& port : input_ports(traced)) whole.ports.push_back({port.name, {all_numbers(port)}});
   EXPECT_EQ(verilog_of(prune(traced, whole).graph), verilog_of(traced)) << "all that the widths can hold";

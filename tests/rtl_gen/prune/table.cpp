@@ -37,7 +37,7 @@ void print_design(const char* name, rtl::Format format, bool cuts) {
       name, to_string(format));
   print_row("unfitted", whole, plain, whole, {.before = {}, .after = rtl::size_of(plain.graph)});
   std::vector<rtl::DemandSet> sets = rtl::demand_sets(design, format);
-  sets.insert(sets.begin(), {"the ports' own ranges", rtl::promises(design, format)});
+  sets.insert(sets.begin(), {"the ports' own ranges", rtl::set_up_demands(design.ports(format))});
   for (const rtl::DemandSet& set : sets) {
     const rtl::Pruned pruned = rtl::prune(traced, set.demands, {.shares = cuts});
     const rtl::Pipeline pipeline = rtl::make_pipeline(pruned.graph, rtl::Library::thesis());

@@ -1,11 +1,10 @@
 // balance(): divides a component's logic into stages so that none is much longer than the others.
-#include "rtl_gen/schedule/balance.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/schedule/registers.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"

@@ -1,11 +1,10 @@
 // Which registers lie in the multiplier blocks of a chip.
-#include "rtl_gen/schedule/block_registers.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 #include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/schedule/registers.hpp"
 
 namespace hitpipe::rtl::block_registers_test {
 namespace {

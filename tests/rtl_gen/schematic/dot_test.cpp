@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/files.hpp"
-#include "rtl_gen/schematic/axis_order.hpp"
 #include "rtl_gen/verilog/names.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"

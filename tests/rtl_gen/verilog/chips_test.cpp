@@ -7,7 +7,7 @@
 
 #include "area_model/price.hpp"
 #include "host/files.hpp"
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"

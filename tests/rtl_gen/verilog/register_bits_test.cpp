@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "rtl_gen/component/multiplier.hpp"
-#include "rtl_gen/schedule/balance.hpp"
+#include "rtl_gen/component/product.hpp"
+#include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "rtl_gen/verilog/names.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"

@@ -1,4 +1,4 @@
-#include "rtl_gen/verilog/combinational.hpp"
+#include "tests/formal/combinational.hpp"
 
 #include <vector>
 
