@@ -49,14 +49,13 @@ class Parts {
         const ref::RayTask task = whitted.primary(static_cast<int>(pixel) % side,
                                                   static_cast<int>(pixel) / side, side, side, pixel);
         if (!ref::acceptable(task.ray)) continue;
-        rays_->start(0, task.ray);
-        auto traversal = walk.start(task.ray, task.query());
+        auto traversal = walk.start(*rays_, 0, task.ray, task.query());
         while (!traversal.done()) {
           ++tests_;
           set_up_.run([&] { walk.ask(*rays_, 0, traversal, operands_.data()); });
           if (on_float_unit) float_unit_.run([&] { (*on_float_unit)(operands_.data(), answers.data()); });
           bit_level_.run([&] { bit_level(operands_.data(), answers.data()); });
-          traversal_.run([&] { walk.answer(traversal, answers.data()); });
+          traversal_.run([&] { walk.answer(*rays_, 0, traversal, answers.data()); });
         }
       }
     });

@@ -15,7 +15,7 @@ std::unique_ptr<SceneFeed> make_feed(const rtl::Design& design, const rtl::Forma
   if (const std::string why = why_not_traced(design); !why.empty()) throw std::runtime_error(why);
   std::unique_ptr<SceneFeed> feed = software_of(design).feed(format, bvh);
   const int boxes = design.kind.objects;
-  if (const int fed = feed->pairs() == nullptr ? 1 : 2; boxes != fed)
+  if (const int fed = feed->boxes_per_test(); boxes != fed)
     throw std::runtime_error(fmt::format("design {}: answers for {} {} at a time, and its feed is for {}",
                                          design.name, boxes, boxes == 1 ? "box" : "boxes",
                                          fed == 1 ? "one" : "two"));

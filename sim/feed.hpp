@@ -5,17 +5,20 @@
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
-#include <vector>
 
-#include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/hierarchy/pair_nodes.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/scene/ray.hpp"
-#include "sw_ref/trace/int_major.hpp"
 
 namespace hitpipe::sim {
+
+/// What a test asks about a ray.
+struct Question {
+  std::uint32_t record;       ///< a BVH node; for two boxes at a time, a record of ref::BvhPairs
+  float length;               ///< where the ray is cut
+  ref::RayInterval parent{};  ///< for two boxes at a time: where the ray is within their parent
+};
 
 /// The set-up of rays for one unit, with a ray in each slot. Threads must not share it.
 class RayFeed {
@@ -23,20 +26,13 @@ class RayFeed {
   virtual ~RayFeed() = default;
   /// Sets up the ray of a slot. The ray must be acceptable (sw_ref/judge/box_referee.hpp).
   virtual void start(std::size_t slot, const ref::Ray& ray) = 0;
-  /// The operands, in port order: the slot's ray, cut at `length`, against the box of a BVH node.
-  virtual void operands(std::size_t slot, std::uint32_t node, float length, std::int64_t* out) const = 0;
-  /// The same for a design that answers for two boxes at a time: the slot's ray against a record of
-  /// SceneFeed::pairs(), while it is within the record's parent.
-  virtual void pair_operands(std::size_t /*slot*/, std::uint32_t /*record*/,
-                             const ref::MajorInterval& /*parent*/, std::int64_t* /*out*/) const {
-    throw std::logic_error("a feed for one box at a time has no operands for two");
+  /// The operands, in port order, of a test of the slot's ray.
+  virtual void operands(std::size_t slot, const Question& asked, std::int64_t* out) = 0;
+  /// A length of the slot's ray in units of the design's entry and exit results. Only a design that answers
+  /// for two boxes at a time needs it.
+  [[nodiscard]] virtual std::int64_t in_results(std::size_t /*slot*/, float /*length*/) const {
+    throw std::logic_error("a feed for one box at a time has no unit of distances");
   }
-};
-
-/// The hierarchy as a design reads it that answers for two boxes at a time.
-struct PairRecords {
-  ref::PairNodes records;
-  hls::MajorBits bits;
 };
 
 /// The boxes of a hierarchy as the design reads them. They are made once for all units and must outlive them.
@@ -44,8 +40,8 @@ class SceneFeed {
  public:
   virtual ~SceneFeed() = default;
   [[nodiscard]] virtual std::unique_ptr<RayFeed> unit(std::size_t slots) const = 0;
-  /// Null for a design that answers for one box at a time.
-  [[nodiscard]] virtual const PairRecords* pairs() const { return nullptr; }
+  /// One or two.
+  [[nodiscard]] virtual int boxes_per_test() const { return 1; }
 };
 
 /// The format must be one of the design's. Coarse axes are for designs with integer coordinates. Throws

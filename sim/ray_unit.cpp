@@ -69,7 +69,7 @@ RayUnit::RayUnit(const Setup& setup)
 }
 
 template <class Walk>
-void RayUnit::receive(const Walk& walk, Slot<Walk>& slot, bool in_turn) {
+void RayUnit::receive(const Walk& walk, std::size_t number, Slot<Walk>& slot, bool in_turn) {
   ++counts_.tests;
   // A library call would take longer than the few results.
   bool same = in_turn;
@@ -85,7 +85,7 @@ void RayUnit::receive(const Walk& walk, Slot<Walk>& slot, bool in_turn) {
     *counts_.false_misses += meets && !hit ? 1 : 0;
     *counts_.false_hits += !meets && hit ? 1 : 0;
   });
-  walk.answer(*slot.traversal, results_.data());
+  walk.answer(*rays_, number, *slot.traversal, results_.data());
 }
 
 void RayUnit::run(const std::function<std::optional<RayJob>()>& next,
@@ -125,8 +125,7 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
       if (!job) break;
       const std::size_t slot = free.back();
       free.pop_back();
-      rays_->start(slot, job->ray);
-      slots[slot].traversal.emplace(walk.start(job->ray, job->query));
+      slots[slot].traversal.emplace(walk.start(*rays_, slot, job->ray, job->query));
       slots[slot].job = *job;
       if (writer_) writer_->start(slot);
       can_send(slot);
@@ -171,7 +170,7 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
     --in_pipeline;
     Slot<Walk>& s = slots[slot];
     s.waiting = false;
-    receive(walk, s, s.turn == turn);
+    receive(walk, slot, s, s.turn == turn);
     if (!s.traversal->done()) {
       can_send(slot);
       continue;

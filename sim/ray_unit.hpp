@@ -99,7 +99,7 @@ class RayUnit {
   void walk(const Walk& walk, const std::function<std::optional<RayJob>()>& next,
             const std::function<void(const RayJob&, const ref::Hit&)>& ended);
   template <class Walk>
-  void receive(const Walk& walk, Slot<Walk>& slot, bool in_turn);
+  void receive(const Walk& walk, std::size_t number, Slot<Walk>& slot, bool in_turn);
 
   Setup setup_;
   Model model_;

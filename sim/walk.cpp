@@ -15,10 +15,7 @@ std::size_t place_of_result(std::span<const hls::Result> results, hls::Meaning m
 }
 
 PairWalk::PairWalk(const WalkScene& scene, std::span<const hls::Result> results)
-    : scene_(scene),
-      pairs_{&scene.feed->pairs()->records, scene.mesh, scene.bvh->order,
-             &ref::leaf_test(ref::TriangleTest::exact)},
-      order_(place_of_result(results, hls::Meaning::order, 0)) {
+    : scene_(scene), records_(*scene.bvh), order_(place_of_result(results, hls::Meaning::order, 0)) {
   for (std::size_t box = 0; box < 2; ++box) {
     const int number = static_cast<int>(box);
     hit_[box] = place_of_result(results, hls::Meaning::hit, number);

@@ -32,13 +32,16 @@ class OneBoxWalk {
   OneBoxWalk(const WalkScene& scene, std::span<const hls::Result> results)
       : scene_(scene), hit_(rtl::place_of_hit(results)) {}
 
-  [[nodiscard]] Traversal start(const ref::Ray& ray, ref::Query query) const {
+  [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray,
+                                ref::Query query) const {
+    rays.start(slot, ray);
     return {*scene_.bvh, *scene_.mesh, ray, query};
   }
-  static void ask(const RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
-    rays.operands(slot, traversal.node(), traversal.length(), operands);
+  static void ask(RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
+    rays.operands(slot, {traversal.node(), traversal.length()}, operands);
   }
-  void answer(Traversal& traversal, const std::int64_t* results) const {
+  void answer(const RayFeed& /*rays*/, std::size_t /*slot*/, Traversal& traversal,
+              const std::int64_t* results) const {
     traversal.answer(results[hit_] != 0);
   }
   /// Calls visit(box, whether it was hit) for the test that waits for its answer.
@@ -52,38 +55,43 @@ class OneBoxWalk {
   std::size_t hit_;
 };
 
-/// The feed must have records.
 class PairWalk {
  public:
-  using Traversal = ref::PairTraversal;
+  using Traversal = ref::PairTraversal<ref::BvhPairs>;
 
   PairWalk(const WalkScene& scene, std::span<const hls::Result> results);
 
-  [[nodiscard]] Traversal start(const ref::Ray& ray, ref::Query query) const {
-    return {pairs_, ray, query, ref::IntMajorRaySetup(ray, scene_.feed->pairs()->bits)};
+  [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray,
+                                ref::Query query) const {
+    rays.start(slot, ray);
+    return {{&records_, scene_.mesh, scene_.bvh->order, &ref::leaf_test(ref::TriangleTest::exact)},
+            ray,
+            query,
+            rays.in_results(slot, ray.length)};
   }
-  static void ask(const RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
-    rays.pair_operands(slot, traversal.record(), traversal.parent(), operands);
+  static void ask(RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
+    rays.operands(slot, {traversal.record(), traversal.length(), traversal.parent()}, operands);
   }
-  void answer(Traversal& traversal, const std::int64_t* results) const {
+  void answer(const RayFeed& rays, std::size_t slot, Traversal& traversal,
+              const std::int64_t* results) const {
     ref::PairAnswer answer;
     for (std::size_t box = 0; box < 2; ++box) {
       answer.hit[box] = results[hit_[box]] != 0;
       answer.interval[box] = {results[near_[box]], results[far_[box]]};
     }
     answer.second_first = results[order_] != 0;
-    traversal.answer(answer);
+    traversal.answer(answer, [&](float length) { return rays.in_results(slot, length); });
   }
   template <class Visit>
   void each_box(const Traversal& traversal, const std::int64_t* results, Visit&& visit) const {
-    const std::uint32_t first = pairs_.records->first_node(traversal.record());
+    const std::uint32_t first = records_.first_node(traversal.record());
     for (unsigned box = 0; box < traversal.boxes(); ++box)
       visit(scene_.bvh->nodes[first + box].box, results[hit_[box]] != 0);
   }
 
  private:
   WalkScene scene_;
-  ref::PairScene pairs_;
+  ref::BvhPairs records_;
   std::array<std::size_t, 2> hit_, near_, far_;
   std::size_t order_;
 };
@@ -91,7 +99,7 @@ class PairWalk {
 /// Calls call(walk) with the walk that the feed is for.
 template <class Call>
 void with_walk(const WalkScene& scene, std::span<const hls::Result> results, Call&& call) {
-  if (scene.feed->pairs() != nullptr) {
+  if (scene.feed->boxes_per_test() == 2) {
     call(PairWalk(scene, results));
   } else {
     call(OneBoxWalk(scene, results));

@@ -60,7 +60,7 @@ class SceneTests final : public BoardTests {
                      std::vector<std::int64_t>(evaluate_.result_count())};
     Walk::ask(*rays_, 0, *traversal_, test.operands.data());
     evaluate_(test.operands.data(), test.results.data());
-    walk_.answer(*traversal_, test.results.data());
+    walk_.answer(*rays_, 0, *traversal_, test.results.data());
     return test;
   }
 
@@ -71,8 +71,7 @@ class SceneTests final : public BoardTests {
     for (int refused = 0; refused < most_refused; ++refused) {
       task_ = next_task();
       if (ref::acceptable(task_.ray)) {
-        rays_->start(0, task_.ray);
-        traversal_.emplace(walk_.start(task_.ray, task_.query()));
+        traversal_.emplace(walk_.start(*rays_, 0, task_.ray, task_.query()));
         return;
       }
       end(ref::Hit::none);

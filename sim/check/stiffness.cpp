@@ -166,12 +166,11 @@ std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Fo
     for (; sum.rays < options.rays; ++sum.rays) {
       const glm::vec3 direction = stiff_direction(random, sum.stiffness);
       const ref::Ray ray{anywhere(random), direction, ref::Ray::infinite};
-      unit->start(0, ray);
-      auto traversal = walk.start(ray, ref::Query::closest);
+      auto traversal = walk.start(*unit, 0, ray, ref::Query::closest);
       while (!traversal.done()) {
         walk.ask(*unit, 0, traversal, operands.data());
         evaluate(operands.data(), answers.data());
-        walk.answer(traversal, answers.data());
+        walk.answer(*unit, 0, traversal, answers.data());
       }
       const std::uint64_t box_tests = traversal.counts().box_tests;
       const std::uint64_t reference_before = reference.box_tests;

@@ -1,6 +1,7 @@
 // The operands of hls::IntMajorPairOperands, in that order (docs/major.md).
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "sim/designs/major_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 using hls::MajorBits;
 
-void write(const ref::IntMajorRay& ray, const ref::MajorInterval& parent, const ref::PairBoxes& boxes,
+void write(const ref::IntMajorRay& ray, const ref::RayInterval& parent, const ref::PairBoxes& boxes,
            std::int64_t* out) {
   out = put_major_ray(ray, out);
   *out++ = parent.near;
@@ -30,37 +31,42 @@ void write(const ref::IntMajorRay& ray, const ref::MajorInterval& parent, const 
 
 class PairRays final : public RayFeed {
  public:
-  PairRays(const PairRecords& pairs, std::size_t slots) : pairs_(pairs), slots_(slots) {}
+  PairRays(const std::vector<ref::PairBoxes>& boxes, const MajorBits& bits, std::size_t slots)
+      : boxes_(boxes), bits_(bits), slots_(slots) {}
 
-  void start(std::size_t slot, const ref::Ray& ray) override {
-    slots_[slot] = ref::IntMajorRaySetup(ray, pairs_.bits).ray();
+  void start(std::size_t slot, const ref::Ray& ray) override { slots_[slot].emplace(ray, bits_); }
+  void operands(std::size_t slot, const Question& asked, std::int64_t* out) override {
+    write(slots_[slot]->ray(), asked.parent, boxes_[asked.record], out);
   }
-  void operands(std::size_t /*slot*/, std::uint32_t /*node*/, float /*length*/,
-                std::int64_t* /*out*/) const override {
-    throw std::logic_error("a feed for two boxes at a time has no operands for one");
-  }
-  void pair_operands(std::size_t slot, std::uint32_t record, const ref::MajorInterval& parent,
-                     std::int64_t* out) const override {
-    write(slots_[slot], parent, pairs_.records.boxes(record), out);
+  [[nodiscard]] std::int64_t in_results(std::size_t slot, float length) const override {
+    return slots_[slot]->length(length);
   }
 
  private:
-  const PairRecords& pairs_;
-  std::vector<ref::IntMajorRay> slots_;
+  const std::vector<ref::PairBoxes>& boxes_;
+  MajorBits bits_;
+  std::vector<std::optional<ref::IntMajorRaySetup>> slots_;
 };
 
 class PairScene final : public SceneFeed {
  public:
-  PairScene(const MajorBits& bits, const ref::Bvh& bvh)
-      : pairs_{ref::PairNodes(bvh, bits.coord, bits.finer), bits} {}
+  PairScene(const MajorBits& bits, const ref::Bvh& bvh) : bits_(bits), boxes_(bvh.nodes.size() + 1) {
+    // PairNodes numbers branches alone, in the same order.
+    const ref::PairNodes records(bvh, bits.coord, bits.finer);
+    std::uint32_t record = 0;
+    boxes_[0] = records.boxes(record++);
+    for (std::size_t node = 0; node < bvh.nodes.size(); ++node)
+      if (!bvh.nodes[node].is_leaf()) boxes_[node + 1] = records.boxes(record++);
+  }
 
   [[nodiscard]] std::unique_ptr<RayFeed> unit(std::size_t slots) const override {
-    return std::make_unique<PairRays>(pairs_, slots);
+    return std::make_unique<PairRays>(boxes_, bits_, slots);
   }
-  [[nodiscard]] const PairRecords* pairs() const override { return &pairs_; }
+  [[nodiscard]] int boxes_per_test() const override { return 2; }
 
  private:
-  PairRecords pairs_;
+  MajorBits bits_;
+  std::vector<ref::PairBoxes> boxes_;  ///< by record of ref::BvhPairs
 };
 
 std::unique_ptr<SceneFeed> pair_feed(const rtl::Format& format, const ref::Bvh& bvh) {
@@ -132,7 +138,7 @@ class PairTest final : public BoxTest {
     return {hit, results_[second_hit_] != 0};
   }
 
-  bool test(const ref::MajorInterval& parent, const ref::PairBoxes& boxes) {
+  bool test(const ref::RayInterval& parent, const ref::PairBoxes& boxes) {
     write(ray_, parent, boxes, operands_.data());
     evaluate_(operands_.data(), results_.data());
     return evaluate_.hit(results_.data());

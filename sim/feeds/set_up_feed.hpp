@@ -44,13 +44,13 @@ class SetUpRays final : public RayFeed {
 
   void start(std::size_t slot, const ref::Ray& ray) override { slots_[slot] = Slot(ray, format_); }
 
-  void operands(std::size_t slot, std::uint32_t node, float length, std::int64_t* out) const override {
+  void operands(std::size_t slot, const Question& asked, std::int64_t* out) override {
     Slot& ray = slots_[slot];
-    if (ray.length != length) {
-      ray.length = length;
-      ray.end = ray.set_up.end(length);
+    if (ray.length != asked.length) {
+      ray.length = asked.length;
+      ray.end = ray.set_up.end(asked.length);
     }
-    ray.set_up.write(ray.end, std::isinf(length), boxes_[node], out);
+    ray.set_up.write(ray.end, std::isinf(asked.length), boxes_[asked.record], out);
   }
 
  private:
@@ -66,7 +66,7 @@ class SetUpRays final : public RayFeed {
 
   const std::vector<typename S::Box>& boxes_;
   rtl::Format format_;
-  mutable std::vector<Slot> slots_;  // a ray's length changes only when a closer hit is found
+  std::vector<Slot> slots_;  // a ray's length changes only when a closer hit is found
 };
 
 template <class S>

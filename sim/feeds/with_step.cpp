@@ -11,14 +11,12 @@ class SteppedRays final : public RayFeed {
   SteppedRays(std::unique_ptr<RayFeed> rays, const OperandStep& step) : rays_(std::move(rays)), step_(step) {}
 
   void start(std::size_t slot, const ref::Ray& ray) override { rays_->start(slot, ray); }
-  void operands(std::size_t slot, std::uint32_t node, float length, std::int64_t* out) const override {
-    rays_->operands(slot, node, length, out);
+  void operands(std::size_t slot, const Question& asked, std::int64_t* out) override {
+    rays_->operands(slot, asked, out);
     step_(out);
   }
-  void pair_operands(std::size_t slot, std::uint32_t record, const ref::MajorInterval& parent,
-                     std::int64_t* out) const override {
-    rays_->pair_operands(slot, record, parent, out);
-    step_(out);
+  [[nodiscard]] std::int64_t in_results(std::size_t slot, float length) const override {
+    return rays_->in_results(slot, length);
   }
 
  private:
@@ -34,7 +32,7 @@ class SteppedScene final : public SceneFeed {
   [[nodiscard]] std::unique_ptr<RayFeed> unit(std::size_t slots) const override {
     return std::make_unique<SteppedRays>(feed_->unit(slots), step_);
   }
-  [[nodiscard]] const PairRecords* pairs() const override { return feed_->pairs(); }
+  [[nodiscard]] int boxes_per_test() const override { return feed_->boxes_per_test(); }
 
  private:
   std::unique_ptr<SceneFeed> feed_;

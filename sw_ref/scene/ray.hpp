@@ -18,4 +18,9 @@ struct Ray {
   [[nodiscard]] bool is_infinite() const { return std::isinf(length); }
 };
 
+/// Where a ray enters and leaves a box, in the whole units of a datapath's results.
+struct RayInterval {
+  std::int64_t near, far;
+};
+
 }  // namespace hitpipe::ref

@@ -15,12 +15,7 @@
 
 namespace hitpipe::ref {
 
-/// Where a ray enters and leaves a slab, a box or a parent, in units of 2^-F of the planes' grid.
-struct MajorInterval {
-  std::int64_t near, far;
-};
-
-/// The distances of one ray to planes.
+/// The distances of one ray to planes, in units of 2^-F of their grid.
 class MajorDistances {
  public:
   /// Throws as IntMajorRaySetup does.
@@ -29,7 +24,7 @@ class MajorDistances {
   MajorDistances(const IntMajorRaySetup& set_up, hls::MajorBits bits);
 
   /// Of the lower and upper plane of slot m, a or b.
-  [[nodiscard]] MajorInterval slab(std::size_t slot, const IntBox& box) const {
+  [[nodiscard]] RayInterval slab(std::size_t slot, const IntBox& box) const {
     const Slot& s = slots_[slot];
     const std::int64_t low = (std::int64_t{box.min[s.axis]} << finer_) ^ s.mirror;
     const std::int64_t high = (std::int64_t{box.max[s.axis]} << finer_) ^ s.mirror;
@@ -82,9 +77,9 @@ class IntMajorTest {
 
   [[nodiscard]] bool operator()(const IntBox& box) const {
     // Starting at 0 and at the length is the same as comparing with them afterwards.
-    MajorInterval all{0, length_};
+    RayInterval all{0, length_};
     for (std::size_t slot = 0; slot < 3; ++slot) {
-      const MajorInterval slab = distances_.slab(slot, box);
+      const RayInterval slab = distances_.slab(slot, box);
       all.near = std::max(all.near, slab.near);
       all.far = std::min(all.far, slab.far);
     }

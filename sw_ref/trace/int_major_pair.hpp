@@ -2,32 +2,26 @@
 // gives the same results as the datapath of hls/pipelines/int_major_pair.hpp.
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 #include "sw_ref/hierarchy/pair_nodes.hpp"
 #include "sw_ref/trace/int_major.hpp"
+#include "sw_ref/trace/pair_traversal.hpp"
 
 namespace hitpipe::ref {
 
-struct PairAnswer {
-  std::array<bool, 2> hit{};
-  std::array<MajorInterval, 2> interval{};  ///< of a box that is hit; others have none
-  bool second_first = false;                ///< the ray enters the second box before the first
-};
-
 /// `parent` is where the ray is within the parent, cut at the ray's end; it is not empty.
 [[nodiscard]] inline PairAnswer test_pair(const MajorDistances& ray, const PairBoxes& boxes,
-                                          const MajorInterval& parent) {
+                                          const RayInterval& parent) {
   PairAnswer answer;
   answer.interval = {parent, parent};
   for (std::size_t slot = 0; slot < 3; ++slot) {
-    const MajorInterval t = ray.slab(slot, boxes.planes);
+    const RayInterval t = ray.slab(slot, boxes.planes);
     const std::size_t axis = ray.axis(slot);
     const std::size_t low = boxes.owners >> axis & 1U;
     const std::size_t high = boxes.owners >> (axis + 3) & 1U;
-    MajorInterval& entered = answer.interval[ray.backward(slot) ? high : low];
-    MajorInterval& left = answer.interval[ray.backward(slot) ? low : high];
+    RayInterval& entered = answer.interval[ray.backward(slot) ? high : low];
+    RayInterval& left = answer.interval[ray.backward(slot) ? low : high];
     entered.near = std::max(entered.near, t.near);
     left.far = std::min(left.far, t.far);
   }

@@ -1,4 +1,4 @@
-#include "sw_ref/trace/pair_traversal.hpp"
+#include "sw_ref/trace/int_major_pair.hpp"
 #include "sw_ref/trace/tracer_kinds.hpp"
 
 namespace hitpipe::ref {
@@ -19,10 +19,12 @@ class MajorPairTracer final : public Tracer {
       const Ray& ray = job.rays[i];
       const IntMajorRaySetup set_up(ray, bits_);
       const MajorDistances distances(set_up, bits_);
-      PairTraversal traversal(scene_, ray, job.query, set_up);
+      const auto in_results = [&](float length) { return set_up.length(length); };
+      PairTraversal traversal(scene_, ray, job.query, set_up.length(ray.length));
       while (!traversal.done()) {
         ++counts.nodes_loaded;
-        traversal.answer(test_pair(distances, records_.boxes(traversal.record()), traversal.parent()));
+        traversal.answer(test_pair(distances, records_.boxes(traversal.record()), traversal.parent()),
+                         in_results);
       }
       job.triangles[i] = traversal.hit().triangle;
       const auto [box_tests, triangle_tests] = traversal.counts();
@@ -40,7 +42,7 @@ class MajorPairTracer final : public Tracer {
  private:
   hls::MajorBits bits_;
   PairNodes records_;
-  PairScene scene_;
+  PairScene<PairNodes> scene_;
 };
 
 }  // namespace

@@ -1,8 +1,11 @@
 // Depth-first traversal of one ray through the records of a hierarchy, two boxes at a time, near child first
 // by direction and split axis. As Traversal does (traversal.hpp), it pauses at each test: it names the record
-// that is to be tested and continues when it gets the answer.
+// that is to be tested and continues when it gets the answer. A record stands for a branch and has its two
+// children; the first record has the root alone. Records are a class with
+//   child(record, which), split_axis(record)
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,31 +13,60 @@
 
 #include "sw_ref/hierarchy/pair_nodes.hpp"
 #include "sw_ref/judge/triangle_test.hpp"
-#include "sw_ref/quantise/int_major_ray.hpp"
 #include "sw_ref/trace/child_order.hpp"
-#include "sw_ref/trace/int_major_pair.hpp"
 #include "sw_ref/trace/leaf_test.hpp"
 #include "sw_ref/trace/traversal.hpp"
 
 namespace hitpipe::ref {
 
+/// What a test of two boxes tells.
+struct PairAnswer {
+  std::array<bool, 2> hit{};
+  std::array<RayInterval, 2> interval{};  ///< of a box that is hit; others have none
+  bool second_first = false;              ///< the ray enters the second box before the first
+};
+
+/// A hierarchy as it is, as records: that of a branch has the number of its node plus one.
+class BvhPairs {
+ public:
+  explicit BvhPairs(const Bvh& bvh) : nodes_(bvh.nodes) {}
+
+  [[nodiscard]] PairChild child(std::uint32_t record, unsigned which) const {
+    if (record == 0 && which == 1) return {};
+    const std::uint32_t node = first_node(record) + which;
+    if (nodes_[node].is_leaf()) return {nodes_[node].count, nodes_[node].first};
+    return {PairChild::branch, node + 1};
+  }
+  [[nodiscard]] int split_axis(std::uint32_t record) const {
+    return record == 0 ? 0 : nodes_[record - 1].split_axis();
+  }
+  /// The node that is child 0; child 1 follows it.
+  [[nodiscard]] std::uint32_t first_node(std::uint32_t record) const {
+    return record == 0 ? 0 : nodes_[record - 1].first;
+  }
+
+ private:
+  std::span<const BvhNode> nodes_;
+};
+
 /// What a pair traversal is made of; all of it must outlive the traversal and not change.
+template <class Records>
 struct PairScene {
-  const PairNodes* records;
+  const Records* records;
   const Mesh* mesh;
   std::span<const std::uint32_t> order;
   const LeafTest* leaf_test;
 };
 
+template <class Records>
 class PairTraversal {
  public:
-  /// `set_up` is that of the ray.
-  PairTraversal(const PairScene& scene, const Ray& ray, Query query, const IntMajorRaySetup& set_up)
+  /// `length` is the ray's in units of the results.
+  PairTraversal(const PairScene<Records>& scene, const Ray& ray, Query query, std::int64_t length)
       : scene_(scene),
-        set_up_(set_up),
         ray_(ray),
         length_(ray.length),
-        cut_(set_up_.length(ray.length)),
+        cut_(length),
         parent_{0, cut_},
         class_(direction_class(ray.direction)),
         query_(query) {}
@@ -43,7 +75,7 @@ class PairTraversal {
   /// The record whose boxes are to be tested now. Only while !done().
   [[nodiscard]] std::uint32_t record() const { return record_; }
   /// Where the ray is within the record's parent, cut at length().
-  [[nodiscard]] const MajorInterval& parent() const { return parent_; }
+  [[nodiscard]] const RayInterval& parent() const { return parent_; }
   /// A box that the ray enters beyond this t need not be visited.
   [[nodiscard]] float length() const { return length_; }
   [[nodiscard]] const Ray& ray() const { return ray_; }
@@ -52,7 +84,9 @@ class PairTraversal {
   /// Boxes, not tests: two a test, one for the root.
   [[nodiscard]] TraversalCounts counts() const { return counts_; }
 
-  void answer(const PairAnswer& answer) {
+  /// in_results(length) is a shorter length of the ray in units of the results.
+  template <class InResults>
+  void answer(const PairAnswer& answer, const InResults& in_results) {
     counts_.box_tests += boxes();
     const unsigned nearer = near_child(class_, scene_.records->split_axis(record_));
     for (const unsigned which : {nearer ^ 1U, nearer}) {
@@ -60,7 +94,7 @@ class PairTraversal {
       const PairChild child = scene_.records->child(record_, which);
       if (child.count != PairChild::none) stack_[top_++] = {child, answer.interval[which]};
     }
-    advance();
+    advance(in_results);
   }
 
   /// Boxes that the current test answers for.
@@ -71,11 +105,12 @@ class PairTraversal {
  private:
   struct Waiting {
     PairChild child;
-    MajorInterval interval;
+    RayInterval interval;
   };
 
   /// Tests the triangles of leaves on the way to the next branch.
-  void advance() {
+  template <class InResults>
+  void advance(const InResults& in_results) {
     while (top_ > 0) {
       const Waiting& next = stack_[--top_];
       // What a closer hit has cut off needs no test.
@@ -92,18 +127,17 @@ class PairTraversal {
       if (hit_.triangle == before) continue;
       if (query_ == Query::any) break;
       length_ = cull_length(hit_);
-      cut_ = set_up_.length(length_);
+      cut_ = in_results(length_);
     }
     done_ = true;
   }
 
-  PairScene scene_;
-  IntMajorRaySetup set_up_;
+  PairScene<Records> scene_;
   Ray ray_;
   Hit hit_;
   float length_;
-  std::int64_t cut_;  ///< the length in units of distances
-  MajorInterval parent_;
+  std::int64_t cut_;  ///< the length in units of the results
+  RayInterval parent_;
   TraversalCounts counts_;
   std::uint32_t record_ = 0;
   std::size_t top_ = 0;

@@ -202,7 +202,7 @@ TEST_P(Feed, GivesEachPortItsOperand) {
     if (random.coin()) length = random.coin() ? 0.0F : std::min(length, std::abs(random.signed_unit()));
     const auto node = static_cast<std::uint32_t>(random.below(bvh.nodes.size()));
     for (int again = 0; again < 2; ++again) {
-      rays->operands(slot, node, length, operands.data());
+      rays->operands(slot, {node, length}, operands.data());
       ASSERT_EQ(by_port(ports, operands), expected(unit, set_up[slot], length, bvh.nodes[node].box))
           << to_text(set_up[slot]);
       ++checked;
@@ -236,7 +236,7 @@ TEST_P(CoarseFeed, MovesOriginAndBoxAndNothingElse) {
     rays->start(0, ray);
     coarse_rays->start(0, ray);
     for (std::uint32_t node = 0; node < bvh.nodes.size(); node += 7) {
-      rays->operands(0, node, ray.length, operands.data());
+      rays->operands(0, {node, ray.length}, operands.data());
       Operands expected = by_port(ports, operands);
       const auto at = [&](const char* port) { return static_cast<std::int32_t>(expected.at(port)); };
       const ref::IntOrigin origin = ref::coarse_origin({at("irx"), at("iry"), at("irz")}, coarse, n);
@@ -248,7 +248,7 @@ TEST_P(CoarseFeed, MovesOriginAndBoxAndNothingElse) {
       expected["iymin"] = box.min[1];
       expected["ixmax"] = box.max[0];
       expected["iymax"] = box.max[1];
-      coarse_rays->operands(0, node, ray.length, operands.data());
+      coarse_rays->operands(0, {node, ray.length}, operands.data());
       ASSERT_EQ(by_port(ports, operands), expected) << to_text(ray);
       ++checked;
     }
@@ -276,7 +276,7 @@ TEST(CoarseFeedOfABoxAtTheBorder, Rejected) {
   const auto feed = make_feed(int_slabs(), hls::IntBits{20, 24}, bvh, {{0, 3, 0}});
   std::vector<std::int64_t> operands(int_slabs().ports(hls::IntBits{20, 24}).size());
   try {
-    feed->unit(1)->operands(0, 0, ref::Ray::infinite, operands.data());
+    feed->unit(1)->operands(0, {0, ref::Ray::infinite}, operands.data());
     ADD_FAILURE() << "no error";
   } catch (const std::out_of_range& error) {
     EXPECT_STREQ(error.what(),

@@ -109,8 +109,7 @@ TEST_P(RayUnitOnHills, CountsWhatTheDatapathSays) {
   std::vector<std::int64_t> answers(results.size());
   with_walk({feed_.get(), &bvh_, &scene_.mesh}, results, [&](const auto& walk) {
     for (const RayJob& job : jobs_) {
-      rays->start(0, job.ray);
-      auto traversal = walk.start(job.ray, job.query);
+      auto traversal = walk.start(*rays, 0, job.ray, job.query);
       while (!traversal.done()) {
         walk.ask(*rays, 0, traversal, operands.data());
         datapath()(operands.data(), answers.data());
@@ -125,7 +124,7 @@ TEST_P(RayUnitOnHills, CountsWhatTheDatapathSays) {
           *expected.false_hits += hit && !meets ? 1 : 0;
           *expected.false_misses += !hit && meets ? 1 : 0;
         });
-        walk.answer(traversal, answers.data());
+        walk.answer(*rays, 0, traversal, answers.data());
       }
       expected.triangle_tests += traversal.counts().triangle_tests;
     }

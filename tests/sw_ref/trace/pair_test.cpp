@@ -12,7 +12,6 @@
 
 #include "sw_ref/hierarchy/pair_nodes.hpp"
 #include "sw_ref/trace/int_major_pair.hpp"
-#include "sw_ref/trace/pair_traversal.hpp"
 #include "tests/sw_ref/trace/tracer_scenes.hpp"
 
 namespace hitpipe::ref::pair_test {
@@ -131,12 +130,12 @@ class Walker {
       : distances_(ray, bits), alone_(ray, bits), length_(distances_.length(ray.length)) {}
 
   /// Counts answers of 1; -1 when one differs.
-  int compare(const PairBoxes& pair, const MajorInterval& parent, const std::array<IntBox, 2>& boxes) {
+  int compare(const PairBoxes& pair, const RayInterval& parent, const std::array<IntBox, 2>& boxes) {
     const PairAnswer answer = test_pair(distances_, pair, parent);
     int hits = 0;
     for (std::size_t which = 0; which < 2; ++which) {
       if (answer.hit[which] != alone_(boxes[which])) return -1;
-      const MajorInterval own = interval_of(boxes[which]);
+      const RayInterval own = interval_of(boxes[which]);
       if (answer.hit[which] &&
           (answer.interval[which].near != own.near || answer.interval[which].far != own.far))
         return -1;
@@ -147,10 +146,10 @@ class Walker {
       return -1;
     return hits;
   }
-  [[nodiscard]] MajorInterval interval_of(const IntBox& box) const {
-    MajorInterval all{0, length_};
+  [[nodiscard]] RayInterval interval_of(const IntBox& box) const {
+    RayInterval all{0, length_};
     for (std::size_t slot = 0; slot < 3; ++slot) {
-      const MajorInterval slab = distances_.slab(slot, box);
+      const RayInterval slab = distances_.slab(slot, box);
       all = {std::max(all.near, slab.near), std::min(all.far, slab.far)};
     }
     return all;
@@ -195,8 +194,8 @@ TEST(PairTest, HitsAChildOfEveryTreeExactlyWhenItsBoxAloneIsHit) {
           while (!open.empty()) {
             const auto [record, box] = open.back();
             open.pop_back();
-            const MajorInterval parent =
-                record == 0 ? MajorInterval{0, walker.interval_of(box).far} : walker.interval_of(box);
+            const RayInterval parent =
+                record == 0 ? RayInterval{0, walker.interval_of(box).far} : walker.interval_of(box);
             if (record != 0 && parent.near > parent.far) continue;
             const PairBoxes pair = records.boxes(record);
             const bool both = records.child(record, 1).count != PairChild::none;
@@ -248,7 +247,7 @@ TEST(PairTest, HitsAChildExactlyWhenItsBoxAloneIsHitForAllSlabsOfASmallGrid) {
                     boxes[0].max[i] = a1;
                     boxes[1].min[i] = b0;
                     boxes[1].max[i] = b1;
-                    const MajorInterval parent = walker.interval_of(union_of(boxes[0], boxes[1]));
+                    const RayInterval parent = walker.interval_of(union_of(boxes[0], boxes[1]));
                     if (parent.near > parent.far) continue;
                     const int found = walker.compare(pair_boxes(boxes[0], boxes[1]), parent, boxes);
                     ASSERT_GE(found, 0);
