@@ -16,7 +16,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/board/top.hpp"
-#include "rtl_gen/component/library.hpp"
+#include "rtl_gen/component/built_in.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/board/board_link.hpp"
 #include "sim/board/board_tests.hpp"
@@ -185,7 +185,7 @@ void add_board_command(CLI::App& program, int& exit_code) {
                          "Number of tests (1 to 10^10; without --scene to 10^6)");
   add_seed_option(*command, options->seed);
   command->add_option("--only", options->only, "Send only the test of this number, counted from 0")
-      ->transform(whole_number<std::uint64_t>(0, 10'000'000'000))
+      ->transform(number_from<std::uint64_t>(0, 10'000'000'000))
       ->type_name("N");
   add_scene_options(*command, options->scene);
   command->get_option("--scene")->required(false);
