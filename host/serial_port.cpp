@@ -33,10 +33,6 @@ constexpr std::array rates{Rate{9600, B9600},       Rate{19200, B19200},     Rat
   throw std::runtime_error(fmt::format("{}: {}", name, what));
 }
 
-[[noreturn]] void fail_opening(const std::string& name) {
-  fail_port(name, "cannot be opened as a serial port: " + std::generic_category().message(errno));
-}
-
 /// Every byte passes as it is.
 void make_raw(int descriptor, const std::string& name, speed_t speed) {
   termios settings{};
@@ -62,23 +58,28 @@ SerialPort SerialPort::open(const std::string& name, int baud) {
     throw std::runtime_error(
         fmt::format("{} baud: serial ports have {}", baud, fmt::join(baud_rates(), ", ")));
   SerialPort port(name, ::open(name.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-  if (port.descriptor_ < 0) fail_opening(name);
+  if (port.descriptor_ < 0)
+    fail_port(name, "cannot be opened as a serial port: " + std::generic_category().message(errno));
   make_raw(port.descriptor_, name, rate->speed);
   tcflush(port.descriptor_, TCIOFLUSH);
   return port;
 }
 
 SerialPort SerialPort::pseudo_terminal() {
-  SerialPort port("pseudo-terminal", posix_openpt(O_RDWR | O_NOCTTY));
+  const auto fail = [] {
+    fail_port("no pseudo-terminal can be had",
+              std::generic_category().message(errno) + "; is /dev/pts mounted?");
+  };
+  SerialPort port("", posix_openpt(O_RDWR | O_NOCTTY));
   std::array<char, 128> name{};
   if (port.descriptor_ < 0 || grantpt(port.descriptor_) != 0 || unlockpt(port.descriptor_) != 0 ||
       ptsname_r(port.descriptor_, name.data(), name.size()) != 0)
-    fail_opening(port.name_);
+    fail();
   port.name_ = name.data();
   fcntl(port.descriptor_, F_SETFL, O_NONBLOCK);
   fcntl(port.descriptor_, F_SETFD, FD_CLOEXEC);
   port.other_end_ = ::open(port.name_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-  if (port.other_end_ < 0) fail_opening(port.name_);
+  if (port.other_end_ < 0) fail();
   make_raw(port.other_end_, port.name_, B115200);
   return port;
 }

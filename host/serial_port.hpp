@@ -17,7 +17,7 @@ class SerialPort {
   /// opened, or it does not have that rate.
   static SerialPort open(const std::string& name, int baud);
   /// Our end of a new pseudo-terminal. It stays when the other program closes its end, so that a next one can
-  /// open it. Throws std::runtime_error, one line, when the system has none left.
+  /// open it. Throws std::runtime_error, one line, when the system gives none.
   static SerialPort pseudo_terminal();
 
   ~SerialPort();

@@ -83,10 +83,10 @@ constexpr int clocks_per_exchange = 400;
 
 SimulatedBoard::SimulatedBoard(Setup setup, const std::filesystem::path& cache)
     : setup_(std::move(setup)),
+      line_(host::SerialPort::pseudo_terminal()),
       library_({setup_.module, setup_.verilog, board_wrapper(setup_.module)}, cache),
       cycle_(library_.entry_point<Cycle>("hitpipe_board_cycle")),
-      model_(library_.create()),
-      line_(host::SerialPort::pseudo_terminal()) {
+      model_(library_.create()) {
   for (int clock = 0; clock < power_on_clocks; ++clock) cycle_(model_, 1);
 }
 

@@ -40,10 +40,10 @@ class SimulatedBoard {
   using Cycle = int (*)(void* model, int rx);
 
   Setup setup_;
+  host::SerialPort line_;  ///< before the model, which is not yet there to destroy when there is no line
   ModelLibrary library_;
   Cycle cycle_;
   void* model_;
-  host::SerialPort line_;
 };
 
 }  // namespace hitpipe::sim

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/message_of.hpp"
+#include "tests/pseudo_terminal.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
 namespace hitpipe::host {
@@ -34,6 +35,7 @@ std::string passed(SerialPort& from, SerialPort& to, const std::string& bytes) {
 }
 
 TEST(SerialPort, PassesEveryByteBothWays) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   SerialPort ours = SerialPort::pseudo_terminal();
   SerialPort theirs = SerialPort::open(ours.name(), 115200);
   EXPECT_EQ(passed(theirs, ours, all_bytes()), all_bytes());
@@ -41,6 +43,7 @@ TEST(SerialPort, PassesEveryByteBothWays) {
 }
 
 TEST(SerialPort, OutlivesWhoOpensIt) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   SerialPort ours = SerialPort::pseudo_terminal();
   { const SerialPort first = SerialPort::open(ours.name(), 115200); }
   std::string nothing;
@@ -50,6 +53,7 @@ TEST(SerialPort, OutlivesWhoOpensIt) {
 }
 
 TEST(SerialPort, GoneIsReported) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   auto ours = std::make_unique<SerialPort>(SerialPort::pseudo_terminal());
   SerialPort theirs = SerialPort::open(ours->name(), 115200);
   const std::string its_name = ours->name();

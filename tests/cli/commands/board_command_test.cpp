@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
+#include "tests/pseudo_terminal.hpp"
 #include "tests/sim/board/served_board.hpp"
 
 namespace hitpipe::cli::board_command_test {
@@ -30,6 +31,7 @@ void rejected(const Outcome& outcome, const std::string& message) {
 }
 
 TEST(BoardCommand, StreamsVectorsAndScenes) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const ServedBoard served;
   const Outcome vectors = board(served.port(), {"--tests", "100", "--format", "json"});
   EXPECT_EQ(vectors.exit_code, 0);
@@ -52,6 +54,7 @@ TEST(BoardCommand, StreamsVectorsAndScenes) {
 }
 
 TEST(BoardCommand, MismatchesAreFoundAndCanBeSentAlone) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const ServedBoard served({.good = " - ", .bad = " + "});
   const Outcome outcome = board(served.port(), {"--tests", "100"});
   EXPECT_EQ(outcome.exit_code, 1);
@@ -66,6 +69,7 @@ TEST(BoardCommand, MismatchesAreFoundAndCanBeSentAlone) {
 }
 
 TEST(BoardCommand, WhatIsWrongIsOneLine) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   rejected(board("/dev/no_such_port"),
            "/dev/no_such_port: cannot be opened as a serial port: No such file or directory");
   const ServedBoard served;
@@ -81,6 +85,7 @@ TEST(BoardCommand, WhatIsWrongIsOneLine) {
 
 /// The program as a board in a process of its own, which tells its number and then its port.
 TEST(BoardCommand, SimulatesABoard) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   struct Close {
     void operator()(std::FILE* file) const { pclose(file); }
   };

@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "tests/pseudo_terminal.hpp"
+
 namespace hitpipe::cli::progress_test {
 namespace {
 
@@ -101,6 +103,7 @@ TEST(Progress, OfShortWorkIsSilentWhereThereIsNoTerminal) {
 }
 
 TEST(Progress, ShowsItsWorkThenABarAndLeavesAnEmptyLine) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const CapturedError error(CapturedError::Kind::terminal);
   {
     Progress progress("working", quick);

@@ -2,6 +2,7 @@
 // again; and what is wrong is found: damaged Verilog, another unit, a board that is silent.
 #include "sim/board/board_link.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include "sim/board/packed_bits.hpp"
 #include "sim/wrong_hardware.hpp"
 #include "tests/message_of.hpp"
+#include "tests/pseudo_terminal.hpp"
 #include "tests/sim/board/served_board.hpp"
 #include "tests/sim/small_scene.hpp"
 
@@ -55,6 +57,7 @@ std::string answer_to(host::SerialPort& port, std::string bytes, std::size_t len
 }
 
 TEST(SimulatedBoard, AnswersByteForByte) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const ServedBoard board;
   host::SerialPort port = host::SerialPort::open(board.port(), 1'000'000);
   const std::string who = to_frame("I?" + rtl::board_identity(slabs_design(), small_format()));
@@ -76,6 +79,7 @@ TEST(SimulatedBoard, AnswersByteForByte) {
 }
 
 TEST(SimulatedBoard, AnswersAsTheCpp) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const BoardCounts counts = counts_of(ServedBoard());
   EXPECT_EQ(counts.tests, test_count);
   EXPECT_EQ(counts.mismatches, 0U);
@@ -85,6 +89,7 @@ TEST(SimulatedBoard, AnswersAsTheCpp) {
 }
 
 TEST(SimulatedBoard, AnswersForTwoBoxesToo) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const rtl::Design& pair = rtl::find_design("int_major_pair");
   const rtl::Format format = pair.parse_format("6+0/4");
   const BoardCounts counts =
@@ -94,6 +99,7 @@ TEST(SimulatedBoard, AnswersForTwoBoxesToo) {
 }
 
 TEST(SimulatedBoard, LostBytesCostTestsSentAgain) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const auto every_150th = [](std::uint64_t byte) { return byte % 150 == 149; };
   const BoardCounts counts = counts_of(ServedBoard({.loses = every_150th}));
   EXPECT_EQ(counts.tests, test_count);
@@ -102,6 +108,7 @@ TEST(SimulatedBoard, LostBytesCostTestsSentAgain) {
 }
 
 TEST(SimulatedBoard, DamagedUnitGivesMismatches) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const BoardCounts counts = counts_of(ServedBoard({.good = " - ", .bad = " + "}));
   EXPECT_EQ(counts.tests, test_count);
   EXPECT_GT(counts.mismatches, 0U);
@@ -113,6 +120,7 @@ TEST(SimulatedBoard, DamagedUnitGivesMismatches) {
 }
 
 TEST(SimulatedBoard, OtherUnitIsRefused) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const ServedBoard board;
   host::SerialPort port = host::SerialPort::open(board.port(), 1'000'000);
   const rtl::Format other = hls::IntBits{6, 7};
@@ -124,6 +132,7 @@ TEST(SimulatedBoard, OtherUnitIsRefused) {
 }
 
 TEST(BoardLink, SilenceIsReported) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const host::SerialPort nobody = host::SerialPort::pseudo_terminal();
   host::SerialPort port = host::SerialPort::open(nobody.name(), 1'000'000);
   BoardLink link(port, slabs_design(), small_format(), {milliseconds{20}, 2});
@@ -132,6 +141,7 @@ TEST(BoardLink, SilenceIsReported) {
 }
 
 TEST(BoardLink, BoardThatFallsSilentIsReported) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const ServedBoard board({.loses = [](std::uint64_t byte) { return byte > 1000; }});
   host::SerialPort port = host::SerialPort::open(board.port(), 1'000'000);
   BoardLink link(port, slabs_design(), small_format(), impatient);
@@ -167,6 +177,7 @@ TEST(SceneTests, AreThoseOfTraversals) {
 }
 
 TEST(SimulatedBoard, AnswersTheTestsOfAScene) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const ServedBoard board;

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "rtl_gen/board/identity.hpp"
 #include "rtl_gen/board/top.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/board/simulated_board.hpp"
