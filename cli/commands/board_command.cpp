@@ -16,7 +16,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/board/top.hpp"
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/board/board_link.hpp"
 #include "sim/board/board_tests.hpp"

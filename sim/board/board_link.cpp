@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "rtl_gen/board/identity.hpp"
 #include "rtl_gen/board/top.hpp"
 #include "sim/board/packed_bits.hpp"
 #include "sim/wrong_hardware.hpp"

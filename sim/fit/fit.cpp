@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "rtl_gen/prune/analysis.hpp"
-#include "rtl_gen/prune/promises.hpp"
+#include "rtl_gen/prune/demands.hpp"
+#include "rtl_gen/prune/facts.hpp"
 #include "sim/software.hpp"
 
 namespace hitpipe::sim {
@@ -23,7 +23,7 @@ struct Cutter {
   rtl::Demands promised;
 
   [[nodiscard]] rtl::Pruned pruned(const rtl::Demands& demands) const {
-    return rtl::prune(traced, demands, {.promised = promised, .shares = false});
+    return rtl::prune(traced, demands, {.set_up = promised, .shares = false});
   }
   [[nodiscard]] area::Price price(const rtl::Demands& demands) const {
     return area::price(rtl::make_pipeline(pruned(demands).graph, library), design, format, library);
@@ -80,7 +80,8 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
                const rtl::Library& library) {
   const rtl::Format format = precision ? precision->format : before;
   const std::vector<DemandGroup> groups = port_demands(design, format, scene, precision);
-  const Cutter cutter{design, format, library, design.trace(format), rtl::promises(design, format)};
+  const Cutter cutter{design, format, library, design.trace(format),
+                      rtl::set_up_demands(design.ports(format))};
   const rtl::Demands demands = all_of(groups);
   rtl::Pruned pruned = cutter.pruned(demands);
   rtl::Pipeline pipeline = rtl::make_pipeline(pruned.graph, library);
@@ -116,7 +117,8 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
 area::Price price_of_fit(const rtl::Design& design, const Precision& precision,
                          const ref::SceneDemands& scene, const rtl::Library& library) {
   const rtl::Format& format = precision.format;
-  const Cutter cutter{design, format, library, design.trace(format), rtl::promises(design, format)};
+  const Cutter cutter{design, format, library, design.trace(format),
+                      rtl::set_up_demands(design.ports(format))};
   return cutter.price(all_of(port_demands(design, format, scene, precision)));
 }
 

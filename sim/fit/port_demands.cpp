@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "rtl_gen/prune/analysis.hpp"
+#include "rtl_gen/prune/facts.hpp"
 #include "sim/software.hpp"
 
 namespace hitpipe::sim {

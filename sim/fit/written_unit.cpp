@@ -10,7 +10,7 @@
 
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
-#include "rtl_gen/prune/promises.hpp"
+#include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/prune.hpp"
 
 namespace hitpipe::sim {
@@ -105,7 +105,7 @@ WrittenUnit read_unit(const fs::path& place, const rtl::Design& design, const rt
     const rtl::Format format = design.parse_format(head.bits);
     const rtl::Graph traced = design.trace(format);
     rtl::Demands demands = rtl::demands_of_manifest(manifest);
-    const rtl::PruneOptions options{.promised = rtl::promises(design, format), .shares = false};
+    const rtl::PruneOptions options{.set_up = rtl::set_up_demands(design.ports(format)), .shares = false};
     rtl::Pipeline pipeline = rtl::make_pipeline(rtl::prune(traced, demands, options).graph, library);
     if (head.latency != pipeline.latency())
       throw std::runtime_error(fmt::format(

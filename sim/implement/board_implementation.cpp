@@ -6,9 +6,9 @@
 
 #include "host/process.hpp"
 #include "rtl_gen/board/top.hpp"
-#include "rtl_gen/component/built_in.hpp"
+#include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
-#include "rtl_gen/verilog/module_name.hpp"
+#include "rtl_gen/verilog/names.hpp"
 #include "sim/implement/chip_tools.hpp"
 
 namespace hitpipe::sim {

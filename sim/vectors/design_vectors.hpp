@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "rtl_gen/emit/vector_set.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 
 namespace hitpipe::sim {
 

@@ -1,6 +1,6 @@
 #include "tests/sim/adversary_vectors.hpp"
 
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "sim/check/box_test.hpp"
 #include "tests/sim/corner_values.hpp"
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "host/process.hpp"
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/ray_unit.hpp"
 #include "tests/message_of.hpp"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/result_fifo.hpp"
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/cosim.hpp"
 #include "sim/fit/unit_cosim.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "tests/sim/units.hpp"
 

@@ -2,7 +2,6 @@
 // meanwhile, and trace whole scenes. Damaged wrappers are found.
 #include <gtest/gtest.h>
 
-#include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/cosim.hpp"
 #include "tests/message_of.hpp"

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/check/check.hpp"
 #include "sim/feed.hpp"
@@ -44,7 +44,7 @@ TEST_F(SeveralResults, AreThoseOfTheCpp) {
     ASSERT_EQ(verilated.results().size(), 3U);
     Model model(verilated);
     const std::vector<rtl::Vector> vectors =
-        rtl::judged(rtl::operand_vectors(design.ports(at), 20'000, 5), design.evaluate(at));
+        rtl::with_results(rtl::operand_vectors(design.ports(at), 20'000, 5), design.evaluate(at));
     std::vector<std::int64_t> results(3);
     std::size_t received = 0;
     std::size_t negative = 0;

@@ -116,7 +116,7 @@ TestbenchReport drive(Model& model, const std::vector<rtl::Port>& ports, rtl::Ev
       continue;
     }
     if (pins.in_valid && pins.in_ready) {
-      asked.push_back({report.sent, tag, rtl::judged(vectors[report.sent], evaluate).results});
+      asked.push_back({report.sent, tag, rtl::with_results(vectors[report.sent], evaluate).results});
       ++report.sent;
       tag = static_cast<std::uint16_t>(random());
     }

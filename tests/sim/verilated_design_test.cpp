@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "tests/sim/adversary_vectors.hpp"
 #include "tests/sim/corner_vectors.hpp"
 #include "tests/sim/formats.hpp"

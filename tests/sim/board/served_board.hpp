@@ -6,7 +6,6 @@
 #include <string>
 #include <thread>
 
-#include "rtl_gen/board/identity.hpp"
 #include "rtl_gen/board/top.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "sim/board/simulated_board.hpp"

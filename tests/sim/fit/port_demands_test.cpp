@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/catalogue/any_fp_formats.hpp"
-#include "rtl_gen/prune/analysis.hpp"
-#include "rtl_gen/prune/promises.hpp"
+#include "rtl_gen/prune/demands.hpp"
+#include "rtl_gen/prune/facts.hpp"
 #include "sim/fit/float_range.hpp"
 #include "sim/fit/guarded_feed.hpp"
 #include "sim/fit/port_ranges.hpp"

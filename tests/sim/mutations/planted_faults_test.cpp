@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "sim/vectors/design_vectors.hpp"
 #include "tests/sim/mutations/fault_simulation.hpp"

@@ -23,7 +23,7 @@ TEST_P(DesignVectors, AreAsManyAsAskedAndHaveTheDesignsResults) {
   EXPECT_EQ(set_.size(), count);
   const rtl::Evaluate evaluate = design_.evaluate(format_);
   for (const rtl::Vector& vector : set_.all())
-    EXPECT_EQ(vector.results, rtl::judged(vector.operands, evaluate).results);
+    EXPECT_EQ(vector.results, rtl::with_results(vector.operands, evaluate).results);
 }
 
 TEST_P(DesignVectors, HitAboutHalfOfTheTime) {
