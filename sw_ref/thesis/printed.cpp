@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "printed_tables.hpp"
+#include "sw_ref/thesis/printed_tables.hpp"
 
 namespace hitpipe::ref {
 namespace {
