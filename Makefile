@@ -6,7 +6,7 @@ SANITIZED ?= all
 CONFIGURE := $(if $(CI),-DHITPIPE_WERROR=ON)
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
-.PHONY: demo test build lint format bench sanitize fuzz prove prove-all-widths netlists hls-check packages clean help
+.PHONY: demo test build lint format bench sanitize fuzz prove prove-all-widths netlists hls-check alone fresh packages clean help
 
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
@@ -20,6 +20,8 @@ help:
 	@echo 'make prove-all-widths  int_major never misses, for all widths: Coq'
 	@echo 'make netlists  the netlists in chip cells and standard cells equal the C++ for 10^5 vectors a design'
 	@echo 'make hls-check  C++14 tops with the integers in HITPIPE_VENDOR_AP_INT=DIR or HITPIPE_AC_TYPES=DIR'
+	@echo 'make alone     every source and header compiles by itself; FILES="WORD..." takes those whose path holds a word'
+	@echo 'make fresh     make demo and make test in a Debian 12 of its own with git and make only; needs root'
 	@echo 'make clean     removes build folders and out/'
 
 packages:
@@ -42,15 +44,15 @@ test: build
 
 # -FA: a selected test fills its cache of Verilated models itself.
 sanitize: packages
-	@cmake --preset sanitize
+	@cmake --preset sanitize $(CONFIGURE)
 	@cmake --build --preset sanitize -j $(JOBS) --target $(SANITIZED)
 	@ctest --preset sanitize -j $(JOBS) $(if $(filter all,$(SANITIZED)),,-FA . -R '^($(subst $(eval ) ,|,$(SANITIZED)))(\.|$$)')
 
 fuzz: SECONDS ?= 60
 fuzz: packages
-	@cmake --preset fuzz $(CONFIGURE) >build.log 2>&1 || { cat build.log; exit 1; }
+	@cmake --preset sanitize $(CONFIGURE) >build.log 2>&1 || { cat build.log; exit 1; }
 	@cmake --build --preset fuzz -j $(JOBS)
-	@tests/fuzz/run.sh build-fuzz/fuzz $(SECONDS)
+	@tests/fuzz/run.sh build-sanitize/fuzz $(SECONDS)
 
 bench: build
 	@cmake --build --preset release -j $(JOBS) --target benchmarks
@@ -70,6 +72,13 @@ netlists: build
 hls-check: build
 	@tests/hls/hls_check.sh build/hitpipe . || [ $$? = 77 ]
 
+alone: packages
+	@cmake --preset alone >build.log 2>&1 || { cat build.log; exit 1; }
+	@tests/platform/each_alone.py build/alone $(FILES)
+
+fresh:
+	@cmake/fresh.sh
+
 lint: packages
 	@clang-format --dry-run --Werror $(CXX_FILES)
 	@cmake --preset lint >build.log 2>&1 || { cat build.log; exit 1; }
@@ -82,4 +91,4 @@ format:
 	@clang-format -i $(CXX_FILES)
 
 clean:
-	rm -rf build build-debug build-sanitize build-fuzz out build.log
+	rm -rf build build-debug build-sanitize out build.log
