@@ -2,6 +2,7 @@
 JOBS ?= $(shell nproc)
 # Test programs that `make sanitize` builds and runs.
 SANITIZED ?= all
+# TEST_PATH=FOLDER: tests find programs in that folder only.
 # In CI a warning is an error.
 CONFIGURE := $(if $(CI),-DHITPIPE_WERROR=ON)
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
@@ -40,7 +41,7 @@ demo: build
 
 test: build
 	@cmake --build --preset release -j $(JOBS)
-	@ctest --preset release -j $(JOBS)
+	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -j $(JOBS)
 
 # -FA: a selected test fills its cache of Verilated models itself.
 sanitize: packages
