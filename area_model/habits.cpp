@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rtl_gen/catalogue/int_formats.hpp"
+#include "hls/box/int_format.hpp"
 #include "rtl_gen/graph/sources.hpp"
 
 namespace hitpipe::area {

@@ -75,13 +75,13 @@ const rtl::Design& triangle_unit() {
       .summary = "float triangle test of Moeller and Trumbore",
       .kind = {"triangle", 1, hls::meanings(hls::Meaning::hit), hls::meanings()},
       .conservative = false,
-      .default_format = hls::FpBits{},
+      .default_format = hls::Binary32{},
       .results_at =
           [](const rtl::Format&) {
             return std::vector{hls::Result{"hit", hls::Meaning::hit, 0, 1, false}};
           },
       .ports_at = nullptr,
-      .trace_at = [](const rtl::Format& format) { return trace(format.as<hls::FpBits>()); },
+      .trace_at = [](const rtl::Format& format) { return trace(format.as<hls::Binary32>()); },
       .run_at = nullptr};
   return design;
 }

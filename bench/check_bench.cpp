@@ -36,7 +36,8 @@ BENCHMARK_CAPTURE(judge, int_plucker_24_24, "int_plucker", rtl::Format(hls::IntB
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(judge, int_plucker_20_24, "int_plucker", rtl::Format(hls::IntBits{20, 24}))
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, fp_slabs, "fp_slabs", rtl::Format(hls::FpBits{}))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge, fp_plucker, "fp_plucker", rtl::Format(hls::FpBits{}))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, fp_slabs, "fp_slabs", rtl::Format(hls::Binary32{}))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judge, fp_plucker, "fp_plucker", rtl::Format(hls::Binary32{}))
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -41,7 +41,7 @@ const std::vector<Facts>& facts() {
     std::vector<Facts> each;
     for (const rtl::Design& design : rtl::designs())
       each.push_back({std::string(design.name), std::string(design.summary), to_string(design.default_format),
-                      std::string(design.default_format.family().allowed)});
+                      design.default_format.family().allowed()});
     return each;
   }();
   return all;

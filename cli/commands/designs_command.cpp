@@ -21,7 +21,7 @@ void add_designs_command(CLI::App& program, int& /*exit_code*/) {
                       {"may_miss", design.conservative ? "no" : "yes"},
                       {"what", design.summary}});
       if (*format == Format::text) continue;
-      rows.back()["formats"] = design.default_format.family().allowed;
+      rows.back()["formats"] = design.default_format.family().allowed();
     }
     fmt::print("{}", table_text(rows, *format));
   });

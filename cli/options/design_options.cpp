@@ -31,7 +31,7 @@ std::string spellings(const std::vector<const rtl::Design*>& designs) {
   }
   std::vector<std::string> parts;
   for (const auto& [family, names] : users)
-    parts.push_back(fmt::format("{} for {}", family->allowed, fmt::join(names, ", ")));
+    parts.push_back(fmt::format("{} for {}", family->allowed(), fmt::join(names, ", ")));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 

@@ -6,7 +6,8 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/values.hpp"
-#include "rtl_gen/catalogue/int_formats.hpp"
+#include "hls/box/int_format.hpp"
+#include "rtl_gen/catalogue/format.hpp"
 
 namespace hitpipe::cli {
 
@@ -52,7 +53,7 @@ ref::TracerOptions TraceChoice::options() const {
   if (!bits) return chosen;
   if (chosen.arithmetic != ref::Arithmetic::integer)
     throw std::runtime_error("--bits " + *bits + ": only --arithmetic integer has them; leave --bits out");
-  chosen.bits = rtl::parse_bits(*bits);
+  chosen.bits = rtl::parse_bits<hls::IntBits>(*bits);
   return chosen;
 }
 

@@ -1,9 +1,9 @@
 // The operands of the float slabs unit that never misses. On an axis along which the direction is negative,
 // the ray is mirrored: its direction and its origin change their sign. The unit mirrors the planes.
-//   D  a value domain;  F  the format, an FpFormat<E, M> or AnyFpBits
+//   D  a value domain;  F  the format, an FpFormat<E, M> or FpBits
 #pragma once
 
-#include "hls/box/any_fp_format.hpp"
+#include "hls/box/fp_format.hpp"
 #include "hls/num/fp.hpp"
 
 namespace hitpipe {
@@ -29,7 +29,7 @@ struct FpSlabsSafeOperands {
   real zmin, zmax;
 
   template <class Self, class Visit>
-  static constexpr void for_each(const AnyFpBits& format, Self& self, Visit&& visit) {
+  static constexpr void for_each(const FpBits& format, Self& self, Visit&& visit) {
     visit(Operand{"back_x", Role::backward, Axis::x, Kind::flag, 1, 0, 1, 0}, self.back_x);
     visit(Operand{"back_y", Role::backward, Axis::y, Kind::flag, 1, 0, 1, 0}, self.back_y);
     visit(Operand{"back_z", Role::backward, Axis::z, Kind::flag, 1, 0, 1, 0}, self.back_z);

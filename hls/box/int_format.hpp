@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "hls/box/format.hpp"
 #include "hls/box/operand.hpp"
 #include "hls/num/width.hpp"
 
@@ -21,6 +22,10 @@ struct IntBits {
 
   int coord = 20;     ///< n
   int interval = 24;  ///< t
+
+  static constexpr FormatField fields[] = {{"", "n", min_coord, max_coord},
+                                           {"/", "t", min_interval, 2 * max_coord - 1, "2n-1"}};
+  static constexpr const char* type = "IntFormat";
 
   /// Types of a coordinate and of a trimmed product, in a domain whose values carry their widths.
   template <class D>

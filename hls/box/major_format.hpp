@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "hls/box/format.hpp"
 #include "hls/box/operand.hpp"
 #include "hls/num/width.hpp"
 
@@ -32,6 +33,13 @@ struct MajorBits {
   int finer = 1;      ///< g
   int mantissa = 13;  ///< p
   int fraction = 0;   ///< F
+
+  static constexpr FormatField fields[] = {{"", "n", min_coord, max_coord},
+                                           {"+", "g", 0, max_finer},
+                                           {"/", "p", min_mantissa, max_mantissa},
+                                           {"f", "F", min_fraction, max_fraction, nullptr, true}};
+  static constexpr const char* condition = "n+g+p at most 63";
+  static constexpr const char* type = "MajorFormat";
 
   /// Types of the values, in a domain whose values carry their widths.
   template <class D>

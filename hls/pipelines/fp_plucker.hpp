@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hls/box/box_hit.hpp"
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
 #include "hls/box/fp_plucker_operands.hpp"
 #include "hls/pipelines/plucker_parts.hpp"
 
@@ -73,7 +73,7 @@ struct FpPlucker {
   static constexpr DesignKind kind = box_kind;
   static constexpr const char* header = __FILE__;
   static constexpr bool rounds_to_nearest = true;
-  using Bits = FpBits;
+  using Bits = Binary32;
   using BuiltIn = FormatList<Fp32>;
   template <class D, class F>
   using Operands = FpPluckerOperands<D, F>;

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "hls/box/box_hit.hpp"
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
 #include "hls/box/fp_slabs_operands.hpp"
 
 namespace hitpipe {
@@ -52,7 +52,7 @@ struct FpSlabs {
   static constexpr DesignKind kind = box_kind;
   static constexpr const char* header = __FILE__;
   static constexpr bool rounds_to_nearest = true;
-  using Bits = FpBits;
+  using Bits = Binary32;
   using BuiltIn = FormatList<Fp32>;
   template <class D, class F>
   using Operands = FpSlabsOperands<D, F>;

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "hls/box/box_hit.hpp"
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
 #include "hls/box/fp_slabs_safe_operands.hpp"
 
 namespace hitpipe {
@@ -56,7 +56,7 @@ struct FpSlabsSafe {
   static constexpr bool conservative = true;
   static constexpr DesignKind kind = box_kind;
   static constexpr const char* header = __FILE__;
-  using Bits = AnyFpBits;
+  using Bits = FpBits;
   using BuiltIn = FormatList<FpFormat<8, 23>, FpFormat<8, 15>, FpFormat<8, 7>, FpFormat<5, 10>>;
   template <class D, class F>
   using Operands = FpSlabsSafeOperands<D, F>;
@@ -65,7 +65,7 @@ struct FpSlabsSafe {
   template <class D, class F>
   static constexpr Results<D, F> test(const F& format, const FpSlabsSafeOperands<D, F>& in) {
     using Bit = typename D::bit;
-    const bool one_origin = AnyFpBits(format).holds_binary32();
+    const bool one_origin = FpBits(format).holds_binary32();
     const auto x = safe_slab(
         'x',
         SafeSlabRay<D, F>{

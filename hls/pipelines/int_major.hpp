@@ -6,7 +6,7 @@
 #pragma once
 
 #include "hls/box/box_hit.hpp"
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
 #include "hls/box/int_major_operands.hpp"
 #include "hls/pipelines/major_parts.hpp"
 

@@ -5,7 +5,7 @@
 // when int_major hits its box.
 #pragma once
 
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
 #include "hls/box/int_major_pair_operands.hpp"
 #include "hls/pipelines/major_parts.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "hls/box/box_hit.hpp"
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
 #include "hls/box/int_plucker_operands.hpp"
 #include "hls/pipelines/plucker_parts.hpp"
 

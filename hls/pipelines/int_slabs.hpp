@@ -5,7 +5,7 @@
 #pragma once
 
 #include "hls/box/box_hit.hpp"
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
 #include "hls/box/int_slabs_operands.hpp"
 #include "hls/num/bits.hpp"
 

@@ -20,9 +20,9 @@ std::deque<Design>& all() {
 
 [[noreturn]] void no_such_format(const Design& design, std::string_view text) {
   const FormatFamily& family = design.default_format.family();
-  throw std::runtime_error(fmt::format("bits {}: no format of {}; allowed is {}{}", text, design.name,
-                                       family.allowed,
-                                       family.single ? "" : fmt::format(", for example {}", family.example)));
+  throw std::runtime_error(
+      fmt::format("bits {}: no format of {}; allowed is {}{}", text, design.name, family.allowed(),
+                  family.single ? "" : ", for example " + family.print(family.for_example)));
 }
 
 void check(const Design& design, const Format& format) {

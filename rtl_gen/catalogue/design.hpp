@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "hls/box/fp_format.hpp"
+#include "hls/box/int_format.hpp"
 #include "hls/box/operand.hpp"
 #include "rtl_gen/catalogue/evaluate.hpp"
 #include "rtl_gen/catalogue/format.hpp"
-#include "rtl_gen/catalogue/fp_formats.hpp"
-#include "rtl_gen/catalogue/int_formats.hpp"
 #include "rtl_gen/catalogue/port.hpp"
 #include "rtl_gen/catalogue/printed.hpp"
 #include "rtl_gen/graph/graph.hpp"

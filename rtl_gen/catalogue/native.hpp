@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
 #include "hls/box/operand.hpp"
 #include "hls/num/domain.hpp"
 #include "hls/num/fp.hpp"

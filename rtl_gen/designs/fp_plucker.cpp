@@ -6,7 +6,7 @@ namespace hitpipe::rtl {
 
 Design fp_plucker() {
   Design design = design_of<hls::FpPlucker>("FpPlucker");
-  design.printed = {.rows = {{2, hls::FpBits{}}}};
+  design.printed = {.rows = {{2, hls::Binary32{}}}};
   return design;
 }
 

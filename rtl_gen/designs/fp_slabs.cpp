@@ -6,7 +6,7 @@ namespace hitpipe::rtl {
 
 Design fp_slabs() {
   Design design = design_of<hls::FpSlabs>("FpSlabs");
-  design.printed = {.rows = {{1, hls::FpBits{}}}, .input_latches = true};
+  design.printed = {.rows = {{1, hls::Binary32{}}}, .input_latches = true};
   return design;
 }
 

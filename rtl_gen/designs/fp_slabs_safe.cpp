@@ -1,6 +1,6 @@
 #include "hls/pipelines/fp_slabs_safe.hpp"
 
-#include "rtl_gen/catalogue/any_fp_formats.hpp"
+#include "hls/box/fp_format.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"
 
 namespace hitpipe::rtl {

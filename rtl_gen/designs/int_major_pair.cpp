@@ -1,7 +1,7 @@
 #include "hls/pipelines/int_major_pair.hpp"
 
+#include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
 
 namespace hitpipe::rtl {
 

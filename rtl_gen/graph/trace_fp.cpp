@@ -45,28 +45,22 @@ Trace::uint call(const Operator& what, const hls::FpBits& format, const Trace::u
 
 }  // namespace
 
-FpSignal fp_sub(const FpSignal& a, const FpSignal& b) {
-  return {call({"fp_subtract", "difference", a.format.width()}, a.format, a.bits, b.bits,
-               [](const auto& format, const auto& x, const auto& y) {
-                 return hls::fp_logic::subtract<Trace>(format, x, y);
-               }),
-          a.format};
+Trace::uint call_subtract(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {
+  return call(
+      {"fp_subtract", "difference", format.width()}, format, a, b,
+      [](const auto& f, const auto& x, const auto& y) { return hls::fp_logic::subtract<Trace>(f, x, y); });
 }
 
-FpSignal fp_mul(const FpSignal& a, const FpSignal& b) {
-  return {call({"fp_multiply", "product", a.format.width()}, a.format, a.bits, b.bits,
-               [](const auto& format, const auto& x, const auto& y) {
-                 return hls::fp_logic::multiply<Trace>(format, x, y);
-               }),
-          a.format};
+Trace::uint call_multiply(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {
+  return call(
+      {"fp_multiply", "product", format.width()}, format, a, b,
+      [](const auto& f, const auto& x, const auto& y) { return hls::fp_logic::multiply<Trace>(f, x, y); });
 }
 
-hls::Order<Trace::bit> fp_compare(const FpSignal& a, const FpSignal& b) {
-  const Trace::uint order = call({"fp_compare", "order", a.format.width()}, a.format, a.bits, b.bits,
-                                 [](const auto& format, const auto& x, const auto& y) {
-                                   return hls::fp_logic::compare<Trace>(format, x, y);
-                                 });
-  return {slice(order, 0, 0), slice(order, 1, 1)};
+Trace::uint call_compare(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {
+  return call(
+      {"fp_compare", "order", format.width()}, format, a, b,
+      [](const auto& f, const auto& x, const auto& y) { return hls::fp_logic::compare<Trace>(f, x, y); });
 }
 
 Trace::uint call_subtract_rz(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {

@@ -11,14 +11,26 @@ namespace hitpipe::rtl {
 
 using FpSignal = hls::Fp<Trace, hls::FpBits>;
 
-FpSignal fp_sub(const FpSignal& a, const FpSignal& b);
-FpSignal fp_mul(const FpSignal& a, const FpSignal& b);
-hls::Order<Trace::bit> fp_compare(const FpSignal& a, const FpSignal& b);
-
-/// The operators that round toward zero, as components: patterns in, a pattern out.
+/// The operators as components: patterns in, a pattern out. Those in _rz round toward zero.
+Trace::uint call_subtract(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b);
+Trace::uint call_multiply(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b);
+Trace::uint call_compare(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b);
 Trace::uint call_subtract_rz(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b);
 Trace::uint call_multiply_rz(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b);
 
+template <class Bits>
+hls::Fp<Trace, Bits> fp_sub(const hls::Fp<Trace, Bits>& a, const hls::Fp<Trace, Bits>& b) {
+  return {call_subtract(a.format, a.bits, b.bits), a.format};
+}
+template <class Bits>
+hls::Fp<Trace, Bits> fp_mul(const hls::Fp<Trace, Bits>& a, const hls::Fp<Trace, Bits>& b) {
+  return {call_multiply(a.format, a.bits, b.bits), a.format};
+}
+template <class Bits>
+hls::Order<Trace::bit> fp_compare(const hls::Fp<Trace, Bits>& a, const hls::Fp<Trace, Bits>& b) {
+  const Trace::uint order = call_compare(a.format, a.bits, b.bits);
+  return {slice(order, 0, 0), slice(order, 1, 1)};
+}
 template <class Bits>
 hls::Fp<Trace, Bits> fp_sub_rz(const hls::Fp<Trace, Bits>& a, const hls::Fp<Trace, Bits>& b) {
   return {call_subtract_rz(a.format, a.bits, b.bits), a.format};

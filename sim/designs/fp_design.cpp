@@ -42,9 +42,9 @@ std::size_t fp_bytes_per_node(const rtl::Format& /*binary32*/, const ref::Coarse
 Software fp_design_software() {
   return {.bytes_per_node = fp_bytes_per_node,
           .promise = fp_promise,
-          .sweep_formats = {hls::FpBits{}},
-          .stiffness_formats = {hls::FpBits{}},
-          .fit_from = hls::FpBits{}};
+          .sweep_formats = {hls::Binary32{}},
+          .stiffness_formats = {hls::Binary32{}},
+          .fit_from = hls::Binary32{}};
 }
 
 }  // namespace hitpipe::sim

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rtl_gen/catalogue/any_fp_formats.hpp"
+#include "hls/box/fp_format.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sim/fit/float_range.hpp"
 #include "sim/software.hpp"
@@ -15,7 +15,7 @@ namespace hitpipe::sim {
 
 namespace {
 
-using hls::AnyFpBits;
+using hls::FpBits;
 
 class FpSlabsSafeSetUp {
  public:
@@ -25,7 +25,7 @@ class FpSlabsSafeSetUp {
   using End = ref::FpSlabsSafeEnd;
 
   FpSlabsSafeSetUp(const ref::Ray& ray, const rtl::Format& format)
-      : bits_(format.as<AnyFpBits>()), set_up_(ray, bits_) {
+      : bits_(format.as<FpBits>()), set_up_(ray, bits_) {
     for (std::size_t i = 0; i < 3; ++i) {
       origin_low_[i] = ref::fp_pattern(set_up_.ray().origin_low[i], bits_);
       origin_high_[i] = ref::fp_pattern(set_up_.ray().origin_high[i], bits_);
@@ -33,7 +33,7 @@ class FpSlabsSafeSetUp {
   }
 
   static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
-    const auto bits = format.as<AnyFpBits>();
+    const auto bits = format.as<FpBits>();
     const ref::FpRounding rounding(bits);
     std::transform(boxes.begin(), boxes.end(), out.begin(), [&](const ref::Aabb& box) {
       const ref::Aabb rounded = rounding.outward(box);
@@ -63,7 +63,7 @@ class FpSlabsSafeSetUp {
   }
 
  private:
-  AnyFpBits bits_;
+  FpBits bits_;
   ref::FpSlabsSafeRaySetup set_up_;
   std::array<std::int64_t, 3> origin_low_{}, origin_high_{};
 };
@@ -72,26 +72,26 @@ ref::TracerOptions fp_slabs_safe_traversal(const rtl::Format& format) {
   ref::TracerOptions options;
   options.algorithm = ref::Algorithm::slabs_dsa;
   options.arithmetic = ref::Arithmetic::any_float;
-  options.float_bits = format.as<AnyFpBits>();
+  options.float_bits = format.as<FpBits>();
   return options;
 }
 
 std::size_t fp_slabs_safe_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& /*none*/) {
-  return ref::FpNodes::node_bytes(format.as<AnyFpBits>());
+  return ref::FpNodes::node_bytes(format.as<FpBits>());
 }
 
 std::vector<rtl::Format> fp_slabs_safe_sweep_formats() {
-  return {AnyFpBits(5, 7),  AnyFpBits(5, 10), AnyFpBits(8, 7),  AnyFpBits(6, 13),
-          AnyFpBits(8, 11), AnyFpBits(8, 15), AnyFpBits(8, 19), AnyFpBits(8, 23)};
+  return {FpBits{5, 7},  FpBits{5, 10}, FpBits{8, 7},  FpBits{6, 13},
+          FpBits{8, 11}, FpBits{8, 15}, FpBits{8, 19}, FpBits{8, 23}};
 }
 
 /// Groups by M; in each group sorted by E.
 std::vector<std::vector<rtl::Format>> fp_slabs_safe_up_to(const rtl::Format& most) {
-  const auto bits = most.as<AnyFpBits>();
+  const auto bits = most.as<FpBits>();
   std::vector<std::vector<rtl::Format>> groups;
   for (int m = std::min(4, bits.fraction); m <= bits.fraction; ++m) {
     std::vector<rtl::Format>& group = groups.emplace_back();
-    for (int e = std::min(3, bits.exponent); e <= bits.exponent; ++e) group.push_back(AnyFpBits(e, m));
+    for (int e = std::min(3, bits.exponent); e <= bits.exponent; ++e) group.push_back(FpBits{e, m});
   }
   return groups;
 }
@@ -99,7 +99,7 @@ std::vector<std::vector<rtl::Format>> fp_slabs_safe_up_to(const rtl::Format& mos
 std::optional<ScenePromise> fp_slabs_safe_promise(const rtl::Port& port, const rtl::Format& format,
                                                   const ref::SceneDemands& scene,
                                                   const ref::CoarseAxes& /*none*/) {
-  const auto bits = format.as<AnyFpBits>();
+  const auto bits = format.as<FpBits>();
   const int axis = static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
   switch (port.role) {
     case hls::Role::backward:
@@ -129,8 +129,8 @@ Software fp_slabs_safe_software() {
           .promise = fp_slabs_safe_promise,
           .up_to = fp_slabs_safe_up_to,
           .sweep_formats = fp_slabs_safe_sweep_formats(),
-          .stiffness_formats = {AnyFpBits(8, 23), AnyFpBits(8, 15), AnyFpBits(8, 7), AnyFpBits(5, 10)},
-          .fit_from = AnyFpBits(),
+          .stiffness_formats = {FpBits{8, 23}, FpBits{8, 15}, FpBits{8, 7}, FpBits{5, 10}},
+          .fit_from = FpBits(),
           .categories = {own.begin(), own.end()}};
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "hls/box/major_format.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_major_ray.hpp"

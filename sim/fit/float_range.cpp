@@ -45,8 +45,8 @@ std::vector<rtl::Interval> FloatRange::within() const {
   return all;
 }
 
-std::vector<rtl::Interval> mirrored_origin(const ref::SceneDemands& scene, int axis,
-                                           const hls::AnyFpBits& bits, bool low) {
+std::vector<rtl::Interval> mirrored_origin(const ref::SceneDemands& scene, int axis, const hls::FpBits& bits,
+                                           bool low) {
   const ref::FpRounding rounding(bits);
   FloatRange range(bits);
   const auto add = [&](float from, float to) {
@@ -66,8 +66,8 @@ std::vector<rtl::Interval> mirrored_origin(const ref::SceneDemands& scene, int a
   return range.within();
 }
 
-std::vector<rtl::Interval> rounded_planes(const ref::SceneDemands& scene, int axis,
-                                          const hls::AnyFpBits& bits, bool low) {
+std::vector<rtl::Interval> rounded_planes(const ref::SceneDemands& scene, int axis, const hls::FpBits& bits,
+                                          bool low) {
   const ref::FpRounding rounding(bits);
   const auto rounded = [&](const glm::vec3& at) {
     const ref::Aabb plane = rounding.outward({at, at});
@@ -78,7 +78,7 @@ std::vector<rtl::Interval> rounded_planes(const ref::SceneDemands& scene, int ax
   return range.within();
 }
 
-rtl::Interval scaled_inverse(const ref::SceneDemands& scene, int axis, const hls::AnyFpBits& bits, bool low) {
+rtl::Interval scaled_inverse(const ref::SceneDemands& scene, int axis, const hls::FpBits& bits, bool low) {
   const auto bound = [&](const ref::FpInverse& inverse) { return low ? inverse.low : inverse.high; };
   const auto i = static_cast<std::size_t>(axis);
   Range range;

@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "hls/box/any_fp_format.hpp"
+#include "hls/box/fp_format.hpp"
 #include "sim/fit/port_ranges.hpp"
 
 namespace hitpipe::sim {
 
 class FloatRange {
  public:
-  explicit FloatRange(const hls::AnyFpBits& bits) : bits_(bits) {}
+  explicit FloatRange(const hls::FpBits& bits) : bits_(bits) {}
 
   /// Adds the numbers from low to high, which are numbers of the format. -0 is less than +0.
   void add(float low, float high);
@@ -18,19 +18,19 @@ class FloatRange {
   [[nodiscard]] std::vector<rtl::Interval> within() const;
 
  private:
-  hls::AnyFpBits bits_;
+  hls::FpBits bits_;
   Range positive_, negative_;
 };
 
 /// Origins along the axis, mirrored where the direction is negative; `low` rounds them down, else up.
 [[nodiscard]] std::vector<rtl::Interval> mirrored_origin(const ref::SceneDemands& scene, int axis,
-                                                         const hls::AnyFpBits& bits, bool low);
+                                                         const hls::FpBits& bits, bool low);
 /// Lower planes of boxes along the axis, or upper ones.
 [[nodiscard]] std::vector<rtl::Interval> rounded_planes(const ref::SceneDemands& scene, int axis,
-                                                        const hls::AnyFpBits& bits, bool low);
+                                                        const hls::FpBits& bits, bool low);
 /// Bounds of the scaled inverse direction, without their sign (fp_slabs_safe_ray.hpp).
-[[nodiscard]] rtl::Interval scaled_inverse(const ref::SceneDemands& scene, int axis,
-                                           const hls::AnyFpBits& bits, bool low);
+[[nodiscard]] rtl::Interval scaled_inverse(const ref::SceneDemands& scene, int axis, const hls::FpBits& bits,
+                                           bool low);
 /// 1 where the direction is negative; -0 is too.
 [[nodiscard]] rtl::Interval backward(const ref::SceneDemands& scene, int axis);
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hls/box/any_fp_format.hpp"
+#include "hls/box/fp_format.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
 
 namespace hitpipe::ref {
@@ -17,10 +17,10 @@ class FpNodes {
   using Box = Aabb;
   using Node = std::uint32_t;  ///< index as in Bvh::nodes
   const std::size_t bytes_per_node;
-  [[nodiscard]] static std::size_t node_bytes(const hls::AnyFpBits& bits);
+  [[nodiscard]] static std::size_t node_bytes(const hls::FpBits& bits);
 
   /// `bvh` needs at least one node; its data is copied. Throws as round_boxes() does.
-  FpNodes(const Bvh& bvh, const hls::AnyFpBits& bits);
+  FpNodes(const Bvh& bvh, const hls::FpBits& bits);
 
   [[nodiscard]] Node root() const { return 0; }
   [[nodiscard]] Node child(Node node, unsigned which) const { return first(node) + which; }

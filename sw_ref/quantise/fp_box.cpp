@@ -23,7 +23,7 @@ void check_within_cube(const Aabb& box) {
 
 }  // namespace
 
-FpRounding::FpRounding(const hls::AnyFpBits& bits) {
+FpRounding::FpRounding(const hls::FpBits& bits) {
   if (!bits.valid())
     throw std::invalid_argument(fmt::format("there is no float format e{}m{}", bits.exponent, bits.fraction));
   const int least = 1 - bits.bias();
@@ -53,7 +53,7 @@ Aabb FpRounding::outward(const Aabb& box) const {
   return rounded;
 }
 
-std::int64_t fp_pattern(float x, const hls::AnyFpBits& bits) {
+std::int64_t fp_pattern(float x, const hls::FpBits& bits) {
   const auto own = std::bit_cast<std::uint32_t>(x);
   const int cut = 23 - bits.fraction;
   if (bits.exponent == 8) return own >> cut;
@@ -64,7 +64,7 @@ std::int64_t fp_pattern(float x, const hls::AnyFpBits& bits) {
   return sign | static_cast<std::int64_t>(std::ldexp(std::abs(x), bits.fraction + bits.bias() - 1));
 }
 
-double fp_number(std::int64_t magnitude, const hls::AnyFpBits& bits) {
+double fp_number(std::int64_t magnitude, const hls::FpBits& bits) {
   if (magnitude >= bits.infinity()) return std::numeric_limits<double>::infinity();
   const auto field = static_cast<int>(magnitude >> bits.fraction);
   const std::int64_t implicit = std::int64_t{1} << bits.fraction;
@@ -73,13 +73,13 @@ double fp_number(std::int64_t magnitude, const hls::AnyFpBits& bits) {
   return std::ldexp(static_cast<double>(significand), std::max(field, 1) - bits.bias() - bits.fraction);
 }
 
-Aabb round_box(const Aabb& box, const hls::AnyFpBits& bits) {
+Aabb round_box(const Aabb& box, const hls::FpBits& bits) {
   const FpRounding rounding(bits);
   check_within_cube(box);
   return rounding.outward(box);
 }
 
-void round_boxes(std::span<const Aabb> boxes, const hls::AnyFpBits& bits, std::span<Aabb> out) {
+void round_boxes(std::span<const Aabb> boxes, const hls::FpBits& bits, std::span<Aabb> out) {
   const FpRounding rounding(bits);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     check_within_cube(boxes[i]);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "hls/box/any_fp_format.hpp"
+#include "hls/box/fp_format.hpp"
 #include "sw_ref/scene/aabb.hpp"
 
 namespace hitpipe::ref {
@@ -13,7 +13,7 @@ namespace hitpipe::ref {
 /// Rounds numbers of [-1, 1] to the numbers of a format.
 class FpRounding {
  public:
-  explicit FpRounding(const hls::AnyFpBits& bits);
+  explicit FpRounding(const hls::FpBits& bits);
 
   /// The largest number of the format that is not above x. The sign of a zero is that of x.
   [[nodiscard]] float down(float x) const;
@@ -30,14 +30,14 @@ class FpRounding {
 };
 
 /// The pattern of a finite number of the format.
-[[nodiscard]] std::int64_t fp_pattern(float x, const hls::AnyFpBits& bits);
+[[nodiscard]] std::int64_t fp_pattern(float x, const hls::FpBits& bits);
 /// The number that a pattern without a sign stands for.
-[[nodiscard]] double fp_number(std::int64_t magnitude, const hls::AnyFpBits& bits);
+[[nodiscard]] double fp_number(std::int64_t magnitude, const hls::FpBits& bits);
 
 /// Throws std::out_of_range if a coordinate is not in [-1, 1], and std::invalid_argument for a format that
 /// there is not.
-[[nodiscard]] Aabb round_box(const Aabb& box, const hls::AnyFpBits& bits);
+[[nodiscard]] Aabb round_box(const Aabb& box, const hls::FpBits& bits);
 /// The same for many boxes. `out` has as many places as `boxes`.
-void round_boxes(std::span<const Aabb> boxes, const hls::AnyFpBits& bits, std::span<Aabb> out);
+void round_boxes(std::span<const Aabb> boxes, const hls::FpBits& bits, std::span<Aabb> out);
 
 }  // namespace hitpipe::ref

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "hls/box/any_fp_format.hpp"
+#include "hls/box/fp_format.hpp"
 #include "sw_ref/judge/binary32.hpp"
 
 namespace hitpipe::ref {
@@ -26,7 +26,7 @@ inline UpToPower up_to_power(float x) {
 }
 
 /// The pattern of units 2^(exponent - M) with units in 2^M .. 2^(M+1).
-inline std::int64_t fp_pattern_of(std::uint64_t units, int exponent, const hls::AnyFpBits& bits) {
+inline std::int64_t fp_pattern_of(std::uint64_t units, int exponent, const hls::FpBits& bits) {
   // The implicit one adds 1 to the exponent field; so does a carry.
   return (std::int64_t{exponent + bits.bias() - 1} << bits.fraction) + static_cast<std::int64_t>(units);
 }
@@ -37,7 +37,7 @@ struct FpInverse {
   std::int64_t low, high;
 };
 
-inline FpInverse fp_inverse(int scale, float size, const hls::AnyFpBits& bits) {
+inline FpInverse fp_inverse(int scale, float size, const hls::FpBits& bits) {
   if (size == 0.0F) return {bits.infinity(), bits.infinity()};
   // 2^scale / size = 2^exponent 2^24 / m, and 2^24 / m is in [1, 2).
   const UpToPower parts = up_to_power(size);

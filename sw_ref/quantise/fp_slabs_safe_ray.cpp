@@ -24,7 +24,7 @@ constexpr std::string_view safe_set_up = "FpSlabsSafeRaySetup";
 
 }  // namespace
 
-FpSlabsSafeRaySetup::FpSlabsSafeRaySetup(const Ray& ray, const hls::AnyFpBits& bits) : bits_(bits) {
+FpSlabsSafeRaySetup::FpSlabsSafeRaySetup(const Ray& ray, const hls::FpBits& bits) : bits_(bits) {
   const FpRounding rounding(bits);
   check_ray(ray, safe_set_up);
   const glm::vec3& d = ray.direction;

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "hls/box/any_fp_format.hpp"
+#include "hls/box/fp_format.hpp"
 #include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::ref {
@@ -31,7 +31,7 @@ class FpSlabsSafeRaySetup {
  public:
   /// Needs an acceptable ray (see box_referee.hpp). Throws std::out_of_range for an origin outside [-1, 1]^3,
   /// and std::invalid_argument otherwise.
-  FpSlabsSafeRaySetup(const Ray& ray, const hls::AnyFpBits& bits);
+  FpSlabsSafeRaySetup(const Ray& ray, const hls::FpBits& bits);
 
   [[nodiscard]] const FpSlabsSafeRay& ray() const { return ray_; }
   /// Where the ray ends if it ends at `length`. It is endless in the unit if its end is beyond the largest
@@ -40,7 +40,7 @@ class FpSlabsSafeRaySetup {
 
  private:
   FpSlabsSafeRay ray_;
-  hls::AnyFpBits bits_;
+  hls::FpBits bits_;
   int scale_;  ///< the smallest s for which no component exceeds 2^s
 };
 

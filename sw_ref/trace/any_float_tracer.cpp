@@ -5,7 +5,7 @@
 namespace hitpipe::ref {
 
 std::unique_ptr<Tracer> make_any_float_tracer(const TracerParts& parts) {
-  const hls::AnyFpBits& bits = parts.options.float_bits;
+  const hls::FpBits& bits = parts.options.float_bits;
   return std::make_unique<StoreTracer<FpNodes, FpSlabsSafeTestMaker>>(FpNodes(parts.bvh, bits),
                                                                       FpSlabsSafeTestMaker(bits), parts);
 }

@@ -7,7 +7,7 @@ namespace hitpipe::ref {
 
 static_assert(BoxTest<FpSlabsSafeTest, Aabb>);
 
-FpSlabsSafeTest::FpSlabsSafeTest(const Ray& ray, const hls::AnyFpBits& bits)
+FpSlabsSafeTest::FpSlabsSafeTest(const Ray& ray, const hls::FpBits& bits)
     : set_up_(ray, bits),
       least_normal_(std::ldexp(1.0F, 1 - bits.bias())),
       least_field_(128 - bits.bias()),

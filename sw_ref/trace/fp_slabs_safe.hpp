@@ -22,7 +22,7 @@ namespace hitpipe::ref {
 class FpSlabsSafeTest {
  public:
   /// Throws as FpSlabsSafeRaySetup does.
-  FpSlabsSafeTest(const Ray& ray, const hls::AnyFpBits& bits);
+  FpSlabsSafeTest(const Ray& ray, const hls::FpBits& bits);
 
   /// `length` must be >= 0 or infinite.
   void cut(float length);
@@ -98,19 +98,19 @@ class FpSlabsSafeTest {
   double largest_;   ///< the pattern of which all bits are 1, as a number
   std::uint32_t below_;
   std::uint64_t below_double_;
-  hls::AnyFpBits bits_;
+  hls::FpBits bits_;
   double length_ = 0;
 };
 
 /// Makes the box test of a ray: a functor of (const Ray&).
 class FpSlabsSafeTestMaker {
  public:
-  explicit FpSlabsSafeTestMaker(const hls::AnyFpBits& bits) : bits_(bits) {}
+  explicit FpSlabsSafeTestMaker(const hls::FpBits& bits) : bits_(bits) {}
 
   [[nodiscard]] FpSlabsSafeTest operator()(const Ray& ray) const { return {ray, bits_}; }
 
  private:
-  hls::AnyFpBits bits_;
+  hls::FpBits bits_;
 };
 
 }  // namespace hitpipe::ref

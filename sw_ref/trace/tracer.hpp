@@ -8,7 +8,7 @@
 #include <memory>
 #include <span>
 
-#include "hls/box/any_fp_format.hpp"
+#include "hls/box/fp_format.hpp"
 #include "hls/box/int_format.hpp"
 #include "hls/box/major_format.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
@@ -112,7 +112,7 @@ struct TracerOptions {
   CoarseAxes coarse{};  ///< of integer arithmetic; rays and boxes must fit the coarser grid
   bool ends = true;     ///< box tests know where rays end; if not, single rays only and not slabs_dist
   hls::MajorBits major_bits{};  ///< of major arithmetic
-  hls::AnyFpBits float_bits{};  ///< of any_float arithmetic
+  hls::FpBits float_bits{};     ///< of any_float arithmetic
 };
 
 /// Encodes the nodes and picks the traversal loop. Throws std::invalid_argument, one line, for a combination

@@ -25,7 +25,7 @@ TEST(TriangleUnit, HasTheOperatorsOfMoellerAndTrumbore) {
 TEST(TriangleUnit, BeginsATestInEachCycleOfTheFloatClock) {
   const Price price = price_of_triangle_unit(rtl::Library::thesis());
   const Price slabs =
-      area::price(rtl::find_design("fp_slabs"), hls::FpBits{}, rtl::Library::thesis(), Account::built);
+      area::price(rtl::find_design("fp_slabs"), hls::Binary32{}, rtl::Library::thesis(), Account::built);
   EXPECT_EQ(price.boxes, 1);
   EXPECT_EQ(price.stage_delay_ps, slabs.stage_delay_ps);
   EXPECT_GT(price.stages, 2 * slabs.stages);

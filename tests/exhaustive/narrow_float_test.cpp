@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
+#include "hls/box/fp_format.hpp"
 #include "hls/pipelines/fp_slabs_safe.hpp"
-#include "rtl_gen/catalogue/any_fp_formats.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
@@ -24,14 +24,14 @@
 namespace hitpipe::ref::exhaustive {
 namespace {
 
-using hls::AnyFpBits;
+using hls::FpBits;
 
 /// The same datapath with an instance of its own, which is fast.
 struct NarrowSafe : hls::FpSlabsSafe {
   using BuiltIn = hls::FormatList<hls::FpFormat<3, 2>>;
 };
 
-constexpr AnyFpBits bits(3, 2);
+constexpr FpBits bits{3, 2};
 
 /// The numbers up to 1 with a fraction bit more than the format, and their neighbours in binary32.
 std::vector<float> magnitudes(bool neighbours) {

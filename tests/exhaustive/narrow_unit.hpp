@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
+#include "hls/box/major_format.hpp"
 #include "hls/pipelines/int_major.hpp"
 #include "hls/pipelines/int_plucker.hpp"
 #include "hls/pipelines/int_slabs.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/fine_grid.hpp"
 #include "sw_ref/quantise/grid.hpp"
@@ -105,9 +105,9 @@ inline void put_box(const IntBox& box, std::int64_t* out) {
 template <class Bits>
 const rtl::FormatFamily& proved_formats() {
   static const rtl::FormatFamily family = [] {
-    rtl::FormatFamily wider = rtl::FamilyOf<Bits>::family;
+    rtl::FormatFamily wider = rtl::family_of<Bits>;
     wider.valid = [](const rtl::FormatNumbers& n) {
-      return rtl::Format(rtl::FamilyOf<Bits>::family, n).template as<Bits>().proved();
+      return rtl::Format(rtl::family_of<Bits>, n).template as<Bits>().proved();
     };
     return wider;
   }();

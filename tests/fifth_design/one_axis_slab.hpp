@@ -3,7 +3,7 @@
 #pragma once
 
 #include "hls/box/box_hit.hpp"
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
 #include "hls/box/int_format.hpp"
 #include "hls/num/bits.hpp"
 

@@ -16,7 +16,7 @@ TEST(LibraryCatalogue, ListsAllDesigns) {
     EXPECT_EQ(listed[i].name, design.name);
     EXPECT_EQ(listed[i].summary, design.summary);
     EXPECT_EQ(listed[i].default_format, to_string(design.default_format));
-    EXPECT_EQ(listed[i].formats, design.default_format.family().allowed);
+    EXPECT_EQ(listed[i].formats, design.default_format.family().allowed());
     EXPECT_EQ(listed[i].conservative != 0, design.conservative);
     EXPECT_EQ(listed[i].boxes_per_test, design.kind.objects);
   }

@@ -125,8 +125,7 @@ Operands fp_plucker_ray(const ref::Ray& ray, float length) {
           {"rk", bits_of(ray.direction.z)}, {"rinf", end.infinite ? 1 : 0}};
 }
 
-Operands fp_slabs_safe_operands(const ref::Ray& ray, hls::AnyFpBits bits, float length,
-                                const ref::Aabb& box) {
+Operands fp_slabs_safe_operands(const ref::Ray& ray, hls::FpBits bits, float length, const ref::Aabb& box) {
   const ref::FpSlabsSafeRaySetup setup(ray, bits);
   const ref::FpSlabsSafeRay& r = setup.ray();
   const ref::FpSlabsSafeEnd end = setup.end(length);
@@ -163,7 +162,7 @@ Operands expected(const Unit& unit, const ref::Ray& ray, float length, const ref
   if (unit.name == "fp_plucker" || unit.name == "fp_plucker_direct")
     return both(fp_plucker_ray(ray, length), float_box(box));
   if (unit.name == "fp_slabs_safe")
-    return fp_slabs_safe_operands(ray, unit.format.as<hls::AnyFpBits>(), length, box);
+    return fp_slabs_safe_operands(ray, unit.format.as<hls::FpBits>(), length, box);
   if (unit.name == "int_major") {
     const auto bits = unit.format.as<hls::MajorBits>();
     return both(int_major_ray(ray, bits, length), int_major_box(box, bits));
@@ -263,7 +262,7 @@ INSTANTIATE_TEST_SUITE_P(IntegerUnits, CoarseFeed,
 
 TEST(CoarseFeedOfAFloatDesign, Rejected) {
   try {
-    (void)make_feed(rtl::find_design("fp_slabs"), rtl::Format(hls::FpBits{}), {}, {{1, 0, 0}});
+    (void)make_feed(rtl::find_design("fp_slabs"), rtl::Format(hls::Binary32{}), {}, {{1, 0, 0}});
     ADD_FAILURE() << "no error";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "coarse axes: origin or box is not an integer; take an integer design");

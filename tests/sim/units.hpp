@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "rtl_gen/catalogue/any_fp_formats.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
+#include "hls/box/fp_format.hpp"
+#include "hls/box/major_format.hpp"
 #include "sim/verilated_design.hpp"
 
 namespace hitpipe::sim {
@@ -26,8 +26,8 @@ struct Unit {
   [[nodiscard]] rtl::Evaluate evaluate() const { return design().evaluate(format); }
   /// Nothing when its numbers are no floats.
   [[nodiscard]] std::optional<hls::FpBits> float_bits() const {
+    if (format.is<hls::Binary32>()) return format.as<hls::Binary32>();
     if (format.is<hls::FpBits>()) return format.as<hls::FpBits>();
-    if (format.is<hls::AnyFpBits>()) return format.as<hls::AnyFpBits>();
     return std::nullopt;
   }
   /// One of the six rows of Table 7.2.
@@ -38,9 +38,9 @@ struct Unit {
 };
 
 inline std::vector<Unit> units() {
-  const rtl::Format others[] = {hls::IntBits{24, 24},  hls::IntBits{16, 16}, hls::IntBits{12, 12},
-                                hls::IntBits{6, 6},    hls::IntBits{32, 63}, hls::MajorBits{8, 3, 6, -1},
-                                hls::AnyFpBits(5, 10), hls::AnyFpBits(3, 2)};
+  const rtl::Format others[] = {hls::IntBits{24, 24}, hls::IntBits{16, 16}, hls::IntBits{12, 12},
+                                hls::IntBits{6, 6},   hls::IntBits{32, 63}, hls::MajorBits{8, 3, 6, -1},
+                                hls::FpBits{5, 10},   hls::FpBits{3, 2}};
   std::vector<Unit> all;
   for (const rtl::Design& design : rtl::designs()) {
     const rtl::Format& own = design.default_format;

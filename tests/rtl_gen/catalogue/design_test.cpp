@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "rtl_gen/catalogue/any_fp_formats.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
+#include "hls/box/fp_format.hpp"
+#include "hls/box/major_format.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe::rtl::design_test {
@@ -63,9 +63,9 @@ TEST(Designs, HaveNoModuleNameTwice) {
 }
 
 TEST(ParseBits, TakesTheThesissNotation) {
-  EXPECT_EQ(parse_bits("20/24"), (hls::IntBits{20, 24}));
-  EXPECT_EQ(parse_bits("6/6"), (hls::IntBits{6, 6}));
-  EXPECT_EQ(parse_bits("32/63"), (hls::IntBits{32, 63}));
+  EXPECT_EQ(parse_bits<hls::IntBits>("20/24"), (hls::IntBits{20, 24}));
+  EXPECT_EQ(parse_bits<hls::IntBits>("6/6"), (hls::IntBits{6, 6}));
+  EXPECT_EQ(parse_bits<hls::IntBits>("32/63"), (hls::IntBits{32, 63}));
   EXPECT_EQ(to_string(hls::IntBits{20, 24}), "20/24");
 }
 
@@ -75,7 +75,7 @@ TEST(ParseBits, OtherTextRejected) {
         " 20/24", "20 /24", "+20/24", "twenty/24", "20/x",   "99999999999/24", "20/99999999999", "5/6",
         "33/40",  "20/5",   "20/40",  "6/12",      "-20/24", "20/-24"}) {
     EXPECT_EQ(
-        message_of<std::runtime_error>([&] { static_cast<void>(parse_bits(text)); }),
+        message_of<std::runtime_error>([&] { static_cast<void>(parse_bits<hls::IntBits>(text)); }),
         "bits " + std::string(text) + ": allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24");
   }
 }
@@ -98,7 +98,7 @@ TEST(Design, FormatThatIsNotThereRejected) {
 TEST(Design, FloatDesignsHaveBinary32Only) {
   const Design& design = find_design("fp_slabs");
   EXPECT_EQ(to_string(design.default_format), "fp32");
-  EXPECT_EQ(design.parse_format("fp32"), Format(hls::FpBits{}));
+  EXPECT_EQ(design.parse_format("fp32"), Format(hls::Binary32{}));
   EXPECT_EQ(design.parse_format("e8m23"), design.default_format);
   const std::string message = "bits 20/24: no format of fp_slabs; allowed is fp32, which is e8m23";
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("20/24")); }),
@@ -123,7 +123,7 @@ TEST(Design, IntegerDesignsHaveNoBinary32) {
       "bits fp32: no format of int_plucker; allowed is n/t with n in 6..32 and t in 6..2n-1, for example "
       "20/24";
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.parse_format("fp32")); }), message);
-  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(Format(hls::FpBits{}))); }),
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(design.trace(Format(hls::Binary32{}))); }),
             message);
 }
 
@@ -195,7 +195,7 @@ TEST(Design, OriginAndBoxAreFoundByTheirRoles) {
     EXPECT_EQ(count(Role::origin), 3) << design.name;
     EXPECT_EQ(count(Role::endless), slots ? 0 : 1) << design.name;
     EXPECT_EQ(count(Role::major), slots ? 2 : 0) << design.name;
-    const bool mirrored = slots || design.default_format.is<hls::AnyFpBits>();
+    const bool mirrored = slots || design.default_format.is<hls::FpBits>();
     EXPECT_EQ(count(Role::backward), mirrored ? 3 : 0) << design.name;
     EXPECT_EQ(count(Role::exponent), slots ? 2 : 0) << design.name;
   }

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "rtl_gen/catalogue/any_fp_formats.hpp"
+#include "hls/box/fp_format.hpp"
+#include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/pipeline.hpp"
 
 namespace hitpipe::rtl {
@@ -52,7 +52,7 @@ inline std::vector<DesignFormat> every_design(const std::vector<std::string>& in
     const std::vector<std::string> one{to_string(usual)};
     for (const std::string& format : usual.is<hls::IntBits>()     ? integers
                                      : usual.is<hls::MajorBits>() ? major
-                                     : usual.is<hls::AnyFpBits>() ? any_float
+                                     : usual.is<hls::FpBits>()    ? any_float
                                                                   : one)
       all.push_back({std::string(design.name), format});
   }

@@ -1,11 +1,10 @@
 // Formats n+g/p and n+g/pfF: their spelling, what is refused, and every format of the range.
-#include "rtl_gen/catalogue/major_formats.hpp"
-
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "tests/message_of.hpp"
 

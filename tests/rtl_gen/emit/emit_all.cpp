@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "hls/box/int_format.hpp"
+#include "hls/box/major_format.hpp"
 #include "host/files.hpp"
-#include "rtl_gen/catalogue/int_formats.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/emit/files.hpp"
 
 int main(int argc, char** argv) {

@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "hls/box/fp_format.hpp"
+#include "hls/box/int_format.hpp"
 #include "host/files.hpp"
-#include "rtl_gen/catalogue/fp_formats.hpp"
-#include "rtl_gen/catalogue/int_formats.hpp"
 #include "rtl_gen/emit/vectors.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -289,7 +289,7 @@ TEST_F(HlsTools, TestProgramPassesOnIntegers) {
 
 TEST_F(HlsTools, TestProgramPassesOnFloats) {
   write(top_of("fp_slabs", "fp32"));
-  EXPECT_THAT(simulated("fp_slabs", hls::FpBits{}), EndsWith("1000 vectors, 0 mismatches\nexit 0"));
+  EXPECT_THAT(simulated("fp_slabs", hls::Binary32{}), EndsWith("1000 vectors, 0 mismatches\nexit 0"));
 }
 
 TEST_F(HlsTools, TestProgramFindsAWrongTop) {

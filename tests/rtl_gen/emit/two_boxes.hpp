@@ -2,7 +2,7 @@
 // and the distance at which the ray enters the first. HIT of the first box is not the first result.
 #pragma once
 
-#include "hls/box/format_list.hpp"
+#include "hls/box/format.hpp"
 #include "hls/box/int_format.hpp"
 #include "hls/num/bits.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "rtl_gen/catalogue/any_fp_formats.hpp"
+#include "hls/box/fp_format.hpp"
+#include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/draw.hpp"
 #include "tests/rtl_gen/seeded.hpp"
@@ -179,7 +179,7 @@ inline std::vector<DemandSet> major_demand_sets(const Design& design, Format for
 
 /// Of float designs whose ray is mirrored, with a port for the sign of each direction component.
 inline std::vector<DemandSet> any_float_demand_sets(const Design& design, Format format) {
-  const auto bits = format.as<hls::AnyFpBits>();
+  const auto bits = format.as<hls::FpBits>();
   const std::int64_t quarter = bits.one() - (std::int64_t{2} << bits.fraction);
   const auto upward = [](Demands& demands) {
     for (const char* const port : {"back_x", "back_y", "back_z"}) demand(demands, port, {{0, 0}});
@@ -221,7 +221,7 @@ inline std::vector<DemandSet> any_float_demand_sets(const Design& design, Format
 }
 
 inline std::vector<DemandSet> demand_sets(const Design& design, Format format) {
-  if (format.is<hls::AnyFpBits>()) return any_float_demand_sets(design, format);
+  if (format.is<hls::FpBits>()) return any_float_demand_sets(design, format);
   if (format.is<hls::MajorBits>()) return major_demand_sets(design, format);
   const auto scene = [&] { return Scene(design, format); };
   Scene all = scene();  // the camera stands outside the slab

@@ -56,6 +56,6 @@ int main(int argc, char**) {
   const bool cuts = argc > 1;
   print_design("int_slabs", hls::IntBits{24, 24}, cuts);
   print_design("int_plucker", hls::IntBits{24, 24}, cuts);
-  print_design("fp_slabs", rtl::Format(hls::FpBits{}), cuts);
-  print_design("fp_plucker", rtl::Format(hls::FpBits{}), cuts);
+  print_design("fp_slabs", rtl::Format(hls::Binary32{}), cuts);
+  print_design("fp_plucker", rtl::Format(hls::Binary32{}), cuts);
 }

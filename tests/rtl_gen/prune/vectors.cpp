@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
       all = run(name, rtl::Format(hls::IntBits{20, 24}), vectors) && all;
     }
     for (const char* const name : {"fp_slabs", "fp_plucker"})
-      all = run(name, rtl::Format(hls::FpBits{}), vectors) && all;
+      all = run(name, rtl::Format(hls::Binary32{}), vectors) && all;
     return all ? 0 : 1;
   } catch (const std::exception& error) {
     fmt::print("{}\n", error.what());

@@ -63,7 +63,7 @@ TEST(Balance, NoStageRejected) {
 TEST(Balance, FloatUnitsHaveEvenStages) {
   int units = 0;
   for (const char* design : {"fp_slabs", "fp_plucker"}) {
-    const Graph graph = find_design(design).trace(Format(hls::FpBits{}));
+    const Graph graph = find_design(design).trace(Format(hls::Binary32{}));
     for (const auto& unit : graph.units()) {
       const int whole = balance(unit->body, 1).clock_ps;
       for (const int stages : {5, 7}) {

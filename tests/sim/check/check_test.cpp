@@ -58,7 +58,7 @@ std::string text_of(const CategoryResult& r) {
 TEST(Check, ResultsDoNotDependOnThreads) {
   const rtl::Design& fp_slabs = rtl::find_design("fp_slabs");
   const auto run = [&](int threads) {
-    return check([&] { return make_box_test(fp_slabs, rtl::Format(hls::FpBits{})); },
+    return check([&] { return make_box_test(fp_slabs, rtl::Format(hls::Binary32{})); },
                  {.categories = all_categories(), .tests = 200'000, .seed = seed, .threads = threads});
   };
   const std::vector<CategoryResult> one = run(1);
@@ -185,8 +185,8 @@ TEST(IsFalseMiss, IsAMissOfABoxThatTheRayMeets) {
 /// The published remedy helps but proves nothing.
 TEST(Check, RobustFloatSlabsMissLessThanTheThesisForm) {
   const CheckOptions options{.categories = all_categories(), .tests = 500'000, .seed = seed};
-  const CategoryResult plain = sum_of(
-      check([] { return make_box_test(rtl::find_design("fp_slabs"), rtl::Format(hls::FpBits{})); }, options));
+  const CategoryResult plain = sum_of(check(
+      [] { return make_box_test(rtl::find_design("fp_slabs"), rtl::Format(hls::Binary32{})); }, options));
   const CategoryResult robust = sum_of(check(robust_float_slabs_test, options));
   fmt::print("seed {}: of {} hits the thesis's form misses {}, the robust one {}\n", seed, plain.hits,
              plain.false_misses, robust.false_misses);

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "rtl_gen/catalogue/any_fp_formats.hpp"
+#include "hls/box/fp_format.hpp"
 #include "sim/check/box_test.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/adversary/float_unit.hpp"
@@ -19,7 +19,7 @@
 namespace hitpipe::sim::fp_slabs_safe_test {
 namespace {
 
-using hls::AnyFpBits;
+using hls::FpBits;
 using ref::adversary::Case;
 using ref::adversary::Category;
 
@@ -37,10 +37,10 @@ std::vector<Category> categories_of_floats() {
   return all;
 }
 
-class FpSlabsSafe : public testing::TestWithParam<AnyFpBits> {};
+class FpSlabsSafe : public testing::TestWithParam<FpBits> {};
 
 TEST_P(FpSlabsSafe, NeverMissesAndItsSoftwareAgrees) {
-  const AnyFpBits bits = GetParam();
+  const FpBits bits = GetParam();
   const auto unit = make_box_test(safe_design(), bits);
   ref::adversary::Random random(seed);
   int tests = 0;
@@ -71,16 +71,16 @@ TEST_P(FpSlabsSafe, NeverMissesAndItsSoftwareAgrees) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, FpSlabsSafe,
-                         testing::Values(AnyFpBits(8, 23), AnyFpBits(8, 15), AnyFpBits(8, 7),
-                                         AnyFpBits(5, 10), AnyFpBits(6, 13), AnyFpBits(3, 2), AnyFpBits(2, 1),
-                                         AnyFpBits(8, 1), AnyFpBits(2, 23), AnyFpBits(7, 22)),
+                         testing::Values(FpBits{8, 23}, FpBits{8, 15}, FpBits{8, 7}, FpBits{5, 10},
+                                         FpBits{6, 13}, FpBits{3, 2}, FpBits{2, 1}, FpBits{8, 1},
+                                         FpBits{2, 23}, FpBits{7, 22}),
                          [](const auto& p) {
                            return fmt::format("e{}m{}", p.param.exponent, p.param.fraction);
                          });
 
 /// Answers for operands of a case that `change` has changed.
 template <class Change>
-bool hit_with(const AnyFpBits& bits, const Case& c, const Change& change) {
+bool hit_with(const FpBits& bits, const Case& c, const Change& change) {
   const auto unit = make_box_test(safe_design(), bits);
   unit->start(c.ray);
   (void)unit->hit(c.box);
@@ -94,7 +94,7 @@ const auto no_change = [](const rtl::Port&, std::int64_t&) {};
 
 /// True if a change of operands makes the unit miss a box of a category that the ray meets.
 template <class Change>
-bool some_false_miss(const AnyFpBits& bits, const Change& change) {
+bool some_false_miss(const FpBits& bits, const Change& change) {
   ref::adversary::Random random(seed);
   const auto all = categories_of_floats();
   for (int i = 0; i < 40'000; ++i) {
@@ -105,7 +105,7 @@ bool some_false_miss(const AnyFpBits& bits, const Change& change) {
 }
 
 TEST(FpSlabsSafeSetUp, ZerosOfTheWrongSignMiss) {
-  const AnyFpBits bits(8, 15);
+  const FpBits bits(8, 15);
   const Case c{{glm::vec3(-0.0F, 0.0F, 0.0F), glm::vec3(-1.0F, 0.5F, 0.0F), ref::Ray::infinite},
                {glm::vec3(0.0F), glm::vec3(0.0F)}};
   EXPECT_TRUE(hit_with(bits, c, no_change));
@@ -115,7 +115,7 @@ TEST(FpSlabsSafeSetUp, ZerosOfTheWrongSignMiss) {
 }
 
 TEST(FpSlabsSafeSetUp, EachStepIsNeeded) {
-  const AnyFpBits bits(8, 15);
+  const FpBits bits(8, 15);
   EXPECT_FALSE(some_false_miss(bits, no_change));
   using hls::Role;
   EXPECT_TRUE(some_false_miss(bits, [&](const rtl::Port& port, std::int64_t& operand) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "rtl_gen/catalogue/major_formats.hpp"
+#include "hls/box/major_format.hpp"
 #include "sw_ref/quantise/grid.hpp"
 
 namespace hitpipe::sim {

@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "rtl_gen/catalogue/major_formats.hpp"
+#include "hls/box/major_format.hpp"
 #include "sim/check/check.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/judge/adversary/replay.hpp"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rtl_gen/catalogue/major_formats.hpp"
+#include "hls/box/major_format.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 #include "tests/sim/small_scene.hpp"
 

@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "hls/box/fp_format.hpp"
+#include "hls/box/major_format.hpp"
 #include "host/files.hpp"
-#include "rtl_gen/catalogue/any_fp_formats.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
 #include "rtl_gen/prune/demand_fields.hpp"
 #include "sim/cosim.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -76,7 +76,7 @@ TEST_P(Fitted, IsSmallerAndMissesNothing) {
   const World world(GetParam().scene());
   const rtl::Design& design = rtl::find_design(GetParam().design);
   const rtl::Format format =
-      !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{12, 12});
+      !design.conservative ? rtl::Format(hls::Binary32{}) : rtl::Format(hls::IntBits{12, 12});
   const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
   EXPECT_GT(unit.saved_um2(), 0);
   EXPECT_FALSE(unit.demands.empty());
@@ -153,7 +153,7 @@ TEST_P(Endless, UnitIsSmallerAndTracesTheSame) {
   const World world(sim::hills());
   const rtl::Design& design = rtl::find_design(GetParam());
   const rtl::Format format =
-      !design.conservative ? rtl::Format(hls::FpBits{}) : rtl::Format(hls::IntBits{12, 12});
+      !design.conservative ? rtl::Format(hls::Binary32{}) : rtl::Format(hls::IntBits{12, 12});
   const FittedUnit with_ends = fit(design, format, std::nullopt, world.demands, library());
   const FittedUnit unit =
       fit(design, format, Precision{.format = format, .ends = false}, world.demands, library());
@@ -187,7 +187,7 @@ TEST(FittedFiles, AreTheWholeDesignsWhereTheSceneNeedsEverything) {
     const FittedUnit unit = fit(design, format, std::nullopt, world.demands, library());
     const auto whole =
         by_name(rtl::emit(design, format, library(), rtl::make_pipeline(design.trace(format), library())));
-    if (format.is<hls::AnyFpBits>()) {  // no scene needs the top exponent bits of coordinates
+    if (format.is<hls::FpBits>()) {  // no scene needs the top exponent bits of coordinates
       for (const LeftOut& left : unit.left_out)
         EXPECT_THAT(left.what, testing::StartsWith("1 bit after the sign"));
       EXPECT_EQ(unit.left_out.size(), 6U);
@@ -239,7 +239,7 @@ TEST(FittedUnit, RefusesAnotherScene) {
 }
 
 TEST(BytesPerNode, AreThoseOfTable61) {
-  EXPECT_EQ(bytes_per_node(rtl::find_design("fp_slabs"), hls::FpBits{}), 32U);
+  EXPECT_EQ(bytes_per_node(rtl::find_design("fp_slabs"), hls::Binary32{}), 32U);
   const rtl::Design& slabs = rtl::find_design("int_slabs");
   EXPECT_EQ(bytes_per_node(slabs, hls::IntBits{24, 24}), 26U);
   EXPECT_EQ(bytes_per_node(slabs, hls::IntBits{16, 24}), 20U);
@@ -318,9 +318,9 @@ TEST(PrecisionOfFloats, IsWhetherRaysEnd) {
                            .bvh = &world.bvh,
                            .demands = &world.demands,
                            .rays = &rays,
-                           .most = hls::FpBits{}};
+                           .most = hls::Binary32{}};
     const auto found = fewest_bits(search);
-    const double endless = extra_box_tests_pct(search, hls::FpBits{}, {}, false);
+    const double endless = extra_box_tests_pct(search, hls::Binary32{}, {}, false);
     EXPECT_GT(endless, search.overhead_pct) << name;
     EXPECT_EQ(found->endless_extra_box_tests_pct, endless) << name;
     EXPECT_TRUE(found->ends) << name;

@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rtl_gen/catalogue/any_fp_formats.hpp"
+#include "hls/box/fp_format.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/facts.hpp"
 #include "sim/fit/float_range.hpp"
@@ -128,8 +128,8 @@ TEST(FloatRanges, HoldRandomRaysAndBoxesThroughTheSetUp) {
       if (round % 2 == 0) family.origin.grow(other.origin);
       scene.boxes.grow(family.origin);
     }
-    const std::array formats{hls::AnyFpBits(8, 23), hls::AnyFpBits(5, 10), hls::AnyFpBits(3, 2)};
-    const hls::AnyFpBits bits = formats[static_cast<std::size_t>(round) % formats.size()];
+    const std::array formats{hls::FpBits{8, 23}, hls::FpBits{5, 10}, hls::FpBits{3, 2}};
+    const hls::FpBits bits = formats[static_cast<std::size_t>(round) % formats.size()];
     const auto pattern = [&](float x) { return ref::fp_pattern(x, bits); };
     for (const ref::RayFamily& family : scene.rays) {
       for (int i = 0; i < 8; ++i) {
@@ -164,7 +164,7 @@ TEST(FloatRanges, HoldRandomRaysAndBoxesThroughTheSetUp) {
 }
 
 TEST(FloatRanges, OfOneNumberOrOneSignAreOneInterval) {
-  const hls::AnyFpBits bits(5, 10);
+  const hls::FpBits bits(5, 10);
   const auto within = [&](float low, float high) {
     FloatRange range(bits);
     range.add(low, high);
@@ -194,7 +194,7 @@ TEST(PortDemands, AreNoneOfASceneThatNeedsEverything) {
         design.default_format.is<hls::IntBits>() ? rtl::Format(hls::IntBits{24, 24}) : design.default_format;
     const std::vector<rtl::Port> ports = design.ports(format);
     for (const DemandGroup& group : port_demands(design, format, scene)) {
-      if (format.is<hls::AnyFpBits>()) {
+      if (format.is<hls::FpBits>()) {
         for (const rtl::PortDemand& demand : group.demands.ports)
           EXPECT_TRUE(is_of_the_cube(demand, ports[rtl::index_of(ports, demand.port)])) << demand.port;
         continue;

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "area_model/price.hpp"
-#include "rtl_gen/catalogue/major_formats.hpp"
+#include "hls/box/major_format.hpp"
 #include "sim/cosim.hpp"
 #include "sim/fit/fit.hpp"
 #include "sim/sweep/rows_file.hpp"
@@ -125,13 +125,13 @@ TEST(Sweep, RowsDoNotDependOnThreads) {
 TEST(Sweep, OccupancyRisesWithRaysInFlightUpToThePipelinesLength) {
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const std::vector<DesignFormats> designs{{&rtl::find_design("fp_slabs"), {hls::FpBits{}}}};
+  const std::vector<DesignFormats> designs{{&rtl::find_design("fp_slabs"), {hls::Binary32{}}}};
   const std::vector<int> rays{1, 4, 32};
   const std::vector<SweepRow> rows = swept(scene, bvh, plan_sweep(designs, rays), 2);
   ASSERT_EQ(rows.size(), rays.size());
   for (std::size_t i = 1; i < rows.size(); ++i)
     EXPECT_GT(rows[i].occupancy_pct(), rows[i - 1].occupancy_pct());
-  const double alone = 100.0 / verilated({"fp_slabs", rtl::Format(hls::FpBits{})}).latency();
+  const double alone = 100.0 / verilated({"fp_slabs", rtl::Format(hls::Binary32{})}).latency();
   EXPECT_NEAR(rows.front().occupancy_pct(), alone, 0.15 * alone);
   EXPECT_GT(rows.back().occupancy_pct(), 90.0);
 }

@@ -18,12 +18,12 @@
 namespace hitpipe::ref::fp_slabs_safe_ray_test {
 namespace {
 
-using hls::AnyFpBits;
+using hls::FpBits;
 using oracle::exact;
 using oracle::Rational;
 
 constexpr std::uint64_t seed = 20091;
-const std::vector<AnyFpBits> formats{{8, 23}, {8, 15}, {8, 7}, {5, 10}, {6, 13}, {3, 2}, {2, 1}, {4, 23}};
+const std::vector<FpBits> formats{{8, 23}, {8, 15}, {8, 7}, {5, 10}, {6, 13}, {3, 2}, {2, 1}, {4, 23}};
 
 std::vector<adversary::Category> all_categories() {
   const auto usual = adversary::categories();
@@ -39,7 +39,7 @@ Rational power_of_two(int exponent) {
 }
 
 /// What a pattern without sign stands for; infinity counts as the number after the largest.
-Rational number(std::int64_t pattern, const AnyFpBits& bits) {
+Rational number(std::int64_t pattern, const FpBits& bits) {
   const auto field = static_cast<int>(pattern >> bits.fraction);
   const std::int64_t implicit = std::int64_t{1} << bits.fraction;
   const std::int64_t fraction = pattern % implicit;
@@ -48,14 +48,14 @@ Rational number(std::int64_t pattern, const AnyFpBits& bits) {
 }
 
 /// pattern is the last one whose number is not above x.
-void expect_last_below(std::int64_t pattern, const Rational& x, const AnyFpBits& bits) {
+void expect_last_below(std::int64_t pattern, const Rational& x, const FpBits& bits) {
   ASSERT_LE(number(pattern, bits), x);
   if (pattern + 1 < bits.infinity()) {
     ASSERT_GT(number(pattern + 1, bits), x);
   }
 }
 /// pattern is the first one whose number is not below x, or infinity if there is none.
-void expect_first_above(std::int64_t pattern, const Rational& x, const AnyFpBits& bits) {
+void expect_first_above(std::int64_t pattern, const Rational& x, const FpBits& bits) {
   if (pattern < bits.infinity()) {
     ASSERT_GE(number(pattern, bits), x);
   }
@@ -70,7 +70,7 @@ Rational scale_of(const Ray& ray) {
   return power_of_two(s);
 }
 
-void expect_bounds(const Ray& ray, const AnyFpBits& bits) {
+void expect_bounds(const Ray& ray, const FpBits& bits) {
   const FpSlabsSafeRaySetup set_up(ray, bits);
   const FpSlabsSafeRay& r = set_up.ray();
   const Rational scale = scale_of(ray);
@@ -108,7 +108,7 @@ void expect_bounds(const Ray& ray, const AnyFpBits& bits) {
 
 TEST(FpSlabsSafeRaySetup, IsTheTightestBoundInEveryFormatAndCategory) {
   adversary::Random random(seed);
-  for (const AnyFpBits& bits : formats) {
+  for (const FpBits& bits : formats) {
     for (const adversary::Category& category : all_categories()) {
       for (int i = 0; i < 60; ++i) {
         const Ray ray = category.make(random).ray;
@@ -121,7 +121,7 @@ TEST(FpSlabsSafeRaySetup, IsTheTightestBoundInEveryFormatAndCategory) {
 
 TEST(FpRounding, PutsEachPlaneOnTheNextNumberOutside) {
   adversary::Random random(seed);
-  for (const AnyFpBits& bits : formats) {
+  for (const FpBits& bits : formats) {
     for (const adversary::Category& category : all_categories()) {
       for (int i = 0; i < 60; ++i) {
         const Aabb box = category.make(random).box;

@@ -1,0 +1,29 @@
+// What a family of number formats says about itself. A family is a struct of ints, at most four, with
+//   fields      how a user writes each of the ints
+//   condition   what must hold between them, in words; it may be missing, as may all that follow
+//   valid()     the same as a function
+//   example()   a format for messages, where that is not the struct's default
+//   alias       another name of the default format
+//   single      true: the others are no formats of this family, and the default one is written by its alias
+//   type        the template that is the format with widths known when the code is compiled: "IntFormat"
+#pragma once
+
+namespace hitpipe {
+namespace hls {
+
+/// A number of a format: of 20/24 the 24 has "/" before it and is the t of n/t.
+struct FormatField {
+  const char* before;
+  const char* letter;
+  int least, most;
+  const char* most_in_words = nullptr;  ///< "2n-1": it depends on other numbers
+  bool optional = false;                ///< not written when it is 0
+};
+
+/// The formats of a pipeline with a compiled host function of their own, for speed. All others run with
+/// widths as values.
+template <class... Formats>
+struct FormatList {};
+
+}  // namespace hls
+}  // namespace hitpipe

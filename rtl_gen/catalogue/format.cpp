@@ -1,0 +1,103 @@
+#include "rtl_gen/catalogue/format.hpp"
+
+#include <charconv>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace hitpipe::rtl {
+
+namespace {
+
+/// Reads a number from the front of the text; false when there is none.
+bool take(std::string_view& text, int& number) {
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{}) return false;
+  text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
+  return true;
+}
+
+bool take(std::string_view& text, std::string_view start) {
+  if (!text.starts_with(start)) return false;
+  text.remove_prefix(start.size());
+  return true;
+}
+
+/// "e8m23" also where the format has a name.
+std::string spelled(const FormatFamily& family, const FormatNumbers& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < family.fields.size(); ++i)
+    if (!family.fields[i].optional || numbers[i] != 0)
+      text += fmt::format("{}{}", family.fields[i].before, numbers[i]);
+  return text;
+}
+
+}  // namespace
+
+std::string FormatFamily::allowed() const {
+  if (single) return fmt::format("{}, which is {}", print(usual), spelled(*this, usual));
+  std::string whole, without_optional;
+  std::vector<std::string> limits;
+  for (const hls::FormatField& field : fields) {
+    const std::string part = std::string(field.before) + field.letter;
+    whole += part;
+    if (!field.optional) without_optional += part;
+    const std::string most =
+        field.most_in_words == nullptr ? std::to_string(field.most) : field.most_in_words;
+    limits.push_back(fmt::format("{} in {}..{}", field.letter, field.least, most));
+  }
+  if (condition != nullptr) limits.emplace_back(condition);
+  const std::string last = limits.back();
+  limits.pop_back();
+  return fmt::format("{}{} with {}{}{}", without_optional, whole == without_optional ? "" : " or " + whole,
+                     fmt::join(limits, ", "), limits.empty() ? "" : " and ", last);
+}
+
+std::string FormatFamily::print(const FormatNumbers& numbers) const {
+  return single && alias != nullptr && numbers == usual ? alias : spelled(*this, numbers);
+}
+
+// "20p1_13", "20p1_13fm2": p for plus, m for minus.
+std::string FormatFamily::identifier(const FormatNumbers& numbers) const {
+  std::string text = print(numbers);
+  for (char& letter : text) letter = letter == '+' ? 'p' : letter == '-' ? 'm' : letter == '/' ? '_' : letter;
+  return text;
+}
+
+std::optional<FormatNumbers> FormatFamily::parse(std::string_view text) const {
+  if (alias != nullptr && text == alias) return usual;
+  FormatNumbers numbers{};
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!take(text, fields[i].before)) {
+      if (fields[i].optional) continue;
+      return std::nullopt;
+    }
+    if (!take(text, numbers[i])) return std::nullopt;
+  }
+  return text.empty() ? std::optional(numbers) : std::nullopt;
+}
+
+std::string FormatFamily::type(const FormatNumbers& numbers) const {
+  if (type_name == nullptr)
+    throw std::runtime_error(fmt::format("bits {}: no type that is known to a compiler", print(numbers)));
+  return fmt::format("{}<{}>", type_name,
+                     fmt::join(numbers.begin(), numbers.begin() + std::ssize(fields), ", "));
+}
+
+bool FormatFamily::within_limits(const FormatNumbers& numbers) const {
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (numbers[i] < fields[i].least || numbers[i] > fields[i].most) return false;
+  return true;
+}
+
+Format parse_format(const FormatFamily& family, std::string_view text) {
+  const auto numbers = family.parse(text);
+  if (!numbers || !family.valid(*numbers))
+    throw std::runtime_error(fmt::format("bits {}: allowed is {}, for example {}", text, family.allowed(),
+                                         family.print(family.for_example)));
+  return {family, *numbers};
+}
+
+}  // namespace hitpipe::rtl
