@@ -10,7 +10,7 @@
 #include "area_model/habits.hpp"
 #include "area_model/part.hpp"
 #include "rtl_gen/pipeline.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::area {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::sim {
 

@@ -12,7 +12,7 @@
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/pipeline.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 #include "sim/model_library.hpp"
 #include "sim/pins.hpp"
 

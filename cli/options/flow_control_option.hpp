@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/options/values.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::cli {
 

@@ -9,7 +9,6 @@
 
 #include "host/text.hpp"
 #include "rtl_gen/emit/vectors.hpp"
-#include "rtl_gen/verilog/body.hpp"
 
 namespace hitpipe::rtl {
 
@@ -131,15 +130,15 @@ std::string board_identity(const Design& design, const Format& format) {
 
 namespace {
 
-/// Connects each port to its bits of a word, the first port to the low ones.
-std::vector<std::string> connections_to(const std::vector<Port>& ports, const char* word) {
-  std::vector<std::string> connections;
+/// The bits of each port in a word, the first port in the low ones.
+std::vector<std::string> fields(const std::vector<Port>& ports, const char* word) {
+  std::vector<std::string> all;
   int low = 0;
   for (const Port& port : ports) {
-    connections.push_back(fmt::format("    .{}({}[{}:{}])", port.name, word, low + port.width - 1, low));
+    all.push_back(fmt::format("{}[{}:{}]", word, low + port.width - 1, low));
     low += port.width;
   }
-  return connections;
+  return all;
 }
 
 std::string letters_of(const std::string& text, int address_bits) {
@@ -271,7 +270,9 @@ std::string shifted(const char* name, int bytes, const char* above) {
 
 BoardUnit board_unit(const Design& design, const Format& format, const std::string& module,
                      const Pipeline& pipeline) {
-  return {module, input_ports(pipeline.graph), design.results(format), board_identity(design, format)};
+  return {unit_interface(module, input_ports(pipeline.graph), result_ports(design.results(format)),
+                         FlowControl::stall),
+          board_identity(design, format)};
 }
 
 int packed_bytes(const std::vector<Port>& ports) {
@@ -282,13 +283,15 @@ std::string board_module(const std::string& unit) {
   return unit + "_board";
 }
 
-std::string board_top(const BoardUnit& unit, int clocks_per_bit) {
-  const std::vector<Port> results = result_ports(unit.results);
-  const int operand_bytes = packed_bytes(unit.ports);
+std::string board_top(const BoardUnit& board, int clocks_per_bit) {
+  const ModuleInterface& unit = board.unit;
+  const std::vector<Port> operands = unit.operands();
+  const std::vector<Port> results = unit.results();
+  const int operand_bytes = packed_bytes(operands);
   const int result_bytes = packed_bytes(results);
-  const int operand_bits = total_width(unit.ports);
+  const int operand_bits = total_width(operands);
   const int result_bits = total_width(results);
-  const int text_bytes = static_cast<int>(unit.identity.size());
+  const int text_bytes = static_cast<int>(board.identity.size());
   const std::string serial = board_module(unit.module) + "_serial";
 
   const int whole_test = operand_bytes + 4;  // kind, tag, two of the check sequence
@@ -309,8 +312,16 @@ std::string board_top(const BoardUnit& unit, int clocks_per_bit) {
                   at(0), at(2), at(1), at(2), at(3), serial, fmt::format("{{{}results}}", padding),
                   shifted("answer", result_bytes, "8'd0"));
 
-  std::vector<std::string> connections = connections_to(unit.ports, "operands");
-  for (std::string& each : connections_to(results, "results")) connections.push_back(std::move(each));
+  std::vector<std::string> data = fields(operands, "operands");
+  for (std::string& each : fields(results, "results")) data.push_back(std::move(each));
+  std::size_t next = 0;
+  const std::string instance = unit.instance("unit_i", "8", [&](const Pin& pin) -> std::string {
+    if (pin.role == Pin::Role::data) return data[next++];
+    return pin.name == "in_valid"    ? "taken"
+           : pin.name == "in_tag"    ? "tag"
+           : pin.name == "out_ready" ? "1'b1"
+                                     : pin.name;
+  });
   const std::string unused = 8 * operand_bytes > operand_bits
                                  ? fmt::format("  wire unused = &{{1'b0, operands[{}:{}]}};  // padding\n",
                                                8 * operand_bytes - 1, operand_bits)
@@ -365,16 +376,10 @@ module {1} #(
   wire [{5}:0] results;
 )",
              unit.module, board_module(unit.module), clocks_per_bit, place_bits - 1,
-             letters_of(unit.identity, place_bits), result_bits - 1) +
+             letters_of(board.identity, place_bits), result_bits - 1) +
          receive + send +
          fmt::format(R"(
-  {0} #(.TAG_BITS(8)) unit_i (
-    .clk(clk), .rst(rst),
-    .in_valid(taken), .in_ready(in_ready), .in_tag(tag),
-    .out_valid(out_valid), .out_ready(1'b1), .out_tag(out_tag),
-{1}
-  );
-
+{0}
   reg answered;
   reg damaged;
   always @(posedge clk) begin
@@ -383,14 +388,14 @@ module {1} #(
       damaged <= 1'b0;
     end else begin
       if (sending) answered <= 1'b1;
-      if (byte_valid & flag & (count != {2}) & ~taken & ~asked) damaged <= 1'b1;
+      if (byte_valid & flag & (count != {1}) & ~taken & ~asked) damaged <= 1'b1;
     end
   end
   assign led_green_n = ~answered;
   assign led_red_n = ~damaged;
-{3}endmodule
+{2}endmodule
 )",
-                     unit.module, fmt::join(connections, ",\n"), number(0), unused) +
+                     instance, number(0), unused) +
          serial_line(serial);
 }
 

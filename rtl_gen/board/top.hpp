@@ -11,6 +11,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
 
@@ -30,10 +31,8 @@ inline constexpr std::array<std::string_view, 6> top_ports{"clk",      "rx",    
                                                            "button_n", "led_red_n", "led_green_n"};
 
 struct BoardUnit {
-  std::string module;                ///< the unit's
-  std::vector<Port> ports;           ///< its operands
-  std::vector<hls::Result> results;  ///< of the unit
-  std::string identity;              ///< what it answers to the question who it is, in ASCII
+  ModuleInterface unit;
+  std::string identity;  ///< what it answers to the question who it is, in ASCII
 };
 
 /// Of the whole unit of that name, made from the design at the format.

@@ -1,14 +1,13 @@
 // Reads a component library's file. What is wrong is said in one line: where, the entry, what is allowed.
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "host/files.hpp"
 #include "rtl_gen/component/library.hpp"
 
 namespace hitpipe::rtl {
@@ -198,10 +197,7 @@ Library Library::from_json(std::string_view text, std::string_view origin) {
 }
 
 Library Library::load(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error(fmt::format("{}: cannot read the component library", file.string()));
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return from_json(text, file.string());
+  return from_json(host::read_file(file, "cannot read the component library"), file.string());
 }
 
 std::vector<std::string> built_in_names() {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "rtl_gen/emit/result_fifo.hpp"
 
@@ -17,17 +18,34 @@ std::string bits_of(int high, int low) {
   return high == low ? fmt::format("s_axis_tdata[{}]", low) : fmt::format("s_axis_tdata[{}:{}]", high, low);
 }
 
+/// What the wrapper's text has for each operand.
+struct OperandText {
+  explicit OperandText(const std::vector<Port>& ports) {
+    std::vector<std::string> padding;
+    for (const StreamField& field : stream_fields(ports)) {
+      const int high = field.offset + field.width - 1;
+      const int end = field.offset + whole_bytes(field.width) - 1;
+      layout += fmt::format("//   {:>4}:{:<4} {}\n", high, field.offset, field.name);
+      bits.push_back(bits_of(high, field.offset));
+      if (end > high) padding.push_back(bits_of(end, high + 1));
+    }
+    if (!padding.empty())
+      unused = fmt::format("\n  // Padding.\n  wire unused = &{{1'b0, {}}};\n", fmt::join(padding, ", "));
+  }
+
+  std::string layout, unused;
+  std::vector<std::string> bits;  ///< of tdata
+};
+
 /// What the wrapper's text has for each result.
-struct StreamText {
-  explicit StreamText(const std::vector<Port>& ports) {
+struct ResultText {
+  explicit ResultText(const std::vector<Port>& ports) {
     std::vector<std::string> low_first, low_first_with_spare;
     for (const StreamField& field : stream_fields(ports)) {
       const std::string& name = field.name;
-      const std::string range = field.width == 1 ? "" : fmt::format("[{}:0] ", field.width - 1);
       layout.push_back(fmt::format("{} {}:{}", name, field.offset + field.width - 1, field.offset));
-      spares += fmt::format("  reg {}spare_{};\n", range, name);
-      wires += fmt::format("  wire {}out_{};\n", range, name);
-      connections.push_back(fmt::format("    .{0}(out_{0})", name));
+      spares += fmt::format("  reg {}spare_{};\n", vector_range(field.width), name);
+      wires += fmt::format("  wire {}out_{};\n", vector_range(field.width), name);
       moves += fmt::format("      spare_{0} <= out_{0};\n", name);
       low_first.push_back("out_" + name);
       low_first_with_spare.push_back(fmt::format("spare_valid ? spare_{0} : out_{0}", name));
@@ -43,11 +61,36 @@ struct StreamText {
 
   std::vector<std::string> layout;
   std::string spares, wires;
-  std::vector<std::string> connections;
-  std::string moves;  ///< to the spare latches
-  std::string data,
-      data_with_spare;  ///< high fields first; of the unit, or of the spare latches if they are full
+  std::string moves;                  ///< to the spare latches
+  std::string data, data_with_spare;  ///< high fields first; of the unit, or of the spare latches if full
 };
+
+/// The module inside, which has ready. `wire` connects its results.
+std::string instance(const ModuleInterface& inside, const OperandText& operands,
+                     const ModuleInterface::Wire& wire) {
+  std::size_t next = 0;
+  return inside.instance("design_i", "TAG_BITS", [&](const Pin& pin) -> std::string {
+    if (pin.channel == results_channel) return wire(pin);
+    switch (pin.role) {
+      case Pin::Role::clock:
+        return "aclk";
+      case Pin::Role::reset:
+        return "~aresetn";
+      case Pin::Role::data:
+        return operands.bits[next++];
+      default:
+        return pin.role == Pin::Role::tag ? "s_axis_tid" : "s_axis_t" + pin.name.substr(3);
+    }
+  });
+}
+
+/// The fields of tdata, in port order from bit 0.
+Json stream_side(const std::vector<Port>& ports) {
+  Json fields = Json::array();
+  for (const StreamField& field : stream_fields(ports))
+    fields.push_back({{"name", field.name}, {"offset", field.offset}, {"width", field.width}});
+  return {{"tdata_bits", stream_bits(ports)}, {"fields", fields}};
+}
 
 }  // namespace
 
@@ -71,87 +114,76 @@ std::string stream_module(const std::string& module) {
   return module + "_axis";
 }
 
-std::string axi_stream(const std::string& module, const std::vector<Port>& ports,
-                       const std::vector<hls::Result>& results, FlowControl flow) {
-  std::string layout;
-  std::string connections;
-  std::vector<std::string> padding;
-  for (const StreamField& field : stream_fields(ports)) {
-    const int high = field.offset + field.width - 1;
-    const int end = field.offset + whole_bytes(field.width) - 1;
-    layout += fmt::format("//   {:>4}:{:<4} {}\n", high, field.offset, field.name);
-    connections += fmt::format("    .{}({}),\n", field.name, bits_of(high, field.offset));
-    if (end > high) padding.push_back(bits_of(end, high + 1));
-  }
-  const std::string unused =
-      padding.empty()
-          ? ""
-          : fmt::format("\n  // Padding.\n  wire unused = &{{1'b0, {}}};\n", fmt::join(padding, ", "));
-  const std::vector<Port> out = result_ports(results);
-  const StreamText result(out);
+ModuleInterface stream_interface(const ModuleInterface& unit) {
+  using Role = Pin::Role;
+  ModuleInterface stream{stream_module(unit.module),
+                         {{"aclk", Role::clock, "", true}, {"aresetn", Role::reset, "", true}}};
+  const auto add = [&](const std::string& channel, bool is_input, const std::vector<Port>& data) {
+    stream.pins.push_back({channel + "_tvalid", Role::valid, channel, is_input});
+    stream.pins.push_back({channel + "_tready", Role::ready, channel, !is_input});
+    stream.pins.push_back({channel + "_tdata", Role::data, channel, is_input, stream_bits(data)});
+    stream.pins.push_back({channel + "_tid", Role::tag, channel, is_input, Pin::tag_width});
+  };
+  add("s_axis", true, unit.operands());
+  add("m_axis", false, unit.results());
+  return stream;
+}
+
+std::string axi_stream(const ModuleInterface& unit) {
+  const OperandText operands(unit.operands());
+  const ResultText result(unit.results());
   const std::string head = fmt::format(
-      R"(// {0} behind AXI4-Stream, the tag as tid. m_axis_tdata: {3}. s_axis_tdata:
-{1}// Generated by hitpipe; do not edit.
-module {0}_axis #(
-  parameter TAG_BITS = 16
-) (
-  input  wire aclk,
-  input  wire aresetn,
-  input  wire s_axis_tvalid,
-  output wire s_axis_tready,
-  input  wire [{2}:0] s_axis_tdata,
-  input  wire [TAG_BITS-1:0] s_axis_tid,
-  output wire m_axis_tvalid,
-  input  wire m_axis_tready,
-  output wire [{4}:0] m_axis_tdata,
-  output wire [TAG_BITS-1:0] m_axis_tid
-);
-)",
-      module, layout, stream_bits(ports) - 1, fmt::join(result.layout, ", "), stream_bits(out) - 1);
-  if (flow == FlowControl::none)
-    return head + fmt::format(
-                      R"({2}  {0} #(.TAG_BITS(TAG_BITS)) design_i (
-    .clk(aclk), .rst(~aresetn),
-    .in_valid(s_axis_tvalid), .in_ready(s_axis_tready), .in_tag(s_axis_tid),
-    .out_valid(m_axis_tvalid), .out_ready(m_axis_tready), .out_tag(m_axis_tid),
-{1}{3}
-  );
-  assign m_axis_tdata = {{{4}}};
-{5}endmodule
-)",
-                      fifo_module(module), connections, result.wires, fmt::join(result.connections, ",\n"),
-                      result.data, unused);
+      R"(// {} behind AXI4-Stream, the tag as tid. m_axis_tdata: {}. s_axis_tdata:
+{}// Generated by hitpipe; do not edit.
+{})",
+      unit.module, fmt::join(result.layout, ", "), operands.layout, stream_interface(unit).head());
+  if (unit.flow_control() == FlowControl::none) {
+    const std::string inside = instance(fifo_interface(unit), operands, [](const Pin& pin) {
+      if (pin.role == Pin::Role::data) return "out_" + pin.name;
+      return pin.role == Pin::Role::tag ? "m_axis_tid" : "m_axis_t" + pin.name.substr(4);
+    });
+    return head + fmt::format("{}{}  assign m_axis_tdata = {{{}}};\n{}endmodule\n", result.wires, inside,
+                              result.data, operands.unused);
+  }
+  const std::string inside = instance(unit, operands, [](const Pin& pin) {
+    if (pin.role == Pin::Role::data) return "out_" + pin.name;
+    return pin.role == Pin::Role::ready ? "~spare_valid" : pin.name;
+  });
   return head +
          fmt::format(
              R"(  // Holds a result when m_axis_tready falls; the pipeline stands still until it is taken.
   reg spare_valid;
-{4}  reg [TAG_BITS-1:0] spare_tag;
+{3}  reg [TAG_BITS-1:0] spare_tag;
   wire out_valid;
-{3}  wire [TAG_BITS-1:0] out_tag;
+{2}  wire [TAG_BITS-1:0] out_tag;
 
-  {0} #(.TAG_BITS(TAG_BITS)) design_i (
-    .clk(aclk), .rst(~aresetn),
-    .in_valid(s_axis_tvalid), .in_ready(s_axis_tready), .in_tag(s_axis_tid),
-    .out_valid(out_valid), .out_ready(~spare_valid), .out_tag(out_tag),
-{1}{5}
-  );
-
+{0}
   always @(posedge aclk) begin
     if (~aresetn) spare_valid <= 1'b0;
     else spare_valid <= m_axis_tvalid & ~m_axis_tready;
   end
   always @(posedge aclk) begin
     if (~spare_valid) begin
-{6}      spare_tag <= out_tag;
+{4}      spare_tag <= out_tag;
     end
   end
   assign m_axis_tvalid = spare_valid | out_valid;
-  assign m_axis_tdata = {{{7}}};
+  assign m_axis_tdata = {{{5}}};
   assign m_axis_tid = spare_valid ? spare_tag : out_tag;
-{2}endmodule
+{1}endmodule
 )",
-             module, connections, unused, result.wires, result.spares, fmt::join(result.connections, ",\n"),
-             result.moves, result.data_with_spare);
+             inside, operands.unused, result.wires, result.spares, result.moves, result.data_with_spare);
+}
+
+Json stream_json(const ModuleInterface& unit) {
+  const std::string module = stream_module(unit.module);
+  return {{"module", module},
+          {"file", module + ".v"},
+          {"clock", "aclk, rising edge"},
+          {"reset", "aresetn, synchronous, active low"},
+          {"tid", "the tag, TAG_BITS"},
+          {"s_axis", stream_side(unit.operands())},
+          {"m_axis", stream_side(unit.results())}};
 }
 
 }  // namespace hitpipe::rtl

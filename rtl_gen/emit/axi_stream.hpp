@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "rtl_gen/catalogue/port.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/emit/manifest.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
 
@@ -26,10 +26,12 @@ struct StreamField {
 
 /// The name of the wrapper of a unit's module.
 [[nodiscard]] std::string stream_module(const std::string& module);
-/// The wrapper in Verilog-2001, without the unit's module and, of a unit without flow control, without that
-/// of its result FIFO.
-[[nodiscard]] std::string axi_stream(const std::string& module, const std::vector<Port>& ports,
-                                     const std::vector<hls::Result>& results,
-                                     FlowControl flow = FlowControl::stall);
+/// aclk, aresetn, s_axis and m_axis.
+[[nodiscard]] ModuleInterface stream_interface(const ModuleInterface& unit);
+/// The wrapper in Verilog-2001, without the unit's module and, for a unit without flow control, without its
+/// result FIFO.
+[[nodiscard]] std::string axi_stream(const ModuleInterface& unit);
+/// The object axi_stream of a manifest: module, file, clock, reset, and the fields of tdata and tid.
+[[nodiscard]] Json stream_json(const ModuleInterface& unit);
 
 }  // namespace hitpipe::rtl

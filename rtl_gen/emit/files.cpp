@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "host/process.hpp"
 #include "rtl_gen/emit/axi_stream.hpp"
@@ -17,7 +18,6 @@
 #include "rtl_gen/emit/result_fifo.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/prune/check_block.hpp"
-#include "rtl_gen/prune/demand_fields.hpp"
 #include "rtl_gen/schematic/dot.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "rtl_gen/verilog/names.hpp"
@@ -74,22 +74,30 @@ std::vector<File> stage_schematics(const Pipeline& pipeline, const std::vector<P
 
 }  // namespace
 
-std::vector<File> EmittedDesign::files() const {
-  std::vector<File> all{verilog, manifest, core, testbench, harness, makefile, vectors};
+std::vector<File> EmittedDesign::files(const std::vector<File>& drawings) const {
+  std::vector<File> all{verilog, {module + ".json", ""}, core, testbench, harness, makefile, vectors};
   if (check_module) all.push_back(*check_module);
   if (fifo) all.push_back(*fifo);
   if (axi_stream) all.push_back(*axi_stream);
   if (ray_slots) all.push_back(*ray_slots);
   all.insert(all.end(), schematics.begin(), schematics.end());
   all.insert(all.end(), hls.begin(), hls.end());
+  all.insert(all.end(), drawings.begin(), drawings.end());
+  Json listing = *manifest;
+  listing["files"] = Json::array();
+  for (const File& file : all) listing["files"].push_back(file.name);
+  all[1].contents = listing.dump(2) + "\n";
   return all;
+}
+
+File EmittedDesign::manifest_file() const {
+  return files()[1];
 }
 
 EmittedDesign emit(const Design& design, Format format, const Library& library, const Pipeline& pipeline,
                    const EmitOptions& options) {
   check_together(options);
   const FlowControl flow = options.flow_control;
-  const bool stalls = flow == FlowControl::stall;
   const PrunedFrom* const from = options.pruned_from;
   const std::vector<Port> left = input_ports(pipeline.graph);
   const std::vector<hls::Result> results = design.results(format);
@@ -107,20 +115,22 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
   const VectorSet& vectors = options.vectors == nullptr ? drawn : *options.vectors;
   std::string verilog =
       to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format), .flow_control = flow});
-  std::string json = manifest(design, format, name, pipeline, library, options.axi_stream, flow);
+  const ModuleInterface unit = unit_interface(name, left, result_ports(results), flow);
+  const int latency = pipeline.latency();
+  Json json = manifest(design, format, unit, pipeline, library);
+  if (options.axi_stream) json["axi_stream"] = stream_json(unit);
   if (from != nullptr) {
-    verilog = with_check_block(verilog, check_block(name, from->demands, from->ports, left, flow));
-    json = with_demand_fields(json, from->demands, from->report);
+    verilog = with_check_block(verilog, check_block(unit, from->demands, from->ports));
+    add_demands(json, from->demands, from->report);
   }
   const int count = static_cast<int>(vectors.size());
   std::optional<RaySlots> slots;
   if (options.ray_slots) {
-    slots = ray_slots(name, left, design.ports(format), results, *options.ray_slots);
-    json = with_ray_slots(json, *slots);
+    slots = ray_slots(unit, design.ports(format), *options.ray_slots);
+    json["ray_slots"] = ray_slots_json(*slots, latency);
   }
-  const bool fifo = options.fifo || (options.axi_stream && !stalls);
-  if (fifo) json = with_result_fifo(json);
-  const std::optional<int> fixed_latency = stalls ? std::nullopt : std::optional(pipeline.latency());
+  const bool fifo = options.fifo || (options.axi_stream && flow == FlowControl::none);
+  if (fifo) json["result_fifo"] = fifo_json(unit, latency);
   const CoreParts parts{.axi_stream = options.axi_stream,
                         .fifo = fifo,
                         .slots = slots ? slots->module() : "",
@@ -128,10 +138,9 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
   EmittedDesign emitted{
       .module = name,
       .verilog = {name + ".v", std::move(verilog)},
-      .manifest = {name + ".json", std::move(json)},
       .core = {name + ".core", core_file(design, format, name, parts)},
-      .testbench = {"tb/" + name + "_tb.sv", testbench(name, left, results, count, fixed_latency)},
-      .harness = {"tb/" + name + "_harness.cpp", harness(name, left, results, count, fixed_latency)},
+      .testbench = {"tb/" + name + "_tb.sv", testbench(unit, count, latency)},
+      .harness = {"tb/" + name + "_harness.cpp", harness(unit, count, latency)},
       .makefile = {"tb/Makefile", testbench_makefile()},
       .vectors = {"tb/" + name + "_vectors.hex",
                   vector_summary(title, vectors, results) + vector_file(ports, left, results, vectors.all())},
@@ -141,20 +150,17 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
       .ray_slots = {},
       .schematics =
           stage_schematics(pipeline, design.ports(format), name, title + (from == nullptr ? "" : ", fitted")),
-      .hls = {}};
+      .hls = {},
+      .manifest = std::make_shared<const Json>(std::move(json))};
   if (from != nullptr)
     emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
-  if (fifo) emitted.fifo = {fifo_module(name) + ".v", result_fifo(name, left, results, pipeline.latency())};
-  if (options.axi_stream)
-    emitted.axi_stream = {stream_module(name) + ".v", axi_stream(name, left, results, flow)};
+  if (fifo) emitted.fifo = {fifo_module(name) + ".v", result_fifo(unit, latency)};
+  if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(unit)};
   if (slots) emitted.ray_slots = {slots->module() + ".v", to_verilog(*slots)};
   if (options.hls) {
     emitted.hls = hls_top(design, format, name).files();
     for (File& file : emitted.hls) file.name.insert(0, "hls/");
   }
-  std::vector<std::string> listed;
-  for (const File& file : emitted.files()) listed.push_back(file.name);
-  emitted.manifest.contents = with_files(emitted.manifest.contents, listed);
   return emitted;
 }
 

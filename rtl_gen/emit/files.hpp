@@ -1,6 +1,7 @@
 // A design as files: Verilog, manifest, FuseSoC core, schematics, testbench and its vectors.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,10 +9,10 @@
 #include "host/files.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/prune/report.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
 
 namespace hitpipe::rtl {
 
@@ -45,7 +46,6 @@ struct EmitOptions {
 struct EmittedDesign {
   std::string module;                ///< the unit's; it begins the name of every other module and file
   File verilog;                      ///< <module>.v
-  File manifest;                     ///< <module>.json
   File core;                         ///< <module>.core, for FuseSoC
   File testbench;                    ///< tb/<module>_tb.sv
   File harness;                      ///< tb/<module>_harness.cpp
@@ -57,8 +57,12 @@ struct EmittedDesign {
   std::optional<File> ray_slots{};   ///< <module>_slots.v, if asked for
   std::vector<File> schematics{};    ///< a .dot for each group of stages, from the first on
   std::vector<File> hls{};           ///< hls/: the top function and its script, if asked for
+  std::shared_ptr<const Json> manifest;  ///< without the list of files
 
-  [[nodiscard]] std::vector<File> files() const;
+  /// All of them and these drawings. <module>.json is the second; it lists all.
+  [[nodiscard]] std::vector<File> files(const std::vector<File>& drawings = {}) const;
+  /// <module>.json without drawings.
+  [[nodiscard]] File manifest_file() const;
 };
 
 /// The same bytes for the same design, format and library. `pipeline` is the design's at that format, or what

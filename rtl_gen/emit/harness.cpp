@@ -66,20 +66,18 @@ constexpr const char* with_fixed_latency = R"(  std::mt19937 random(1);
 
 }  // namespace
 
-std::string harness(const std::string& module, const std::vector<Port>& ports,
-                    const std::vector<hls::Result>& results, int count, std::optional<int> fixed_latency) {
-  int width = 0;
-  for (const Port& port : ports) width += port.width;
-  for (const hls::Result& result : results) width += result.width;
+std::string harness(const ModuleInterface& unit, int count, int latency) {
+  const bool ready = unit.flow_control() == FlowControl::stall;
+  const int width = total_width(unit.operands()) + total_width(unit.results());
   std::string operands;
   std::string comparisons;
   int above = width;
-  for (const Port& port : ports) {
+  for (const Port& port : unit.operands()) {
     operands +=
         fmt::format("  set(dut.{}, bits(vector, {}, {}));\n", port.name, above - 1, above - port.width);
     above -= port.width;
   }
-  for (const hls::Result& result : results) {
+  for (const Port& result : unit.results()) {
     comparisons += fmt::format("  text += difference(\"{0}\", dut.{0}, bits(vector, {1}, {2}));\n",
                                result.name, above - 1, above - result.width);
     above -= result.width;
@@ -210,23 +208,22 @@ int main() {{
   }}
 }}
 )",
-      fmt::arg("module", module), fmt::arg("width", width), fmt::arg("count", count),
+      fmt::arg("module", unit.module), fmt::arg("width", width), fmt::arg("count", count),
       fmt::arg("digits", (width + 3) / 4), fmt::arg("first_digit", "137f"[(width + 3) % 4]),
-      fmt::arg("how", fixed_latency ? "Tests go in with random gaps.\n// A result comes out a fixed number "
-                                      "of cycles later, and in no other cycle."
-                                    : "Tests go in and\n// results come out through the valid/ready "
-                                      "handshake, with random gaps and stalls."),
-      fmt::arg("deque", fixed_latency ? "#include <deque>\n" : ""),
+      fmt::arg("how", ready ? "Tests go in and\n// results come out through the valid/ready "
+                              "handshake, with random gaps and stalls."
+                            : "Tests go in with random gaps.\n// A result comes out a fixed number "
+                              "of cycles later, and in no other cycle."),
+      fmt::arg("deque", ready ? "" : "#include <deque>\n"),
       fmt::arg(
           "latency",
-          fixed_latency
-              ? fmt::format(
-                    "// Edges from the one that takes the operands to the one that latches the results.\n"
-                    "constexpr std::size_t latency = {};\n",
-                    *fixed_latency)
-              : ""),
-      fmt::arg("no_out_ready", fixed_latency ? "" : "  dut.out_ready = 0;\n"),
-      fmt::arg("drive", fixed_latency ? with_fixed_latency : with_handshake), fmt::arg("operands", operands),
+          ready ? ""
+                : fmt::format(
+                      "// Edges from the one that takes the operands to the one that latches the results.\n"
+                      "constexpr std::size_t latency = {};\n",
+                      latency)),
+      fmt::arg("no_out_ready", ready ? "  dut.out_ready = 0;\n" : ""),
+      fmt::arg("drive", ready ? with_handshake : with_fixed_latency), fmt::arg("operands", operands),
       fmt::arg("comparisons", comparisons));
 }
 

@@ -8,14 +8,24 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "rtl_gen/emit/axi_stream.hpp"
 #include "rtl_gen/verilog/names.hpp"
 
 namespace hitpipe::rtl {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+Json demands_json(const Demands& demands) {
+  Json list = Json::array();
+  for (const PortDemand& demand : demands.ports) {
+    Json within = Json::array();
+    for (const Interval& each : demand.within) within.push_back({each.low, each.high});
+    list.push_back({{"port", demand.port}, {"within", within}});
+    if (demand.low_zeros > 0) list.back()["low_zeros"] = demand.low_zeros;
+  }
+  for (const OrderDemand& order : demands.orders)
+    list.push_back({{"lesser", order.lesser}, {"greater", order.greater}});
+  return list;
+}
 
 const char* word_of(hls::Meaning meaning) {
   switch (meaning) {
@@ -42,22 +52,6 @@ Json results_json(const std::vector<hls::Result>& results) {
   return list;
 }
 
-Json ports(const Graph& graph, const std::vector<hls::Result>& results, FlowControl flow) {
-  Json list = Json::array();
-  const auto add = [&](const std::string& name, const char* direction, const Json& width, bool is_signed) {
-    list.push_back({{"name", name}, {"direction", direction}, {"width", width}, {"signed", is_signed}});
-  };
-  for (const char* name : {"clk", "rst", "in_valid"}) add(name, "in", 1, false);
-  if (flow == FlowControl::stall) add("in_ready", "out", 1, false);
-  add("in_tag", "in", "TAG_BITS", false);
-  add("out_valid", "out", 1, false);
-  if (flow == FlowControl::stall) add("out_ready", "in", 1, false);
-  add("out_tag", "out", "TAG_BITS", false);
-  for (const NodeId id : graph.inputs()) add(graph[id].name, "in", graph[id].width, graph[id].is_signed);
-  for (const hls::Result& result : results) add(result.name, "out", result.width, result.is_signed);
-  return list;
-}
-
 Json stages(const Pipeline& pipeline) {
   Json list = Json::array();
   for (int stage = 0; stage <= pipeline.schedule.stages; ++stage) {
@@ -79,35 +73,29 @@ Json stages(const Pipeline& pipeline) {
 }
 
 /// Of one direction.
-Json stream_side(const std::vector<Port>& ports) {
-  Json fields = Json::array();
-  for (const StreamField& field : stream_fields(ports))
-    fields.push_back({{"name", field.name}, {"offset", field.offset}, {"width", field.width}});
-  return {{"tdata_bits", stream_bits(ports)}, {"fields", fields}};
-}
-
-Json stream_json(const std::string& module, const std::vector<Port>& ports,
-                 const std::vector<hls::Result>& results) {
-  return {{"module", stream_module(module)},
-          {"file", stream_module(module) + ".v"},
-          {"clock", "aclk, rising edge"},
-          {"reset", "aresetn, synchronous, active low"},
-          {"tid", "the tag, TAG_BITS"},
-          {"s_axis", stream_side(ports)},
-          {"m_axis", stream_side(result_ports(results))}};
-}
-
 }  // namespace
 
-std::string manifest(const Design& design, Format format, const std::string& module, const Pipeline& pipeline,
-                     const Library& library, bool stream, FlowControl flow) {
-  const std::vector<hls::Result> results = design.results(format);
-  Json json{
+Json ports_json(const ModuleInterface& interface) {
+  Json list = Json::array();
+  for (const Pin& pin : interface.pins) {
+    const Json width = pin.width == Pin::tag_width ? Json("TAG_BITS") : Json(pin.width);
+    list.push_back({{"name", pin.name},
+                    {"direction", pin.is_input ? "in" : "out"},
+                    {"width", width},
+                    {"signed", pin.is_signed}});
+  }
+  return list;
+}
+
+Json manifest(const Design& design, Format format, const ModuleInterface& unit, const Pipeline& pipeline,
+              const Library& library) {
+  const FlowControl flow = unit.flow_control();
+  return {
       {"design", std::string(design.name)},
       {"kind", design.kind.name},
       {"bits", to_string(format)},
-      {"module", module},
-      {"verilog", {module + ".v"}},
+      {"module", unit.module},
+      {"verilog", {unit.module + ".v"}},
       {"clock", "clk, rising edge"},
       {"reset", "rst, synchronous, active high, valid bits only"},
       {"flow_control", flow_control_name(flow)},
@@ -115,21 +103,27 @@ std::string manifest(const Design& design, Format format, const std::string& mod
                         ? "valid/ready; results in order; the whole pipeline waits for out_ready"
                         : "valid; results in order, each `latency` cycles after its operands; nothing waits"},
       {"parameters", {{"TAG_BITS", 16}}},
-      {"ports", ports(pipeline.graph, results, flow)},
-      {"results", results_json(results)},
+      {"ports", ports_json(unit)},
+      {"results", results_json(design.results(format))},
       {"stages", pipeline.schedule.stages},
       {"latency", pipeline.latency()},
       {"clock_ps", pipeline.schedule.clock_ps},
       {"library", library.name()},
       {"by_stage", stages(pipeline)}};
-  if (stream) json["axi_stream"] = stream_json(module, input_ports(pipeline.graph), results);
-  return json.dump(2) + "\n";
 }
 
-std::string with_files(const std::string& manifest, const std::vector<std::string>& files) {
-  Json json = Json::parse(manifest);
-  json["files"] = files;
-  return json.dump(2) + "\n";
+void add_demands(Json& manifest, const Demands& demands, const PruneReport& report) {
+  if (demands.empty()) return;
+  manifest["demands"] = demands_json(demands);
+  manifest["dropped_ports"] = report.dropped_ports();
+  manifest["narrowed_ports"] = Json::array();
+  for (const PortChange& change : report.ports) {
+    if (change.bits_after == 0) continue;
+    manifest["narrowed_ports"].push_back(
+        {{"name", change.port}, {"from", change.bits_before}, {"to", change.bits_after}});
+  }
+  manifest["left_out"] = Json::array();
+  for (const Cut& cut : report.cuts) manifest["left_out"].push_back(cut_text(cut));
 }
 
 namespace {
@@ -160,6 +154,28 @@ ManifestHead head_of(const std::string& manifest) {
   } catch (const Json::exception&) {
     throw std::runtime_error("no manifest: it must be JSON with design, bits, module and latency");
   }
+}
+
+Demands demands_of_manifest(const std::string& manifest) {
+  Demands demands;
+  try {
+    const Json json = Json::parse(manifest);
+    if (!json.contains("demands")) return demands;
+    for (const Json& each : json.at("demands")) {
+      if (!each.contains("port")) {
+        demands.orders.push_back(
+            {each.at("lesser").get<std::string>(), each.at("greater").get<std::string>()});
+        continue;
+      }
+      PortDemand demand{each.at("port").get<std::string>(), {}, each.value("low_zeros", 0)};
+      for (const Json& within : each.at("within"))
+        demand.within.push_back({within.at(0).get<std::int64_t>(), within.at(1).get<std::int64_t>()});
+      demands.ports.push_back(std::move(demand));
+    }
+  } catch (const Json::exception&) {
+    throw std::runtime_error("manifest: \"demands\" is not a list of demands");
+  }
+  return demands;
 }
 
 }  // namespace hitpipe::rtl

@@ -1,26 +1,35 @@
 // The manifest of an emitted design: what a flow needs to know, in JSON. It is computed from the graph that
-// was emitted.
+// was emitted, and stays one JSON value until its file is written.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/pipeline.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/prune/report.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
 
+using Json = nlohmann::ordered_json;
+
 /// Keys: design, kind, bits, module, verilog, clock, reset, flow_control, handshake, ports (name, direction,
 /// width, signed), results (name, meaning, box, width), stages, latency, clock_ps, library, by_stage (for
-/// each stage, its components with their counts and the latch bits at its end). With `stream` also
-/// axi_stream: the wrapper's module, file, clock, reset, and the fields of its tdata and tid.
-[[nodiscard]] std::string manifest(const Design& design, Format format, const std::string& module,
-                                   const Pipeline& pipeline, const Library& library, bool stream = false,
-                                   FlowControl flow = FlowControl::stall);
+/// each stage, its components with their counts and the latch bits at its end). Wrappers add an object each,
+/// and emit() adds `files`.
+[[nodiscard]] Json manifest(const Design& design, Format format, const ModuleInterface& unit,
+                            const Pipeline& pipeline, const Library& library);
 
-/// The manifest with the key `files`: all files of the unit.
-[[nodiscard]] std::string with_files(const std::string& manifest, const std::vector<std::string>& files);
+/// The pins of a module, in the order of its Verilog: name, direction, width, signed.
+[[nodiscard]] Json ports_json(const ModuleInterface& interface);
+
+/// Adds what software must know of a fitted unit: `demands` (port, within and low_zeros if any, or lesser and
+/// greater), which it must check, `dropped_ports`, `narrowed_ports` (name, from, to bits) and `left_out` (a
+/// line for each cut). Without demands the manifest does not change.
+void add_demands(Json& manifest, const Demands& demands, const PruneReport& report);
 
 /// What a manifest says about its unit.
 struct ManifestHead {
@@ -34,5 +43,9 @@ struct ManifestHead {
 
 /// Throws std::runtime_error, one line, when the text is not a manifest.
 [[nodiscard]] ManifestHead head_of(const std::string& manifest);
+
+/// The demands of a manifest; none when it has no field `demands`. Throws std::runtime_error, one line, when
+/// the field is not as add_demands() writes it.
+[[nodiscard]] Demands demands_of_manifest(const std::string& manifest);
 
 }  // namespace hitpipe::rtl

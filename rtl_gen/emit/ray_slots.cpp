@@ -1,33 +1,17 @@
 #include "rtl_gen/emit/ray_slots.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "rtl_gen/verilog/body.hpp"
-
 namespace hitpipe::rtl {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr std::array own_names{"clk",        "rst",        "ray_valid", "ray_ready",   "ray_end_only",
-                               "ray_slot",   "in_valid",   "in_ready",  "in_tag",      "in_slot",
-                               "out_valid",  "out_ready",  "out_tag",   "line_memory", "end_memory",
-                               "line_read",  "end_read",   "test_read", "tag_read",    "read",
-                               "read_valid", "unit_ready", "TAG_BITS",  "unit_i",      "written"};
-
-int total_bits(const std::vector<Port>& ports) {
-  int bits = 0;
-  for (const Port& port : ports) bits += port.width;
-  return bits;
-}
 
 std::string names_of(const std::vector<Port>& ports, const char* separator) {
   std::vector<std::string> each;
@@ -40,19 +24,19 @@ struct Word {
   const std::vector<Port>& ports;
   const char* read;  ///< the register that holds the word while its test enters the unit
 
-  [[nodiscard]] int width() const { return total_bits(ports); }
+  [[nodiscard]] int width() const { return total_width(ports); }
   [[nodiscard]] std::string value() const { return fmt::format("{{{}}}", names_of(ports, ", ")); }
   [[nodiscard]] std::string declaration() const {
     return fmt::format("  reg {}{};\n", vector_range(width()), read);
   }
-  void connect(std::vector<std::string>& connections) const {
+  /// Adds the bits of each port, by its name.
+  void add_bits(std::map<std::string, std::string>& wires) const {
     int high = width();
     for (const Port& port : ports) {
       const int low = high - port.width;
-      const std::string bits = width() == 1      ? ""
-                               : port.width == 1 ? fmt::format("[{}]", low)
-                                                 : fmt::format("[{}:{}]", high - 1, low);
-      connections.push_back(fmt::format("    .{}({}{})", port.name, read, bits));
+      wires[port.name] = read + (width() == 1      ? ""
+                                 : port.width == 1 ? fmt::format("[{}]", low)
+                                                   : fmt::format("[{}:{}]", high - 1, low));
       high = low;
     }
   }
@@ -66,30 +50,32 @@ std::string memory(const Word& word, const char* name, int slots, const char* en
       vector_range(word.width()), name, slots - 1, word.declaration(), enable, word.value(), word.read);
 }
 
-void add_inputs(std::vector<std::string>& list, const std::vector<Port>& ports) {
-  for (const Port& port : ports)
-    list.push_back(fmt::format("input  wire {}{}", vector_range(port.width), port.name));
-}
-
-std::vector<std::string> port_list(const RaySlots& slots) {
-  const std::string slot = vector_range(slots.slot_bits);
-  std::vector<std::string> list{"input  wire clk", "input  wire rst", "input  wire ray_valid",
-                                "output wire ray_ready"};
-  if (!slots.end.empty()) list.emplace_back("input  wire ray_end_only");
-  list.push_back(fmt::format("input  wire {}ray_slot", slot));
-  add_inputs(list, slots.line);
-  add_inputs(list, slots.end);
-  for (const char* const port :
-       {"input  wire in_valid", "output wire in_ready", "input  wire [TAG_BITS-1:0] in_tag"})
-    list.emplace_back(port);
-  list.push_back(fmt::format("input  wire {}in_slot", slot));
-  add_inputs(list, slots.test);
-  for (const char* const port :
-       {"output wire out_valid", "input  wire out_ready", "output wire [TAG_BITS-1:0] out_tag"})
-    list.emplace_back(port);
-  for (const hls::Result& result : slots.results)
-    list.push_back(fmt::format("output wire {}{}", vector_range(result.width), result.name));
-  return list;
+/// The channel "ray", of writes, and the unit's channels with a slot in place of the ray's operands.
+ModuleInterface interface_of(const RaySlots& slots) {
+  using Role = Pin::Role;
+  const std::string ray = "ray";
+  const ModuleInterface inside = unit_interface(slots.unit.module + "_slots", {}, {}, FlowControl::stall);
+  ModuleInterface made{inside.module, {}};
+  const auto add_channel = [&](const std::string& channel) {
+    for (const Pin& pin : inside.pins)
+      if (pin.channel == channel) made.pins.push_back(pin);
+  };
+  const auto add_slot = [&](const std::string& channel) {
+    add_data(made.pins, channel, true, {{channel + "_slot", slots.slot_bits, false}});
+  };
+  add_channel("");
+  made.pins.push_back({"ray_valid", Role::valid, ray, true});
+  made.pins.push_back({"ray_ready", Role::ready, ray, false});
+  if (!slots.end.empty()) add_data(made.pins, ray, true, {{"ray_end_only", 1, false}});
+  add_slot(ray);
+  add_data(made.pins, ray, true, slots.line);
+  add_data(made.pins, ray, true, slots.end);
+  add_channel(tests_channel);
+  add_slot(tests_channel);
+  add_data(made.pins, tests_channel, true, slots.test);
+  add_channel(results_channel);
+  add_data(made.pins, results_channel, false, slots.unit.results());
+  return made;
 }
 
 }  // namespace
@@ -131,19 +117,19 @@ std::vector<SentWith> sent_with(const std::vector<Port>& ports) {
 }
 
 int RaySlots::bits_without() const {
-  return total_bits(line) + total_bits(end) + total_bits(test);
+  return total_width(line) + total_width(end) + total_width(test);
 }
 
 int RaySlots::bits_of_test() const {
-  return slot_bits + total_bits(test);
+  return slot_bits + total_width(test);
 }
 
 int RaySlots::bits_of_ray() const {
-  return slot_bits + total_bits(line) + total_bits(end) + (end.empty() ? 0 : 1);
+  return slot_bits + total_width(line) + total_width(end) + (end.empty() ? 0 : 1);
 }
 
 int RaySlots::bits_of_end() const {
-  return end.empty() ? 0 : slot_bits + 1 + total_bits(end);
+  return end.empty() ? 0 : slot_bits + 1 + total_width(end);
 }
 
 void check_ray_slots(FlowControl flow) {
@@ -159,25 +145,17 @@ int slot_count(int least) {
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(least)));
 }
 
-RaySlots ray_slots(const std::string& unit, const std::vector<Port>& ports, const std::vector<Port>& operands,
-                   const std::vector<hls::Result>& results, int least) {
+RaySlots ray_slots(const ModuleInterface& unit, const std::vector<Port>& operands, int least) {
   RaySlots slots{.unit = unit,
+                 .interface = {},
+                 .slot_bits = std::countr_zero(static_cast<unsigned>(slot_count(least))),
                  .line = {},
                  .end = {},
                  .test = {},
                  .line_places = {},
-                 .end_places = {},
-                 .results = results};
-  slots.slot_bits = std::countr_zero(static_cast<unsigned>(slot_count(least)));
+                 .end_places = {}};
   const std::vector<SentWith> parts = sent_with(operands);
-  std::vector<Port> named = result_ports(results);
-  named.insert(named.end(), ports.begin(), ports.end());
-  for (const Port& port : named) {
-    if (std::find(own_names.begin(), own_names.end(), port.name) != own_names.end())
-      throw std::runtime_error(
-          fmt::format("{}: its port {} has the name of one of {}", unit, port.name, slots.module()));
-  }
-  for (const Port& port : ports) {
+  for (const Port& port : unit.operands()) {
     const std::size_t place = index_of(operands, port.name);
     switch (parts.at(place)) {
       case SentWith::line:
@@ -193,11 +171,15 @@ RaySlots ray_slots(const std::string& unit, const std::vector<Port>& ports, cons
         break;
     }
   }
+  slots.interface = interface_of(slots);
+  check_names(slots.interface, unit,
+              {"ray_end_only", "line_memory", "end_memory", "line_read", "end_read", "test_read", "tag_read",
+               "read", "read_valid", "unit_ready", "unit_i", "written"});
   if (slots.line.empty())
     throw std::runtime_error(
         fmt::format("{}: none of its operands says where a ray lies, so slots would "
                     "hold nothing of it",
-                    unit));
+                    unit.module));
   return slots;
 }
 
@@ -209,22 +191,26 @@ std::string to_verilog(const RaySlots& slots) {
   std::string memories =
       memory(line, "line_memory", slots.slots(), ends ? "written & ~ray_end_only" : "written");
   if (ends) memories += memory(end, "end_memory", slots.slots(), "written");
-  std::vector<std::string> connections;
-  for (const Word& word : {line, end, test}) word.connect(connections);
-  for (const hls::Result& result : slots.results)
-    connections.push_back(fmt::format("    .{0}({0})", result.name));
+  std::map<std::string, std::string> wires{
+      {"in_valid", "read_valid"}, {"in_ready", "unit_ready"}, {"in_tag", "tag_read"}};
+  std::vector<Port> operands;
+  for (const Word& word : {line, end, test}) {
+    word.add_bits(wires);
+    operands.insert(operands.end(), word.ports.begin(), word.ports.end());
+  }
+  const std::string instance =
+      unit_interface(slots.unit.module, operands, slots.unit.results(), FlowControl::stall)
+          .instance("unit_i", "TAG_BITS", [&](const Pin& pin) {
+            const auto found = wires.find(pin.name);
+            return found == wires.end() ? pin.name : found->second;
+          });
   const bool tests = !slots.test.empty();
   return fmt::format(
-      R"(// {0} behind a memory of {2} rays: write a ray to a slot, then send tests that name the slot.
-// {3}A test sees what was written at earlier edges; it is taken one edge after a write to its slot or
+      R"(// {0} behind a memory of {1} rays: write a ray to a slot, then send tests that name the slot.
+// {2}A test sees what was written at earlier edges; it is taken one edge after a write to its slot or
 // later. Results come one cycle later than those of {0}.
 // Generated by hitpipe; do not edit.
-module {1} #(
-  parameter TAG_BITS = 16
-) (
-  {4}
-);
-  // Writes never wait. A test of the slot that is being written does, so that no memory is read where it is
+{3}  // Writes never wait. A test of the slot that is being written does, so that no memory is read where it is
   // written.
   assign ray_ready = 1'b1;
   wire written = ray_valid;
@@ -236,55 +222,25 @@ module {1} #(
     if (rst) read_valid <= 1'b0;
     else if (unit_ready | ~read_valid) read_valid <= read;
   end
-{5}
-{6}  reg [TAG_BITS-1:0] tag_read;
+{4}
+{5}  reg [TAG_BITS-1:0] tag_read;
   always @(posedge clk) begin
     if (read) begin
-{7}      tag_read <= in_tag;
+{6}      tag_read <= in_tag;
     end
   end
 
-  {0} #(.TAG_BITS(TAG_BITS)) unit_i (
-    .clk(clk), .rst(rst),
-    .in_valid(read_valid), .in_ready(unit_ready), .in_tag(tag_read),
-    .out_valid(out_valid), .out_ready(out_ready), .out_tag(out_tag),
-{8}
-  );
-endmodule
+{7}endmodule
 )",
-      slots.unit, slots.module(), slots.slots(),
+      slots.unit.module, slots.slots(),
       ends ? fmt::format("With ray_end_only a write changes {} and nothing else.\n// ",
                          names_of(slots.end, ", "))
            : "",
-      fmt::join(port_list(slots), ",\n  "), memories, tests ? test.declaration() : "",
-      tests ? fmt::format("      test_read <= {};\n", test.value()) : "", fmt::join(connections, ",\n"));
+      slots.interface.head(), memories, tests ? test.declaration() : "",
+      tests ? fmt::format("      test_read <= {};\n", test.value()) : "", instance);
 }
 
-std::string with_ray_slots(const std::string& manifest, const RaySlots& slots) {
-  Json json = Json::parse(manifest);
-  Json ports = Json::array();
-  const auto add = [&](const std::string& name, const char* direction, const Json& width, bool is_signed) {
-    ports.push_back({{"name", name}, {"direction", direction}, {"width", width}, {"signed", is_signed}});
-  };
-  const auto add_operands = [&](const std::vector<Port>& operands) {
-    for (const Port& port : operands) add(port.name, "in", port.width, port.is_signed);
-  };
-  for (const char* const name : {"clk", "rst", "ray_valid"}) add(name, "in", 1, false);
-  add("ray_ready", "out", 1, false);
-  if (!slots.end.empty()) add("ray_end_only", "in", 1, false);
-  add("ray_slot", "in", slots.slot_bits, false);
-  add_operands(slots.line);
-  add_operands(slots.end);
-  add("in_valid", "in", 1, false);
-  add("in_ready", "out", 1, false);
-  add("in_tag", "in", "TAG_BITS", false);
-  add("in_slot", "in", slots.slot_bits, false);
-  add_operands(slots.test);
-  add("out_valid", "out", 1, false);
-  add("out_ready", "in", 1, false);
-  add("out_tag", "out", "TAG_BITS", false);
-  for (const hls::Result& result : slots.results) add(result.name, "out", result.width, result.is_signed);
-
+Json ray_slots_json(const RaySlots& slots, int unit_latency) {
   Json memories = Json::array();
   const auto add_memory = [&](const char* name, const std::vector<Port>& operands) {
     if (operands.empty()) return;
@@ -292,8 +248,8 @@ std::string with_ray_slots(const std::string& manifest, const RaySlots& slots) {
     for (const Port& port : operands) held.push_back(port.name);
     memories.push_back({{"name", name},
                         {"words", slots.slots()},
-                        {"width", total_bits(operands)},
-                        {"bits", slots.slots() * total_bits(operands)},
+                        {"width", total_width(operands)},
+                        {"bits", slots.slots() * total_width(operands)},
                         {"operands", held}});
   };
   add_memory("line_memory", slots.line);
@@ -302,14 +258,13 @@ std::string with_ray_slots(const std::string& manifest, const RaySlots& slots) {
             {"test", slots.bits_of_test()},
             {"ray", slots.bits_of_ray()}};
   if (!slots.end.empty()) bits["end_only"] = slots.bits_of_end();
-  json["ray_slots"] = {{"module", slots.module()},
-                       {"file", slots.module() + ".v"},
-                       {"slots", slots.slots()},
-                       {"latency", json.at("latency").get<int>() + 1},
-                       {"memories", memories},
-                       {"bits", bits},
-                       {"ports", ports}};
-  return json.dump(2) + "\n";
+  return {{"module", slots.module()},
+          {"file", slots.module() + ".v"},
+          {"slots", slots.slots()},
+          {"latency", unit_latency + 1},
+          {"memories", memories},
+          {"bits", bits},
+          {"ports", ports_json(slots.interface)}};
 }
 
 }  // namespace hitpipe::rtl

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/emit/manifest.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
 
@@ -28,13 +29,13 @@ struct RaySlots {
   static constexpr int fewest = 2;
   static constexpr int most = 65'536;
 
-  std::string unit;  ///< the unit's module
+  ModuleInterface unit;
+  ModuleInterface interface;  ///< of the wrapper
   int slot_bits = 0;
   std::vector<Port> line, end, test;                 ///< the unit's operands, in port order
   std::vector<std::size_t> line_places, end_places;  ///< of the ray's, among the design's operands
-  std::vector<hls::Result> results;
 
-  [[nodiscard]] std::string module() const { return unit + "_slots"; }
+  [[nodiscard]] const std::string& module() const { return interface.module; }
   [[nodiscard]] int slots() const { return 1 << slot_bits; }
   /// Operand bits that a test of the bare unit needs.
   [[nodiscard]] int bits_without() const;
@@ -48,20 +49,19 @@ struct RaySlots {
 /// number that is not allowed.
 [[nodiscard]] int slot_count(int least);
 
-/// Throws std::invalid_argument, one line, for a unit that has no ready: slots need it to hold a test back.
+/// Throws std::invalid_argument, one line, for a unit without flow control: a slot write must be able to
+/// stall a test.
 void check_ray_slots(FlowControl flow);
 
-/// With slot_count(least) slots. `ports` are those of the unit's module, each one of `operands`, which have
-/// the roles. Throws as slot_count() does, and std::runtime_error, one line, for a unit without operands of a
-/// ray and for a port that has the name of one of the wrapper's own.
-[[nodiscard]] RaySlots ray_slots(const std::string& unit, const std::vector<Port>& ports,
-                                 const std::vector<Port>& operands, const std::vector<hls::Result>& results,
-                                 int least);
+/// With slot_count(least) slots. The operands of the unit are some of `operands`, which have the roles.
+/// Throws as slot_count() and check_names() do, and std::runtime_error, one line, for a unit without operands
+/// of a ray.
+[[nodiscard]] RaySlots ray_slots(const ModuleInterface& unit, const std::vector<Port>& operands, int least);
 
 /// The wrapper in Verilog-2001, without the module of the unit.
 [[nodiscard]] std::string to_verilog(const RaySlots& slots);
 
-/// Adds the object ray_slots to a manifest.
-[[nodiscard]] std::string with_ray_slots(const std::string& manifest, const RaySlots& slots);
+/// The object ray_slots of a manifest, for a unit of that latency.
+[[nodiscard]] Json ray_slots_json(const RaySlots& slots, int unit_latency);
 
 }  // namespace hitpipe::rtl

@@ -5,11 +5,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "rtl_gen/catalogue/port.hpp"
+#include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/pipeline.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
 
@@ -26,12 +25,11 @@ namespace hitpipe::rtl {
 
 /// The name of the wrapper of a unit's module.
 [[nodiscard]] std::string fifo_module(const std::string& module);
-/// The wrapper in Verilog-2001, without the unit's module. Throws std::runtime_error, one line, for a port
-/// that has the name of one of the wrapper's own.
-[[nodiscard]] std::string result_fifo(const std::string& module, const std::vector<Port>& ports,
-                                      const std::vector<hls::Result>& results, int latency);
-
-/// Adds the object result_fifo to a manifest: module, file, places, the width of a place, ports.
-[[nodiscard]] std::string with_result_fifo(const std::string& manifest);
+/// The pins of the wrapper: the unit's, and both ready.
+[[nodiscard]] ModuleInterface fifo_interface(const ModuleInterface& unit);
+/// The wrapper in Verilog-2001, without the unit's module. Throws as check_names() does.
+[[nodiscard]] std::string result_fifo(const ModuleInterface& unit, int latency);
+/// The object result_fifo of a manifest: module, file, places, the width of a place, ports.
+[[nodiscard]] Json fifo_json(const ModuleInterface& unit, int latency);
 
 }  // namespace hitpipe::rtl

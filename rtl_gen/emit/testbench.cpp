@@ -24,8 +24,7 @@ std::vector<std::string> fields(const char* word, const std::vector<Port>& ports
 
 /// What the testbench's text has for each result.
 struct ResultText {
-  ResultText(const std::vector<hls::Result>& results, const char* word) {
-    const std::vector<Port> ports = result_ports(results);
+  ResultText(const std::vector<Port>& ports, const char* word) {
     const std::vector<std::string> expected = fields(word, ports, total_width(ports));
     for (std::size_t i = 0; i < ports.size(); ++i) {
       const std::string& name = ports[i].name;
@@ -34,7 +33,6 @@ struct ResultText {
       } else {
         wires += fmt::format("  wire [{}:0] {};\n", ports[i].width - 1, name);
       }
-      connections.push_back(fmt::format("    .{0}({0})", name));
       differences.push_back(fmt::format("{} !== {}", name, expected[i]));
       formats += fmt::format("{} %b, expected %b, ", name);
       values += fmt::format("{}, {}, ", name, expected[i]);
@@ -43,15 +41,14 @@ struct ResultText {
 
   std::string bits;   ///< declared beside other wires of one bit
   std::string wires;  ///< declarations of wider ones
-  std::vector<std::string> connections, differences;
+  std::vector<std::string> differences;
   std::string formats, values;  ///< to print what differs
 };
 
 /// What differs between a unit that takes part in a handshake and one whose latency is fixed.
 struct FlowText {
-  explicit FlowText(std::optional<int> fixed_latency) : ready(!fixed_latency) {
+  FlowText(FlowControl flow, int latency) : ready(flow == FlowControl::stall) {
     if (ready) return;
-    const int latency = *fixed_latency;
     // Long enough to show what comes that was never sent.
     constants = fmt::format(
         "  // Edges from the one that takes the operands to the one that latches the results.\n"
@@ -109,16 +106,18 @@ struct FlowText {
 
 }  // namespace
 
-std::string testbench(const std::string& module, const std::vector<Port>& ports,
-                      const std::vector<hls::Result>& results, int count, std::optional<int> fixed_latency) {
-  const int result_width = total_width(result_ports(results));
+std::string testbench(const ModuleInterface& unit, int count, int latency) {
+  const std::vector<Port> ports = unit.operands();
+  const int result_width = total_width(unit.results());
   const int width = total_width(ports) + result_width;
   const std::vector<std::string> operands = fields("operands", ports, width);
-  std::string connections;
-  for (std::size_t i = 0; i < ports.size(); ++i)
-    connections += fmt::format("    .{}({}),\n", ports[i].name, operands[i]);
-  const ResultText result(results, "expected");
-  const FlowText flow(fixed_latency);
+  const ResultText result(unit.results(), "expected");
+  const FlowText flow(unit.flow_control(), latency);
+  std::size_t next = 0;
+  const auto wire = [&](const Pin& pin) {
+    if (pin.channel == tests_channel && pin.role == Pin::Role::tag) return std::string("sent[15:0]");
+    return pin.channel == tests_channel && pin.role == Pin::Role::data ? operands[next++] : pin.name;
+  };
   const std::string compare = fmt::format(
       R"(        if ({} || out_tag !== received[15:0]) begin
           $display("FAIL vector %0d (%h): {}tag %0d", received, vectors[received],
@@ -152,9 +151,9 @@ module {module}_tb;
   wire [RESULT_BITS-1:0] expected = vectors[received][RESULT_BITS-1:0];
 
   {module} #(.TAG_BITS(16)) dut (
-    .clk(clk), .rst(rst), .in_valid(in_valid), {in_ready_pin}.in_tag(sent[15:0]),
-    .out_valid(out_valid), {out_ready_pin}.out_tag(out_tag),
-{connections}{result_connections}
+    {test_pins},
+    {result_pins},
+{data_pins}
   );
 
   // Unlike $readmemh, this sees every damage of the file, and sees the same in every simulator.
@@ -231,15 +230,15 @@ module {module}_tb;
   end
 endmodule
 )",
-      fmt::arg("module", module), fmt::arg("count", count), fmt::arg("width", width),
+      fmt::arg("module", unit.module), fmt::arg("count", count), fmt::arg("width", width),
       fmt::arg("result_width", result_width), fmt::arg("result_bits", result.bits),
-      fmt::arg("result_wires", result.wires), fmt::arg("connections", connections),
-      fmt::arg("result_connections", fmt::join(result.connections, ",\n")),
+      fmt::arg("result_wires", result.wires),
+      fmt::arg("test_pins", unit.control_connections({"", tests_channel}, wire)),
+      fmt::arg("result_pins", unit.control_connections({results_channel}, wire)),
+      fmt::arg("data_pins", unit.data_connections(wire)),
       fmt::arg("stalls", flow.only_with_ready(" and stalls")), fmt::arg("constants", flow.constants),
       fmt::arg("more", flow.more), fmt::arg("out_ready", flow.only_with_ready(", out_ready")),
       fmt::arg("in_ready", flow.only_with_ready("in_ready, ")),
-      fmt::arg("in_ready_pin", flow.only_with_ready(".in_ready(in_ready), ")),
-      fmt::arg("out_ready_pin", flow.only_with_ready(".out_ready(out_ready), ")),
       fmt::arg("seen", flow.ready ? "handshakes" : "results"),
       fmt::arg("no_out_ready", flow.only_with_ready(" out_ready = 1'b0;")),
       fmt::arg("nothing_due", flow.ready ? "" : " due = 0; idle = 0;"),

@@ -2,30 +2,24 @@
 // the unit as Verilator compiles it, from which engineers start their own.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
 
 /// tb/<module>_tb.sv in SystemVerilog, for Icarus Verilog and Verilator. It sends the vectors with gaps and
 /// stalls, and compares every result and every tag. It prints "PASS <n> vectors"; or it prints "FAIL" with
-/// the first mismatch or what is wrong with the file, and ends with $fatal. With a `fixed_latency` the unit
-/// has no ready: there are gaps and no stalls, and in every cycle a result must be there exactly when one is
-/// due.
-[[nodiscard]] std::string testbench(const std::string& module, const std::vector<Port>& ports,
-                                    const std::vector<hls::Result>& results, int count,
-                                    std::optional<int> fixed_latency = {});
+/// the first mismatch or what is wrong with the file, and ends with $fatal. For a unit
+/// without flow control there are gaps and no stalls, and in every cycle a result must be there exactly when
+/// it is due, `latency` edges after its operands.
+[[nodiscard]] std::string testbench(const ModuleInterface& unit, int count, int latency);
 /// tb/Makefile: icarus, verilator, harness and waves, for all units in the folder. It names none of them.
 [[nodiscard]] std::string testbench_makefile();
 
 /// Sends the `count` vectors of tb/<module>_vectors.hex with gaps and stalls, and compares every result and
-/// every tag. Prints "PASS <n> vectors" and returns 0, or prints "FAIL" with the reason and returns 1. With a
-/// `fixed_latency` the unit has no ready, as in testbench().
-[[nodiscard]] std::string harness(const std::string& module, const std::vector<Port>& ports,
-                                  const std::vector<hls::Result>& results, int count,
-                                  std::optional<int> fixed_latency = {});
+/// every tag. Prints "PASS <n> vectors" and returns 0, or prints "FAIL" with the reason and returns 1. A unit
+/// without flow control is driven as in testbench().
+[[nodiscard]] std::string harness(const ModuleInterface& unit, int count, int latency);
 
 }  // namespace hitpipe::rtl

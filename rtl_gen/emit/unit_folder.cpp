@@ -1,8 +1,7 @@
 #include "rtl_gen/emit/unit_folder.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -24,10 +23,10 @@ std::vector<std::string> names_of(const std::vector<host::File>& files) {
 
 /// What a manifest in the folder lists; nothing when the file is not there or is no manifest.
 std::vector<std::string> listed_in(const fs::path& manifest) {
-  std::ifstream in(manifest, std::ios::binary);
-  if (!in) return {};
+  const std::optional<std::string> text = host::contents_of(manifest);
+  if (!text) return {};
   try {
-    return head_of({std::istreambuf_iterator<char>(in), {}}).files;
+    return head_of(*text).files;
   } catch (const std::runtime_error&) {
     return {};
   }
@@ -68,28 +67,21 @@ std::set<std::string> files_of_others(const fs::path& folder, const std::string&
 }  // namespace
 
 UnitFiles files_and_drawings(const EmittedDesign& emitted) {
-  UnitFiles unit{emitted.files(), true};
-  std::optional<std::vector<host::File>> drawings = draw(emitted.schematics);
-  unit.drawn = drawings.has_value();
-  if (!drawings) return unit;
-  std::move(drawings->begin(), drawings->end(), std::back_inserter(unit.files));
-  const auto manifest = std::find_if(unit.files.begin(), unit.files.end(), [&](const host::File& file) {
-    return file.name == emitted.manifest.name;
-  });
-  manifest->contents = with_files(manifest->contents, names_of(unit.files));
-  return unit;
+  const std::optional<std::vector<host::File>> drawings = draw(emitted.schematics);
+  return {emitted.files(drawings.value_or(std::vector<host::File>{})), drawings.has_value()};
 }
 
 UnitFiles write_unit(const fs::path& folder, const EmittedDesign& emitted) {
   UnitFiles unit = files_and_drawings(emitted);
-  std::vector<std::string> stale = listed_in(folder / emitted.manifest.name);
+  const std::string manifest = emitted.module + ".json";
+  std::vector<std::string> stale = listed_in(folder / manifest);
   host::write_files(folder, unit.files);
   const std::vector<std::string> written = names_of(unit.files);
   std::erase_if(stale, [&](const std::string& name) {
     return std::find(written.begin(), written.end(), name) != written.end() || !is_own_file(folder, name);
   });
   if (stale.empty()) return unit;
-  const std::set<std::string> others = files_of_others(folder, emitted.manifest.name);
+  const std::set<std::string> others = files_of_others(folder, manifest);
   for (const std::string& name : stale)
     if (!others.contains(name)) remove_file(folder, name);
   return unit;

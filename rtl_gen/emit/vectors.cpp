@@ -6,14 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "hls/num/bits.hpp"
+
 namespace hitpipe::rtl {
 
 namespace {
 
 std::int64_t fit(std::uint64_t bits, const Port& port) {
-  const int spare = 64 - port.width;
-  const std::uint64_t high = bits << spare;
-  return port.is_signed ? static_cast<std::int64_t>(high) >> spare : static_cast<std::int64_t>(high >> spare);
+  return port.is_signed ? hls::sign_extended(bits, port.width)
+                        : static_cast<std::int64_t>(bits & hls::low_mask(port.width));
 }
 
 /// Most significant bit first.

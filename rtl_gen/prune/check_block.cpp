@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include "rtl_gen/prune/facts.hpp"
-#include "rtl_gen/verilog/body.hpp"
 
 namespace hitpipe::rtl {
 
@@ -20,7 +19,7 @@ const Port* port_called(const std::vector<Port>& ports, const std::string& name)
 }
 
 std::uint64_t pattern_in(std::int64_t number, int width) {
-  return static_cast<std::uint64_t>(number) & all_bits(width);
+  return static_cast<std::uint64_t>(number) & hls::low_mask(width);
 }
 
 std::string literal(const Port& port, std::int64_t number) {
@@ -138,19 +137,19 @@ std::vector<Check> checks(const Demands& demands, const std::vector<Port>& origi
 
 }  // namespace
 
-std::string check_block(const std::string& module, const Demands& demands, const std::vector<Port>& original,
-                        const std::vector<Port>& ports, FlowControl flow) {
+std::string check_block(const ModuleInterface& unit, const Demands& demands,
+                        const std::vector<Port>& original) {
   if (demands.empty()) return "";
   std::string text = "\n  // Demands that the unit was fitted to.\n";
   std::string tests;
-  for (const Check& check : checks(demands, original, ports)) {
+  for (const Check& check : checks(demands, original, unit.operands())) {
     if (!check.broken) {
       text += fmt::format("  //   {}: not seen at these ports\n", check.demand);
       continue;
     }
     if (check.broken->empty()) continue;
     tests += fmt::format("      if ({}) begin\n", *check.broken);
-    tests += fmt::format("        $display(\"{}: {} is broken by", module, check.demand);
+    tests += fmt::format("        $display(\"{}: {} is broken by", unit.module, check.demand);
     for (const std::string& port : check.ports) tests += fmt::format(" {} = %h", port);
     tests += fmt::format("\", {});\n        $fatal(1);\n      end\n", fmt::join(check.ports, ", "));
   }
@@ -158,7 +157,7 @@ std::string check_block(const std::string& module, const Demands& demands, const
   return text + fmt::format(
                     "`ifdef HITPIPE_CHECK\n`ifndef SYNTHESIS\n  always @(posedge clk) begin\n"
                     "    if (in_valid{} && !rst) begin\n{}    end\n  end\n`endif\n`endif\n",
-                    flow == FlowControl::stall ? " && in_ready" : "", tests);
+                    unit.flow_control() == FlowControl::stall ? " && in_ready" : "", tests);
 }
 
 std::string with_check_block(const std::string& verilog, const std::string& block) {

@@ -13,7 +13,7 @@ namespace hitpipe::rtl {
 namespace {
 
 Interval all_signed(int width) {
-  const auto most = static_cast<std::int64_t>(all_bits(width) >> 1);
+  const auto most = static_cast<std::int64_t>(hls::low_mask(width) >> 1);
   return {-most - 1, most};
 }
 
@@ -29,10 +29,10 @@ Facts::Facts(int width, std::uint64_t zeros, std::uint64_t ones, Interval number
 void Facts::sharpen() {
   const std::uint64_t sign = std::uint64_t{1} << (width_ - 1);
   const std::uint64_t least = ones_ | (sign & ~zeros_);
-  const std::uint64_t most = (~zeros_ & all_bits(width_) & ~sign) | (ones_ & sign);
-  number_.low = std::max(number_.low, number_of(least, width_));
-  number_.high = std::min(number_.high, number_of(most, width_));
-  const std::uint64_t below = all_bits(known_low());
+  const std::uint64_t most = (~zeros_ & hls::low_mask(width_) & ~sign) | (ones_ & sign);
+  number_.low = std::max(number_.low, hls::sign_extended(least, width_));
+  number_.high = std::min(number_.high, hls::sign_extended(most, width_));
+  const std::uint64_t below = hls::low_mask(known_low());
   const std::uint64_t low =
       static_cast<std::uint64_t>(number_.low) + ((ones_ - static_cast<std::uint64_t>(number_.low)) & below);
   const std::uint64_t high =
@@ -40,8 +40,8 @@ void Facts::sharpen() {
   number_ = {static_cast<std::int64_t>(low), static_cast<std::int64_t>(high)};
   const int differing = 64 - std::countl_zero(low ^ high);
   const std::uint64_t agreed = differing == 64 ? 0 : ~std::uint64_t{0} << differing;
-  zeros_ |= ~low & agreed & all_bits(width_);
-  ones_ |= low & agreed & all_bits(width_);
+  zeros_ |= ~low & agreed & hls::low_mask(width_);
+  ones_ |= low & agreed & hls::low_mask(width_);
 }
 
 Facts Facts::nothing(int width) {
@@ -49,7 +49,7 @@ Facts Facts::nothing(int width) {
 }
 
 Facts Facts::constant(int width, std::uint64_t pattern) {
-  const std::int64_t number = number_of(pattern, width);
+  const std::int64_t number = hls::sign_extended(pattern, width);
   return {width, 0, 0, {number, number}};
 }
 
@@ -62,11 +62,11 @@ Facts Facts::number(int width, Wide low, Wide high) {
 Facts Facts::patterns(int width, Patterns p) {
   // Patterns with the top bit clear and set are not one interval of numbers.
   if ((p.low ^ p.high) >> (width - 1) != 0) return nothing(width);
-  return number(width, number_of(p.low, width), number_of(p.high, width));
+  return number(width, hls::sign_extended(p.low, width), hls::sign_extended(p.high, width));
 }
 
 Facts Facts::bits(int width, std::uint64_t zeros, std::uint64_t ones) {
-  return {width, zeros & all_bits(width), ones & all_bits(width), all_signed(width)};
+  return {width, zeros & hls::low_mask(width), ones & hls::low_mask(width), all_signed(width)};
 }
 
 Facts Facts::either(const Facts& a, const Facts& b) {
@@ -85,10 +85,10 @@ Facts Facts::both(const Facts& a, const Facts& b) {
 
 Patterns Facts::patterns() const {
   if (number_.low >= 0 || number_.high < 0) {
-    return {static_cast<std::uint64_t>(number_.low) & all_bits(width_),
-            static_cast<std::uint64_t>(number_.high) & all_bits(width_)};
+    return {static_cast<std::uint64_t>(number_.low) & hls::low_mask(width_),
+            static_cast<std::uint64_t>(number_.high) & hls::low_mask(width_)};
   }
-  return {ones_, ~zeros_ & all_bits(width_)};
+  return {ones_, ~zeros_ & hls::low_mask(width_)};
 }
 
 int Facts::signed_width() const {
@@ -99,7 +99,7 @@ int Facts::signed_width() const {
 }
 
 int Facts::unknown_width() const {
-  const std::uint64_t unknown = ~(zeros_ | ones_) & all_bits(width_);
+  const std::uint64_t unknown = ~(zeros_ | ones_) & hls::low_mask(width_);
   return 64 - std::countl_zero(unknown);
 }
 
@@ -118,7 +118,7 @@ using Orders = std::set<std::pair<NodeId, NodeId>>;
 
 /// The low bits of a sum or difference are known up to where the bits of both operands are.
 Facts known_low_bits(const Facts& a, const Facts& b, std::uint64_t result_of_ones) {
-  const std::uint64_t mask = all_bits(std::min(a.known_low(), b.known_low()));
+  const std::uint64_t mask = hls::low_mask(std::min(a.known_low(), b.known_low()));
   return Facts::bits(a.width(), ~result_of_ones & mask, result_of_ones & mask);
 }
 
@@ -148,7 +148,7 @@ Facts product_in_range(int width, const Facts& a, const Facts& b, bool is_signed
 
 Facts product(int width, const Facts& a, const Facts& b, bool is_signed) {
   return Facts::both(product_in_range(width, a, b, is_signed),
-                     Facts::bits(width, all_bits(std::min(width, a.low_zeros() + b.low_zeros())), 0));
+                     Facts::bits(width, hls::low_mask(std::min(width, a.low_zeros() + b.low_zeros())), 0));
 }
 
 Facts sliced(const Facts& a, int low, int width) {
@@ -168,10 +168,10 @@ Facts concatenated(int width, const Facts& high, const Facts& low) {
 Facts extended(const Facts& a, int width, bool is_signed) {
   if (is_signed) {
     const Facts bounds = Facts::number(width, a.number().low, a.number().high);
-    return Facts::both(bounds, Facts::bits(width, a.zeros() & all_bits(a.width()) >> 1,
-                                           a.ones() & all_bits(a.width()) >> 1));
+    return Facts::both(bounds, Facts::bits(width, a.zeros() & hls::low_mask(a.width()) >> 1,
+                                           a.ones() & hls::low_mask(a.width()) >> 1));
   }
-  const std::uint64_t above = ~all_bits(a.width());
+  const std::uint64_t above = ~hls::low_mask(a.width());
   return Facts::both(Facts::bits(width, a.zeros() | above, a.ones()), Facts::patterns(width, a.patterns()));
 }
 
@@ -254,7 +254,7 @@ class Analysis {
     const Facts& b = facts_[n.args[1]];
     if (n.args[0] == n.args[1]) return Facts::constant(n.width, 0);
     const Wide most = Wide{a.number().high} - b.number().low;
-    if (in_order(n.args[1], n.args[0], true) && most <= Wide{all_bits(n.width) >> 1})
+    if (in_order(n.args[1], n.args[0], true) && most <= Wide{hls::low_mask(n.width) >> 1})
       return Facts::both(difference(a, b), Facts::number(n.width, 0, most));
     return difference(a, b);
   }
@@ -285,7 +285,7 @@ class Analysis {
       if (n.op == Op::extend) return n.is_signed == is_signed;
       if (n.op != Op::slice || n.low != 0) return false;
       const Facts& whole = facts_[n.args[0]];
-      return is_signed ? whole.signed_width() <= n.width : whole.patterns().high <= all_bits(n.width);
+      return is_signed ? whole.signed_width() <= n.width : whole.patterns().high <= hls::low_mask(n.width);
     };
     const auto port_of = [&](NodeId id) {
       while (keeps_number(graph_[id])) id = graph_[id].args[0];
@@ -312,7 +312,7 @@ Facts facts_of(const PortDemand& demand, int width, bool is_signed) {
   Facts facts = of(*multiples_in(demand.within.front(), demand.low_zeros));
   for (const Interval& i : demand.within)
     facts = Facts::either(facts, of(*multiples_in(i, demand.low_zeros)));
-  return Facts::both(facts, Facts::bits(width, all_bits(demand.low_zeros), 0));
+  return Facts::both(facts, Facts::bits(width, hls::low_mask(demand.low_zeros), 0));
 }
 
 std::vector<Facts> analyse(const Graph& graph, const Demands& demands) {

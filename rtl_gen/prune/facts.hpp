@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hls/num/bits.hpp"
 #include "rtl_gen/graph/graph.hpp"
 #include "rtl_gen/prune/demands.hpp"
 
@@ -13,15 +14,6 @@ namespace hitpipe::rtl {
 
 /// Holds the result of 64-bit operands before it is known to fit into 64 bits.
 __extension__ using Wide = __int128;
-
-/// All bits of a value of this width, 0 to 64.
-[[nodiscard]] constexpr std::uint64_t all_bits(int width) {
-  return width == 0 ? 0 : ~std::uint64_t{0} >> (64 - width);
-}
-/// A pattern as a two's complement number.
-[[nodiscard]] constexpr std::int64_t number_of(std::uint64_t pattern, int width) {
-  return static_cast<std::int64_t>(pattern << (64 - width)) >> (64 - width);
-}
 
 /// The bounds of a value that is read without a sign.
 struct Patterns {
@@ -52,7 +44,7 @@ class Facts {
   [[nodiscard]] bool is_constant() const { return number_.low == number_.high; }
   /// The bits of a constant.
   [[nodiscard]] std::uint64_t pattern() const {
-    return static_cast<std::uint64_t>(number_.low) & all_bits(width_);
+    return static_cast<std::uint64_t>(number_.low) & hls::low_mask(width_);
   }
   /// How many low bits hold the number in two's complement: the bits above repeat the highest of them.
   [[nodiscard]] int signed_width() const;

@@ -129,7 +129,7 @@ class Narrow {
     const Facts& b = facts_[n.args[1]];
     const int width = a.width();
     const std::uint64_t alike = (a.zeros() & b.zeros()) | (a.ones() & b.ones());
-    const int differing = std::max(1, 64 - std::countl_zero(~alike & all_bits(width)));
+    const int differing = std::max(1, 64 - std::countl_zero(~alike & hls::low_mask(width)));
     const bool keeps_sign = n.op == Op::less && n.is_signed;
     const int by_sign = std::max(a.signed_width(), b.signed_width());
     // When the high bits are equal, the order is that of the unsigned patterns below them.

@@ -116,7 +116,7 @@ bool opposite(const Graph& graph, NodeId a, NodeId b) {
 
 /// The value of a gate with a constant operand; no_node when `fixed` is no constant that decides.
 NodeId with_constant(Graph& to, Op op, NodeId fixed, NodeId other) {
-  const std::uint64_t all = all_bits(to[other].width);
+  const std::uint64_t all = hls::low_mask(to[other].width);
   if (is_constant(to, fixed, 0)) return op == Op::bit_and ? fixed : other;
   if (!is_constant(to, fixed, all)) return no_node;
   return op == Op::bit_and ? other : op == Op::bit_or ? fixed : to.invert(other);
@@ -130,7 +130,7 @@ Graph simplify_gates(const Graph& graph) {
     if (n.op != Op::bit_and && n.op != Op::bit_or && n.op != Op::bit_xor) return no_node;
     const auto [a, b, unused] = operands;
     if (a == b) return n.op == Op::bit_xor ? to.constant(n.width, 0) : a;
-    if (opposite(to, a, b)) return to.constant(n.width, n.op == Op::bit_and ? 0 : all_bits(n.width));
+    if (opposite(to, a, b)) return to.constant(n.width, n.op == Op::bit_and ? 0 : hls::low_mask(n.width));
     if (const NodeId made = with_constant(to, n.op, a, b); made != no_node) return made;
     return with_constant(to, n.op, b, a);
   });
@@ -148,7 +148,7 @@ NodeId shifted(Graph& to, const Node& mul, NodeId fixed, NodeId other) {
   if (factor.op != Op::constant) return no_node;
   if (factor.value == 0) return to.constant(mul.width, 0);
   if (!std::has_single_bit(factor.value)) return no_node;
-  if (mul.is_signed && number_of(factor.value, factor.width) < 0) return no_node;
+  if (mul.is_signed && hls::sign_extended(factor.value, factor.width) < 0) return no_node;
   const int shift = std::countr_zero(factor.value);
   const NodeId wide = to.extend(other, mul.width, mul.is_signed);
   return shift == 0 ? wide : to.concat(to.slice(wide, mul.width - 1 - shift, 0), to.constant(shift, 0));

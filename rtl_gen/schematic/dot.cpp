@@ -70,8 +70,7 @@ std::string_view turned(std::string_view sign) {
 
 std::string number_text(const Node& constant, const Node& reader) {
   if (reader.op == Op::call && constant.value != 0) return fmt::format("{:#x}", constant.value);
-  const int spare = 64 - constant.width;
-  return reader.is_signed ? fmt::format("{}", static_cast<std::int64_t>(constant.value << spare) >> spare)
+  return reader.is_signed ? fmt::format("{}", hls::sign_extended(constant.value, constant.width))
                           : fmt::format("{}", constant.value);
 }
 

@@ -41,10 +41,6 @@ std::string_view infix(Op op) {
 
 }  // namespace
 
-std::string vector_range(int width) {
-  return width == 1 ? "" : fmt::format("[{}:0] ", width - 1);
-}
-
 Body::Body(const Graph& graph, const Schedule& schedule, const Placement& placement, BodyOptions options)
     : graph_(graph), schedule_(schedule), placement_(placement), options_(std::move(options)) {
   taken_ = options_.taken;
@@ -55,7 +51,12 @@ Body::Body(const Graph& graph, const Schedule& schedule, const Placement& placem
   }
   names_ = value_names(graph, placement, taken_);
   taken_.insert(names_.begin(), names_.end());
-  for (const Register& r : placement.registers) registers_.push_back(claim(wished_name(r)));
+  registers_of_.resize(graph.size());
+  for (std::size_t i = 0; i < placement.registers.size(); ++i) {
+    const Register& r = placement.registers[i];
+    registers_.push_back(claim(wished_name(r)));
+    registers_of_[r.value].push_back(i);
+  }
 
   if (std::any_of(placement.registers.begin(), placement.registers.end(),
                   [](const Register& r) { return r.boundary == 0; })) {
@@ -100,12 +101,12 @@ std::string Body::wished_name(const Register& r) const {
 }
 
 std::string Body::bits_of(NodeId root, int high, int low, int stage) const {
-  const auto covers = [&](const Register& r) {
-    return r.value == root && r.boundary == stage - 1 && r.low <= low && r.high >= high;
-  };
-  const auto found = std::find_if(placement_.registers.begin(), placement_.registers.end(), covers);
-  if (found == placement_.registers.end()) return select_bits(names_[root], declared(root), high, low);
-  return select_bits(register_name(*found), {found->high, found->low}, high, low);
+  for (const std::size_t i : registers_of_[root]) {
+    const Register& r = placement_.registers[i];
+    if (r.boundary == stage - 1 && r.low <= low && r.high >= high)
+      return select_bits(registers_[i], {r.high, r.low}, high, low);
+  }
+  return select_bits(names_[root], declared(root), high, low);
 }
 
 std::string Body::expression(NodeId value, int stage) const {

@@ -9,12 +9,10 @@
 
 #include "rtl_gen/component/product.hpp"
 #include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 #include "rtl_gen/verilog/names.hpp"
 
 namespace hitpipe::rtl {
-
-/// "[23:0] ", or nothing for one bit.
-[[nodiscard]] std::string vector_range(int width);
 
 struct BodyOptions {
   std::string prefix;             ///< begins the names of component modules
@@ -68,8 +66,9 @@ class Body {
   const Placement& placement_;
   BodyOptions options_;
   std::set<std::string> taken_;
-  std::vector<std::string> names_;      ///< by node
-  std::vector<std::string> registers_;  ///< names, in the order of the placement
+  std::vector<std::string> names_;                      ///< by node
+  std::vector<std::string> registers_;                  ///< names, in the order of the placement
+  std::vector<std::vector<std::size_t>> registers_of_;  ///< by node: the places of its registers
   std::map<MultiplierShape, std::string> multipliers_;
   std::map<std::string, UnitUse> units_;
   std::string text_;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "rtl_gen/pipeline.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
 

@@ -24,8 +24,9 @@ VerilatedDesign verilate(const rtl::Design& design, const WrittenUnit& unit, std
             default_cache(), {},          unit.flow_control};
   rtl::check_ray_slots(unit.flow_control);
   const rtl::RaySlots slots =
-      rtl::ray_slots(unit.module, rtl::input_ports(unit.pipeline.graph), design.ports(unit.format),
-                     design.results(unit.format), *ray_slots);
+      rtl::ray_slots(rtl::unit_interface(unit.module, rtl::input_ports(unit.pipeline.graph),
+                                         rtl::result_ports(design.results(unit.format)), unit.flow_control),
+                     design.ports(unit.format), *ray_slots);
   return {design,
           unit.format,
           unit.pipeline,

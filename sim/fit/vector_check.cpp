@@ -85,7 +85,7 @@ class Run {
       const rtl::Port& port = (*check_.ports)[i];
       result_.first_mismatch +=
           fmt::format(" {}={:#x}", port.name,
-                      static_cast<std::uint64_t>(asked.vector.operands[i]) & rtl::all_bits(port.width));
+                      static_cast<std::uint64_t>(asked.vector.operands[i]) & hls::low_mask(port.width));
     }
   }
 

@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include "rtl_gen/emit/manifest.hpp"
-#include "rtl_gen/prune/demand_fields.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/prune.hpp"
 

@@ -9,7 +9,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/prune/demands.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 
 namespace hitpipe::sim {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 #include "sim/implement/netlist_simulation.hpp"
 #include "sim/implement/place_and_route.hpp"
 #include "sim/implement/target.hpp"

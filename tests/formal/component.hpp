@@ -10,7 +10,7 @@
 #include "rtl_gen/component/product.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/body.hpp"
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::formal {
 

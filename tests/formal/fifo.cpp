@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "rtl_gen/emit/result_fifo.hpp"
-#include "rtl_gen/verilog/body.hpp"
 
 namespace hitpipe::formal {
 
@@ -130,7 +129,8 @@ endmodule
       fmt::arg("last", latency), fmt::arg("test_high", test_bits - 1), fmt::arg("word", word),
       fmt::arg("place_bits", std::bit_width(static_cast<unsigned>(places - 1))), fmt::arg("places", places),
       fmt::arg("test_bits", test_bits), fmt::arg("held", held));
-  std::string wrapper = rtl::result_fifo(unit, operands, {{"seen", hls::Meaning::hit, 0, 1, false}}, latency);
+  std::string wrapper = rtl::result_fifo(
+      rtl::unit_interface(unit, operands, {{"seen", 1, false}}, rtl::FlowControl::none), latency);
   insert_behind(
       wrapper, "  wire [TAG_BITS-1:0] unit_tag;\n",
       fmt::format("  wire [{}:0] is_test;\n  wire [{}:0] tests;\n", latency, test_bits * (latency + 1) - 1));

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "rtl_gen/prune/demand_fields.hpp"
+#include "rtl_gen/emit/manifest.hpp"
 #include "tests/rtl_gen/prune/demand_sets.hpp"
 #include "tests/rtl_gen/tool.hpp"
 

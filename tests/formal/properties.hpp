@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "rtl_gen/verilog/flow_control.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 #include "tests/formal/component.hpp"
 
 namespace hitpipe::formal {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "rtl_gen/verilog/body.hpp"
-
 namespace hitpipe::formal {
 
 namespace {
@@ -32,7 +30,8 @@ std::string slots_proof(const std::string& unit, const std::vector<rtl::Port>& o
   int bits = 0;
   for (const rtl::Port& port : operands) bits += port.width;
   const rtl::RaySlots slots =
-      rtl::ray_slots(unit, operands, operands, {{"seen", hls::Meaning::hit, 0, bits, false}}, few_slots);
+      rtl::ray_slots(rtl::unit_interface(unit, operands, {{"seen", bits, false}}, rtl::FlowControl::stall),
+                     operands, few_slots);
   const Part line(slots.line);
   const Part end(slots.end);
   const Part test(slots.test);

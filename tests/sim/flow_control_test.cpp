@@ -1,12 +1,11 @@
 // Units without flow control in Verilator: each result comes exactly `latency` cycles after its test, damage
 // is found, a scene is traced as by the unit that stalls. The result FIFO around them loses nothing.
-#include "rtl_gen/verilog/flow_control.hpp"
-
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/result_fifo.hpp"
 #include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/verilog/module.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 #include "sim/cosim.hpp"
 #include "sim/fit/unit_cosim.hpp"
 #include "tests/message_of.hpp"
@@ -103,8 +102,10 @@ TEST(WithoutFlowControl, RaySlotsRejected) {
 TEST(ResultFifo, LosesNothingWhateverTheConsumerDoes) {
   const WrittenUnit whole = whole_unit(int_slabs(), narrow, rtl::Library::thesis(), rtl::FlowControl::none);
   const std::string verilog =
-      whole.verilog +
-      rtl::result_fifo(whole.module, ports(), int_slabs().results(narrow), whole.pipeline.latency());
+      whole.verilog + rtl::result_fifo(rtl::unit_interface(whole.module, ports(),
+                                                           rtl::result_ports(int_slabs().results(narrow)),
+                                                           whole.flow_control),
+                                       whole.pipeline.latency());
   const VerilatedDesign design(int_slabs(), narrow, whole.pipeline, verilog, rtl::fifo_module(whole.module));
   for (const Traffic& traffic :
        {Traffic{"full", 1.0, 1.0}, Traffic{"gaps and stalls", 0.7, 0.7}, Traffic{"stalls", 1.0, 0.6},

@@ -30,8 +30,10 @@ VerilatedDesign behind_slots(const Unit& unit, int slots, const std::string& goo
                              const std::string& bad = "") {
   const rtl::Library& library = rtl::Library::thesis();
   const rtl::Pipeline pipeline = rtl::make_pipeline(unit.design().trace(unit.format), library);
-  const rtl::RaySlots memory = rtl::ray_slots(std::string(unit.name), rtl::input_ports(pipeline.graph),
-                                              unit.ports(), unit.design().results(unit.format), slots);
+  const rtl::RaySlots memory = rtl::ray_slots(
+      rtl::unit_interface(std::string(unit.name), rtl::input_ports(pipeline.graph),
+                          rtl::result_ports(unit.design().results(unit.format)), rtl::FlowControl::stall),
+      unit.ports(), slots);
   const std::string verilog = rtl::to_verilog(
       pipeline, library, {.module_name = std::string(unit.name), .bits = rtl::to_string(unit.format)});
   return {unit.design(),

@@ -12,6 +12,7 @@
 #include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
 
@@ -36,6 +37,10 @@ struct DesignFormat {
   [[nodiscard]] std::string module() const { return found().module_at(parsed()); }
   [[nodiscard]] Pipeline pipeline() const {
     return make_pipeline(found().trace(parsed()), Library::thesis());
+  }
+  /// Of the whole unit.
+  [[nodiscard]] ModuleInterface interface(FlowControl flow = FlowControl::stall) const {
+    return unit_interface(module(), found().ports(parsed()), result_ports(found().results(parsed())), flow);
   }
 };
 inline std::ostream& operator<<(std::ostream& out, const DesignFormat& d) {

@@ -33,7 +33,7 @@ std::vector<std::string> names_of(const std::vector<File>& files) {
 TEST(Emit, NamesEveryPart) {
   const EmittedDesign d = emitted({"int_slabs", "20/24"}, {.axi_stream = true});
   EXPECT_EQ(d.verilog.name, "int_slabs.v");
-  EXPECT_EQ(d.manifest.name, "int_slabs.json");
+  EXPECT_EQ(d.manifest_file().name, "int_slabs.json");
   EXPECT_EQ(d.core.name, "int_slabs.core");
   EXPECT_EQ(d.testbench.name, "tb/int_slabs_tb.sv");
   EXPECT_EQ(d.harness.name, "tb/int_slabs_harness.cpp");
@@ -49,7 +49,7 @@ TEST(Emit, NamesEveryPart) {
 TEST(Emit, PutsInEveryPartWhatItIs) {
   const EmittedDesign d = emitted({"int_slabs", "20/24"}, {.axi_stream = true});
   EXPECT_NE(d.verilog.contents.find("module int_slabs #("), std::string::npos);
-  EXPECT_EQ(head_of(d.manifest.contents).design, "int_slabs");
+  EXPECT_EQ(head_of(d.manifest_file().contents).design, "int_slabs");
   EXPECT_TRUE(d.core.contents.starts_with("CAPI=2:"));
   for (const File& each : d.schematics) EXPECT_TRUE(each.contents.starts_with("digraph"));
   EXPECT_NE(d.testbench.contents.find("module int_slabs_tb;"), std::string::npos);
@@ -122,8 +122,8 @@ TEST(Emit, NamesEverythingAfterTheModule) {
            at != std::sregex_iterator(); ++at)
         EXPECT_TRUE((*at)[1].str().starts_with(name)) << file.name << " " << (*at)[1];
     }
-    EXPECT_EQ(head_of(unit.manifest.contents).module, name);
-    EXPECT_EQ(head_of(unit.manifest.contents).design, "int_slabs");
+    EXPECT_EQ(head_of(unit.manifest_file().contents).module, name);
+    EXPECT_EQ(head_of(unit.manifest_file().contents).design, "int_slabs");
   }
 }
 

@@ -1,7 +1,5 @@
 // Units without flow control: no ready and no enable anywhere, the testbench sees a wrong latency and lost
 // and invented results, and the wrappers around them lose nothing under any pattern of stalls.
-#include "rtl_gen/verilog/flow_control.hpp"
-
 #include <map>
 
 #include <gmock/gmock.h>
@@ -12,6 +10,7 @@
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/result_fifo.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/emit/axi_stream_bench.hpp"
@@ -88,11 +87,11 @@ TEST_P(WithoutFlowControl, TheStreamAnswersUnderEveryPatternOfStalls) {
 }
 
 TEST_P(WithoutFlowControl, TheManifestSaysSo) {
-  const nlohmann::json json = nlohmann::json::parse(unit.manifest.contents);
-  const nlohmann::json stalls = nlohmann::json::parse(unit_of(GetParam(), {}).manifest.contents);
+  const nlohmann::json json = nlohmann::json::parse(unit.manifest_file().contents);
+  const nlohmann::json stalls = nlohmann::json::parse(unit_of(GetParam(), {}).manifest_file().contents);
   EXPECT_EQ(stalls.at("flow_control"), "stall");
   EXPECT_EQ(json.at("flow_control"), "none");
-  EXPECT_EQ(head_of(unit.manifest.contents).flow_control, FlowControl::none);
+  EXPECT_EQ(head_of(unit.manifest_file().contents).flow_control, FlowControl::none);
   EXPECT_EQ(json.at("by_stage"), stalls.at("by_stage"));
   const nlohmann::json& fifo = json.at("result_fifo");
   EXPECT_EQ(fifo.at("ports"), stalls.at("ports")) << "the wrapper has the ports of a unit that stalls";
@@ -194,10 +193,9 @@ TEST(ResultFifo, IsTheDefaultInAWrapperWhereItCostsLess) {
 }
 
 TEST(ResultFifo, APortWithTheNameOfItsOwnRejected) {
-  const std::vector<hls::Result> results{{"hit", hls::Meaning::hit, 0, 1, false}};
-  EXPECT_EQ(message_of<std::runtime_error>([&] {
-              static_cast<void>(result_fifo("unit", {{"used", 4, false}}, results, 3));
-            }),
+  const ModuleInterface unit =
+      unit_interface("unit", {{"used", 4, false}}, {{"hit", 1, false}}, FlowControl::none);
+  EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(result_fifo(unit, 3)); }),
             "unit: its port used has the name of one of unit_fifo");
 }
 
@@ -215,12 +213,12 @@ TEST(FlowControlOptions, ThatDoNotGoTogetherRejected) {
 }
 
 TEST(FlowControlOfAManifest, UnknownOneRejected) {
-  std::string text = unit_of({"int_slabs", "6/6"}, {}).manifest.contents;
+  std::string text = unit_of({"int_slabs", "6/6"}, {}).manifest_file().contents;
   const std::string good = "\"flow_control\": \"stall\"";
   text.replace(text.find(good), good.size(), "\"flow_control\": \"some\"");
   EXPECT_EQ(message_of<std::runtime_error>([&] { static_cast<void>(head_of(text)); }),
             "\"flow_control\" is \"some\", allowed are stall, none");
-  nlohmann::json older = nlohmann::json::parse(unit_of({"int_slabs", "6/6"}, {}).manifest.contents);
+  nlohmann::json older = nlohmann::json::parse(unit_of({"int_slabs", "6/6"}, {}).manifest_file().contents);
   older.erase("flow_control");
   EXPECT_EQ(head_of(older.dump()).flow_control, FlowControl::stall);
 }

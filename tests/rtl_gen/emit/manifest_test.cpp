@@ -6,17 +6,16 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "rtl_gen/emit/files.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 
 namespace hitpipe::rtl::manifest_test {
 namespace {
 
-using Json = nlohmann::json;
-
 struct Emitted {
   explicit Emitted(const DesignFormat& d)
       : pipeline(d.pipeline()),
-        json(Json::parse(manifest(d.found(), d.parsed(), d.module(), pipeline, Library::thesis()))) {}
+        json(manifest(d.found(), d.parsed(), d.interface(), pipeline, Library::thesis())) {}
   explicit Emitted(hls::IntBits bits) : Emitted(DesignFormat{"int_slabs", to_string(Format(bits))}) {}
   Pipeline pipeline;
   Json json;
@@ -111,10 +110,10 @@ TEST(Manifest, OfAFloatDesignSaysBinary32) {
 TEST(Manifest, SpeaksOfAxiStreamOnlyWhenAsked) {
   const Emitted emitted({20, 24});
   EXPECT_FALSE(emitted.json.contains("axi_stream"));
-  const Json with = Json::parse(manifest(find_design("int_slabs"), hls::IntBits{20, 24}, "int_slabs",
-                                         emitted.pipeline, Library::thesis(), true));
-  EXPECT_EQ(with.at("axi_stream").at("module"), "int_slabs_axis");
-  EXPECT_EQ(with.at("axi_stream").at("s_axis").at("tdata_bits"), 392);
+  const EmittedDesign with = emit(find_design("int_slabs"), hls::IntBits{20, 24}, Library::thesis(),
+                                  emitted.pipeline, {.axi_stream = true});
+  EXPECT_EQ(with.manifest->at("axi_stream").at("module"), "int_slabs_axis");
+  EXPECT_EQ(with.manifest->at("axi_stream").at("s_axis").at("tdata_bits"), 392);
 }
 
 class ManifestOfADesign : public testing::TestWithParam<DesignFormat> {};

@@ -18,8 +18,7 @@ namespace {
 using testing::HasSubstr;
 
 RaySlots slots_of(const DesignFormat& d, int least) {
-  const std::vector<Port> ports = d.found().ports(d.parsed());
-  return ray_slots(d.design, ports, ports, d.found().results(d.parsed()), least);
+  return ray_slots(d.interface(), d.found().ports(d.parsed()), least);
 }
 
 std::string names_of(const std::vector<Port>& ports) {
@@ -86,16 +85,18 @@ TEST(RaySlotsNumber, IsRoundedUpToAPowerOfTwo) {
 TEST(RaySlotsRefusals, SayWhatIsMissingOrTaken) {
   const Port origin{.name = "ro", .width = 4, .is_signed = false, .role = hls::Role::origin};
   const Port plane{.name = "in_slot", .width = 4, .is_signed = false, .role = hls::Role::plane_low};
-  const std::vector<hls::Result> results{{"hit", hls::Meaning::hit, 0, 1, false}};
+  const auto four_slots = [](const std::vector<Port>& ports) {
+    return ray_slots(unit_interface("unit", ports, {{"hit", 1, false}}, FlowControl::stall), ports, 4);
+  };
   const auto refusal = [&](const std::vector<Port>& ports) {
-    return message_of<std::runtime_error>([&] { (void)ray_slots("unit", ports, ports, results, 4); });
+    return message_of<std::runtime_error>([&] { (void)four_slots(ports); });
   };
   EXPECT_EQ(refusal({origin, plane}), "unit: its port in_slot has the name of one of unit_slots");
   Port renamed = plane;
   renamed.name = "low";
   EXPECT_EQ(refusal({renamed}),
             "unit: none of its operands says where a ray lies, so slots would hold nothing of it");
-  EXPECT_EQ(ray_slots("unit", {origin, renamed}, {origin, renamed}, results, 4).slots(), 4);
+  EXPECT_EQ(four_slots({origin, renamed}).slots(), 4);
 }
 
 std::vector<File> emitted(const DesignFormat& d, int slots) {
@@ -146,13 +147,13 @@ TEST_P(RaySlotsOfDesign, LeavesTheUnitAndTellsOfItself) {
   const EmittedDesign bare =
       emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline());
   for (const File& file : bare.files()) {
-    const bool speaks_of_it = file.name == bare.core.name || file.name == bare.manifest.name;
+    const bool speaks_of_it = file.name == bare.core.name || file.name == bare.manifest_file().name;
     EXPECT_EQ(files.at(file.name) == file.contents, !speaks_of_it) << file.name;
   }
-  nlohmann::json manifest = nlohmann::json::parse(files.at(bare.manifest.name));
+  nlohmann::json manifest = nlohmann::json::parse(files.at(bare.manifest_file().name));
   const nlohmann::json slots = manifest.at("ray_slots");
   manifest.erase("ray_slots");
-  nlohmann::json without = nlohmann::json::parse(bare.manifest.contents);
+  nlohmann::json without = nlohmann::json::parse(bare.manifest_file().contents);
   auto& all = without.at("files");
   all.insert(all.begin() + 7, design + "_slots.v");
   EXPECT_EQ(manifest, without);
@@ -206,7 +207,7 @@ ToolResult mapped(const ScratchFolder& folder, const RaySlots& slots, const char
                   "simplemap t:$*dff* t:$*sdff*; select -assert-any {4}; "
                   "select -assert-none t:$mem* t:TRELLIS_DPR* t:RAM32* t:RAM64*; "
                   "select -assert-max {5} t:$_*DFF*_'",
-                  slots.unit, slots.module(), target, until, rams, registers));
+                  slots.unit.module, slots.module(), target, until, rams, registers));
 }
 
 struct Target {

@@ -189,12 +189,13 @@ void evaluate_graph(const Format& /*its own*/, const std::int64_t* operands, std
 /// What Icarus prints about a graph with one output, "hit", compared with evaluate().
 std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library& library, int vectors) {
   const std::vector<Port> ports = input_ports(pipeline.graph);
+  const ModuleInterface unit = unit_interface("toy", ports, result_ports(hit_alone), FlowControl::stall);
   const ScratchFolder folder;
   evaluated_graph = &graph;
   const std::vector<Vector> expected =
       with_results(operand_vectors(ports, vectors, 5), Evaluate(evaluate_graph, hls::IntBits{}, hit_alone));
   host::write_files(folder.path(), {{"toy.v", to_verilog(pipeline, library)},
-                                    {"tb/toy_tb.sv", testbench("toy", ports, hit_alone, vectors)},
+                                    {"tb/toy_tb.sv", testbench(unit, vectors, pipeline.latency())},
                                     {"tb/toy_vectors.hex", vector_file(ports, ports, hit_alone, expected)}});
   evaluated_graph = nullptr;
   return replayed(folder, "toy");

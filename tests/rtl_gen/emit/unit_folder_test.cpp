@@ -31,9 +31,9 @@ class UnitFolder : public testing::Test {
   [[nodiscard]] bool has(const std::string& name) const { return fs::exists(folder / name); }
   /// Adds a name to the list of a manifest.
   void list(const std::string& manifest, const std::string& name) const {
-    std::vector<std::string> files = head_of(read_text(folder / manifest)).files;
-    files.push_back(name);
-    write_text(folder / manifest, with_files(read_text(folder / manifest), files));
+    Json json = Json::parse(read_text(folder / manifest));
+    json.at("files").push_back(name);
+    write_text(folder / manifest, json.dump());
   }
 
   const ScratchFolder outside;

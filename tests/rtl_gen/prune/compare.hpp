@@ -33,7 +33,7 @@ inline Comparison compare(const Design& design, Format format, const Demands& de
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < ports.size(); ++i)
       texts.push_back(fmt::format("{}={:#x}", ports[i].name,
-                                  static_cast<std::uint64_t>(operands[i]) & all_bits(ports[i].width)));
+                                  static_cast<std::uint64_t>(operands[i]) & hls::low_mask(ports[i].width)));
     result.mismatch = fmt::format("{} {}: fitted {}, C++ {}: {}", design.name, to_string(format), found,
                                   expected, fmt::join(texts, " "));
   }

@@ -13,7 +13,7 @@ namespace hitpipe::rtl::facts_test {
 namespace {
 
 bool holds(const Facts& facts, std::uint64_t value) {
-  const std::int64_t number = number_of(value, facts.width());
+  const std::int64_t number = hls::sign_extended(value, facts.width());
   return (value & facts.zeros()) == 0 && (~value & facts.ones()) == 0 && number >= facts.number().low &&
          number <= facts.number().high && value >= facts.patterns().low && value <= facts.patterns().high;
 }
@@ -32,7 +32,7 @@ std::vector<PortDemand> three_bit_demands(const std::string& port, bool is_signe
 std::vector<std::uint64_t> patterns_of(const PortDemand& demand) {
   std::vector<std::uint64_t> patterns;
   for (std::int64_t number = demand.within[0].low; number <= demand.within[0].high; ++number)
-    if (meets(demand, number)) patterns.push_back(static_cast<std::uint64_t>(number) & all_bits(3));
+    if (meets(demand, number)) patterns.push_back(static_cast<std::uint64_t>(number) & hls::low_mask(3));
   return patterns;
 }
 

@@ -49,11 +49,13 @@ class Fitted {
   void write(const ScratchFolder& folder, int vectors) const {
     const std::string name(design.name);
     const Pipeline pipeline = make_pipeline(graph, Library::thesis());
+    const ModuleInterface unit =
+        unit_interface(name, left, result_ports(design.results(format)), FlowControl::stall);
     const std::string verilog =
         to_verilog(pipeline, Library::thesis(), {.module_name = name, .bits = to_string(format)});
-    write_text(folder / (name + ".v"), with_check_block(verilog, check_block(name, demands, ports, left)));
+    write_text(folder / (name + ".v"), with_check_block(verilog, check_block(unit, demands, ports)));
     std::filesystem::create_directories(folder / "tb");
-    write_text(folder / "tb" / (name + "_tb.sv"), testbench(name, left, design.results(format), vectors));
+    write_text(folder / "tb" / (name + "_tb.sv"), testbench(unit, vectors, pipeline.latency()));
   }
   void write_vectors(const ScratchFolder& folder,
                      const std::vector<std::vector<std::int64_t>>& vectors) const {
@@ -180,15 +182,19 @@ TEST_P(FittedVerilog, TheCheckBlockStopsEveryBrokenDemand) {
 
 INSTANTIATE_TEST_SUITE_P(Designs, FittedVerilog, testing::ValuesIn(every_design({"20/24"})), design_suffix);
 
+ModuleInterface unit_of(const std::vector<Port>& operands) {
+  return unit_interface("unit", operands, {}, FlowControl::stall);
+}
+
 TEST(CheckBlock, WithoutDemandsIsNothing) {
-  EXPECT_EQ(check_block("unit", {}, {{"a", 8, true}}, {{"a", 8, true}}), "");
+  EXPECT_EQ(check_block(unit_of({{"a", 8, true}}), {}, {{"a", 8, true}}), "");
 }
 
 TEST(CheckBlock, TestsOnlyWhatAPortCanBreak) {
   const std::vector<Port> ports{{"a", 8, true}, {"b", 8, true}, {"c", 1, false}};
   const Demands demands{{{"a", {{-128, 5}}}, {"b", {{-9, -1}, {1, 9}}}, {"c", {{0, 1}}}}, {{"a", "b"}}};
   EXPECT_EQ(
-      check_block("unit", demands, ports, ports),
+      check_block(unit_of(ports), demands, ports),
       "\n  // Demands that the unit was fitted to.\n"
       "`ifdef HITPIPE_CHECK\n`ifndef SYNTHESIS\n  always @(posedge clk) begin\n    if (in_valid && in_ready "
       "&& !rst) begin\n"
@@ -217,7 +223,7 @@ TEST(CheckBlock, NamesWhatNarrowPortsCannotTell) {
   const Demands demands{{{"a", {{3, 3}}}, {"b", {{-7, -3}}}}, {}};
   // b is -8 and what its three bits say.
   EXPECT_EQ(
-      check_block("unit", demands, ports, {{"b", 3, false}}),
+      check_block(unit_of({{"b", 3, false}}), demands, ports),
       "\n  // Demands that the unit was fitted to.\n"
       "  //   a = 3: not seen at these ports\n"
       "`ifdef HITPIPE_CHECK\n`ifndef SYNTHESIS\n  always @(posedge clk) begin\n    if (in_valid && "

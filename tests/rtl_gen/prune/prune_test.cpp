@@ -4,10 +4,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/graph/canonical.hpp"
-#include "rtl_gen/prune/demand_fields.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
@@ -220,15 +220,16 @@ TEST(DemandFields, AreInTheManifestAndComeBack) {
                         {{"ixmin", "ixmax"}}};
   const Pruned pruned = prune(design.trace(hls::IntBits{20, 24}), demands);
   const Pipeline pipeline = make_pipeline(pruned.graph, Library::thesis());
-  const std::string plain = manifest(design, hls::IntBits{20, 24}, "int_slabs", pipeline, Library::thesis());
-  EXPECT_EQ(with_demand_fields(plain, {}, {}), plain);
-  EXPECT_EQ(demands_of_manifest(plain), Demands{});
-  const std::string fitted = with_demand_fields(plain, demands, pruned.report);
-  EXPECT_EQ(demands_of_manifest(fitted), demands);
-  EXPECT_NE(fitted.find("\"dropped_ports\": [\n    \"irlen\",\n    \"rinf\"\n  ]"), std::string::npos)
-      << fitted;
-  EXPECT_NE(fitted.find("\"name\": \"iry\",\n      \"from\": 20,\n      \"to\": 5"), std::string::npos)
-      << fitted;
+  Json json = manifest(design, hls::IntBits{20, 24}, DesignFormat{"int_slabs", "20/24"}.interface(), pipeline,
+                       Library::thesis());
+  const Json plain = json;
+  add_demands(json, {}, {});
+  EXPECT_EQ(json, plain);
+  EXPECT_EQ(demands_of_manifest(plain.dump()), Demands{});
+  add_demands(json, demands, pruned.report);
+  EXPECT_EQ(demands_of_manifest(json.dump()), demands);
+  EXPECT_EQ(json.at("dropped_ports"), Json({"irlen", "rinf"}));
+  EXPECT_NE(json.dump().find(R"({"name":"iry","from":20,"to":5})"), std::string::npos) << json;
 }
 
 TEST(DemandFields, ABrokenOneIsRejected) {
@@ -240,7 +241,9 @@ TEST(DemandFields, ABrokenOneIsRejected) {
 TEST(DemandFields, NameLowZerosOnlyWhereThereAreAny) {
   const std::string plain = R"({"demands": [{"port": "a", "within": [[0, 8]]}]})";
   EXPECT_EQ(demands_of_manifest(plain), (Demands{{{"a", {{0, 8}}}}, {}}));
-  const std::string fitted = with_demand_fields("{}", {{{"a", {{0, 8}}}, {"b", {{0, 8}}, 2}}, {}}, {});
+  Json json;
+  add_demands(json, {{{"a", {{0, 8}}}, {"b", {{0, 8}}, 2}}, {}}, {});
+  const std::string fitted = json.dump();
   EXPECT_EQ(fitted.find("low_zeros"), fitted.rfind("low_zeros")) << fitted;
   EXPECT_EQ(demands_of_manifest(fitted), (Demands{{{"a", {{0, 8}}}, {"b", {{0, 8}}, 2}}, {}}));
 }

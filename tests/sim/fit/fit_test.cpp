@@ -11,7 +11,7 @@
 #include "hls/box/fp_format.hpp"
 #include "hls/box/major_format.hpp"
 #include "host/files.hpp"
-#include "rtl_gen/prune/demand_fields.hpp"
+#include "rtl_gen/emit/manifest.hpp"
 #include "sim/cosim.hpp"
 #include "tests/rtl_gen/tool.hpp"
 #include "tests/sw_ref/quantise/demand_scenes.hpp"
@@ -206,7 +206,7 @@ TEST(FittedFiles, ListTheDemandsAndCheckThem) {
   const FittedUnit unit =
       fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, precision, world.demands, library());
   const rtl::EmittedDesign emitted = fitted_files(unit, library());
-  EXPECT_EQ(rtl::demands_of_manifest(emitted.manifest.contents), unit.demands);
+  EXPECT_EQ(rtl::demands_of_manifest(emitted.manifest_file().contents), unit.demands);
   EXPECT_THAT(emitted.verilog.contents, HasSubstr("`ifdef HITPIPE_CHECK"));
   ASSERT_TRUE(emitted.check_module.has_value());
   EXPECT_EQ(emitted.check_module->name, "int_slabs_12_12_check.v");
