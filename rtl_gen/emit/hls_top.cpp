@@ -160,6 +160,7 @@ std::string signature(const Design& design, const Format& format, const std::str
 std::string header(const Design& design, const Format& format, const std::string& module) {
   return fmt::format(R"(// Top function of {} for high-level synthesis: {}.
 // Written by `hitpipe rtl {}{}{} --hls`.
+#pragma once
 
 #include "hls/top/top_domain.hpp"
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "hls/num/bits.hpp"
 #include "rtl_gen/graph/sources.hpp"
 #include "rtl_gen/verilog/names.hpp"
 

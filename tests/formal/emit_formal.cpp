@@ -1,6 +1,7 @@
-// Writes what the proofs of one design in one format read: emit_formal DESIGN FORMAT FOLDER [SET]. FORMAT is
-// n/t or fp32. With SET, the number of a demand set or a manifest, the design is the fitted one. With "none"
-// as SET the whole design has no flow control.
+// Writes what the proofs of one design in one format read: emit_formal DESIGN FORMAT FOLDER [SET]. An empty
+// FORMAT is the design's default. With SET, the number of a demand set or a manifest, the design is the
+// fitted one. With "none" as SET the whole design has no flow control.
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <set>
@@ -9,6 +10,7 @@
 
 #include "host/files.hpp"
 #include "rtl_gen/emit/files.hpp"
+#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/prune/prune.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/formal/combinational.hpp"
@@ -26,9 +28,10 @@ rtl::Graph fitted(const rtl::Design& design, rtl::Format format, const std::stri
       .graph;
 }
 
-std::vector<rtl::File> files_of(const std::string& name, const std::string& format, const std::string& set) {
+std::vector<rtl::File> files_of(const std::string& name, const std::string& given, const std::string& set) {
   const rtl::Design& design = rtl::find_design(name);
-  const rtl::Format bits = design.parse_format(format);
+  const rtl::Format bits = given.empty() ? design.default_format : design.parse_format(given);
+  const std::string format = to_string(bits);
   const auto flow = set == rtl::flow_control_name(rtl::FlowControl::none) ? rtl::FlowControl::none
                                                                           : rtl::FlowControl::stall;
   const bool stalls = flow == rtl::FlowControl::stall;
@@ -47,11 +50,16 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& form
       {"reference.v", rtl::to_combinational_verilog(traced, fmt::format("{}_reference", name))},
       {"flow.v", formal::design_flow(pipeline, name, flow)},
       {"control.v", formal::control_properties(pipeline, flow)},
+      {"format", format + "\n"},
       {"latency", fmt::format("{}\n", pipeline.latency())},
       {"results", results}};
   if (stalls) {
     files.push_back({"stalled.v", formal::stalled_design(pipeline, name)});
-    files.push_back({"slots.v", formal::slots_proof(name, design.ports(bits))});
+    const std::vector<rtl::Port> ports = design.ports(bits);
+    const std::vector<rtl::SentWith> parts = rtl::sent_with(ports);
+    // Operands that say nothing of a ray leave no ray to a slot.
+    if (std::count(parts.begin(), parts.end(), rtl::SentWith::line) > 0)
+      files.push_back({"slots.v", formal::slots_proof(name, ports)});
   } else {
     files.push_back({"fifo.v", formal::fifo_proof(name, design.ports(bits), pipeline.latency())});
   }
