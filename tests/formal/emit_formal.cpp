@@ -56,9 +56,9 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& give
   if (stalls) {
     files.push_back({"stalled.v", formal::stalled_design(pipeline, name)});
     const std::vector<rtl::Port> ports = design.ports(bits);
-    const std::vector<rtl::SentWith> parts = rtl::sent_with(ports);
+    const std::vector<rtl::SentWith> sent = rtl::sent_with(ports);
     // Operands that say nothing of a ray leave no ray to a slot.
-    if (std::count(parts.begin(), parts.end(), rtl::SentWith::line) > 0)
+    if (std::count(sent.begin(), sent.end(), rtl::SentWith::line) > 0)
       files.push_back({"slots.v", formal::slots_proof(name, ports)});
   } else {
     files.push_back({"fifo.v", formal::fifo_proof(name, design.ports(bits), pipeline.latency())});

@@ -2,6 +2,7 @@
 // block RAM, and that manifest and core file tell of it. tests/sim/ray_slots_test.cpp runs it.
 #include "rtl_gen/emit/ray_slots.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
