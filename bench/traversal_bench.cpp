@@ -122,7 +122,7 @@ const bool registered = [] {
       }
     }
   }
-  ref::TracerOptions options{.arithmetic = Arithmetic::robust};
+  ref::TracerOptions options{.arithmetic = Arithmetic::conservative};
   add("slabs_dsa/robust/exact", false, options);
   options = {.algorithm = Algorithm::plu_dsa, .arithmetic = Arithmetic::binary64};
   options.triangle_test = TriangleTest::binary64;

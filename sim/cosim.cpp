@@ -154,7 +154,7 @@ class Tile {
   void compare(CosimResult& counts) const {
     for (const Traced& t : traced_) {
       const ref::Hit hit =
-          ref::trace<ref::RobustSlabs>(frame_.bvh, frame_.scene.mesh, t.ray, t.query, counts.reference);
+          ref::trace<ref::ConservativeSlabs>(frame_.bvh, frame_.scene.mesh, t.ray, t.query, counts.reference);
       const bool same = t.query == ref::Query::any ? hit.found() == (t.triangle != ref::Hit::none)
                                                    : hit.triangle == t.triangle;
       counts.different_triangles += same ? 0 : 1;

@@ -44,7 +44,7 @@ struct CosimResult {
   std::uint64_t rejected = 0;             ///< rays outside the cube, which no unit accepts; they hit nothing
   std::uint64_t different_triangles = 0;  ///< another closest triangle, or another answer of a shadow ray
   UnitCounts unit;
-  ref::TraversalCounts reference;  ///< by software, for the same rays and hierarchy
+  ref::TraceCounts reference;  ///< by software, for the same rays and hierarchy
   int latency = 0;
   /// Time for the cycles of the Verilog alone, estimated from samples (sim/sampled_time.hpp). 0 when there
   /// were too few cycles to sample.

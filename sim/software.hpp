@@ -27,11 +27,24 @@ struct ScenePromise {
   int spare_bits = 0;                 ///< bits of the port that no scene uses
 };
 
+/// A unit that software traces for.
+struct TracedUnit {
+  rtl::Format format;
+  ref::CoarseAxes coarse{};
+  bool ends = true;  ///< false: box tests do not know where rays end
+};
+
 struct Software {
   std::unique_ptr<SceneFeed> (*feed)(const rtl::Format& format, const ref::Bvh& bvh) = nullptr;
   std::unique_ptr<BoxTest> (*box_test)(const rtl::Design& design, const rtl::Format& format) = nullptr;
-  /// A software traversal whose box tests answer as the unit does.
-  ref::TracerOptions (*traversal)(const rtl::Format& format) = nullptr;
+  /// A tracer whose box tests answer as the unit does, and which is faster than the generic tracer
+  /// (sim/generic_tracer.hpp). It outlives neither mesh nor hierarchy.
+  std::unique_ptr<ref::Tracer> (*tracer)(const TracedUnit& unit, const ref::Mesh& mesh,
+                                         const ref::Bvh& bvh) = nullptr;
+  /// The tracer of ref::make_tracer() with the same answers, so that the program can name it. Null: there is
+  /// none.
+  ref::TracerOptions (*named_tracer)(const rtl::Format& format) = nullptr;
+  /// Null: six planes as wide as their ports, then count and pointer of 4 bytes each.
   std::size_t (*bytes_per_node)(const rtl::Format& format, const ref::CoarseAxes& coarse) = nullptr;
 
   /// Nothing when the scene tells no more than the port's own range.
@@ -71,8 +84,6 @@ void add_software(std::string_view design, Software software);
 /// The line that names a missing part: "design x: there is no set-up of rays and boxes for its operands".
 [[nodiscard]] std::string missing(const rtl::Design& design, std::string_view part);
 inline constexpr std::string_view set_up_part = "set-up of rays and boxes for its operands";
-inline constexpr std::string_view traversal_part = "software traversal that answers as it does";
-inline constexpr std::string_view node_size_part = "size of its nodes";
 inline constexpr std::string_view promise_part = "rule for what a scene tells of its operands";
 
 /// Why the design cannot trace a scene, one line; empty when it can.

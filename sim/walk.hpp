@@ -64,10 +64,8 @@ class PairWalk {
   [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray,
                                 ref::Query query) const {
     rays.start(slot, ray);
-    return {{&records_, scene_.mesh, scene_.bvh->order, &ref::leaf_test(ref::TriangleTest::exact)},
-            ray,
-            query,
-            rays.in_results(slot, ray.length)};
+    return {
+        {&records_, ref::Leaves(*scene_.mesh, *scene_.bvh)}, ray, query, rays.in_results(slot, ray.length)};
   }
   static void ask(RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
     rays.operands(slot, {traversal.record(), traversal.length(), traversal.parent()}, operands);

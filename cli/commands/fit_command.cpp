@@ -19,6 +19,7 @@
 #include "host/files.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/fit/fit_scene.hpp"
+#include "sim/generic_tracer.hpp"
 
 namespace hitpipe::cli {
 

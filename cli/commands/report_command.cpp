@@ -17,6 +17,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "sim/software.hpp"
 
 namespace hitpipe::cli {
 
@@ -81,7 +82,7 @@ rtl::Format coarsest(std::span<const sim::SweepRow> rows, const DesignChoice& un
 /// The first conservative design that can be swept.
 std::string image_design() {
   for (const rtl::Design& design : rtl::designs())
-    if (design.conservative && sim::why_not_swept(design).empty()) return std::string(design.name);
+    if (design.conservative && sim::why_not_traced(design).empty()) return std::string(design.name);
   return "";
 }
 
@@ -105,7 +106,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   if (!command.image.design().conservative)
     throw std::runtime_error(
         fmt::format("design {}: can miss boxes; give a design that never does", command.image.name));
-  if (const std::string why = sim::why_not_swept(command.image.design()); !why.empty())
+  if (const std::string why = sim::why_not_traced(command.image.design()); !why.empty())
     throw std::runtime_error(why);
   const rtl::Format image_format = command.image.format();
   const rtl::Library library = command.cost.load();
@@ -113,7 +114,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   std::vector<sim::SweepPoint> points;
   if (command.rows.empty()) {
     const std::vector<const rtl::Design*> designs =
-        priced_by(library, command.swept.designs(sim::why_not_swept), false);
+        priced_by(library, command.swept.designs(sim::why_not_traced), false);
     points = report_points(command.swept.formats(designs, sim::sweep_formats), library);
   }
   std::optional<Progress> progress("reading the scene");

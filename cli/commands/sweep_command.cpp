@@ -17,6 +17,7 @@
 #include "cli/text/table.hpp"
 #include "cli/text/wrap.hpp"
 #include "sim/ray_unit.hpp"
+#include "sim/software.hpp"
 #include "sim/sweep/resume.hpp"
 
 namespace hitpipe::cli {
@@ -37,7 +38,7 @@ struct SweepCommand {
 
 std::vector<sim::SweepPoint> plan(const SweepCommand& command, const rtl::Library& library) {
   const std::vector<const rtl::Design*> designs =
-      priced_by(library, command.units.designs(sim::why_not_swept), !command.units.names.empty());
+      priced_by(library, command.units.designs(sim::why_not_traced), !command.units.names.empty());
   return sim::plan_sweep(command.units.formats(designs, sim::sweep_formats), command.rays_in_flight);
 }
 

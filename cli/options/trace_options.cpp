@@ -23,7 +23,7 @@ const Choices<Algorithm> algorithms{{"slabs", Algorithm::slabs},
                                     {"plu-dsa", Algorithm::plu_dsa}};
 const Choices<Arithmetic> arithmetics{{"float", Arithmetic::binary32},
                                       {"double", Arithmetic::binary64},
-                                      {"robust", Arithmetic::robust},
+                                      {"robust", Arithmetic::conservative},
                                       {"integer", Arithmetic::integer}};
 
 template <class Value>

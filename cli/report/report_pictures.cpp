@@ -8,6 +8,7 @@
 #include "cli/options/trace_options.hpp"
 #include "host/files.hpp"
 #include "sim/cosim.hpp"
+#include "sim/generic_tracer.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/render/image_file.hpp"
 #include "sw_ref/render/render.hpp"
@@ -31,9 +32,8 @@ class Studio {
   Studio(const ref::Scene& scene, const ref::Bvh& bvh, const PictureChoice& choice, ReportPictures& made)
       : scene_(scene), bvh_(bvh), choice_(choice), made_(made) {}
 
-  [[nodiscard]] ref::RenderResult render(const ref::TracerOptions& tracing) const {
-    const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene_.mesh, bvh_, tracing);
-    return ref::render(scene_, *tracer,
+  [[nodiscard]] ref::RenderResult render(const ref::Tracer& tracer) const {
+    return ref::render(scene_, tracer,
                        {.width = choice_.width,
                         .height = choice_.height,
                         .threads = choice_.threads,
@@ -99,7 +99,7 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
   const Studio studio(scene, bvh, choice, made);
   const std::string render = "hitpipe render " + choice.scene_options;
 
-  const ref::RenderResult software = studio.render({});
+  const ref::RenderResult software = studio.render(*ref::make_tracer(scene.mesh, bvh, {}));
   const ref::TraceCounts reference = software.counts.total();
   studio.image("software", software.image, "Software: robust float slabs.",
                fmt::format("The scene {} rendered by software", scene.name),
@@ -135,8 +135,9 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
   if (choice.coarse != choice.format) formats.push_back(choice.coarse);
   for (const rtl::Format& format : formats) {
     const std::string bits = rtl::to_string(format);
-    const ref::TracerOptions tracing = sim::software_of(*choice.design).traversal(format);
-    const ref::RenderResult work = studio.render(tracing);
+    const auto named = sim::software_of(*choice.design).named_tracer;
+    const ref::RenderResult work =
+        studio.render(*sim::make_tracer(*choice.design, {format}, scene.mesh, bvh));
     const ref::TraceCounts counts = work.counts.total();
     std::string file = "extra_box_tests_" + bits;
     std::replace(file.begin(), file.end(), '/', '_');
@@ -149,7 +150,9 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
                     readable_number(std::to_string(counts.box_tests))),
         fmt::format("Heat map of the extra box tests of {} {}", choice.design->name, bits),
         row_of(fmt::format("{} {}", choice.design->name, bits), counts.box_tests, counts.triangle_tests,
-               fmt::format("{} {} --extra-box-map FILE.png", render, trace_options_text(tracing))));
+               named == nullptr ? ""
+                                : fmt::format("{} {} --extra-box-map FILE.png", render,
+                                              trace_options_text(named(format)))));
   }
   return made;
 }

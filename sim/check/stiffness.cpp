@@ -160,7 +160,7 @@ std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Fo
     StiffTraversals& sum = sums[i];
     Random random = stream(options.seed, i);
     const std::unique_ptr<RayFeed> unit = feed->unit(1);
-    ref::TraversalCounts reference;
+    ref::TraceCounts reference;
     std::vector<std::int64_t> operands(ports);
     std::vector<std::int64_t> answers(results.size());
     for (; sum.rays < options.rays; ++sum.rays) {
@@ -175,7 +175,7 @@ std::vector<StiffTraversals> stiff_traversals(const rtl::Design& design, rtl::Fo
       const std::uint64_t box_tests = traversal.counts().box_tests;
       const std::uint64_t reference_before = reference.box_tests;
       sum.box_tests += box_tests;
-      const ref::Hit hit = ref::trace<ref::RobustSlabs>(bvh, mesh, ray, ref::Query::closest, reference);
+      const ref::Hit hit = ref::trace<ref::ConservativeSlabs>(bvh, mesh, ray, ref::Query::closest, reference);
       sum.work.add(static_cast<double>(box_tests),
                    static_cast<double>(reference.box_tests - reference_before));
       sum.different_triangles += hit.triangle == traversal.hit().triangle ? 0 : 1;

@@ -33,15 +33,10 @@ std::optional<ScenePromise> fp_promise(const rtl::Port& port, const rtl::Format&
   return ScenePromise{{*range}};
 }
 
-std::size_t fp_bytes_per_node(const rtl::Format& /*binary32*/, const ref::CoarseAxes& /*none*/) {
-  return sizeof(ref::BvhNode);
-}
-
 }  // namespace
 
 Software fp_design_software() {
-  return {.bytes_per_node = fp_bytes_per_node,
-          .promise = fp_promise,
+  return {.promise = fp_promise,
           .sweep_formats = {hls::Binary32{}},
           .stiffness_formats = {hls::Binary32{}},
           .fit_from = hls::Binary32{}};

@@ -5,6 +5,8 @@
 #include "sim/feeds/float_patterns.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
+#include "sw_ref/trace/plucker.hpp"
+#include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::sim {
 
@@ -34,11 +36,14 @@ class FpPluckerSetUp {
   ref::Ray ray_;
 };
 
-ref::TracerOptions fp_plucker_traversal(const rtl::Format& /*binary32*/) {
-  ref::TracerOptions options;
-  options.algorithm = ref::Algorithm::plu_dsa;
-  options.arithmetic = ref::Arithmetic::binary32;
-  return options;
+std::unique_ptr<ref::Tracer> fp_plucker_tracer(const TracedUnit& unit, const ref::Mesh& mesh,
+                                               const ref::Bvh& bvh) {
+  return ref::store_tracer(ref::PlainNodes(bvh), ref::TestMaker<ref::Plucker<float>>(),
+                           ref::Leaves(mesh, bvh), {.ends = unit.ends});
+}
+
+ref::TracerOptions fp_plucker_named(const rtl::Format& /*binary32*/) {
+  return {.algorithm = ref::Algorithm::plu_dsa, .arithmetic = ref::Arithmetic::binary32};
 }
 
 }  // namespace
@@ -47,7 +52,8 @@ Software fp_plucker_software() {
   Software software = fp_design_software();
   software.feed = set_up_feed<FpPluckerSetUp>;
   software.box_test = set_up_test<FpPluckerSetUp>;
-  software.traversal = fp_plucker_traversal;
+  software.tracer = fp_plucker_tracer;
+  software.named_tracer = fp_plucker_named;
   return software;
 }
 

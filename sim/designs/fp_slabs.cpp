@@ -6,6 +6,8 @@
 #include "sim/feeds/float_patterns.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
+#include "sw_ref/trace/slabs.hpp"
+#include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::sim {
 
@@ -37,11 +39,14 @@ class FpSlabsSetUp {
   Patterns irdvc_;
 };
 
-ref::TracerOptions fp_slabs_traversal(const rtl::Format& /*binary32*/) {
-  ref::TracerOptions options;
-  options.algorithm = ref::Algorithm::slabs_dsa;
-  options.arithmetic = ref::Arithmetic::binary32;
-  return options;
+std::unique_ptr<ref::Tracer> fp_slabs_tracer(const TracedUnit& unit, const ref::Mesh& mesh,
+                                             const ref::Bvh& bvh) {
+  return ref::store_tracer(ref::PlainNodes(bvh), ref::TestMaker<ref::Slabs<float>>(), ref::Leaves(mesh, bvh),
+                           {.ends = unit.ends});
+}
+
+ref::TracerOptions fp_slabs_named(const rtl::Format& /*binary32*/) {
+  return {.algorithm = ref::Algorithm::slabs_dsa, .arithmetic = ref::Arithmetic::binary32};
 }
 
 }  // namespace
@@ -50,7 +55,8 @@ Software fp_slabs_software() {
   Software software = fp_design_software();
   software.feed = set_up_feed<FpSlabsSetUp>;
   software.box_test = set_up_test<FpSlabsSetUp>;
-  software.traversal = fp_slabs_traversal;
+  software.tracer = fp_slabs_tracer;
+  software.named_tracer = fp_slabs_named;
   software.beside = robust_float_slabs_test;
   return software;
 }

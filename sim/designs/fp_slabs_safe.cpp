@@ -10,6 +10,8 @@
 #include "sw_ref/judge/adversary/float_unit.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
+#include "sw_ref/trace/fp_slabs_safe.hpp"
+#include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::sim {
 
@@ -68,16 +70,11 @@ class FpSlabsSafeSetUp {
   std::array<std::int64_t, 3> origin_low_{}, origin_high_{};
 };
 
-ref::TracerOptions fp_slabs_safe_traversal(const rtl::Format& format) {
-  ref::TracerOptions options;
-  options.algorithm = ref::Algorithm::slabs_dsa;
-  options.arithmetic = ref::Arithmetic::any_float;
-  options.float_bits = format.as<FpBits>();
-  return options;
-}
-
-std::size_t fp_slabs_safe_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& /*none*/) {
-  return ref::FpNodes::node_bytes(format.as<FpBits>());
+std::unique_ptr<ref::Tracer> fp_slabs_safe_tracer(const TracedUnit& unit, const ref::Mesh& mesh,
+                                                  const ref::Bvh& bvh) {
+  const auto bits = unit.format.as<FpBits>();
+  return ref::store_tracer(ref::FpNodes(bvh, bits), ref::FpSlabsSafeTestMaker(bits), ref::Leaves(mesh, bvh),
+                           {.ends = unit.ends});
 }
 
 std::vector<rtl::Format> fp_slabs_safe_sweep_formats() {
@@ -124,8 +121,7 @@ Software fp_slabs_safe_software() {
   const auto own = ref::adversary::float_unit_categories();
   return {.feed = set_up_feed<FpSlabsSafeSetUp>,
           .box_test = set_up_test<FpSlabsSafeSetUp>,
-          .traversal = fp_slabs_safe_traversal,
-          .bytes_per_node = fp_slabs_safe_bytes_per_node,
+          .tracer = fp_slabs_safe_tracer,
           .promise = fp_slabs_safe_promise,
           .up_to = fp_slabs_safe_up_to,
           .sweep_formats = fp_slabs_safe_sweep_formats(),

@@ -46,10 +46,6 @@ std::optional<ScenePromise> int_promise(const rtl::Port& port, const rtl::Format
   }
 }
 
-std::size_t int_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& coarse) {
-  return ref::IntNodes::node_bytes(format.as<IntBits>().coord, coarse);
-}
-
 bool int_fits_coarse(const rtl::Format& format, const ref::SceneDemands& scene,
                      const ref::CoarseAxes& coarse) {
   const int n = format.as<IntBits>().coord;
@@ -84,8 +80,7 @@ std::vector<rtl::Format> int_sweep_formats() {
 }  // namespace
 
 Software int_design_software() {
-  return {.bytes_per_node = int_bytes_per_node,
-          .promise = int_promise,
+  return {.promise = int_promise,
           .fits_coarse = int_fits_coarse,
           .up_to = int_up_to,
           .sweep_formats = int_sweep_formats(),

@@ -6,7 +6,7 @@
 
 namespace hitpipe::sim {
 
-/// The software of an n/t design without its own set-up: feed, box_test and traversal are missing.
+/// The software of an n/t design without its own set-up: feed, box_test and tracer are missing.
 [[nodiscard]] Software int_design_software();
 
 }  // namespace hitpipe::sim

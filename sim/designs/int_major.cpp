@@ -1,7 +1,10 @@
 // The operands of hls::IntMajorOperands, in that order (docs/major.md).
+#include "sw_ref/trace/int_major.hpp"
+
 #include "sim/designs/major_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/hierarchy/int_nodes.hpp"
+#include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::sim {
 
@@ -31,16 +34,11 @@ class IntMajorSetUp {
   ref::IntMajorRaySetup set_up_;
 };
 
-ref::TracerOptions int_major_traversal(const rtl::Format& format) {
-  ref::TracerOptions options;
-  options.algorithm = ref::Algorithm::slabs_dsa;
-  options.arithmetic = ref::Arithmetic::major;
-  options.major_bits = format.as<MajorBits>();
-  return options;
-}
-
-std::size_t int_major_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& /*none*/) {
-  return ref::IntNodes::node_bytes(format.as<MajorBits>().coord);
+std::unique_ptr<ref::Tracer> int_major_tracer(const TracedUnit& unit, const ref::Mesh& mesh,
+                                              const ref::Bvh& bvh) {
+  const auto bits = unit.format.as<MajorBits>();
+  return ref::store_tracer(ref::IntNodes(bvh, bits.coord, {}, bits.finer), ref::IntMajorTestMaker(bits),
+                           ref::Leaves(mesh, bvh), {.ends = unit.ends});
 }
 
 }  // namespace
@@ -49,8 +47,7 @@ Software int_major_software() {
   Software software = major_design_software();
   software.feed = set_up_feed<IntMajorSetUp>;
   software.box_test = set_up_test<IntMajorSetUp>;
-  software.traversal = int_major_traversal;
-  software.bytes_per_node = int_major_bytes_per_node;
+  software.tracer = int_major_tracer;
   return software;
 }
 

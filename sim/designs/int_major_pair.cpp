@@ -1,4 +1,6 @@
 // The operands of hls::IntMajorPairOperands, in that order (docs/major.md).
+#include "sw_ref/trace/int_major_pair.hpp"
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -160,13 +162,9 @@ std::unique_ptr<BoxTest> pair_test(const rtl::Design& design, const rtl::Format&
   return std::make_unique<PairTest>(design, format);
 }
 
-ref::TracerOptions pair_traversal(const rtl::Format& format) {
-  ref::TracerOptions options;
-  options.algorithm = ref::Algorithm::slabs_dsa;
-  options.arithmetic = ref::Arithmetic::major;
-  options.encoding = ref::Encoding::pairs;
-  options.major_bits = format.as<MajorBits>();
-  return options;
+std::unique_ptr<ref::Tracer> int_major_pair_tracer(const TracedUnit& unit, const ref::Mesh& mesh,
+                                                   const ref::Bvh& bvh) {
+  return ref::major_pair_tracer(unit.format.as<MajorBits>(), mesh, bvh);
 }
 
 std::size_t pair_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& /*none*/) {
@@ -180,7 +178,7 @@ Software int_major_pair_software() {
   Software software = major_design_software();
   software.feed = pair_feed;
   software.box_test = pair_test;
-  software.traversal = pair_traversal;
+  software.tracer = int_major_pair_tracer;
   software.bytes_per_node = pair_bytes_per_node;
   return software;
 }

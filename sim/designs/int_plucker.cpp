@@ -1,8 +1,12 @@
 // The operands of hls::IntPluckerOperands, in that order (section 6.3.1).
+#include "sw_ref/trace/int_plucker.hpp"
+
 #include "sim/designs/int_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
+#include "sw_ref/hierarchy/int_nodes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
+#include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::sim {
 
@@ -33,12 +37,18 @@ class IntPluckerSetUp {
   ref::IntPluckerRaySetup set_up_;
 };
 
-ref::TracerOptions int_plucker_traversal(const rtl::Format& format) {
-  ref::TracerOptions options;
-  options.algorithm = ref::Algorithm::plu_dsa;
-  options.arithmetic = ref::Arithmetic::integer;
-  options.bits = format.as<hls::IntBits>();
-  return options;
+std::unique_ptr<ref::Tracer> int_plucker_tracer(const TracedUnit& unit, const ref::Mesh& mesh,
+                                                const ref::Bvh& bvh) {
+  const auto bits = unit.format.as<hls::IntBits>();
+  const ref::IntPluckerTestMaker make_test(bits, unit.coarse);
+  return ref::store_tracer(ref::IntNodes(bvh, bits.coord, unit.coarse), make_test, ref::Leaves(mesh, bvh),
+                           {.ends = unit.ends});
+}
+
+ref::TracerOptions int_plucker_named(const rtl::Format& format) {
+  return {.algorithm = ref::Algorithm::plu_dsa,
+          .arithmetic = ref::Arithmetic::integer,
+          .bits = format.as<hls::IntBits>()};
 }
 
 }  // namespace
@@ -47,7 +57,8 @@ Software int_plucker_software() {
   Software software = int_design_software();
   software.feed = set_up_feed<IntPluckerSetUp>;
   software.box_test = set_up_test<IntPluckerSetUp>;
-  software.traversal = int_plucker_traversal;
+  software.tracer = int_plucker_tracer;
+  software.named_tracer = int_plucker_named;
   return software;
 }
 

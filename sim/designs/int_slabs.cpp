@@ -1,8 +1,12 @@
 // The operands of hls::IntSlabsOperands, in that order (section 6.2.1).
+#include "sw_ref/trace/int_slabs.hpp"
+
 #include "sim/designs/int_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
+#include "sw_ref/hierarchy/int_nodes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
+#include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::sim {
 
@@ -36,12 +40,18 @@ class IntSlabsSetUp {
   ref::IntSlabsRaySetup set_up_;
 };
 
-ref::TracerOptions int_slabs_traversal(const rtl::Format& format) {
-  ref::TracerOptions options;
-  options.algorithm = ref::Algorithm::slabs_dsa;
-  options.arithmetic = ref::Arithmetic::integer;
-  options.bits = format.as<hls::IntBits>();
-  return options;
+std::unique_ptr<ref::Tracer> int_slabs_tracer(const TracedUnit& unit, const ref::Mesh& mesh,
+                                              const ref::Bvh& bvh) {
+  const auto bits = unit.format.as<hls::IntBits>();
+  const ref::IntSlabsTestMaker make_test(bits, unit.coarse);
+  return ref::store_tracer(ref::IntNodes(bvh, bits.coord, unit.coarse), make_test, ref::Leaves(mesh, bvh),
+                           {.ends = unit.ends});
+}
+
+ref::TracerOptions int_slabs_named(const rtl::Format& format) {
+  return {.algorithm = ref::Algorithm::slabs_dsa,
+          .arithmetic = ref::Arithmetic::integer,
+          .bits = format.as<hls::IntBits>()};
 }
 
 }  // namespace
@@ -50,7 +60,8 @@ Software int_slabs_software() {
   Software software = int_design_software();
   software.feed = set_up_feed<IntSlabsSetUp>;
   software.box_test = set_up_test<IntSlabsSetUp>;
-  software.traversal = int_slabs_traversal;
+  software.tracer = int_slabs_tracer;
+  software.named_tracer = int_slabs_named;
   return software;
 }
 

@@ -19,7 +19,7 @@ std::int64_t* put_major_ray(const ref::IntMajorRay& ray, std::int64_t* out);
 /// Boxes as a unit of this format reads them.
 void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<ref::IntBox> out);
 
-/// The software of a design without its own set-up: feed, box_test, traversal and bytes_per_node are missing.
+/// The software of a design without its own set-up: feed, box_test and tracer are missing.
 [[nodiscard]] Software major_design_software();
 
 }  // namespace hitpipe::sim

@@ -122,11 +122,4 @@ area::Price price_of_fit(const rtl::Design& design, const Precision& precision,
   return cutter.price(all_of(port_demands(design, format, scene, precision)));
 }
 
-std::size_t bytes_per_node(const rtl::Design& design, const rtl::Format& format,
-                           const ref::CoarseAxes& coarse) {
-  const Software& software = software_of(design);
-  if (software.bytes_per_node == nullptr) throw std::runtime_error(missing(design, node_size_part));
-  return software.bytes_per_node(format, coarse);
-}
-
 }  // namespace hitpipe::sim

@@ -53,9 +53,4 @@ struct FittedUnit {
 /// whole design.
 [[nodiscard]] rtl::EmittedDesign fitted_files(const FittedUnit& unit, const rtl::Library& library);
 
-/// The size of a node whose boxes are stored as the design reads them. The low bits that coarse axes drop are
-/// not stored.
-[[nodiscard]] std::size_t bytes_per_node(const rtl::Design& design, const rtl::Format& format,
-                                         const ref::CoarseAxes& coarse = {});
-
 }  // namespace hitpipe::sim

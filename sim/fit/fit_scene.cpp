@@ -54,11 +54,8 @@ std::optional<Precision> precision_of(const rtl::Design& design, const rtl::Form
 }  // namespace
 
 std::string why_not_fitted(const rtl::Design& design) {
-  const Software& software = software_of(design);
   if (const std::string why = why_not_traced(design); !why.empty()) return why;
-  if (software.traversal == nullptr) return missing(design, traversal_part);
-  if (software.bytes_per_node == nullptr) return missing(design, node_size_part);
-  return software.promise == nullptr ? missing(design, promise_part) : "";
+  return software_of(design).promise == nullptr ? missing(design, promise_part) : "";
 }
 
 rtl::Format fit_from(const rtl::Design& design) {

@@ -11,27 +11,15 @@
 #include <fmt/format.h>
 
 #include "host/parallel.hpp"
-#include "sim/software.hpp"
+#include "sim/generic_tracer.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
 
-/// The software traversal whose box tests answer as the design does.
-ref::TracerOptions tracer_like(const rtl::Design& design, const rtl::Format& format,
-                               const ref::CoarseAxes& coarse, bool ends) {
-  const Software& software = software_of(design);
-  if (software.traversal == nullptr) throw std::runtime_error(missing(design, traversal_part));
-  ref::TracerOptions options = software.traversal(format);
-  options.ends = options.ends && ends;
-  options.coarse = coarse;
-  return options;
-}
-
 ref::TraceCounts count_tests(const PrecisionSearch& search, const rtl::Format& format,
                              const ref::CoarseAxes& coarse, bool ends) {
-  const auto tracer =
-      ref::make_tracer(search.scene->mesh, *search.bvh, tracer_like(*search.design, format, coarse, ends));
+  const auto tracer = make_tracer(*search.design, {format, coarse, ends}, search.scene->mesh, *search.bvh);
   const std::vector<ref::RecordedBatch>& batches = search.rays->batches;
   std::mutex counting;
   ref::TraceCounts sum;

@@ -6,12 +6,6 @@
 
 namespace hitpipe::sim {
 
-std::string why_not_swept(const rtl::Design& design) {
-  if (const std::string why = why_not_traced(design); !why.empty()) return why;
-  if (software_of(design).traversal == nullptr) return missing(design, traversal_part);
-  return software_of(design).bytes_per_node == nullptr ? missing(design, node_size_part) : "";
-}
-
 std::vector<rtl::Format> sweep_formats(const rtl::Design& design) {
   const std::vector<rtl::Format>& own = software_of(design).sweep_formats;
   return own.empty() ? std::vector<rtl::Format>{design.default_format} : own;

@@ -21,9 +21,6 @@ struct DesignFormats {
   const rtl::Design* design;
   std::vector<rtl::Format> formats;
 };
-
-/// Why a design cannot be swept, one line; empty when it can.
-[[nodiscard]] std::string why_not_swept(const rtl::Design& design);
 /// The formats in which a design is swept without --bits. The default format if the design states none.
 [[nodiscard]] std::vector<rtl::Format> sweep_formats(const rtl::Design& design);
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "area_model/price.hpp"
-#include "sim/software.hpp"
+#include "sim/generic_tracer.hpp"
 
 namespace hitpipe::sim {
 
@@ -28,10 +28,7 @@ SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int wid
 
 double SoftwareTime::seconds(const rtl::Design& design, const rtl::Format& format) const {
   constexpr int runs = 3;
-  const Software& software = software_of(design);
-  if (software.traversal == nullptr) throw std::runtime_error(missing(design, traversal_part));
-  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene_.mesh, bvh_, software.traversal(format));
-  return ref::measure(*tracer, batches_, runs).seconds;
+  return ref::measure(*make_tracer(design, {format}, scene_.mesh, bvh_), batches_, runs).seconds;
 }
 
 double SoftwareTime::ratio(const rtl::Design& design, const rtl::Format& format) const {

@@ -17,6 +17,7 @@
 #include "area_model/triangle_unit.hpp"
 #include "sim/cosim.hpp"
 #include "sim/fit/fit.hpp"
+#include "sim/generic_tracer.hpp"
 #include "sim/sweep/printable.hpp"
 #include "sim/sweep/software_time.hpp"
 #include "sw_ref/render/render.hpp"

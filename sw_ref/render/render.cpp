@@ -157,7 +157,7 @@ class TileRenderer {
   Queue next_;
   std::vector<Ray> rays_;
   std::vector<std::uint32_t> triangles_;
-  std::vector<RayWork> work_;
+  std::vector<TraceCounts> work_;
 };
 
 int tiles(int pixels, int side) {

@@ -15,7 +15,7 @@
 #include "sw_ref/render/shade.hpp"
 #include "sw_ref/scene/ray.hpp"
 #include "sw_ref/scene/scene.hpp"
-#include "sw_ref/trace/query.hpp"
+#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 

@@ -40,9 +40,8 @@ Paged run(const Scene& scene, const Bvh& bvh, const Store& store, const std::vec
           int bundle, std::uint64_t unit_pages, const std::function<void()>& step) {
   using Maker = TestMaker<Plucker<float>>;
   const Maker make_test;
-  const TraceWith<Store, Maker> with{store, make_test,
-                                     Leaves{scene.mesh, bvh.order, leaf_test(TriangleTest::binary32)},
-                                     ChildOrder::by_direction, bundle};
+  const TraceWith<Store, Maker> with{
+      store, make_test, Leaves(scene.mesh, bvh, TriangleTest::binary32), {.bundle = bundle}};
   Paged result;
   result.bytes = store.size() * store.bytes_per_node;
   std::vector<std::uint32_t> triangles;

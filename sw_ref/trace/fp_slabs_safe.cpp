@@ -1,11 +1,8 @@
 #include "sw_ref/trace/fp_slabs_safe.hpp"
 
 #include "sw_ref/quantise/fp_box.hpp"
-#include "sw_ref/trace/box_test.hpp"
 
 namespace hitpipe::ref {
-
-static_assert(BoxTest<FpSlabsSafeTest, Aabb>);
 
 FpSlabsSafeTest::FpSlabsSafeTest(const Ray& ray, const hls::FpBits& bits)
     : set_up_(ray, bits),

@@ -1,10 +1,6 @@
 #include "sw_ref/trace/int_major.hpp"
 
-#include "sw_ref/trace/box_test.hpp"
-
 namespace hitpipe::ref {
-
-static_assert(BoxTest<IntMajorTest, IntBox>);
 
 MajorDistances::MajorDistances(const IntMajorRaySetup& set_up, hls::MajorBits bits)
     : set_up_(set_up),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "sw_ref/hierarchy/pair_nodes.hpp"
 #include "sw_ref/trace/int_major.hpp"
@@ -30,5 +31,9 @@ namespace hitpipe::ref {
   answer.second_first = answer.interval[1].near < answer.interval[0].near;
   return answer;
 }
+
+/// A tracer that tests two boxes at a time.
+[[nodiscard]] std::unique_ptr<Tracer> major_pair_tracer(hls::MajorBits bits, const Mesh& mesh,
+                                                        const Bvh& bvh);
 
 }  // namespace hitpipe::ref

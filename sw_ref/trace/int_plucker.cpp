@@ -2,11 +2,8 @@
 
 #include "hls/pipelines/int_plucker.hpp"
 #include "sw_ref/quantise/ray_check.hpp"
-#include "sw_ref/trace/box_test.hpp"
 
 namespace hitpipe::ref {
-
-static_assert(BoxTest<IntPluckerTest, IntBox>);
 
 IntPluckerTest::IntPluckerTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse)
     : set_up_(ray, bits), trimmed_(bits.trimmed()), edge_bound_(hls::int_plucker::edge_bound(bits)) {

@@ -4,11 +4,8 @@
 #include <limits>
 
 #include "sw_ref/quantise/ray_check.hpp"
-#include "sw_ref/trace/box_test.hpp"
 
 namespace hitpipe::ref {
-
-static_assert(BoxTest<IntSlabsTest, IntBox>);
 
 // The datapath compares near with far, far with 0 and, unless the ray is infinite, near with the length. As
 // length >= 0, far >= 0, near <= far and near <= length together mean max(near, 0) <= min(far, length). An

@@ -1,5 +1,7 @@
 #include "sw_ref/trace/leaf_test.hpp"
 
+#include <stdexcept>
+
 #include "sw_ref/trace/moeller_trumbore.hpp"
 
 namespace hitpipe::ref {
@@ -39,7 +41,7 @@ LeafCounts test_bundle(const Mesh& mesh, std::span<const std::uint32_t> triangle
     std::size_t left = 0;
     for (const std::uint16_t number : numbers) {
       BundledRay& ray = rays[number];
-      ++ray.work.triangle_tests;
+      if (ray.work != nullptr) ++ray.work->triangle_tests;
       const bool out = triangle(ray.ray, ray.hit) && query == Query::any;
       numbers[left] = number;
       left += out ? 0 : 1;
@@ -64,6 +66,11 @@ const LeafTest& leaf_test(TriangleTest test) {
       break;
   }
   return both<ExactTriangle>;
+}
+
+void check_places(const TraceJob& job) {
+  if (job.triangles.size() != job.rays.size() || (!job.work.empty() && job.work.size() != job.rays.size()))
+    throw std::invalid_argument("tracer: places for answers and work must be as many as the rays");
 }
 
 }  // namespace hitpipe::ref

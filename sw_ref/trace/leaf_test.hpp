@@ -9,19 +9,21 @@
 #include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/scene/mesh.hpp"
 #include "sw_ref/scene/ray.hpp"
-#include "sw_ref/trace/query.hpp"
 #include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
+
+/// Throws std::invalid_argument unless there are as many places for answers, and for work if any, as rays.
+void check_places(const TraceJob& job);
 
 /// A ray of a bundle, and its result so far.
 struct BundledRay {
   Ray ray;
   Hit hit;
-  RayWork work;
+  TraceCounts* work;                 ///< of this ray alone, or null
   std::uint32_t cut_at = Hit::none;  ///< the hit whose distance its box test was cut to
 
-  explicit BundledRay(const Ray& its_ray) : ray(its_ray) {}
+  BundledRay(const Ray& its_ray, TraceCounts* its_work) : ray(its_ray), work(its_work) {}
 };
 
 /// Numbers of rays of a bundle.
@@ -43,5 +45,31 @@ struct LeafTest {
 };
 
 [[nodiscard]] const LeafTest& leaf_test(TriangleTest test);
+
+/// The triangles of a hierarchy, leaf by leaf, and how to test them.
+struct Leaves {
+  const Mesh* mesh;
+  std::span<const std::uint32_t> order;
+  const LeafTest* test;
+
+  Leaves(const Mesh& its_mesh, const Bvh& bvh, TriangleTest its_test = TriangleTest::exact)
+      : mesh(&its_mesh), order(bvh.order), test(&leaf_test(its_test)) {}
+
+  [[nodiscard]] std::span<const std::uint32_t> triangles(std::uint32_t first, std::int32_t count) const {
+    return order.subspan(first, static_cast<std::size_t>(count));
+  }
+};
+
+/// An observer is told of each load of a node (index in the hierarchy) or triangle (index in the mesh), in
+/// order. This observer ignores them; a paging model counts them.
+struct NoObserver {
+  void node_loaded(std::uint32_t) {}
+  void triangle_loaded(std::uint32_t) {}
+};
+
+template <class Observer>
+void tell_loads(Observer& observer, std::span<const std::uint32_t> triangles) {
+  for (const std::uint32_t triangle : triangles) observer.triangle_loaded(triangle);
+}
 
 }  // namespace hitpipe::ref

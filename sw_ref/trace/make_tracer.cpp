@@ -1,42 +1,108 @@
+// The tracers of the thesis: each store of nodes with each box test that goes over it.
+#include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "sw_ref/hierarchy/double_nodes.hpp"
+#include "sw_ref/hierarchy/hierarchical_nodes.hpp"
+#include "sw_ref/hierarchy/int_nodes.hpp"
 #include "sw_ref/quantise/ray_check.hpp"
-#include "sw_ref/trace/tracer_kinds.hpp"
+#include "sw_ref/trace/int_plucker.hpp"
+#include "sw_ref/trace/int_slabs.hpp"
+#include "sw_ref/trace/plucker.hpp"
+#include "sw_ref/trace/slabs.hpp"
+#include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::ref {
 namespace {
+
+struct Parts {
+  const Bvh& bvh;
+  Leaves leaves;
+  Tracing tracing;
+  hls::IntBits bits;
+};
+
+struct NamedTracer {
+  bool plucker;
+  Arithmetic arithmetic;
+  Encoding encoding;
+  bool look_up_table;
+  std::unique_ptr<Tracer> (*make)(const Parts& parts);
+};
+
+template <class Store, class Test>
+std::unique_ptr<Tracer> over(const Parts& parts) {
+  return store_tracer(Store(parts.bvh), TestMaker<Test>(), parts.leaves, parts.tracing);
+}
+
+template <class Maker>
+std::unique_ptr<Tracer> over_integers(const Parts& parts) {
+  const Maker make_test(parts.bits);
+  return store_tracer(IntNodes(parts.bvh, parts.bits.coord), make_test, parts.leaves, parts.tracing);
+}
+
+template <class Single, class Double>
+void add_floats(Encoding encoding, bool look_up_table, std::vector<NamedTracer>& to) {
+  to.insert(to.end(),
+            {{false, Arithmetic::binary32, encoding, look_up_table, over<Single, Slabs<float>>},
+             {true, Arithmetic::binary32, encoding, look_up_table, over<Single, Plucker<float>>},
+             {false, Arithmetic::conservative, encoding, look_up_table, over<Single, ConservativeSlabs>},
+             {false, Arithmetic::binary64, encoding, look_up_table, over<Double, Slabs<double>>},
+             {true, Arithmetic::binary64, encoding, look_up_table, over<Double, Plucker<double>>}});
+}
+
+template <int bits, bool table>
+void add_hierarchical(Encoding encoding, std::vector<NamedTracer>& to) {
+  using Nodes = HierarchicalNodes<bits, table>;
+  add_floats<Nodes, Nodes>(encoding, table, to);
+}
+
+std::vector<NamedTracer> named_tracers() {
+  std::vector<NamedTracer> all{
+      {false, Arithmetic::integer, Encoding::plain, false, over_integers<IntSlabsTestMaker>},
+      {true, Arithmetic::integer, Encoding::plain, false, over_integers<IntPluckerTestMaker>}};
+  add_floats<PlainNodes, DoubleNodes>(Encoding::plain, false, all);
+  add_hierarchical<4, false>(Encoding::hierarchical_4, all);
+  add_hierarchical<4, true>(Encoding::hierarchical_4, all);
+  add_hierarchical<8, false>(Encoding::hierarchical_8, all);
+  add_hierarchical<8, true>(Encoding::hierarchical_8, all);
+  add_hierarchical<12, false>(Encoding::hierarchical_12, all);
+  add_hierarchical<16, false>(Encoding::hierarchical_16, all);
+  return all;
+}
+
+[[nodiscard]] ChildOrder child_order(Algorithm algorithm) {
+  if (algorithm == Algorithm::slabs || algorithm == Algorithm::plu) return ChildOrder::fixed;
+  return algorithm == Algorithm::slabs_dist ? ChildOrder::by_distance : ChildOrder::by_direction;
+}
 
 void allow(bool possible, const char* message) {
   if (!possible) throw std::invalid_argument(message);
 }
 
-void check(const Bvh& bvh, const TracerOptions& options) {
+}  // namespace
+
+std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh, const TracerOptions& options) {
+  static const std::vector<NamedTracer> all = named_tracers();
   const bool plucker = options.algorithm == Algorithm::plu || options.algorithm == Algorithm::plu_dsa;
   const bool by_distance = options.algorithm == Algorithm::slabs_dist;
-  const bool major = options.arithmetic == Arithmetic::major;
-  const bool any_float = options.arithmetic == Arithmetic::any_float;
-  const bool integer = options.arithmetic == Arithmetic::integer || major;
-  const bool few_bits =
-      options.encoding == Encoding::hierarchical_4 || options.encoding == Encoding::hierarchical_8;
+  const bool integer = options.arithmetic == Arithmetic::integer;
+  const auto named = std::find_if(all.begin(), all.end(), [&](const NamedTracer& each) {
+    return each.plucker == plucker && each.arithmetic == options.arithmetic &&
+           each.encoding == options.encoding && each.look_up_table == options.look_up_table;
+  });
+  // Why there is no such tracer.
   allow(!bvh.nodes.empty(), "tracer: the hierarchy has no node; build it first");
-  allow(!plucker || options.arithmetic != Arithmetic::robust,
+  allow(!plucker || options.arithmetic != Arithmetic::conservative,
         "tracer: robust arithmetic is for slabs; with Pluecker take binary32 or binary64");
-  allow(!major || !plucker, "tracer: a major axis is for slabs; take slabs or slabs_dsa");
-  allow(!any_float || !plucker, "tracer: floats of any width are for slabs; take slabs or slabs_dsa");
-  const bool pairs = options.encoding == Encoding::pairs;
-  allow(!pairs || (major && options.algorithm == Algorithm::slabs_dsa && options.ends),
-        "tracer: records of two boxes are for a major axis, slabs_dsa and rays with ends");
   allow(!integer || !by_distance,
         "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa");
-  allow(!any_float || !by_distance, "tracer: floats of any width give no distance; take slabs or slabs_dsa");
-  allow(!integer || options.encoding == Encoding::plain || pairs,
+  allow(!integer || options.encoding == Encoding::plain,
         "tracer: integer arithmetic has nodes of its own; take the plain encoding");
-  allow(!any_float || options.encoding == Encoding::plain,
-        "tracer: floats of any width have nodes of their own; take the plain encoding");
-  allow(!options.look_up_table || few_bits,
-        "tracer: a look-up table is for hierarchical nodes of 4 or 8 bits");
+  allow(named != all.end(), "tracer: a look-up table is for hierarchical nodes of 4 or 8 bits");
   if (options.bundle != 1 && options.bundle != 64 && options.bundle != 256) {
     throw std::invalid_argument(
         fmt::format("tracer: bundles of {} rays; allowed are 1, 64 and 256", options.bundle));
@@ -44,60 +110,11 @@ void check(const Bvh& bvh, const TracerOptions& options) {
   allow(options.bundle == 1 || !by_distance,
         "tracer: the order by distance is of single rays; take bundle 1");
   allow(options.bundle == 1 || !integer, "tracer: integer units take single rays; take bundle 1");
-  allow(options.bundle == 1 || !any_float, "tracer: floats of any width take single rays; take bundle 1");
-  allow((integer && !major) || !options.coarse.any(), "tracer: coarse axes are of integer arithmetic");
-  allow(options.ends || (options.bundle == 1 && !by_distance),
-        "tracer: the order by distance and bundles need the ends of rays; take bundle 1 and another order");
-  if (major && !options.major_bits.valid()) {
-    const hls::MajorBits& bits = options.major_bits;
-    throw std::invalid_argument(fmt::format("tracer: there is no format {}+{}/{}f{}", bits.coord, bits.finer,
-                                            bits.mantissa, bits.fraction));
-  }
-  if (any_float && !options.float_bits.valid()) {
-    throw std::invalid_argument(fmt::format("tracer: there is no format e{}m{}", options.float_bits.exponent,
-                                            options.float_bits.fraction));
-  }
-  if (!integer || major) return;
-  check_format(options.bits, "tracer");
-  check_coarse(options.coarse, options.bits.coord, "tracer");
-}
-
-}  // namespace
-
-void check_places(const TraceJob& job) {
-  allow(job.triangles.size() == job.rays.size() && (job.work.empty() || job.work.size() == job.rays.size()),
-        "tracer: places for answers and work must be as many as the rays");
-}
-
-std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh, const TracerOptions& options) {
-  check(bvh, options);
-  const TracerParts parts{mesh, bvh, options};
-  switch (options.encoding) {
-    case Encoding::hierarchical_4:
-    case Encoding::hierarchical_8:
-      return make_hierarchical_tracer(parts);
-    case Encoding::hierarchical_12:
-    case Encoding::hierarchical_16:
-      return make_fine_hierarchical_tracer(parts);
-    case Encoding::pairs:
-      return make_major_pair_tracer(parts);
-    case Encoding::plain:
-      break;
-  }
-  switch (options.arithmetic) {
-    case Arithmetic::integer:
-      return make_integer_tracer(parts);
-    case Arithmetic::major:
-      return make_major_tracer(parts);
-    case Arithmetic::any_float:
-      return make_any_float_tracer(parts);
-    case Arithmetic::binary64:
-      return make_double_tracer(parts);
-    case Arithmetic::binary32:
-    case Arithmetic::robust:
-      break;
-  }
-  return make_plain_tracer(parts);
+  if (integer) check_format(options.bits, "tracer");
+  return named->make({bvh,
+                      Leaves(mesh, bvh, options.triangle_test),
+                      {.order = child_order(options.algorithm), .bundle = options.bundle},
+                      options.bits});
 }
 
 }  // namespace hitpipe::ref

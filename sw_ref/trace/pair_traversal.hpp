@@ -12,9 +12,6 @@
 #include <span>
 
 #include "sw_ref/hierarchy/pair_nodes.hpp"
-#include "sw_ref/judge/triangle_test.hpp"
-#include "sw_ref/trace/child_order.hpp"
-#include "sw_ref/trace/leaf_test.hpp"
 #include "sw_ref/trace/traversal.hpp"
 
 namespace hitpipe::ref {
@@ -53,9 +50,7 @@ class BvhPairs {
 template <class Records>
 struct PairScene {
   const Records* records;
-  const Mesh* mesh;
-  std::span<const std::uint32_t> order;
-  const LeafTest* leaf_test;
+  Leaves leaves;
 };
 
 template <class Records>
@@ -82,12 +77,13 @@ class PairTraversal {
   /// The best hit so far; final when done().
   [[nodiscard]] const Hit& hit() const { return hit_; }
   /// Boxes, not tests: two a test, one for the root.
-  [[nodiscard]] TraversalCounts counts() const { return counts_; }
+  [[nodiscard]] TraceCounts counts() const { return counts_; }
 
   /// in_results(length) is a shorter length of the ray in units of the results.
   template <class InResults>
   void answer(const PairAnswer& answer, const InResults& in_results) {
     counts_.box_tests += boxes();
+    ++counts_.nodes_loaded;
     const unsigned nearer = near_child(class_, scene_.records->split_axis(record_));
     for (const unsigned which : {nearer ^ 1U, nearer}) {
       if (!answer.hit[which]) continue;
@@ -121,9 +117,11 @@ class PairTraversal {
         return;
       }
       const std::uint32_t before = hit_.triangle;
-      counts_.triangle_tests += scene_.leaf_test->ray(
-          *scene_.mesh, scene_.order.subspan(next.child.first, static_cast<std::size_t>(next.child.count)),
-          ray_, query_, hit_);
+      const Leaves& leaves = scene_.leaves;
+      const std::uint32_t tests = leaves.test->ray(
+          *leaves.mesh, leaves.triangles(next.child.first, next.child.count), ray_, query_, hit_);
+      counts_.triangle_tests += tests;
+      counts_.triangles_loaded += tests;
       if (hit_.triangle == before) continue;
       if (query_ == Query::any) break;
       length_ = cull_length(hit_);
@@ -138,7 +136,7 @@ class PairTraversal {
   float length_;
   std::int64_t cut_;  ///< the length in units of the results
   RayInterval parent_;
-  TraversalCounts counts_;
+  TraceCounts counts_{.rays = 1};
   std::uint32_t record_ = 0;
   std::size_t top_ = 0;
   unsigned class_;

@@ -1,7 +1,7 @@
 // The slabs box test (section 2.3.1), set up once per ray.
 //   Slabs<T>     as the thesis computes it, in binary32 or binary64: rounding makes it miss boxes that a ray
 //                only grazes, but never the triangles in a padded box
-//   RobustSlabs  binary32 widened by a proven bound: never misses a closed box that the exact ray meets
+//   ConservativeSlabs  binary32 widened by a proven bound: never misses a closed box that the exact ray meets
 // Both take a ray and boxes of the [-1, 1] cube, and the length at which the ray is cut, >= 0 or infinite.
 #pragma once
 
@@ -82,7 +82,7 @@ class SlabRay {
 /// negligible against 1e-8 / |d| for |d| <= 2^100. A padded face, rounded to binary32, lies at least 5e-7 -
 /// 3e-8 outside the unpadded one, so its distance differs by at least 4.7e-7 / |d|. So every computed near is
 /// below t* and every computed far above it, and with length >= t* the box is a hit. A zero d compares
-/// exactly. The proof does not cover smaller paddings; use RobustSlabs for those.
+/// exactly. The proof does not cover smaller paddings; use ConservativeSlabs for those.
 template <class T>
 class Slabs {
  public:
@@ -115,11 +115,11 @@ class Slabs {
 
 /// Conservative: false only when no exact point origin + t * direction, 0 <= t <= length, lies in the closed
 /// box. Coordinates of box and origin must not exceed 2 in magnitude.
-class RobustSlabs {
+class ConservativeSlabs {
  public:
   using Distance = float;
 
-  explicit RobustSlabs(const Ray& ray) : ray_(ray) {}
+  explicit ConservativeSlabs(const Ray& ray) : ray_(ray) {}
 
   void cut(float length) { ray_.cut(length); }
   [[nodiscard]] const Mirror& mirror() const { return ray_.mirror(); }

@@ -1,34 +1,12 @@
-// A tracer over one store of nodes with one box test.
+// A tracer over one store of nodes with one box test. A design's own tracer is made by it too.
 #pragma once
 
 #include <memory>
-#include <type_traits>
 #include <utility>
 
-#include "sw_ref/trace/plucker.hpp"
-#include "sw_ref/trace/slabs.hpp"
 #include "sw_ref/trace/trace_batch.hpp"
-#include "sw_ref/trace/tracer_kinds.hpp"
 
 namespace hitpipe::ref {
-
-[[nodiscard]] constexpr ChildOrder child_order(Algorithm algorithm) {
-  switch (algorithm) {
-    case Algorithm::slabs:
-    case Algorithm::plu:
-      return ChildOrder::fixed;
-    case Algorithm::slabs_dist:
-      return ChildOrder::by_distance;
-    case Algorithm::slabs_dsa:
-    case Algorithm::plu_dsa:
-      break;
-  }
-  return ChildOrder::by_direction;
-}
-
-[[nodiscard]] constexpr bool is_plucker(Algorithm algorithm) {
-  return algorithm == Algorithm::plu || algorithm == Algorithm::plu_dsa;
-}
 
 /// Makes a box test from the ray alone.
 template <class Test>
@@ -39,19 +17,13 @@ struct TestMaker {
 template <class Store, class Maker>
 class StoreTracer final : public Tracer {
  public:
-  StoreTracer(Store store, Maker make_test, const TracerParts& parts)
-      : store_(std::move(store)),
-        make_test_(std::move(make_test)),
-        leaves_{parts.mesh, parts.bvh.order, leaf_test(parts.options.triangle_test)},
-        order_(child_order(parts.options.algorithm)),
-        bundle_(parts.options.bundle),
-        ends_(parts.options.ends) {}
+  StoreTracer(Store store, Maker make_test, const Leaves& leaves, const Tracing& tracing)
+      : store_(std::move(store)), make_test_(std::move(make_test)), leaves_(leaves), tracing_(tracing) {}
 
   void trace(const TraceJob& job, TraceCounts& counts) const override {
     check_places(job);
     NoObserver observer;
-    trace_batch(TraceWith<Store, Maker>{store_, make_test_, leaves_, order_, bundle_, ends_}, job, counts,
-                observer);
+    trace_batch(TraceWith<Store, Maker>{store_, make_test_, leaves_, tracing_}, job, counts, observer);
   }
 
   [[nodiscard]] std::size_t bytes_per_node() const override { return store_.bytes_per_node; }
@@ -61,39 +33,13 @@ class StoreTracer final : public Tracer {
   Store store_;
   Maker make_test_;
   Leaves leaves_;
-  ChildOrder order_;
-  int bundle_;
-  bool ends_;
+  Tracing tracing_;
 };
 
-/// A tracer with a box test that is made from the ray alone.
-template <class Test, class Store>
-[[nodiscard]] std::unique_ptr<Tracer> store_tracer(Store store, const TracerParts& parts) {
-  return std::make_unique<StoreTracer<Store, TestMaker<Test>>>(std::move(store), TestMaker<Test>{}, parts);
-}
-
-/// A tracer with slabs or Pluecker in T.
-template <class T, class Store>
-[[nodiscard]] std::unique_ptr<Tracer> float_tracer(Store store, const TracerParts& parts) {
-  if (is_plucker(parts.options.algorithm)) return store_tracer<Plucker<T>>(std::move(store), parts);
-  return store_tracer<Slabs<T>>(std::move(store), parts);
-}
-
-/// A tracer over binary32 boxes, with the arithmetic of the options.
-template <class Store>
-[[nodiscard]] std::unique_ptr<Tracer> any_float_tracer(Store store, const TracerParts& parts) {
-  switch (parts.options.arithmetic) {
-    case Arithmetic::robust:
-      return store_tracer<RobustSlabs>(std::move(store), parts);
-    case Arithmetic::binary64:
-      return float_tracer<double>(std::move(store), parts);
-    case Arithmetic::binary32:
-    case Arithmetic::integer:
-    case Arithmetic::major:
-    case Arithmetic::any_float:
-      break;
-  }
-  return float_tracer<float>(std::move(store), parts);
+template <class Store, class Maker>
+[[nodiscard]] std::unique_ptr<Tracer> store_tracer(Store store, Maker make_test, const Leaves& leaves,
+                                                   const Tracing& tracing = {}) {
+  return std::make_unique<StoreTracer<Store, Maker>>(std::move(store), std::move(make_test), leaves, tracing);
 }
 
 }  // namespace hitpipe::ref

@@ -12,23 +12,26 @@
 
 #include "sw_ref/trace/trace_bundle.hpp"
 #include "sw_ref/trace/trace_by_distance.hpp"
-#include "sw_ref/trace/trace_ray.hpp"
-#include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
 
 enum class ChildOrder : std::uint8_t { fixed, by_direction, by_distance };
 
-/// `make_test(ray)` makes the box test of a ray. Bundles need a test that allows them, and an order other
-/// than by_distance.
+/// How a tracer goes through a hierarchy with a box test.
+struct Tracing {
+  ChildOrder order = ChildOrder::by_direction;
+  int bundle =
+      1;  ///< the most rays traced together, for box tests that allow it and another order than by_distance
+  bool ends = true;  ///< box tests know where rays end; if not, single rays only and not by_distance
+};
+
+/// `make_test(ray)` makes the box test of a ray.
 template <class Store, class Maker>
 struct TraceWith {
   const Store& store;
   const Maker& make_test;
   Leaves leaves;
-  ChildOrder order;
-  int bundle;
-  bool ends = true;  ///< as in TracerOptions
+  Tracing tracing{};
 };
 
 template <class Maker>
@@ -41,18 +44,18 @@ concept HasDistance = requires(const Test& test, const Box& box, typename Test::
 };
 
 template <class Store, class Maker, class Observer>
-RayWork trace_one(const TraceWith<Store, Maker>& with, const Ray& ray, Query query, Hit& hit,
-                  Observer& observer) {
+TraceCounts trace_one(const TraceWith<Store, Maker>& with, const Ray& ray, Query query, Hit& hit,
+                      Observer& observer) {
   using Test = BoxTestOf<Maker>;
   if constexpr (HasDistance<Test, typename Store::Box>) {
-    if (with.order == ChildOrder::by_distance) {
+    if (with.tracing.order == ChildOrder::by_distance) {
       return trace_by_distance(with.store, with.leaves, with.make_test(ray), ray, query, hit, observer);
     }
   }
-  const unsigned order_class = with.order == ChildOrder::fixed ? 0 : direction_class(ray.direction);
-  const Ray tested{ray.origin, ray.direction, with.ends ? ray.length : Ray::infinite};
-  return trace_ray(with.store, with.leaves, with.make_test(tested), ray, query, order_class, with.ends, hit,
-                   observer);
+  const unsigned order_class = with.tracing.order == ChildOrder::fixed ? 0 : direction_class(ray.direction);
+  const Ray tested{ray.origin, ray.direction, with.tracing.ends ? ray.length : Ray::infinite};
+  return trace_ray(with.store, with.leaves, with.make_test(tested), ray, query, order_class,
+                   with.tracing.ends, hit, observer);
 }
 
 template <class Store, class Maker, class Observer>
@@ -60,13 +63,10 @@ void trace_singly(const TraceWith<Store, Maker>& with, const TraceJob& job, Trac
                   Observer& observer) {
   for (std::size_t i = 0; i < job.rays.size(); ++i) {
     Hit hit;
-    const RayWork work = trace_one(with, job.rays[i], job.query, hit, observer);
+    const TraceCounts work = trace_one(with, job.rays[i], job.query, hit, observer);
     job.triangles[i] = hit.triangle;
     if (!job.work.empty()) job.work[i] = work;
-    counts.box_tests += work.box_tests;
-    counts.triangle_tests += work.triangle_tests;
-    counts.nodes_loaded += work.box_tests;
-    counts.triangles_loaded += work.triangle_tests;
+    counts += work;
   }
 }
 
@@ -96,16 +96,14 @@ void trace_bundles(const TraceWith<Store, Maker>& with, const TraceJob& job, std
       if (classes[i] != ray_class) continue;
       const Ray& ray = job.rays[first + i];
       std::construct_at(tests + members, with.make_test(ray));
-      std::construct_at(rays + members, ray);
+      TraceCounts* const work = job.work.empty() ? nullptr : &job.work[first + i];
+      if (work != nullptr) *work = {.rays = 1};
+      std::construct_at(rays + members, ray, work);
       places[members++] = first + i;
     }
-    BundleTrace bundle(with.store, with.leaves, job.query, std::span(rays, members), tests, !job.work.empty(),
-                       observer);
-    bundle.run(with.order == ChildOrder::fixed ? 0 : ray_class, counts);
-    for (std::size_t i = 0; i < members; ++i) {
-      job.triangles[places[i]] = rays[i].hit.triangle;
-      if (!job.work.empty()) job.work[places[i]] = rays[i].work;
-    }
+    BundleTrace bundle(with.store, with.leaves, job.query, std::span(rays, members), tests, observer);
+    bundle.run(with.tracing.order == ChildOrder::fixed ? 0 : ray_class, counts);
+    for (std::size_t i = 0; i < members; ++i) job.triangles[places[i]] = rays[i].hit.triangle;
   }
 }
 
@@ -113,10 +111,10 @@ void trace_bundles(const TraceWith<Store, Maker>& with, const TraceJob& job, std
 template <class Store, class Maker, class Observer>
 void trace_batch(const TraceWith<Store, Maker>& with, const TraceJob& job, TraceCounts& counts,
                  Observer& observer) {
-  counts.rays += job.rays.size();
   if constexpr (BundleBoxTest<BoxTestOf<Maker>, typename Store::Box>) {
-    if (with.bundle > 1) {
-      const auto most = static_cast<std::size_t>(with.bundle);
+    if (with.tracing.bundle > 1) {
+      const auto most = static_cast<std::size_t>(with.tracing.bundle);
+      counts.rays += job.rays.size();
       for (std::size_t first = 0; first < job.rays.size(); first += most) {
         trace_bundles(with, job, first, std::min(most, job.rays.size() - first), counts, observer);
       }

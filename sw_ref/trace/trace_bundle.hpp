@@ -7,9 +7,7 @@
 #include <concepts>
 #include <span>
 
-#include "sw_ref/trace/child_order.hpp"
-#include "sw_ref/trace/trace_parts.hpp"
-#include "sw_ref/trace/waiting.hpp"
+#include "sw_ref/trace/traversal.hpp"
 
 namespace hitpipe::ref {
 
@@ -24,17 +22,11 @@ concept BundleBoxTest = requires(const Test& test, const Box& box) {
 template <class Store, class Test, class Observer>
 class BundleTrace {
  public:
-  /// `tests[i]` is the test of `rays[i]`. There are 1 to largest_bundle rays, all of one class. Each ray's
-  /// own work counts box tests only with `count_work`.
+  /// `tests[i]` is the test of `rays[i]`. There are 1 to largest_bundle rays, all of one class. All have a
+  /// place for their own work, or none has.
   BundleTrace(const Store& store, const Leaves& leaves, Query query, std::span<BundledRay> rays, Test* tests,
-              bool count_work, Observer& observer)
-      : store_(store),
-        leaves_(leaves),
-        query_(query),
-        rays_(rays),
-        tests_(tests),
-        count_work_(count_work),
-        observer_(observer) {}
+              Observer& observer)
+      : store_(store), leaves_(leaves), query_(query), rays_(rays), tests_(tests), observer_(observer) {}
 
   void run(unsigned order_class, TraceCounts& counts) {
     struct Sibling {
@@ -80,8 +72,8 @@ class BundleTrace {
     ++counts.nodes_loaded;
     counts.box_tests += last - first;
     const auto box = tests_[0].mirror()(store_.box(node));
-    if (count_work_) {
-      for (std::uint32_t i = first; i < last; ++i) ++rays_[numbers_[i]].work.box_tests;
+    if (rays_[0].work != nullptr) {
+      for (std::uint32_t i = first; i < last; ++i) ++rays_[numbers_[i]].work->box_tests;
     }
     std::uint32_t end = last;
     for (std::uint32_t i = first; i < last; ++i) {
@@ -96,7 +88,7 @@ class BundleTrace {
                  TraceCounts& counts) {
     const auto triangles = leaves_.triangles(first_triangle, count);
     const std::span<std::uint16_t> numbers(&numbers_[first], last - first);
-    const LeafCounts tests = leaves_.test.bundle(leaves_.mesh, triangles, rays_.data(), numbers, query_);
+    const LeafCounts tests = leaves_.test->bundle(*leaves_.mesh, triangles, rays_.data(), numbers, query_);
     tell_loads(observer_, triangles.first(tests.loaded));
     counts.triangles_loaded += tests.loaded;
     counts.triangle_tests += tests.tests;
@@ -125,7 +117,6 @@ class BundleTrace {
   Query query_;
   std::span<BundledRay> rays_;
   Test* tests_;
-  bool count_work_;
   Observer& observer_;
   // For each node on the path to the current one, the list of rays that hit it, one list after the other. The
   // array is not initialised, because a list is written before it is read.

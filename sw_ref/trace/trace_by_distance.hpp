@@ -4,35 +4,35 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 #include <utility>
 
-#include "sw_ref/trace/trace_parts.hpp"
-#include "sw_ref/trace/waiting.hpp"
+#include "sw_ref/trace/traversal.hpp"
 
 namespace hitpipe::ref {
 
 /// As trace_ray(). test.enters() gives the distance of a box, which is never above that of a triangle in it.
 template <class Store, class Test, class Observer>
-RayWork trace_by_distance(const Store& store, const Leaves& leaves, Test&& test, const Ray& ray, Query query,
-                          Hit& hit, Observer& observer) {
+TraceCounts trace_by_distance(const Store& store, const Leaves& leaves, Test test, const Ray& ray,
+                              Query query, Hit& hit, Observer& observer) {
   using Node = typename Store::Node;
-  using Distance = typename std::remove_cvref_t<Test>::Distance;
+  using Distance = typename Test::Distance;
   struct Entered {
     Node node;
     Distance distance;
   };
   std::array<Entered, deepest_stack> stack;
   std::size_t top = 0;
-  RayWork work;
+  std::uint32_t box_tests = 0;
+  std::uint32_t triangle_tests = 0;
+  const auto work = [&] { return TraceCounts::of_ray(box_tests, triangle_tests); };
   float length = ray.length;
   const auto enters = [&](const Node& node, Distance& distance) {
     observer.node_loaded(store.index(node));
-    ++work.box_tests;
+    ++box_tests;
     return test.enters(store.box(node), distance);
   };
   Entered at{store.root(), {}};
-  if (!enters(at.node, at.distance)) return work;
+  if (!enters(at.node, at.distance)) return work();
   for (;;) {
     const std::int32_t count = store.count(at.node);
     if (count < 0) {
@@ -51,17 +51,17 @@ RayWork trace_by_distance(const Store& store, const Leaves& leaves, Test&& test,
     } else {
       const auto triangles = leaves.triangles(store.first(at.node), count);
       const std::uint32_t before = hit.triangle;
-      const std::uint32_t tests = leaves.test.ray(leaves.mesh, triangles, ray, query, hit);
+      const std::uint32_t tests = leaves.test->ray(*leaves.mesh, triangles, ray, query, hit);
       tell_loads(observer, triangles.first(tests));
-      work.triangle_tests += tests;
+      triangle_tests += tests;
       if (hit.triangle != before) {
-        if (query == Query::any) return work;
+        if (query == Query::any) return work();
         length = cull_length(hit);
         test.cut(length);
       }
     }
     do {
-      if (top == 0) return work;
+      if (top == 0) return work();
       at = stack[--top];
     } while (at.distance > length);
   }

@@ -1,6 +1,5 @@
 // Rays in, triangles out: the interface between code that makes rays (renderer, experiments) and code that
-// traces them. Box test, node encoding, child order, precision and bundle size are chosen when a tracer is
-// made. With the exact triangle test all tracers give the same answers (docs/one_answer.md).
+// traces them. With the exact triangle test all tracers give the same answers (docs/one_answer.md).
 #pragma once
 
 #include <cstddef>
@@ -8,16 +7,18 @@
 #include <memory>
 #include <span>
 
-#include "hls/box/fp_format.hpp"
 #include "hls/box/int_format.hpp"
-#include "hls/box/major_format.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/scene/mesh.hpp"
 #include "sw_ref/scene/ray.hpp"
-#include "sw_ref/trace/query.hpp"
 
 namespace hitpipe::ref {
+
+/// The question that a ray answers.
+enum class Query : std::uint8_t {
+  closest,  ///< the nearest triangle, ties to the lower index
+  any,      ///< stop at the first triangle found: only blocked or not blocked counts
+};
 
 /// The work of tracing. A load is one fetch of a node or triangle, for any number of rays. For single rays
 /// loads equal tests; for bundles there are fewer loads (section 5.6).
@@ -37,12 +38,11 @@ struct TraceCounts {
     return *this;
   }
   friend bool operator==(const TraceCounts&, const TraceCounts&) = default;
-};
 
-/// The work for one ray, for heat maps.
-struct RayWork {
-  std::uint32_t box_tests = 0;
-  std::uint32_t triangle_tests = 0;
+  /// A ray that is traced alone: what it tests is loaded for it.
+  [[nodiscard]] static TraceCounts of_ray(std::uint64_t box_tests, std::uint64_t triangle_tests) {
+    return {1, box_tests, triangle_tests, box_tests, triangle_tests};
+  }
 };
 
 /// Rays to trace, and places for the answers.
@@ -52,8 +52,8 @@ struct TraceJob {
   /// One for each ray: the triangle that the ray hits, or Hit::none. With Query::any it is some triangle that
   /// the ray hits.
   std::span<std::uint32_t> triangles;
-  /// One for each ray, or empty if the work is not needed.
-  std::span<RayWork> work = {};
+  /// The tests of each ray, or empty if they are not needed.
+  std::span<TraceCounts> work = {};
 };
 
 /// Thread-safe. Its hierarchy and mesh must outlive it and not change.
@@ -78,12 +78,10 @@ enum class Algorithm : std::uint8_t {
 };
 
 enum class Arithmetic : std::uint8_t {
-  binary32,   ///< as the thesis computes; never misses a triangle in a padded box
-  binary64,   ///< section 5.7
-  robust,     ///< binary32 slabs widened by a proven bound: never misses a box, padded or not. Not for plu
-  integer,    ///< chapter 6, n/t bits: integer slabs or Pluecker as the algorithm says; not slabs_dist
-  major,      ///< integer slabs along the major axis, n+g/p bits; slabs or slabs_dsa
-  any_float,  ///< slabs of the float unit that never misses, eEmM bits; slabs or slabs_dsa
+  binary32,      ///< as the thesis computes; never misses a triangle in a padded box
+  binary64,      ///< section 5.7
+  conservative,  ///< binary32 slabs widened by a proven bound: never misses a box, padded or not
+  integer,       ///< chapter 6, n/t bits: integer slabs or Pluecker as the algorithm says
 };
 
 enum class Encoding : std::uint8_t {
@@ -92,7 +90,6 @@ enum class Encoding : std::uint8_t {
   hierarchical_8,  ///< 12 bytes
   hierarchical_12,
   hierarchical_16,
-  pairs,  ///< two boxes a record (pair_nodes.hpp); with major arithmetic and slabs_dsa
 };
 
 enum class TriangleTest : std::uint8_t {
@@ -101,22 +98,19 @@ enum class TriangleTest : std::uint8_t {
   binary64,
 };
 
+/// Chooses one of the tracers of the thesis. The tracers of other box tests are made by store_tracer().
 struct TracerOptions {
   Algorithm algorithm = Algorithm::slabs_dsa;
-  Arithmetic arithmetic = Arithmetic::robust;
+  Arithmetic arithmetic = Arithmetic::conservative;
   Encoding encoding = Encoding::plain;
   bool look_up_table = false;  ///< integer-to-float conversion by table; hierarchical 4 and 8 bits only
-  int bundle = 1;  ///< the most rays traced together: 1, 64 or 256 (section 5.5); 1 with integers, slabs_dist
-  hls::IntBits bits{24, 24};  ///< of integer arithmetic
+  int bundle = 1;              ///< the most rays traced together: 1, 64 or 256 (section 5.5)
+  hls::IntBits bits{24, 24};   ///< of integer arithmetic
   TriangleTest triangle_test = TriangleTest::exact;
-  CoarseAxes coarse{};  ///< of integer arithmetic; rays and boxes must fit the coarser grid
-  bool ends = true;     ///< box tests know where rays end; if not, single rays only and not slabs_dist
-  hls::MajorBits major_bits{};  ///< of major arithmetic
-  hls::FpBits float_bits{};     ///< of any_float arithmetic
 };
 
-/// Encodes the nodes and picks the traversal loop. Throws std::invalid_argument, one line, for a combination
-/// that does not exist (see the comments above), and std::out_of_range for boxes that leave the grid.
+/// Encodes the nodes and picks the traversal loop. Throws std::invalid_argument, one line, when there is no
+/// such tracer, and std::out_of_range for boxes that leave the grid.
 [[nodiscard]] std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh,
                                                   const TracerOptions& options);
 

@@ -1,125 +1,167 @@
-// Depth-first traversal of one ray through a BVH, near child first by direction and split axis (DSA, section
-// 4.5). It pauses at each box test: it names the node whose box is to be tested, and continues when it gets
-// the answer. So a software loop and a pipeline that answers many cycles later use the same traversal.
+// Depth-first traversal of one ray through a hierarchy, children in a fixed order or near child first by
+// direction and split axis (DSA, section 4.5). DepthFirst goes from box test to box test; a software loop
+// (trace_ray) and a pipeline that answers many cycles later (Traversal) both use it.
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/hierarchy/plain_nodes.hpp"
 #include "sw_ref/judge/triangle_test.hpp"
-#include "sw_ref/scene/mesh.hpp"
-#include "sw_ref/scene/ray.hpp"
 #include "sw_ref/trace/child_order.hpp"
-#include "sw_ref/trace/query.hpp"
+#include "sw_ref/trace/leaf_test.hpp"
 
 namespace hitpipe::ref {
 
-struct TraversalCounts {
-  std::uint64_t box_tests = 0;
-  std::uint64_t triangle_tests = 0;
-
-  TraversalCounts& operator+=(const TraversalCounts& other) {
-    box_tests += other.box_tests;
-    triangle_tests += other.triangle_tests;
-    return *this;
-  }
-  friend bool operator==(const TraversalCounts&, const TraversalCounts&) = default;
+/// A box test belongs to one ray; a functor of (const Ray&) makes it. After cut(length) it may call a box a
+/// miss that the ray enters only beyond t = length.
+template <class T, class Box>
+concept BoxTest = requires(T test, const T& asked, const Box& box, float length) {
+  test.cut(length);
+  { asked(box) } -> std::same_as<bool>;
 };
 
-/// Hierarchy and mesh must outlive the traversal and not change. The hierarchy has at least one node.
+/// At most one sibling waits per level below the root.
+constexpr int deepest_stack = BuildOptions::deepest;
+
+/// A child that waits on the stack of a traversal. It is loaded, and so decoded, when its turn comes. Until
+/// then its parent represents it.
+template <NodeStore Store>
+struct Waiting {
+  typename Store::Node parent;
+  std::uint32_t which;
+
+  Waiting() = default;
+  Waiting(const Store&, const typename Store::Node& node, unsigned child) : parent(node), which(child) {}
+  [[nodiscard]] typename Store::Node load(const Store& store) const { return store.child(parent, which); }
+};
+
+/// A small Node is only an index or pointer and costs nothing to compute, so the child itself waits.
+template <NodeStore Store>
+requires(sizeof(typename Store::Node) <= sizeof(void*)) struct Waiting<Store> {
+  typename Store::Node node;
+
+  Waiting() = default;
+  Waiting(const Store& store, const typename Store::Node& parent, unsigned child)
+      : node(store.child(parent, child)) {}
+  [[nodiscard]] typename Store::Node load(const Store&) const { return node; }
+};
+
+template <NodeStore Store>
+class DepthFirst {
+ public:
+  /// `order_class` chooses the near child.
+  DepthFirst(const Store& store, unsigned order_class) : node_(store.root()), class_(order_class) {}
+
+  [[nodiscard]] bool done() const { return done_; }
+  /// The node whose box is to be tested now. Only while !done().
+  [[nodiscard]] const typename Store::Node& node() const { return node_; }
+  [[nodiscard]] TraceCounts counts() const { return TraceCounts::of_ray(box_tests_, triangle_tests_); }
+
+  /// Goes on with the result of the box test of node(). `hit` is the best hit so far; it lies outside, so
+  /// that the rest can stay in registers. Calls closer() when a leaf has a better hit and the ray goes on.
+  template <class Observer, class Closer>
+  [[gnu::always_inline]] void answer(bool box_hit, const Store& store, const Leaves& leaves, const Ray& ray,
+                                     Query query, Hit& hit, Observer& observer, const Closer& closer) {
+    observer.node_loaded(store.index(node_));
+    ++box_tests_;
+    if (box_hit) {
+      const std::int32_t count = store.count(node_);
+      if (count < 0) {
+        const unsigned near = near_child(class_, -1 - count);
+        stack_[top_++] = Waiting<Store>(store, node_, near ^ 1U);
+        node_ = store.child(node_, near);
+        return;
+      }
+      const auto triangles = leaves.triangles(store.first(node_), count);
+      const std::uint32_t before = hit.triangle;
+      const std::uint32_t tests = leaves.test->ray(*leaves.mesh, triangles, ray, query, hit);
+      tell_loads(observer, triangles.first(tests));
+      triangle_tests_ += tests;
+      if (hit.triangle != before) {
+        done_ = query == Query::any;
+        if (done_) return;
+        closer();
+      }
+    }
+    done_ = top_ == 0;
+    if (!done_) node_ = stack_[--top_].load(store);
+  }
+
+ private:
+  typename Store::Node node_;
+  std::size_t top_ = 0;
+  unsigned class_;
+  std::uint32_t box_tests_ = 0;
+  std::uint32_t triangle_tests_ = 0;
+  bool done_ = false;
+  std::array<Waiting<Store>, deepest_stack> stack_;  // only [0, top_) is read, so the rest is not set
+};
+
+/// `test` is the box test of `ray`; with `ends` it is cut at each hit.
+template <class Store, BoxTest<typename Store::Box> Test, class Observer>
+TraceCounts trace_ray(const Store& store, const Leaves& leaves, Test test, const Ray& ray, Query query,
+                      unsigned order_class, bool ends, Hit& hit, Observer& observer) {
+  DepthFirst<Store> walk(store, order_class);
+  do {
+    walk.answer(test(store.box(walk.node())), store, leaves, ray, query, hit, observer, [&] {
+      if (ends) test.cut(cull_length(hit));
+    });
+  } while (!walk.done());
+  return walk.counts();
+}
+
+/// Near child first, with the exact triangle test. It pauses at each box test: it names the node whose box is
+/// to be tested, and continues when it gets the answer. Hierarchy and mesh must outlive it and not change.
+/// The hierarchy has at least one node.
 class Traversal {
  public:
   Traversal(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query)
-      : nodes_(bvh.nodes.data()),
-        order_(bvh.order.data()),
-        mesh_(&mesh),
+      : store_(bvh),
+        leaves_(mesh, bvh),
         ray_(ray),
         length_(ray.length),
-        class_(direction_class(ray.direction)),
-        query_(query) {
-    stack_[0] = finished;
-  }
+        query_(query),
+        walk_(store_, direction_class(ray.direction)) {}
 
-  [[nodiscard]] bool done() const { return node_ == finished; }
+  [[nodiscard]] bool done() const { return walk_.done(); }
   /// The node whose box is to be tested now. Only while !done().
-  [[nodiscard]] std::uint32_t node() const { return node_; }
+  [[nodiscard]] std::uint32_t node() const { return store_.index(walk_.node()); }
   /// A box that the ray enters beyond this t need not be visited. It is the ray's length, or the exact t of
   /// the best hit rounded up.
   [[nodiscard]] float length() const { return length_; }
   [[nodiscard]] const Ray& ray() const { return ray_; }
   /// The best hit so far; final when done().
   [[nodiscard]] const Hit& hit() const { return hit_; }
-  [[nodiscard]] TraversalCounts counts() const { return {box_tests_, triangle_tests_}; }
+  [[nodiscard]] TraceCounts counts() const { return walk_.counts(); }
 
   /// Continues with the result of the box test of node(): true if the ray, cut at length(), may meet its box.
   void answer(bool box_hit) {
-    ++box_tests_;
-    if (box_hit) {
-      const BvhNode& node = nodes_[node_];
-      if (!node.is_leaf()) {
-        const unsigned near = near_child(class_, node.split_axis());
-        stack_[++top_] = node.first + (near ^ 1U);
-        node_ = node.first + near;
-        return;
-      }
-      if (intersect(node)) {
-        node_ = finished;
-        return;
-      }
-    }
-    node_ = stack_[top_--];
+    NoObserver none;
+    walk_.answer(box_hit, store_, leaves_, ray_, query_, hit_, none, [&] { length_ = cull_length(hit_); });
   }
 
  private:
-  static constexpr std::uint32_t finished = ~0U;
-  /// `finished` is at the bottom. Above it there is at most one waiting sibling per level below the root.
-  static constexpr std::size_t stack_size = 64;
-  static_assert(stack_size >= std::size_t{BuildOptions::deepest});
-
-  /// Tests the triangles of a leaf; true when the query needs no further node.
-  bool intersect(const BvhNode& leaf) {
-    const std::uint32_t* const triangles = order_ + leaf.first;
-    for (std::int32_t i = 0; i < leaf.count; ++i) {
-      ++triangle_tests_;
-      if (!intersect_triangle(*mesh_, triangles[i], ray_, hit_)) continue;
-      length_ = cull_length(hit_);
-      if (query_ == Query::any) return true;
-    }
-    return false;
-  }
-
-  const BvhNode* nodes_;
-  const std::uint32_t* order_;
-  const Mesh* mesh_;
+  PlainNodes store_;
+  Leaves leaves_;
   Ray ray_;
   Hit hit_;
   float length_;
-  std::uint32_t node_ = 0;
-  std::uint32_t top_ = 0;
-  unsigned class_;
-  std::uint32_t box_tests_ = 0;
-  std::uint32_t triangle_tests_ = 0;
   Query query_;
-  std::array<std::uint32_t, stack_size> stack_;  // only [0, top_] is read, so the rest is not set
+  DepthFirst<PlainNodes> walk_;
 };
 
-/// Traces one ray with the box test Test(ray), see box_test.hpp.
+/// Traces one ray with the box test Test(ray) and the exact triangle test, near child first.
 template <class Test>
-Hit trace(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query, TraversalCounts& counts) {
-  Test test(ray);
-  Traversal traversal(bvh, mesh, ray, query);
-  float length = traversal.length();
-  while (!traversal.done()) {
-    traversal.answer(test(bvh.nodes[traversal.node()].box));
-    if (traversal.length() == length) continue;
-    length = traversal.length();
-    test.cut(length);
-  }
-  counts += traversal.counts();
-  return traversal.hit();
+Hit trace(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query, TraceCounts& counts) {
+  Hit hit;
+  NoObserver none;
+  counts += trace_ray(PlainNodes(bvh), Leaves(mesh, bvh), Test(ray), ray, query,
+                      direction_class(ray.direction), true, hit, none);
+  return hit;
 }
 
 }  // namespace hitpipe::ref

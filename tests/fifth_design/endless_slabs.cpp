@@ -3,8 +3,11 @@
 
 #include "sim/designs/int_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
+#include "sw_ref/hierarchy/int_nodes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
+#include "sw_ref/trace/int_slabs.hpp"
+#include "sw_ref/trace/store_tracer.hpp"
 #include "tests/fifth_design/designs.hpp"
 
 namespace hitpipe::sim {
@@ -37,13 +40,11 @@ class EndlessSetUp {
   ref::IntSlabsRaySetup set_up_;
 };
 
-ref::TracerOptions endless_traversal(const rtl::Format& format) {
-  ref::TracerOptions options;
-  options.algorithm = ref::Algorithm::slabs_dsa;
-  options.arithmetic = ref::Arithmetic::integer;
-  options.bits = format.as<hls::IntBits>();
-  options.ends = false;
-  return options;
+std::unique_ptr<ref::Tracer> endless_tracer(const TracedUnit& unit, const ref::Mesh& mesh,
+                                            const ref::Bvh& bvh) {
+  const auto bits = unit.format.as<hls::IntBits>();
+  return ref::store_tracer(ref::IntNodes(bvh, bits.coord), ref::IntSlabsTestMaker(bits),
+                           ref::Leaves(mesh, bvh), {.ends = false});
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ Software endless_slabs_software() {
   Software software = int_design_software();
   software.feed = set_up_feed<EndlessSetUp>;
   software.box_test = set_up_test<EndlessSetUp>;
-  software.traversal = endless_traversal;
+  software.tracer = endless_tracer;
   return software;
 }
 

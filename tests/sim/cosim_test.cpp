@@ -200,7 +200,7 @@ TEST(CosimCounts, RaysFromOutsideTheCubeAreRejectedAndHitNothing) {
   EXPECT_EQ(result.rays_secondary, 0U);
   EXPECT_EQ(result.rays_shadow, 0U);
   EXPECT_EQ(result.unit, UnitCounts::zeros(true));
-  EXPECT_EQ(result.reference, ref::TraversalCounts{});
+  EXPECT_EQ(result.reference, ref::TraceCounts{});
   EXPECT_EQ(result.triangles, std::vector<std::uint32_t>(200, ref::Hit::none));
   EXPECT_EQ(result.occupancy_pct(), 0.0);
 }

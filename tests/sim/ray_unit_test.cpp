@@ -71,9 +71,9 @@ class RayUnitOnHills : public testing::TestWithParam<Unit> {
 
   [[nodiscard]] std::vector<std::uint32_t> software() const {
     std::vector<std::uint32_t> triangles;
-    ref::TraversalCounts counts;
+    ref::TraceCounts counts;
     for (const RayJob& job : jobs_) {
-      const ref::Hit hit = ref::trace<ref::RobustSlabs>(bvh_, scene_.mesh, job.ray, job.query, counts);
+      const ref::Hit hit = ref::trace<ref::ConservativeSlabs>(bvh_, scene_.mesh, job.ray, job.query, counts);
       triangles.push_back(job.query == ref::Query::any && hit.found() ? 0 : hit.triangle);
     }
     return triangles;

@@ -13,6 +13,7 @@
 #include "host/files.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "sim/cosim.hpp"
+#include "sim/generic_tracer.hpp"
 #include "tests/rtl_gen/tool.hpp"
 #include "tests/sw_ref/quantise/demand_scenes.hpp"
 

@@ -15,6 +15,7 @@
 #include "hls/box/major_format.hpp"
 #include "sim/cosim.hpp"
 #include "sim/fit/fit.hpp"
+#include "sim/generic_tracer.hpp"
 #include "sim/sweep/rows_file.hpp"
 #include "sim/sweep/shard.hpp"
 #include "tests/message_of.hpp"

@@ -64,7 +64,7 @@ TEST_F(Render, ImageAndRaysAreThoseOfEveryTracerAndTile) {
        {TracerOptions{.algorithm = Algorithm::slabs, .arithmetic = Arithmetic::binary32},
         {.algorithm = Algorithm::slabs_dist, .arithmetic = Arithmetic::binary32},
         {.algorithm = Algorithm::plu_dsa, .arithmetic = Arithmetic::binary64, .bundle = 64},
-        {.algorithm = Algorithm::slabs_dsa, .arithmetic = Arithmetic::robust, .bundle = 256}}) {
+        {.algorithm = Algorithm::slabs_dsa, .arithmetic = Arithmetic::conservative, .bundle = 256}}) {
     const RenderResult result = run(
         {.width = 100, .height = 75, .threads = 2, .tile_side = tile_side_for(tracer.bundle), .maps = true},
         tracer);

@@ -263,24 +263,21 @@ TEST(PairTest, HitsAChildExactlyWhenItsBoxAloneIsHitForAllSlabsOfASmallGrid) {
   EXPECT_GT(hits, compared / 4);
 }
 
-TEST(PairTraversal, FindsTheTrianglesThatTheRobustTraversalFinds) {
+TEST(PairTraversal, FindsTheTrianglesThatTheConservativeTraversalFinds) {
   for (const Mesh& mesh : meshes()) {
     for (const Bvh& bvh : trees(mesh)) {
       const std::vector<Ray> rays = rays_at(mesh, 400);
       for (const MajorBits bits : {MajorBits{20, 1, 13}, MajorBits{8, 0, 5}}) {
-        TracerOptions options{
-            .algorithm = Algorithm::slabs_dsa, .arithmetic = Arithmetic::major, .encoding = Encoding::pairs};
-        options.major_bits = bits;
-        const auto pairs = make_tracer(mesh, bvh, options);
-        const auto robust = make_tracer(mesh, bvh, {});
+        const auto pairs = major_pair_tracer(bits, mesh, bvh);
+        const auto conservative = make_tracer(mesh, bvh, {});
         for (const Query query : {Query::closest, Query::any}) {
           std::vector<std::uint32_t> found(rays.size());
           std::vector<std::uint32_t> expected(rays.size());
-          std::vector<RayWork> work(rays.size());
+          std::vector<TraceCounts> work(rays.size());
           TraceCounts counts;
           TraceCounts reference;
           pairs->trace({rays, query, found, work}, counts);
-          robust->trace({rays, query, expected}, reference);
+          conservative->trace({rays, query, expected}, reference);
           std::uint64_t box_tests = 0;
           for (std::size_t i = 0; i < rays.size(); ++i) {
             if (query == Query::closest) {
@@ -304,47 +301,18 @@ TEST(PairTraversal, DeepestHierarchyFitsTheStack) {
   const Mesh mesh = one_triangle_a_level();
   const Bvh bvh = build_bvh(mesh, {.max_triangles = 1, .min_split = 0.0F});
   ASSERT_EQ(bvh.depth, BuildOptions::deepest);
-  const auto tracer = make_tracer(
-      mesh, bvh,
-      {.algorithm = Algorithm::slabs_dsa, .arithmetic = Arithmetic::major, .encoding = Encoding::pairs});
+  const auto tracer = major_pair_tracer({}, mesh, bvh);
   const std::vector<Ray> rays{{{0.95F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}},
                               {{-0.95F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}},
                               {{0.95F, 0.9F, 0.0F}, {-1.0F, 0.0F, 0.0F}}};
   std::vector<std::uint32_t> found(rays.size());
-  std::vector<RayWork> work(rays.size());
+  std::vector<TraceCounts> work(rays.size());
   TraceCounts counts;
   tracer->trace({rays, Query::closest, found, work}, counts);
   EXPECT_EQ(found[0], 0U);
   EXPECT_NE(found[1], Hit::none);
   EXPECT_EQ(found[2], Hit::none);
-  EXPECT_GE(work[1].box_tests, std::uint32_t{BuildOptions::deepest});
-}
-
-TEST(PairTraversal, NeedsItsOwnRecordsAndOrder) {
-  const Mesh mesh = meshes().front();
-  const Bvh bvh = build_bvh(mesh);
-  const auto refusal = [&](const TracerOptions& options) -> std::string {
-    try {
-      static_cast<void>(make_tracer(mesh, bvh, options));
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
-  const std::string wanted =
-      "tracer: records of two boxes are for a major axis, slabs_dsa and rays with ends";
-  EXPECT_EQ(
-      refusal(
-          {.algorithm = Algorithm::slabs_dsa, .arithmetic = Arithmetic::major, .encoding = Encoding::pairs}),
-      "accepted");
-  EXPECT_EQ(
-      refusal(
-          {.algorithm = Algorithm::slabs_dist, .arithmetic = Arithmetic::major, .encoding = Encoding::pairs}),
-      wanted);
-  EXPECT_EQ(
-      refusal(
-          {.algorithm = Algorithm::slabs_dsa, .arithmetic = Arithmetic::robust, .encoding = Encoding::pairs}),
-      wanted);
+  EXPECT_GE(work[1].box_tests, std::uint64_t{BuildOptions::deepest});
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The box tests against exact rational arithmetic, on rays chosen to graze a box. RobustSlabs never misses a
-// box that the ray meets. Slabs and Pluecker miss some, which shows that the rays are hard enough, but they
-// miss no padded box.
+// The box tests against exact rational arithmetic, on rays chosen to graze a box. ConservativeSlabs never
+// misses a box that the ray meets. Slabs and Pluecker miss some, which shows that the rays are hard enough,
+// but they miss no padded box.
 #include "sw_ref/trace/slabs.hpp"
 
 #include <algorithm>
@@ -252,7 +252,7 @@ TEST(BoxTests, RobustNeverMissesAndTheOthersMissNoPaddedBox) {
     for (int i = 0; i < cases_per_category; ++i, ++tested) {
       const Case c = category.make(random);
       const bool exact = meets_exactly(c.ray, c.box);
-      const bool robust = RobustSlabs(c.ray)(c.box);
+      const bool robust = ConservativeSlabs(c.ray)(c.box);
       meet += exact ? 1 : 0;
       robust_false += !exact && robust ? 1 : 0;
       if (const char* const misses = exact ? misses_padded(c) : nullptr) {
@@ -260,7 +260,7 @@ TEST(BoxTests, RobustNeverMissesAndTheOthersMissNoPaddedBox) {
       }
       float_misses += exact && !Slabs<float>(c.ray)(c.box) ? 1 : 0;
       if (!exact || robust) continue;
-      if (robust_misses++ == 0) ADD_FAILURE() << category.name << ": RobustSlabs misses\n" << in_hex(c);
+      if (robust_misses++ == 0) ADD_FAILURE() << category.name << ": ConservativeSlabs misses\n" << in_hex(c);
     }
     fmt::print("{:<20}{:>7}{:>7}{:>15}{:>18}{:>14}\n", category.name, cases_per_category, meet, robust_misses,
                robust_false, float_misses);
@@ -282,7 +282,7 @@ TEST(BoxTests, BoxesAwayFromTheRayAreMissed) {
     longer.length *= 1.001F;
     if (meets_exactly(longer, larger)) continue;
     ++away;
-    ASSERT_FALSE(RobustSlabs(c.ray)(c.box)) << in_hex(c);
+    ASSERT_FALSE(ConservativeSlabs(c.ray)(c.box)) << in_hex(c);
     ASSERT_FALSE(Slabs<float>(c.ray)(c.box)) << in_hex(c);
     ASSERT_FALSE(Slabs<double>(c.ray)(c.box)) << in_hex(c);
     ASSERT_FALSE(Plucker<float>(c.ray)(c.box)) << in_hex(c);
@@ -295,13 +295,13 @@ TEST(Slabs, RobustMissesABoxBesideAParallelRayThatNothingElseBounds) {
   // x is parallel and outside, y is parallel and inside, z is too slow to be a constraint.
   for (const float side : {-0.6F, 0.6F}) {
     const Ray ray{{side, 0.0F, 0.0F}, {0.0F, 0.0F, 1e-40F}};
-    EXPECT_FALSE(RobustSlabs(ray)(Aabb{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}})) << side;
+    EXPECT_FALSE(ConservativeSlabs(ray)(Aabb{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}})) << side;
   }
 }
 
 template <class T>
 class EveryBoxTest : public testing::Test {};
-using All = testing::Types<Slabs<float>, Slabs<double>, RobustSlabs, Plucker<float>, Plucker<double>>;
+using All = testing::Types<Slabs<float>, Slabs<double>, ConservativeSlabs, Plucker<float>, Plucker<double>>;
 TYPED_TEST_SUITE(EveryBoxTest, All);
 
 constexpr Aabb cube{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}};

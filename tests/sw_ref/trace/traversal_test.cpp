@@ -99,7 +99,7 @@ TEST(Traversal, NearChildComesFirstAndItsHitCutsTheRay) {
   EXPECT_NEAR(traversal.length(), 0.4F, 1e-6F);
   traversal.answer(false);
   EXPECT_TRUE(traversal.done());
-  EXPECT_EQ(traversal.counts(), (TraversalCounts{3, 1}));
+  EXPECT_EQ(traversal.counts(), TraceCounts::of_ray(3, 1));
 }
 
 TEST(Traversal, RootIsTestedAndItsMissEndsIt) {
@@ -109,31 +109,32 @@ TEST(Traversal, RootIsTestedAndItsMissEndsIt) {
   traversal.answer(false);
   EXPECT_TRUE(traversal.done());
   EXPECT_FALSE(traversal.hit().found());
-  EXPECT_EQ(traversal.counts(), (TraversalCounts{1, 0}));
+  EXPECT_EQ(traversal.counts(), TraceCounts::of_ray(1, 0));
 }
 
 TEST(Traversal, AnyStopsAtTheFirstTriangle) {
   const TwoLeaves two;
   const Ray ray{{0.9F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}};
-  TraversalCounts counts;
-  EXPECT_TRUE(trace<RobustSlabs>(two.bvh, two.mesh, ray, Query::any, counts).found());
-  EXPECT_EQ(counts, (TraversalCounts{2, 1}));
+  TraceCounts counts;
+  EXPECT_TRUE(trace<ConservativeSlabs>(two.bvh, two.mesh, ray, Query::any, counts).found());
+  EXPECT_EQ(counts, TraceCounts::of_ray(2, 1));
   const Ray too_short{ray.origin, ray.direction, 0.3F};
-  EXPECT_FALSE(trace<RobustSlabs>(two.bvh, two.mesh, too_short, Query::any, counts).found());
+  EXPECT_FALSE(trace<ConservativeSlabs>(two.bvh, two.mesh, too_short, Query::any, counts).found());
 }
 
 TEST(Traversal, FindsWhatTestingEveryTriangleFinds) {
   const Spheres& it = spheres_scene();
   const std::vector<Ray> rays = assorted_rays(it.scene, 1200);
   std::size_t hits = 0;
-  TraversalCounts counts;
+  TraceCounts counts;
   for (const Ray& ray : rays) {
     const Hit expected = test_every_triangle(it.scene.mesh, ray);
-    const Hit found = trace<RobustSlabs>(it.bvh, it.scene.mesh, ray, Query::closest, counts);
+    const Hit found = trace<ConservativeSlabs>(it.bvh, it.scene.mesh, ray, Query::closest, counts);
     ASSERT_EQ(found.triangle, expected.triangle);
     ASSERT_EQ(found.t_low, expected.t_low);
     ASSERT_EQ(found.t_high, expected.t_high);
-    ASSERT_EQ(trace<RobustSlabs>(it.bvh, it.scene.mesh, ray, Query::any, counts).found(), expected.found());
+    ASSERT_EQ(trace<ConservativeSlabs>(it.bvh, it.scene.mesh, ray, Query::any, counts).found(),
+              expected.found());
     hits += expected.found() ? 1 : 0;
   }
   EXPECT_GT(hits, 900U);
@@ -150,11 +151,11 @@ struct AlwaysHit {
 TEST(Traversal, AnswerDoesNotDependOnFalseHits) {
   const Spheres& it = spheres_scene();
   for (const Ray& ray : assorted_rays(it.scene, 40)) {
-    TraversalCounts counts;
+    TraceCounts counts;
     const Hit all = trace<AlwaysHit>(it.bvh, it.scene.mesh, ray, Query::closest, counts);
     EXPECT_EQ(counts.box_tests, it.bvh.nodes.size());
     EXPECT_EQ(counts.triangle_tests, it.scene.mesh.triangles.size());
-    const Hit robust = trace<RobustSlabs>(it.bvh, it.scene.mesh, ray, Query::closest, counts);
+    const Hit robust = trace<ConservativeSlabs>(it.bvh, it.scene.mesh, ray, Query::closest, counts);
     EXPECT_EQ(all.triangle, robust.triangle);
     EXPECT_EQ(all.t_low, robust.t_low);
   }
@@ -164,7 +165,7 @@ TEST(Traversal, SuspendedAndMovedTraversalsGoOnUnchanged) {
   const Spheres& it = spheres_scene();
   const std::vector<Ray> rays = assorted_rays(it.scene, 64);
   std::vector<Traversal> waiting;  // grows without reserve: its traversals are moved
-  std::vector<RobustSlabs> tests;
+  std::vector<ConservativeSlabs> tests;
   for (const Ray& ray : rays) {
     waiting.emplace_back(it.bvh, it.scene.mesh, ray, Query::closest);
     waiting.back().answer(true);
@@ -181,8 +182,8 @@ TEST(Traversal, SuspendedAndMovedTraversalsGoOnUnchanged) {
     }
   }
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    TraversalCounts counts;
-    const Hit hit = trace<RobustSlabs>(it.bvh, it.scene.mesh, rays[i], Query::closest, counts);
+    TraceCounts counts;
+    const Hit hit = trace<ConservativeSlabs>(it.bvh, it.scene.mesh, rays[i], Query::closest, counts);
     EXPECT_EQ(waiting[i].hit().triangle, hit.triangle);
     EXPECT_EQ(waiting[i].counts(), counts);
   }
@@ -205,7 +206,7 @@ TEST(Traversal, DeepestHierarchyFitsTheStack) {
   ASSERT_EQ(bvh.depth, BuildOptions::deepest);
   for (const float side : {1.0F, -1.0F}) {
     const Ray ray{{side, 0.0F, 0.0F}, {-side, 0.0F, 0.0F}};
-    TraversalCounts counts;
+    TraceCounts counts;
     EXPECT_EQ(trace<AlwaysHit>(bvh, mesh, ray, Query::closest, counts).triangle, side > 0.0F ? 0U : 99U);
     EXPECT_EQ(counts.box_tests, bvh.nodes.size());
   }

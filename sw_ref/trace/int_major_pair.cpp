@@ -1,5 +1,6 @@
 #include "sw_ref/trace/int_major_pair.hpp"
-#include "sw_ref/trace/tracer_kinds.hpp"
+
+#include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::ref {
 
@@ -7,14 +8,11 @@ namespace {
 
 class MajorPairTracer final : public Tracer {
  public:
-  explicit MajorPairTracer(const TracerParts& parts)
-      : bits_(parts.options.major_bits),
-        records_(parts.bvh, bits_.coord, bits_.finer),
-        scene_{&records_, &parts.mesh, parts.bvh.order, &leaf_test(parts.options.triangle_test)} {}
+  MajorPairTracer(hls::MajorBits bits, const Mesh& mesh, const Bvh& bvh)
+      : bits_(bits), records_(bvh, bits.coord, bits.finer), scene_{&records_, Leaves(mesh, bvh)} {}
 
   void trace(const TraceJob& job, TraceCounts& counts) const override {
     check_places(job);
-    counts.rays += job.rays.size();
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
       const Ray& ray = job.rays[i];
       const IntMajorRaySetup set_up(ray, bits_);
@@ -22,17 +20,12 @@ class MajorPairTracer final : public Tracer {
       const auto in_results = [&](float length) { return set_up.length(length); };
       PairTraversal traversal(scene_, ray, job.query, set_up.length(ray.length));
       while (!traversal.done()) {
-        ++counts.nodes_loaded;
         traversal.answer(test_pair(distances, records_.boxes(traversal.record()), traversal.parent()),
                          in_results);
       }
       job.triangles[i] = traversal.hit().triangle;
-      const auto [box_tests, triangle_tests] = traversal.counts();
-      if (!job.work.empty())
-        job.work[i] = {static_cast<std::uint32_t>(box_tests), static_cast<std::uint32_t>(triangle_tests)};
-      counts.box_tests += box_tests;
-      counts.triangle_tests += triangle_tests;
-      counts.triangles_loaded += triangle_tests;
+      if (!job.work.empty()) job.work[i] = traversal.counts();
+      counts += traversal.counts();
     }
   }
 
@@ -47,8 +40,8 @@ class MajorPairTracer final : public Tracer {
 
 }  // namespace
 
-std::unique_ptr<Tracer> make_major_pair_tracer(const TracerParts& parts) {
-  return std::make_unique<MajorPairTracer>(parts);
+std::unique_ptr<Tracer> major_pair_tracer(hls::MajorBits bits, const Mesh& mesh, const Bvh& bvh) {
+  return std::make_unique<MajorPairTracer>(bits, mesh, bvh);
 }
 
 }  // namespace hitpipe::ref
