@@ -60,7 +60,7 @@ inline Integer from_raw(const Raw& raw, bool is_signed) {
 
 /// An ap value of the number in raw, which must be in its range.
 template <class A>
-A make(const Raw& raw) {
+[[gnu::noinline]] A make(const Raw& raw) {
   using Word = typename A::word_type;
   if constexpr (words::bits<Word> == 64) {
     return A::exact(raw[0]);
@@ -75,7 +75,7 @@ A make(const Raw& raw) {
 
 /// The whole storage of x. Above it come the sign or zeros.
 template <int W, bool S>
-Raw raw_of(const ap_base<W, S>& x) {
+[[gnu::noinline]] Raw raw_of(const ap_base<W, S>& x) {
   using Word = typename ap_base<W, S>::word_type;
   constexpr std::size_t limbs = words::bits<Word> / 64;
   Raw raw{};
@@ -118,20 +118,15 @@ Row row() {
 
 template <int... W>
 struct Widths {};
-/// Widths around which storage and C++ types change, and the pipelines' own.
-using CrossedWidths = Widths<1, 24, 63, 64, 65, 128>;
+/// Widths inside and at the end of each machine word.
+using CrossedWidths = Widths<24, 64, 65, 128>;
+/// The same, their neighbours, and those around the C++ integers'. Other widths take the same paths.
+using EdgeWidths = Widths<1, 2, 24, 31, 32, 33, 62, 63, 64, 65, 66, 100, 127, 128>;
 
 template <class F, int... W>
 void with_types(F f, Widths<W...>) {
   (f.template operator()<ap_int<W>>(), ...);
   (f.template operator()<ap_uint<W>>(), ...);
-}
-template <class F>
-void with_every_width(F f) {
-  [&f]<int... I>(std::integer_sequence<int, I...>) {
-    with_types(f, Widths<I + 1 ...>{});
-  }
-  (std::make_integer_sequence<int, 128>{});
 }
 
 /// op on every pair of CrossedWidths and signs.
@@ -145,32 +140,35 @@ std::vector<Row> crossed_rows(Op) {
       CrossedWidths{});
   return all;
 }
-inline constexpr std::size_t crossed_row_count = 12 * 12;
+inline constexpr std::size_t crossed_row_count = 8 * 8;
 
-/// The same, and op on every width 1..128 with another width; signs alternate.
+/// The same, and op on every one of EdgeWidths and signs with some other width.
 template <class Op>
 std::vector<Row> rows(Op op) {
   std::vector<Row> all = crossed_rows(op);
-  [&all]<int... I>(std::integer_sequence<int, I...>) {
-    (all.push_back(row<Op, ap_base<I + 1, I % 2 == 0>, ap_base<(I * 37 + 48) % 128 + 1, I % 4 < 2>>()), ...);
-  }
-  (std::make_integer_sequence<int, 128>{});
+  with_types(
+      [&all]<class A>() {
+        all.push_back(row<Op, A, ap_base<(A::width * 37 + 11) % 128 + 1, A::width % 4 < 2>>());
+      },
+      EdgeWidths{});
   return all;
 }
-inline constexpr std::size_t row_count = crossed_row_count + 128;
+inline constexpr std::size_t row_count = crossed_row_count + 2 * 14;
 
-/// op(a) for every width 1..128 and sign.
+/// op(a) for EdgeWidths and both signs.
 template <class Op>
 std::vector<Row> rows_of_one(Op) {
   std::vector<Row> all;
-  with_every_width([&all]<class A>() {
-    using R = std::remove_cvref_t<decltype(Op{}(std::declval<const A&>()))>;
-    all.push_back({type_of<A>, type_of<A>, type_of<R>,
-                   [](const Raw& a, const Raw&) { return raw_of(value_of(Op{}(make<A>(a)))); }});
-  });
+  with_types(
+      [&all]<class A>() {
+        using R = std::remove_cvref_t<decltype(Op{}(std::declval<const A&>()))>;
+        all.push_back({type_of<A>, type_of<A>, type_of<R>,
+                       [](const Raw& a, const Raw&) { return raw_of(value_of(Op{}(make<A>(a)))); }});
+      },
+      EdgeWidths{});
   return all;
 }
-inline constexpr std::size_t one_row_count = 2 * 128;
+inline constexpr std::size_t one_row_count = 2 * 14;
 
 /// Selects the variant of an operation and its two arguments i and j, all below 256. So one compiled row
 /// serves all variants of an operation. Together they are the second operand, in hex 0xkkjjii.
@@ -187,24 +185,21 @@ struct Choice {
   Integer operand() const { return Integer(variant << 16 | j << 8 | i); }
 };
 
-/// op(a, choice) for every width 1..128 with alternating signs, and for CrossedWidths with both signs. The
-/// result is an ap_int<130>, which holds any value or pattern.
+/// op(a, choice) for EdgeWidths and both signs. The result is an ap_int<130>, which holds any value or
+/// pattern.
 template <class Op>
 std::vector<Row> rows_of_choice(Op) {
   std::vector<Row> all;
-  const auto add = [&all]<class A>() {
-    using R = ap_int<130>;
-    all.push_back({type_of<A>, {24, false}, type_of<R>, [](const Raw& a, const Raw& choice) {
-                     return raw_of(R(Op{}(make<A>(a), Choice(choice))));
-                   }});
-  };
-  [&add]<int... I>(std::integer_sequence<int, I...>) {
-    (add.template operator()<ap_base<I + 1, I / 2 % 2 == 0>>(), ...);
-  }
-  (std::make_integer_sequence<int, 128>{});
-  with_types(add, CrossedWidths{});
+  with_types(
+      [&all]<class A>() {
+        using R = ap_int<130>;
+        all.push_back({type_of<A>, {24, false}, type_of<R>, [](const Raw& a, const Raw& choice) {
+                         return raw_of(R(Op{}(make<A>(a), Choice(choice))));
+                       }});
+      },
+      EdgeWidths{});
   return all;
 }
-inline constexpr std::size_t choice_row_count = 128 + 12;
+inline constexpr std::size_t choice_row_count = 2 * 14;
 
 }  // namespace hitpipe::hls::exact
