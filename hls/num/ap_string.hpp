@@ -1,4 +1,4 @@
-// Text of an ap_int: x.to_string(radix).
+// Text of an ap_int, for programs that use ap_int as a library: no pipeline needs it. x.to_string(radix):
 //   radix 10      the value, with a minus sign where it is negative
 //   radix 2, 8, 16   the W bits as they are stored, all digits, after "0b", "0o" or "0x"
 #pragma once
