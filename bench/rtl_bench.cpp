@@ -10,9 +10,10 @@
 
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
-#include "sim/cosim.hpp"
-#include "sim/sampled_time.hpp"
-#include "sim/walk.hpp"
+#include "sim/cosim/cosim.hpp"
+#include "sim/cosim/sampled_time.hpp"
+#include "sim/cosim/walk.hpp"
+#include "sim/unit/verilated_design.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 
 namespace {
@@ -89,13 +90,13 @@ void cosimulate_spheres(benchmark::State& state, const std::string& name) {
   const rtl::Format format = design.default_format;
   const ref::Scene scene = ref::load_scene("spheres");
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const sim::VerilatedDesign verilated(design, format, rtl::Library::thesis());
+  const sim::VerilatedDesign verilated(sim::make_unit(design, format, rtl::Library::thesis()));
   sim::CosimResult all;
   double bit_level_seconds = 0;
   double referee_seconds = 0;
   for (auto _ : state) {
     const auto run = [&](const sim::CosimOptions& options) {
-      return sim::cosimulate(design, format, verilated, scene, bvh, options);
+      return sim::cosimulate(verilated, scene, bvh, options);
     };
     const sim::CosimResult result = run({.width = 256, .height = 256});
     bit_level_seconds += run({.width = 256, .height = 256, .bit_level = true}).loop_seconds;

@@ -12,7 +12,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/text/help.hpp"
-#include "sim/wrong_hardware.hpp"
+#include "sim/cosim/counts.hpp"
 
 namespace hitpipe::cli {
 

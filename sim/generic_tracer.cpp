@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/feeds/endless.hpp"
-#include "sim/walk.hpp"
+#include "sim/cosim/walk.hpp"
+#include "sim/feeds/step_feed.hpp"
 
 namespace hitpipe::sim {
 

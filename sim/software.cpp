@@ -29,6 +29,11 @@ void add_software(std::string_view design, Software software) {
     throw std::invalid_argument(fmt::format("design {}: its software is known already", design));
 }
 
+void add_design(const rtl::Design& design, Software software) {
+  if (!all().contains(design.name)) rtl::add_design(design);
+  add_software(design.name, std::move(software));
+}
+
 std::vector<rtl::Format> stiffness_formats(const rtl::Design& design) {
   const std::vector<rtl::Format>& own = software_of(design).stiffness_formats;
   return own.empty() ? std::vector{design.default_format} : own;

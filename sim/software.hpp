@@ -13,7 +13,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/box_test.hpp"
-#include "sim/feed.hpp"
+#include "sim/feeds/feed.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
 #include "sw_ref/quantise/scene_demands.hpp"
@@ -22,7 +22,7 @@
 namespace hitpipe::sim {
 
 /// The numbers that a port can have over all rays and boxes of a scene.
-struct ScenePromise {
+struct SceneDemand {
   std::vector<rtl::Interval> within;  ///< ascending, as in a PortDemand
   int spare_bits = 0;                 ///< bits of the port that no scene uses
 };
@@ -48,16 +48,16 @@ struct Software {
   std::size_t (*bytes_per_node)(const rtl::Format& format, const ref::CoarseAxes& coarse) = nullptr;
 
   /// Nothing when the scene tells no more than the port's own range.
-  std::optional<ScenePromise> (*promise)(const rtl::Port& port, const rtl::Format& format,
-                                         const ref::SceneDemands& scene,
-                                         const ref::CoarseAxes& coarse) = nullptr;
+  std::optional<SceneDemand> (*demand)(const rtl::Port& port, const rtl::Format& format,
+                                       const ref::SceneDemands& scene,
+                                       const ref::CoarseAxes& coarse) = nullptr;
   /// True when the scene's origins and boxes stay on the grid with these coarser axes. Null: no such axes.
   bool (*fits_coarse)(const rtl::Format& format, const ref::SceneDemands& scene,
                       const ref::CoarseAxes& coarse) = nullptr;
   /// Formats that a fit may choose instead of `most`: none needs more of anything. They come in groups of
   /// growing cost, and in each group the cost grows too. The last format of the last group is `most`. Null:
   /// there is no format to choose.
-  std::vector<std::vector<rtl::Format>> (*up_to)(const rtl::Format& most) = nullptr;
+  std::vector<std::vector<rtl::Format>> (*smaller_formats)(const rtl::Format& most) = nullptr;
 
   std::vector<rtl::Format> sweep_formats{};
   std::vector<rtl::Format> stiffness_formats{};
@@ -65,7 +65,7 @@ struct Software {
   /// Categories of rays and boxes made for this design, in addition to the adversary's own.
   std::vector<ref::adversary::Category> categories{};
   /// A second box test that `check` judges for comparison.
-  MakeBoxTest beside{};
+  MakeBoxTest comparison_test{};
 };
 
 using SoftwareByName = std::map<std::string, Software, std::less<>>;
@@ -74,7 +74,10 @@ using SoftwareByName = std::map<std::string, Software, std::less<>>;
 [[nodiscard]] SoftwareByName own_software();
 /// All parts are missing for a design that states nothing.
 [[nodiscard]] const Software& software_of(const rtl::Design& design);
-/// For a program that has designs of its own. Call it before any design is used.
+/// For a program that has designs of its own, before it uses any: adds the design and its software. Throws
+/// std::invalid_argument, one line, for a name that is taken, and then adds neither.
+void add_design(const rtl::Design& design, Software software);
+/// The software of a design that is added already, or of one that is in no list.
 void add_software(std::string_view design, Software software);
 
 /// The formats in which `stiffness` studies a design without --bits. The default format if the design states
@@ -84,7 +87,7 @@ void add_software(std::string_view design, Software software);
 /// The line that names a missing part: "design x: there is no set-up of rays and boxes for its operands".
 [[nodiscard]] std::string missing(const rtl::Design& design, std::string_view part);
 inline constexpr std::string_view set_up_part = "set-up of rays and boxes for its operands";
-inline constexpr std::string_view promise_part = "rule for what a scene tells of its operands";
+inline constexpr std::string_view demand_part = "rule for what a scene tells of its operands";
 
 /// Why the design cannot trace a scene, one line; empty when it can.
 [[nodiscard]] std::string why_not_traced(const rtl::Design& design);

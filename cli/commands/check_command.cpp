@@ -13,8 +13,10 @@
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "hls/num/bits.hpp"
 #include "sim/check/check.hpp"
 #include "sim/software.hpp"
+#include "sim/unit/drive.hpp"
 #include "sw_ref/judge/adversary/replay.hpp"
 #include "sw_ref/judge/adversary/shrink.hpp"
 #include "sw_ref/judge/box_referee.hpp"
@@ -67,7 +69,7 @@ void add_share(Row& row, const std::string& name, const ref::GroupedRatio& share
   row[name + "_high"] = 100 * interval.high;
 }
 
-Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim::CategoryResult* robust) {
+Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim::CategoryResult* comparison) {
   Row row{{"category", r.category},
           {"tests", r.tests},
           {"hits", r.hits},
@@ -77,10 +79,10 @@ Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim:
     add_share(row, "false_miss_pct", r.false_miss_share);
     add_share(row, "false_hit_pct", r.false_hit_share);
   }
-  if (robust != nullptr) row["robust_misses"] = robust->false_misses;
-  if (robust != nullptr && command.format != Format::text) {
-    add_share(row, "robust_false_miss_pct", robust->false_miss_share);
-    row["robust_false_hits"] = robust->false_hits;
+  if (comparison != nullptr) row["robust_misses"] = comparison->false_misses;
+  if (comparison != nullptr && command.format != Format::text) {
+    add_share(row, "robust_false_miss_pct", comparison->false_miss_share);
+    row["robust_false_hits"] = comparison->false_hits;
   }
   if (command.rtl) row["rtl_mismatches"] = r.rtl_mismatches;
   return row;
@@ -112,12 +114,12 @@ int judge(const CheckCommand& command) {
   std::optional<sim::VerilatedDesign> verilated;
   if (command.rtl) {
     progress.emplace("compiling the Verilog");
-    verilated.emplace(design, format, rtl::Library::thesis());
+    verilated.emplace(sim::make_unit(design, format, rtl::Library::thesis()));
   }
   progress.emplace("judging");
   const sim::MakeBoxTest make = [&] { return sim::make_box_test(design, format); };
-  const sim::MakeBoxTest& make_beside = sim::software_of(design).beside;
-  const double runs = make_beside ? 2.0 : 1.0;
+  const sim::MakeBoxTest& make_comparison = sim::software_of(design).comparison_test;
+  const double runs = make_comparison ? 2.0 : 1.0;
   double finished = 0;
   sim::CheckOptions options{.categories = categories,
                             .tests = command.tests,
@@ -126,25 +128,25 @@ int judge(const CheckCommand& command) {
                             .rtl = verilated ? &*verilated : nullptr,
                             .progress = [&](double share) { progress->show((finished + share) / runs); }};
   const std::vector<sim::CategoryResult> results = sim::check(make, options);
-  std::vector<sim::CategoryResult> robust;
-  if (make_beside) {
+  std::vector<sim::CategoryResult> comparison;
+  if (make_comparison) {
     finished = 1;
     options.rtl = nullptr;
-    robust = sim::check(make_beside, options);
+    comparison = sim::check(make_comparison, options);
   }
   progress.reset();
 
   std::vector<Row> rows;
   sim::CategoryResult sum;
-  sim::CategoryResult robust_sum;
+  sim::CategoryResult comparison_sum;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const sim::CategoryResult* const beside = robust.empty() ? nullptr : &robust[i];
-    rows.push_back(row_of(command, results[i], beside));
+    const sim::CategoryResult* const other = comparison.empty() ? nullptr : &comparison[i];
+    rows.push_back(row_of(command, results[i], other));
     sum += results[i];
-    if (beside != nullptr) robust_sum += *beside;
+    if (other != nullptr) comparison_sum += *other;
   }
   sum.category = "all";
-  rows.push_back(row_of(command, sum, robust.empty() ? nullptr : &robust_sum));
+  rows.push_back(row_of(command, sum, comparison.empty() ? nullptr : &comparison_sum));
   if (command.format == Format::text) {
     fmt::print("{} {}, seed {}\n", design.name, rtl::to_string(format), command.seed);
   }
@@ -179,22 +181,17 @@ int replay(const CheckCommand& command) {
       {"design", design.name}, {"bits", rtl::to_string(format)}, {"exact", word(meets)}, {"unit", word(hit)}};
   bool rtl_differs = false;
   if (command.rtl) {
-    const sim::VerilatedDesign verilated(design, format, rtl::Library::thesis());
+    const sim::VerilatedDesign verilated(sim::make_unit(design, format, rtl::Library::thesis()));
     sim::Model model(verilated);
-    std::vector<std::int64_t> results(verilated.results().size());
-    sim::Pins pins{.in_valid = true, .results = results.data()};
-    model.cycle(test->operands().data(), pins);
-    for (int i = 0; i <= verilated.latency() && !pins.out_valid; ++i) {
-      pins = {.results = results.data()};
-      model.cycle(nullptr, pins);
-    }
-    row["rtl"] = pins.out_valid ? word(pins.hit) : "no answer";
-    rtl_differs = !pins.out_valid || !std::ranges::equal(results, test->results());
+    sim::TestBatch one;
+    one.add(test->operands(), test->results());
+    const sim::DriveReport report = sim::drive(model, one);
+    row["rtl"] = report.received > 0 ? word(report.hits > 0) : "no answer";
+    rtl_differs = report.faults() > 0;
   }
   const std::vector<rtl::Port> ports = design.ports(format);
   for (std::size_t i = 0; i < ports.size(); ++i) {
-    const auto bits =
-        static_cast<std::uint64_t>(test->operands()[i]) & (~std::uint64_t{0} >> (64 - ports[i].width));
+    const auto bits = static_cast<std::uint64_t>(test->operands()[i]) & hls::low_mask(ports[i].width);
     row[ports[i].name] = fmt::format("0x{:0{}x}", bits, (ports[i].width + 3) / 4);
   }
   fmt::print("{}", record_text(row, command.format));

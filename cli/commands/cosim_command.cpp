@@ -19,7 +19,8 @@
 #include "host/files.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
-#include "sim/fit/unit_cosim.hpp"
+#include "sim/cosim/cosim.hpp"
+#include "sim/cosim/ray_unit.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/render/image_file.hpp"
 
@@ -46,16 +47,17 @@ struct CosimCommand {
 };
 
 /// Made here, or read from a folder.
-sim::WrittenUnit unit_of(const CosimCommand& command, const rtl::Library& library) {
+sim::Unit unit_of(const CosimCommand& command, const rtl::Library& library) {
   const rtl::Design& design = command.choice.design();
-  if (!command.unit.empty()) return sim::read_unit(command.unit, design, library);
-  return sim::whole_unit(design, command.choice.format(), library, command.flow_control);
+  sim::Unit unit = command.unit.empty()
+                       ? sim::make_unit(design, command.choice.format(), library, command.flow_control)
+                       : sim::read_unit(command.unit, design, library);
+  return command.ray_slots ? sim::behind_ray_slots(std::move(unit), *command.ray_slots) : unit;
 }
 
-Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref::Scene& scene,
-           const ref::LoadedBvh& hierarchy, const std::optional<rtl::RaySlots>& slots,
-           const sim::CosimResult& r) {
-  const auto judged = [](std::optional<std::uint64_t> count) { return count ? Row(*count) : Row(nullptr); };
+Row record(const CosimCommand& command, const sim::Unit& unit, const ref::Scene& scene,
+           const ref::LoadedBvh& hierarchy, const sim::CosimResult& r) {
+  const auto or_null = [](std::optional<std::uint64_t> count) { return count ? Row(*count) : Row(nullptr); };
   // Where each test answers for one box, tests and boxes are the same.
   const bool several_boxes = command.choice.design().kind.objects > 1;
   Row row{{"design", command.choice.name}, {"bits", rtl::to_string(unit.format)}};
@@ -74,8 +76,8 @@ Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref:
               {"hits", r.unit.hits},
               {"rtl_mismatches", r.unit.rtl_mismatches},
               {"bit_level_tests", r.unit.bit_level_tests},
-              {"false_misses", judged(r.unit.false_misses)},
-              {"false_hits", judged(r.unit.false_hits)},
+              {"false_misses", or_null(r.unit.false_misses)},
+              {"false_hits", or_null(r.unit.false_hits)},
               {"different_triangles", r.different_triangles},
               {"extra_box_tests_pct", r.extra_box_tests_pct()},
               {"extra_triangle_tests_pct", r.extra_triangle_tests_pct()},
@@ -89,7 +91,7 @@ Row record(const CosimCommand& command, const sim::WrittenUnit& unit, const ref:
     row["rtl_boxes_per_s"] = r.rtl_boxes_per_s();
     row["loop_boxes_per_s"] = r.loop_boxes_per_s();
   }
-  if (slots) {
+  if (const auto& slots = unit.ray_slots) {
     const auto bits = [](int of_one, std::uint64_t count) { return of_one * static_cast<double>(count); };
     const auto per_box_test = [&](double all) {
       return r.unit.box_tests == 0 ? 0.0 : all / static_cast<double>(r.unit.box_tests);
@@ -118,14 +120,13 @@ int cosimulate(const CosimCommand& command) {
   if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
   if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
   const rtl::Library library = rtl::library_called(command.library);
-  const sim::WrittenUnit unit = unit_of(command, library);
-  if (command.ray_slots) rtl::check_ray_slots(unit.flow_control);
+  const sim::Unit unit = unit_of(command, library);
 
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   const ref::LoadedBvh hierarchy = make_hierarchy(command.bvh, scene);
   progress.emplace("compiling the Verilog");
-  const sim::VerilatedDesign verilated = sim::verilate(design, unit, command.ray_slots);
+  const sim::VerilatedDesign verilated(unit);
   const fs::path folder = command.out;
   const bool emits = !command.out.empty() && command.unit.empty();
   // Done before the long run, so that a folder that cannot be written is reported at once.
@@ -138,19 +139,18 @@ int cosimulate(const CosimCommand& command) {
     written = rtl::write_unit(folder, emitted);
   }
   progress.emplace("co-simulating");
-  const sim::CosimResult result =
-      sim::cosimulate_unit(design, unit, verilated, scene, hierarchy.bvh,
-                           {.width = command.scene.width,
-                            .height = command.scene.height,
-                            .rays_in_flight = command.rays_in_flight,
-                            .threads = command.scene.threads,
-                            .referee = command.referee,
-                            .bit_level = command.bit_level,
-                            .light = command.light,
-                            .progress = [&](double share) { progress->show(share); }});
+  const sim::CosimResult result = sim::cosimulate(verilated, scene, hierarchy.bvh,
+                                                  {.width = command.scene.width,
+                                                   .height = command.scene.height,
+                                                   .rays_in_flight = command.rays_in_flight,
+                                                   .threads = command.scene.threads,
+                                                   .referee = command.referee,
+                                                   .bit_level = command.bit_level,
+                                                   .light = command.light,
+                                                   .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
-  Row row = record(command, unit, scene, hierarchy, verilated.ray_slots(), result);
+  Row row = record(command, unit, scene, hierarchy, result);
   if (!command.out.empty()) {
     const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
     ref::write_image(image, command.scene.width, command.scene.height, result.image);

@@ -74,7 +74,7 @@ double area_delay(const area::Price& price) {
 /// The ports of the whole design that no demand names.
 Row kept_whole(const sim::FittedUnit& unit) {
   Row names = Row::array();
-  for (const rtl::Port& port : unit.ports) {
+  for (const rtl::Port& port : unit.ports()) {
     const auto& ports = unit.demands.ports;
     const auto bounded = [&](const rtl::PortDemand& demand) { return demand.port == port.name; };
     if (std::none_of(ports.begin(), ports.end(), bounded)) names.push_back(port.name);
@@ -98,7 +98,7 @@ sim::SweepRow measured(const sim::FitResult& fitted, const sim::TriangleCost& tr
   const sim::FittedUnit& unit = fitted.unit;
   sim::SweepRow row = sim::priced_row(*unit.design, unit.format, unit.price);
   row.triangle = triangle;
-  row.bytes_per_node = static_cast<int>(sim::bytes_per_node(*unit.design, unit.format, unit.coarse()));
+  row.bytes_per_node = static_cast<int>(sim::bytes_per_node(*unit.design, unit.format, unit.coarse));
   sim::add_counts(row, fitted.image);
   return row;
 }
@@ -114,8 +114,8 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std
   return {{"design", unit.design->name},
           {"bits", rtl::to_string(unit.format)},
           {"bits_before", rtl::to_string(unit.before)},
-          {"dropped_bits", unit.coarse().dropped},
-          {"ray_ends", unit.ends()},
+          {"dropped_bits", unit.coarse.dropped},
+          {"ray_ends", unit.ends},
           {"endless_extra_box_tests_pct", unit.precision && unit.precision->endless_extra_box_tests_pct
                                               ? Row(*unit.precision->endless_extra_box_tests_pct)
                                               : Row(nullptr)},
@@ -129,7 +129,7 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std
           {"area_delay_before_mm2_ns", area_delay(unit.price_before)},
           {"area_delay_mm2_ns", area_delay(unit.price)},
           {"bytes_per_node_before", sim::bytes_per_node(*unit.design, unit.before)},
-          {"bytes_per_node", sim::bytes_per_node(*unit.design, unit.format, unit.coarse())},
+          {"bytes_per_node", sim::bytes_per_node(*unit.design, unit.format, unit.coarse)},
           {"rays", result.rays_primary + result.rays_secondary + result.rays_shadow},
           {"box_tests", result.unit.box_tests},
           {"extra_box_tests_pct", result.extra_box_tests_pct()},

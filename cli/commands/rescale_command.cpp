@@ -113,11 +113,10 @@ Row short_row(const Row& row, bool judged) {
 int rescale(const RescaleCommand& command) {
   const bool judged = !command.design.name.empty();
   if (!judged && command.design.bits) throw CLI::ValidationError("--bits", "needs --design");
-  sim::PictureOptions options{.width = command.scene.width,
-                              .height = command.scene.height,
-                              .threads = command.scene.threads,
-                              .unit = {}};
-  if (judged) options.unit = {.design = &command.design.design(), .format = command.design.format()};
+  sim::PictureOptions options{
+      .width = command.scene.width, .height = command.scene.height, .threads = command.scene.threads};
+  std::optional<sim::Unit> unit;
+  if (judged) unit = sim::make_unit(command.design.design(), command.design.format(), rtl::Library::thesis());
 
   std::optional<Progress> progress("reading the scene");
   const ref::SceneDescription scene = ref::describe_scene(command.scene.name, command.scene.placing);
@@ -125,8 +124,8 @@ int rescale(const RescaleCommand& command) {
   std::optional<sim::VerilatedDesign> verilated;
   if (judged) {
     progress.emplace("compiling the Verilog");
-    verilated.emplace(*options.unit.design, *options.unit.format, rtl::Library::thesis());
-    options.unit.verilated = &*verilated;
+    verilated.emplace(*std::move(unit));
+    options.verilated = &*verilated;
   }
   progress.emplace("rendering");
   std::uint64_t wrong = 0;
@@ -152,7 +151,7 @@ int rescale(const RescaleCommand& command) {
   if (command.format == Format::text) {
     fmt::print(
         "{}: {} vertices, {} pixels{}\n", scene.name, scene.mesh.vertices.size(), original.image.size(),
-        judged ? fmt::format(", {} {}", options.unit.design->name, rtl::to_string(*options.unit.format))
+        judged ? fmt::format(", {} {}", command.design.design().name, rtl::to_string(command.design.format()))
                : "");
     for (Row& row : rows) row = short_row(row, judged);
   }

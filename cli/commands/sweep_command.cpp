@@ -16,7 +16,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "cli/text/wrap.hpp"
-#include "sim/ray_unit.hpp"
+#include "sim/cosim/ray_unit.hpp"
 #include "sim/software.hpp"
 #include "sim/sweep/resume.hpp"
 

@@ -7,9 +7,10 @@
 
 #include "cli/options/trace_options.hpp"
 #include "host/files.hpp"
-#include "sim/cosim.hpp"
+#include "sim/cosim/cosim.hpp"
 #include "sim/generic_tracer.hpp"
 #include "sim/software.hpp"
+#include "sim/unit/verilated_design.hpp"
 #include "sw_ref/render/image_file.hpp"
 #include "sw_ref/render/render.hpp"
 
@@ -106,8 +107,8 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
                row_of("software", reference.box_tests, reference.triangle_tests, render + " --out FILE.png"));
 
   const std::string unit = choice.design->name_at(choice.format);
-  const sim::VerilatedDesign verilated(*choice.design, choice.format, *choice.library);
-  const sim::CosimResult rtl = sim::cosimulate(*choice.design, choice.format, verilated, scene, bvh,
+  const sim::VerilatedDesign verilated(sim::make_unit(*choice.design, choice.format, *choice.library));
+  const sim::CosimResult rtl = sim::cosimulate(verilated, scene, bvh,
                                                {.width = choice.width,
                                                 .height = choice.height,
                                                 .threads = choice.threads,

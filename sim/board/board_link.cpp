@@ -8,7 +8,7 @@
 
 #include "rtl_gen/board/top.hpp"
 #include "sim/board/packed_bits.hpp"
-#include "sim/wrong_hardware.hpp"
+#include "sim/cosim/counts.hpp"
 
 namespace hitpipe::sim {
 

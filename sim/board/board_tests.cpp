@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/feed.hpp"
+#include "sim/cosim/walk.hpp"
+#include "sim/feeds/feed.hpp"
 #include "sim/vectors/design_vectors.hpp"
-#include "sim/walk.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {

@@ -1,5 +1,6 @@
 #include "sim/board/packed_bits.hpp"
 
+#include "hls/num/bits.hpp"
 #include "rtl_gen/board/top.hpp"
 
 namespace hitpipe::sim {
@@ -26,8 +27,8 @@ std::vector<std::int64_t> unpack(const std::vector<rtl::Port>& ports, std::strin
       const unsigned byte = static_cast<unsigned char>(bytes[place / 8]);
       value |= static_cast<std::uint64_t>((byte >> (place % 8)) & 1U) << bit;
     }
-    const int above = port.is_signed ? 64 - port.width : 0;
-    values.push_back(static_cast<std::int64_t>(value << above) >> above);
+    values.push_back(port.is_signed ? hls::sign_extended(value, port.width)
+                                    : static_cast<std::int64_t>(value));
   }
   return values;
 }

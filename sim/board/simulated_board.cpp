@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/model_source.hpp"
+#include "sim/model/model_source.hpp"
 
 namespace hitpipe::sim {
 
@@ -81,10 +81,10 @@ constexpr int clocks_per_exchange = 400;
 
 }  // namespace
 
-SimulatedBoard::SimulatedBoard(Setup setup, const std::filesystem::path& cache)
-    : setup_(std::move(setup)),
+SimulatedBoard::SimulatedBoard(Options options, const std::filesystem::path& cache)
+    : options_(std::move(options)),
       line_(host::SerialPort::pseudo_terminal()),
-      library_({setup_.module, setup_.verilog, board_wrapper(setup_.module)}, cache),
+      library_({options_.module, options_.verilog, board_wrapper(options_.module)}, cache),
       cycle_(library_.entry_point<Cycle>("hitpipe_board_cycle")),
       model_(library_.create()) {
   for (int clock = 0; clock < power_on_clocks; ++clock) cycle_(model_, 1);
@@ -95,8 +95,8 @@ SimulatedBoard::~SimulatedBoard() {
 }
 
 void SimulatedBoard::run(const std::function<bool()>& stop) {
-  ByteSender to_board(setup_.clocks_per_bit);
-  ByteReceiver from_board(setup_.clocks_per_bit);
+  ByteSender to_board(options_.clocks_per_bit);
+  ByteReceiver from_board(options_.clocks_per_bit);
   std::string out;
   std::uint64_t come = 0;
   int quiet = 0;
@@ -104,7 +104,7 @@ void SimulatedBoard::run(const std::function<bool()>& stop) {
     constexpr std::chrono::milliseconds patience{20};
     const bool sleeping = quiet >= quiet_clocks;
     for (const char byte : line_.exchange(out, sleeping ? patience : std::chrono::milliseconds{0}))
-      if (!setup_.loses(come++)) to_board.send(byte);
+      if (!options_.loses(come++)) to_board.send(byte);
     if (sleeping && to_board.idle()) continue;
     for (int clock = 0; clock < clocks_per_exchange; ++clock) {
       quiet = to_board.idle() && from_board.idle() ? quiet + 1 : 0;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "host/serial_port.hpp"
-#include "sim/model_library.hpp"
+#include "sim/model/model_library.hpp"
 
 namespace hitpipe::sim {
 
@@ -17,7 +17,7 @@ inline constexpr int simulated_clocks_per_bit = 4;
 
 class SimulatedBoard {
  public:
-  struct Setup {
+  struct Options {
     std::string module;                             ///< the top (rtl::board_module)
     std::string verilog;                            ///< with the unit's
     int clocks_per_bit = simulated_clocks_per_bit;  ///< as the Verilog has it
@@ -26,7 +26,7 @@ class SimulatedBoard {
   };
 
   /// Throws as ModelLibrary and host::SerialPort::pseudo_terminal() do.
-  explicit SimulatedBoard(Setup setup, const std::filesystem::path& cache = default_cache());
+  explicit SimulatedBoard(Options options, const std::filesystem::path& cache = default_cache());
   ~SimulatedBoard();
   SimulatedBoard(const SimulatedBoard&) = delete;
   SimulatedBoard& operator=(const SimulatedBoard&) = delete;
@@ -39,7 +39,7 @@ class SimulatedBoard {
  private:
   using Cycle = int (*)(void* model, int rx);
 
-  Setup setup_;
+  Options options_;
   host::SerialPort line_;  ///< before the model, which is not yet there to destroy when there is no line
   ModelLibrary library_;
   Cycle cycle_;

@@ -10,7 +10,7 @@ namespace hitpipe::sim {
 
 namespace {
 
-class RobustFloatSlabsTest final : public BoxTest {
+class IzeSlabsTest final : public BoxTest {
  public:
   void start(const ref::Ray& ray) override {
     ray_ = ray;
@@ -52,8 +52,8 @@ std::unique_ptr<BoxTest> make_box_test(const rtl::Design& design, const rtl::For
   return software.box_test(design, format);
 }
 
-std::unique_ptr<BoxTest> robust_float_slabs_test() {
-  return std::make_unique<RobustFloatSlabsTest>();
+std::unique_ptr<BoxTest> ize_slabs_test() {
+  return std::make_unique<IzeSlabsTest>();
 }
 
 }  // namespace hitpipe::sim

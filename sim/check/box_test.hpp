@@ -41,6 +41,6 @@ using MakeBoxTest = std::function<std::unique_ptr<BoxTest>()>;
 [[nodiscard]] std::unique_ptr<BoxTest> make_box_test(const rtl::Design& design, const rtl::Format& format);
 
 /// Slabs in binary32, with the far distance widened by 2 ulp: "Robust BVH Ray Traversal" (Ize, 2013).
-[[nodiscard]] std::unique_ptr<BoxTest> robust_float_slabs_test();
+[[nodiscard]] std::unique_ptr<BoxTest> ize_slabs_test();
 
 }  // namespace hitpipe::sim

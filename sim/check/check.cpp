@@ -9,6 +9,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include "host/parallel.hpp"
+#include "sim/unit/drive.hpp"
 #include "sw_ref/judge/adversary/neighbours.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 
@@ -31,54 +32,6 @@ std::uint64_t stream(std::uint64_t seed, std::uint64_t category, std::uint64_t b
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
   x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
   return x ^ (x >> 31);
-}
-
-/// What the Verilog is given and what it must answer, test after test.
-struct RtlBatch {
-  std::size_t tests = 0;
-  std::vector<std::int64_t> operands;
-  std::vector<std::int64_t> results;
-
-  void add(const BoxTest& test, const VerilatedDesign& rtl) {
-    if (test.operands().size() != rtl.operand_count() || test.results().size() != rtl.results().size())
-      throw std::invalid_argument("the box test does not give the operands and results of the Verilog");
-    operands.insert(operands.end(), test.operands().begin(), test.operands().end());
-    results.insert(results.end(), test.results().begin(), test.results().end());
-    ++tests;
-  }
-};
-
-/// A Verilated design and an instance of it.
-struct Rtl {
-  explicit Rtl(const VerilatedDesign& of) : design(of), model(of) {}
-  const VerilatedDesign& design;
-  Model model;
-};
-
-/// Back to back, the tag being the test's number: all results the C++'s, none lost, in order.
-std::uint64_t rtl_mismatches(Rtl& rtl, const RtlBatch& batch) {
-  if (batch.tests == 0) return 0;
-  const std::size_t latency = static_cast<std::size_t>(rtl.design.latency());
-  std::vector<std::int64_t> results(rtl.design.results().size());
-  std::uint64_t mismatches = 0;
-  std::size_t sent = 0;
-  std::size_t received = 0;
-  for (std::size_t cycle = 0; cycle < batch.tests + latency + 2; ++cycle) {
-    Pins pins{.in_valid = sent < batch.tests,
-              .in_tag = static_cast<std::uint16_t>(sent),
-              .results = results.data()};
-    rtl.model.cycle(batch.operands.data() + rtl.design.operand_count() * std::min(sent, batch.tests - 1),
-                    pins);
-    sent += pins.in_valid && pins.in_ready ? 1 : 0;
-    if (!pins.out_valid) continue;
-    const bool right =
-        received < batch.tests && pins.out_tag == static_cast<std::uint16_t>(received) &&
-        std::equal(results.begin(), results.end(),
-                   batch.results.begin() + static_cast<std::ptrdiff_t>(received * results.size()));
-    mismatches += right ? 0 : 1;
-    ++received;
-  }
-  return mismatches + (received < batch.tests ? batch.tests - received : 0);
 }
 
 void count(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<const bool> hits,
@@ -104,7 +57,7 @@ void count(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<cons
 
 /// The first `tests` of a batch: what is drawn does not depend on how many are judged.
 CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_t seed, std::uint64_t tests,
-                           Rtl* rtl) {
+                           Model* rtl) {
   Random random(seed);
   std::vector<ref::Ray> rays;
   std::vector<ref::Aabb> boxes(tests_per_batch);
@@ -115,7 +68,7 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
   }
   CategoryResult result;
   result.category = category.name;
-  RtlBatch batch;
+  TestBatch batch;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const std::size_t first = i * boxes_per_ray;
     const std::size_t boxes_of_ray = std::min(boxes_per_ray, static_cast<std::size_t>(tests) - first);
@@ -130,13 +83,13 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
     } else {
       for (std::size_t box = 0; box < asked.size(); ++box) {
         hits[box] = test.hit(asked[box]);
-        batch.add(test, rtl->design);
+        batch.add(test.operands(), test.results());
       }
     }
     ref::BoxReferee(rays[i]).meet(asked, meets);
     count(rays[i], asked, hits, meets, result);
   }
-  if (rtl != nullptr) result.rtl_mismatches = rtl_mismatches(*rtl, batch);
+  if (rtl != nullptr) result.rtl_mismatches = drive(*rtl, batch).faults();
   return result;
 }
 
@@ -225,7 +178,7 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
 
   struct Worker {
     std::unique_ptr<BoxTest> test;
-    std::optional<Rtl> rtl;
+    std::optional<Model> rtl;
   };
   oneapi::tbb::enumerable_thread_specific<Worker> workers([&] {
     Worker worker{make(), std::nullopt};

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/check/box_test.hpp"
-#include "sim/verilated_design.hpp"
+#include "sim/unit/verilated_design.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/interval.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/cosim.hpp"
+#include "sim/cosim/cosim.hpp"
 #include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/trace/tracer.hpp"
@@ -30,8 +30,7 @@ std::vector<std::uint32_t> numbers_before_placing(const ref::Mesh& before, const
 Picture rendered(const ref::Scene& scene, const PictureOptions& options) {
   Picture picture;
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
-  const PictureUnit& unit = options.unit;
-  if (unit.verilated == nullptr) {
+  if (options.verilated == nullptr) {
     ref::RenderOptions rendering;
     rendering.width = options.width;
     rendering.height = options.height;
@@ -42,7 +41,7 @@ Picture rendered(const ref::Scene& scene, const PictureOptions& options) {
     return picture;
   }
   CosimResult result =
-      cosimulate(*unit.design, *unit.format, *unit.verilated, scene, bvh,
+      cosimulate(*options.verilated, scene, bvh,
                  {.width = options.width, .height = options.height, .threads = options.threads});
   picture.image = std::move(result.image);
   picture.triangles = std::move(result.triangles);

@@ -5,13 +5,11 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
-#include "rtl_gen/catalogue/design.hpp"
-#include "sim/verilated_design.hpp"
+#include "sim/unit/verilated_design.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::sim {
@@ -31,18 +29,12 @@ struct MovedScene {
 /// std::runtime_error when a vertex leaves the range of binary32.
 [[nodiscard]] MovedScene moved(const ref::SceneDescription& scene, const Transform& transform);
 
-/// Answers the box tests of a picture: a design's Verilog, or the robust float slabs in software.
-struct PictureUnit {
-  const rtl::Design* design = nullptr;
-  std::optional<rtl::Format> format{};
-  const VerilatedDesign* verilated = nullptr;  ///< null: software
-};
-
 struct PictureOptions {
   int width = 256;
   int height = 256;
   int threads = 1;
-  PictureUnit unit;
+  const VerilatedDesign* verilated =
+      nullptr;  ///< answers the box tests; null: robust float slabs in software
 };
 
 struct Picture {

@@ -7,8 +7,8 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include "host/parallel.hpp"
-#include "sim/feed.hpp"
-#include "sim/walk.hpp"
+#include "sim/cosim/walk.hpp"
+#include "sim/feeds/feed.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/trace/slabs.hpp"
 

@@ -8,8 +8,8 @@ namespace {
 
 using hls::Role;
 
-std::optional<ScenePromise> fp_promise(const rtl::Port& port, const rtl::Format& /*binary32*/,
-                                       const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
+std::optional<SceneDemand> fp_demand(const rtl::Port& port, const rtl::Format& /*binary32*/,
+                                     const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
   const int axis = static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
   Range range;
   switch (port.role) {
@@ -30,13 +30,13 @@ std::optional<ScenePromise> fp_promise(const rtl::Port& port, const rtl::Format&
       break;
   }
   if (!range) return std::nullopt;
-  return ScenePromise{{*range}};
+  return SceneDemand{{*range}};
 }
 
 }  // namespace
 
 Software fp_design_software() {
-  return {.promise = fp_promise,
+  return {.demand = fp_demand,
           .sweep_formats = {hls::Binary32{}},
           .stiffness_formats = {hls::Binary32{}},
           .fit_from = hls::Binary32{}};

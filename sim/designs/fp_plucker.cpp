@@ -1,6 +1,7 @@
-// The operands of hls::FpPluckerOperands, in that order (section 3.3).
+// The operands of hls::FpPluckerOperands (section 3.3).
 #include <algorithm>
 
+#include "hls/box/fp_plucker_operands.hpp"
 #include "sim/designs/fp_design.hpp"
 #include "sim/feeds/float_patterns.hpp"
 #include "sim/feeds/set_up_feed.hpp"
@@ -12,24 +13,23 @@ namespace hitpipe::sim {
 
 namespace {
 
-class FpPluckerSetUp {
+class FpPluckerSetup {
  public:
   using Box = PatternBox;
-  using End = ref::FloatEndpoint;
+  using Bits = hls::Binary32;
+  using Operands = hls::FpPluckerOperands<Words, Bits>;
 
-  FpPluckerSetUp(const ref::Ray& ray, const rtl::Format& /*binary32*/) : ray_(ray) {}
+  FpPluckerSetup(const ref::Ray& ray, const rtl::Format& /*binary32*/) : ray_(ray) {}
 
   static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& /*binary32*/, std::span<Box> out) {
     std::transform(boxes.begin(), boxes.end(), out.begin(), [](const ref::Aabb& box) { return Box(box); });
   }
-  [[nodiscard]] End end(float length) const { return ref::float_endpoint(ray_, length); }
-
-  void write(const End& end, bool /*rinf*/, const Box& box, std::int64_t* out) const {
-    out = put(patterns(ray_.origin), out);
-    out = put(patterns(end.at), out);
-    out = put(patterns(ray_.direction), out);
-    *out++ = end.infinite ? 1 : 0;
-    put_box(box, out);
+  void fill(float length, Operands& in) const {
+    const ref::FloatEndpoint end = ref::float_endpoint(ray_, length);
+    put(patterns(ray_.origin), in.rx, in.ry, in.rz);
+    put(patterns(end.at), in.rex, in.rey, in.rez);
+    put(patterns(ray_.direction), in.ri, in.rj, in.rk);
+    in.rinf = end.infinite ? 1 : 0;
   }
 
  private:
@@ -50,8 +50,8 @@ ref::TracerOptions fp_plucker_named(const rtl::Format& /*binary32*/) {
 
 Software fp_plucker_software() {
   Software software = fp_design_software();
-  software.feed = set_up_feed<FpPluckerSetUp>;
-  software.box_test = set_up_test<FpPluckerSetUp>;
+  software.feed = set_up_feed<FpPluckerSetup>;
+  software.box_test = set_up_test<FpPluckerSetup>;
   software.tracer = fp_plucker_tracer;
   software.named_tracer = fp_plucker_named;
   return software;

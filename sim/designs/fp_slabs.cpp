@@ -1,7 +1,8 @@
-// The operands of hls::FpSlabsOperands, in that order (section 2.3.1).
+// The operands of hls::FpSlabsOperands (section 2.3.1).
 #include <algorithm>
 #include <cmath>
 
+#include "hls/box/fp_slabs_operands.hpp"
 #include "sim/designs/fp_design.hpp"
 #include "sim/feeds/float_patterns.hpp"
 #include "sim/feeds/set_up_feed.hpp"
@@ -13,25 +14,23 @@ namespace hitpipe::sim {
 
 namespace {
 
-class FpSlabsSetUp {
+class FpSlabsSetup {
  public:
   using Box = PatternBox;
-  using End = std::uint32_t;
+  using Bits = hls::Binary32;
+  using Operands = hls::FpSlabsOperands<Words, Bits>;
 
-  FpSlabsSetUp(const ref::Ray& ray, const rtl::Format& /*binary32*/)
+  FpSlabsSetup(const ref::Ray& ray, const rtl::Format& /*binary32*/)
       : origin_(patterns(ray.origin)), irdvc_(patterns(ref::float_irdvc(ray.direction))) {}
 
   static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& /*binary32*/, std::span<Box> out) {
     std::transform(boxes.begin(), boxes.end(), out.begin(), [](const ref::Aabb& box) { return Box(box); });
   }
-  [[nodiscard]] End end(float length) const { return pattern(std::abs(length)); }  // -0 is a length too
-
-  void write(End rlen, bool rinf, const Box& box, std::int64_t* out) const {
-    out = put(origin_, out);
-    *out++ = rlen;
-    out = put(irdvc_, out);
-    *out++ = rinf ? 1 : 0;
-    put_box(box, out);
+  void fill(float length, Operands& in) const {
+    put(origin_, in.rx, in.ry, in.rz);
+    put(pattern(std::abs(length)), in.rlen);  // -0 is a length too
+    put(irdvc_, in.ri_inv, in.rj_inv, in.rk_inv);
+    in.rinf = std::isinf(length) ? 1 : 0;
   }
 
  private:
@@ -53,11 +52,11 @@ ref::TracerOptions fp_slabs_named(const rtl::Format& /*binary32*/) {
 
 Software fp_slabs_software() {
   Software software = fp_design_software();
-  software.feed = set_up_feed<FpSlabsSetUp>;
-  software.box_test = set_up_test<FpSlabsSetUp>;
+  software.feed = set_up_feed<FpSlabsSetup>;
+  software.box_test = set_up_test<FpSlabsSetup>;
   software.tracer = fp_slabs_tracer;
   software.named_tracer = fp_slabs_named;
-  software.beside = robust_float_slabs_test;
+  software.comparison_test = ize_slabs_test;
   return software;
 }
 

@@ -1,8 +1,11 @@
-// The operands of hls::FpSlabsSafeOperands, in that order (docs/operands.md).
+// The operands of hls::FpSlabsSafeOperands (docs/operands.md).
+#include "sw_ref/trace/fp_slabs_safe.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "hls/box/fp_format.hpp"
+#include "hls/box/fp_slabs_safe_operands.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sim/fit/float_range.hpp"
 #include "sim/software.hpp"
@@ -10,7 +13,6 @@
 #include "sw_ref/judge/adversary/float_unit.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
-#include "sw_ref/trace/fp_slabs_safe.hpp"
 #include "sw_ref/trace/store_tracer.hpp"
 
 namespace hitpipe::sim {
@@ -19,14 +21,15 @@ namespace {
 
 using hls::FpBits;
 
-class FpSlabsSafeSetUp {
+class FpSlabsSafeSetup {
  public:
   struct Box {
     std::array<std::int64_t, 3> min{}, max{};
   };
-  using End = ref::FpSlabsSafeEnd;
+  using Bits = FpBits;
+  using Operands = hls::FpSlabsSafeOperands<Words, Bits>;
 
-  FpSlabsSafeSetUp(const ref::Ray& ray, const rtl::Format& format)
+  FpSlabsSafeSetup(const ref::Ray& ray, const rtl::Format& format)
       : bits_(format.as<FpBits>()), set_up_(ray, bits_) {
     for (std::size_t i = 0; i < 3; ++i) {
       origin_low_[i] = ref::fp_pattern(set_up_.ray().origin_low[i], bits_);
@@ -48,20 +51,16 @@ class FpSlabsSafeSetUp {
       return patterns;
     });
   }
-  [[nodiscard]] End end(float length) const { return set_up_.end(length); }
-
-  void write(const End& end, bool /*endless*/, const Box& box, std::int64_t* out) const {
+  void fill(float length, Operands& in) const {
     const ref::FpSlabsSafeRay& ray = set_up_.ray();
-    for (const bool back : ray.back) *out++ = back ? 1 : 0;
-    out = put(origin_low_, out);
-    if (!bits_.holds_binary32()) out = put(origin_high_, out);
-    *out++ = end.length;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      *out++ = ray.inverse_low[axis];
-      *out++ = ray.inverse_high[axis];
-    }
-    *out++ = end.endless ? 1 : 0;
-    put_box(box, out);
+    const ref::FpSlabsSafeEnd end = set_up_.end(length);
+    put(ray.back, in.back_x, in.back_y, in.back_z);
+    put(origin_low_, in.rx, in.ry, in.rz);
+    put(origin_high_, in.rx_up, in.ry_up, in.rz_up);
+    in.rlen = end.length;
+    put(ray.inverse_low, in.ri_low, in.rj_low, in.rk_low);
+    put(ray.inverse_high, in.ri_high, in.rj_high, in.rk_high);
+    in.rinf = end.endless ? 1 : 0;
   }
 
  private:
@@ -83,7 +82,7 @@ std::vector<rtl::Format> fp_slabs_safe_sweep_formats() {
 }
 
 /// Groups by M; in each group sorted by E.
-std::vector<std::vector<rtl::Format>> fp_slabs_safe_up_to(const rtl::Format& most) {
+std::vector<std::vector<rtl::Format>> fp_slabs_safe_smaller_formats(const rtl::Format& most) {
   const auto bits = most.as<FpBits>();
   std::vector<std::vector<rtl::Format>> groups;
   for (int m = std::min(4, bits.fraction); m <= bits.fraction; ++m) {
@@ -93,23 +92,23 @@ std::vector<std::vector<rtl::Format>> fp_slabs_safe_up_to(const rtl::Format& mos
   return groups;
 }
 
-std::optional<ScenePromise> fp_slabs_safe_promise(const rtl::Port& port, const rtl::Format& format,
-                                                  const ref::SceneDemands& scene,
-                                                  const ref::CoarseAxes& /*none*/) {
+std::optional<SceneDemand> fp_slabs_safe_demand(const rtl::Port& port, const rtl::Format& format,
+                                                const ref::SceneDemands& scene,
+                                                const ref::CoarseAxes& /*none*/) {
   const auto bits = format.as<FpBits>();
   const int axis = static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
   switch (port.role) {
     case hls::Role::backward:
-      return ScenePromise{{backward(scene, axis)}};
+      return SceneDemand{{backward(scene, axis)}};
     case hls::Role::origin:
     case hls::Role::origin_high:
-      return ScenePromise{mirrored_origin(scene, axis, bits, port.role == hls::Role::origin)};
+      return SceneDemand{mirrored_origin(scene, axis, bits, port.role == hls::Role::origin)};
     case hls::Role::plane_low:
     case hls::Role::plane_high:
-      return ScenePromise{rounded_planes(scene, axis, bits, port.role == hls::Role::plane_low)};
+      return SceneDemand{rounded_planes(scene, axis, bits, port.role == hls::Role::plane_low)};
     case hls::Role::inverse_low:
     case hls::Role::inverse_high:
-      return ScenePromise{{scaled_inverse(scene, axis, bits, port.role == hls::Role::inverse_low)}};
+      return SceneDemand{{scaled_inverse(scene, axis, bits, port.role == hls::Role::inverse_low)}};
     default:
       return std::nullopt;
   }
@@ -119,11 +118,11 @@ std::optional<ScenePromise> fp_slabs_safe_promise(const rtl::Port& port, const r
 
 Software fp_slabs_safe_software() {
   const auto own = ref::adversary::float_unit_categories();
-  return {.feed = set_up_feed<FpSlabsSafeSetUp>,
-          .box_test = set_up_test<FpSlabsSafeSetUp>,
+  return {.feed = set_up_feed<FpSlabsSafeSetup>,
+          .box_test = set_up_test<FpSlabsSafeSetup>,
           .tracer = fp_slabs_safe_tracer,
-          .promise = fp_slabs_safe_promise,
-          .up_to = fp_slabs_safe_up_to,
+          .demand = fp_slabs_safe_demand,
+          .smaller_formats = fp_slabs_safe_smaller_formats,
           .sweep_formats = fp_slabs_safe_sweep_formats(),
           .stiffness_formats = {FpBits{8, 23}, FpBits{8, 15}, FpBits{8, 7}, FpBits{5, 10}},
           .fit_from = FpBits(),

@@ -17,29 +17,29 @@ int axis_of(const rtl::Port& port) {
   return static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
 }
 
-std::optional<ScenePromise> promised(const Range& range, int spare_bits = 0) {
+std::optional<SceneDemand> demanded(const Range& range, int spare_bits = 0) {
   if (!range) return std::nullopt;
-  return ScenePromise{{*range}, spare_bits};
+  return SceneDemand{{*range}, spare_bits};
 }
 
-std::optional<ScenePromise> int_promise(const rtl::Port& port, const rtl::Format& format,
-                                        const ref::SceneDemands& scene, const ref::CoarseAxes& coarse) {
+std::optional<SceneDemand> int_demand(const rtl::Port& port, const rtl::Format& format,
+                                      const ref::SceneDemands& scene, const ref::CoarseAxes& coarse) {
   // The margin of the cube leaves one bit of every coordinate unused, in every scene.
   constexpr int spare = 1;
   const int n = format.as<IntBits>().coord;
   switch (port.role) {
     case Role::origin:
-      return promised(int_origin(scene, axis_of(port), n, coarse), spare);
+      return demanded(int_origin(scene, axis_of(port), n, coarse), spare);
     case Role::plane_low:
     case Role::plane_high:
-      return promised(int_box(scene, axis_of(port), n, coarse), spare);
+      return demanded(int_box(scene, axis_of(port), n, coarse), spare);
     case Role::direction:
-      return promised(int_direction(scene, axis_of(port), n));
+      return demanded(int_direction(scene, axis_of(port), n));
     case Role::inverse_low:
     case Role::inverse_high: {
       const std::optional<IrdvcRanges> ranges = int_irdvc(scene, axis_of(port), n);
       if (!ranges) return std::nullopt;
-      return ScenePromise{{port.role == Role::inverse_low ? ranges->floor : ranges->ceil}};
+      return SceneDemand{{port.role == Role::inverse_low ? ranges->floor : ranges->ceil}};
     }
     default:
       return std::nullopt;
@@ -56,7 +56,7 @@ bool int_fits_coarse(const rtl::Format& format, const ref::SceneDemands& scene,
 }
 
 /// Groups by n; in each group sorted by t.
-std::vector<std::vector<rtl::Format>> int_up_to(const rtl::Format& most) {
+std::vector<std::vector<rtl::Format>> int_smaller_formats(const rtl::Format& most) {
   const auto [coord, interval] = most.as<IntBits>();
   std::vector<std::vector<rtl::Format>> groups;
   for (int n = IntBits::min_coord; n <= coord; ++n) {
@@ -80,9 +80,9 @@ std::vector<rtl::Format> int_sweep_formats() {
 }  // namespace
 
 Software int_design_software() {
-  return {.promise = int_promise,
+  return {.demand = int_demand,
           .fits_coarse = int_fits_coarse,
-          .up_to = int_up_to,
+          .smaller_formats = int_smaller_formats,
           .sweep_formats = int_sweep_formats(),
           .stiffness_formats = {IntBits{24, 24}, IntBits{20, 24}, IntBits{16, 16}, IntBits{12, 12}},
           .fit_from = IntBits{24, 24}};

@@ -1,4 +1,4 @@
-// The operands of hls::IntMajorOperands, in that order (docs/major.md).
+// The operands of hls::IntMajorOperands (docs/major.md).
 #include "sw_ref/trace/int_major.hpp"
 
 #include "sim/designs/major_design.hpp"
@@ -12,22 +12,20 @@ namespace {
 
 using hls::MajorBits;
 
-class IntMajorSetUp {
+class IntMajorSetup {
  public:
   using Box = ref::IntBox;
-  using End = std::int64_t;
+  using Bits = MajorBits;
+  using Operands = hls::IntMajorOperands<Words, Bits>;
 
-  IntMajorSetUp(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<MajorBits>()) {}
+  IntMajorSetup(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<MajorBits>()) {}
 
   static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
     major_boxes(boxes, format, out);
   }
-  [[nodiscard]] End end(float length) const { return set_up_.length(length); }
-
-  void write(End length, bool /*endless*/, const Box& box, std::int64_t* out) const {
-    out = put_major_ray(set_up_.ray(), out);
-    *out++ = length;
-    put_box(box, out);
+  void fill(float length, Operands& in) const {
+    put_major_ray(set_up_.ray(), in);
+    in.len = set_up_.length(length);
   }
 
  private:
@@ -45,8 +43,8 @@ std::unique_ptr<ref::Tracer> int_major_tracer(const TracedUnit& unit, const ref:
 
 Software int_major_software() {
   Software software = major_design_software();
-  software.feed = set_up_feed<IntMajorSetUp>;
-  software.box_test = set_up_test<IntMajorSetUp>;
+  software.feed = set_up_feed<IntMajorSetup>;
+  software.box_test = set_up_test<IntMajorSetup>;
   software.tracer = int_major_tracer;
   return software;
 }

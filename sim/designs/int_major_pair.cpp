@@ -1,13 +1,14 @@
-// The operands of hls::IntMajorPairOperands, in that order (docs/major.md).
+// The operands of hls::IntMajorPairOperands (docs/major.md).
 #include "sw_ref/trace/int_major_pair.hpp"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
+#include "hls/box/int_major_pair_operands.hpp"
+#include "sim/cosim/walk.hpp"
 #include "sim/designs/major_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
-#include "sim/walk.hpp"
 #include "sw_ref/hierarchy/pair_nodes.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 
@@ -17,37 +18,46 @@ namespace {
 
 using hls::MajorBits;
 
-void write(const ref::IntMajorRay& ray, const ref::RayInterval& parent, const ref::PairBoxes& boxes,
-           std::int64_t* out) {
-  out = put_major_ray(ray, out);
-  *out++ = parent.near;
-  *out++ = parent.far;
-  put_box(boxes.planes, out);
-  out += 6;
-  // Owners stand beside their planes: lower and upper of each axis.
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    *out++ = boxes.owners >> axis & 1U;
-    *out++ = boxes.owners >> (axis + 3) & 1U;
-  }
+using Operands = hls::IntMajorPairOperands<Words, MajorBits>;
+using Ports = PortOrder<Operands, MajorBits>;
+
+void put_pair(const ref::RayInterval& parent, const ref::PairBoxes& boxes, Operands& in) {
+  in.parent_near = parent.near;
+  in.parent_far = parent.far;
+  put(boxes.planes.min, in.xmin, in.ymin, in.zmin);
+  put(boxes.planes.max, in.xmax, in.ymax, in.zmax);
+  const auto owner = [&](unsigned plane) -> std::int64_t { return boxes.owners >> plane & 1U; };
+  put(std::array{owner(0), owner(1), owner(2)}, in.own_xmin, in.own_ymin, in.own_zmin);
+  put(std::array{owner(3), owner(4), owner(5)}, in.own_xmax, in.own_ymax, in.own_zmax);
 }
 
 class PairRays final : public RayFeed {
  public:
   PairRays(const std::vector<ref::PairBoxes>& boxes, const MajorBits& bits, std::size_t slots)
-      : boxes_(boxes), bits_(bits), slots_(slots) {}
+      : boxes_(boxes), bits_(bits), ports_(bits), slots_(slots) {}
 
-  void start(std::size_t slot, const ref::Ray& ray) override { slots_[slot].emplace(ray, bits_); }
+  void start(std::size_t slot, const ref::Ray& ray) override {
+    slots_[slot].set_up.emplace(ray, bits_);
+    put_major_ray(slots_[slot].set_up->ray(), slots_[slot].operands);
+  }
   void operands(std::size_t slot, const Question& asked, std::int64_t* out) override {
-    write(slots_[slot]->ray(), asked.parent, boxes_[asked.record], out);
+    put_pair(asked.parent, boxes_[asked.record], slots_[slot].operands);
+    ports_.write(slots_[slot].operands, out);
   }
   [[nodiscard]] std::int64_t in_results(std::size_t slot, float length) const override {
-    return slots_[slot]->length(length);
+    return slots_[slot].set_up->length(length);
   }
 
  private:
   const std::vector<ref::PairBoxes>& boxes_;
+  struct Slot {
+    std::optional<ref::IntMajorRaySetup> set_up;
+    Operands operands{};
+  };
+
   MajorBits bits_;
-  std::vector<std::optional<ref::IntMajorRaySetup>> slots_;
+  Ports ports_;
+  std::vector<Slot> slots_;
 };
 
 class PairScene final : public SceneFeed {
@@ -84,7 +94,8 @@ class PairTest final : public BoxTest {
       : evaluate_(design.evaluate(format)),
         format_(format),
         limit_(format.as<MajorBits>().largest_point() + 1),
-        operands_(design.ports(format).size()),
+        ports_(format.as<MajorBits>()),
+        operands_(ports_.count()),
         results_(evaluate_.result_count()) {
     const std::vector<hls::Result> results = design.results(format);
     second_hit_ = place_of_result(results, hls::Meaning::hit, 1);
@@ -94,7 +105,7 @@ class PairTest final : public BoxTest {
 
   void start(const ref::Ray& ray) override {
     const ref::IntMajorRaySetup set_up(ray, format_.as<MajorBits>());
-    ray_ = set_up.ray();
+    put_major_ray(set_up.ray(), in_);
     length_ = set_up.length(ray.length);
   }
 
@@ -141,7 +152,8 @@ class PairTest final : public BoxTest {
   }
 
   bool test(const ref::RayInterval& parent, const ref::PairBoxes& boxes) {
-    write(ray_, parent, boxes, operands_.data());
+    put_pair(parent, boxes, in_);
+    ports_.write(in_, operands_.data());
     evaluate_(operands_.data(), results_.data());
     return evaluate_.hit(results_.data());
   }
@@ -149,12 +161,13 @@ class PairTest final : public BoxTest {
   rtl::Evaluate evaluate_;
   rtl::Format format_;
   std::int64_t limit_;  ///< of a plane
+  Ports ports_;
   std::vector<std::int64_t> operands_;
   std::vector<std::int64_t> results_;
   std::size_t second_hit_ = 0;
   std::size_t near_ = 0;
   std::size_t far_ = 0;
-  ref::IntMajorRay ray_;
+  Operands in_{};
   std::int64_t length_ = 0;
 };
 

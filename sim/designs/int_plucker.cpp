@@ -1,6 +1,7 @@
-// The operands of hls::IntPluckerOperands, in that order (section 6.3.1).
+// The operands of hls::IntPluckerOperands (section 6.3.1).
 #include "sw_ref/trace/int_plucker.hpp"
 
+#include "hls/box/int_plucker_operands.hpp"
 #include "sim/designs/int_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/hierarchy/int_nodes.hpp"
@@ -12,25 +13,24 @@ namespace hitpipe::sim {
 
 namespace {
 
-class IntPluckerSetUp {
+class IntPluckerSetup {
  public:
   using Box = ref::IntBox;
-  using End = ref::IntEndpoint;
+  using Bits = hls::IntBits;
+  using Operands = hls::IntPluckerOperands<Words, Bits>;
 
-  IntPluckerSetUp(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
+  IntPluckerSetup(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
 
   static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
     ref::quantise_boxes(boxes, format.as<hls::IntBits>().coord, out);
   }
-  [[nodiscard]] End end(float length) const { return set_up_.endpoint(length); }
-
-  void write(const End& end, bool /*rinf*/, const Box& box, std::int64_t* out) const {
+  void fill(float length, Operands& in) const {
     const ref::IntPluckerRay& ray = set_up_.ray();
-    out = put(ray.origin, out);
-    out = put(end.at, out);
-    out = put(ray.direction, out);
-    *out++ = end.infinite ? 1 : 0;
-    put_box(box, out);
+    const ref::IntEndpoint end = set_up_.endpoint(length);
+    put(ray.origin, in.irx, in.iry, in.irz);
+    put(end.at, in.irex, in.irey, in.irez);
+    put(ray.direction, in.iri, in.irj, in.irk);
+    in.rinf = end.infinite ? 1 : 0;
   }
 
  private:
@@ -55,8 +55,8 @@ ref::TracerOptions int_plucker_named(const rtl::Format& format) {
 
 Software int_plucker_software() {
   Software software = int_design_software();
-  software.feed = set_up_feed<IntPluckerSetUp>;
-  software.box_test = set_up_test<IntPluckerSetUp>;
+  software.feed = set_up_feed<IntPluckerSetup>;
+  software.box_test = set_up_test<IntPluckerSetup>;
   software.tracer = int_plucker_tracer;
   software.named_tracer = int_plucker_named;
   return software;

@@ -1,6 +1,9 @@
-// The operands of hls::IntSlabsOperands, in that order (section 6.2.1).
+// The operands of hls::IntSlabsOperands (section 6.2.1).
 #include "sw_ref/trace/int_slabs.hpp"
 
+#include <cmath>
+
+#include "hls/box/int_slabs_operands.hpp"
 #include "sim/designs/int_design.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/hierarchy/int_nodes.hpp"
@@ -12,28 +15,24 @@ namespace hitpipe::sim {
 
 namespace {
 
-class IntSlabsSetUp {
+class IntSlabsSetup {
  public:
   using Box = ref::IntBox;
-  using End = std::int64_t;
+  using Bits = hls::IntBits;
+  using Operands = hls::IntSlabsOperands<Words, Bits>;
 
-  IntSlabsSetUp(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
+  IntSlabsSetup(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
 
   static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
     ref::quantise_boxes(boxes, format.as<hls::IntBits>().coord, out);
   }
-  [[nodiscard]] End end(float length) const { return set_up_.length(length); }
-
-  void write(End irlen, bool rinf, const Box& box, std::int64_t* out) const {
+  void fill(float length, Operands& in) const {
     const ref::IntSlabsRay& ray = set_up_.ray();
-    out = put(ray.origin, out);
-    *out++ = irlen;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      *out++ = ray.irdvc_floor[axis];
-      *out++ = ray.irdvc_ceil[axis];
-    }
-    *out++ = rinf ? 1 : 0;
-    put_box(box, out);
+    put(ray.origin, in.irx, in.iry, in.irz);
+    in.irlen = set_up_.length(length);
+    put(ray.irdvc_floor, in.iri_floor, in.irj_floor, in.irk_floor);
+    put(ray.irdvc_ceil, in.iri_ceil, in.irj_ceil, in.irk_ceil);
+    in.rinf = std::isinf(length) ? 1 : 0;
   }
 
  private:
@@ -58,8 +57,8 @@ ref::TracerOptions int_slabs_named(const rtl::Format& format) {
 
 Software int_slabs_software() {
   Software software = int_design_software();
-  software.feed = set_up_feed<IntSlabsSetUp>;
-  software.box_test = set_up_test<IntSlabsSetUp>;
+  software.feed = set_up_feed<IntSlabsSetup>;
+  software.box_test = set_up_test<IntSlabsSetup>;
   software.tracer = int_slabs_tracer;
   software.named_tracer = int_slabs_named;
   return software;

@@ -23,7 +23,7 @@ std::vector<rtl::Format> major_sweep_formats() {
 }
 
 /// n from the least on, each with g = 0 .. most and every mantissa up to the most.
-std::vector<std::vector<rtl::Format>> major_up_to(const rtl::Format& most) {
+std::vector<std::vector<rtl::Format>> major_smaller_formats(const rtl::Format& most) {
   const auto bits = most.as<MajorBits>();
   std::vector<std::vector<rtl::Format>> groups;
   for (int n = MajorBits::min_coord; n <= bits.coord; ++n) {
@@ -88,23 +88,31 @@ rtl::Interval exponents(const Slotted& ray, std::size_t slot, const MajorBits& b
           std::min(cap, power(most[major] * (1.0 + margin), least[other]) + 1)};
 }
 
-/// Ports of slots are named after them, with the slot's letter at the end.
-std::size_t slot_of(const rtl::Port& port) {
-  return port.name.back() == 'm' ? 0 : port.name.back() == 'a' ? 1 : 2;
+/// The slot that a port of the ray belongs to: 0 is m, 1 is a, 2 is b.
+std::size_t slot_of(const rtl::Port& port, const MajorBits& bits) {
+  using Ray = hls::MajorRay<Words, MajorBits>;
+  Ray slots{};
+  slots.back_a = slots.origin_a = slots.floor_a = slots.ceil_a = slots.exp_a = 1;
+  slots.back_b = slots.origin_b = slots.floor_b = slots.ceil_b = slots.exp_b = 2;
+  std::int64_t found = 0;
+  Ray::for_each(bits, slots, [&](const hls::Operand& operand, std::int64_t slot) {
+    if (port.name == operand.name) found = slot;
+  });
+  return static_cast<std::size_t>(found);
 }
 
-std::optional<ScenePromise> major_promise(const rtl::Port& port, const rtl::Format& format,
-                                          const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
+std::optional<SceneDemand> major_demand(const rtl::Port& port, const rtl::Format& format,
+                                        const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
   // The margin of the cube leaves one bit of every coordinate unused, in every scene.
   constexpr int spare = 1;
   const auto bits = format.as<MajorBits>();
   if (port.role == hls::Role::plane_low || port.role == hls::Role::plane_high) {
     const ref::IntBox box = ref::quantise_box(scene.boxes, bits.coord, bits.finer);
     const auto axis = static_cast<std::size_t>(port.axis) - static_cast<std::size_t>(hls::Axis::x);
-    return ScenePromise{{{box.min[axis], box.max[axis]}}, spare};
+    return SceneDemand{{{box.min[axis], box.max[axis]}}, spare};
   }
   const auto range_of = [&](const Slotted& ray) -> Range {
-    const std::size_t slot = slot_of(port);
+    const std::size_t slot = slot_of(port, bits);
     const int axis = ray.axes[slot];
     switch (port.role) {
       case hls::Role::origin:
@@ -129,21 +137,23 @@ std::optional<ScenePromise> major_promise(const rtl::Port& port, const rtl::Form
     grow(range, *one);
   }
   if (!range) return std::nullopt;
-  return ScenePromise{{*range}, port.role == hls::Role::origin ? spare : 0};
+  return SceneDemand{{*range}, port.role == hls::Role::origin ? spare : 0};
 }
 
 }  // namespace
 
-std::int64_t* put_major_ray(const ref::IntMajorRay& ray, std::int64_t* out) {
-  for (const int axis : {1, 2}) *out++ = ray.axes[0] == axis ? 1 : 0;
-  for (const bool backward : ray.backward) *out++ = backward ? 1 : 0;
-  out = put(ray.origin, out);
-  for (const ref::MajorQuotient& each : ray.quotient) {
-    *out++ = each.mantissa_low;
-    *out++ = each.mantissa_high;
-  }
-  for (const ref::MajorQuotient& each : ray.quotient) *out++ = each.exponent;
-  return out;
+void put_major_ray(const ref::IntMajorRay& ray, hls::MajorRay<Words, MajorBits>& in) {
+  in.major_y = ray.axes[0] == 1 ? 1 : 0;
+  in.major_z = ray.axes[0] == 2 ? 1 : 0;
+  put(ray.backward, in.back_m, in.back_a, in.back_b);
+  put(ray.origin, in.origin_m, in.origin_a, in.origin_b);
+  const auto& [a, b] = ray.quotient;
+  in.floor_a = a.mantissa_low;
+  in.ceil_a = a.mantissa_high;
+  in.exp_a = a.exponent;
+  in.floor_b = b.mantissa_low;
+  in.ceil_b = b.mantissa_high;
+  in.exp_b = b.exponent;
 }
 
 void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<ref::IntBox> out) {
@@ -153,8 +163,8 @@ void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, st
 
 Software major_design_software() {
   const auto own = ref::adversary::major_categories();
-  return {.promise = major_promise,
-          .up_to = major_up_to,
+  return {.demand = major_demand,
+          .smaller_formats = major_smaller_formats,
           .sweep_formats = major_sweep_formats(),
           .stiffness_formats = {MajorBits{20, 1, 13}, MajorBits{16, 1, 12}},
           .fit_from = MajorBits{},

@@ -5,7 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "hls/box/int_major_operands.hpp"
 #include "hls/box/major_format.hpp"
+#include "sim/feeds/set_up_feed.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_major_ray.hpp"
@@ -13,8 +15,7 @@
 
 namespace hitpipe::sim {
 
-/// Writes the ports of hls::MajorRay. Returns the place of the next port.
-std::int64_t* put_major_ray(const ref::IntMajorRay& ray, std::int64_t* out);
+void put_major_ray(const ref::IntMajorRay& ray, hls::MajorRay<Words, hls::MajorBits>& in);
 
 /// Boxes as a unit of this format reads them.
 void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<ref::IntBox> out);

@@ -20,10 +20,10 @@ struct Cutter {
   rtl::Format format;
   const rtl::Library& library;
   rtl::Graph traced;
-  rtl::Demands promised;
+  rtl::Demands set_up;
 
   [[nodiscard]] rtl::Pruned pruned(const rtl::Demands& demands) const {
-    return rtl::prune(traced, demands, {.set_up = promised, .shares = false});
+    return rtl::prune(traced, demands, {.set_up = set_up, .shares = false});
   }
   [[nodiscard]] area::Price price(const rtl::Demands& demands) const {
     return area::price(rtl::make_pipeline(pruned(demands).graph, library), design, format, library);
@@ -86,17 +86,13 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
   rtl::Pruned pruned = cutter.pruned(demands);
   rtl::Pipeline pipeline = rtl::make_pipeline(pruned.graph, library);
   area::Price price = area::price(pipeline, design, format, library);
-  FittedUnit unit{.design = &design,
-                  .before = before,
-                  .format = format,
-                  .precision = precision,
-                  .price_before = area::price(design, before, library, area::Account::built),
-                  .price = std::move(price),
-                  .demands = demands,
-                  .ports = design.ports(format),
-                  .report = std::move(pruned.report),
-                  .pipeline = std::move(pipeline),
-                  .left_out = {}};
+  FittedUnit unit{make_unit(design, format, library, std::move(pipeline), demands),
+                  before,
+                  precision,
+                  area::price(design, before, library, area::Account::built),
+                  std::move(price),
+                  std::move(pruned.report),
+                  {}};
 
   if (unit.format != before) {
     const area::Price whole = area::price(design, unit.format, library, area::Account::built);
@@ -108,7 +104,7 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
          unit.price_before.area_um2 - whole.area_um2});
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    unit.left_out.push_back({what_text(groups[i], unit.ports), groups[i].why,
+    unit.left_out.push_back({what_text(groups[i], unit.ports()), groups[i].why,
                              cutter.price(all_without(groups, i)).area_um2 - unit.price.area_um2});
   }
   return unit;
@@ -120,6 +116,13 @@ area::Price price_of_fit(const rtl::Design& design, const Precision& precision,
   const Cutter cutter{design, format, library, design.trace(format),
                       rtl::set_up_demands(design.ports(format))};
   return cutter.price(all_of(port_demands(design, format, scene, precision)));
+}
+
+rtl::EmittedDesign fitted_files(const FittedUnit& unit, const rtl::Library& library) {
+  const std::vector<rtl::Port> ports = unit.ports();
+  const rtl::PrunedFrom from{ports, unit.demands, unit.report};
+  return rtl::emit(*unit.design, unit.format, library, unit.pipeline,
+                   {.pruned_from = unit.demands.empty() ? nullptr : &from});
 }
 
 }  // namespace hitpipe::sim

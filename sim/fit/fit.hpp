@@ -11,6 +11,7 @@
 #include "rtl_gen/prune/prune.hpp"
 #include "sim/fit/port_demands.hpp"
 #include "sim/fit/precision.hpp"
+#include "sim/unit/unit.hpp"
 
 namespace hitpipe::sim {
 
@@ -21,22 +22,16 @@ struct LeftOut {
   std::int64_t area_um2 = 0;
 };
 
-struct FittedUnit {
-  const rtl::Design* design;
+/// A unit without demands is the whole design at another format.
+struct FittedUnit : Unit {
   rtl::Format before;
-  rtl::Format format;
   std::optional<Precision> precision;  ///< only when it was searched for and found
   area::Price price_before;            ///< of the whole design at `before`, account `built`
   area::Price price;
-  rtl::Demands demands;
-  std::vector<rtl::Port> ports;  ///< of the whole design at `format`, in the order of its operands
   rtl::PruneReport report;
-  rtl::Pipeline pipeline;
   std::vector<LeftOut> left_out;
 
   [[nodiscard]] std::int64_t saved_um2() const { return price_before.area_um2 - price.area_um2; }
-  [[nodiscard]] bool ends() const { return !precision || precision->ends; }
-  [[nodiscard]] ref::CoarseAxes coarse() const { return precision ? precision->coarse : ref::CoarseAxes{}; }
 };
 
 /// Made at the format of `precision`, or at `before` if there is no precision.

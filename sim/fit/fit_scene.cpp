@@ -55,7 +55,7 @@ std::optional<Precision> precision_of(const rtl::Design& design, const rtl::Form
 
 std::string why_not_fitted(const rtl::Design& design) {
   if (const std::string why = why_not_traced(design); !why.empty()) return why;
-  return software_of(design).promise == nullptr ? missing(design, promise_part) : "";
+  return software_of(design).demand == nullptr ? missing(design, demand_part) : "";
 }
 
 rtl::Format fit_from(const rtl::Design& design) {
@@ -94,26 +94,18 @@ FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, con
                    [](const LeftOut& a, const LeftOut& b) { return a.area_um2 > b.area_um2; });
   const rtl::EmittedDesign emitted = fitted_files(unit, library);
   start_step(options, name + ": compiling the Verilog");
-  const VerilatedDesign verilated(design, unit.format, unit.pipeline, emitted.verilog.contents,
-                                  emitted.module);
+  const VerilatedDesign verilated(unit);
   const bool drawn = options.folder.empty() || rtl::write_unit(options.folder / name, emitted).drawn;
   const VectorResult vectors = check_vectors({.verilated = &verilated,
-                                              .evaluate = design.evaluate(unit.format),
-                                              .ports = &unit.ports,
-                                              .demands = &unit.demands,
                                               .vectors = options.vectors,
                                               .progress = start_step(options, name + ": sending vectors")});
-  const OperandGuard guard(unit.demands, unit.ports);
-  CosimResult image = cosimulate(design, unit.format, verilated, scene.scene, scene.bvh,
+  CosimResult image = cosimulate(verilated, scene.scene, scene.bvh,
                                  {.width = options.width,
                                   .height = options.height,
                                   .threads = options.threads,
                                   .referee = design.conservative,
                                   .light = options.light,
-                                  .coarse = unit.coarse(),
-                                  .ends = unit.ends(),
                                   .scene_demands = &scene.demands,
-                                  .guard = &guard,
                                   .progress = start_step(options, name + ": co-simulating")});
   return {std::move(unit), vectors, std::move(image), drawn};
 }

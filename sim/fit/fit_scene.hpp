@@ -8,7 +8,7 @@
 #include <string>
 
 #include "host/files.hpp"
-#include "sim/cosim.hpp"
+#include "sim/cosim/cosim.hpp"
 #include "sim/fit/fit.hpp"
 #include "sim/fit/vector_check.hpp"
 

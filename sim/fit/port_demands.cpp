@@ -33,11 +33,11 @@ class Groups {
   Groups(const rtl::Design& design, const rtl::Format& format, const ref::SceneDemands& scene,
          const ref::CoarseAxes& coarse)
       : ports_(design.ports(format)),
-        promise_(software_of(design).promise),
+        demand_(software_of(design).demand),
         format_(format),
         scene_(scene),
         coarse_(coarse) {
-    if (promise_ == nullptr) throw std::runtime_error(missing(design, promise_part));
+    if (demand_ == nullptr) throw std::runtime_error(missing(design, demand_part));
   }
 
   /// What the scene says of the axis's ports with these roles. Only ports that lose more than the spare bits
@@ -46,8 +46,8 @@ class Groups {
     rtl::Demands demands;
     for (const rtl::Port& port : ports_) {
       if (port.axis != axis || !one_of(port.role, roles)) continue;
-      const std::optional<ScenePromise> promise = promise_(port, format_, scene_, coarse_);
-      if (promise && loses_bits(port, *promise)) demands.ports.push_back({port.name, promise->within});
+      const std::optional<SceneDemand> demand = demand_(port, format_, scene_, coarse_);
+      if (demand && loses_bits(port, *demand)) demands.ports.push_back({port.name, demand->within});
     }
     keep({why, DemandGroup::What::numbers, std::move(demands)});
   }
@@ -74,17 +74,16 @@ class Groups {
     if (group.demands.empty()) return;
     groups_.push_back(std::move(group));
   }
-  static bool loses_bits(const rtl::Port& port, const ScenePromise& promise) {
-    const rtl::Facts facts = rtl::facts_of({port.name, promise.within}, port.width, port.is_signed);
-    if (port.kind == hls::Kind::real) return std::popcount(facts.zeros() | facts.ones()) > promise.spare_bits;
-    if (!port.is_signed)
-      return facts.is_constant() || facts.unknown_width() < port.width - promise.spare_bits;
+  static bool loses_bits(const rtl::Port& port, const SceneDemand& demand) {
+    const rtl::Facts facts = rtl::facts_of({port.name, demand.within}, port.width, port.is_signed);
+    if (port.kind == hls::Kind::real) return std::popcount(facts.zeros() | facts.ones()) > demand.spare_bits;
+    if (!port.is_signed) return facts.is_constant() || facts.unknown_width() < port.width - demand.spare_bits;
     return facts.number().low >= 0 || facts.number().high < 0 ||
-           facts.signed_width() < port.width - promise.spare_bits;
+           facts.signed_width() < port.width - demand.spare_bits;
   }
 
   std::vector<rtl::Port> ports_;
-  decltype(Software::promise) promise_;
+  decltype(Software::demand) demand_;
   rtl::Format format_;
   const ref::SceneDemands& scene_;
   const ref::CoarseAxes coarse_;

@@ -176,7 +176,7 @@ double extra_box_tests_pct(const PrecisionSearch& search, const rtl::Format& for
 std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
   Measurements measured(search);
   Precision found{.format = search.most};
-  if (const auto up_to = software_of(*search.design).up_to; up_to != nullptr) {
+  if (const auto up_to = software_of(*search.design).smaller_formats; up_to != nullptr) {
     const bool within_limit = measured.good(search.most);
     if (!within_limit && !search.cost) return std::nullopt;
     const FormatGroups groups = up_to(search.most);

@@ -1,21 +1,17 @@
-// A fitted unit's Verilog against the unfitted C++: random operands as demanded, offered with gaps and taken
-// with stalls; all results and the tag are compared.
+// A unit's Verilog against the C++ of the whole design: random operands as demanded, offered with gaps and
+// taken with stalls; all results and the tag are compared.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <string>
 
-#include "rtl_gen/prune/demands.hpp"
-#include "sim/verilated_design.hpp"
+#include "sim/unit/verilated_design.hpp"
 
 namespace hitpipe::sim {
 
 struct VectorCheck {
-  const VerilatedDesign* verilated;     ///< the fitted unit's
-  rtl::Evaluate evaluate;               ///< the whole design's
-  const std::vector<rtl::Port>* ports;  ///< the whole design's
-  const rtl::Demands* demands;
+  const VerilatedDesign* verilated;
   std::uint64_t vectors = 1'000'000;
   std::uint64_t seed = 1;
   /// Told the finished share, 0..1.

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "sim/implement/target.hpp"
-#include "sim/tool.hpp"
+#include "sim/model/tool.hpp"
 
 namespace hitpipe::sim {
 

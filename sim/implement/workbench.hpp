@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/files.hpp"
-#include "sim/tool.hpp"
+#include "sim/model/tool.hpp"
 
 namespace hitpipe::sim {
 

@@ -15,11 +15,12 @@
 
 #include "area_model/price.hpp"
 #include "area_model/triangle_unit.hpp"
-#include "sim/cosim.hpp"
+#include "sim/cosim/cosim.hpp"
 #include "sim/fit/fit.hpp"
 #include "sim/generic_tracer.hpp"
 #include "sim/sweep/printable.hpp"
 #include "sim/sweep/software_time.hpp"
+#include "sim/unit/verilated_design.hpp"
 #include "sw_ref/render/render.hpp"
 
 namespace hitpipe::sim {
@@ -27,7 +28,7 @@ namespace hitpipe::sim {
 namespace {
 
 /// A design in one format. It is built once for all numbers of rays in flight.
-struct Unit {
+struct MeasuredUnit {
   std::mutex making;
   std::optional<VerilatedDesign> verilated;
   std::optional<area::Price> price;
@@ -123,26 +124,26 @@ class Run {
     return failure_ || next_ == points_.size() ? nullptr : &points_[next_++];
   }
 
-  const Unit& unit_of(const SweepPoint& point) {
-    Unit& unit = units_.at(unit_key(point));
+  const MeasuredUnit& unit_of(const SweepPoint& point) {
+    MeasuredUnit& unit = units_.at(unit_key(point));
     const std::scoped_lock lock(unit.making);
     if (!unit.verilated) {
       const rtl::Library& library = *options_.library;
       unit.price = area::price(*point.design, point.format, library, area::Account::built);
       unit.software_ratio = reference_.software.ratio(*point.design, point.format);
-      unit.verilated.emplace(*point.design, point.format, library);
+      unit.verilated.emplace(make_unit(*point.design, point.format, library));
     }
     return unit;
   }
 
   /// `share` is the part of the row that is finished; state_ guards it.
   SweepRow measure(const SweepPoint& point, double& share) {
-    const Unit& unit = unit_of(point);
+    const MeasuredUnit& unit = unit_of(point);
     const auto progress = [&](double grown) {
       const std::scoped_lock lock(state_);
       report(share, grown);
     };
-    const CosimResult result = cosimulate(*point.design, point.format, *unit.verilated, scene_, bvh_,
+    const CosimResult result = cosimulate(*unit.verilated, scene_, bvh_,
                                           {.width = options_.width,
                                            .height = options_.height,
                                            .rays_in_flight = point.rays_in_flight,
@@ -183,7 +184,7 @@ class Run {
   const std::function<void(const SweepRow&)>& finished_;
   const std::vector<SweepPoint> points_;
   const Reference reference_;
-  std::map<RowKey, Unit> units_;
+  std::map<RowKey, MeasuredUnit> units_;
   int threads_of_a_row_ = 1;
   std::mutex state_;  // guards all members below
   std::size_t next_ = 0;

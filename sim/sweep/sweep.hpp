@@ -8,7 +8,7 @@
 
 #include "area_model/price.hpp"
 #include "rtl_gen/component/library.hpp"
-#include "sim/cosim.hpp"
+#include "sim/cosim/cosim.hpp"
 #include "sim/sweep/plan.hpp"
 #include "sim/sweep/row.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"

@@ -62,7 +62,7 @@ constexpr std::array figures{
            [](const area::Price& p) { return static_cast<double>(p.area_delay_per_box()) / 1e9; }}};
 
 /// The place of a unit in Table 7.2.
-enum Unit : std::size_t { float_slabs, float_plucker, slabs_24, slabs_20, plucker_24, plucker_20 };
+enum Row : std::size_t { float_slabs, float_plucker, slabs_24, slabs_20, plucker_24, plucker_20 };
 
 /// A figure of one unit as a share of that of another, in percent, in both sources.
 class Shares {
@@ -71,21 +71,21 @@ class Shares {
       : printed_(printed), ours_(ours) {}
 
   /// By how much one figure is more than the other, in percent.
-  [[nodiscard]] ref::Comparison more(const std::string& what, std::size_t figure, Unit unit) const {
+  [[nodiscard]] ref::Comparison more(const std::string& what, std::size_t figure, Row unit) const {
     ref::Comparison share = of("more " + what, figure, unit);
     share.printed -= 100;
     share.ours -= 100;
     return share;
   }
 
-  [[nodiscard]] ref::Comparison of(const std::string& what, std::size_t figure, Unit unit,
-                                   Unit whole = float_slabs) const {
+  [[nodiscard]] ref::Comparison of(const std::string& what, std::size_t figure, Row unit,
+                                   Row whole = float_slabs) const {
     return {what + ", %", 100 * printed(figure, unit) / printed(figure, whole),
             100 * figures.at(figure).of(ours_[unit]) / figures.at(figure).of(ours_[whole]), 0.5};
   }
 
  private:
-  [[nodiscard]] double printed(std::size_t figure, Unit unit) const {
+  [[nodiscard]] double printed(std::size_t figure, Row unit) const {
     return *printed_.rows()[unit].number(figures.at(figure).name);
   }
   const ref::PrintedTable& printed_;

@@ -14,26 +14,22 @@ namespace hitpipe::sim {
 
 namespace {
 
-class EndlessSetUp {
+class EndlessSetup {
  public:
   using Box = ref::IntBox;
-  using End = int;
+  using Bits = hls::IntBits;
+  using Operands = hls::EndlessSlabsOperands<Words, Bits>;
 
-  EndlessSetUp(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
+  EndlessSetup(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<hls::IntBits>()) {}
 
   static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
     ref::quantise_boxes(boxes, format.as<hls::IntBits>().coord, out);
   }
-  [[nodiscard]] static End end(float /*length*/) { return 0; }
-
-  void write(End /*none*/, bool /*rinf*/, const Box& box, std::int64_t* out) const {
+  void fill(float /*length*/, Operands& in) const {
     const ref::IntSlabsRay& ray = set_up_.ray();
-    out = put(ray.origin, out);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      *out++ = ray.irdvc_floor[axis];
-      *out++ = ray.irdvc_ceil[axis];
-    }
-    put_box(box, out);
+    put(ray.origin, in.irx, in.iry, in.irz);
+    put(ray.irdvc_floor, in.iri_floor, in.irj_floor, in.irk_floor);
+    put(ray.irdvc_ceil, in.iri_ceil, in.irj_ceil, in.irk_ceil);
   }
 
  private:
@@ -51,8 +47,8 @@ std::unique_ptr<ref::Tracer> endless_tracer(const TracedUnit& unit, const ref::M
 
 Software endless_slabs_software() {
   Software software = int_design_software();
-  software.feed = set_up_feed<EndlessSetUp>;
-  software.box_test = set_up_test<EndlessSetUp>;
+  software.feed = set_up_feed<EndlessSetup>;
+  software.box_test = set_up_test<EndlessSetup>;
   software.tracer = endless_tracer;
   return software;
 }

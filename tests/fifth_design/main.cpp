@@ -7,8 +7,8 @@
 #include "tests/fifth_design/one_axis_slab.hpp"
 
 int main(int argc, char** argv) {
-  hitpipe::rtl::add_design(hitpipe::rtl::design_of<hitpipe::hls::EndlessSlabs>());
-  hitpipe::sim::add_software("endless_slabs", hitpipe::sim::endless_slabs_software());
+  hitpipe::sim::add_design(hitpipe::rtl::design_of<hitpipe::hls::EndlessSlabs>(),
+                           hitpipe::sim::endless_slabs_software());
   hitpipe::rtl::add_design(hitpipe::rtl::design_of<hitpipe::hls::OneAxisSlab>());
   return hitpipe::cli::run(argc, argv);
 }

@@ -13,7 +13,7 @@
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/pipeline.hpp"
-#include "sim/verilated_design.hpp"
+#include "sim/unit/verilated_design.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe {
@@ -75,7 +75,7 @@ TEST(OneAxisSlab, IsEmittedDrawnAndLintClean) {
 TEST(OneAxisSlab, AnswersInVerilogAsInCpp) {
   constexpr int count = 100000;
   const host::ScratchFolder cache;
-  const sim::VerilatedDesign verilated(slab, bits, rtl::Library::thesis(), cache.path());
+  const sim::VerilatedDesign verilated(sim::make_unit(slab, bits, rtl::Library::thesis()), cache.path());
   const rtl::Evaluate evaluate = slab.evaluate(bits);
   const auto vectors = rtl::operand_vectors(slab.ports(bits), count, 5);
   sim::Model model(verilated);

@@ -6,7 +6,7 @@
 
 namespace hitpipe::sim {
 
-std::vector<std::vector<std::int64_t>> adversary_vectors(const Unit& unit,
+std::vector<std::vector<std::int64_t>> adversary_vectors(const TestedUnit& unit,
                                                          const ref::adversary::Category& category, int count,
                                                          std::uint64_t seed) {
   ref::adversary::Random random(seed);
@@ -21,7 +21,8 @@ std::vector<std::vector<std::int64_t>> adversary_vectors(const Unit& unit,
   return vectors;
 }
 
-std::vector<std::vector<std::int64_t>> raw_corner_vectors(const Unit& unit, int count, std::uint64_t seed) {
+std::vector<std::vector<std::int64_t>> raw_corner_vectors(const TestedUnit& unit, int count,
+                                                          std::uint64_t seed) {
   const std::vector<rtl::Port> ports = unit.ports();
   ref::adversary::Random random(seed);
   auto vectors = rtl::operand_vectors(ports, count, seed);

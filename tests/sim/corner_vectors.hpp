@@ -165,7 +165,7 @@ inline std::vector<CornerVector> major_corner_vectors(const std::vector<rtl::Por
   return vectors;
 }
 
-inline std::vector<CornerVector> corner_vectors(const Unit& unit) {
+inline std::vector<CornerVector> corner_vectors(const TestedUnit& unit) {
   const std::vector<rtl::Port> ports = unit.ports();
   if (has_major_axis(ports)) return major_corner_vectors(ports);
   if (const auto bits = unit.float_bits()) return float_corner_vectors(ports, *bits);

@@ -1,5 +1,5 @@
 // Co-simulation of whole images: the Verilog finds what software finds, and the counts hide nothing.
-#include "sim/cosim.hpp"
+#include "sim/cosim/cosim.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -60,7 +60,9 @@ class CosimOfScene {
 
   [[nodiscard]] CosimResult run(hls::IntBits bits, const CosimOptions& options,
                                 const rtl::Design& design = int_slabs()) const {
-    return cosimulate(design, bits, verilated(bits), scene_, bvh_, options);
+    if (&design == &int_slabs()) return cosimulate(verilated(bits), scene_, bvh_, options);
+    return cosimulate(VerilatedDesign(make_unit(design, bits, rtl::Library::thesis())), scene_, bvh_,
+                      options);
   }
   [[nodiscard]] ref::RenderResult software(int width, int height) const {
     return ref::render(scene_, *ref::make_tracer(scene_.mesh, bvh_, {}),
@@ -149,15 +151,14 @@ TEST(CosimCounts, OnlyCyclesDependOnRaysInFlight) {
   EXPECT_LE(many.occupancy_pct(), 100.0);
 }
 
-class CosimOfUnit : public testing::TestWithParam<Unit> {};
+class CosimOfUnit : public testing::TestWithParam<TestedUnit> {};
 
 /// A conservative unit finds the image of software. A float unit may miss a box that a ray grazes.
 TEST_P(CosimOfUnit, IsVerifiedOnHills) {
-  const Unit& unit = GetParam();
+  const TestedUnit& unit = GetParam();
   const ref::Scene scene = hills();
-  const CosimResult result =
-      cosimulate(unit.design(), unit.format, verilated(unit), scene, ref::build_bvh(scene.mesh),
-                 {.width = 64, .height = 64, .threads = 2, .referee = true});
+  const CosimResult result = cosimulate(verilated(unit), scene, ref::build_bvh(scene.mesh),
+                                        {.width = 64, .height = 64, .threads = 2, .referee = true});
   std::printf("%llu box tests, %llu false hits, %llu false misses, %llu different triangles\n",
               static_cast<unsigned long long>(result.unit.box_tests),
               static_cast<unsigned long long>(result.unit.false_hits.value()),

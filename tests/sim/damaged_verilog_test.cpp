@@ -1,16 +1,14 @@
 // The comparisons can fail: Verilog damaged in one place, with the same entry points, is reported.
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/files.hpp"
 #include "host/process.hpp"
 #include "rtl_gen/emit/vectors.hpp"
-#include "rtl_gen/verilog/module.hpp"
-#include "sim/ray_unit.hpp"
+#include "sim/cosim/ray_unit.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/small_scene.hpp"
@@ -26,24 +24,21 @@ constexpr Traffic resets{"gaps, stalls and resets", 0.7, 0.7, 0.01};
 constexpr std::uint64_t seed = 74;
 
 /// The design with its Verilog edited by a sed command. Fails when the command changes nothing.
-VerilatedDesign damaged(const std::string& sed) {
-  const rtl::Library& library = rtl::Library::thesis();
-  const rtl::Pipeline pipeline = rtl::make_pipeline(int_slabs().trace(damaged_bits), library);
-  const std::string whole = rtl::to_verilog(pipeline, library, {.module_name = "int_slabs", .bits = "12/12"});
+VerilatedDesign edited(const std::string& sed) {
+  Unit unit = make_unit(int_slabs(), damaged_bits, rtl::Library::thesis());
+  const std::string whole = unit.verilog;
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.write("int_slabs.v", whole);
   EXPECT_TRUE(host::run({"sed", "-i", sed, file.string()}).succeeded()) << sed;
-  std::ifstream in(file);
-  const std::string edited{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_NE(edited, whole) << sed;
-  return {int_slabs(), damaged_bits, pipeline, edited, "int_slabs"};
+  unit.verilog = host::read_file(file);
+  EXPECT_NE(unit.verilog, whole) << sed;
+  return VerilatedDesign(unit);
 }
 
-TestbenchReport driven(const VerilatedDesign& design, const Traffic& with = traffic) {
+DriveReport driven(const VerilatedDesign& design, const Traffic& with = traffic) {
   const std::vector<rtl::Port> ports = int_slabs().ports(damaged_bits);
   Model model(design);
-  return drive(model, ports, int_slabs().evaluate(damaged_bits), rtl::operand_vectors(ports, 20'000, seed),
-               with, seed, seed);
+  return drive_all(model, rtl::operand_vectors(ports, 20'000, seed), with, seed, seed);
 }
 
 /// The counts of one unit with 8 rays in flight that sees the hills from one point.
@@ -72,7 +67,7 @@ UnitCounts traced(const VerilatedDesign& design) {
 }
 
 TEST(DamagedVerilog, WholeOneIsClean) {
-  const TestbenchReport report = driven(verilated(damaged_bits));
+  const DriveReport report = driven(verilated(damaged_bits));
   EXPECT_TRUE(report.clean()) << report.first_failure;
   EXPECT_EQ(report.first_failure, "");
   EXPECT_EQ(report.received, 20'000U);
@@ -82,23 +77,22 @@ TEST(DamagedVerilog, WholeOneIsClean) {
 }
 
 TEST(DamagedVerilog, SumInPlaceOfOneDifferenceGivesWrongHits) {
-  const VerilatedDesign design = damaged("0,/ - /s// + /");
-  const TestbenchReport report = driven(design);
+  const VerilatedDesign design = edited("0,/ - /s// + /");
+  const DriveReport report = driven(design);
   EXPECT_GT(report.wrong_results, 100U);
   EXPECT_EQ(report.wrong_tags + report.lost + report.surplus + report.not_held, 0U);
   EXPECT_EQ(report.received, 20'000U);
   // The printed text is enough to replay it: both answers, every operand in hexadecimal, the seeds.
   EXPECT_THAT(
       report.first_failure,
-      testing::MatchesRegex("wrong result: results [01] tag 0x[0-9a-f]+; expected results [01] tag "
-                            "0x[0-9a-f]+ for vector [0-9]+ of seed 74: irx=0x[0-9a-f]+ .*izmax=0x[0-9a-f]+ ; "
-                            "gaps and stalls traffic of seed 74"));
+      testing::MatchesRegex("hit [01] tag [0-9]+, expected hit [01] tag [0-9]+ of vector [0-9]+ of seed 74: "
+                            "irx=0x[0-9a-f]+ .*izmax=0x[0-9a-f]+; gaps and stalls traffic of seed 74"));
   EXPECT_GT(traced(design).rtl_mismatches, 0U);
 }
 
 TEST(DamagedVerilog, SwappedMuxArmsGiveWrongHits) {
-  const VerilatedDesign design = damaged(R"(0,/ ? \([^ ]*\) : \([^ ]*\);/s// ? \2 : \1;/)");
-  const TestbenchReport report = driven(design);
+  const VerilatedDesign design = edited(R"(0,/ ? \([^ ]*\) : \([^ ]*\);/s// ? \2 : \1;/)");
+  const DriveReport report = driven(design);
   EXPECT_GT(report.wrong_results, 100U);
   EXPECT_EQ(report.wrong_tags + report.lost + report.surplus + report.not_held, 0U);
   EXPECT_GT(traced(design).rtl_mismatches, 0U);
@@ -106,8 +100,8 @@ TEST(DamagedVerilog, SwappedMuxArmsGiveWrongHits) {
 
 /// Exchanges pairs of tags, so a ray in flight gets its neighbour's answer.
 TEST(DamagedVerilog, ExchangedTagsAreNotTheOldestTests) {
-  const VerilatedDesign design = damaged("s/tag_s0 <= in_tag;/tag_s0 <= in_tag ^ 1;/");
-  const TestbenchReport report = driven(design);
+  const VerilatedDesign design = edited("s/tag_s0 <= in_tag;/tag_s0 <= in_tag ^ 1;/");
+  const DriveReport report = driven(design);
   EXPECT_EQ(report.wrong_tags, 20'000U);
   EXPECT_EQ(report.wrong_results, 0U);
   // Also where both rays get the same HIT, so that only the order tells.
@@ -117,26 +111,26 @@ TEST(DamagedVerilog, ExchangedTagsAreNotTheOldestTests) {
 }
 
 TEST(DamagedVerilog, PipelineThatNeverWaitsLosesAnswers) {
-  const TestbenchReport report = driven(damaged("s/wire advance = .*;/wire advance = 1;/"));
+  const DriveReport report = driven(edited("s/wire advance = .*;/wire advance = 1;/"));
   EXPECT_GT(report.not_held, 100U);
   EXPECT_GT(report.lost, 100U);
   EXPECT_GT(report.wrong_ready, 100U);
 }
 
 TEST(DamagedVerilog, TestsThatOutliveAResetAreNotTheOldest) {
-  const VerilatedDesign design = damaged("s/if (rst) valid <= [^;]*;/if (rst) valid <= valid;/");
+  const VerilatedDesign design = edited("s/if (rst) valid <= [^;]*;/if (rst) valid <= valid;/");
   EXPECT_TRUE(driven(design).clean());
-  const TestbenchReport report = driven(design, resets);
+  const DriveReport report = driven(design, resets);
   EXPECT_GT(report.resets, 100U);
   EXPECT_GT(report.surplus + report.wrong_tags, report.resets);
-  const TestbenchReport whole = driven(verilated(damaged_bits), resets);
+  const DriveReport whole = driven(verilated(damaged_bits), resets);
   EXPECT_TRUE(whole.clean()) << whole.first_failure;
   EXPECT_EQ(whole.received, 20'000U);
   EXPECT_GT(whole.dropped, whole.resets);
 }
 
 TEST(DamagedVerilog, PipelineThatTakesNothingIsRejected) {
-  const VerilatedDesign design = damaged("s/assign in_ready = .*;/assign in_ready = 0;/");
+  const VerilatedDesign design = edited("s/assign in_ready = .*;/assign in_ready = 0;/");
   EXPECT_EQ(driven(design).lost, 20'000U);
   EXPECT_EQ(message_of<std::runtime_error>([&] { traced(design); }),
             "the Verilog did not answer a box test within its latency");

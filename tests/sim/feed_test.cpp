@@ -1,6 +1,6 @@
 // Operands are those of ray set-up and quantisation (sections 2.3.1, 3.3, 6.2.1, 6.3.1), each at its own
 // port.
-#include "sim/feed.hpp"
+#include "sim/feeds/feed.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -10,7 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include "hls/pipelines/int_slabs.hpp"
+#include "rtl_gen/catalogue/design_of.hpp"
 #include "sim/check/box_test.hpp"
+#include "sim/feeds/set_up_feed.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
@@ -151,7 +154,7 @@ Operands both(Operands ray, Operands box) {
 }
 
 /// Those of a design that is not here are what a set-up of this ray and length alone gives.
-Operands expected(const Unit& unit, const ref::Ray& ray, float length, const ref::Aabb& box) {
+Operands expected(const TestedUnit& unit, const ref::Ray& ray, float length, const ref::Aabb& box) {
   const auto with_integers = [&](const auto& set_up) {
     const auto bits = unit.format.as<hls::IntBits>();
     return both(set_up(ray, bits, length), int_box(box, bits.coord));
@@ -173,10 +176,10 @@ Operands expected(const Unit& unit, const ref::Ray& ray, float length, const ref
   return by_port(unit.ports(), {test->operands().begin(), test->operands().end()});
 }
 
-class Feed : public testing::TestWithParam<Unit> {};
+class Feed : public testing::TestWithParam<TestedUnit> {};
 
 TEST_P(Feed, GivesEachPortItsOperand) {
-  const Unit& unit = GetParam();
+  const TestedUnit& unit = GetParam();
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   constexpr std::size_t slots = 3;
@@ -213,10 +216,10 @@ TEST_P(Feed, GivesEachPortItsOperand) {
 INSTANTIATE_TEST_SUITE_P(Units, Feed, testing::ValuesIn(units_of_one_box()),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
-class CoarseFeed : public testing::TestWithParam<Unit> {};
+class CoarseFeed : public testing::TestWithParam<TestedUnit> {};
 
 TEST_P(CoarseFeed, MovesOriginAndBoxAndNothingElse) {
-  const Unit& unit = GetParam();
+  const TestedUnit& unit = GetParam();
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const ref::CoarseAxes coarse{{1, 2, 0}};
@@ -256,8 +259,8 @@ TEST_P(CoarseFeed, MovesOriginAndBoxAndNothingElse) {
 }
 
 INSTANTIATE_TEST_SUITE_P(IntegerUnits, CoarseFeed,
-                         testing::Values(Unit{"int_slabs", hls::IntBits{12, 12}},
-                                         Unit{"int_plucker", hls::IntBits{20, 24}}),
+                         testing::Values(TestedUnit{"int_slabs", hls::IntBits{12, 12}},
+                                         TestedUnit{"int_plucker", hls::IntBits{20, 24}}),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 TEST(CoarseFeedOfAFloatDesign, Rejected) {
@@ -304,6 +307,91 @@ TEST(FeedOfABoxOutsideTheCube, Rejected) {
     EXPECT_STREQ(error.what(),
                  "quantise_box: max.y = 1.5 leaves the 20-bit grid; boxes must lie within [-1, 1]");
   }
+}
+
+/// Those of int_slabs, the planes of the box first.
+template <class D, class F>
+struct BoxFirstOperands : hls::IntSlabsOperands<D, F> {
+  template <class Self, class Visit>
+  static constexpr void for_each(const hls::IntBits& format, Self& self, Visit&& visit) {
+    for (const bool planes : {true, false}) {
+      hls::IntSlabsOperands<D, F>::for_each(format, self, [&](const hls::Operand& port, auto& field) {
+        const bool plane = port.role == hls::Role::plane_low || port.role == hls::Role::plane_high;
+        if (plane == planes) visit(port, field);
+      });
+    }
+  }
+};
+
+struct BoxFirst : hls::int_slabs::IntSlabs {
+  template <class D, class F>
+  using Operands = BoxFirstOperands<D, F>;
+};
+
+class BoxFirstSetup {
+ public:
+  using Bits = hls::IntBits;
+  using Operands = BoxFirstOperands<Words, Bits>;
+  using Box = ref::IntBox;
+
+  BoxFirstSetup(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<Bits>()) {}
+
+  static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
+    ref::quantise_boxes(boxes, format.as<Bits>().coord, out);
+  }
+  void fill(float length, Operands& in) const {
+    const ref::IntSlabsRay& ray = set_up_.ray();
+    put(ray.origin, in.irx, in.iry, in.irz);
+    in.irlen = set_up_.length(length);
+    put(ray.irdvc_floor, in.iri_floor, in.irj_floor, in.irk_floor);
+    put(ray.irdvc_ceil, in.iri_ceil, in.irj_ceil, in.irk_ceil);
+    in.rinf = std::isinf(length) ? 1 : 0;
+  }
+
+ private:
+  ref::IntSlabsRaySetup set_up_;
+};
+
+TEST(ADesignThatListsTheBoxFirst, AnswersAsTheOneThatListsItLast) {
+  const rtl::Design design = rtl::design_of<BoxFirst>();
+  const rtl::Format format = hls::IntBits{12, 12};
+  ASSERT_EQ(design.ports(format).front().role, hls::Role::plane_low);
+  ASSERT_EQ(design.ports(format).back().role, hls::Role::endless);
+  const ref::Bvh bvh = ref::build_bvh(hills().mesh);
+  const auto last = make_feed(int_slabs(), format, bvh);
+  const auto last_rays = last->unit(1);
+  const auto first_scene = set_up_feed<BoxFirstSetup>(format, bvh);
+  const auto first_rays = first_scene->unit(1);
+  const auto first_test = set_up_test<BoxFirstSetup>(design, format);
+  const auto last_test = make_box_test(int_slabs(), format);
+  const rtl::Evaluate answers_first = design.evaluate(format);
+  const rtl::Evaluate answers_last = int_slabs().evaluate(format);
+  std::vector<std::int64_t> operands(design.ports(format).size());
+  ref::adversary::Random random(29);
+  int hits = 0;
+  constexpr int tests = 2'000;
+  for (int i = 0; i < tests; ++i) {
+    const auto node = static_cast<std::uint32_t>(random.below(bvh.nodes.size()));
+    const glm::vec3 from(random.signed_unit(), random.signed_unit(), random.signed_unit());
+    const glm::vec3 to(random.signed_unit(), random.signed_unit(), random.signed_unit());
+    const ref::Ray ray{from, (random.coin() ? to : bvh.nodes[node].box.max) - from,
+                       random.coin() ? ref::Ray::infinite : 1.0F};
+    last_test->start(ray);
+    first_test->start(ray);
+    const bool hit = last_test->hit(bvh.nodes[node].box);
+    ASSERT_EQ(first_test->hit(bvh.nodes[node].box), hit) << to_text(ray);
+    last_rays->start(0, ray);
+    first_rays->start(0, ray);
+    for (const float length : {ray.length, 0.5F}) {
+      last_rays->operands(0, {node, length}, operands.data());
+      const bool expected_hit = answers_last(operands.data());
+      first_rays->operands(0, {node, length}, operands.data());
+      ASSERT_EQ(answers_first(operands.data()), expected_hit) << to_text(ray);
+    }
+    hits += hit ? 1 : 0;
+  }
+  EXPECT_GT(hits, tests / 50);
+  EXPECT_LT(hits, tests - tests / 50);
 }
 
 }  // namespace

@@ -4,10 +4,8 @@
 
 #include "rtl_gen/emit/result_fifo.hpp"
 #include "rtl_gen/emit/vectors.hpp"
-#include "rtl_gen/verilog/module.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
-#include "sim/cosim.hpp"
-#include "sim/fit/unit_cosim.hpp"
+#include "sim/cosim/cosim.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/small_scene.hpp"
@@ -24,20 +22,18 @@ const std::vector<rtl::Port>& ports() {
   return all;
 }
 
-/// int_slabs 12/12 without flow control, with `good` in its Verilog replaced.
-VerilatedDesign unit(const std::string& good = "", const std::string& bad = "") {
-  const rtl::Library& library = rtl::Library::thesis();
-  WrittenUnit whole = whole_unit(int_slabs(), narrow, library, rtl::FlowControl::none);
-  const std::size_t at = whole.verilog.find(good);
-  EXPECT_NE(at, std::string::npos) << good;
-  whole.verilog.replace(at, good.size(), bad);
-  return verilate(int_slabs(), whole);
+Unit whole() {
+  return make_unit(int_slabs(), narrow, rtl::Library::thesis(), rtl::FlowControl::none);
 }
 
-TestbenchReport driven(const VerilatedDesign& design, const Traffic& traffic) {
+/// int_slabs 12/12 without flow control, with `good` in its Verilog replaced.
+VerilatedDesign unit(const std::string& good = "", const std::string& bad = "") {
+  return VerilatedDesign(damaged(whole(), good, bad));
+}
+
+DriveReport driven(const VerilatedDesign& design, const Traffic& traffic) {
   Model model(design);
-  return drive(model, ports(), int_slabs().evaluate(narrow), rtl::operand_vectors(ports(), 20'000, seed),
-               traffic, seed, seed);
+  return drive_all(model, rtl::operand_vectors(ports(), 20'000, seed), traffic, seed, seed);
 }
 
 TEST(WithoutFlowControl, ResultsComeAfterTheLatencyAndInNoOtherCycle) {
@@ -61,7 +57,7 @@ TEST(WithoutFlowControl, ResultsComeAfterTheLatencyAndInNoOtherCycle) {
 TEST(WithoutFlowControl, AgreesWithGapsAndResets) {
   for (const Traffic& traffic :
        {Traffic{"full", 1.0, 1.0}, Traffic{"gaps", 0.6, 1.0}, Traffic{"resets", 0.8, 1.0, 0.01}}) {
-    const TestbenchReport report = driven(unit(), traffic);
+    const DriveReport report = driven(unit(), traffic);
     EXPECT_TRUE(report.clean()) << report.first_failure;
     EXPECT_EQ(report.received, 20'000U);
   }
@@ -81,36 +77,36 @@ TEST(WithoutFlowControl, TracesASceneAsTheUnitThatStalls) {
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const CosimOptions options{.width = 40, .height = 30, .referee = true};
-  const CosimResult none = cosimulate(int_slabs(), narrow, unit(), scene, bvh, options);
-  const CosimResult stall = cosimulate(int_slabs(), narrow, verilated(narrow), scene, bvh, options);
+  const CosimResult none = cosimulate(unit(), scene, bvh, options);
+  const CosimResult stall = cosimulate(verilated(narrow), scene, bvh, options);
   EXPECT_EQ(none.unit.rtl_mismatches, 0U);
   EXPECT_GT(none.unit.tests, 10'000U);
   EXPECT_EQ(none.unit, stall.unit);
   EXPECT_EQ(none.triangles, stall.triangles);
-  const CosimResult wrong = cosimulate(
-      int_slabs(), narrow, unit("irlen_s2 <= irlen_s1", "irlen_s2 <= irlen_s0"), scene, bvh, options);
+  const CosimResult wrong =
+      cosimulate(unit("irlen_s2 <= irlen_s1", "irlen_s2 <= irlen_s0"), scene, bvh, options);
   EXPECT_GT(wrong.unit.rtl_mismatches, 0U);
 }
 
 TEST(WithoutFlowControl, RaySlotsRejected) {
-  const WrittenUnit whole = whole_unit(int_slabs(), narrow, rtl::Library::thesis(), rtl::FlowControl::none);
-  EXPECT_EQ(message_of<std::invalid_argument>([&] { static_cast<void>(verilate(int_slabs(), whole, 32)); }),
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { static_cast<void>(behind_ray_slots(whole(), 32)); }),
             "ray slots: flow control none; allowed is stall");
 }
 
 /// The unit behind its result FIFO has the pins of a unit that stalls.
 TEST(ResultFifo, LosesNothingWhateverTheConsumerDoes) {
-  const WrittenUnit whole = whole_unit(int_slabs(), narrow, rtl::Library::thesis(), rtl::FlowControl::none);
-  const std::string verilog =
-      whole.verilog + rtl::result_fifo(rtl::unit_interface(whole.module, ports(),
-                                                           rtl::result_ports(int_slabs().results(narrow)),
-                                                           whole.flow_control),
-                                       whole.pipeline.latency());
-  const VerilatedDesign design(int_slabs(), narrow, whole.pipeline, verilog, rtl::fifo_module(whole.module));
+  Unit behind_fifo = whole();
+  behind_fifo.verilog += rtl::result_fifo(
+      rtl::unit_interface(behind_fifo.module, ports(), rtl::result_ports(int_slabs().results(narrow)),
+                          behind_fifo.flow_control),
+      behind_fifo.pipeline.latency());
+  behind_fifo.module = rtl::fifo_module(behind_fifo.module);
+  behind_fifo.flow_control = rtl::FlowControl::stall;
+  const VerilatedDesign design(behind_fifo);
   for (const Traffic& traffic :
        {Traffic{"full", 1.0, 1.0}, Traffic{"gaps and stalls", 0.7, 0.7}, Traffic{"stalls", 1.0, 0.6},
         Traffic{"long stalls", 0.9, 0.1}, Traffic{"resets", 0.9, 0.6, 0.01}}) {
-    TestbenchReport report = driven(design, traffic);
+    DriveReport report = driven(design, traffic);
     // Its in_ready does not follow out_ready in the same cycle.
     report.wrong_ready = 0;
     EXPECT_TRUE(report.clean()) << report.first_failure;

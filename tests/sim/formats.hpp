@@ -32,7 +32,7 @@ inline const rtl::Design& int_slabs() {
 }
 
 inline const VerilatedDesign& verilated(hls::IntBits bits) {
-  return verilated(Unit{"int_slabs", bits});
+  return verilated(TestedUnit{"int_slabs", bits});
 }
 
 }  // namespace hitpipe::sim

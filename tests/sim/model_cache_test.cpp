@@ -69,7 +69,7 @@ TEST(ModelCacheOfVerilator, SecondConstructionLeavesTheModelAlone) {
 /// A run with one flow control must not get the model of another.
 TEST_F(ModelCache, FlowControlIsPartOfTheKey) {
   for (const auto flow : {rtl::FlowControl::stall, rtl::FlowControl::none, rtl::FlowControl::none}) {
-    const VerilatedDesign design(int_slabs(), bits, rtl::Library::thesis(), cache_, flow);
+    const VerilatedDesign design(make_unit(int_slabs(), bits, rtl::Library::thesis(), flow), cache_);
   }
   EXPECT_EQ(count_in(cache_, "int_slabs"), 2);
 }
@@ -86,7 +86,7 @@ TEST(ModelCacheOfVerilator, TakesAnyFolderNames) {
   for (const std::string& name : names_in(default_cache()))
     if (name.starts_with("verilated-")) fs::copy(default_cache() / name, cache / name);
   const EnvironmentValue variable("TMPDIR", temporary.string());
-  const VerilatedDesign design(int_slabs(), hls::IntBits{6, 6}, rtl::Library::thesis(), cache);
+  const VerilatedDesign design(make_unit(int_slabs(), hls::IntBits{6, 6}, rtl::Library::thesis()), cache);
   Model model(design);
   Pins pins{.out_ready = true};
   model.cycle(nullptr, pins);
@@ -117,7 +117,8 @@ TEST_F(ModelCache, BuildsAgainForAnotherVersionFormatOrCompiler) {
   stub_.set_version("Stub 2");
   build_in(cache_);
   EXPECT_EQ(stub_.runs(), 2);
-  const VerilatedDesign other_format(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis(), cache_);
+  const VerilatedDesign other_format(make_unit(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis()),
+                                     cache_);
   EXPECT_EQ(stub_.runs(), 3);
   folder_.write_program("compiler", "#!/bin/sh\nexec c++ \"$@\"\n");
   const EnvironmentValue compiler("CXX", folder_.path() / "compiler");
@@ -136,10 +137,12 @@ TEST_F(ModelCache, CompilesVerilatorsOwnCodeOnce) {
               (std::vector<std::string>{"identity", "log", "verilated.o", "verilated_threads.o"}));
     // This source can no longer be compiled, so a second compilation would fail.
     std::ofstream(stub_.program().parent_path() / "include/verilated.cpp") << "no C++";
-    const VerilatedDesign other_format(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis(), cache_);
+    const VerilatedDesign other_format(make_unit(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis()),
+                                       cache_);
     fs::remove(each.path() / "verilated_threads.o");
-    EXPECT_THROW(VerilatedDesign(int_slabs(), hls::IntBits{24, 24}, rtl::Library::thesis(), cache_),
-                 std::runtime_error);
+    EXPECT_THROW(
+        VerilatedDesign(make_unit(int_slabs(), hls::IntBits{24, 24}, rtl::Library::thesis()), cache_),
+        std::runtime_error);
   }
   EXPECT_TRUE(fs::exists(cache_ / "failed-verilated.log"));
 }

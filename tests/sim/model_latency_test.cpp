@@ -11,7 +11,7 @@
 namespace hitpipe::sim::model_latency_test {
 namespace {
 
-class ModelLatency : public testing::TestWithParam<Unit> {};
+class ModelLatency : public testing::TestWithParam<TestedUnit> {};
 
 /// Clock edges from the one that takes a single test to the one that latches its answer.
 int measured_latency(Model& model, const std::vector<std::int64_t>& operands, std::uint16_t tag) {

@@ -2,8 +2,8 @@
 // meanwhile, and trace whole scenes. Damaged wrappers are found.
 #include <gtest/gtest.h>
 
-#include "rtl_gen/verilog/module.hpp"
-#include "sim/cosim.hpp"
+#include "rtl_gen/emit/vectors.hpp"
+#include "sim/cosim/cosim.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/adversary_vectors.hpp"
 #include "tests/sim/slot_traffic.hpp"
@@ -16,36 +16,17 @@ namespace {
 constexpr std::uint64_t seed = 97;
 constexpr int few_slots = 4;  // so that a write often meets a test of its slot
 
-const Unit slabs{"int_slabs", hls::IntBits{12, 12}};
-const Unit pair{"int_major_pair", hls::MajorBits{12, 1, 12, 0}};
+const TestedUnit slabs{"int_slabs", hls::IntBits{12, 12}};
+const TestedUnit pair{"int_major_pair", hls::MajorBits{12, 1, 12, 0}};
 
-std::string replaced(std::string text, const std::string& good, const std::string& bad) {
-  const std::size_t at = text.find(good);
-  EXPECT_NE(at, std::string::npos) << good;
-  return at == std::string::npos ? text : text.replace(at, good.size(), bad);
-}
-
-/// With `good` in the wrapper's Verilog replaced by `bad`.
-VerilatedDesign behind_slots(const Unit& unit, int slots, const std::string& good = "",
+/// With `good` in its Verilog replaced by `bad`.
+VerilatedDesign behind_slots(const TestedUnit& tested, int slots, const std::string& good = "",
                              const std::string& bad = "") {
-  const rtl::Library& library = rtl::Library::thesis();
-  const rtl::Pipeline pipeline = rtl::make_pipeline(unit.design().trace(unit.format), library);
-  const rtl::RaySlots memory = rtl::ray_slots(
-      rtl::unit_interface(std::string(unit.name), rtl::input_ports(pipeline.graph),
-                          rtl::result_ports(unit.design().results(unit.format)), rtl::FlowControl::stall),
-      unit.ports(), slots);
-  const std::string verilog = rtl::to_verilog(
-      pipeline, library, {.module_name = std::string(unit.name), .bits = rtl::to_string(unit.format)});
-  return {unit.design(),
-          unit.format,
-          pipeline,
-          verilog,
-          std::string(unit.name),
-          default_cache(),
-          RayMemory{memory, replaced(rtl::to_verilog(memory), good, bad)}};
+  const Unit unit = make_unit(tested.design(), tested.format, rtl::Library::thesis());
+  return VerilatedDesign(damaged(behind_ray_slots(unit, slots), good, bad));
 }
 
-std::vector<std::vector<std::int64_t>> vectors_of(const Unit& unit) {
+std::vector<std::vector<std::int64_t>> vectors_of(const TestedUnit& unit) {
   std::vector<std::vector<std::int64_t>> all;
   for (const auto& category : ref::adversary::categories()) {
     const auto some = adversary_vectors(unit, category, 200, seed);
@@ -54,11 +35,11 @@ std::vector<std::vector<std::int64_t>> vectors_of(const Unit& unit) {
   return all;
 }
 
-SlotReport driven(const Unit& unit, const VerilatedDesign& design, std::uint64_t tests = 30'000) {
+SlotReport driven(const TestedUnit& unit, const VerilatedDesign& design, std::uint64_t tests = 30'000) {
   return slot_traffic(design, unit.evaluate(), vectors_of(unit), tests, seed);
 }
 
-class RaySlotsOf : public testing::TestWithParam<Unit> {};
+class RaySlotsOf : public testing::TestWithParam<TestedUnit> {};
 
 TEST_P(RaySlotsOf, AnswerForTheRayThatTheSlotHeld) {
   const VerilatedDesign design = behind_slots(GetParam(), few_slots);
@@ -73,7 +54,7 @@ TEST_P(RaySlotsOf, AnswerForTheRayThatTheSlotHeld) {
   EXPECT_GT(report.under_way, 3000U);
   EXPECT_GT(report.resets, 100U);
   EXPECT_GT(report.hits, report.received / 50);
-  EXPECT_EQ(report.ends > 1000, !design.ray_slots()->end.empty());
+  EXPECT_EQ(report.ends > 1000, !design.unit().ray_slots->end.empty());
 }
 
 TEST_P(RaySlotsOf, TraceScenesWithRaysWrittenBesideTests) {
@@ -83,18 +64,17 @@ TEST_P(RaySlotsOf, TraceScenesWithRaysWrittenBesideTests) {
     const ref::Bvh bvh = ref::build_bvh(scene.mesh);
     const CosimOptions options{
         .width = 40, .height = 40, .rays_in_flight = 32, .threads = 2, .referee = true};
-    const CosimResult result =
-        cosimulate(GetParam().design(), GetParam().format, design, scene, bvh, options);
+    const CosimResult result = cosimulate(design, scene, bvh, options);
     EXPECT_TRUE(result.verified(true)) << scene.name;
     EXPECT_EQ(result.unit.rtl_mismatches, 0U);
     EXPECT_EQ(result.unit.false_misses, 0U);
     const std::uint64_t rays =
         result.rays_primary + result.rays_secondary + result.rays_shadow - result.rejected;
     EXPECT_EQ(result.unit.ray_writes, rays);
-    EXPECT_EQ(result.unit.end_writes > 0, !design.ray_slots()->end.empty());
+    EXPECT_EQ(result.unit.end_writes > 0, !design.unit().ray_slots->end.empty());
     EXPECT_LT(result.unit.cycles, result.unit.tests + result.unit.ray_writes) << "one beside the other";
 
-    const CosimResult without = cosimulate(GetParam().design(), GetParam().format, bare, scene, bvh, options);
+    const CosimResult without = cosimulate(bare, scene, bvh, options);
     EXPECT_EQ(result.triangles, without.triangles);
     EXPECT_EQ(without.unit.ray_writes + without.unit.end_writes, 0U);
     UnitCounts counts = result.unit;
@@ -112,8 +92,7 @@ TEST(RaySlots, OneRayInFlightWaitsForItsWrites) {
   const VerilatedDesign design = behind_slots(slabs, few_slots);
   const ref::Scene scene = hills();
   const CosimResult result =
-      cosimulate(slabs.design(), slabs.format, design, scene, ref::build_bvh(scene.mesh),
-                 {.width = 20, .height = 20, .rays_in_flight = 1});
+      cosimulate(design, scene, ref::build_bvh(scene.mesh), {.width = 20, .height = 20, .rays_in_flight = 1});
   EXPECT_EQ(result.unit.rtl_mismatches, 0U);
   EXPECT_EQ(result.unit.cycles, result.unit.tests * (static_cast<std::uint64_t>(design.latency()) + 2) +
                                     result.unit.ray_writes + result.unit.end_writes);
@@ -123,7 +102,7 @@ TEST(RaySlots, EveryRayInFlightNeedsOne) {
   const VerilatedDesign design = behind_slots(slabs, few_slots);
   const ref::Scene scene = hills();
   EXPECT_EQ(message_of<std::invalid_argument>([&] {
-              (void)cosimulate(slabs.design(), slabs.format, design, scene, ref::build_bvh(scene.mesh),
+              (void)cosimulate(design, scene, ref::build_bvh(scene.mesh),
                                {.width = 4, .height = 4, .rays_in_flight = 5});
             }),
             "5 rays in flight: each needs a slot, and there are 4 ray slots");
@@ -148,7 +127,7 @@ const Damage damages[] = {
     {"box of a later test", "if (read) begin", "begin"}};
 
 TEST(DamagedRaySlots, AreFound) {
-  const Unit narrow{"int_slabs", hls::IntBits{6, 6}};
+  const TestedUnit narrow{"int_slabs", hls::IntBits{6, 6}};
   EXPECT_EQ(driven(narrow, behind_slots(narrow, few_slots), 5000).faults(), 0U);
   for (const auto& [name, good, bad] : damages)
     EXPECT_GT(driven(narrow, behind_slots(narrow, few_slots, good, bad), 5000).faults(), 0U) << name;
@@ -158,8 +137,7 @@ TEST(DamagedRaySlots, AreFound) {
 TEST(DamagedRaySlots, GiveWrongAnswersInAScene) {
   const ref::Scene scene = hills();
   const CosimResult result =
-      cosimulate(slabs.design(), slabs.format,
-                 behind_slots(slabs, few_slots, "line_memory[in_slot]", "line_memory[in_slot ^ 2'd1]"), scene,
+      cosimulate(behind_slots(slabs, few_slots, "line_memory[in_slot]", "line_memory[in_slot ^ 2'd1]"), scene,
                  ref::build_bvh(scene.mesh), {.width = 20, .height = 20, .rays_in_flight = few_slots});
   EXPECT_GT(result.unit.rtl_mismatches, 100U);
 }

@@ -1,6 +1,6 @@
 // A unit answers every ray as a software traversal does, with any number of rays at once, and its counts
 // match its answers.
-#include "sim/ray_unit.hpp"
+#include "sim/cosim/ray_unit.hpp"
 
 #include <random>
 #include <vector>
@@ -25,13 +25,13 @@ struct Outcome {
 };
 
 /// Units that never miss a box. Another may find another triangle.
-std::vector<Unit> conservative_units() {
-  std::vector<Unit> all = units();
-  std::erase_if(all, [](const Unit& unit) { return !unit.design().conservative; });
+std::vector<TestedUnit> conservative_units() {
+  std::vector<TestedUnit> all = units();
+  std::erase_if(all, [](const TestedUnit& unit) { return !unit.design().conservative; });
   return all;
 }
 
-class RayUnitOnHills : public testing::TestWithParam<Unit> {
+class RayUnitOnHills : public testing::TestWithParam<TestedUnit> {
  protected:
   RayUnitOnHills() {
     std::mt19937 random(seed);

@@ -1,5 +1,5 @@
 // The sampled time is that of the work, without reading the clock and without interruptions.
-#include "sim/sampled_time.hpp"
+#include "sim/cosim/sampled_time.hpp"
 
 #include <gtest/gtest.h>
 

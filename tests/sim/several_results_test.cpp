@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/vectors.hpp"
-#include "rtl_gen/verilog/module.hpp"
 #include "sim/check/check.hpp"
-#include "sim/feed.hpp"
+#include "sim/cosim/ray_unit.hpp"
+#include "sim/feeds/feed.hpp"
 #include "sim/fit/vector_check.hpp"
-#include "sim/ray_unit.hpp"
 #include "sim/software.hpp"
-#include "sim/verilated_design.hpp"
+#include "sim/unit/verilated_design.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/emit/two_boxes.hpp"
 #include "tests/sim/slabs_with_entry.hpp"
@@ -20,27 +19,25 @@ namespace {
 
 class SeveralResults : public testing::Test {
  protected:
-  [[nodiscard]] VerilatedDesign built() const { return {design, format, pipeline, verilog, "two_boxes"}; }
+  [[nodiscard]] VerilatedDesign built() const { return VerilatedDesign(unit); }
   void invert(const std::string& result) {
     const std::string assign = "assign " + result + " = ";
-    const std::size_t at = verilog.find(assign);
+    const std::size_t at = unit.verilog.find(assign);
     ASSERT_NE(at, std::string::npos);
     const std::size_t from = at + assign.size();
-    const std::size_t to = verilog.find(';', from);
-    verilog.replace(from, to - from, "~(" + verilog.substr(from, to - from) + ")");
+    const std::size_t to = unit.verilog.find(';', from);
+    unit.verilog.replace(from, to - from, "~(" + unit.verilog.substr(from, to - from) + ")");
   }
 
   const rtl::Design design = rtl::two_boxes();
   const rtl::Format format = design.default_format;
-  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), rtl::Library::thesis());
-  std::string verilog = rtl::to_verilog(pipeline, rtl::Library::thesis(),
-                                        {.module_name = "two_boxes", .bits = rtl::to_string(format)});
+  Unit unit = make_unit(design, format, rtl::Library::thesis());
 };
 
 TEST_F(SeveralResults, AreThoseOfTheCpp) {
   for (const char* const bits : {"6/6", "9/11"}) {
     const rtl::Format at = design.parse_format(bits);
-    const VerilatedDesign verilated(design, at, rtl::Library::thesis());
+    const VerilatedDesign verilated(make_unit(design, at, rtl::Library::thesis()));
     ASSERT_EQ(verilated.results().size(), 3U);
     Model model(verilated);
     const std::vector<rtl::Vector> vectors =
@@ -69,18 +66,12 @@ TEST_F(SeveralResults, AreThoseOfTheCpp) {
   }
 }
 
-VectorResult checked(const rtl::Design& design, const rtl::Format& format, const VerilatedDesign& verilated) {
-  const std::vector<rtl::Port> ports = design.ports(format);
-  const rtl::Demands none;
-  return check_vectors({.verilated = &verilated,
-                        .evaluate = design.evaluate(format),
-                        .ports = &ports,
-                        .demands = &none,
-                        .vectors = 2000});
+VectorResult checked(const VerilatedDesign& verilated) {
+  return check_vectors({.verilated = &verilated, .vectors = 2000});
 }
 
 TEST_F(SeveralResults, AgreeInAVectorCheck) {
-  const VectorResult result = checked(design, format, built());
+  const VectorResult result = checked(built());
   EXPECT_EQ(result.mismatches, 0U) << result.first_mismatch;
   EXPECT_EQ(result.vectors, 2000U);
 }
@@ -137,7 +128,7 @@ class WrongResult : public SeveralResults, public testing::WithParamInterface<co
 TEST_P(WrongResult, IsFound) {
   invert(GetParam());
   const VerilatedDesign damaged = built();
-  const VectorResult vectors = checked(design, format, damaged);
+  const VectorResult vectors = checked(damaged);
   EXPECT_EQ(vectors.mismatches, 2000U);
   EXPECT_THAT(vectors.first_mismatch, testing::ContainsRegex("^entry -?[0-9]+ hit_a [01] hit_b [01] tag 0, "
                                                              "expected entry -?[0-9]+ hit_a [01] hit_b [01] "
@@ -151,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Results, WrongResult, testing::Values("entry", "hit_a",
 UnitCounts traced(const rtl::Evaluate::Run cpp) {
   const rtl::Design design = rtl::design_of<hls::SlabsWithEntry>();
   const rtl::Format format = hls::IntBits{12, 12};
-  const VerilatedDesign verilated(design, format, rtl::Library::thesis());
+  const VerilatedDesign verilated(make_unit(design, format, rtl::Library::thesis()));
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const auto feed = make_feed(rtl::find_design("int_slabs"), format, bvh);
@@ -199,6 +190,14 @@ TEST_F(SeveralResults, OfTwoBoxesTraceNoSceneWithAFeedForOne) {
               static_cast<void>(make_feed(design, hls::IntBits{12, 12}, bvh));
             }),
             "design two_boxes: answers for 2 boxes at a time, and its feed is for one");
+}
+
+TEST(AddDesign, RefusesANameThatIsTakenAndAddsNothing) {
+  const rtl::Design taken = rtl::designs().front();
+  const std::size_t before = rtl::designs().size();
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { add_design(taken, {}); }),
+            "design " + std::string(taken.name) + ": its software is known already");
+  EXPECT_EQ(rtl::designs().size(), before);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ struct Held {
 
 SlotReport slot_traffic(const VerilatedDesign& design, const rtl::Evaluate& evaluate,
                         const std::vector<Operands>& vectors, std::uint64_t tests, std::uint64_t seed) {
-  const rtl::RaySlots& memory = design.ray_slots().value();
+  const rtl::RaySlots& memory = design.unit().ray_slots.value();
   std::mt19937_64 random(seed);
   const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
   const auto one_in = [&](std::size_t count) { return below(count) == 0; };

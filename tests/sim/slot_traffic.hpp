@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/verilated_design.hpp"
+#include "sim/unit/verilated_design.hpp"
 
 namespace hitpipe::sim {
 

@@ -1,5 +1,5 @@
 // A tool is what its variable names, and is known by what it prints about its version.
-#include "sim/tool.hpp"
+#include "sim/model/tool.hpp"
 
 #include <gtest/gtest.h>
 

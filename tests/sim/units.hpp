@@ -11,13 +11,15 @@
 #include <string_view>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "hls/box/fp_format.hpp"
 #include "hls/box/major_format.hpp"
-#include "sim/verilated_design.hpp"
+#include "sim/unit/verilated_design.hpp"
 
 namespace hitpipe::sim {
 
-struct Unit {
+struct TestedUnit {
   std::string_view name;
   rtl::Format format;
 
@@ -37,11 +39,11 @@ struct Unit {
   }
 };
 
-inline std::vector<Unit> units() {
+inline std::vector<TestedUnit> units() {
   const rtl::Format others[] = {hls::IntBits{24, 24}, hls::IntBits{16, 16}, hls::IntBits{12, 12},
                                 hls::IntBits{6, 6},   hls::IntBits{32, 63}, hls::MajorBits{8, 3, 6, -1},
                                 hls::FpBits{5, 10},   hls::FpBits{3, 2}};
-  std::vector<Unit> all;
+  std::vector<TestedUnit> all;
   for (const rtl::Design& design : rtl::designs()) {
     const rtl::Format& own = design.default_format;
     all.push_back({design.name, own});
@@ -52,14 +54,14 @@ inline std::vector<Unit> units() {
 }
 
 /// Those whose tests are of one box each.
-inline std::vector<Unit> units_of_one_box() {
-  std::vector<Unit> all = units();
-  std::erase_if(all, [](const Unit& unit) { return unit.design().kind.objects > 1; });
+inline std::vector<TestedUnit> units_of_one_box() {
+  std::vector<TestedUnit> all = units();
+  std::erase_if(all, [](const TestedUnit& unit) { return unit.design().kind.objects > 1; });
   return all;
 }
 
 /// The name of a test, for example "int_slabs_24_24" or "int_major_8_3_6fm1".
-inline std::string test_name(const Unit& unit) {
+inline std::string test_name(const TestedUnit& unit) {
   std::string format = rtl::to_string(unit.format);
   for (char& letter : format) {
     if (letter == '/' || letter == '+') letter = '_';
@@ -69,13 +71,24 @@ inline std::string test_name(const Unit& unit) {
 }
 
 /// Prints a unit for GoogleTest.
-inline void PrintTo(const Unit& unit, std::ostream* out) {
+inline void PrintTo(const TestedUnit& unit, std::ostream* out) {
   *out << test_name(unit);
 }
 
-inline const VerilatedDesign& verilated(const Unit& unit) {
+/// With `good` in its Verilog replaced by `bad`.
+inline Unit damaged(Unit unit, const std::string& good, const std::string& bad) {
+  const std::size_t at = unit.verilog.find(good);
+  EXPECT_NE(at, std::string::npos) << good;
+  if (at != std::string::npos) unit.verilog.replace(at, good.size(), bad);
+  return unit;
+}
+
+inline const VerilatedDesign& verilated(const TestedUnit& unit) {
   static std::map<std::string, VerilatedDesign> known;
-  return known.try_emplace(test_name(unit), unit.design(), unit.format, rtl::Library::thesis()).first->second;
+  const std::string name = test_name(unit);
+  const auto found = known.find(name);
+  if (found != known.end()) return found->second;
+  return known.try_emplace(name, make_unit(unit.design(), unit.format, rtl::Library::thesis())).first->second;
 }
 
 }  // namespace hitpipe::sim

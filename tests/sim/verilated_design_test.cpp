@@ -32,17 +32,17 @@ constexpr int share_of_other_units = 20;
 
 using Vectors = std::vector<std::vector<std::int64_t>>;
 
-class VerilatedUnit : public testing::TestWithParam<Unit> {
+class VerilatedUnit : public testing::TestWithParam<TestedUnit> {
  protected:
   /// Runs the vectors in batches of different traffic and returns the results.
-  TestbenchReport run(const std::string& name, const Vectors& vectors, std::uint64_t seed) {
-    TestbenchReport all;
+  DriveReport run(const std::string& name, const Vectors& vectors, std::uint64_t seed) {
+    DriveReport all;
     const std::size_t batch = (vectors.size() + traffics.size() - 1) / traffics.size();
     for (std::size_t i = 0; i < traffics.size(); ++i) {
       const auto from = vectors.begin() + static_cast<std::ptrdiff_t>(std::min(i * batch, vectors.size()));
       const auto to =
           vectors.begin() + static_cast<std::ptrdiff_t>(std::min((i + 1) * batch, vectors.size()));
-      all += drive(model_, ports_, evaluate_, Vectors(from, to), traffics[i], seed + i, seed);
+      all += sent(Vectors(from, to), traffics[i], seed + i, seed);
     }
     std::printf("%9llu %9llu %9llu %7llu  %s\n", static_cast<unsigned long long>(all.received),
                 static_cast<unsigned long long>(all.hits), static_cast<unsigned long long>(all.stalls),
@@ -54,6 +54,10 @@ class VerilatedUnit : public testing::TestWithParam<Unit> {
     EXPECT_GT(all.stalls, vectors.size() / 4) << name;
     return all;
   }
+  DriveReport sent(const Vectors& vectors, const Traffic& traffic, std::uint64_t seed = first_seed,
+                   std::uint64_t vector_seed = first_seed) {
+    return drive_all(model_, vectors, traffic, seed, vector_seed);
+  }
   [[nodiscard]] int count(int of_the_thesis) const {
     return GetParam().of_the_thesis() ? of_the_thesis : of_the_thesis / share_of_other_units;
   }
@@ -64,7 +68,6 @@ class VerilatedUnit : public testing::TestWithParam<Unit> {
 
   const VerilatedDesign& design_ = verilated(GetParam());
   const std::vector<rtl::Port> ports_ = GetParam().ports();
-  const rtl::Evaluate evaluate_ = GetParam().evaluate();
   Model model_{design_};
 };
 
@@ -76,8 +79,7 @@ TEST_P(VerilatedUnit, AgreesOnNamedCorners) {
                                                                           : 13 * 2;
   EXPECT_EQ(corners.size(), intended);
   for (const CornerVector& corner : corners) {
-    const TestbenchReport report =
-        drive(model_, ports_, evaluate_, {corner.operands}, traffics[0], first_seed, 0);
+    const DriveReport report = sent({corner.operands}, traffics[0], first_seed, 0);
     EXPECT_TRUE(report.clean()) << corner.name << ": " << report.first_failure;
     EXPECT_EQ(report.received, 1U) << corner.name;
   }
@@ -85,12 +87,12 @@ TEST_P(VerilatedUnit, AgreesOnNamedCorners) {
 
 TEST_P(VerilatedUnit, AgreesOnTheAdversary) {
   print_head();
-  TestbenchReport all;
+  DriveReport all;
   std::uint64_t seed = first_seed;
   const auto size = static_cast<std::uint64_t>(count(vectors_per_category));
   for (const auto& category : ref::adversary::categories()) {
     const Vectors vectors = adversary_vectors(GetParam(), category, static_cast<int>(size), seed += 100);
-    const TestbenchReport report = run(std::string(category.name), vectors, seed);
+    const DriveReport report = run(std::string(category.name), vectors, seed);
     EXPECT_GT(report.hits, size / 50) << category.name;
     all += report;
   }
@@ -104,13 +106,11 @@ TEST_P(VerilatedUnit, AgreesOnRawCornersAndRandomOperands) {
   print_head();
   const int raw = count(raw_vectors);
   const int any = count(random_vectors);
-  const TestbenchReport corners =
-      run("raw corners", raw_corner_vectors(GetParam(), raw, first_seed), first_seed);
+  const DriveReport corners = run("raw corners", raw_corner_vectors(GetParam(), raw, first_seed), first_seed);
   EXPECT_EQ(corners.received, static_cast<std::uint64_t>(raw));
-  const TestbenchReport random =
-      run("random", rtl::operand_vectors(ports_, any, first_seed), first_seed + 100);
+  const DriveReport random = run("random", rtl::operand_vectors(ports_, any, first_seed), first_seed + 100);
   EXPECT_EQ(random.received, static_cast<std::uint64_t>(any));
-  for (const TestbenchReport& report : {corners, random}) {
+  for (const DriveReport& report : {corners, random}) {
     EXPECT_GT(report.hits, report.received / 200);
     EXPECT_LT(report.hits, report.received - report.received / 200);
   }
@@ -140,8 +140,7 @@ TEST_P(VerilatedUnit, ResetEmptiesThePipeline) {
         model_.cycle(nullptr, pins);
         EXPECT_FALSE(pins.out_valid) << taken << " tests in flight, " << i << " cycles after reset";
       }
-      const TestbenchReport report =
-          drive(model_, ports_, evaluate_, vectors, traffics[3], first_seed, first_seed);
+      const DriveReport report = sent(vectors, traffics[3]);
       EXPECT_TRUE(report.clean()) << report.first_failure;
       EXPECT_EQ(report.received, vectors.size());
     }
@@ -183,8 +182,7 @@ TEST(VerilatedDesignModel, InstancesDoNotShareState) {
   Model other(verilated(bits));
   Pins pins{.in_valid = true, .out_ready = false, .in_tag = 7};
   one.cycle(vectors[0].data(), pins);  // one test in flight in one of them
-  EXPECT_TRUE(
-      drive(other, ports, int_slabs().evaluate(bits), vectors, traffics[3], first_seed, first_seed).clean());
+  EXPECT_TRUE(drive_all(other, vectors, traffics[3], first_seed, first_seed).clean());
   int answers = 0;
   for (int i = 0; i < 20; ++i) {
     Pins wait;
@@ -201,12 +199,11 @@ TEST(VerilatedDesignModel, OutlivesItsDesignAndMoves) {
   const hls::IntBits bits{20, 24};
   const std::vector<rtl::Port> ports = int_slabs().ports(bits);
   const auto vectors = rtl::operand_vectors(ports, 1000, first_seed);
-  auto design = std::make_unique<VerilatedDesign>(int_slabs(), bits, rtl::Library::thesis());
+  auto design = std::make_unique<VerilatedDesign>(make_unit(int_slabs(), bits, rtl::Library::thesis()));
   Model first(*design);
   design.reset();
   Model second(std::move(first));
-  EXPECT_TRUE(
-      drive(second, ports, int_slabs().evaluate(bits), vectors, traffics[0], first_seed, first_seed).clean());
+  EXPECT_TRUE(drive_all(second, vectors, traffics[0], first_seed, first_seed).clean());
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/prune/prune.hpp"
-#include "rtl_gen/verilog/module.hpp"
 #include "sim/fit/vector_check.hpp"
 #include "tests/rtl_gen/prune/demand_sets.hpp"
 
@@ -19,20 +18,12 @@ bool run(const char* name, std::uint64_t vectors) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Format format = design.default_format;
   const rtl::Library& library = rtl::Library::thesis();
-  const rtl::Graph traced = design.trace(format);
   const rtl::Demands demands = rtl::demand_sets(design, format).back().demands;
-  const rtl::Pipeline pipeline =
-      rtl::make_pipeline(rtl::prune(traced, demands, {.shares = false}).graph, library);
-  const sim::VerilatedDesign verilated(
-      design, format, pipeline,
-      rtl::to_verilog(pipeline, library, {.module_name = name, .bits = to_string(format)}), name);
-  const std::vector<rtl::Port> ports = rtl::input_ports(traced);
-  const sim::VectorResult result = sim::check_vectors({.verilated = &verilated,
-                                                       .evaluate = design.evaluate(format),
-                                                       .ports = &ports,
-                                                       .demands = &demands,
-                                                       .vectors = vectors,
-                                                       .seed = 2011});
+  rtl::Pipeline pipeline =
+      rtl::make_pipeline(rtl::prune(design.trace(format), demands, {.shares = false}).graph, library);
+  const sim::VerilatedDesign verilated(sim::make_unit(design, format, library, std::move(pipeline), demands));
+  const sim::VectorResult result =
+      sim::check_vectors({.verilated = &verilated, .vectors = vectors, .seed = 2011});
   fmt::print("{} {}: {} vectors through the Verilog, {} hits, {} mismatches {}\n", name, to_string(format),
              result.vectors, result.hits, result.mismatches, result.first_mismatch);
   return result.mismatches == 0 && result.vectors >= vectors;

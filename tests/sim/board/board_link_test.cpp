@@ -8,7 +8,7 @@
 
 #include "sim/board/board_tests.hpp"
 #include "sim/board/packed_bits.hpp"
-#include "sim/wrong_hardware.hpp"
+#include "sim/cosim/counts.hpp"
 #include "tests/message_of.hpp"
 #include "tests/pseudo_terminal.hpp"
 #include "tests/sim/board/served_board.hpp"

@@ -20,7 +20,7 @@ struct BoardUnderTest {
   std::function<bool(std::uint64_t)> loses = [](std::uint64_t) { return false; };
 };
 
-inline SimulatedBoard::Setup setup_of(const BoardUnderTest& board) {
+inline SimulatedBoard::Options setup_of(const BoardUnderTest& board) {
   const rtl::Design& design = rtl::find_design(board.design);
   const rtl::Format format = design.parse_format(board.bits);
   const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), rtl::Library::thesis());

@@ -187,7 +187,7 @@ TEST(Check, RobustFloatSlabsMissLessThanTheThesisForm) {
   const CheckOptions options{.categories = all_categories(), .tests = 500'000, .seed = seed};
   const CategoryResult plain = sum_of(check(
       [] { return make_box_test(rtl::find_design("fp_slabs"), rtl::Format(hls::Binary32{})); }, options));
-  const CategoryResult robust = sum_of(check(robust_float_slabs_test, options));
+  const CategoryResult robust = sum_of(check(ize_slabs_test, options));
   fmt::print("seed {}: of {} hits the thesis's form misses {}, the robust one {}\n", seed, plain.hits,
              plain.false_misses, robust.false_misses);
   EXPECT_EQ(robust.hits, plain.hits);
@@ -217,7 +217,7 @@ TEST(Check, IntegerDesignsNeverMissInTenMillionTests) {
 }
 
 /// Every answer is wrong: a Verilator that edits its input file and then calls the real one.
-VerilatedDesign inverted(const Unit& unit) {
+VerilatedDesign inverted(const TestedUnit& unit) {
   const TemporaryFolder folder;
   const char* const real = std::getenv("VERILATOR");
   folder.write_program("verilator", fmt::format(R"(#!/bin/sh
@@ -231,10 +231,10 @@ exec {} "$@"
 )",
                                                 real == nullptr ? "verilator" : real));
   const EnvironmentValue verilator("VERILATOR", folder.path() / "verilator");
-  return {unit.design(), unit.format, rtl::Library::thesis()};
+  return VerilatedDesign(make_unit(unit.design(), unit.format, rtl::Library::thesis()));
 }
 
-CategoryResult judged_with(const Unit& unit, const VerilatedDesign& rtl, int threads,
+CategoryResult judged_with(const TestedUnit& unit, const VerilatedDesign& rtl, int threads,
                            std::uint64_t tests = 27U * 2048U) {
   return sum_of(
       check([&] { return make_box_test(unit.design(), unit.format); },
@@ -242,7 +242,7 @@ CategoryResult judged_with(const Unit& unit, const VerilatedDesign& rtl, int thr
 }
 
 TEST(CheckOfTheVerilog, AnswersEveryTestAsTheCpp) {
-  for (const Unit& unit : units()) {
+  for (const TestedUnit& unit : units()) {
     if (!unit.of_the_thesis()) continue;
     for (const int threads : {1, 2}) {
       const CategoryResult sum = judged_with(unit, verilated(unit), threads);
@@ -253,7 +253,7 @@ TEST(CheckOfTheVerilog, AnswersEveryTestAsTheCpp) {
 }
 
 TEST(CheckOfTheVerilog, CountsEveryWrongAnswer) {
-  const Unit unit{"int_slabs", hls::IntBits{12, 12}};
+  const TestedUnit unit{"int_slabs", hls::IntBits{12, 12}};
   const CategoryResult sum = judged_with(unit, inverted(unit), 2);
   EXPECT_EQ(sum.tests, 27U * 2048U);
   EXPECT_EQ(sum.rtl_mismatches, sum.tests);
@@ -261,7 +261,7 @@ TEST(CheckOfTheVerilog, CountsEveryWrongAnswer) {
 }
 
 TEST(CheckOfTheVerilog, CountsEveryWrongAnswerOfAShortBatch) {
-  const Unit unit{"int_slabs", hls::IntBits{12, 12}};
+  const TestedUnit unit{"int_slabs", hls::IntBits{12, 12}};
   const CategoryResult sum = judged_with(unit, inverted(unit), 2, 1000);
   EXPECT_EQ(sum.tests, 1000U);
   EXPECT_EQ(sum.rtl_mismatches, 1000U);

@@ -104,7 +104,7 @@ bool some_false_miss(const FpBits& bits, const Change& change) {
   return false;
 }
 
-TEST(FpSlabsSafeSetUp, ZerosOfTheWrongSignMiss) {
+TEST(FpSlabsSafeSetup, ZerosOfTheWrongSignMiss) {
   const FpBits bits(8, 15);
   const Case c{{glm::vec3(-0.0F, 0.0F, 0.0F), glm::vec3(-1.0F, 0.5F, 0.0F), ref::Ray::infinite},
                {glm::vec3(0.0F), glm::vec3(0.0F)}};
@@ -114,7 +114,7 @@ TEST(FpSlabsSafeSetUp, ZerosOfTheWrongSignMiss) {
   }));
 }
 
-TEST(FpSlabsSafeSetUp, EachStepIsNeeded) {
+TEST(FpSlabsSafeSetup, EachStepIsNeeded) {
   const FpBits bits(8, 15);
   EXPECT_FALSE(some_false_miss(bits, no_change));
   using hls::Role;

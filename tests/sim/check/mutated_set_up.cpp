@@ -21,9 +21,9 @@ constexpr std::size_t endpoint_x = 3;
 constexpr std::size_t direction_x = 6;
 constexpr std::size_t pluecker_rinf = 9;
 
-class MutatedSetUp final : public BoxTest {
+class MutatedSetup final : public BoxTest {
  public:
-  MutatedSetUp(const rtl::Design& design, const rtl::Format& format, SetUpFault fault)
+  MutatedSetup(const rtl::Design& design, const rtl::Format& format, SetupFault fault)
       : right_(make_box_test(design, format)),
         evaluate_(design.evaluate(format)),
         format_(format),
@@ -44,7 +44,7 @@ class MutatedSetUp final : public BoxTest {
   std::unique_ptr<BoxTest> right_;
   rtl::Evaluate evaluate_;
   rtl::Format format_;
-  SetUpFault fault_;
+  SetupFault fault_;
   Ray ray_;
   std::vector<std::int64_t> operands_;
 };
@@ -78,8 +78,8 @@ double endpoint(const Ray& ray, std::size_t axis) {
 }  // namespace
 
 std::unique_ptr<BoxTest> mutated_set_up(const rtl::Design& design, const rtl::Format& format,
-                                        SetUpFault fault) {
-  return std::make_unique<MutatedSetUp>(design, format, fault);
+                                        SetupFault fault) {
+  return std::make_unique<MutatedSetup>(design, format, fault);
 }
 
 void half_unit_left_out(const Ray& /*ray*/, const Aabb& box, const rtl::Format& format, Operands in) {

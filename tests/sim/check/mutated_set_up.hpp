@@ -11,12 +11,12 @@
 namespace hitpipe::sim {
 
 using Operands = std::span<std::int64_t>;
-using SetUpFault = void (*)(const ref::Ray& ray, const ref::Aabb& box, const rtl::Format& format,
+using SetupFault = void (*)(const ref::Ray& ray, const ref::Aabb& box, const rtl::Format& format,
                             Operands in);
 
 /// The design with a fault in its set-up.
 [[nodiscard]] std::unique_ptr<BoxTest> mutated_set_up(const rtl::Design& design, const rtl::Format& format,
-                                                      SetUpFault fault);
+                                                      SetupFault fault);
 
 // Both designs.
 void half_unit_left_out(const ref::Ray& ray, const ref::Aabb& box, const rtl::Format& format, Operands in);

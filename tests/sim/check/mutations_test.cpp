@@ -50,7 +50,7 @@ Formats major(std::initializer_list<hls::MajorBits> bits) {
 struct Mutation {
   const char* name;
   const char* design;
-  SetUpFault set_up = nullptr;
+  SetupFault set_up = nullptr;
   GraphFault datapath = nullptr;
   Formats formats = thesis();
   std::string_view category = "";  ///< drawn alone; empty: all are drawn

@@ -14,7 +14,7 @@ namespace hitpipe::sim::rescale_test {
 namespace {
 
 constexpr int side = 64;
-constexpr PictureOptions small{.width = side, .height = side, .threads = 2, .unit = {}};
+constexpr PictureOptions small{.width = side, .height = side, .threads = 2};
 
 /// Equal bit for bit.
 void expect_same(const Picture& picture, const Picture& original, const char* what) {
@@ -46,9 +46,9 @@ TEST(Rescale, PowersOfTwoMoveNoBit) {
 TEST(Rescale, PowersOfTwoMoveNoBitThroughTheVerilog) {
   const ref::SceneDescription scene = ref::spheres();
   const rtl::Design& design = rtl::find_design("int_slabs");
-  const VerilatedDesign verilated(design, hls::IntBits{20, 24}, rtl::Library::thesis());
+  const VerilatedDesign verilated(make_unit(design, hls::IntBits{20, 24}, rtl::Library::thesis()));
   PictureOptions options = small;
-  options.unit = {.design = &design, .format = hls::IntBits{20, 24}, .verilated = &verilated};
+  options.verilated = &verilated;
   const Picture original = picture(scene, small);
   for (const double scale : {0x1p-100, 1.0, 0x1p100, 0.1}) {
     const MovedScene scaled = moved(scene, {.scale = scale});

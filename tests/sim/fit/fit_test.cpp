@@ -12,8 +12,9 @@
 #include "hls/box/major_format.hpp"
 #include "host/files.hpp"
 #include "rtl_gen/emit/manifest.hpp"
-#include "sim/cosim.hpp"
+#include "sim/cosim/cosim.hpp"
 #include "sim/generic_tracer.hpp"
+#include "sim/unit/verilated_design.hpp"
 #include "tests/rtl_gen/tool.hpp"
 #include "tests/sw_ref/quantise/demand_scenes.hpp"
 
@@ -47,19 +48,12 @@ std::map<std::string, std::string> by_name(const rtl::EmittedDesign& emitted) {
 }
 
 CosimResult run(const FittedUnit& unit, const World& world, const World& fitted_to) {
-  const rtl::EmittedDesign files = fitted_files(unit, library());
-  const VerilatedDesign verilated(*unit.design, unit.format, unit.pipeline, files.verilog.contents,
-                                  files.module);
-  const OperandGuard guard(unit.demands, unit.ports);
-  return cosimulate(*unit.design, unit.format, verilated, world.scene, world.bvh,
+  return cosimulate(VerilatedDesign(unit), world.scene, world.bvh,
                     {.width = World::width,
                      .height = World::height,
                      .threads = 2,
                      .referee = true,
-                     .coarse = unit.coarse(),
-                     .ends = unit.ends(),
-                     .scene_demands = &fitted_to.demands,
-                     .guard = &guard});
+                     .scene_demands = &fitted_to.demands});
 }
 
 struct Case {

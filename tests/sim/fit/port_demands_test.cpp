@@ -16,8 +16,8 @@
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/facts.hpp"
 #include "sim/fit/float_range.hpp"
-#include "sim/fit/guarded_feed.hpp"
 #include "sim/fit/port_ranges.hpp"
+#include "sim/unit/unit.hpp"
 #include "sw_ref/quantise/float_ray.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
@@ -300,11 +300,11 @@ TEST(PortRanges, HoldOriginsAndBoxesOnCoarseAxes) {
 
 TEST(Guard, NamesPortNumberAndDemand) {
   const std::vector<rtl::Port> ports{{"a", 8, true}, {"b", 8, true}};
-  const OperandGuard guard({{{"b", {{-9, -1}, {1, 9}}}, {"a", {{-128, 127}}, 1}}, {{"a", "b"}}}, ports);
+  const DemandGuard guard({{{"b", {{-9, -1}, {1, 9}}}, {"a", {{-128, 127}}, 1}}, {{"a", "b"}}}, ports);
   const auto said = [&](std::int64_t a, std::int64_t b) -> std::string {
     const std::int64_t operands[] = {a, b};
     try {
-      guard.check(operands);
+      guard(operands);
     } catch (const std::out_of_range& error) {
       return error.what();
     }

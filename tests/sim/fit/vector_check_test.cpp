@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/fit/fit.hpp"
+#include "tests/sim/units.hpp"
 #include "tests/sw_ref/quantise/demand_scenes.hpp"
 
 namespace hitpipe::sim::vector_check_test {
@@ -18,26 +19,13 @@ constexpr std::uint64_t vectors = 20'000;
 /// int_slabs for the flat hills, where axis y is narrow.
 class Vectors : public testing::Test {
  protected:
-  Vectors() : unit_(made()), verilog_(fitted_files(unit_, rtl::Library::thesis()).verilog.contents) {}
-
   [[nodiscard]] VectorResult sent(std::uint64_t count = vectors, std::uint64_t seed = 1) const {
-    const VerilatedDesign verilated(*unit_.design, unit_.format, unit_.pipeline, verilog_,
-                                    unit_.design->module_at(unit_.format));
-    return check_vectors({.verilated = &verilated,
-                          .evaluate = unit_.design->evaluate(unit_.format),
-                          .ports = &unit_.ports,
-                          .demands = &unit_.demands,
-                          .vectors = count,
-                          .seed = seed});
-  }
-  void damage(const std::string& good, const std::string& bad) {
-    const std::size_t at = verilog_.find(good);
-    ASSERT_NE(at, std::string::npos) << good;
-    verilog_.replace(at, good.size(), bad);
+    const VerilatedDesign verilated(unit_);
+    return check_vectors({.verilated = &verilated, .vectors = count, .seed = seed});
   }
 
  private:
-  static FittedUnit made() {
+  static Unit made() {
     const ref::Scene scene = ref::flat_hills();
     const ref::Bvh bvh = ref::build_bvh(scene.mesh);
     return fit(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, std::nullopt,
@@ -45,8 +33,7 @@ class Vectors : public testing::Test {
   }
 
  protected:
-  const FittedUnit unit_;
-  std::string verilog_;
+  Unit unit_ = made();
 };
 
 TEST_F(Vectors, AgreeAndHalfOfThemHit) {
@@ -71,7 +58,7 @@ TEST_F(Vectors, NoneAskedForNoneSent) {
 }
 
 TEST_F(Vectors, FindAnotherTestsTag) {
-  damage("tag_s1 <= tag_s0", "tag_s1 <= in_tag");
+  unit_ = damaged(unit_, "tag_s1 <= tag_s0", "tag_s1 <= in_tag");
   const VectorResult result = sent(1000);
   EXPECT_EQ(result.vectors, 1000U);
   EXPECT_GT(result.mismatches, 0U);
@@ -79,7 +66,7 @@ TEST_F(Vectors, FindAnotherTestsTag) {
 }
 
 TEST_F(Vectors, FindLostTests) {
-  damage("else if (advance) valid", "else if (advance & ~valid[0]) valid");
+  unit_ = damaged(unit_, "else if (advance) valid", "else if (advance & ~valid[0]) valid");
   const VectorResult result = sent(1000);
   EXPECT_GT(result.mismatches, 0U);
   EXPECT_NE(result.first_mismatch, "");

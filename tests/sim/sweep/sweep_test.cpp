@@ -13,7 +13,7 @@
 
 #include "area_model/price.hpp"
 #include "hls/box/major_format.hpp"
-#include "sim/cosim.hpp"
+#include "sim/cosim/cosim.hpp"
 #include "sim/fit/fit.hpp"
 #include "sim/generic_tracer.hpp"
 #include "sim/sweep/rows_file.hpp"
@@ -56,9 +56,9 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     const SweepRow& row = rows[i];
     const SweepPoint& point = points[i];
     SCOPED_TRACE(row.design + " " + row.bits);
-    const VerilatedDesign verilated(*point.design, point.format, rtl::Library::thesis());
+    const VerilatedDesign verilated(make_unit(*point.design, point.format, rtl::Library::thesis()));
     const CosimResult counted =
-        cosimulate(*point.design, point.format, verilated, scene, bvh,
+        cosimulate(verilated, scene, bvh,
                    {.width = 24, .height = 16, .rays_in_flight = point.rays_in_flight, .referee = true});
     const area::Price price =
         area::price(*point.design, point.format, rtl::Library::thesis(), area::Account::built);

@@ -1,0 +1,107 @@
+// How a ray walks through a hierarchy with the answers of a unit: for a unit that tests one box at a time,
+// and for one that tests two. Each has a traversal, asks for tests (ask), takes results (answer), and names
+// the boxes that a test answered for (each_box).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "rtl_gen/catalogue/design.hpp"
+#include "sim/feeds/feed.hpp"
+#include "sw_ref/trace/pair_traversal.hpp"
+#include "sw_ref/trace/traversal.hpp"
+
+namespace hitpipe::sim {
+
+struct WalkScene {
+  const SceneFeed* feed;
+  const ref::Bvh* bvh;
+  const ref::Mesh* mesh;
+};
+
+/// The place of a result among those of a design. Throws std::runtime_error, one line, when there is none.
+[[nodiscard]] std::size_t place_of_result(std::span<const hls::Result> results, hls::Meaning meaning,
+                                          int box);
+
+class OneBoxWalk {
+ public:
+  using Traversal = ref::Traversal;
+
+  OneBoxWalk(const WalkScene& scene, std::span<const hls::Result> results)
+      : scene_(scene), hit_(rtl::place_of_hit(results)) {}
+
+  [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray,
+                                ref::Query query) const {
+    rays.start(slot, ray);
+    return {*scene_.bvh, *scene_.mesh, ray, query};
+  }
+  static void ask(RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
+    rays.operands(slot, {traversal.node(), traversal.length()}, operands);
+  }
+  void answer(const RayFeed& /*rays*/, std::size_t /*slot*/, Traversal& traversal,
+              const std::int64_t* results) const {
+    traversal.answer(results[hit_] != 0);
+  }
+  /// Calls visit(box, whether it was hit) for the test that waits for its answer.
+  template <class Visit>
+  void each_box(const Traversal& traversal, const std::int64_t* results, Visit&& visit) const {
+    visit(scene_.bvh->nodes[traversal.node()].box, results[hit_] != 0);
+  }
+
+ private:
+  WalkScene scene_;
+  std::size_t hit_;
+};
+
+class PairWalk {
+ public:
+  using Traversal = ref::PairTraversal<ref::BvhPairs>;
+
+  PairWalk(const WalkScene& scene, std::span<const hls::Result> results);
+
+  [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray,
+                                ref::Query query) const {
+    rays.start(slot, ray);
+    return {
+        {&records_, ref::Leaves(*scene_.mesh, *scene_.bvh)}, ray, query, rays.in_results(slot, ray.length)};
+  }
+  static void ask(RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
+    rays.operands(slot, {traversal.record(), traversal.length(), traversal.parent()}, operands);
+  }
+  void answer(const RayFeed& rays, std::size_t slot, Traversal& traversal,
+              const std::int64_t* results) const {
+    ref::PairAnswer answer;
+    for (std::size_t box = 0; box < 2; ++box) {
+      answer.hit[box] = results[hit_[box]] != 0;
+      answer.interval[box] = {results[near_[box]], results[far_[box]]};
+    }
+    answer.second_first = results[order_] != 0;
+    traversal.answer(answer, [&](float length) { return rays.in_results(slot, length); });
+  }
+  template <class Visit>
+  void each_box(const Traversal& traversal, const std::int64_t* results, Visit&& visit) const {
+    const std::uint32_t first = records_.first_node(traversal.record());
+    for (unsigned box = 0; box < traversal.boxes(); ++box)
+      visit(scene_.bvh->nodes[first + box].box, results[hit_[box]] != 0);
+  }
+
+ private:
+  WalkScene scene_;
+  ref::BvhPairs records_;
+  std::array<std::size_t, 2> hit_, near_, far_;
+  std::size_t order_;
+};
+
+/// Calls call(walk) with the walk that the feed is for.
+template <class Call>
+void with_walk(const WalkScene& scene, std::span<const hls::Result> results, Call&& call) {
+  if (scene.feed->boxes_per_test() == 2) {
+    call(PairWalk(scene, results));
+  } else {
+    call(OneBoxWalk(scene, results));
+  }
+}
+
+}  // namespace hitpipe::sim

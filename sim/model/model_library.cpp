@@ -1,0 +1,204 @@
+#include "sim/model/model_library.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
+#include "host/files.hpp"
+#include "host/process.hpp"
+#include "host/text.hpp"
+#include "sim/model/build_cache.hpp"
+#include "sim/model/tool.hpp"
+#include "sim/pins_source.hpp"
+
+namespace hitpipe::sim {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The operators of a float design stay functions of their own (--inline-mult 1): merged into one function of
+// many thousand instructions they are slower. docs/speed.md has the figures.
+constexpr std::string_view verilator_options =
+    "--cc -O3 --inline-mult 1 --x-assign fast --x-initial fast --noassert -Wno-fatal --Mdir obj";
+// The vectors of g++ gather registers that are apart, and that takes longer.
+constexpr std::string_view compiler_options =
+    "-std=c++17 -O2 -fno-tree-vectorize -DNDEBUG -w -fPIC -fvisibility=hidden -pthread";
+constexpr std::string_view link_options = "-shared -Wl,-Bsymbolic";
+
+/// Verilator's own code, which every model needs.
+constexpr std::array runtime_files{"verilated", "verilated_threads"};
+
+/// $CXX. Without it clang++ where it runs and finds a C++ library, since its models are faster and compile
+/// sooner; otherwise c++.
+Tool find_compiler() {
+  if (host::environment("CXX", "").empty()) {
+    Tool clang{{"clang++"}, ""};
+    clang.version = clang.answer({"--version"});
+    if (!clang.version.empty() &&
+        clang.run({"-E", "-x", "c++", "-include", "cstdint", "/dev/null"}).succeeded())
+      return clang;
+  }
+  return find_tool("CXX", "c++", "g++");
+}
+
+struct Tools {
+  Tool verilator = find_tool("VERILATOR", "verilator", "verilator");
+  Tool compiler = find_compiler();
+
+  [[nodiscard]] std::string identity() const {
+    return fmt::format("{}\n{}\n{}\n{}", verilator.version, compiler.name(), compiler.version,
+                       compiler_options);
+  }
+};
+
+/// Everything that decides the machine code.
+struct Sources {
+  ModelSources model;
+  Tools tools;
+
+  [[nodiscard]] std::string identity() const {
+    return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", tools.identity(), verilator_options, link_options,
+                       pins_source, model.wrapper, model.verilog);
+  }
+};
+
+/// Runs a tool in the folder and writes its output to a log there. When the tool fails, the log stays in the
+/// cache under the name of what was to be built, so that the user can read it. The rest is removed.
+void step(const fs::path& folder, const std::string& what, const Tool& tool,
+          const std::vector<std::string>& arguments) {
+  const host::Outcome outcome = tool.run(arguments, folder);
+  std::ofstream(folder / "log", std::ios::app) << outcome.out << outcome.err;
+  if (outcome.succeeded()) return;
+  const fs::path kept = folder.parent_path() / fmt::format("failed-{}.log", what);
+  std::error_code ignored;
+  fs::rename(folder / "log", kept, ignored);
+  throw std::runtime_error(
+      fmt::format("{}: {}; its output is in {}", tool.name(), outcome.failure(), kept.string()));
+}
+
+/// The compiler's options for files that include Verilator's headers.
+std::vector<std::string> options(const std::string& root) {
+  std::vector<std::string> words = host::words_of(compiler_options);
+  for (const char* const folder : {"/include", "/include/vltstd"}) words.push_back("-I" + root + folder);
+  return words;
+}
+
+void append(std::vector<std::string>& words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+}
+
+/// The folder of Verilator's own code. It is compiled once for all models, because it takes longer than a
+/// model.
+fs::path runtime(const Tools& tools, const std::string& root, const fs::path& cache) {
+  CacheEntry entry{
+      .name = "verilated", .identity = tools.identity() + "\n" + root, .products = {}, .build = {}};
+  std::vector<std::string> call = options(root);
+  call.emplace_back("-c");
+  for (const char* const file : runtime_files) {
+    entry.products.push_back(std::string(file) + ".o");
+    call.push_back(fmt::format("{}/include/{}.cpp", root, file));
+  }
+  entry.build = [&](const fs::path& folder) { step(folder, entry.name, tools.compiler, call); };
+  return cached(entry, cache);
+}
+
+/// The model as one translation unit. Its many small files would each read Verilator's headers again.
+std::string unit_of(const fs::path& folder) {
+  std::vector<std::string> files{"model.cpp"};
+  std::error_code ignored;  // the compiler reports missing files
+  for (const auto& entry : fs::directory_iterator(folder / "obj", ignored)) {
+    if (entry.path().extension() == ".cpp") files.push_back("obj/" + entry.path().filename().string());
+  }
+  std::sort(files.begin(), files.end());
+  std::string text;
+  for (const std::string& file : files) text += fmt::format("#include \"{}\"\n", file);
+  return text;
+}
+
+void build(const Sources& sources, const fs::path& folder, const fs::path& cache) {
+  const std::string& module = sources.model.module;
+  host::write_files(folder, {{module + ".v", sources.model.verilog},
+                             {"model.cpp", sources.model.wrapper},
+                             {"pins.hpp", std::string(pins_source)}});
+  const auto& [verilator, compiler] = sources.tools;
+  std::vector<std::string> verilate = host::words_of(verilator_options);
+  verilate.push_back(module + ".v");
+  step(folder, module, verilator, verilate);
+  const std::string root = verilator.answer({"--getenv", "VERILATOR_ROOT"});
+  if (root.empty())
+    throw std::runtime_error(
+        fmt::format("{}: does not say its VERILATOR_ROOT; set it in the environment", verilator.name()));
+  const fs::path compiled = runtime(sources.tools, root, fs::absolute(cache));
+  host::write_file(folder / "unit.cpp", unit_of(folder));
+  std::vector<std::string> compile = options(root);
+  append(compile, host::words_of(link_options));
+  append(compile, {"-I.", "-Iobj", "-o", "model.so", "unit.cpp"});
+  for (const char* const file : runtime_files) compile.push_back((compiled / file).string() + ".o");
+  step(folder, module, compiler, compile);
+  std::error_code ignored;
+  fs::remove_all(folder / "obj", ignored);
+}
+
+}  // namespace
+
+fs::path default_cache() {
+  const std::string user = host::environment("XDG_CACHE_HOME", host::environment("HOME", "/tmp") + "/.cache");
+  return host::environment("HITPIPE_CACHE", user + "/hitpipe");
+}
+
+ModelLibrary::ModelLibrary(const ModelSources& model, const fs::path& cache) {
+  const Sources sources{model, {}};
+  const fs::path entry = cached({.name = model.module,
+                                 .identity = sources.identity(),
+                                 .products = {"model.so"},
+                                 .build = [&](const fs::path& folder) { build(sources, folder, cache); }},
+                                cache);
+  file_ = entry / "model.so";
+  library_ = dlopen(file_.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library_ == nullptr) fail();
+  try {
+    create_ = entry_point<CreateModel>("hitpipe_create");
+    destroy_ = entry_point<DestroyModel>("hitpipe_destroy");
+  } catch (...) {
+    dlclose(library_);
+    throw;
+  }
+}
+
+ModelLibrary::~ModelLibrary() {
+  dlclose(library_);
+}
+
+void* ModelLibrary::create() const {
+  // Verilator's runtime keeps a buffer for the names of submodules in each thread, and never frees it.
+#ifdef __SANITIZE_ADDRESS__
+  const __lsan::ScopedDisabler disabler;
+#endif
+  return create_();
+}
+
+void* ModelLibrary::symbol(const char* name) const {
+  void* const found = dlsym(library_, name);
+  if (found == nullptr) fail();
+  return found;
+}
+
+void ModelLibrary::fail() const {
+  const char* const reason = dlerror();
+  throw std::runtime_error(fmt::format("{}: cannot be loaded ({}); remove the folder to have it built again",
+                                       file_.parent_path().string(),
+                                       reason == nullptr ? "an entry point is null" : reason));
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,99 @@
+#include "sim/model/model_source.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "hls/num/bits.hpp"
+
+namespace hitpipe::sim {
+
+std::string drive_lines(const std::vector<rtl::Port>& ports, const std::vector<rtl::Port>& operands,
+                        const char* array) {
+  std::string drive;
+  for (const rtl::Port& port : ports) {
+    const auto operand = std::find_if(operands.begin(), operands.end(),
+                                      [&](const rtl::Port& each) { return each.name == port.name; });
+    // A Verilated port must not be given bits above its width.
+    drive += fmt::format("    top.{0} = {3}[{1}] & {2:#x}LL;\n", port.name, operand - operands.begin(),
+                         hls::low_mask(port.width), array);
+  }
+  return drive;
+}
+
+std::string instance_source(const std::string& module, const std::string& includes) {
+  return fmt::format(R"(#include "V{0}.h"
+#include "verilated.h"
+{1}
+namespace {{
+struct Model {{
+  VerilatedContext context;
+  V{0} top{{&context}};
+}};
+}}  // namespace
+
+#define HITPIPE_ENTRY extern "C" __attribute__((visibility("default")))
+
+HITPIPE_ENTRY void* hitpipe_create() {{ return new Model; }}
+HITPIPE_ENTRY void hitpipe_destroy(void* model) {{ delete static_cast<Model*>(model); }}
+)",
+                     module, includes);
+}
+
+MorePins ray_slot_pins(const rtl::RaySlots& slots, const std::vector<rtl::Port>& operands) {
+  return {
+      .drive = fmt::format(R"(  top.ray_valid = pins->rays != nullptr && pins->rays->valid;
+  if (pins->rays != nullptr) top.in_slot = pins->rays->in_slot;
+  if (top.ray_valid) {{
+    const std::int64_t* const ray = pins->rays->operands;
+    top.ray_slot = pins->rays->slot;
+{}{}{}  }}
+)",
+                           slots.end.empty() ? "" : "    top.ray_end_only = pins->rays->end_only;\n",
+                           drive_lines(slots.line, operands, "ray"), drive_lines(slots.end, operands, "ray")),
+      .read = "  if (pins->rays != nullptr) pins->rays->ready = top.ray_ready;\n"};
+}
+
+std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
+                         const std::vector<rtl::Port>& ports, const std::vector<hls::Result>& results,
+                         rtl::FlowControl flow, const MorePins& more) {
+  const bool stalls = flow == rtl::FlowControl::stall;
+  std::string read;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const hls::Result& result = results[i];
+    // A Verilated port is unsigned.
+    const int above = result.is_signed ? 64 - result.width : 0;
+    read += fmt::format(
+        "    pins->results[{0}] = static_cast<std::int64_t>(std::uint64_t{{top.{1}}} << {2}) >> {2};\n", i,
+        result.name, above);
+  }
+  return instance_source(module, R"(
+#include <cstdint>
+
+#include "pins.hpp"
+)") + fmt::format(R"(
+HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitpipe::sim::Pins* pins) {{
+  V{0}& top = static_cast<Model*>(model)->top;
+  top.clk = 0;
+  top.rst = pins->rst;
+  top.in_valid = pins->in_valid;
+  top.in_tag = pins->in_tag;
+{6}  if (pins->in_valid) {{
+{1}  }}
+{4}  top.eval();
+  pins->in_ready = {7};
+  pins->out_valid = top.out_valid;
+  pins->hit = top.{2};
+  pins->out_tag = top.out_tag;
+  if (pins->results != nullptr) {{
+{3}  }}
+{5}  top.clk = 1;
+  top.eval();
+}}
+)",
+                  module, drive_lines(ports, operands, "operands"), results[rtl::place_of_hit(results)].name,
+                  read, more.drive, more.read, stalls ? "  top.out_ready = pins->out_ready;\n" : "",
+                  stalls ? "top.in_ready" : "true");
+}
+
+}  // namespace hitpipe::sim

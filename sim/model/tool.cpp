@@ -1,0 +1,51 @@
+#include "sim/model/tool.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/process.hpp"
+
+namespace hitpipe::sim {
+
+std::string Tool::name() const {
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+host::Outcome Tool::run(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                        std::chrono::milliseconds time_limit) const {
+  std::vector<std::string> all = words;
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  return host::run(all, {.folder = folder, .time_limit = time_limit});
+}
+
+namespace {
+
+std::string without_last_newlines(const std::string& text) {
+  return text.substr(0, text.find_last_not_of('\n') + 1);
+}
+
+}  // namespace
+
+std::string Tool::answer(const std::vector<std::string>& arguments) const {
+  const host::Outcome outcome = run(arguments, {}, host::answering_time);
+  return outcome.succeeded() ? without_last_newlines(outcome.out) : "";
+}
+
+Tool find_tool(const char* variable, const std::string& otherwise, std::string_view package,
+               const std::string& version_option) {
+  Tool tool{host::program_of(variable, otherwise), ""};
+  std::string& program = tool.words.front();
+  if (program.find('/') != std::string::npos) program = std::filesystem::absolute(program).string();
+  const host::Outcome asked = tool.run({version_option}, {}, host::answering_time);
+  if (asked.stopped_after.count() != 0)
+    throw std::runtime_error(fmt::format("{} {}: {}", tool.name(), version_option, asked.failure()));
+  if (asked.succeeded()) tool.version = without_last_newlines(asked.out.empty() ? asked.err : asked.out);
+  if (tool.version.empty())
+    throw std::runtime_error(fmt::format("{}: cannot be run; install the package {} or set {} to the program",
+                                         tool.name(), package, variable));
+  return tool;
+}
+
+}  // namespace hitpipe::sim
