@@ -1,14 +1,14 @@
 // Counts the parts of a scheduled design in each stage, in one of two accounts.
 //   built    all that is emitted: every register, valid and tag bit, and every component at its real width;
 //            on a chip also every gate
-//   printed  as Table 7.2 counts, with its habits (area_model/habits.hpp)
+//   printed  as Table 7.2 counts, with its own ways (area_model/thesis_accounting.hpp)
 // In both accounts `<` and `>` of the same two operands in one stage are one magnitude comparator.
 #pragma once
 
 #include <vector>
 
-#include "area_model/habits.hpp"
 #include "area_model/part.hpp"
+#include "area_model/thesis_accounting.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 

@@ -132,11 +132,11 @@ const std::vector<Entry>& table_7_2() {
   return entries;
 }
 
-const Entry& yardstick() {
+const Entry& baseline_design() {
   return table_7_2().front();
 }
 
-bool can_price_yardstick(const rtl::Library& library) {
+bool can_price_baseline(const rtl::Library& library) {
   return library.has(rtl::Component::fp_subtract) && library.has(rtl::Component::fp_multiply) &&
          library.has(rtl::Component::fp_compare);
 }

@@ -76,8 +76,8 @@ struct Entry {
 [[nodiscard]] const std::vector<Entry>& table_7_2();
 
 /// The first of them, to which its percentages refer.
-[[nodiscard]] const Entry& yardstick();
+[[nodiscard]] const Entry& baseline_design();
 /// Whether a library has what it takes.
-[[nodiscard]] bool can_price_yardstick(const rtl::Library& library);
+[[nodiscard]] bool can_price_baseline(const rtl::Library& library);
 
 }  // namespace hitpipe::area

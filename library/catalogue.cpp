@@ -66,6 +66,13 @@ std::unique_ptr<hitpipe_unit> opened(const char* design_name, const char* format
   return std::make_unique<hitpipe_unit>(design, format);
 }
 
+/// What a function without a status answers: `none` for a null pointer, which hitpipe_error() then names.
+template <class Answer, class Read>
+Answer told(const hitpipe_unit* unit, Answer none, Read&& read) {
+  static_cast<void>(guarded([&] { none = read(given(unit, "unit")); }));
+  return none;
+}
+
 hitpipe_port_info described(const rtl::Port& port) {
   return {.name = port.name.c_str(),
           .width = port.width,
@@ -114,23 +121,23 @@ void hitpipe_close(hitpipe_unit* unit) {
 }
 
 const char* hitpipe_unit_design(const hitpipe_unit* unit) {
-  return unit->name.c_str();
+  return told(unit, "", [](const hitpipe_unit& its) { return its.name.c_str(); });
 }
 
 const char* hitpipe_unit_format(const hitpipe_unit* unit) {
-  return unit->format.c_str();
+  return told(unit, "", [](const hitpipe_unit& its) { return its.format.c_str(); });
 }
 
 int hitpipe_unit_conservative(const hitpipe_unit* unit) {
-  return unit->design->conservative ? 1 : 0;
+  return told(unit, 0, [](const hitpipe_unit& its) { return its.design->conservative ? 1 : 0; });
 }
 
 size_t hitpipe_unit_boxes_per_test(const hitpipe_unit* unit) {
-  return unit->boxes_per_test;
+  return told(unit, std::size_t{0}, [](const hitpipe_unit& its) { return its.boxes_per_test; });
 }
 
 size_t hitpipe_port_count(const hitpipe_unit* unit) {
-  return unit->ports.size();
+  return told(unit, std::size_t{0}, [](const hitpipe_unit& its) { return its.ports.size(); });
 }
 
 hitpipe_status hitpipe_port(const hitpipe_unit* unit, size_t index, hitpipe_port_info* out) {
@@ -142,7 +149,7 @@ hitpipe_status hitpipe_port(const hitpipe_unit* unit, size_t index, hitpipe_port
 }
 
 size_t hitpipe_result_count(const hitpipe_unit* unit) {
-  return unit->results.size();
+  return told(unit, std::size_t{0}, [](const hitpipe_unit& its) { return its.results.size(); });
 }
 
 hitpipe_status hitpipe_result(const hitpipe_unit* unit, size_t index, hitpipe_result_info* out) {

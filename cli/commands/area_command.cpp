@@ -10,8 +10,6 @@
 #include "area_model/price.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/design_options.hpp"
-#include "cli/options/flow_control_option.hpp"
-#include "cli/options/library_option.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/area_text.hpp"
 #include "cli/text/table.hpp"
@@ -79,7 +77,7 @@ Row unit_row(const Price& p, Format format) {
           {"latency_ns", figure(area::delay_ns(p.latency_ps()), format)}};
 }
 
-std::vector<Row> design_rows(const std::vector<Price>& prices, const std::optional<Price>& yardstick,
+std::vector<Row> design_rows(const std::vector<Price>& prices, const std::optional<Price>& baseline,
                              Format format) {
   const auto share = [&](std::int64_t part, std::int64_t whole) {
     return figure(area::percent(part, whole), format);
@@ -90,10 +88,9 @@ std::vector<Row> design_rows(const std::vector<Price>& prices, const std::option
     Row row = unit_row(p, format);
     row.update(
         {{"area_mm2", figure(area::area_mm2(p.area_um2), format)},
-         {"area_pct", yardstick ? share(p.area_per_box_um2(), yardstick->area_per_box_um2()) : Row(nullptr)},
+         {"area_pct", baseline ? share(p.area_per_box_um2(), baseline->area_per_box_um2()) : Row(nullptr)},
          {"adp_mm2_ns", figure(area::adp_mm2_ns(p), format)},
-         {"adp_pct",
-          yardstick ? share(p.area_delay_per_box(), yardstick->area_delay_per_box()) : Row(nullptr)},
+         {"adp_pct", baseline ? share(p.area_delay_per_box(), baseline->area_delay_per_box()) : Row(nullptr)},
          {"boxes_per_test", p.boxes},
          {"area_per_box_mm2", figure(area::area_mm2(p.area_per_box_um2()), format)}});
     append_parts(row, p.lines, parts);
@@ -187,11 +184,11 @@ void print_prices(const AreaOptions& options) {
                          : table_text(stage_rows(prices, options.format), options.format));
     return;
   }
-  std::optional<Price> yardstick;
-  if (area::can_price_yardstick(library)) yardstick = priced(area::yardstick());
+  std::optional<Price> baseline;
+  if (area::can_price_baseline(library)) baseline = priced(area::baseline_design());
   fmt::print("{}", options.format == Format::text
-                       ? area_text(prices, yardstick)
-                       : table_text(design_rows(prices, yardstick, options.format), options.format));
+                       ? area_text(prices, baseline)
+                       : table_text(design_rows(prices, baseline, options.format), options.format));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/options/build_options.hpp"
 #include "cli/options/scene_options.hpp"
+#include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"

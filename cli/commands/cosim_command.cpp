@@ -9,8 +9,6 @@
 #include "cli/commands.hpp"
 #include "cli/options/build_options.hpp"
 #include "cli/options/design_options.hpp"
-#include "cli/options/flow_control_option.hpp"
-#include "cli/options/library_option.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"

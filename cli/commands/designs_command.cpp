@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 

@@ -13,7 +13,7 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
-#include "cli/report/recommendation.hpp"
+#include "cli/report/sweep_rows.hpp"
 #include "cli/text/fit_text.hpp"
 #include "cli/text/progress.hpp"
 #include "host/files.hpp"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/component/library.hpp"
 

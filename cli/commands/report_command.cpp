@@ -135,7 +135,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                           .options = sweep,
                                           .program = program,
                                           .file = fs::path(command.out) / "rows.csv",
-                                          .shard = {}})
+                                          .more = {}})
                            : take_rows(command.rows, sim::about_sweep(program, scene, bvh, sweep));
   // The rows of a sweep have the cost that it was told, unless the user says another one now.
   if (command.cost.says_triangle())

@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
+#include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/text.hpp"

@@ -6,8 +6,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/design_options.hpp"
-#include "cli/options/flow_control_option.hpp"
-#include "cli/options/library_option.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/component/library.hpp"

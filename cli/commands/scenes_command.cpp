@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
 #include "sw_ref/scene/built_in.hpp"
 

@@ -12,10 +12,9 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
-#include "cli/report/recommendation.hpp"
+#include "cli/report/sweep_rows.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
-#include "cli/text/wrap.hpp"
 #include "sim/cosim/ray_unit.hpp"
 #include "sim/software.hpp"
 #include "sim/sweep/resume.hpp"
@@ -30,8 +29,7 @@ struct SweepCommand {
   std::vector<int> rays_in_flight{32};
   ref::WhittedOptions light;
   CostChoice cost;
-  std::optional<std::string> shard;  ///< as the user wrote it; without: the whole sweep
-  bool merge = false;
+  std::vector<std::string> rows;  ///< files with rows that were measured elsewhere
   std::string out;
   Format format = Format::text;
 };
@@ -45,10 +43,9 @@ std::vector<sim::SweepPoint> plan(const SweepCommand& command, const rtl::Librar
 /// Cells as in the file. In JSON, numbers are numbers.
 Row record(const sim::SweepRow& row) {
   Row record;
-  const std::vector<std::string> cells = sim::to_cells(row);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string_view column = sim::sweep_columns[i];
-    record[std::string(column)] = sim::is_text_column(column) ? Row(cells[i]) : Row::parse(cells[i]);
+  for (const sim::SweepColumn& column : sim::sweep_columns) {
+    const std::string cell = column.cell(row);
+    record[std::string(column.name)] = column.is_text() ? Row(cell) : Row::parse(cell);
   }
   return record;
 }
@@ -112,12 +109,6 @@ int report(const sim::RowsFile& rows, Format format) {
   return exit_code;
 }
 
-int merge(const SweepCommand& command) {
-  const sim::RowsFile rows = sim::join_shards(command.out);
-  sim::write_rows(command.out, rows);
-  return report(rows, command.format);
-}
-
 int sweep(const SweepCommand& command) {
   const rtl::Library library = command.cost.load();
   sim::ResumableSweep sweep{.scene = nullptr,
@@ -131,8 +122,7 @@ int sweep(const SweepCommand& command) {
                                         .triangle = command.cost.triangle(library)},
                             .program = "hitpipe " HITPIPE_VERSION,
                             .file = command.out,
-                            .shard = {}};
-  if (command.shard) sweep.shard = sim::parse_shard(*command.shard);
+                            .more = {command.rows.begin(), command.rows.end()}};
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
@@ -152,7 +142,6 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
       "sweep", "Measure error, run time and area of designs in many formats on a scene; resumable");
   const auto options = std::make_shared<SweepCommand>();
   add_scene_options(*command, options->scene);
-  CLI::Option* const scene = command->get_option("--scene")->required(false);
   add_designs_option(*command, options->units);
   add_bits_option(*command, options->units,
                   "for n/t designs, n from 8 to 32 in steps of 4, each with t of n, n+4 and n+8");
@@ -161,25 +150,16 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
       ->transform(number_from(1, sim::RayUnit::most_rays_in_flight));
   add_bounces_option(*command, options->light);
   add_cost_options(*command, options->cost);
-  CLI::Option* const shard =
-      command
-          ->add_option("--shard", options->shard,
-                       "Do only part I of N and write FILE.I-of-N. mpi: take I and N from mpirun or srun")
-          ->type_name("I/N|mpi");
-  CLI::Option* const merge_flag =
-      command->add_flag("--merge", options->merge, "Join the shards of FILE; measure nothing")
-          ->excludes(shard)
-          ->excludes(scene);
+  add_list_option(*command, "--rows", options->rows,
+                  "Also take the rows of these files, which hitpipe sweep wrote for this scene and size",
+                  "FILE");
   command
       ->add_option("--out", options->out,
                    "File for the rows (.csv); rows that it already holds are not measured again")
       ->required()
       ->type_name("FILE");
   add_format_option(*command, options->format);
-  command->callback([options, scene, merge_flag, &exit_code] {
-    if (merge_flag->count() == 0 && scene->count() == 0) throw CLI::RequiredError("--scene");
-    exit_code = options->merge ? merge(*options) : sweep(*options);
-  });
+  command->callback([options, &exit_code] { exit_code = sweep(*options); });
 }
 
 }  // namespace hitpipe::cli

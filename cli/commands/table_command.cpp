@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/experiment_options.hpp"
+#include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/result_text.hpp"
 #include "sim/thesis/chapter_7.hpp"

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "cli/options/library_option.hpp"
+#include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 
 namespace hitpipe::cli {

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/options/values.hpp"
+#include "rtl_gen/component/library.hpp"
 
 namespace hitpipe::cli {
 
@@ -116,6 +117,27 @@ CLI::Option* add_bits_option(CLI::App& command, DesignsChoice& choice, const std
                                      "for one design. Default: {}",
                                      otherwise),
                          "FORMAT");
+}
+
+void add_library_option(CLI::App& command, std::string& library) {
+  command
+      .add_option("--library", library,
+                  fmt::format("Component library, a built-in one ({}) or a file NAME.json",
+                              fmt::join(rtl::built_in_names(), ", ")))
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+}
+
+CLI::Option* add_flow_control_option(CLI::App& command, rtl::FlowControl& value, const std::string& more) {
+  Choices<rtl::FlowControl> choices;
+  for (const auto flow : {rtl::FlowControl::stall, rtl::FlowControl::none})
+    choices.emplace_back(rtl::flow_control_name(flow), flow);
+  return add_choice_option(
+      command, "--flow-control", value, choices,
+      "stall: valid and ready on both sides, and the pipeline stands still while a result "
+      "waits; none: a result comes a fixed number of cycles after its operands, and "
+      "nothing waits" +
+          more);
 }
 
 }  // namespace hitpipe::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
 #include "sim/sweep/plan.hpp"
 
 namespace CLI {
@@ -54,5 +55,12 @@ struct DesignsChoice {
 CLI::Option* add_designs_option(CLI::App& command, DesignsChoice& choice);
 /// Adds --bits. `otherwise` tells the help which formats are the default.
 CLI::Option* add_bits_option(CLI::App& command, DesignsChoice& choice, const std::string& otherwise);
+
+/// --library. `library` holds the default; rtl::library_called() reads it.
+void add_library_option(CLI::App& command, std::string& library);
+
+/// Adds --flow-control, of commands that make a unit or price one. `more` ends its help.
+CLI::Option* add_flow_control_option(CLI::App& command, rtl::FlowControl& value,
+                                     const std::string& more = "");
 
 }  // namespace hitpipe::cli

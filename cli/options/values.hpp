@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/text/table.hpp"
 #include "host/text.hpp"
 
 namespace hitpipe::cli {
@@ -106,6 +107,13 @@ CLI::Option* add_choice_option(CLI::App& command, const std::string& name, Value
   return command.add_option_function<std::string>(name, choose, what)
       ->type_name(fmt::format("{}", fmt::join(words, "|")))
       ->default_str(present);
+}
+
+/// --format, for what a command prints.
+inline void add_format_option(CLI::App& command, Format& format) {
+  add_choice_option<Format>(command, "--format", format,
+                            {{"text", Format::text}, {"csv", Format::csv}, {"json", Format::json}},
+                            "How to print: text, csv or json");
 }
 
 }  // namespace hitpipe::cli

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/report/gnuplot.hpp"
+#include "cli/report/plot.hpp"
 #include "cli/report/sweep_plot.hpp"
 #include "host/process.hpp"
 #include "rtl_gen/emit/files.hpp"

@@ -1,10 +1,12 @@
 #include "cli/report/report_page.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <regex>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -84,6 +86,26 @@ std::string inline_svg(std::string svg, int number, const std::string& alternati
   return svg.insert(std::min<std::size_t>(4, svg.size()),
                     fmt::format(" role=\"img\" aria-label=\"{}\"", escaped(alternative)));
 }
+
+using Words = std::pair<std::string_view, std::string_view>;
+
+/// The longest endings first.
+constexpr std::array<Words, 10> unit_words{{{"_mm2_ns", ", mm² ns"},
+                                            {"_mm2_ms", ", mm² ms"},
+                                            {"_lut_ms", ", LUT ms"},
+                                            {"_lut", ", LUT"},
+                                            {"_per_million", " in a million"},
+                                            {"_mm2", ", mm²"},
+                                            {"_mhz", ", MHz"},
+                                            {"_pct", ", %"},
+                                            {"_ns", ", ns"},
+                                            {"_ms", ", ms"}}};
+
+constexpr std::array<Words, 5> heading_words{{{"stage delay", "clock period"},
+                                              {"area delay", "area × clock period"},
+                                              {"area run time", "area × run time"},
+                                              {"area per box", "area for each box"},
+                                              {"rtl", "RTL"}}};
 
 }  // namespace
 
@@ -232,6 +254,23 @@ std::string Page::html() const {
       "<h1>{0}</h1>\n<nav "
       "aria-label=\"Contents\"><ul>\n{2}</ul></nav>\n<main>\n{3}</main>\n</body>\n</html>\n",
       escaped(title_), page_style, links, body_);
+}
+
+std::string column_heading(std::string_view column) {
+  std::string unit;
+  for (const auto& [ending, text] : unit_words) {
+    if (!column.ends_with(ending)) continue;
+    unit = text;
+    column.remove_suffix(ending.size());
+    break;
+  }
+  std::string heading(column);
+  std::replace(heading.begin(), heading.end(), '_', ' ');
+  for (const auto& [name, text] : heading_words) {
+    if (const std::size_t at = heading.find(name); at != std::string::npos)
+      heading.replace(at, name.size(), text);
+  }
+  return heading + unit;
 }
 
 }  // namespace hitpipe::cli

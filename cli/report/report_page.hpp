@@ -71,4 +71,8 @@ class Page {
   int drawings_ = 0;
 };
 
+/// A heading in words: a column of a CSV file is called "clock_mhz", on a page "clock, MHz". Text that is no
+/// name of a column stays as it is.
+[[nodiscard]] std::string column_heading(std::string_view column);
+
 }  // namespace hitpipe::cli

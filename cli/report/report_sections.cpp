@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "area_model/figure.hpp"
-#include "cli/report/column_heading.hpp"
-#include "cli/report/recommendation.hpp"
+#include "cli/report/report_page.hpp"
+#include "cli/report/sweep_rows.hpp"
 #include "sw_ref/judge/interval.hpp"
 
 namespace hitpipe::cli {
@@ -141,7 +141,7 @@ void add_findings(Page& page, const ReportFacts& facts, int rays) {
     findings.emplace_back("Least by box tests alone, as the thesis compares", told(*row));
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const sim::SweepRow& unit = rows[row];
-    if (unit.design == area::yardstick().design && unit.rays_in_flight == rays)
+    if (unit.design == area::baseline_design().design && unit.rays_in_flight == rays)
       findings.emplace_back("The yardstick", told(row));
   }
   page.list(findings);
@@ -228,8 +228,8 @@ std::vector<std::string> commands_of(const ReportFacts& facts) {
 
 std::vector<Row> pipeline_rows(const ReportFacts& facts) {
   std::vector<Row> rows;
-  const auto yardstick = std::find_if(facts.prices.begin(), facts.prices.end(), [](const area::Price& p) {
-    return p.design == area::yardstick().design;
+  const auto baseline = std::find_if(facts.prices.begin(), facts.prices.end(), [](const area::Price& p) {
+    return p.design == area::baseline_design().design;
   });
   for (const area::Price& p : facts.prices) {
     Row& row = rows.emplace_back(Row{{"design", p.design},
@@ -244,9 +244,9 @@ std::vector<Row> pipeline_rows(const ReportFacts& facts) {
       continue;
     }
     const auto percent = [&](std::int64_t part, std::int64_t whole) {
-      return yardstick == facts.prices.end() ? Row(nullptr) : Row(area::percent(part, whole));
+      return baseline == facts.prices.end() ? Row(nullptr) : Row(area::percent(part, whole));
     };
-    const area::Price& of = yardstick == facts.prices.end() ? p : *yardstick;
+    const area::Price& of = baseline == facts.prices.end() ? p : *baseline;
     row.update({{"area_mm2", area::area_mm2(p.area_um2)},
                 {"area_pct", percent(p.area_per_box_um2(), of.area_per_box_um2())},
                 {"area_delay_mm2_ns", area::adp_mm2_ns(p)},
@@ -319,8 +319,8 @@ std::string report_html(const ReportFacts& facts) {
   page.heading("Pipelines");
   page.table(page_table(
       fmt::format("The units of Table 7.2, all that is emitted priced by the component library {}; "
-                  "percent of fp_slabs for each box: pipelines.csv.",
-                  rows.front().library),
+                  "percent of {} for each box: pipelines.csv.",
+                  rows.front().library, area::baseline_design().design),
       pipeline_rows(facts)));
 
   page.heading("The sweep");
@@ -353,9 +353,10 @@ std::string report_html(const ReportFacts& facts) {
 
   page.heading("Stiff rays");
   page.paragraph(
-      "A ray is stiff when the components of its direction differ by orders of magnitude. int_slabs gives "
+      "A ray is stiff when the components of its direction differ by orders of magnitude. A unit that gives "
       "all "
-      "three inverse components one scale, so a stiff ray leaves few bits to some axes and accepts boxes in "
+      "three inverse components one scale has few bits left for some axes of such a ray, and accepts boxes "
+      "in "
       "vain; it never misses one. The lines are false_hit_pct of stiffness.csv, rows with boxes \"all\"; the "
       "file has the number of tests and the 95 % interval of each point.");
   page.plot(facts.stiffness_diagram.svg, facts.stiffness_diagram.alternative,

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/report/gnuplot.hpp"
+#include "cli/report/plot.hpp"
 
 namespace hitpipe::cli {
 

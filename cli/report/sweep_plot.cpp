@@ -9,10 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/report/gnuplot.hpp"
-#include "cli/report/log_axis.hpp"
+#include "cli/report/plot.hpp"
 #include "cli/report/sweep_rows.hpp"
-#include "cli/report/unit_marks.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 
 namespace hitpipe::cli {
@@ -30,27 +28,9 @@ constexpr int axis_height = 56;  // numbers and text below the plot
 constexpr int key_line_height = 20;
 constexpr std::size_t key_columns = 3;
 
-struct Style {
-  const char* colour;
-  int mark;  ///< gnuplot's number
-};
-/// By the design's place in the catalogue; no shape twice. They repeat when there are more designs.
-constexpr std::array<Style, 12> styles{{{"#0072B2", 7},
-                                        {"#D55E00", 5},
-                                        {"#806000", 8},
-                                        {"#000000", 13},
-                                        {"#00664B", 10},
-                                        {"#CC79A7", 9},
-                                        {"#56B4E9", 11},
-                                        {"#8C6D31", 15},
-                                        {"#444444", 4},
-                                        {"#7A1F5C", 6},
-                                        {"#004C77", 12},
-                                        {"#8F3F00", 14}}};
-
-const Style& style_of(const std::string& design) {
-  return styles[rtl::place_of(rtl::find_design(design)) % styles.size()];
-}
+constexpr std::array design_colours{"#0072B2", "#D55E00", "#806000", "#000000", "#00664B", "#CC79A7",
+                                    "#56B4E9", "#8C6D31", "#444444", "#7A1F5C", "#004C77", "#8F3F00"};
+constexpr std::array design_shapes{7, 5, 8, 13, 10, 9, 11, 15, 4, 6, 12, 14};
 
 constexpr const char* extra_boxes = "extra box tests, % above robust float slabs";
 constexpr const char* extra_triangles = "extra triangle tests, % above robust float slabs";
@@ -84,7 +64,7 @@ constexpr Diagrams diagrams_of_chips = diagrams_of(true);
 
 std::vector<double> column(std::span<const sim::SweepRow> units, std::string_view name) {
   std::vector<double> values;
-  for (const sim::SweepRow& unit : units) values.push_back(std::stod(cell(unit, name)));
+  for (const sim::SweepRow& unit : units) values.push_back(sim::sweep_column(name).number(unit));
   return values;
 }
 
@@ -102,6 +82,10 @@ std::string head(const std::string& title, std::size_t key_entries) {
       "set style textbox opaque margins 0.2,0.2 fc rgb 'white' noborder\n"
       "set key at screen 0.5,0.005 center bottom horizontal Left reverse samplen 1.5 width 1 maxcols {}\n",
       picture_width, height, gnuplot_string(title), plot_left, plot_right, bottom, top, key_columns);
+}
+
+DesignStyle style_of(const std::string& design) {
+  return design_style(rtl::place_of(rtl::find_design(design)));
 }
 
 std::string block(const std::string& name, const std::string& lines) {
@@ -172,6 +156,13 @@ std::vector<OccupancyLine> occupancy_lines(std::span<const sim::SweepRow> units)
 
 }  // namespace
 
+DesignStyle design_style(std::size_t place) {
+  const std::size_t turn = place / design_shapes.size();
+  const std::size_t larger = turn / design_shapes.size();
+  return {design_colours[place % design_colours.size()], design_shapes[(place + turn) % design_shapes.size()],
+          0.9 + 0.3 * static_cast<double>(larger)};
+}
+
 std::vector<CostAndError> pareto_front(std::vector<CostAndError> units) {
   std::sort(units.begin(), units.end(), [](const CostAndError& a, const CostAndError& b) {
     return std::pair(a.cost, a.error) < std::pair(b.cost, b.error);
@@ -220,10 +211,10 @@ std::string diagram_script(const std::string& scene, std::span<const sim::SweepR
   text += labels(marks, size) + block("front", front);
   std::string plot = "plot $front using 1:2 with steps lc rgb '#888888' lw 1.5 dt 2 title 'Pareto front'";
   for (std::size_t i = 0; i < designs.size(); ++i) {
-    const Style& style = style_of(designs[i]);
+    const DesignStyle style = style_of(designs[i]);
     text += block(fmt::format("units{}", i), points[designs[i]]);
-    plot += fmt::format(", $units{} using 1:2 with points lc rgb '{}' pt {} ps 0.9 lw 1.5 title {}", i,
-                        style.colour, style.mark, gnuplot_string(designs[i]));
+    plot += fmt::format(", $units{} using 1:2 with points lc rgb '{}' pt {} ps {:g} lw 1.5 title {}", i,
+                        style.colour, style.shape, style.size, gnuplot_string(designs[i]));
   }
   return text + plot + "\n";
 }
@@ -244,13 +235,13 @@ std::string occupancy_script(const std::string& scene, std::span<const sim::Swee
       0.95 * tics.front(), 1.05 * tics.back(), fmt::join(tics, ","));
   std::string plot;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Style& style = style_of(lines[i].design);
+    const DesignStyle style = style_of(lines[i].design);
     std::string points;
     for (const auto& [rays, occupancy] : lines[i].by_rays) points += fmt::format("{} {}\n", rays, occupancy);
     text += block(fmt::format("unit{}", i), points);
     plot +=
-        fmt::format("{} $unit{} using 1:2 with linespoints lc rgb '{}' pt {} ps 0.9 lw 1.5 dt {} title {}",
-                    i == 0 ? "plot" : ",", i, style.colour, style.mark, i + 1,
+        fmt::format("{} $unit{} using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 dt {} title {}",
+                    i == 0 ? "plot" : ",", i, style.colour, style.shape, style.size, i + 1,
                     gnuplot_string(fmt::format("{}", fmt::join(lines[i].names, ", "))));
   }
   return text + plot + "\n";

@@ -1,9 +1,11 @@
 // Diagrams of a sweep (SVG, by gnuplot): error against cost, with the Pareto front, and occupancy against
 // rays in flight. Each mark has its units' names beside it, axes end where the data does, and what is plotted
-// are columns of the rows' file. Each design has a mark of its own, in shape as in colour, so that the
-// pictures can be read in grey. Colours are those of Okabe and Ito.
+// are columns of the rows' file. Each design has a mark of its own, up to twelve in shape as in
+// colour, so that the pictures can be read in grey. Colours are those of Okabe and Ito.
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +21,17 @@ struct CostAndError {
   double error;
 };
 [[nodiscard]] std::vector<CostAndError> pareto_front(std::vector<CostAndError> units);
+
+struct DesignStyle {
+  std::string_view colour;
+  int shape;  ///< gnuplot's number
+  double size;
+
+  friend auto operator<=>(const DesignStyle&, const DesignStyle&) = default;
+};
+/// The marks of the design at this place of the catalogue. No shape comes twice among the first twelve; the
+/// next take other pairs of colour and shape, and when these are used up too, larger marks.
+[[nodiscard]] DesignStyle design_style(std::size_t place);
 
 /// Two columns of sim::sweep_columns.
 struct Diagram {

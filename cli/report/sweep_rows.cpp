@@ -3,9 +3,28 @@
 #include <algorithm>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "area_model/price.hpp"
 
 namespace hitpipe::cli {
+
+namespace {
+
+using Rows = std::span<const sim::SweepRow>;
+using Cost = double (sim::SweepRow::*)() const;
+
+std::optional<std::size_t> least(Rows rows, int rays_in_flight, double most_extra_pct, Cost cost) {
+  std::optional<std::size_t> best;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const sim::SweepRow& unit = rows[row];
+    if (unit.rays_in_flight != rays_in_flight || unit.extra_box_tests_pct() > most_extra_pct) continue;
+    if (!best || (unit.*cost)() < (rows[*best].*cost)()) best = row;
+  }
+  return best;
+}
+
+}  // namespace
 
 std::string unit_name(const sim::SweepRow& row) {
   const rtl::Design& design = rtl::find_design(row.design);
@@ -20,8 +39,7 @@ bool is_thesis_unit(const sim::SweepRow& row) {
 }
 
 std::string cell(const sim::SweepRow& row, std::string_view column) {
-  const auto at = std::find(sim::sweep_columns.begin(), sim::sweep_columns.end(), column);
-  return sim::to_cells(row).at(static_cast<std::size_t>(at - sim::sweep_columns.begin()));
+  return sim::sweep_column(column).cell(row);
 }
 
 int usual_rays_in_flight(std::span<const sim::SweepRow> rows) {
@@ -43,6 +61,52 @@ Wrong wrong_in(std::span<const sim::SweepRow> rows) {
     wrong.different_pixels += row.different_pixels;
   }
   return wrong;
+}
+
+std::optional<std::size_t> cheapest(Rows rows, int rays_in_flight, double most_extra_box_tests_pct) {
+  return least(rows, rays_in_flight, most_extra_box_tests_pct, &sim::SweepRow::whole_area_run_time);
+}
+
+std::optional<std::size_t> cheapest_boxes(Rows rows, int rays_in_flight) {
+  return least(rows, rays_in_flight, no_limit, &sim::SweepRow::area_run_time);
+}
+
+std::string area_unit(const sim::SweepRow& row) {
+  return row.on_chip() ? "LUT" : "mm²";
+}
+
+std::string cost_text(const sim::SweepRow& row) {
+  return fmt::format(
+      "{:.4g} {} ms, of box tests alone {:.4g}; {:.4g} % extra triangle tests, {:.4g} bytes a ray{}",
+      row.whole_area_run_time(), area_unit(row), row.area_run_time(), row.extra_triangle_tests_pct(),
+      row.bytes_per_ray(), row.on_chip() ? fmt::format(", {} multiplier blocks", row.multiplier_blocks) : "");
+}
+
+std::vector<std::string> recommendation(Rows rows) {
+  const int rays = usual_rays_in_flight(rows);
+  const std::optional<std::size_t> whole = cheapest(rows, rays);
+  if (!whole) return {};
+  std::vector<std::string> lines{
+      fmt::format("Least whole area × time: {}: {}.", unit_name(rows[*whole]), cost_text(rows[*whole]))};
+  const std::size_t boxes = *cheapest_boxes(rows, rays);
+  if (boxes == *whole) return lines;
+  const double more = 100.0 * (rows[boxes].whole_area_run_time() / rows[*whole].whole_area_run_time() - 1.0);
+  lines.push_back(fmt::format("By box tests alone it would be {}, which costs {:.3g} % more as a whole: {}.",
+                              unit_name(rows[boxes]), more, cost_text(rows[boxes])));
+  return lines;
+}
+
+std::string cost_caveat(const sim::SweepRow& row) {
+  const std::string unit = row.on_chip()
+                               ? fmt::format("{} LUTs", row.triangle.luts)
+                               : fmt::format("{:.4g} mm²", static_cast<double>(row.triangle.area_um2) / 1e6);
+  return fmt::format(
+      "Whole counts box tests and triangle tests. A triangle test is taken as {:.4g} ns of a unit of {}. "
+      "Set-up "
+      "of rays, shading and waiting for memory are left out; bytes a ray are read without a cache.{}",
+      static_cast<double>(row.triangle.delay_ps) / 1e3, unit,
+      row.on_chip() ? " Area is lookup tables alone: weigh multiplier blocks and registers beside them."
+                    : "");
 }
 
 }  // namespace hitpipe::cli

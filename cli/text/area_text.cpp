@@ -43,29 +43,29 @@ std::string aligned(const std::vector<Cells>& rows, std::size_t left_columns, st
   return text;
 }
 
-/// In percent of the yardstick; for each box, as all comparisons of designs.
-std::string area_share(const Price& price, const std::optional<Price>& yardstick) {
-  return yardstick ? area::percent(price.area_per_box_um2(), yardstick->area_per_box_um2()) + "%" : "";
+/// In percent of the baseline design; for each box, as all comparisons of designs.
+std::string area_share(const Price& price, const std::optional<Price>& baseline) {
+  return baseline ? area::percent(price.area_per_box_um2(), baseline->area_per_box_um2()) + "%" : "";
 }
-std::string area_delay_share(const Price& price, const std::optional<Price>& yardstick) {
-  return yardstick ? area::percent(price.area_delay_per_box(), yardstick->area_delay_per_box()) + "%" : "";
+std::string area_delay_share(const Price& price, const std::optional<Price>& baseline) {
+  return baseline ? area::percent(price.area_delay_per_box(), baseline->area_delay_per_box()) + "%" : "";
 }
 
-std::string summary(const std::vector<Price>& prices, const std::optional<Price>& yardstick) {
+std::string summary(const std::vector<Price>& prices, const std::optional<Price>& baseline) {
   std::vector<Cells> rows{{"design", "bits", "stages", "delay", "clock", "latency", "area", "", "ADP", ""},
                           {"", "", "", "ns", "MHz", "ns", "mm2", "", "mm2 ns", ""}};
   for (const Price& p : prices) {
     rows.push_back({std::string(p.design), rtl::to_string(p.format), fmt::format("{}", p.stages),
                     area::delay_ns(p.stage_delay_ps), area::clock_mhz(p), area::delay_ns(p.latency_ps()),
-                    area::area_mm2(p.area_um2), area_share(p, yardstick), area::adp_mm2_ns(p),
-                    area_delay_share(p, yardstick)});
+                    area::area_mm2(p.area_um2), area_share(p, baseline), area::adp_mm2_ns(p),
+                    area_delay_share(p, baseline)});
   }
   return aligned(rows, 2);
 }
 
 /// For designs of which one answers for several boxes in a test. The clock is left out, because the delay
 /// says the same and the page is narrow.
-std::string summary_of_boxes(const std::vector<Price>& prices, const std::optional<Price>& yardstick) {
+std::string summary_of_boxes(const std::vector<Price>& prices, const std::optional<Price>& baseline) {
   std::vector<Cells> rows{
       {"design", "bits", "stages", "delay", "latency", "area", "boxes", "area", "", "ADP", ""},
       {"", "", "", "ns", "ns", "mm2", "", "a box", "", "mm2 ns", ""}};
@@ -73,12 +73,12 @@ std::string summary_of_boxes(const std::vector<Price>& prices, const std::option
     rows.push_back({std::string(p.design), rtl::to_string(p.format), fmt::format("{}", p.stages),
                     area::delay_ns(p.stage_delay_ps), area::delay_ns(p.latency_ps()),
                     area::area_mm2(p.area_um2), fmt::format("{}", p.boxes),
-                    area::area_mm2(p.area_per_box_um2()), area_share(p, yardstick), area::adp_mm2_ns(p),
-                    area_delay_share(p, yardstick)});
+                    area::area_mm2(p.area_per_box_um2()), area_share(p, baseline), area::adp_mm2_ns(p),
+                    area_delay_share(p, baseline)});
   }
   const std::string note =
       fmt::format("ADP{} for each box that a test answers for.\n",
-                  yardstick ? fmt::format(" and percent of {} are", yardstick->design) : " is");
+                  baseline ? fmt::format(" and percent of {} are", baseline->design) : " is");
   std::size_t width = (rows.front().size() - 1) * usual_gap;
   for (std::size_t column = 0; column < rows.front().size(); ++column) width += column_width(rows, column);
   return aligned(rows, 2, width <= page_width ? usual_gap : 1) + note;
@@ -148,9 +148,9 @@ std::string listed(const Cells& items, std::size_t indent) {
 
 }  // namespace
 
-std::string area_text(const std::vector<Price>& prices, const std::optional<Price>& yardstick) {
+std::string area_text(const std::vector<Price>& prices, const std::optional<Price>& baseline) {
   const bool one_box = std::all_of(prices.begin(), prices.end(), [](const Price& p) { return p.boxes == 1; });
-  return (one_box ? summary(prices, yardstick) : summary_of_boxes(prices, yardstick)) +
+  return (one_box ? summary(prices, baseline) : summary_of_boxes(prices, baseline)) +
          part_columns("count", prices, [](const Line& line) { return fmt::format("{}", line.n); }) +
          part_columns(
              "area mm2", prices, [](const Line& line) { return area::area_mm2(line.area_um2); },

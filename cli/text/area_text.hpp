@@ -10,10 +10,10 @@
 
 namespace hitpipe::cli {
 
-/// Percentages refer to `yardstick`. Without one there are none. Percentages and area times delay are for
+/// Percentages refer to `baseline`. Without one there are none. Percentages and area times delay are for
 /// each box; the rest is of the whole unit.
 [[nodiscard]] std::string area_text(const std::vector<area::Price>& prices,
-                                    const std::optional<area::Price>& yardstick);
+                                    const std::optional<area::Price>& baseline);
 
 [[nodiscard]] std::string by_stage_text(const std::vector<area::Price>& prices);
 

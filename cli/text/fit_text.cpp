@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/text/wrap.hpp"
+#include "cli/text/table.hpp"
 
 namespace hitpipe::cli {
 

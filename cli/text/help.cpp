@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "cli/text/wrap.hpp"
+#include "cli/text/table.hpp"
 
 namespace hitpipe::cli {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/text/wrap.hpp"
+#include "cli/text/table.hpp"
 
 namespace hitpipe::cli {
 

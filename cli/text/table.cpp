@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "cli/options/values.hpp"
 #include "host/text.hpp"
 
 namespace hitpipe::cli {
@@ -60,12 +59,6 @@ std::string csv_text(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void add_format_option(CLI::App& command, Format& format) {
-  add_choice_option<Format>(command, "--format", format,
-                            {{"text", Format::text}, {"csv", Format::csv}, {"json", Format::json}},
-                            "How to print: text, csv or json");
-}
-
 std::string table_text(const std::vector<Row>& rows, Format format) {
   if (format == Format::json) return dump(rows, 2) + "\n";
   if (format == Format::csv) return csv_text(rows);
@@ -112,6 +105,22 @@ std::string record_text(const Row& row, Format format) {
     for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) line(i == 0 ? key : "", value[i]);
   }
   return text;
+}
+
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t column, std::size_t width) {
+  std::string lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word; column += word.size()) {
+    if (column > indent && column + 1 + word.size() > width) {
+      lines += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!lines.empty()) {
+      lines += ' ';
+      ++column;
+    }
+    lines += word;
+  }
+  return lines + "\n";
 }
 
 }  // namespace hitpipe::cli

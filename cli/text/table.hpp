@@ -6,10 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-namespace CLI {
-class App;
-}
-
 namespace hitpipe::cli {
 
 /// Keys are in the order in which they are printed.
@@ -17,14 +13,18 @@ using Row = nlohmann::ordered_json;
 
 enum class Format { text, csv, json };
 
-/// Adds --format text|csv|json to a command.
-void add_format_option(CLI::App& command, Format& format);
-
 /// One line for each row, under a header. JSON: an array of objects. All rows have the keys of the first.
 [[nodiscard]] std::string table_text(const std::vector<Row>& rows, Format format);
 
 /// One line for each value. CSV: one row. JSON: one object. A value may be an array of strings: text has one
 /// line for each, CSV has one cell with blanks between them.
 [[nodiscard]] std::string record_text(const Row& row, Format format);
+
+inline constexpr std::size_t line_width = 80;
+
+/// Breaks text into lines of at most `width`. The first line starts at `column`; later lines are indented. A
+/// longer word has a line of its own. Ends the last line.
+[[nodiscard]] std::string wrapped(const std::string& text, std::size_t indent, std::size_t column = 0,
+                                  std::size_t width = line_width);
 
 }  // namespace hitpipe::cli

@@ -9,7 +9,7 @@
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/verilog/names.hpp"
-#include "sim/implement/chip_tools.hpp"
+#include "sim/implement/target.hpp"
 
 namespace hitpipe::sim {
 

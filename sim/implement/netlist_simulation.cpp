@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/implement/chip_tools.hpp"
-#include "sim/implement/fill_in.hpp"
+#include "sim/implement/target.hpp"
 
 namespace hitpipe::sim {
 

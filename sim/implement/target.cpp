@@ -1,6 +1,7 @@
 #include "sim/implement/target.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -135,6 +136,18 @@ Target target_called(const std::string& name_or_file) {
         fmt::format("target {}: unknown; there are {}, and any file whose name ends in .json", name_or_file,
                     fmt::join(target_names(), ", ")));
   return Target::from_json(found->json, fmt::format("{}.json", found->name));
+}
+
+ChipTools find_chip_tools(const Target& target) {
+  ChipTools tools{.yosys = find_tool("YOSYS", "yosys", "yosys", "-V"), .nextpnr = {}, .sta = {}};
+  if (target.placement) tools.nextpnr = find_tool("NEXTPNR_ICE40", "nextpnr-ice40", "nextpnr-ice40");
+  if (!target.liberty.empty()) {
+    tools.sta = find_tool("STA", "sta", "opensta", "-version");
+    if (!std::filesystem::exists(target.liberty))
+      throw std::runtime_error(
+          fmt::format("{}: is not there; install the package {}", target.liberty, target.package));
+  }
+  return tools;
 }
 
 }  // namespace hitpipe::sim

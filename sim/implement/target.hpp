@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/model/tool.hpp"
+
 namespace hitpipe::sim {
 
 /// The resources that a target may count, in the order in which they are printed.
@@ -58,5 +60,16 @@ struct BuiltInTarget {
 /// The target of a built-in name, or of a file whose name ends in .json. Throws std::runtime_error with one
 /// line; for an unknown name it says which names there are.
 [[nodiscard]] Target target_called(const std::string& name_or_file);
+
+/// The programs that put Verilog into a target. They are looked for before anything long begins.
+struct ChipTools {
+  Tool yosys;
+  std::optional<Tool> nextpnr;  ///< where the target is placed
+  std::optional<Tool> sta;      ///< where it is timed by OpenSTA
+};
+
+/// $YOSYS, $NEXTPNR_ICE40, $STA, or the programs of these names. Throws as find_tool() does; also when the
+/// Liberty file is not there.
+[[nodiscard]] ChipTools find_chip_tools(const Target& target);
 
 }  // namespace hitpipe::sim

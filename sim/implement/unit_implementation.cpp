@@ -10,9 +10,9 @@
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/names.hpp"
-#include "sim/implement/cell_timing.hpp"
-#include "sim/implement/chip_tools.hpp"
 #include "sim/implement/shift_harness.hpp"
+#include "sim/implement/synthesis.hpp"
+#include "sim/implement/target.hpp"
 
 namespace hitpipe::sim {
 

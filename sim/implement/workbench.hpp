@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/files.hpp"
@@ -38,5 +40,16 @@ class Workbench {
   host::ScratchFolder scratch_;
   std::filesystem::path work_;  ///< named as the folder that stays, so that paths in scripts hold in both
 };
+
+/// Puts a value in the place of each "{name}".
+[[nodiscard]] inline std::string filled_in(
+    std::string text, const std::vector<std::pair<std::string_view, std::string>>& values) {
+  for (const auto& [name, value] : values) {
+    const std::string place = "{" + std::string(name) + "}";
+    for (std::size_t at = 0; (at = text.find(place, at)) != std::string::npos; at += value.size())
+      text.replace(at, place.size(), value);
+  }
+  return text;
+}
 
 }  // namespace hitpipe::sim

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/text.hpp"
-#include "sim/sweep/printable.hpp"
+#include "sim/sweep/rows_file.hpp"
 #include "sim/sweep/sweep.hpp"
 
 namespace hitpipe::sim {
@@ -44,13 +44,6 @@ std::uint64_t content(const ref::Scene& scene, const ref::Bvh& bvh) {
 }
 
 }  // namespace
-
-std::string printable(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-  }
-  return text;
-}
 
 std::string about_sweep(const std::string& program, const ref::Scene& scene, const ref::Bvh& bvh,
                         const SweepOptions& options) {

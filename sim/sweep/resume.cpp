@@ -12,16 +12,13 @@ namespace {
 /// Rows by their place in the file. Each new row is written at once.
 class KeptRows {
  public:
-  /// Takes the rows that the file holds. What a triangle test costs is no measurement, so they get the cost
-  /// that is asked for now.
-  KeptRows(std::filesystem::path file, std::string about, const TriangleCost& triangle)
+  /// Takes the rows that the file and `more` files hold. What a triangle test costs is no measurement, so
+  /// they get the cost that is asked for now.
+  KeptRows(std::filesystem::path file, std::span<const std::filesystem::path> more, std::string about,
+           const TriangleCost& triangle)
       : file_(std::move(file)), about_(std::move(about)) {
-    if (std::filesystem::exists(file_)) {
-      for (SweepRow& row : read_rows_about(file_, about_).rows) {
-        row.triangle = triangle;
-        keep(row);
-      }
-    }
+    if (std::filesystem::exists(file_)) take(file_, triangle);
+    for (const std::filesystem::path& each : more) take(each, triangle);
     // Written before the long run, so that a file that cannot be written is reported at once.
     write_rows(file_, contents());
   }
@@ -38,6 +35,12 @@ class KeptRows {
   }
 
  private:
+  void take(const std::filesystem::path& file, const TriangleCost& triangle) {
+    for (SweepRow& row : read_rows_about(file, about_).rows) {
+      row.triangle = triangle;
+      keep(row);
+    }
+  }
   void keep(const SweepRow& row) {
     rows_.insert_or_assign(key_of(row.design, row.bits, row.rays_in_flight), row);
   }
@@ -51,14 +54,8 @@ class KeptRows {
 
 RowsFile resume(const ResumableSweep& sweep) {
   std::vector<SweepPoint> points = sweep.points;
-  std::string about = about_sweep(sweep.program, *sweep.scene, *sweep.bvh, sweep.options);
-  std::filesystem::path file = sweep.file;
-  if (sweep.shard) {
-    points = part_of(points, *sweep.shard);
-    about = about_shard(about, *sweep.shard, points.size());
-    file = shard_file(file, *sweep.shard);
-  }
-  KeptRows rows(file, about, sweep.options.triangle);
+  KeptRows rows(sweep.file, sweep.more, about_sweep(sweep.program, *sweep.scene, *sweep.bvh, sweep.options),
+                sweep.options.triangle);
   std::erase_if(points, [&](const SweepPoint& point) { return rows.has(point); });
   run_sweep(*sweep.scene, *sweep.bvh, points, sweep.options, [&](const SweepRow& row) { rows.add(row); });
   return rows.contents();

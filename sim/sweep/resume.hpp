@@ -3,12 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/sweep/rows_file.hpp"
-#include "sim/sweep/shard.hpp"
 #include "sim/sweep/sweep.hpp"
 
 namespace hitpipe::sim {
@@ -20,12 +18,12 @@ struct ResumableSweep {
   SweepOptions options;
   std::string program;  ///< the caller's name and version, as written to the file
   std::filesystem::path file;
-  std::optional<Shard> shard;  ///< only this part is measured, into shard_file(file, *shard)
+  std::vector<std::filesystem::path> more;  ///< files of rows that were measured elsewhere
 };
 
-/// Measures the rows that the file does not hold yet, and returns all rows of the file. Throws what
-/// run_sweep(), read_rows() and write_rows() throw, and std::runtime_error, one line, when the file holds
-/// rows of another scene or other options.
+/// Takes the rows of `more` files into the file, measures those that it does not hold yet, and returns all
+/// rows of the file. Throws what run_sweep(), read_rows() and write_rows() throw, and std::runtime_error, one
+/// line, when a file holds rows of another scene or other options.
 [[nodiscard]] RowsFile resume(const ResumableSweep& sweep);
 
 /// Throws what read_rows() throws, and std::runtime_error, one line, when the rows are not `about` this.

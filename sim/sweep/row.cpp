@@ -1,20 +1,20 @@
 #include "sim/sweep/row.hpp"
 
-#include <charconv>
+#include <algorithm>
+#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 
 #include <fmt/format.h>
 
 #include "area_model/figure.hpp"
+#include "host/text.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
-
-constexpr int area_digits = 6;   // of mm2: whole um2
-constexpr int delay_digits = 3;  // of ns: whole ps
 
 double ratio(double dividend, double divisor) {
   return divisor > 0 ? dividend / divisor : 0.0;
@@ -28,45 +28,45 @@ double triangle_time_ms(const SweepRow& row) {
   return static_cast<double>(row.triangle_tests) * static_cast<double>(row.triangle.delay_ps) / 1e9;
 }
 
-std::string shortest(double value) {
-  return fmt::format("{}", value);
+/// What a cell holds, or nothing if it is of another type.
+template <class Number>
+std::optional<Number> value_in(const std::string& cell, const Number& /*type*/) {
+  return host::number_in<Number>(cell);
+}
+std::optional<std::string> value_in(const std::string& cell, const std::string& /*type*/) {
+  return cell;
+}
+/// A decimal with exactly this many digits after the point, as a whole number of its last place.
+std::optional<std::int64_t> decimal_in(std::string cell, int digits) {
+  if (digits > 0) {
+    const std::size_t point = cell.find('.');
+    if (point == std::string::npos || cell.size() - point - 1 != static_cast<std::size_t>(digits)) return {};
+    cell.erase(point, 1);
+  }
+  return host::number_in<std::int64_t>(cell);
 }
 
-/// Reads cells in turn, each as a number of the type of its target.
-class CellReader {
- public:
-  explicit CellReader(const std::vector<std::string>& cells) : cells_(cells) {}
+constexpr std::int64_t power_of_ten(int digits) {
+  return digits == 0 ? 1 : 10 * power_of_ten(digits - 1);
+}
 
-  void read(std::string& text) { text = cells_[at_++]; }
-  template <class Number>
-  void read(Number& number) {
-    const std::string& cell = cells_[at_];
-    const char* const end = cell.data() + cell.size();
-    const auto [stop, error] = std::from_chars(cell.data(), end, number);
-    if (error != std::errc{} || stop != end) reject();
-    ++at_;
-  }
-  /// Reads a decimal with exactly this many digits after the point, as a whole number of its last place.
-  void read_scaled(std::int64_t& number, std::size_t digits) {
-    std::string cell = cells_[at_];
-    const std::size_t point = cell.find('.');
-    if (point == std::string::npos || cell.size() - point - 1 != digits) reject();
-    cell.erase(point, 1);
-    const auto [stop, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-    if (error != std::errc{} || stop != cell.data() + cell.size()) reject();
-    ++at_;
-  }
-  void skip(std::size_t cells) { at_ += cells; }
-
- private:
-  [[noreturn]] void reject() const {
-    throw std::runtime_error(fmt::format("{} of {} is not a number of the right type", cells_[at_],
-                                         at_ < sweep_columns.size() ? sweep_columns[at_] : "?"));
-  }
-
-  const std::vector<std::string>& cells_;
-  std::size_t at_ = 0;
-};
+/// Reads a cell into the row; a figure is not read, because it follows from the counts.
+void read_cell(const SweepColumn& column, const std::string& cell, SweepRow& row) {
+  const auto keep = [&]<class Value>(Value& place, const std::optional<Value>& value) {
+    if (!value)
+      throw std::runtime_error(fmt::format("{} of {} is not a number of the right type", cell, column.name));
+    place = *value;
+  };
+  std::visit(
+      [&]<class Value>(const Value& value) {
+        if constexpr (std::is_same_v<Value, SweepColumn::Decimal>) {
+          keep(value.number(row), decimal_in(cell, value.digits));
+        } else if constexpr (std::is_member_object_pointer_v<Value>) {
+          keep(row.*value, value_in(cell, row.*value));
+        }
+      },
+      column.value);
+}
 
 }  // namespace
 
@@ -168,44 +168,35 @@ bool SweepRow::verified(bool conservative) const {
          (!conservative || false_misses == 0);
 }
 
-std::vector<std::string> to_cells(const SweepRow& r) {
+std::string SweepColumn::cell(const SweepRow& row) const {
+  return std::visit(
+      [&]<class Value>(const Value& figure) {
+        if constexpr (std::is_same_v<Value, Decimal>) {
+          SweepRow copy = row;
+          const std::int64_t number = figure.number(copy);
+          if (figure.digits == 0) return fmt::format("{}", number);
+          return area::decimal(number, power_of_ten(figure.digits), figure.digits);
+        } else {
+          return fmt::format("{}", std::invoke(figure, row));
+        }
+      },
+      value);
+}
+
+double SweepColumn::number(const SweepRow& row) const {
+  const auto number = is_text() ? std::nullopt : host::number_in<double>(cell(row));
+  return number ? *number : throw std::invalid_argument(std::string(name));
+}
+
+const SweepColumn& sweep_column(std::string_view name) {
+  const auto* const found = std::ranges::find(sweep_columns, name, &SweepColumn::name);
+  if (found == sweep_columns.end()) throw std::out_of_range(std::string(name));
+  return *found;
+}
+
+std::vector<std::string> to_cells(const SweepRow& row) {
   std::vector<std::string> cells;
-  const auto add = [&](const auto& value) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
-      cells.push_back(shortest(value));
-    } else {
-      cells.push_back(fmt::format("{}", value));
-    }
-  };
-  add(r.scene);
-  for (const std::uint64_t count : {r.triangles, r.bvh_nodes}) add(count);
-  for (const int count : {r.width, r.height, r.rays_in_flight}) add(count);
-  for (const std::string& text : {r.library, r.design, r.bits}) add(text);
-  add(r.boxes_per_test);
-  add(r.stages);
-  add(area::decimal(r.stage_delay_ps, 1000, delay_digits));
-  add(area::decimal(r.area_um2, 1'000'000, area_digits));
-  for (const std::int64_t count : {r.luts, r.registers, r.multiplier_blocks}) add(count);
-  add(r.bytes_per_node);
-  add(area::decimal(r.triangle.delay_ps, 1000, delay_digits));
-  add(area::decimal(r.triangle.area_um2, 1'000'000, area_digits));
-  add(r.triangle.luts);
-  for (const std::uint64_t count :
-       {r.rays_primary, r.rays_secondary, r.rays_shadow, r.rays_rejected, r.unit_tests, r.box_tests, r.hits,
-        r.triangle_tests, r.reference_box_tests, r.reference_triangle_tests, r.false_hits, r.false_misses,
-        r.rtl_mismatches, r.different_triangles, r.different_pixels, r.cycles})
-    add(count);
-  for (const double figure :
-       {r.occupancy_pct(), r.false_hits_per_million(), r.extra_box_tests_per_ray(),
-        r.extra_triangle_tests_per_ray(), r.extra_box_tests_pct(), r.extra_triangle_tests_pct(),
-        r.run_time_ms(), r.area_per_box_mm2(), r.area_delay_mm2_ns(), r.area_run_time_mm2_ms()})
-    add(figure);
-  for (const std::uint64_t count : {r.nodes_fetched(), r.bytes_fetched()}) add(count);
-  for (const double figure :
-       {r.bytes_per_ray(), r.reference_bytes_per_ray(), r.whole_run_time_ms(), r.whole_area_run_time_mm2_ms(),
-        r.area_per_box_lut(), r.area_run_time_lut_ms(), r.whole_area_run_time_lut_ms()})
-    add(figure);
-  for (const double time : {r.rtl_seconds, r.software_ratio}) add(time);
+  for (const SweepColumn& column : sweep_columns) cells.push_back(column.cell(row));
   return cells;
 }
 
@@ -213,29 +204,7 @@ SweepRow from_cells(const std::vector<std::string>& cells) {
   if (cells.size() != sweep_columns.size())
     throw std::runtime_error(fmt::format("{} cells; a row has {}", cells.size(), sweep_columns.size()));
   SweepRow r;
-  CellReader in(cells);
-  in.read(r.scene);
-  for (std::uint64_t* const count : {&r.triangles, &r.bvh_nodes}) in.read(*count);
-  for (int* const count : {&r.width, &r.height, &r.rays_in_flight}) in.read(*count);
-  for (std::string* const text : {&r.library, &r.design, &r.bits}) in.read(*text);
-  in.read(r.boxes_per_test);
-  in.read(r.stages);
-  in.read_scaled(r.stage_delay_ps, delay_digits);
-  in.read_scaled(r.area_um2, area_digits);
-  for (std::int64_t* const count : {&r.luts, &r.registers, &r.multiplier_blocks}) in.read(*count);
-  in.read(r.bytes_per_node);
-  in.read_scaled(r.triangle.delay_ps, delay_digits);
-  in.read_scaled(r.triangle.area_um2, area_digits);
-  in.read(r.triangle.luts);
-  for (std::uint64_t* const count :
-       {&r.rays_primary, &r.rays_secondary, &r.rays_shadow, &r.rays_rejected, &r.unit_tests, &r.box_tests,
-        &r.hits, &r.triangle_tests, &r.reference_box_tests, &r.reference_triangle_tests, &r.false_hits,
-        &r.false_misses, &r.rtl_mismatches, &r.different_triangles, &r.different_pixels, &r.cycles})
-    in.read(*count);
-  constexpr std::size_t figures = 19;
-  in.skip(figures);
-  for (double* const time : {&r.rtl_seconds, &r.software_ratio}) in.read(*time);
-
+  for (std::size_t i = 0; i < cells.size(); ++i) read_cell(sweep_columns[i], cells[i], r);
   if (r.boxes_per_test < 1)
     throw std::runtime_error(fmt::format("{} of boxes_per_test is less than 1", r.boxes_per_test));
   // Divides, because a product may not fit in 64 bits.
@@ -247,7 +216,7 @@ SweepRow from_cells(const std::vector<std::string>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] != again[i])
       throw std::runtime_error(fmt::format("{} of {} does not follow from the counts, which give {}",
-                                           cells[i], sweep_columns[i], again[i]));
+                                           cells[i], sweep_columns[i].name, again[i]));
   }
   return r;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace hitpipe::sim {
@@ -59,8 +60,9 @@ struct SweepRow {
   std::uint64_t different_pixels = 0;
   std::uint64_t cycles = 0;
 
-  double rtl_seconds = 0;     ///< measured: CosimResult::rtl_seconds
-  double software_ratio = 0;  ///< measured: time of the design's software traversal; 1 is that of fp_slabs
+  double rtl_seconds = 0;  ///< measured: CosimResult::rtl_seconds
+  double software_ratio =
+      0;  ///< measured: time of the design's software traversal, over the baseline design's
 
   [[nodiscard]] std::uint64_t rays_traced() const;
   [[nodiscard]] double occupancy_pct() const;
@@ -100,73 +102,98 @@ struct SweepRow {
   friend bool operator==(const SweepRow&, const SweepRow&) = default;
 };
 
-/// The columns of a sweep's CSV file, in order. The last two are measured times. Only they differ between
-/// runs.
-inline constexpr auto sweep_columns = std::to_array<std::string_view>({"scene",
-                                                                       "triangles",
-                                                                       "bvh_nodes",
-                                                                       "width",
-                                                                       "height",
-                                                                       "rays_in_flight",
-                                                                       "library",
-                                                                       "design",
-                                                                       "bits",
-                                                                       "boxes_per_test",
-                                                                       "stages",
-                                                                       "stage_delay_ns",
-                                                                       "area_mm2",
-                                                                       "luts",
-                                                                       "registers",
-                                                                       "multiplier_blocks",
-                                                                       "bytes_per_node",
-                                                                       "triangle_delay_ns",
-                                                                       "triangle_area_mm2",
-                                                                       "triangle_luts",
-                                                                       "rays_primary",
-                                                                       "rays_secondary",
-                                                                       "rays_shadow",
-                                                                       "rays_rejected",
-                                                                       "unit_tests",
-                                                                       "box_tests",
-                                                                       "hits",
-                                                                       "triangle_tests",
-                                                                       "reference_box_tests",
-                                                                       "reference_triangle_tests",
-                                                                       "false_hits",
-                                                                       "false_misses",
-                                                                       "rtl_mismatches",
-                                                                       "different_triangles",
-                                                                       "different_pixels",
-                                                                       "cycles",
-                                                                       "occupancy_pct",
-                                                                       "false_hits_per_million",
-                                                                       "extra_box_tests_per_ray",
-                                                                       "extra_triangle_tests_per_ray",
-                                                                       "extra_box_tests_pct",
-                                                                       "extra_triangle_tests_pct",
-                                                                       "run_time_ms",
-                                                                       "area_per_box_mm2",
-                                                                       "area_delay_mm2_ns",
-                                                                       "area_run_time_mm2_ms",
-                                                                       "nodes_fetched",
-                                                                       "bytes_fetched",
-                                                                       "bytes_per_ray",
-                                                                       "reference_bytes_per_ray",
-                                                                       "whole_run_time_ms",
-                                                                       "whole_area_run_time_mm2_ms",
-                                                                       "area_per_box_lut",
-                                                                       "area_run_time_lut_ms",
-                                                                       "whole_area_run_time_lut_ms",
-                                                                       "rtl_seconds",
-                                                                       "software_ratio"});
+/// A column of a sweep's CSV file.
+struct SweepColumn {
+  /// A whole number of the last of `digits` decimal places.
+  struct Decimal {
+    std::int64_t& (*number)(SweepRow& row);
+    int digits;
+  };
+
+  std::string_view name;
+  /// What the row holds, or a figure that follows from it.
+  std::variant<std::string SweepRow::*, int SweepRow::*, std::uint64_t SweepRow::*, double SweepRow::*,
+               Decimal, std::uint64_t (SweepRow::*)() const, double (SweepRow::*)() const>
+      value;
+
+  [[nodiscard]] bool is_text() const { return std::holds_alternative<std::string SweepRow::*>(value); }
+  /// The cell of a row, without the quotes of CSV. Numbers have all their digits.
+  [[nodiscard]] std::string cell(const SweepRow& row) const;
+  /// The number that the cell is. Throws std::invalid_argument for text.
+  [[nodiscard]] double number(const SweepRow& row) const;
+};
+
+/// The columns, in order. The last two are measured times. Only they differ between runs.
+inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
+    {"scene", &SweepRow::scene},
+    {"triangles", &SweepRow::triangles},
+    {"bvh_nodes", &SweepRow::bvh_nodes},
+    {"width", &SweepRow::width},
+    {"height", &SweepRow::height},
+    {"rays_in_flight", &SweepRow::rays_in_flight},
+    {"library", &SweepRow::library},
+    {"design", &SweepRow::design},
+    {"bits", &SweepRow::bits},
+    {"boxes_per_test", &SweepRow::boxes_per_test},
+    {"stages", &SweepRow::stages},
+    {"stage_delay_ns",
+     SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.stage_delay_ps; }, 3}},
+    {"area_mm2", SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.area_um2; }, 6}},
+    {"luts", SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.luts; }, 0}},
+    {"registers", SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.registers; }, 0}},
+    {"multiplier_blocks",
+     SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.multiplier_blocks; }, 0}},
+    {"bytes_per_node", &SweepRow::bytes_per_node},
+    {"triangle_delay_ns",
+     SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.triangle.delay_ps; }, 3}},
+    {"triangle_area_mm2",
+     SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.triangle.area_um2; }, 6}},
+    {"triangle_luts",
+     SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.triangle.luts; }, 0}},
+    {"rays_primary", &SweepRow::rays_primary},
+    {"rays_secondary", &SweepRow::rays_secondary},
+    {"rays_shadow", &SweepRow::rays_shadow},
+    {"rays_rejected", &SweepRow::rays_rejected},
+    {"unit_tests", &SweepRow::unit_tests},
+    {"box_tests", &SweepRow::box_tests},
+    {"hits", &SweepRow::hits},
+    {"triangle_tests", &SweepRow::triangle_tests},
+    {"reference_box_tests", &SweepRow::reference_box_tests},
+    {"reference_triangle_tests", &SweepRow::reference_triangle_tests},
+    {"false_hits", &SweepRow::false_hits},
+    {"false_misses", &SweepRow::false_misses},
+    {"rtl_mismatches", &SweepRow::rtl_mismatches},
+    {"different_triangles", &SweepRow::different_triangles},
+    {"different_pixels", &SweepRow::different_pixels},
+    {"cycles", &SweepRow::cycles},
+    {"occupancy_pct", &SweepRow::occupancy_pct},
+    {"false_hits_per_million", &SweepRow::false_hits_per_million},
+    {"extra_box_tests_per_ray", &SweepRow::extra_box_tests_per_ray},
+    {"extra_triangle_tests_per_ray", &SweepRow::extra_triangle_tests_per_ray},
+    {"extra_box_tests_pct", &SweepRow::extra_box_tests_pct},
+    {"extra_triangle_tests_pct", &SweepRow::extra_triangle_tests_pct},
+    {"run_time_ms", &SweepRow::run_time_ms},
+    {"area_per_box_mm2", &SweepRow::area_per_box_mm2},
+    {"area_delay_mm2_ns", &SweepRow::area_delay_mm2_ns},
+    {"area_run_time_mm2_ms", &SweepRow::area_run_time_mm2_ms},
+    {"nodes_fetched", &SweepRow::nodes_fetched},
+    {"bytes_fetched", &SweepRow::bytes_fetched},
+    {"bytes_per_ray", &SweepRow::bytes_per_ray},
+    {"reference_bytes_per_ray", &SweepRow::reference_bytes_per_ray},
+    {"whole_run_time_ms", &SweepRow::whole_run_time_ms},
+    {"whole_area_run_time_mm2_ms", &SweepRow::whole_area_run_time_mm2_ms},
+    {"area_per_box_lut", &SweepRow::area_per_box_lut},
+    {"area_run_time_lut_ms", &SweepRow::area_run_time_lut_ms},
+    {"whole_area_run_time_lut_ms", &SweepRow::whole_area_run_time_lut_ms},
+    {"rtl_seconds", &SweepRow::rtl_seconds},
+    {"software_ratio", &SweepRow::software_ratio},
+});
 inline constexpr std::size_t sweep_time_columns = 2;
 
-[[nodiscard]] constexpr bool is_text_column(std::string_view column) {
-  return column == "scene" || column == "library" || column == "design" || column == "bits";
-}
+/// Throws std::out_of_range for a name that is none.
+[[nodiscard]] const SweepColumn& sweep_column(std::string_view name);
 
-/// One cell for each column, without the quotes of CSV. Numbers have all their digits, so from_cells() gives
-/// the same row.
+/// One cell for each column; from_cells() gives the same row.
 [[nodiscard]] std::vector<std::string> to_cells(const SweepRow& row);
 
 /// Throws std::runtime_error, one line, for a wrong number of cells, a cell that is not a number of its type,

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "host/files.hpp"
 #include "host/text.hpp"
@@ -14,13 +13,22 @@ namespace hitpipe::sim {
 namespace {
 
 std::string header() {
-  return fmt::format("{}", fmt::join(sweep_columns, ","));
+  std::vector<std::string> names;
+  for (const SweepColumn& column : sweep_columns) names.emplace_back(column.name);
+  return host::csv_line(names);
 }
 
 }  // namespace
 
+std::string printable(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  }
+  return text;
+}
+
 std::string to_csv(std::span<const SweepRow> rows) {
-  std::string text = header() + "\n";
+  std::string text = header();
   for (const SweepRow& row : rows) text += host::csv_line(to_cells(row));
   return text;
 }
@@ -39,7 +47,7 @@ RowsFile parse_rows(const std::string& text, const std::string& source) {
   std::string line;
   if (!std::getline(in, line) || !line.starts_with("# ")) reject("line 1 does not say what was measured");
   rows.about = line.substr(2);
-  if (!std::getline(in, line) || line != header())
+  if (!std::getline(in, line) || line + '\n' != header())
     throw std::runtime_error(
         fmt::format("{}: line 2 is not the header of a sweep by this version, so its rows must be measured "
                     "again; give another file or remove it",

@@ -16,6 +16,10 @@ struct RowsFile {
   std::vector<SweepRow> rows;
 };
 
+/// A name as a cell or a comment of the file: each control character becomes a blank. A scene's name can come
+/// from a file name, which may hold any.
+[[nodiscard]] std::string printable(std::string text);
+
 /// The header and a line for each row.
 [[nodiscard]] std::string to_csv(std::span<const SweepRow> rows);
 

@@ -32,10 +32,10 @@ double SoftwareTime::seconds(const rtl::Design& design, const rtl::Format& forma
 }
 
 double SoftwareTime::ratio(const rtl::Design& design, const rtl::Format& format) const {
-  const area::Entry& row = area::yardstick();
+  const area::Entry& row = area::baseline_design();
   if (design.name == row.design && format == row.format) return 1.0;
-  const double yardstick = seconds(rtl::find_design(row.design), row.format);
-  return yardstick > 0 ? milli(seconds(design, format) / yardstick) : 0.0;
+  const double baseline = seconds(rtl::find_design(row.design), row.format);
+  return baseline > 0 ? milli(seconds(design, format) / baseline) : 0.0;
 }
 
 }  // namespace hitpipe::sim

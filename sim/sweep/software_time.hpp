@@ -1,5 +1,5 @@
-// How long a design's software traversal takes, relative to that of fp_slabs. It measures processor time of
-// one thread for the same rays, including the exact triangle test.
+// How long a design's software traversal takes, relative to that of the baseline design. It measures
+// processor time of one thread for the same rays, including the exact triangle test.
 #pragma once
 
 #include <memory>
@@ -21,8 +21,8 @@ class SoftwareTime {
   static constexpr int longest_side = 128;
   SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height);
 
-  /// Times both now, one after the other, and takes the fastest of three runs of each. 1 for fp_slabs. Throws
-  /// what ref::make_tracer() throws.
+  /// Times both now, one after the other, and takes the fastest of three runs of each. 1 for the baseline.
+  /// Throws what ref::make_tracer() throws.
   [[nodiscard]] double ratio(const rtl::Design& design, const rtl::Format& format) const;
 
  private:

@@ -7,7 +7,6 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -15,10 +14,11 @@
 
 #include "area_model/price.hpp"
 #include "area_model/triangle_unit.hpp"
+#include "host/parallel.hpp"
 #include "sim/cosim/cosim.hpp"
 #include "sim/fit/fit.hpp"
 #include "sim/generic_tracer.hpp"
-#include "sim/sweep/printable.hpp"
+#include "sim/sweep/rows_file.hpp"
 #include "sim/sweep/software_time.hpp"
 #include "sim/unit/verilated_design.hpp"
 #include "sw_ref/render/render.hpp"
@@ -64,12 +64,9 @@ class Run {
   }
 
   void all() {
-    const auto rows = static_cast<int>(points_.size());
-    const int workers = std::min(options_.threads, rows);
+    const int workers = std::min(options_.threads, static_cast<int>(points_.size()));
     threads_of_a_row_ = options_.threads / workers;
-    std::vector<std::thread> threads;
-    for (int i = 0; i < workers; ++i) threads.emplace_back([this] { work(); });
-    for (std::thread& thread : threads) thread.join();
+    host::for_each_index(static_cast<std::size_t>(workers), workers, [this](std::size_t) { work(); });
     if (failure_) std::rethrow_exception(failure_);
   }
 
@@ -101,8 +98,11 @@ class Run {
       try {
         double share = 0;
         const SweepRow row = measure(*point, share);
+        {
+          const std::scoped_lock lock(writing_);
+          finished_(row);
+        }
         const std::scoped_lock lock(state_);
-        finished_(row);
         report(share, 1);
       } catch (...) {
         const std::scoped_lock lock(state_);
@@ -186,7 +186,8 @@ class Run {
   const Reference reference_;
   std::map<RowKey, MeasuredUnit> units_;
   int threads_of_a_row_ = 1;
-  std::mutex state_;  // guards all members below
+  std::mutex writing_;  // a row that goes to the disk keeps nobody from measuring
+  std::mutex state_;    // guards all members below
   std::size_t next_ = 0;
   double rows_done_ = 0;  // with parts of rows
   std::exception_ptr failure_;

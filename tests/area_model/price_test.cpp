@@ -238,8 +238,8 @@ TEST(PriceOfAPipeline, IsThatOfTheDesignItComesFrom) {
 }
 
 TEST(UnitLibrary, HasNoFloatsToCompareWith) {
-  EXPECT_TRUE(can_price_yardstick(Library::thesis()));
-  EXPECT_FALSE(can_price_yardstick(rtl::unit_library()));
+  EXPECT_TRUE(can_price_baseline(Library::thesis()));
+  EXPECT_FALSE(can_price_baseline(rtl::unit_library()));
   EXPECT_EQ(message_of<std::runtime_error>([] {
               static_cast<void>(price_of({"fp_slabs", "fp32"}, Account::built, rtl::unit_library()));
             }),

@@ -90,7 +90,7 @@ TEST(Table72, EverySummaryColumnIsAlike) {
   const std::vector<CsvRow> rows = csv_table(HITPIPE_FACTS "/table_7_2_summary.csv");
   ASSERT_EQ(rows.size(), printed_prices().size());
   const Price& base = printed_prices().front();
-  ASSERT_EQ(base.design, yardstick().design);
+  ASSERT_EQ(base.design, baseline_design().design);
   Differences differences;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Price& p = printed_prices()[i];

@@ -108,19 +108,74 @@ TEST(LibraryRefusal, TwoBoxesATestNeedAnEvenNumber) {
             "1: design int_major_pair: 1 boxes; a test takes 2, so allowed are multiples of 2");
 }
 
+/// Every function, with every pointer that it takes.
 TEST(LibraryRefusal, NullPointersAreNamed) {
   hitpipe_unit* unit = nullptr;
-  EXPECT_EQ(refusal([&] { check(hitpipe_open(nullptr, nullptr, &unit)); }),
-            "1: design: a null pointer is not allowed");
-  EXPECT_EQ(refusal([&] { check(hitpipe_open("int_slabs", nullptr, nullptr)); }),
-            "1: out: a null pointer is not allowed");
-  EXPECT_EQ(refusal([&] { check(hitpipe_set_ray(nullptr, &ray)); }),
-            "1: unit: a null pointer is not allowed");
-  EXPECT_EQ(refusal([&] { check(hitpipe_exact(&ray, nullptr, 1, nullptr)); }),
-            "1: boxes: a null pointer is not allowed");
-  EXPECT_EQ(refusal([&] { check(hitpipe_exact(&ray, &box, 1, nullptr)); }),
-            "1: met: a null pointer is not allowed");
+  ASSERT_EQ(hitpipe_open("int_slabs", nullptr, &unit), HITPIPE_OK);
+  ASSERT_EQ(hitpipe_set_ray(unit, &ray), HITPIPE_OK);
+  std::uint8_t met = 7;
+  const hitpipe_answers answers{&met, nullptr, nullptr, nullptr};
+  const hitpipe_bounds bounds{{0, 0, 0}, {1, 1, 1}};
+  const double vector[3] = {1, 0, 0};
+  hitpipe_port_info port{};
+  hitpipe_result_info result{};
+  hitpipe_transform transform{};
+  hitpipe_unit* other = nullptr;
+  Box cube{};
+  Ray moved{};
+  const auto refused = [](const char* name, hitpipe_status status) {
+    EXPECT_EQ(status, HITPIPE_BAD_ARGUMENT) << name;
+    EXPECT_EQ(hitpipe_error(), std::string(name) + ": a null pointer is not allowed");
+  };
+  refused("design", hitpipe_open(nullptr, nullptr, &other));
+  refused("out", hitpipe_open("int_slabs", nullptr, nullptr));
+  refused("out", hitpipe_design(0, nullptr));
+  refused("unit", hitpipe_port(nullptr, 0, &port));
+  refused("out", hitpipe_port(unit, 0, nullptr));
+  refused("unit", hitpipe_result(nullptr, 0, &result));
+  refused("out", hitpipe_result(unit, 0, nullptr));
+  refused("ray", hitpipe_exact(nullptr, &box, 1, &met));
+  refused("boxes", hitpipe_exact(&ray, nullptr, 1, &met));
+  refused("met", hitpipe_exact(&ray, &box, 1, nullptr));
+  refused("unit", hitpipe_test(nullptr, &box, 1, &answers));
+  refused("boxes", hitpipe_test(unit, nullptr, 1, &answers));
+  refused("out", hitpipe_test(unit, &box, 1, nullptr));
+  refused("unit", hitpipe_set_ray(nullptr, &ray));
+  refused("ray", hitpipe_set_ray(unit, nullptr));
+  refused("bounds", hitpipe_fit(nullptr, &transform));
+  refused("out", hitpipe_fit(&bounds, nullptr));
+  refused("box", hitpipe_to_cube_box(nullptr, nullptr, &cube));
+  refused("out", hitpipe_to_cube_box(nullptr, &bounds, nullptr));
+  refused("origin", hitpipe_to_cube_ray(nullptr, nullptr, vector, 1, &moved));
+  refused("direction", hitpipe_to_cube_ray(nullptr, vector, nullptr, 1, &moved));
+  refused("out", hitpipe_to_cube_ray(nullptr, vector, vector, 1, nullptr));
+  EXPECT_EQ(other, nullptr);
+  EXPECT_EQ(met, 7);
+  hitpipe_close(unit);
   hitpipe_close(nullptr);
+}
+
+/// What has no status answers with nothing, and says why.
+TEST(LibraryRefusal, OfNoUnitNothingIsTold) {
+  const auto refused = [] {
+    const std::string line = hitpipe_error();
+    static_cast<void>(hitpipe_open(nullptr, nullptr, nullptr));  // another line
+    return line;
+  };
+  const std::string line = "unit: a null pointer is not allowed";
+  static_cast<void>(refused());
+  EXPECT_STREQ(hitpipe_unit_design(nullptr), "");
+  EXPECT_EQ(refused(), line);
+  EXPECT_STREQ(hitpipe_unit_format(nullptr), "");
+  EXPECT_EQ(refused(), line);
+  EXPECT_EQ(hitpipe_unit_conservative(nullptr), 0);
+  EXPECT_EQ(refused(), line);
+  EXPECT_EQ(hitpipe_unit_boxes_per_test(nullptr), 0U);
+  EXPECT_EQ(refused(), line);
+  EXPECT_EQ(hitpipe_port_count(nullptr), 0U);
+  EXPECT_EQ(refused(), line);
+  EXPECT_EQ(hitpipe_result_count(nullptr), 0U);
+  EXPECT_EQ(refused(), line);
 }
 
 }  // namespace

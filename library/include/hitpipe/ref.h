@@ -67,7 +67,7 @@ HITPIPE_API hitpipe_status hitpipe_exact(const hitpipe_ray* ray, const hitpipe_b
 typedef struct hitpipe_design_info {
   const char* name;           /* "int_slabs" */
   const char* summary;        /* one line */
-  const char* default_format; /* "24/24" */
+  const char* default_format; /* "20/24" */
   const char* formats;        /* which there are: "n/t with n in 6..32 and t in 6..2n-1" */
   int conservative;           /* 1: HIT whenever the exact ray meets the box */
   int boxes_per_test;         /* 1 or 2 */
@@ -143,14 +143,14 @@ HITPIPE_API hitpipe_status hitpipe_open(const char* design, const char* format, 
 /* NULL is allowed. */
 HITPIPE_API void hitpipe_close(hitpipe_unit* unit);
 
-/* What the unit is; it must not be NULL. The strings live as long as it does. */
+/* What the unit is. The strings live as long as it does. Of NULL the answer is "" or 0, here and where ports
+ * and results are counted, and hitpipe_error() says so. */
 HITPIPE_API const char* hitpipe_unit_design(const hitpipe_unit* unit);
 HITPIPE_API const char* hitpipe_unit_format(const hitpipe_unit* unit);
 HITPIPE_API int hitpipe_unit_conservative(const hitpipe_unit* unit);
 HITPIPE_API size_t hitpipe_unit_boxes_per_test(const hitpipe_unit* unit);
 
-/* Operand and result ports, in the order of the Verilog, the manifest and the vector file. Counts need a unit
- * that is not NULL. */
+/* Operand and result ports, in the order of the Verilog, the manifest and the vector file. */
 HITPIPE_API size_t hitpipe_port_count(const hitpipe_unit* unit);
 HITPIPE_API hitpipe_status hitpipe_port(const hitpipe_unit* unit, size_t index, hitpipe_port_info* out);
 HITPIPE_API size_t hitpipe_result_count(const hitpipe_unit* unit);

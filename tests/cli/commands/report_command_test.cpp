@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "area_model/triangle_unit.hpp"
-#include "cli/report/recommendation.hpp"
 #include "cli/report/report_page.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "sim/sweep/rows_file.hpp"

@@ -96,46 +96,29 @@ std::string untimed(const fs::path& file) {
   return text;
 }
 
-TEST_F(SweepCommand, FileDoesNotDependOnThreadsShardsOrOrder) {
+TEST_F(SweepCommand, FileDoesNotDependOnThreadsPartsOrOrder) {
   const std::string one = untimed(whole());
   EXPECT_EQ(sim::read_rows(whole()).rows.size(), all_rows);
 
   EXPECT_EQ(run_hitpipe(sweep(file("two.csv"), {"--threads", "2"})).exit_code, 0);
   EXPECT_EQ(untimed(file("two.csv")), one);
 
-  EXPECT_EQ(run_hitpipe(sweep(file("cut.csv"), {"--shard", "2/2"})).exit_code, 0);
-  EXPECT_EQ(run_hitpipe(sweep(file("cut.csv"), {"--shard", "1/2"})).exit_code, 0);
-  EXPECT_FALSE(fs::exists(file("cut.csv")));
-  const Outcome merged = run_hitpipe({"sweep", "--merge", "--out", file("cut.csv").string()});
-  EXPECT_EQ(merged.exit_code, 0) << merged.err;
-  EXPECT_EQ(untimed(file("cut.csv")), one);
-}
-
-/// Two processes at once, with the variables that MPICH gives to its processes.
-TEST_F(SweepCommand, RanksOfALauncherAreShards) {
-  const auto rank = [&](const char* number) {
-    return run_hitpipe(sweep(file("ranks.csv"), {"--shard", "mpi", "--threads", "1"}),
-                       {{"PMI_RANK", number}, {"PMI_SIZE", "2"}})
-        .exit_code;
+  // Two sweeps at once of parts of the designs, then one that joins them and measures nothing.
+  const auto part = [&](const char* name, const char* designs) {
+    std::vector<std::string> arguments = sweep(file(name), {"--threads", "1"});
+    *std::find(arguments.begin(), arguments.end(), "int_plucker,fp_slabs,int_slabs") = designs;
+    return run_hitpipe(arguments).exit_code;
   };
   int second = -1;
-  std::thread other([&] { second = rank("1"); });
-  EXPECT_EQ(rank("0"), 0);
+  std::thread other([&] { second = part("b.csv", "fp_slabs,int_slabs"); });
+  EXPECT_EQ(part("a.csv", "int_plucker"), 0);
   other.join();
   EXPECT_EQ(second, 0);
-  EXPECT_EQ(run_hitpipe({"sweep", "--merge", "--out", file("ranks.csv").string()}).exit_code, 0);
-  EXPECT_EQ(untimed(file("ranks.csv")), untimed(whole()));
-}
-
-TEST_F(SweepCommand, RunsUnderMpirun) {
-  ASSERT_EQ(std::system("mpirun --version >/dev/null 2>&1"), 0) << "install the package mpich";
-  std::string command =
-      "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
-      "mpirun -n 2 " HITPIPE_PROGRAM;
-  for (const std::string& word : sweep(file("mpi.csv"), {"--shard", "mpi"})) command += " '" + word + "'";
-  ASSERT_EQ(std::system((command + " >/dev/null").c_str()), 0);
-  EXPECT_EQ(run_hitpipe({"sweep", "--merge", "--out", file("mpi.csv").string()}).exit_code, 0);
-  EXPECT_EQ(untimed(file("mpi.csv")), untimed(whole()));
+  const Outcome joined =
+      run_hitpipe(sweep(file("all.csv"), {"--rows", file("a.csv").string() + "," + file("b.csv").string()}),
+                  {{"VERILATOR", "/nonexistent"}});
+  EXPECT_EQ(joined.exit_code, 0) << joined.err;
+  EXPECT_EQ(untimed(file("all.csv")), one);
 }
 
 bool has_ended(pid_t child) {
@@ -336,8 +319,8 @@ TEST_F(SweepCommand, BadInputRejected) {
   const std::string out = file("rows.csv").string();
   expect_error({"sweep", "--out", out}, "--scene is required; see hitpipe sweep --help");
   expect_error({"sweep", "--scene", "spheres"}, "--out is required; see hitpipe sweep --help");
-  expect_error({"sweep", "--merge", "--out", out},
-               out + ": no shards beside it; run hitpipe sweep --shard I/N first");
+  expect_error(sweep(out, {"--rows", "/nonexistent/rows.csv"}),
+               "/nonexistent/rows.csv: cannot read the rows");
   expect_error(
       {"sweep", "--scene", "spheres", "--designs", "int_slab", "--out", out},
       "design int_slab: unknown; there are: fp_slabs, int_slabs, fp_plucker, int_plucker, fp_plucker_direct, "
@@ -353,8 +336,6 @@ TEST_F(SweepCommand, BadInputRejected) {
     expect_error(
         {"sweep", "--scene", "spheres", "--triangle-ns", cost, "--out", out},
         "--triangle-ns: Value " + std::string(cost) + " not in range 0 to 1000000; see hitpipe sweep --help");
-  expect_error({"sweep", "--scene", "spheres", "--bits", "6/6", "--shard", "3/2", "--out", out},
-               "--shard 3/2: allowed is I/N with I in 1..N and N in 1..100000, or mpi");
   EXPECT_FALSE(fs::exists(file("rows.csv")));
 }
 

@@ -1,11 +1,10 @@
 // gnuplot draws what it is told, whatever the folders are called, and its failures are told in one line.
-#include "cli/report/gnuplot.hpp"
-
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/report/plot.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/temporary_folder.hpp"

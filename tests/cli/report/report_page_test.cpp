@@ -4,8 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/report/column_heading.hpp"
-#include "cli/report/label_places.hpp"
+#include "cli/report/plot.hpp"
 
 namespace hitpipe::cli::report_page_test {
 namespace {

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/implement/cell_timing.hpp"
 #include "sim/implement/netlist_simulation.hpp"
 #include "sim/implement/place_and_route.hpp"
 #include "sim/implement/shift_harness.hpp"

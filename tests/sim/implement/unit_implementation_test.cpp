@@ -11,7 +11,7 @@
 
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/files.hpp"
-#include "sim/implement/chip_tools.hpp"
+#include "sim/implement/target.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/temporary_folder.hpp"
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/message_of.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/temporary_folder.hpp"
@@ -22,7 +23,7 @@ class Resume : public testing::Test {
             .options = {.width = 12, .height = 8},
             .program = "a test 1",
             .file = folder_.path() / "rows.csv",
-            .shard = {}};
+            .more = {}};
   }
   [[nodiscard]] std::string text() const { return to_text(read_rows(folder_.path() / "rows.csv")); }
 
@@ -59,14 +60,28 @@ TEST_F(Resume, MeasuresOnlyWhatIsMissing) {
   EXPECT_EQ(again.rows[1].cycles, whole.rows[1].cycles);
 }
 
-TEST_F(Resume, KeepsAShardInAFileOfItsOwn) {
-  ResumableSweep part = sweep();
-  part.shard = Shard{1, 1};
-  const RowsFile rows = resume(part);
-  EXPECT_EQ(rows.rows.size(), 2U);
-  EXPECT_THAT(rows.about, testing::EndsWith("; shard 1/1 of 2 rows"));
-  EXPECT_FALSE(std::filesystem::exists(part.file));
-  EXPECT_EQ(join_shards(part.file).rows, rows.rows);
+/// Two sweeps, perhaps on two machines, and one that joins their files and measures nothing.
+TEST_F(Resume, TakesRowsThatWereMeasuredElsewhere) {
+  ResumableSweep one = sweep();
+  ResumableSweep other = sweep();
+  one.points.resize(1);
+  one.file = folder_.path() / "one.csv";
+  other.points.erase(other.points.begin());
+  other.file = folder_.path() / "other.csv";
+  const std::vector<SweepRow> here = resume(one).rows;
+  const std::vector<SweepRow> there = resume(other).rows;
+  const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
+  ResumableSweep joined = sweep();
+  joined.more = {other.file, one.file};
+  const RowsFile rows = resume(joined);
+  EXPECT_EQ(rows.rows, (std::vector{here.at(0), there.at(0)}));
+  EXPECT_EQ(to_text(rows), text());
+  write_rows(one.file, {"another sweep", here});
+  joined.file = folder_.path() / "refused.csv";
+  EXPECT_EQ(message_of<std::runtime_error>([&] { (void)resume(joined); }),
+            one.file.string() + ": holds rows of \"another sweep\", asked for are \"" + rows.about +
+                "\"; give another file or remove it");
+  EXPECT_FALSE(std::filesystem::exists(joined.file));
 }
 
 TEST_F(Resume, RowsOfSomethingElseAreRefusedAndKept) {

@@ -1,4 +1,4 @@
-#include "area_model/habits.hpp"
+#include "area_model/thesis_accounting.hpp"
 
 #include <algorithm>
 

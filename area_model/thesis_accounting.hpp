@@ -1,5 +1,5 @@
 // How Table 7.2 departs from the schematics that it prices. Each design states its own departures
-// (rtl::Printed); docs/table-7-2.md says where and by how much. Two habits hold in every row, so no design
+// (rtl::Printed); docs/table-7-2.md says where and by how much. Two rules hold in every row, so no design
 // states them: only latches, muxes, subtractors, multipliers and comparators have area (no valid bits, no
 // tag), and each row is rounded before the total is taken.
 #pragma once

@@ -1,0 +1,298 @@
+#include "cli/report/plot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/process.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+constexpr double margin = 0.03;         // of the length, so that marks at the ends are whole
+constexpr double least_ratio = 1.05;    // of the ends, when all data is one number
+constexpr double below_positive = 0.3;  // where "≤ 0" stands, of the least positive number
+
+/// The tics of a decade, from few to many.
+const std::array<std::vector<double>, 5> tic_series{
+    {{1}, {1, 3}, {1, 2, 5}, {1, 1.5, 2, 3, 4, 5, 7}, {1,   1.1, 1.2, 1.3, 1.4, 1.6, 1.8, 2, 2.2, 2.5, 2.8,
+                                                       3.2, 3.6, 4,   4.5, 5,   5.5, 6,   7, 8,   9}}};
+
+std::vector<double> tics_of(const std::vector<double>& decade, double least, double most) {
+  std::vector<double> tics;
+  for (int power = static_cast<int>(std::floor(std::log10(least))); std::pow(10, power) <= most; ++power) {
+    for (const double tic : decade) {
+      const double value = tic * std::pow(10, power);
+      if (value >= least && value <= most) tics.push_back(value);
+    }
+  }
+  return tics;
+}
+
+constexpr double letter_width = 7.0;  // in 12-pixel sans-serif, rounded up
+constexpr double line_height = 15.0;
+constexpr double gap = 9.0;        // between mark and label
+constexpr double line_step = 4.0;  // between points of a line that are looked at
+constexpr int steps_off = 24;      // how many lines above and below are tried
+constexpr std::array<double, 5> steps_out{0, 20, 50, 90, 140};
+
+struct Rectangle {
+  double left, right, low, high;
+
+  [[nodiscard]] bool meets(const Rectangle& other) const {
+    return left < other.right && other.left < right && low < other.high && other.low < high;
+  }
+};
+
+constexpr double apart = 2 * mark_radius;
+
+bool cover(const Mark& a, const Mark& b) {
+  return std::abs(a.x - b.x) < apart - 1e-6 && std::abs(a.y - b.y) < apart - 1e-6;
+}
+
+/// "24/24", "24/28" and "16/16" become "24/24,28 16/16".
+std::string joined(const std::vector<std::string>& formats) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_head;
+  for (const std::string& format : formats) {
+    const std::size_t slash = format.find('/');
+    const std::string head = slash == std::string::npos ? format : format.substr(0, slash + 1);
+    if (by_head.empty() || by_head.back().first != head || slash == std::string::npos)
+      by_head.emplace_back(head, std::vector<std::string>());
+    if (slash != std::string::npos) by_head.back().second.push_back(format.substr(slash + 1));
+  }
+  std::vector<std::string> texts;
+  for (const auto& [head, tails] : by_head) texts.push_back(head + fmt::format("{}", fmt::join(tails, ",")));
+  return fmt::format("{}", fmt::join(texts, " "));
+}
+
+/// Some units of a design, at their middle.
+struct Cluster {
+  std::string design;
+  std::vector<std::string> formats;
+  Mark sum{0, 0};
+  double units = 0;
+
+  [[nodiscard]] Mark middle() const { return {sum.x / units, sum.y / units}; }
+  void add(const Cluster& other) {
+    formats.insert(formats.end(), other.formats.begin(), other.formats.end());
+    sum = {sum.x + other.sum.x, sum.y + other.sum.y};
+    units += other.units;
+  }
+};
+
+/// Joins what belongs to one design and would cover, until nothing does.
+std::vector<Cluster> clusters_of(std::span<const sim::SweepRow> units, std::span<const Mark> places) {
+  std::vector<Cluster> clusters;
+  for (std::size_t i = 0; i < units.size(); ++i)
+    clusters.push_back({units[i].design, {units[i].bits}, places[i], 1});
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    for (std::size_t j = i + 1; j < clusters.size(); ++j) {
+      if (clusters[i].design != clusters[j].design || !cover(clusters[i].middle(), clusters[j].middle()))
+        continue;
+      clusters[i].add(clusters[j]);
+      clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(j));
+      i = static_cast<std::size_t>(-1);  // the middle has moved: look at all again
+      break;
+    }
+  }
+  return clusters;
+}
+
+/// Marks that stand in one row because they would cover one another.
+struct MarkRow {
+  std::vector<std::size_t> marks;  ///< from left to right
+  Mark middle{0, 0};
+
+  [[nodiscard]] Mark place(std::size_t i) const {
+    const double from_middle = static_cast<double>(i) - (static_cast<double>(marks.size()) - 1) / 2;
+    return {middle.x + apart * from_middle, middle.y};
+  }
+  [[nodiscard]] bool covers(const MarkRow& other) const {
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      for (std::size_t j = 0; j < other.marks.size(); ++j) {
+        if (cover(place(i), other.place(j))) return true;
+      }
+    }
+    return false;
+  }
+};
+
+void stand_side_by_side(std::vector<UnitMark>& marks) {
+  std::vector<MarkRow> rows;
+  for (std::size_t i = 0; i < marks.size(); ++i) rows.push_back({{i}, marks[i].place});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = i + 1; j < rows.size(); ++j) {
+      if (!rows[i].covers(rows[j])) continue;
+      MarkRow joint{rows[i].marks, {0, 0}};
+      joint.marks.insert(joint.marks.end(), rows[j].marks.begin(), rows[j].marks.end());
+      std::stable_sort(joint.marks.begin(), joint.marks.end(),
+                       [&](std::size_t a, std::size_t b) { return marks[a].place.x < marks[b].place.x; });
+      const auto size = static_cast<double>(joint.marks.size());
+      for (const std::size_t mark : joint.marks) {
+        joint.middle.x += marks[mark].place.x / size;
+        joint.middle.y += marks[mark].place.y / size;
+      }
+      rows[i] = joint;
+      rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(j));
+      i = static_cast<std::size_t>(-1);
+      break;
+    }
+  }
+  for (const MarkRow& row : rows) {
+    for (std::size_t i = 0; i < row.marks.size(); ++i) marks[row.marks[i]].place = row.place(i);
+  }
+}
+
+}  // namespace
+
+std::string gnuplot_string(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("''") : std::string(1, c);
+  return word + "'";
+}
+
+std::string run_gnuplot(const std::string& command, const std::string& script) {
+  host::Outcome plotted = host::run({"gnuplot"}, {.input = script, .time_limit = host::answering_time});
+  if (!plotted.succeeded() || plotted.out.empty()) {
+    throw std::runtime_error(fmt::format("{}: gnuplot {}{}", command, plotted.failure(),
+                                         plotted.not_found() ? "; install the package gnuplot-nox" : ""));
+  }
+  return std::move(plotted.out);
+}
+
+LogAxis::LogAxis(std::span<const double> values) {
+  double least = 0;
+  double most = 0;
+  bool zero = false;
+  for (const double value : values) {
+    zero = zero || value <= 0;
+    if (value <= 0) continue;
+    least = least == 0 ? value : std::min(least, value);
+    most = std::max(most, value);
+  }
+  if (least == 0) least = most = 1;
+  if (zero) zero_ = least * below_positive;
+  const double low = zero ? zero_ : least;
+  const double ratio = std::max(most / low, least_ratio);
+  least_ = low / std::pow(ratio, margin);
+  most_ = std::max(most, low * least_ratio) * std::pow(ratio, margin);
+}
+
+double LogAxis::share(double value) const {
+  return std::log(shown(value) / least_) / std::log(most_ / least_);
+}
+
+double LogAxis::at(double share) const {
+  return least_ * std::pow(most_ / least_, share);
+}
+
+std::string LogAxis::tics() const {
+  constexpr std::size_t enough = 4;
+  std::vector<double> chosen;
+  const double least = zero_ > 0 ? zero_ * 1.5 : least_;
+  for (const std::vector<double>& decade : tic_series) {
+    chosen = tics_of(decade, least, most_);
+    if (chosen.size() >= enough) break;
+  }
+  std::vector<std::string> texts;
+  if (zero_ > 0) texts.push_back(fmt::format("'≤ 0' {}", zero_));
+  for (const double tic : chosen) texts.push_back(fmt::format("'{:.4g}' {:.4g}", tic, tic));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<const std::string> texts,
+                                     Mark plot_size) {
+  std::vector<Rectangle> taken;
+  for (const Mark& m : marks)
+    taken.push_back({m.x - mark_radius, m.x + mark_radius, m.y - mark_radius, m.y + mark_radius});
+  const auto free = [&](const Rectangle& r) {
+    return r.left >= 0 && r.right <= plot_size.x && r.low >= 0 && r.high <= plot_size.y &&
+           std::none_of(taken.begin(), taken.end(), [&](const Rectangle& t) { return r.meets(t); });
+  };
+  // Points on the line between mark and label, without its ends.
+  const auto along = [](const Mark& from, const LabelPlace& to) {
+    std::vector<Rectangle> points;
+    const double length = std::hypot(to.line_x - from.x, to.middle - from.y);
+    for (double at = 1.5 * mark_radius; at < length - line_height / 2; at += line_step) {
+      const double share = at / length;
+      const double x = std::lerp(from.x, to.line_x, share);
+      const double y = std::lerp(from.y, to.middle, share);
+      points.push_back({x - 1, x + 1, y - 1, y + 1});
+    }
+    return points;
+  };
+  const auto clear = [&](const Mark& from, const LabelPlace& to) {
+    const auto points = along(from, to);
+    return std::none_of(points.begin(), points.end(), [&](const Rectangle& point) {
+      const bool at_mark = std::abs((point.left + point.right) / 2 - from.x) <= 1.5 * mark_radius &&
+                           std::abs((point.low + point.high) / 2 - from.y) <= 1.5 * mark_radius;
+      return !at_mark && !free(point);
+    });
+  };
+  std::vector<LabelPlace> places;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const Mark& m = marks[i];
+    const double width = letter_width * static_cast<double>(texts[i].size());
+    const auto at = [&](bool to_right, int lines_up, double farther) {
+      const double left = to_right ? m.x + gap + farther : m.x - gap - farther - width;
+      return LabelPlace{left, m.y + line_height * lines_up, lines_up != 0 || farther > 0,
+                        to_right ? left - 2 : left + width};
+    };
+    // Above or below the mark, in its middle.
+    const auto over = [&](int lines_up) {
+      return LabelPlace{m.x - width / 2, m.y + line_height * lines_up, std::abs(lines_up) > 1, m.x};
+    };
+    const auto box = [&](const LabelPlace& p) {
+      return Rectangle{p.left, p.left + width, p.middle - line_height / 2, p.middle + line_height / 2};
+    };
+    // First beside the mark, on the right, then on the left; then higher or lower, and farther away.
+    const auto find = [&](bool with_clear_line) {
+      for (int step = 0; step <= 2 * steps_off; ++step) {
+        const int up = step % 2 == 1 ? (step + 1) / 2 : -step / 2;
+        if (up != 0 && free(box(over(up))) && (!with_clear_line || std::abs(up) == 1 || clear(m, over(up))))
+          return std::optional(over(up));
+        for (const double farther : steps_out) {
+          for (const bool to_right : {true, false}) {
+            const LabelPlace place = at(to_right, up, up == 0 ? farther : farther + line_height);
+            if (free(box(place)) && (!with_clear_line || !place.line || clear(m, place)))
+              return std::optional(place);
+          }
+        }
+      }
+      return std::optional<LabelPlace>();
+    };
+    std::optional<LabelPlace> found = find(true);
+    if (!found) found = find(false);
+    const LabelPlace chosen = found.value_or(at(true, 0, 0));
+    taken.push_back(box(chosen));
+    if (chosen.line) {
+      const auto points = along(m, chosen);
+      taken.insert(taken.end(), points.begin(), points.end());
+    }
+    places.push_back(chosen);
+  }
+  return places;
+}
+
+std::vector<UnitMark> unit_marks(std::span<const sim::SweepRow> units, std::span<const Mark> places) {
+  std::map<std::string, bool> single;
+  for (const sim::SweepRow& unit : units)
+    single[unit.design] = rtl::find_design(unit.design).default_format.family().single;
+  std::vector<UnitMark> marks;
+  for (const Cluster& cluster : clusters_of(units, places))
+    marks.push_back({cluster.design, single[cluster.design] ? cluster.design : joined(cluster.formats),
+                     cluster.middle()});
+  stand_side_by_side(marks);
+  return marks;
+}
+
+}  // namespace hitpipe::cli
