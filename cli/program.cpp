@@ -18,11 +18,11 @@ namespace hitpipe::cli {
 
 namespace {
 
-// Of a command that ran and found the hardware or a picture wrong, it is 1 too.
+// Exit code 1: the command ran and found wrong hardware or a wrong picture.
 constexpr int wrong_hardware = 1;
 constexpr int asked_wrongly = 2;
 
-/// A word of the user's that a message quotes may hold line breaks.
+/// Messages quote the user's words; control characters become blanks so that each message stays one line.
 void print_error(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');

@@ -33,7 +33,7 @@ struct StiffnessCommand {
 
 constexpr std::size_t most_formats = 8;  // a table has 80 columns
 
-struct LoadedScene {
+struct CountedScene {
   ref::Scene scene;
   ref::Bvh bvh;
 };
@@ -58,7 +58,7 @@ std::vector<MeasuredDesign> chosen(const StiffnessCommand& command) {
   return measured;
 }
 
-void measure(const StiffnessCommand& command, const LoadedScene* loaded,
+void measure(const StiffnessCommand& command, const CountedScene* loaded,
              std::vector<MeasuredDesign>& designs) {
   for (MeasuredDesign& d : designs) {
     for (Measured& m : d.formats) {
@@ -92,10 +92,10 @@ void write(const StiffnessCommand& command, const std::vector<MeasuredDesign>& d
 
 int report(const StiffnessCommand& command) {
   std::vector<MeasuredDesign> designs = chosen(command);
-  std::optional<LoadedScene> loaded;
+  std::optional<CountedScene> loaded;
   if (!command.scene.empty()) {
     const Progress progress("reading the scene");
-    loaded.emplace(LoadedScene{ref::load_scene(command.scene), {}});
+    loaded.emplace(CountedScene{ref::load_scene(command.scene), {}});
     loaded->bvh = ref::build_bvh(loaded->scene.mesh);
   }
   const std::string scene = loaded ? loaded->scene.name : "";

@@ -154,26 +154,6 @@ TEST_F(SweepCommand, KilledAtRandomMomentsComesToTheSameEnd) {
   EXPECT_EQ(untimed(out), untimed(whole()));
 }
 
-/// A finished row is not measured again, and a missing one is. Rows in the file stay byte for byte, also
-/// their times.
-TEST_F(SweepCommand, ContinuesWithTheMissingRows) {
-  sim::RowsFile rows = sim::read_rows(whole());
-  rows.rows.erase(rows.rows.begin() + 3);
-  rows.rows.pop_back();
-  sim::write_rows(file("rows.csv"), rows);
-  ASSERT_EQ(run_hitpipe(sweep(file("rows.csv"))).exit_code, 0);
-  EXPECT_EQ(sim::read_rows(file("rows.csv")).rows.size(), all_rows);
-  const std::vector<std::string> before = lines_of(contents_of(whole()));
-  const std::vector<std::string> after = lines_of(contents_of(file("rows.csv")));
-  ASSERT_EQ(after.size(), before.size());
-  for (std::size_t line = 0; line + 1 < before.size(); ++line) {
-    if (line == 2 + 3) continue;
-    EXPECT_EQ(after[line], before[line]);
-  }
-  // Nothing is missing now, so no Verilator is needed.
-  EXPECT_EQ(run_hitpipe(sweep(file("rows.csv")), {{"VERILATOR", "/nonexistent"}}).exit_code, 0);
-}
-
 TEST_F(SweepCommand, RowsOfSomethingElseRejected) {
   const fs::path rows = copy();
   const std::string before = contents_of(rows);
@@ -235,20 +215,6 @@ TEST_F(SweepCommand, PrintsTheAreaOfAPairForEachBox) {
   const sim::SweepRow row = sim::read_rows(out).rows.at(1);
   EXPECT_EQ(row.boxes_per_test, 2);
   EXPECT_NEAR(static_cast<double>(row.area_um2), 0.507e6, 1e3);
-}
-
-/// A file of a version without these columns is not continued.
-TEST_F(SweepCommand, RowsOfOtherColumnsRejected) {
-  std::string text = contents_of(whole());
-  const std::string column = "boxes_per_test,";
-  text.erase(text.find(column), column.size());
-  std::ofstream(file("old.csv")) << text;
-  expect_error(
-      sweep(file("old.csv")),
-      file("old.csv").string() +
-          ": line 2 is not the header of a sweep by this version, so its rows must be measured again; give "
-          "another file or remove it");
-  EXPECT_EQ(contents_of(file("old.csv")), text);
 }
 
 /// A chip has lookup tables in place of an area, and a clock of its own.
