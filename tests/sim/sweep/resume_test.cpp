@@ -64,7 +64,7 @@ TEST_F(Resume, MeasuresOnlyWhatIsMissing) {
 TEST_F(Resume, TakesRowsThatWereMeasuredElsewhere) {
   ResumableSweep one = sweep();
   ResumableSweep other = sweep();
-  one.points.resize(1);
+  one.points.pop_back();
   one.file = folder_.path() / "one.csv";
   other.points.erase(other.points.begin());
   other.file = folder_.path() / "other.csv";

@@ -17,7 +17,6 @@
 #include "sim/fit/fit.hpp"
 #include "sim/generic_tracer.hpp"
 #include "sim/sweep/rows_file.hpp"
-#include "sim/sweep/shard.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/sweep/sample_rows.hpp"
