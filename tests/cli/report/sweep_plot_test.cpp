@@ -31,7 +31,6 @@ sim::SweepRow row(const std::string& design, const std::string& bits, std::uint6
   made.rays_in_flight = 32;
   made.stage_delay_ps = 3000;
   made.area_um2 = 2'000'000;
-  made.bytes_per_node = 23;
   made.unit_tests = box_tests;
   made.box_tests = box_tests;
   made.reference_box_tests = 1000;

@@ -43,7 +43,7 @@ TEST(SweepRowFigures, OfTheWholeCountTriangleTestsAndMemory) {
   EXPECT_DOUBLE_EQ(row.whole_area_run_time_mm2_ms(), 1.234567 * 1.588 + 10 * triangles_ms);
   EXPECT_EQ(row.nodes_fetched(), 400'000U);
   EXPECT_EQ(row.bytes_fetched(), 400'000U * 23 + 70'000U * 36);
-  EXPECT_DOUBLE_EQ(row.bytes_per_ray().value(), 1465.0);
+  EXPECT_DOUBLE_EQ(row.bytes_per_ray(), 1465.0);
   EXPECT_DOUBLE_EQ(row.reference_bytes_per_ray(), (400'800.0 * 32 + 69'000.0 * 36) / 8000);
   SweepRow free = row;
   free.triangle = {};
@@ -69,7 +69,7 @@ TEST(SweepRowFigures, OfNothingAreZero) {
   for (const double figure :
        {row.occupancy_pct(), row.false_hits_per_million(), row.extra_box_tests_per_ray(),
         row.extra_triangle_tests_per_ray(), row.extra_box_tests_pct(), row.extra_triangle_tests_pct(),
-        row.run_time_ms(), row.reference_bytes_per_ray(), row.whole_run_time_ms(),
+        row.run_time_ms(), row.bytes_per_ray(), row.reference_bytes_per_ray(), row.whole_run_time_ms(),
         row.whole_area_run_time_mm2_ms()})
     EXPECT_EQ(figure, 0.0);
 }
@@ -112,17 +112,6 @@ TEST(SweepRowCells, GiveTheRowBack) {
   EXPECT_THROW((void)sweep_column("scene").number(a_row()), std::invalid_argument);
 }
 
-/// A design may leave out the size of its nodes: the cells that follow from it are empty.
-TEST(SweepRowCells, AreEmptyForWhatIsNotKnown) {
-  SweepRow row = a_row();
-  row.bytes_per_node.reset();
-  for (const char* const column : {"bytes_per_node", "bytes_fetched", "bytes_per_ray"}) {
-    EXPECT_EQ(sweep_column(column).cell(row), "");
-    EXPECT_EQ(sweep_column(column).number(row), std::nullopt);
-  }
-  EXPECT_EQ(from_cells(to_cells(row)), row);
-}
-
 TEST(SweepRowCells, NumbersThatDoNotBelongRejected) {
   for (std::size_t column = 0; column < sweep_columns.size(); ++column) {
     if (sweep_columns[column].is_text()) continue;
@@ -131,10 +120,8 @@ TEST(SweepRowCells, NumbersThatDoNotBelongRejected) {
       cells[column] = wrong;
       const bool time = column + sweep_time_columns >= sweep_columns.size();
       if (time && std::string(wrong) == "12345.5") continue;
-      // Without the size of a node, the first figure that needs it is wrong.
-      const bool unknown = sweep_columns[column].name == "bytes_per_node" && std::string(wrong).empty();
       EXPECT_THAT(message_of<std::runtime_error>([&] { return from_cells(cells); }),
-                  HasSubstr(unknown ? "bytes_fetched" : sweep_columns[column].name))
+                  HasSubstr(sweep_columns[column].name))
           << sweep_columns[column].name << " = " << wrong;
     }
   }

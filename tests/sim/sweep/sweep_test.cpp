@@ -69,8 +69,7 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     EXPECT_EQ(row.stages, price.stages);
     EXPECT_EQ(row.triangles, 288U);
     EXPECT_EQ(row.library, "thesis_250nm");
-    EXPECT_EQ(static_cast<std::size_t>(row.bytes_per_node.value()),
-              bytes_per_node(*point.design, point.format));
+    EXPECT_EQ(static_cast<std::size_t>(row.bytes_per_node), bytes_per_node(*point.design, point.format));
     EXPECT_EQ(row.rays_primary, 384U);
     EXPECT_EQ(row.rays_shadow, counted.rays_shadow);
     EXPECT_EQ(row.rays_rejected, counted.rejected);
