@@ -14,9 +14,8 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
-#include "sw_ref/hierarchy/bvh_text.hpp"
+#include "sw_ref/hierarchy/bvh_file.hpp"
 #include "sw_ref/hierarchy/statistics.hpp"
-#include "sw_ref/hierarchy/sweep.hpp"
 
 namespace hitpipe::cli {
 

@@ -17,8 +17,7 @@
 #include "sim/check/check.hpp"
 #include "sim/software.hpp"
 #include "sim/unit/drive.hpp"
-#include "sw_ref/judge/adversary/replay.hpp"
-#include "sw_ref/judge/adversary/shrink.hpp"
+#include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::cli {

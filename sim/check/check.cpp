@@ -10,7 +10,7 @@
 
 #include "host/parallel.hpp"
 #include "sim/unit/drive.hpp"
-#include "sw_ref/judge/adversary/neighbours.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {
@@ -28,10 +28,7 @@ constexpr std::uint64_t tests_per_batch = boxes_per_ray * rays_per_batch;
 
 /// SplitMix64 of the seed, the category and the batch: unrelated streams.
 std::uint64_t stream(std::uint64_t seed, std::uint64_t category, std::uint64_t batch) {
-  std::uint64_t x = seed + 0x9E3779B97F4A7C15U * (category * 0x100000001U + batch + 1);
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
-  return x ^ (x >> 31);
+  return ref::mixed(seed + ref::golden_step * (category * 0x100000001U + batch + 1));
 }
 
 void count(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<const bool> hits,

@@ -26,7 +26,7 @@ double percent(std::uint64_t part, std::uint64_t whole) {
 }
 
 Random stream(std::uint64_t seed, std::size_t number) {
-  return Random(seed + 0x9E3779B97F4A7C15U * (number + 1));
+  return Random(seed + ref::golden_step * (number + 1));
 }
 
 glm::vec3 anywhere(Random& random) {

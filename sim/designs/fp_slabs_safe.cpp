@@ -10,7 +10,7 @@
 #include "sim/fit/float_range.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/hierarchy/fp_nodes.hpp"
-#include "sw_ref/judge/adversary/float_unit.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
 #include "sw_ref/trace/store_tracer.hpp"

@@ -125,7 +125,7 @@ class PairTest final : public BoxTest {
     std::uint64_t seed = 0;
     for (const auto& corner : {box.min, box.max})
       for (const std::int32_t plane : corner)
-        seed = seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(plane);
+        seed = seed * ref::golden_step + static_cast<std::uint64_t>(plane);
     ref::adversary::Random random(seed);
     ref::IntBox other = box;
     for (auto* const corner : {&other.min, &other.max}) {

@@ -6,7 +6,7 @@
 #include "rtl_gen/emit/port_vectors.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "sim/software.hpp"
-#include "sw_ref/judge/adversary/neighbours.hpp"
+#include "sw_ref/judge/adversary/categories.hpp"
 
 namespace hitpipe::sim {
 

@@ -19,7 +19,6 @@
 
 #include "host/parallel.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
-#include "sw_ref/hierarchy/items.hpp"
 #include "sw_ref/hierarchy/split.hpp"
 #include "sw_ref/quantise/grid.hpp"
 

@@ -1,21 +1,141 @@
 #include "sw_ref/hierarchy/bvh_file.hpp"
 
+#include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "sw_ref/hierarchy/word_reader.hpp"
 #include "sw_ref/reject.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
 
 namespace hitpipe::ref {
 
 namespace {
+
+/// Reads a text file word by word, in pieces, so that neither long files nor long lines take memory. Words
+/// are parted by blanks; # starts a comment that ends with its line.
+class WordReader {
+ public:
+  static constexpr std::size_t longest_word = 256;
+
+  /// Throws std::runtime_error, the reason without the file's name, when the file cannot be read. So do the
+  /// functions below, and also for a longer word.
+  explicit WordReader(const std::filesystem::path& file);
+
+  /// Goes to the next line that has a word. False at the end of the file.
+  bool next_line();
+  /// The next word of the line; empty at its end. It is valid until the next call of a function.
+  std::string_view word();
+  /// Of the current line, from 1. At the end of the file, of the last line with a word.
+  [[nodiscard]] std::uint64_t line() const { return line_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  static constexpr int end_of_file = -1;
+
+  /// The byte at at_, or end_of_file.
+  int peek();
+  void refill();
+
+  std::unique_ptr<std::FILE, Close> file_;
+  std::vector<char> buffer_;
+  std::size_t at_ = 0;
+  std::size_t end_ = 0;
+  std::uint64_t line_ = 1;
+  std::uint64_t last_with_words_ = 1;
+  bool started_ = false;
+};
+
+bool is_blank(int c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+[[noreturn]] void reject_errno(int error) {
+  reject(fmt::format("cannot be read: {}", std::generic_category().message(error)));
+}
+
+WordReader::WordReader(const std::filesystem::path& file) : buffer_(std::size_t{1} << 16U) {
+  file_.reset(std::fopen(file.c_str(), "rbe"));
+  if (!file_) reject_errno(errno);
+}
+
+bool WordReader::next_line() {
+  while (started_ && !word().empty()) {
+  }
+  started_ = true;
+  while (true) {
+    // At a comment, the end of a line, the end of the file, or the first word.
+    int c = peek();
+    if (c == '#') {
+      while (c != '\n' && c != end_of_file) {
+        ++at_;
+        c = peek();
+      }
+    }
+    if (c == end_of_file) {
+      line_ = last_with_words_;
+      return false;
+    }
+    if (c != '\n' && !is_blank(c)) {
+      last_with_words_ = line_;
+      return true;
+    }
+    line_ += c == '\n' ? 1 : 0;
+    ++at_;
+  }
+}
+
+std::string_view WordReader::word() {
+  while (is_blank(peek())) ++at_;
+  // A word that is cut by the end of the buffer is moved to its front.
+  if (end_ - at_ <= longest_word) refill();
+  const std::size_t first = at_;
+  while (at_ < end_ && !is_blank(buffer_[at_]) && buffer_[at_] != '\n' && buffer_[at_] != '#') {
+    if (++at_ - first > longest_word)
+      reject(fmt::format("line {}: a word of more than {} characters", line_, longest_word));
+  }
+  return {buffer_.data() + first, at_ - first};
+}
+
+int WordReader::peek() {
+  if (at_ == end_) refill();
+  return at_ == end_ ? end_of_file : static_cast<unsigned char>(buffer_[at_]);
+}
+
+void WordReader::refill() {
+  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(at_),
+            buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
+  end_ -= at_;
+  at_ = 0;
+  end_ += std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_.get());
+  if (std::ferror(file_.get()) != 0) reject_errno(errno);
+}
+
+/// A word of a file for a message: at most 40 characters, all of them printable.
+std::string quoted(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  std::string text(word.substr(0, longest));
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+  return fmt::format("\"{}{}\"", text, word.size() > longest ? "..." : "");
+}
 
 /// Nodes and triangles of a hierarchy have 31 bits.
 constexpr std::uint32_t most_number = std::numeric_limits<std::int32_t>::max();
@@ -218,6 +338,30 @@ BvhFile read_bvh_file(const std::filesystem::path& file) {
                                     node.first, end - 1, read.triangles.size()));
   }
   return read;
+}
+
+std::string bvh_text(const Bvh& bvh, const Mesh& mesh) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "hitpipe-bvh 1\nspace cube\nnodes {}\n", bvh.nodes.size());
+  for (const BvhNode& node : bvh.nodes) {
+    const Aabb& box = node.box;
+    fmt::format_to(out, "{} {} {} {} {} {} {} {} ", node.is_leaf() ? "leaf" : "branch", box.min.x, box.min.y,
+                   box.min.z, box.max.x, box.max.y, box.max.z, node.first);
+    if (node.is_leaf()) {
+      fmt::format_to(out, "{}\n", node.count);
+    } else {
+      fmt::format_to(out, "{} split {}\n", node.first + 1, "xyz"[node.split_axis()]);
+    }
+  }
+  fmt::format_to(out, "triangles {}\n", bvh.order.size());
+  const TriangleNumbers numbers(mesh);
+  constexpr std::size_t a_line = 10;
+  for (std::size_t i = 0; i < bvh.order.size(); ++i) {
+    const bool last = (i + 1) % a_line == 0 || i + 1 == bvh.order.size();
+    fmt::format_to(out, "{}{}", numbers.of_source(bvh.order[i]), last ? '\n' : ' ');
+  }
+  return text;
 }
 
 }  // namespace hitpipe::ref

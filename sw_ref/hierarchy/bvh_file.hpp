@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/scene/aabb.hpp"
+#include "sw_ref/scene/mesh.hpp"
 
 namespace hitpipe::ref {
 
@@ -50,5 +52,8 @@ struct BvhFile {
 /// and a leaf's triangles are entries of the list. A leaf without triangles may have any box. Throws
 /// std::runtime_error, one line that names the file, the line, and what is allowed.
 [[nodiscard]] BvhFile read_bvh_file(const std::filesystem::path& file);
+
+/// The text of such a file, in the cube. Reading it gives the same hierarchy, bit for bit.
+[[nodiscard]] std::string bvh_text(const Bvh& bvh, const Mesh& mesh);
 
 }  // namespace hitpipe::ref

@@ -1,8 +1,9 @@
 #include "sw_ref/hierarchy/statistics.hpp"
 
-#include "sw_ref/hierarchy/cost.hpp"
+#include <chrono>
 
 namespace hitpipe::ref {
+
 namespace {
 
 double area_of(const Aabb& box) {
@@ -47,6 +48,17 @@ BvhStatistics statistics(const Bvh& bvh) {
     result.sah_cost = (branches * double{traversal_cost} + leaf_tests * double{intersection_cost}) / root;
   if (branches > 0.0) result.child_overlap = overlaps / branches;
   return result;
+}
+
+void sweep_max_triangles(const Mesh& mesh, BuildOptions options,
+                         const std::function<void(const SweepStep&)>& visit) {
+  for (const int size : appendix_b_sizes) {
+    options.max_triangles = size;
+    const auto start = std::chrono::steady_clock::now();
+    const Bvh bvh = build_bvh(mesh, options);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    visit({size, seconds.count(), bvh});
+  }
 }
 
 }  // namespace hitpipe::ref

@@ -6,14 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sw_ref/scene/branch.hpp"
-#include "sw_ref/scene/city.hpp"
-#include "sw_ref/scene/plant.hpp"
-#include "sw_ref/scene/poppy.hpp"
-#include "sw_ref/scene/reading_room.hpp"
-#include "sw_ref/scene/statue.hpp"
-#include "sw_ref/scene/terrain.hpp"
-#include "sw_ref/scene/waves.hpp"
+#include "sw_ref/scene/built_in_scenes.hpp"
 
 namespace hitpipe::ref {
 namespace {

@@ -1,11 +1,10 @@
-#include "sw_ref/scene/city.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <glm/common.hpp>
 
+#include "sw_ref/scene/built_in_scenes.hpp"
 #include "sw_ref/scene/city_parts.hpp"
 
 namespace hitpipe::ref {

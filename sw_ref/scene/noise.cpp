@@ -9,7 +9,7 @@ double at_integers(std::int64_t x, std::int64_t y, std::int64_t z) {
   const std::uint64_t key = (static_cast<std::uint64_t>(x) & mask) |
                             (static_cast<std::uint64_t>(y) & mask) << 21U |
                             (static_cast<std::uint64_t>(z) & mask) << 42U;
-  return static_cast<double>(mixed(key + 0x9E3779B97F4A7C15U) >> 11U) * 0x1p-52 - 1.0;
+  return static_cast<double>(mixed(key + golden_step) >> 11U) * 0x1p-52 - 1.0;
 }
 
 double smooth(double t) {

@@ -16,6 +16,9 @@ namespace hitpipe::ref {
   return x ^ x >> 31U;
 }
 
+/// What splitmix64 adds to its state for each number: 2^64 divided by the golden ratio.
+constexpr std::uint64_t golden_step = 0x9E3779B97F4A7C15U;
+
 /// Write two throws as two statements: in one expression the compiler chooses their order.
 class Dice {
  public:
@@ -23,7 +26,7 @@ class Dice {
 
   /// In [0, 1).
   double next() {
-    state_ += 0x9E3779B97F4A7C15U;
+    state_ += golden_step;
     return static_cast<double>(mixed(state_) >> 11U) * 0x1p-53;
   }
   double between(double low, double high) { return low + (high - low) * next(); }

@@ -1,10 +1,9 @@
-#include "sw_ref/scene/plant.hpp"
-
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "sw_ref/scene/built_in_scenes.hpp"
 #include "sw_ref/scene/plant_parts.hpp"
 
 namespace hitpipe::ref {

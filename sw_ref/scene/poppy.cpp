@@ -1,5 +1,3 @@
-#include "sw_ref/scene/poppy.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "sw_ref/scene/built_in_scenes.hpp"
 #include "sw_ref/scene/noise.hpp"
 #include "sw_ref/scene/shapes.hpp"
 

@@ -1,10 +1,9 @@
-#include "sw_ref/scene/reading_room.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "sw_ref/scene/built_in_scenes.hpp"
 #include "sw_ref/scene/noise.hpp"
 #include "sw_ref/scene/shapes.hpp"
 

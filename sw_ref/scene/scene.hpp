@@ -22,8 +22,7 @@ struct Material {
   float refractive_index = 1.0F;  ///< of the inside, > 0; the normals of a closed mesh point out of it
 };
 
-/// How the rays of an image run: from one point, or side by side. The size leaves no gap in a Camera, whose
-/// bytes are hashed.
+/// How the rays of an image run: from one point, or side by side.
 enum class Projection : std::uint32_t { perspective, orthographic };
 
 /// A camera in the cube. Perspective: a pinhole at the eye. Orthographic: the rays start at the plane through
@@ -39,8 +38,7 @@ struct Camera {
       0.5;  ///< orthographic: half the height of the image in the cube, more than 0 and at most 2^20
 };
 
-/// A sun is so far away that its light comes from one direction. The size is that of Projection, for the same
-/// reason.
+/// A sun is so far away that its light comes from one direction.
 enum class LightKind : std::uint32_t { point, sun };
 
 /// A light whose intensity does not fall with distance, so that no image depends on the scene's units.
@@ -49,6 +47,10 @@ struct Light {
   glm::vec3 intensity{1.0F};  ///< linear, >= 0
   LightKind kind = LightKind::point;
 };
+
+// Scenes are compared by the bytes of these, so no byte may be a gap.
+static_assert(sizeof(Material) == 3 * sizeof(glm::vec3) + sizeof(float));
+static_assert(sizeof(Light) == 2 * sizeof(glm::vec3) + sizeof(LightKind));
 
 struct Scene {
   std::string name;

@@ -1,8 +1,7 @@
-#include "sw_ref/scene/statue.hpp"
-
 #include <cmath>
 #include <vector>
 
+#include "sw_ref/scene/built_in_scenes.hpp"
 #include "sw_ref/scene/figure.hpp"
 
 namespace hitpipe::ref {

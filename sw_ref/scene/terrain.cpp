@@ -1,11 +1,10 @@
-#include "sw_ref/scene/terrain.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "sw_ref/scene/built_in_scenes.hpp"
 #include "sw_ref/scene/noise.hpp"
 #include "sw_ref/scene/shapes.hpp"
 

@@ -1,9 +1,8 @@
-#include "sw_ref/scene/waves.hpp"
-
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "sw_ref/scene/built_in_scenes.hpp"
 #include "sw_ref/scene/shapes.hpp"
 
 namespace hitpipe::ref {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "sw_ref/hierarchy/sweep.hpp"
+#include "sw_ref/hierarchy/statistics.hpp"
 #include "sw_ref/render/recording.hpp"
 #include "sw_ref/thesis/printed.hpp"
 #include "sw_ref/thesis/tables.hpp"

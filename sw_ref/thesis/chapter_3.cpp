@@ -15,8 +15,8 @@
 namespace hitpipe::ref {
 namespace {
 
-constexpr std::size_t pairs = 100'000;  // the thesis has 500,000; neither fits a cache
-constexpr int rounds = 5;               // over all pairs, in one timed run
+constexpr std::size_t pair_count = 100'000;  // the thesis has 500,000; neither fits a cache
+constexpr int rounds = 5;                    // over all pairs, in one timed run
 constexpr std::array hit_percents{0, 50, 100};
 constexpr std::array<std::string_view, 3> printed_columns{"time_hit0M_miss50M_s", "time_hit25M_miss25M_s",
                                                           "time_hit50M_miss0M_s"};
@@ -29,7 +29,7 @@ using Times = std::map<std::pair<std::string_view, int>, double>;
 Times measured(int precision_bits, const ExperimentOptions& options) {
   Times times;
   for (int run = 0; run < options.repeats; ++run) {
-    for (const BoxTestTiming& timing : time_box_tests(pairs, rounds)) {
+    for (const BoxTestTiming& timing : time_box_tests(pair_count, rounds)) {
       if (timing.precision_bits != precision_bits) continue;
       const auto [entry, is_new] = times.try_emplace({timing.variant, timing.hit_percent}, timing.seconds);
       entry->second = std::min(entry->second, timing.seconds);
@@ -92,7 +92,7 @@ ResultTable box_test_times(std::string_view number, const ExperimentOptions& opt
   add("stored coefficients make Pluecker a few percent faster", "plu-cff", "plu");
   add("the separating axis test is as fast as Pluecker", "sat", "plu");
   table.notes.push_back(fmt::format("{} pairs, {} times, the fastest of {} runs; woo is not in the thesis",
-                                    pairs, rounds, options.repeats));
+                                    pair_count, rounds, options.repeats));
   return table;
 }
 

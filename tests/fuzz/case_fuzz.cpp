@@ -10,7 +10,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/box_test.hpp"
-#include "sw_ref/judge/adversary/replay.hpp"
+#include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 #include "tests/fuzz/expect.hpp"
 

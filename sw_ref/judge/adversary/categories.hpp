@@ -7,6 +7,7 @@
 
 #include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
+#include "sw_ref/scene/aabb.hpp"
 
 namespace hitpipe::ref::adversary {
 
@@ -17,5 +18,16 @@ struct Category {
 };
 
 [[nodiscard]] std::span<const Category> categories();
+
+/// They are not among categories().
+[[nodiscard]] std::span<const Category> float_unit_categories();
+
+/// They are not among categories().
+[[nodiscard]] std::span<const Category> major_categories();
+
+/// The first is the box itself. Each other box has one face moved by up to 4 ulps, or by 2^-30 to 2^-3, in or
+/// out. All stay within [-1, 1]^3 with min <= max: if a face would pass its opposite face, that one moves
+/// too.
+void neighbours(Random& random, const Aabb& box, std::span<Aabb> out);
 
 }  // namespace hitpipe::ref::adversary

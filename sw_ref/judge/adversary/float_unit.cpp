@@ -1,7 +1,6 @@
-#include "sw_ref/judge/adversary/float_unit.hpp"
-
 #include <array>
 
+#include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/adversary/parts.hpp"
 
 namespace hitpipe::ref::adversary {

@@ -1,11 +1,11 @@
-#include "sw_ref/judge/adversary/neighbours.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+
+#include "sw_ref/judge/adversary/categories.hpp"
 
 namespace hitpipe::ref::adversary {
 

@@ -7,18 +7,15 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sw_ref/scene/noise.hpp"
+
 namespace hitpipe::ref::adversary {
 
 class Random {
  public:
   /// The state is four draws of SplitMix64, as the authors of the engine advise. It is never all zero.
   explicit Random(std::uint64_t seed) {
-    for (std::uint64_t& word : state_) {
-      seed += 0x9E3779B97F4A7C15U;
-      std::uint64_t x = (seed ^ (seed >> 30)) * 0xBF58476D1CE4E5B9U;
-      x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
-      word = x ^ (x >> 31);
-    }
+    for (std::uint64_t& word : state_) word = mixed(seed += golden_step);
   }
 
   /// xoshiro256** (Blackman and Vigna, 2018).

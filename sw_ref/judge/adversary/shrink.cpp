@@ -1,11 +1,10 @@
-#include "sw_ref/judge/adversary/shrink.hpp"
-
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/binary32.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 

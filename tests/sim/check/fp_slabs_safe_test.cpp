@@ -12,7 +12,6 @@
 #include "hls/box/fp_format.hpp"
 #include "sim/check/box_test.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
-#include "sw_ref/judge/adversary/float_unit.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 

@@ -19,7 +19,7 @@
 #include "hls/box/major_format.hpp"
 #include "sim/check/check.hpp"
 #include "sim/software.hpp"
-#include "sw_ref/judge/adversary/replay.hpp"
+#include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 #include "tests/sim/check/mutated_datapath.hpp"
 #include "tests/sim/check/mutated_major.hpp"

@@ -1,4 +1,6 @@
 // Hierarchies from files: what they become, and what is refused.
+#include "sw_ref/hierarchy/bvh_file.hpp"
+
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -9,7 +11,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/hierarchy/bvh_text.hpp"
 #include "sw_ref/hierarchy/load_bvh.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "tests/message_of.hpp"

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/hierarchy/sweep.hpp"
 #include "tests/sw_ref/hierarchy/meshes.hpp"
 
 namespace hitpipe::ref::statistics_test {

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/judge/adversary/categories.hpp"
-#include "sw_ref/judge/adversary/float_unit.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sw_ref/judge/rational.hpp"

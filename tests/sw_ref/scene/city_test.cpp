@@ -1,6 +1,4 @@
 // The city: its boxes lie along the axes, and so do its rays.
-#include "sw_ref/scene/city.hpp"
-
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -10,6 +8,7 @@
 
 #include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
+#include "sw_ref/scene/built_in_scenes.hpp"
 
 namespace hitpipe::ref::city_test {
 namespace {

@@ -1,6 +1,4 @@
 // The reading room: boxes under a sun that stands straight above.
-#include "sw_ref/scene/reading_room.hpp"
-
 #include <cmath>
 #include <cstdint>
 
@@ -8,6 +6,7 @@
 
 #include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
+#include "sw_ref/scene/built_in_scenes.hpp"
 
 namespace hitpipe::ref::reading_room_test {
 namespace {

@@ -1,11 +1,10 @@
 // The terrain: a surface that nowhere folds, seen and lit at grazing angles.
-#include "sw_ref/scene/terrain.hpp"
-
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
+#include "sw_ref/scene/built_in_scenes.hpp"
 
 namespace hitpipe::ref::terrain_test {
 namespace {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/judge/adversary/categories.hpp"
-#include "sw_ref/judge/adversary/neighbours.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::ref::adaptive_slabs_test {

@@ -12,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/adversary/major.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::ref::adversary::categories_test {

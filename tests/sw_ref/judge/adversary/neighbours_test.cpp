@@ -1,6 +1,4 @@
 // Neighbours of a box: one face is moved, by ulps or a distance, and the referee accepts every box.
-#include "sw_ref/judge/adversary/neighbours.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,4 @@
 // Cases as text: they are read back bit for bit, and an error names the word that cannot be read.
-#include "sw_ref/judge/adversary/replay.hpp"
-
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -9,6 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 
 namespace hitpipe::ref::adversary::replay_test {

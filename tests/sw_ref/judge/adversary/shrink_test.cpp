@@ -1,11 +1,10 @@
 // A shrunk case still fails, is acceptable, and cannot be made simpler.
-#include "sw_ref/judge/adversary/shrink.hpp"
-
 #include <cmath>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 
