@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <functional>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -39,22 +42,83 @@ constexpr std::string_view link_options = "-shared -Wl,-Bsymbolic";
 /// Verilator's own code, which every model needs.
 constexpr std::array runtime_files{"verilated", "verilated_threads"};
 
-/// $CXX. Without it clang++ where it runs and finds a C++ library, since its models are faster and compile
-/// sooner; otherwise c++.
-Tool find_compiler() {
+/// Its header, which every model includes, compiled. Either compiler finds it as "verilated.h".
+constexpr const char* compiled_header = "verilated.h.gch";
+
+bool is_binary(const fs::path& file) {
+  std::string magic(4, '\0');
+  std::ifstream(file, std::ios::binary).read(magic.data(), 4);
+  return magic.ends_with("ELF");
+}
+
+/// Path, size and time of the binary that a program of $PATH is, or that a script starts as Verilator's does.
+/// Nothing for other scripts, which may answer differently each time.
+std::string binary_of(const std::string& program) {
+  std::istringstream folders(host::environment("PATH", ""));
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::error_code error;
+    fs::path file = fs::path(folder) / program;
+    if (!fs::is_regular_file(file, error)) continue;
+    if (!is_binary(file)) file += "_bin";
+    if (!is_binary(file)) return "";
+    return fmt::format("{} {} {}", fs::canonical(file).string(), fs::file_size(file),
+                       fs::last_write_time(file).time_since_epoch().count());
+  }
+  return "";
+}
+
+/// What the program says when it is asked. The cache keeps the answer of a binary, because to start one takes
+/// longer than to load a model.
+std::string answer_of(const std::string& program, const fs::path& cache,
+                      const std::function<std::string()>& ask) {
+  const std::string binary = binary_of(program);
+  if (binary.empty()) return ask();
+  std::string answer;
+  const CacheEntry entry{
+      .name = program, .identity = binary, .products = {"answer"}, .build = [&](const fs::path& folder) {
+        answer = ask();
+        host::write_file(folder / "answer", answer);
+      }};
+  try {
+    std::ifstream in(cached(entry, cache) / "answer");
+    return {std::istreambuf_iterator<char>(in), {}};
+  } catch (const std::runtime_error&) {
+    // A cache that cannot be written still serves what it holds.
+    return answer.empty() ? ask() : answer;
+  }
+}
+
+Tool find_verilator(const fs::path& cache) {
+  const auto find = [] { return find_tool("VERILATOR", "verilator", "verilator"); };
+  for (const char* const variable : {"VERILATOR", "VERILATOR_ROOT", "VERILATOR_BIN"}) {
+    if (!host::environment(variable, "").empty()) return find();
+  }
+  return {{"verilator"}, answer_of("verilator", cache, [&] { return find().version; })};
+}
+
+/// The version of a clang++ that runs and finds a C++ library; otherwise throws.
+std::string version_of_clang() {
+  const Tool clang{{"clang++"}, ""};
+  const std::string version = clang.answer({"--version"});
+  if (version.empty() || !clang.run({"-E", "-x", "c++", "-include", "cstdint", "/dev/null"}).succeeded())
+    throw std::runtime_error("clang++ does not work");
+  return version;
+}
+
+/// $CXX. Without it clang++ where that works, since its models are faster and compile sooner; otherwise c++.
+Tool find_compiler(const fs::path& cache) {
   if (host::environment("CXX", "").empty()) {
-    Tool clang{{"clang++"}, ""};
-    clang.version = clang.answer({"--version"});
-    if (!clang.version.empty() &&
-        clang.run({"-E", "-x", "c++", "-include", "cstdint", "/dev/null"}).succeeded())
-      return clang;
+    try {
+      return {{"clang++"}, answer_of("clang++", cache, version_of_clang)};
+    } catch (const std::runtime_error&) {
+    }
   }
   return find_tool("CXX", "c++", "g++");
 }
 
 struct Tools {
-  Tool verilator = find_tool("VERILATOR", "verilator", "verilator");
-  Tool compiler = find_compiler();
+  Tool verilator;
+  Tool compiler;
 
   [[nodiscard]] std::string identity() const {
     return fmt::format("{}\n{}\n{}\n{}", verilator.version, compiler.name(), compiler.version,
@@ -98,8 +162,8 @@ void append(std::vector<std::string>& words, const std::vector<std::string>& mor
   words.insert(words.end(), more.begin(), more.end());
 }
 
-/// The folder of Verilator's own code. It is compiled once for all models, because it takes longer than a
-/// model.
+/// The folder of Verilator's own code and header. They are compiled once for all models, because they take
+/// longer than a model.
 fs::path runtime(const Tools& tools, const std::string& root, const fs::path& cache) {
   CacheEntry entry{
       .name = "verilated", .identity = tools.identity() + "\n" + root, .products = {}, .build = {}};
@@ -109,7 +173,14 @@ fs::path runtime(const Tools& tools, const std::string& root, const fs::path& ca
     entry.products.push_back(std::string(file) + ".o");
     call.push_back(fmt::format("{}/include/{}.cpp", root, file));
   }
-  entry.build = [&](const fs::path& folder) { step(folder, entry.name, tools.compiler, call); };
+  entry.products.emplace_back(compiled_header);
+  entry.build = [&](const fs::path& folder) {
+    step(folder, entry.name, tools.compiler, call);
+    std::vector<std::string> precompile = options(root);
+    append(precompile, {"-x", "c++-header", root + "/include/verilated.h", "-o", compiled_header});
+    // Without it models compile too.
+    if (!tools.compiler.run(precompile, folder).succeeded()) host::write_file(folder / compiled_header, "");
+  };
   return cached(entry, cache);
 }
 
@@ -145,7 +216,10 @@ void build(const Sources& sources, const fs::path& folder, const fs::path& cache
   append(compile, host::words_of(link_options));
   append(compile, {"-I.", "-Iobj", "-o", "model.so", "unit.cpp"});
   for (const char* const file : runtime_files) compile.push_back((compiled / file).string() + ".o");
-  step(folder, module, compiler, compile);
+  std::vector<std::string> with_header = compile;
+  append(with_header, {"-include", (compiled / "verilated.h").string()});
+  // A compiled header does not outlive an update of the C++ library.
+  if (!compiler.run(with_header, folder).succeeded()) step(folder, module, compiler, compile);
   std::error_code ignored;
   fs::remove_all(folder / "obj", ignored);
 }
@@ -158,7 +232,7 @@ fs::path default_cache() {
 }
 
 ModelLibrary::ModelLibrary(const ModelSources& model, const fs::path& cache) {
-  const Sources sources{model, {}};
+  const Sources sources{model, {find_verilator(cache), find_compiler(cache)}};
   const fs::path entry = cached({.name = model.module,
                                  .identity = sources.identity(),
                                  .products = {"model.so"},

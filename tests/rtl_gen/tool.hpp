@@ -6,6 +6,9 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 #include "host/files.hpp"
 #include "host/process.hpp"
@@ -29,6 +32,33 @@ inline ToolResult run_tool(const std::filesystem::path& folder, const std::strin
 }
 
 using host::ScratchFolder;
+
+/// Verilator, Yosys and Icarus read the files of many units, a list for each with the top module's first, and
+/// find nothing to say. Each file has the name of its module. A tool starts once, for that takes longer than
+/// a unit. `checks` are further commands of Yosys for each unit.
+inline void expect_silent_tools(const std::filesystem::path& folder,
+                                const std::vector<std::vector<std::string>>& units,
+                                const std::string& checks = "") {
+  std::string all;
+  std::string script;
+  for (const std::vector<std::string>& modules : units) {
+    script += "design -reset; read_verilog";
+    for (const std::string& module : modules) {
+      all += " " + module + ".v";
+      script += " " + module + ".v";
+    }
+    script += "; hierarchy -check -top " + modules.front() + "; proc; check -assert" + checks + "\n";
+  }
+  std::ofstream(folder / "lint.ys") << script;
+  const auto expect_silence = [&](const std::string& program, const std::string& arguments) {
+    const ToolResult result = run_tool(folder, program, program, arguments);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.output, "");
+  };
+  expect_silence("verilator", "--lint-only -Wall -Wno-MULTITOP" + all);
+  expect_silence("yosys", "-q lint.ys");
+  expect_silence("iverilog", "-g2001 -Wall -o lint.vvp" + all);
+}
 
 inline void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/message_of.hpp"
+#include "tests/sim/environment.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/stub_verilator.hpp"
 
@@ -33,10 +34,11 @@ inline std::vector<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-/// Builds go into a folder of the test, by a stand-in for Verilator.
+/// Builds go into a folder of the test, by a stand-in for Verilator and a compiler that is asked each time.
 class ModelCache : public testing::Test {
  protected:
   StubVerilator stub_;
+  EnvironmentValue compiler_{"CXX", "c++"};
   TemporaryFolder folder_;
   std::filesystem::path cache_ = folder_.path() / "cache";
 };

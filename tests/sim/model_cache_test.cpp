@@ -129,12 +129,39 @@ TEST_F(ModelCache, BuildsAgainForAnotherVersionFormatOrCompiler) {
   EXPECT_EQ(count_in(cache_, "verilated"), 3) << "one for each version and compiler, whatever the format";
 }
 
+/// A header that was compiled for other options or an older C++ library is left out.
+TEST_F(ModelCache, BuildsWithoutACompiledHeaderThatDoesNotFit) {
+  build_in(cache_);
+  for (const auto& each : fs::directory_iterator(cache_)) {
+    if (each.path().filename().string().starts_with("verilated-"))
+      std::ofstream(each.path() / "verilated.h.gch") << "of another compiler";
+  }
+  const VerilatedDesign other_format(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis(), cache_);
+  EXPECT_EQ(count_in(cache_, "int_slabs_16_16"), 1);
+}
+
+/// As it is installed: a script that starts the binary beside it.
+TEST_F(ModelCache, AsksAnInstalledVerilatorForItsVersionOnce) {
+  const fs::path folder = stub_.program().parent_path();
+  const EnvironmentValue verilator("VERILATOR", "");
+  const EnvironmentValue programs("PATH", folder.string() + ":" + std::getenv("PATH"));
+  fs::copy("/bin/true", folder / "verilator_bin");
+  build_in(cache_);
+  stub_.set_version("Stub 2");
+  build_in(cache_);
+  EXPECT_EQ(stub_.runs(), 1);
+  fs::last_write_time(folder / "verilator_bin", fs::file_time_type::clock::now() + std::chrono::hours(1));
+  build_in(cache_);
+  EXPECT_EQ(stub_.runs(), 2);
+  EXPECT_EQ(count_in(cache_, "verilator"), 2);
+}
+
 TEST_F(ModelCache, CompilesVerilatorsOwnCodeOnce) {
   build_in(cache_);
   for (const auto& each : fs::directory_iterator(cache_)) {
     if (!each.path().filename().string().starts_with("verilated-")) continue;
-    EXPECT_EQ(names_in(each.path()),
-              (std::vector<std::string>{"identity", "log", "verilated.o", "verilated_threads.o"}));
+    EXPECT_EQ(names_in(each.path()), (std::vector<std::string>{"identity", "log", "verilated.h.gch",
+                                                               "verilated.o", "verilated_threads.o"}));
     // This source can no longer be compiled, so a second compilation would fail.
     std::ofstream(stub_.program().parent_path() / "include/verilated.cpp") << "no C++";
     const VerilatedDesign other_format(make_unit(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis()),

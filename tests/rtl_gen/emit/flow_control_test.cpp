@@ -54,26 +54,6 @@ TEST_P(WithoutFlowControl, NoReadyAndNoEnableButTheSameRegisters) {
               HasSubstr("\n// Flow control: none. Nothing waits, and a result is there for one cycle.\n"));
 }
 
-TEST_P(WithoutFlowControl, LintIsSilent) {
-  const auto expect_silence = [](const ToolResult& result) {
-    EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(result.output, "");
-  };
-  const std::string all = fmt::format("{0}_axis.v {0}_fifo.v {0}.v", unit.module);
-  expect_silence(run_tool(folder.path(), "iverilog", "iverilog", "-g2001 -Wall -o design " + all));
-  for (const char* const top : {"", "_fifo", "_axis"}) {
-    const std::string files = fmt::format(
-        "$(ls {0}{1}.v; [ '{1}' = _axis ] && ls {0}_fifo.v; [ '{1}' ] && ls {0}.v)", unit.module, top);
-    expect_silence(run_tool(folder.path(), "verilator", "verilator",
-                            fmt::format("--lint-only -Wall --top-module {}{} {}", unit.module, top, files)));
-  }
-  expect_silence(
-      run_tool(folder.path(), "yosys", "yosys",
-               fmt::format("-q -p 'read_verilog {}; hierarchy -check -top {}_axis; proc; check -assert; "
-                           "select -assert-none t:$dlatch'",
-                           all, unit.module)));
-}
-
 TEST_P(WithoutFlowControl, TheStreamAnswersUnderEveryPatternOfStalls) {
   const int stages = GetParam().pipeline().schedule.stages;
   const StreamBench bench(folder.path(), GetParam().found(), GetParam().parsed());
@@ -104,6 +84,18 @@ TEST_P(WithoutFlowControl, TheManifestSaysSo) {
   EXPECT_EQ(json.at("ports"), without);
   for (const char* const file : {"_fifo.v", "_axis.v"})
     EXPECT_THAT(json.at("files"), testing::Contains(unit.module + file));
+}
+
+TEST(LintWithoutFlowControl, IsSilent) {
+  const ScratchFolder folder;
+  std::vector<std::vector<std::string>> modules;
+  for (const DesignFormat& d : every_design({"20/24"})) {
+    const EmittedDesign unit =
+        unit_of(d, {.flow_control = FlowControl::none, .axi_stream = true, .fifo = true});
+    host::write_files(folder.path(), unit.files());
+    modules.push_back({unit.module + "_axis", unit.module + "_fifo", unit.module});
+  }
+  expect_silent_tools(folder.path(), modules, "; select -assert-none t:$dlatch");
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, WithoutFlowControl, testing::ValuesIn(every_design({"20/24"})),
