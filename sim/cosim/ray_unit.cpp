@@ -8,8 +8,6 @@
 
 namespace hitpipe::sim {
 
-namespace {
-
 /// The slots whose rays can send a test, in the order in which they became ready. Each is in it once at most.
 class SlotQueue {
  public:
@@ -31,6 +29,8 @@ class SlotQueue {
   std::size_t front_ = 0;
   std::size_t count_ = 0;
 };
+
+namespace {
 
 void add(std::optional<std::uint64_t>& sum, const std::optional<std::uint64_t>& count) {
   if (sum && count) {

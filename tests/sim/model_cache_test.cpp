@@ -136,7 +136,8 @@ TEST_F(ModelCache, BuildsWithoutACompiledHeaderThatDoesNotFit) {
     if (each.path().filename().string().starts_with("verilated-"))
       std::ofstream(each.path() / "verilated.h.gch") << "of another compiler";
   }
-  const VerilatedDesign other_format(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis(), cache_);
+  const VerilatedDesign other_format(make_unit(int_slabs(), hls::IntBits{16, 16}, rtl::Library::thesis()),
+                                     cache_);
   EXPECT_EQ(count_in(cache_, "int_slabs_16_16"), 1);
 }
 

@@ -55,10 +55,10 @@ inline SweepRow a_pair() {
 }
 
 inline std::vector<SweepPoint> small_plan() {
-  const std::vector<rtl::Format> formats{hls::IntBits{24, 24}, hls::IntBits{6, 6}, hls::IntBits{6, 6}};
-  const std::vector<DesignFormats> designs{{&rtl::find_design("int_plucker"), formats},
+  const std::vector<rtl::Format> of_both{hls::IntBits{24, 24}, hls::IntBits{6, 6}, hls::IntBits{6, 6}};
+  const std::vector<DesignFormats> designs{{&rtl::find_design("int_plucker"), of_both},
                                            {&rtl::find_design("fp_slabs"), {hls::Binary32{}}},
-                                           {&rtl::find_design("int_slabs"), formats}};
+                                           {&rtl::find_design("int_slabs"), of_both}};
   return plan_sweep(designs, std::vector<int>{8, 1, 8});
 }
 
