@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/board/top.hpp"
-#include "sim/board/packed_bits.hpp"
+#include "sim/board/frame.hpp"
 #include "sim/cosim/counts.hpp"
 
 namespace hitpipe::sim {

@@ -7,7 +7,7 @@
 #include "hls/box/fp_format.hpp"
 #include "hls/box/fp_slabs_safe_operands.hpp"
 #include "sim/feeds/set_up_feed.hpp"
-#include "sim/fit/float_range.hpp"
+#include "sim/fit/port_ranges.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/hierarchy/fp_nodes.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"

@@ -10,7 +10,7 @@
 #include "host/files.hpp"
 #include "sim/cosim/cosim.hpp"
 #include "sim/fit/fit.hpp"
-#include "sim/fit/vector_check.hpp"
+#include "sim/unit/drive.hpp"
 
 namespace hitpipe::sim {
 

@@ -10,7 +10,6 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/prune/draw.hpp"
-#include "sim/operands/placement.hpp"
 #include "sim/operands/rays_and_boxes.hpp"
 
 namespace hitpipe::sim {

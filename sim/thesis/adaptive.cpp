@@ -1,11 +1,10 @@
-#include "sim/thesis/adaptive.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "area_model/price.hpp"
+#include "sim/thesis/chapter_7.hpp"
 #include "sw_ref/render/recording.hpp"
 #include "sw_ref/thesis/adaptive_slabs.hpp"
 #include "sw_ref/thesis/proposals.hpp"

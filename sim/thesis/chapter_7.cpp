@@ -8,7 +8,6 @@
 
 #include "area_model/price.hpp"
 #include "rtl_gen/component/library.hpp"
-#include "sim/thesis/adaptive.hpp"
 #include "sw_ref/thesis/printed.hpp"
 #include "sw_ref/thesis/proposals.hpp"
 

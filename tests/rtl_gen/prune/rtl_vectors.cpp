@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/prune/prune.hpp"
-#include "sim/fit/vector_check.hpp"
+#include "sim/unit/drive.hpp"
 #include "tests/rtl_gen/prune/demand_sets.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/board/board_tests.hpp"
-#include "sim/board/packed_bits.hpp"
+#include "sim/board/frame.hpp"
 #include "sim/cosim/counts.hpp"
 #include "tests/message_of.hpp"
 #include "tests/pseudo_terminal.hpp"

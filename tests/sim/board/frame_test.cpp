@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/board/packed_bits.hpp"
-
 namespace hitpipe::sim::frame_test {
 namespace {
 

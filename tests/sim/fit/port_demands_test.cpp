@@ -15,7 +15,6 @@
 #include "hls/box/fp_format.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/facts.hpp"
-#include "sim/fit/float_range.hpp"
 #include "sim/fit/port_ranges.hpp"
 #include "sim/unit/unit.hpp"
 #include "sw_ref/quantise/float_ray.hpp"

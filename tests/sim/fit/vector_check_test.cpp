@@ -1,11 +1,10 @@
 // Vectors through a fitted unit's Verilog: all agree with the C++, half of them are hits, and faults of the
 // Verilog are found.
-#include "sim/fit/vector_check.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/fit/fit.hpp"
+#include "sim/unit/drive.hpp"
 #include "tests/sim/units.hpp"
 #include "tests/sw_ref/quantise/demand_scenes.hpp"
 

@@ -1,6 +1,4 @@
 // Words as numbers, rounded to the nearest or outward, and the way into the cube.
-#include "sim/operands/number.hpp"
-
 #include <cmath>
 #include <limits>
 #include <random>
@@ -9,7 +7,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
-#include "sim/operands/placement.hpp"
+#include "sim/operands/number_file.hpp"
+#include "sim/operands/rays_and_boxes.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe::sim::number_test {

@@ -1,5 +1,4 @@
 // Section 8.2's adaptive precision, and the registry of all experiments.
-#include "sim/thesis/adaptive.hpp"
 
 #include <gtest/gtest.h>
 
