@@ -7,11 +7,12 @@ SANITIZED ?= .
 CONFIGURE := $(if $(CI),-DHITPIPE_WERROR=ON)
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
-.PHONY: demo test build lint format bench sanitize fuzz prove prove-all-widths netlists hls-check alone fresh packages clean help
+.PHONY: demo test test-long build lint format bench sanitize fuzz prove prove-all-widths netlists hls-check alone fresh packages clean help
 
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
-	@echo 'make test      all tests'
+	@echo 'make test      all tests but the long ones'
+	@echo 'make test-long  designs added to a copy of the tree, which is compiled'
 	@echo 'make build     the program, build/hitpipe, and the library hitpipe::ref'
 	@echo 'make bench     benchmarks'
 	@echo 'make lint      formatting and clang-tidy; make format mends the first'
@@ -41,7 +42,11 @@ demo: build
 
 test: build
 	@cmake --build --preset release -j $(JOBS)
-	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -j $(JOBS)
+	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -j $(JOBS) -LE long
+
+test-long: packages
+	@cmake --preset release $(CONFIGURE)
+	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -L long -V
 
 sanitize: packages
 	@cmake --preset sanitize $(CONFIGURE)

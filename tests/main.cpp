@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/foreign_design/foreign_design.hpp"
+
 namespace {
 
 /// The filter that selects the tests of a file.
@@ -29,6 +31,8 @@ std::string tests_of(std::string_view file) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (hitpipe::add_foreign_design != nullptr) hitpipe::add_foreign_design();
+  if (hitpipe::add_foreign_software != nullptr) hitpipe::add_foreign_software();
   testing::InitGoogleMock(&argc, argv);
   try {
     std::string filter;

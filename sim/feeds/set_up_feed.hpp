@@ -2,7 +2,8 @@
 // constructed once for each ray, as S(ray, format). It has
 //   S::Bits, S::Operands                   the operands of the design's pipeline, as Operands<Words, Bits>
 //   fill(length, operands)                 sets all operands but the box; the ray is cut at `length`
-//   S::Box, S::boxes(aabbs, format, out)   boxes as the design reads them: min and max of three axes
+//   S::Box, S::boxes(aabbs, format, out)   boxes as the design reads them: min and max of three axes, and
+//                                          `others` for the ports of Role::other, where these are the box's
 // Fields are named, so the order of the ports is said by Operands::for_each alone.
 #pragma once
 
@@ -57,6 +58,7 @@ class PortOrder {
       const auto axis = static_cast<std::size_t>(port.axis) - static_cast<std::size_t>(hls::Axis::x);
       if (port.role == hls::Role::plane_low) min_.at(axis) = count_;
       if (port.role == hls::Role::plane_high) max_.at(axis) = count_;
+      if (port.role == hls::Role::other) others_.push_back(count_);
       ++count_;
     });
   }
@@ -73,12 +75,15 @@ class PortOrder {
     };
     Operands::for_each(bits_, operands, visit);
   }
-  /// The planes of a box among operands that are written.
+  /// A box among operands that are written.
   template <class Box>
   void write_box(const Box& box, std::int64_t* out) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       out[min_[axis]] = box.min[axis];
       out[max_[axis]] = box.max[axis];
+    }
+    if constexpr (requires { box.others; }) {
+      for (std::size_t i = 0; i < others_.size(); ++i) out[others_[i]] = box.others.at(i);
     }
   }
 
@@ -86,6 +91,7 @@ class PortOrder {
   Bits bits_;
   std::size_t count_ = 0;
   std::array<std::size_t, 3> min_{}, max_{};
+  std::vector<std::size_t> others_;
 };
 
 template <class S>

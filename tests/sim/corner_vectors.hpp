@@ -41,10 +41,18 @@ inline std::vector<CornerVector> float_corner_vectors(const std::vector<rtl::Por
   return vectors;
 }
 
+inline bool has(const std::vector<rtl::Port>& ports, hls::Role role) {
+  return std::any_of(ports.begin(), ports.end(), [&](const auto& port) { return port.role == role; });
+}
+
 inline std::vector<CornerVector> integer_corner_vectors(const std::vector<rtl::Port>& ports) {
+  using hls::Role;
   struct Pattern {
     const char* name;
     std::int64_t (*value)(const rtl::Port& port, int index);  // of a signed port of w bits
+  };
+  static constexpr auto is_inverse = [](const rtl::Port& port) {
+    return port.role == Role::inverse_low || port.role == Role::inverse_high;
   };
   static constexpr Pattern patterns[] = {
       {"all zero", [](const rtl::Port&, int) { return std::int64_t{0}; }},
@@ -62,38 +70,38 @@ inline std::vector<CornerVector> integer_corner_vectors(const std::vector<rtl::P
        [](const rtl::Port& p, int) { return ~(std::int64_t{0x5555555555555555} & (top(p) - 1)); }},
       {"the cube's corner and its opposite: greatest difference that fits",
        [](const rtl::Port& p, int) {
-         if (p.name == "irx" || p.name == "iry" || p.name == "irz") return top(p) / 2 - 1;  // G
-         if (p.name.ends_with("min")) return -top(p) / 2;                                   // -(G + 1)
-         if (p.name.ends_with("max")) return top(p) / 2;
+         if (p.role == Role::origin) return top(p) / 2 - 1;  // G
+         if (p.role == Role::plane_low) return -top(p) / 2;  // -(G + 1)
+         if (p.role == Role::plane_high) return top(p) / 2;
          return top(p) - 1;  // M, the IRDVC of the smallest component
        }},
       {"the same, backward",
        [](const rtl::Port& p, int) {
-         if (p.name == "irx" || p.name == "iry" || p.name == "irz") return -(top(p) / 2 - 1);
-         if (p.name.ends_with("min")) return -top(p) / 2;
-         if (p.name.ends_with("max")) return top(p) / 2;
+         if (p.role == Role::origin) return -(top(p) / 2 - 1);
+         if (p.role == Role::plane_low) return -top(p) / 2;
+         if (p.role == Role::plane_high) return top(p) / 2;
          return -(top(p) - 1);
        }},
       {"an axis-parallel ray: IRDVC 0 or 1 on two axes",
        [](const rtl::Port& p, int) {
-         if (p.name == "iri_floor" || p.name == "iri_ceil") return top(p) - 1;
-         if (p.name.ends_with("ceil")) return std::int64_t{1};
-         if (p.name.ends_with("min")) return -top(p) / 4;
-         if (p.name.ends_with("max")) return top(p) / 4;
+         if (is_inverse(p) && p.axis == hls::Axis::x) return top(p) - 1;
+         if (p.role == Role::inverse_high) return std::int64_t{1};
+         if (p.role == Role::plane_low) return -top(p) / 4;
+         if (p.role == Role::plane_high) return top(p) / 4;
          return std::int64_t{0};
        }},
       {"a box of one point at the ray's origin",
        [](const rtl::Port& p, int) {
-         return p.name.ends_with("floor")  ? -top(p) / 2
-                : p.name.ends_with("ceil") ? -top(p) / 2 + 1
-                                           : top(p) / 4;
+         return p.role == Role::inverse_low    ? -top(p) / 2
+                : p.role == Role::inverse_high ? -top(p) / 2 + 1
+                                               : top(p) / 4;
        }},
   };
-  const bool has_length =
-      std::any_of(ports.begin(), ports.end(), [](const auto& p) { return p.name == "irlen"; });
+  const bool has_length = has(ports, Role::length);
   std::vector<CornerVector> vectors;
   for (const Pattern& pattern : patterns) {
     for (const bool infinite : {false, true}) {
+      if (infinite && !has(ports, Role::endless)) continue;
       for (const bool longest : {false, true}) {
         if (longest && !has_length) continue;
         CornerVector corner{pattern.name, {}};
@@ -101,9 +109,9 @@ inline std::vector<CornerVector> integer_corner_vectors(const std::vector<rtl::P
         if (has_length) corner.name += longest ? ", irlen greatest" : ", irlen 0";
         for (int i = 0; const rtl::Port& port : ports) {
           std::int64_t value = 0;
-          if (port.name == "rinf") {
+          if (port.role == Role::endless) {
             value = infinite ? 1 : 0;
-          } else if (port.name == "irlen") {
+          } else if (port.role == Role::length) {
             value = longest ? top(port) - 1 : 0;
           } else {
             value = pattern.value(port, i);
@@ -116,10 +124,6 @@ inline std::vector<CornerVector> integer_corner_vectors(const std::vector<rtl::P
     }
   }
   return vectors;
-}
-
-inline bool has_major_axis(const std::vector<rtl::Port>& ports) {
-  return std::any_of(ports.begin(), ports.end(), [](const auto& p) { return p.role == hls::Role::major; });
 }
 
 inline std::vector<CornerVector> major_corner_vectors(const std::vector<rtl::Port>& ports) {
@@ -150,11 +154,13 @@ inline std::vector<CornerVector> major_corner_vectors(const std::vector<rtl::Por
   };
   std::vector<CornerVector> vectors;
   for (const Pattern& pattern : patterns) {
-    for (const std::string major : {"", "major_y", "major_z"}) {
+    for (const hls::Axis major : {hls::Axis::x, hls::Axis::y, hls::Axis::z}) {
       for (const bool backward : {false, true}) {
-        CornerVector corner{pattern.name + std::string(backward ? ", backward " : ", forward ") + major, {}};
+        CornerVector corner{pattern.name + std::string(backward ? ", backward " : ", forward ") +
+                                "?xyz" [static_cast<int>(major)],
+                            {}};
         for (int i = 0; const rtl::Port& port : ports) {
-          const std::int64_t flag = port.role == hls::Role::major ? port.name == major : backward;
+          const std::int64_t flag = port.role == hls::Role::major ? port.axis == major : backward;
           corner.operands.push_back(port.width == 1 ? flag : pattern.value(port, i));
           ++i;
         }
@@ -167,7 +173,7 @@ inline std::vector<CornerVector> major_corner_vectors(const std::vector<rtl::Por
 
 inline std::vector<CornerVector> corner_vectors(const TestedUnit& unit) {
   const std::vector<rtl::Port> ports = unit.ports();
-  if (has_major_axis(ports)) return major_corner_vectors(ports);
+  if (has(ports, hls::Role::major)) return major_corner_vectors(ports);
   if (const auto bits = unit.float_bits()) return float_corner_vectors(ports, *bits);
   return integer_corner_vectors(ports);
 }

@@ -73,10 +73,11 @@ class VerilatedUnit : public testing::TestWithParam<TestedUnit> {
 
 TEST_P(VerilatedUnit, AgreesOnNamedCorners) {
   const std::vector<CornerVector> corners = corner_vectors(GetParam());
-  const std::size_t intended = GetParam().float_bits()                    ? 17 * 17 * 2
-                               : has_major_axis(ports_)                   ? 8 * 3 * 2
-                               : rtl::index_of(ports_, hls::Role::length) ? 13 * 4
-                                                                          : 13 * 2;
+  const std::size_t intended = GetParam().float_bits()           ? 17 * 17 * 2
+                               : has(ports_, hls::Role::major)   ? 8 * 3 * 2
+                               : has(ports_, hls::Role::length)  ? 13 * 4
+                               : has(ports_, hls::Role::endless) ? 13 * 2
+                                                                 : 13;
   EXPECT_EQ(corners.size(), intended);
   for (const CornerVector& corner : corners) {
     const DriveReport report = sent({corner.operands}, traffics[0], first_seed, 0);

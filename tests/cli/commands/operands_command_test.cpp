@@ -196,11 +196,12 @@ TEST_F(OperandsCommand, OneBoxIsTooFewForADesignOfTwo) {
           "min_x_0,min_y_0,min_z_0,max_x_0,max_y_0,max_z_0,min_x_1,min_y_1,min_z_1,max_x_1,max_y_1,max_z_1");
 }
 
-/// The page, cut into its blocks of code and its sections.
+/// The page with the section of the foreign design, cut into its blocks of code and its sections.
 class Page {
  public:
   Page() {
-    std::istringstream page(contents_of(HITPIPE_SOURCE "/docs/operands.md"));
+    std::istringstream page(contents_of(HITPIPE_SOURCE "/docs/operands.md") +
+                            contents_of(HITPIPE_SOURCE "/tests/foreign_design/docs/operands.md"));
     std::string section;
     std::string before;
     std::string language;

@@ -2,6 +2,7 @@
 // and invented results, and the wrappers around them lose nothing under any pattern of stalls.
 #include <map>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

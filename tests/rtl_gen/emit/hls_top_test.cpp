@@ -176,8 +176,15 @@ TEST(HlsTop, FilesAreNamedAfterTheDesign) {
                           "fp_plucker_vitis_hls.tcl", "fp_plucker_hls.cfg", "fp_plucker_catapult.tcl"));
 }
 
+/// A design that does not say where its C++ is has no top function.
+std::vector<Design> designs_with_tops() {
+  std::vector<Design> all(designs().begin(), designs().end());
+  std::erase_if(all, [](const Design& design) { return design.source.pipeline.empty(); });
+  return all;
+}
+
 TEST(HlsTop, HasEveryPortOfEveryDesignOnce) {
-  for (const Design& design : designs()) {
+  for (const Design& design : designs_with_tops()) {
     const std::string text = hls_top(design, design.default_format, std::string(design.name)).source.contents;
     const auto count = [&](const std::string& part) {
       int found = 0;
@@ -207,7 +214,7 @@ TEST(HlsTop, SeveralResultsAreArgumentsOfTheirKinds) {
 
 TEST(HlsTop, IsFormattedAsTheProjectIs) {
   const host::ScratchFolder folder;
-  for (const Design& design : designs()) {
+  for (const Design& design : designs_with_tops()) {
     for (const host::File& file : hls_top(design, design.default_format, std::string(design.name)).files()) {
       if (file.name.ends_with(".tcl") || file.name.ends_with(".cfg")) continue;
       write_text(folder / file.name, file.contents);

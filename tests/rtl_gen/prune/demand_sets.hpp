@@ -3,12 +3,16 @@
 // ranges.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
+#include <initializer_list>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hls/box/fp_format.hpp"
-#include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/draw.hpp"
@@ -38,134 +42,153 @@ inline constexpr std::int64_t largest_finite = 0x7f7fffff;
 inline constexpr std::int64_t infinity = 0x7f800000;
 inline constexpr std::int64_t minus = 0x80000000;
 
-/// The parts of demand sets, in the words of each design.
+/// The parts of demand sets. Ports are found by role and axis; a part demands nothing where there is no such
+/// port.
 class Scene {
  public:
   Scene(const Design& design, Format format)
-      : slabs_(design.name.ends_with("slabs")),
-        floats_(!design.conservative),
-        bits_(floats_ ? hls::IntBits{} : format.as<hls::IntBits>()),
-        grid_(std::int64_t{1} << (bits_.coord - 2)),
-        demands_(set_up_demands(design.ports(format))) {}
+      : ports_(design.ports(format)), demands_(set_up_demands(ports_)) {}
 
   [[nodiscard]] Demands demands() const { return demands_; }
+  /// The ports with the first role, then those with the next, of all axes or of one.
+  [[nodiscard]] std::vector<Port> with(std::initializer_list<hls::Role> roles,
+                                       std::optional<hls::Axis> axis = std::nullopt) const {
+    std::vector<Port> found;
+    for (const hls::Role role : roles)
+      std::copy_if(ports_.begin(), ports_.end(), std::back_inserter(found), [&](const Port& port) {
+        return port.role == role && port.box == 0 && (!axis || port.axis == *axis);
+      });
+    return found;
+  }
+  [[nodiscard]] bool has(hls::Role role) const { return !with({role}).empty(); }
 
-  Scene& infinite_rays() {
-    demand(demands_, "rinf", {{1, 1}});
-    return *this;
-  }
-  Scene& finite_rays() {
-    demand(demands_, "rinf", {{0, 0}});
-    return *this;
-  }
+  Scene& infinite_rays() { return flags(hls::Role::endless, 1); }
+  Scene& finite_rays() { return flags(hls::Role::endless, 0); }
   /// All rays run towards +x, -y, +z.
   Scene& one_direction() {
-    const char* const axes = "ijk";
-    for (int a = 0; a < 3; ++a) {
-      const bool backward = a == 1;
-      for (const std::string& port : direction(axes[a])) demand(demands_, port, {one_sign(backward)});
+    for (const Port& port : with(directions)) {
+      const bool backward = port.axis == hls::Axis::y;
+      if (is_float(port))
+        demand(demands_, port.name, {backward ? Interval{minus, minus | infinity} : Interval{0, infinity}});
+      else
+        demand(demands_, port.name,
+               {backward ? Interval{port.range->low, -1} : Interval{0, port.range->high}});
     }
     return *this;
   }
+  /// The same for rays that are mirrored: all run towards +x, +y, +z.
+  Scene& upward() { return flags(hls::Role::backward, 0); }
   Scene& fixed_origin() {
-    const std::int64_t float_origin[3] = {0x3e99999a, 0x3f000000, minus | 0x3dcccccd};  // 0.3, 0.5, -0.1
-    const std::int64_t grid_origin[3] = {grid_ * 3 / 10, grid_ / 2, -grid_ / 10};
-    for (std::size_t a = 0; a < 3; ++a) {
-      const std::int64_t at = floats_ ? float_origin[a] : grid_origin[a];
-      demand(demands_, prefix() + "r" + axis_[a], {{at, at}});
+    const std::int64_t pattern[3] = {0x3e99999a, 0x3f000000, minus | 0x3dcccccd};  // 0.3, 0.5, -0.1
+    std::size_t i = 0;
+    for (const Port& port : with({hls::Role::origin})) {
+      const std::int64_t grid = grid_of(port);
+      const std::int64_t on_grid[3] = {grid * 3 / 10, grid / 2, -grid / 10};
+      const std::int64_t at = is_float(port) ? pattern[i] : on_grid[i];
+      demand(demands_, port.name, {{at, at}});
+      ++i;
     }
     return *this;
   }
   /// The scene and its rays lie between two planes of constant y close to each other: floats in 0.25 .. 0.5,
   /// integers in a 64th of the grid.
   Scene& narrow_axis() {
-    const Interval within = floats_ ? Interval{0x3e800000, 0x3f000000} : Interval{-(grid_ / 64), grid_ / 64};
-    for (const char* const port : {"ry", "ymin", "ymax"}) demand(demands_, prefix() + port, {within});
-    if (!slabs_) demand(demands_, prefix() + "rey", {within});
+    for (const Port& port :
+         with({hls::Role::origin, hls::Role::plane_low, hls::Role::plane_high, hls::Role::endpoint},
+              hls::Axis::y)) {
+      const std::int64_t least = grid_of(port) / 64;
+      demand(demands_, port.name,
+             {is_float(port) ? Interval{0x3e800000, 0x3f000000} : Interval{-least, least}});
+    }
     return *this;
   }
   /// Origin and boxes lie on every eighth plane of constant y; a float's low three bits are 0.
   Scene& coarse_axis() {
-    for (const char* const port : {"ry", "ymin", "ymax"}) {
-      PortDemand& coarse = demand_on(demands_, prefix() + port);
-      if (coarse.within.empty()) coarse.within = {{0, minus | 0x7fffffff}};
-      coarse.low_zeros = 3;
-    }
+    for (const Port& port :
+         with({hls::Role::origin, hls::Role::plane_low, hls::Role::plane_high}, hls::Axis::y))
+      coarse(port);
     return *this;
   }
   Scene& no_zero_components() {
-    for (const char a : std::string("ijk")) {
-      for (const std::string& port : direction(a)) demand(demands_, port, no_zero());
+    for (const Port& port : with(directions)) {
+      std::vector<Interval> within{{port.range->low, -1}, {1, port.range->high}};
+      // Of a float reciprocal: no infinity.
+      if (is_float(port) && port.role == hls::Role::direction)
+        within = {{1, infinity}, {minus | 1, minus | infinity}};
+      else if (is_float(port))
+        within = {{0, largest_finite}, {minus, minus | largest_finite}};
+      demand(demands_, port.name, within);
     }
     return *this;
   }
   Scene& ordered_boxes() {
-    for (const std::string a : {"x", "y", "z"})
-      demands_.orders.push_back({prefix() + a + "min", prefix() + a + "max"});
+    for (const hls::Axis axis : {hls::Axis::x, hls::Axis::y, hls::Axis::z}) {
+      const std::vector<Port> low = with({hls::Role::plane_low}, axis);
+      const std::vector<Port> high = with({hls::Role::plane_high}, axis);
+      if (!low.empty() && !high.empty()) demands_.orders.push_back({low.front().name, high.front().name});
+    }
     return *this;
   }
 
- private:
-  [[nodiscard]] std::string prefix() const { return floats_ ? "" : "i"; }
-  [[nodiscard]] std::vector<std::string> direction(char axis) const {
-    const std::string name = prefix() + "r" + axis;
-    if (!slabs_) return {name};
-    if (floats_) return {name + "_inv"};
-    return {name + "_floor", name + "_ceil"};
+  Scene& flags(hls::Role role, std::int64_t value, std::optional<hls::Axis> axis = std::nullopt) {
+    for (const Port& port : with({role}, axis)) demand(demands_, port.name, {{value, value}});
+    return *this;
   }
-  [[nodiscard]] Interval one_sign(bool backward) const {
-    if (floats_) return backward ? Interval{minus, minus | infinity} : Interval{0, infinity};
-    return backward ? Interval{-(2 * grid_ - 1), -1} : Interval{0, 2 * grid_ - 1};
+  Scene& within(const std::vector<Port>& ports, const Interval& numbers) {
+    for (const Port& port : ports) demand(demands_, port.name, {numbers});
+    return *this;
   }
-  /// Of a float IRDVC: no infinity.
-  [[nodiscard]] std::vector<Interval> no_zero() const {
-    if (floats_ && slabs_) return {{0, largest_finite}, {minus, minus | largest_finite}};
-    if (floats_) return {{1, infinity}, {minus | 1, minus | infinity}};
-    return {{-(2 * grid_ - 1), -1}, {1, 2 * grid_ - 1}};
+  Scene& coarse(const Port& port) {
+    PortDemand& coarse = demand_on(demands_, port.name);
+    if (coarse.within.empty()) coarse.within = {{0, (std::int64_t{1} << port.width) - 1}};
+    coarse.low_zeros = 3;
+    return *this;
   }
 
-  bool slabs_;
-  bool floats_;
-  hls::IntBits bits_;
-  std::int64_t grid_;
+  static constexpr std::initializer_list<hls::Role> directions{
+      hls::Role::direction, hls::Role::inverse, hls::Role::inverse_low, hls::Role::inverse_high};
+
+ private:
+  [[nodiscard]] static bool is_float(const Port& port) { return port.kind == hls::Kind::real; }
+  /// Numbers of the port are in -grid..grid.
+  [[nodiscard]] static std::int64_t grid_of(const Port& port) {
+    return static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(port.range->high)));
+  }
+
+  std::vector<Port> ports_;
   Demands demands_;
-  const std::string axis_ = "xyz";
 };
 
-/// Of designs with a major axis: their ray is in slots, so a set speaks of slots, and of boxes by axis.
+/// Of designs with a major axis: their ray is in lanes, of which only the boxes have an axis.
 inline std::vector<DemandSet> major_demand_sets(const Design& design, Format format) {
-  const auto bits = format.as<hls::MajorBits>();
-  const std::int64_t grid = bits.largest_point();
-  const auto upward = [](Demands& demands) {
-    for (const char* const port : {"back_m", "back_a", "back_b"}) demand(demands, port, {{0, 0}});
+  using hls::Axis;
+  using hls::Role;
+  const auto scene = [&] { return Scene(design, format); };
+  const std::vector<Port> origins = scene().with({Role::origin});
+  const std::vector<Port> narrow_planes = scene().with({Role::plane_low, Role::plane_high}, Axis::y);
+  const auto upward = [](Scene& all) { all.upward(); };
+  const auto along_z = [](Scene& all) { all.flags(Role::major, 0, Axis::y).flags(Role::major, 1, Axis::z); };
+  const auto fixed_origin = [&](Scene& all) {
+    const std::int64_t fine = origins[0].range->high;
+    const std::int64_t at[3] = {fine * 3 / 10, -fine / 2, -fine / 10};  // the second is below a narrow y
+    for (std::size_t i = 0; i < 3; ++i) all.within({origins[i]}, {at[i], at[i]});
   };
-  const auto along_z = [](Demands& demands) {
-    demand(demands, "major_y", {{0, 0}});
-    demand(demands, "major_z", {{1, 1}});
+  const auto narrow = [&](Scene& all) {
+    const std::int64_t least = (narrow_planes[0].range->high - 1) / 64;
+    all.within(narrow_planes, {-least, least});
   };
-  const auto fixed_origin = [&](Demands& demands) {
-    const std::int64_t fine = grid << bits.finer;
-    demand(demands, "origin_m", {{fine * 3 / 10, fine * 3 / 10}});
-    demand(demands, "origin_a", {{-fine / 2, -fine / 2}});  // below a narrow y
-    demand(demands, "origin_b", {{-fine / 10, -fine / 10}});
+  const auto coarse = [&](Scene& all) {
+    for (const Port& plane : narrow_planes) all.coarse(plane);
   };
-  const auto narrow = [&](Demands& demands) {
-    for (const char* const port : {"ymin", "ymax"}) demand(demands, port, {{-(grid / 64), grid / 64}});
+  const auto no_zero = [](Scene& all) {
+    const std::vector<Port> exponents = all.with({Role::exponent});
+    all.within(exponents, {0, exponents[0].range->high - 1});
   };
-  const auto coarse = [](Demands& demands) {
-    for (const char* const port : {"ymin", "ymax"}) demand_on(demands, port).low_zeros = 3;
-  };
-  const auto no_zero = [&](Demands& demands) {
-    for (const char* const port : {"exp_a", "exp_b"})
-      demand(demands, port, {{0, bits.largest_exponent() - 1}});
-  };
-  const auto ordered = [](Demands& demands) {
-    for (const std::string a : {"x", "y", "z"}) demands.orders.push_back({a + "min", a + "max"});
-  };
+  const auto ordered = [](Scene& all) { all.ordered_boxes(); };
   const auto with = [&](const auto&... parts) {
-    Demands demands = set_up_demands(design.ports(format));
-    (parts(demands), ...);
-    return demands;
+    Scene all = scene();
+    (parts(all), ...);
+    return all.demands();
   };
   return {{"upward", with(upward)},
           {"one major axis", with(along_z)},
@@ -179,62 +202,57 @@ inline std::vector<DemandSet> major_demand_sets(const Design& design, Format for
 
 /// Of float designs whose ray is mirrored, with a port for the sign of each direction component.
 inline std::vector<DemandSet> any_float_demand_sets(const Design& design, Format format) {
+  using hls::Axis;
+  using hls::Role;
   const auto bits = format.as<hls::FpBits>();
   const std::int64_t quarter = bits.one() - (std::int64_t{2} << bits.fraction);
-  const auto upward = [](Demands& demands) {
-    for (const char* const port : {"back_x", "back_y", "back_z"}) demand(demands, port, {{0, 0}});
+  const auto upward = [](Scene& all) { all.upward(); };
+  const auto fixed_origin = [&](Scene& all) { all.within(all.with({Role::origin}), {quarter, quarter}); };
+  const auto narrow = [&](Scene& all) {
+    all.within(all.with({Role::origin, Role::plane_low, Role::plane_high}, Axis::y),
+               {quarter, quarter + (std::int64_t{1} << bits.fraction)});
   };
-  const auto fixed_origin = [&](Demands& demands) {
-    for (const char* const port : {"rx", "ry", "rz"}) demand(demands, port, {{quarter, quarter}});
+  const auto coarse = [&](Scene& all) {
+    for (const Port& plane : all.with({Role::plane_low, Role::plane_high}, Axis::y)) all.coarse(plane);
   };
-  const auto narrow = [&](Demands& demands) {
-    const Interval half = {quarter, quarter + (std::int64_t{1} << bits.fraction)};
-    for (const char* const port : {"ry", "ymin", "ymax"}) demand(demands, port, {half});
+  const auto no_zero = [&](Scene& all) {
+    all.within(all.with({Role::inverse_high}), {bits.one(), bits.infinity() - 1});
   };
-  const auto coarse = [&](Demands& demands) {
-    for (const char* const port : {"ymin", "ymax"}) {
-      PortDemand& demanded = demand_on(demands, port);
-      if (demanded.within.empty()) demanded.within = {{0, (std::int64_t{1} << bits.width()) - 1}};
-      demanded.low_zeros = 3;
-    }
-  };
-  const auto no_zero = [&](Demands& demands) {
-    for (const char* const port : {"ri_high", "rj_high", "rk_high"})
-      demand(demands, port, {{bits.one(), bits.infinity() - 1}});
-  };
+  const auto infinite = [](Scene& all) { all.infinite_rays(); };
+  const auto finite = [](Scene& all) { all.finite_rays(); };
   const auto with = [&](const auto&... parts) {
-    Demands demands = set_up_demands(design.ports(format));
-    (parts(demands), ...);
-    return demands;
+    Scene all(design, format);
+    (parts(all), ...);
+    return all.demands();
   };
-  const auto ends = [](std::int64_t rinf) {
-    return [rinf](Demands& demands) { demand(demands, "rinf", {{rinf, rinf}}); };
-  };
-  return {{"infinite rays", with(ends(1))},
-          {"finite rays", with(ends(0))},
+  return {{"infinite rays", with(infinite)},
+          {"finite rays", with(finite)},
           {"upward", with(upward)},
           {"fixed origin", with(fixed_origin)},
           {"narrow y", with(narrow)},
           {"coarse y", with(coarse)},
           {"no zero component", with(no_zero)},
-          {"all of these", with(ends(1), upward, fixed_origin, narrow, coarse, no_zero)}};
+          {"all of these", with(infinite, upward, fixed_origin, narrow, coarse, no_zero)}};
 }
 
 inline std::vector<DemandSet> demand_sets(const Design& design, Format format) {
-  if (format.is<hls::FpBits>()) return any_float_demand_sets(design, format);
-  if (format.is<hls::MajorBits>()) return major_demand_sets(design, format);
   const auto scene = [&] { return Scene(design, format); };
+  if (scene().has(hls::Role::major)) return major_demand_sets(design, format);
+  if (scene().has(hls::Role::backward)) return any_float_demand_sets(design, format);
   Scene all = scene();  // the camera stands outside the slab
   all.infinite_rays().one_direction().narrow_axis().coarse_axis().fixed_origin().ordered_boxes();
-  return {{"infinite rays", scene().infinite_rays().demands()},
-          {"finite rays", scene().finite_rays().demands()},
-          {"one direction class", scene().one_direction().demands()},
-          {"fixed origin", scene().fixed_origin().demands()},
-          {"narrow y", scene().narrow_axis().demands()},
-          {"coarse y", scene().coarse_axis().demands()},
-          {"no zero component", scene().no_zero_components().demands()},
-          {"min <= max", scene().ordered_boxes().demands()},
-          {"all of these", all.demands()}};
+  std::vector<DemandSet> sets;
+  if (scene().has(hls::Role::endless))
+    sets = {{"infinite rays", scene().infinite_rays().demands()},
+            {"finite rays", scene().finite_rays().demands()}};
+  sets.insert(sets.end(), {{"one direction class", scene().one_direction().demands()},
+                           {"fixed origin", scene().fixed_origin().demands()},
+                           {"narrow y", scene().narrow_axis().demands()},
+                           {"coarse y", scene().coarse_axis().demands()},
+                           {"no zero component", scene().no_zero_components().demands()},
+                           {"min <= max", scene().ordered_boxes().demands()},
+                           {"all of these", all.demands()}});
+  return sets;
 }
 
 /// The operands of the ports that a pruned graph still has, in its order.

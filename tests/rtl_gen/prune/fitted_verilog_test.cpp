@@ -1,5 +1,6 @@
 // A fitted unit's Verilog: taken by all tools without a word, with its check block and without, replayed with
 // operands as demanded, and stopped by any that is not.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/testbench.hpp"

@@ -19,6 +19,8 @@
 namespace hitpipe::rtl::prune_test {
 namespace {
 
+using hls::Role;
+
 std::string verilog_of(const Graph& graph) {
   return to_verilog(make_pipeline(graph, Library::thesis()), Library::thesis());
 }
@@ -77,18 +79,21 @@ TEST_P(PrunedDesign, IsAFixedPoint) {
   }
 }
 
-/// Designs whose directions have a sign on each axis, as all of the thesis.
-class PrunedDesignByAxis : public PrunedDesign {};
+/// Designs whose rays may end, as all of the thesis.
+class PrunedDesignWithEnds : public PrunedDesign {};
 
-TEST_P(PrunedDesignByAxis, InfiniteRaysHaveNoLength) {
-  const Pruned pruned = prune(traced, {{{"rinf", {{1, 1}}}}, {}});
-  for (const std::string& port : pruned.report.dropped_ports()) {
-    EXPECT_TRUE(port == "rinf" || port.ends_with("rlen") || port.find("re") != std::string::npos) << port;
-  }
-  const bool slabs = design.name.ends_with("slabs");
-  EXPECT_EQ(pruned.report.dropped_ports().size(), slabs ? 2U : 4U);
+TEST_P(PrunedDesignWithEnds, InfiniteRaysHaveNoLength) {
+  const Scene scene(design, format);
+  const Pruned pruned = prune(traced, {{{scene.with({Role::endless})[0].name, {{1, 1}}}}, {}});
+  std::vector<std::string> ends;
+  for (const Port& port : scene.with({Role::endless, Role::length, Role::endpoint}))
+    ends.push_back(port.name);
+  EXPECT_THAT(pruned.report.dropped_ports(), testing::UnorderedElementsAreArray(ends));
   EXPECT_LT(pruned.report.after.bits, pruned.report.before.bits);
 }
+
+/// Designs whose directions have a sign on each axis.
+class PrunedDesignByAxis : public PrunedDesign {};
 
 TEST_P(PrunedDesignByAxis, OneDirectionClassHasNoMultiplexersOfTheClass) {
   const Pruned pruned = prune(traced, Scene(design, format).one_direction().demands(), {.shares = false});
@@ -98,17 +103,29 @@ TEST_P(PrunedDesignByAxis, OneDirectionClassHasNoMultiplexersOfTheClass) {
     before += name.starts_with("mux2") ? count : 0;
   for (const auto& [name, count] : pruned.report.after.components)
     after += name.starts_with("mux2") ? count : 0;
-  if (design.name.find("plucker") != std::string_view::npos) {
+  if (Scene(design, format).has(Role::direction)) {
     EXPECT_EQ(after, 0);
   } else {
-    EXPECT_EQ(before - after, 6) << "two on each axis choose by the IRDVC's sign";
+    EXPECT_EQ(before - after, 6) << "two on each axis choose by the reciprocal's sign";
   }
 }
 
+std::vector<DesignFormat> designs_with_all(std::initializer_list<std::initializer_list<Role>> parts) {
+  std::vector<DesignFormat> all = every_design({"24/24", "20/24", "6/11"}, {}, {});
+  std::erase_if(all, [&](const DesignFormat& each) {
+    const Scene scene(each.found(), each.parsed());
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const auto& roles) { return scene.with(roles).empty(); });
+  });
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, PrunedDesignWithEnds,
+                         testing::ValuesIn(designs_with_all({{Role::endless}})), design_suffix);
+INSTANTIATE_TEST_SUITE_P(Designs, PrunedDesignByAxis,
+                         testing::ValuesIn(designs_with_all({Scene::directions})), design_suffix);
 INSTANTIATE_TEST_SUITE_P(Designs, PrunedDesign, testing::ValuesIn(every_design({"24/24", "20/24", "6/11"})),
                          design_suffix);
-INSTANTIATE_TEST_SUITE_P(Designs, PrunedDesignByAxis,
-                         testing::ValuesIn(every_design({"24/24", "20/24", "6/11"}, {}, {})), design_suffix);
 
 TEST(Prune, KeepsTheOutputsOfRandomGraphs) {
   Seeded random(877);

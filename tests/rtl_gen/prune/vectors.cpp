@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <exception>
 
+#include <fmt/format.h>
+
 #include "tests/rtl_gen/prune/compare.hpp"
 
 namespace {

@@ -1,7 +1,9 @@
 #include "tests/sim/mutations/fault.hpp"
 
 #include <algorithm>
+#include <map>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -179,16 +181,14 @@ class FaultList {
   std::vector<Fault> faults_;
 };
 
-/// The name of the node, or "%7 of near", with the name of a node that it leads to.
-std::string name_of(const Graph& graph, NodeId id) {
-  if (!graph[id].name.empty()) return graph[id].name;
-  std::string name = fmt::format("%{}", id);
-  NodeId reader = id;
-  while (graph[reader].name.empty() && !is_output(graph, reader)) {
-    const NodeId from = reader;
-    for_each_reader(graph, from, [&](NodeId next) { reader = reader == from ? next : reader; });
+/// The name of the next node that has one.
+std::string label_of(const Graph& graph, NodeId id) {
+  while (graph[id].name.empty() && !is_output(graph, id)) {
+    NodeId reader = id;
+    for_each_reader(graph, id, [&](NodeId next) { reader = reader == id ? next : reader; });
+    id = reader;
   }
-  return graph[reader].name.empty() ? name : fmt::format("{} of {}", name, graph[reader].name);
+  return graph[id].name;
 }
 
 }  // namespace
@@ -199,13 +199,29 @@ std::vector<Fault> faults_of(const Graph& graph) {
   return list.faults();
 }
 
-std::string to_text(const Graph& graph, const Fault& fault) {
+std::vector<std::string> node_names(const Graph& graph) {
+  std::vector<std::string> names;
+  std::map<std::pair<Op, std::string>, int> counts;
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& node = graph[id];
+    if (!node.name.empty()) {
+      names.push_back(node.name);
+      continue;
+    }
+    const std::string label = label_of(graph, id);
+    const int number = ++counts[{node.op, label}];
+    names.push_back(label.empty() ? std::to_string(number) : fmt::format("{} of {}", number, label));
+  }
+  return names;
+}
+
+std::string to_text(const Graph& graph, const std::vector<std::string>& names, const Fault& fault) {
   const Node& node = graph[fault.node];
   const std::string op =
       node.op == Op::call ? graph.unit_of(fault.node)->component : std::string(op_name(node.op));
   const std::string bit =
       node.op == Op::input && node.width > 1 ? fmt::format(" bit {}", fault.bit) : std::string();
-  return fmt::format("{} {}{}: {}", op, name_of(graph, fault.node), bit, fault.what);
+  return fmt::format("{} {}{}: {}", op, names.at(fault.node), bit, fault.what);
 }
 
 }  // namespace hitpipe::sim

@@ -31,8 +31,11 @@ struct Fault {
 /// chosen, a word widened by zeros has no sign, and the sign of a float's zero may be read by nobody.
 [[nodiscard]] std::vector<Fault> faults_of(const rtl::Graph& graph);
 
-/// "cmp apart: as <=", "input irx bit 3: always 1". A node without a name has a number and the name of the
-/// next node that has one: "xor %36 of s_far_b: as |".
-[[nodiscard]] std::string to_text(const rtl::Graph& graph, const Fault& fault);
+/// What each node is called. One without a name has the name of the next node with a name, and its number
+/// among the nodes of its kind that lead there: of two xors of s_far_b the second is "2 of s_far_b".
+[[nodiscard]] std::vector<std::string> node_names(const rtl::Graph& graph);
+/// "cmp apart: as <=", "input irx bit 3: always 1", "xor 2 of s_far_b: as |".
+[[nodiscard]] std::string to_text(const rtl::Graph& graph, const std::vector<std::string>& names,
+                                  const Fault& fault);
 
 }  // namespace hitpipe::sim

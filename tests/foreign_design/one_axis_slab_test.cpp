@@ -1,6 +1,6 @@
 // A design of hardware alone, without any set-up of rays and boxes: simulation, Verilog, schematic, price and
 // the check of the Verilog come with its one file.
-#include "tests/fifth_design/one_axis_slab.hpp"
+#include "tests/foreign_design/one_axis_slab.hpp"
 
 #include <array>
 #include <cstdint>
