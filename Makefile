@@ -49,13 +49,13 @@ test-long: packages
 	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -L long -V
 
 sanitize: packages
-	@cmake --preset sanitize $(CONFIGURE)
+	@cmake --preset sanitize
 	@cmake --build --preset sanitize -j $(JOBS) --target test_programs
 	@ctest --preset sanitize -j $(JOBS) -R '$(SANITIZED)'
 
 fuzz: SECONDS ?= 60
 fuzz: packages
-	@cmake --preset sanitize $(CONFIGURE) >build.log 2>&1 || { cat build.log; exit 1; }
+	@cmake --preset sanitize >build.log 2>&1 || { cat build.log; exit 1; }
 	@cmake --build --preset fuzz -j $(JOBS)
 	@tests/fuzz/run.sh build-sanitize/fuzz $(SECONDS)
 
