@@ -30,8 +30,8 @@ std::string png_of(const Write& write) {
 
 class Studio {
  public:
-  Studio(const ref::Scene& scene, const ref::Bvh& bvh, const PictureChoice& choice, ReportPictures& made)
-      : scene_(scene), bvh_(bvh), choice_(choice), made_(made) {}
+  Studio(const ref::Scene& scene, const PictureChoice& choice, ReportPictures& made)
+      : scene_(scene), choice_(choice), made_(made) {}
 
   [[nodiscard]] ref::RenderResult render(const ref::Tracer& tracer) const {
     return ref::render(scene_, tracer,
@@ -78,7 +78,6 @@ class Studio {
   }
 
   const ref::Scene& scene_;
-  const ref::Bvh& bvh_;
   const PictureChoice& choice_;
   ReportPictures& made_;
 };
@@ -97,7 +96,7 @@ Row row_of(const std::string& unit, std::uint64_t box_tests, std::uint64_t trian
 
 ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const PictureChoice& choice) {
   ReportPictures made;
-  const Studio studio(scene, bvh, choice, made);
+  const Studio studio(scene, choice, made);
   const std::string render = "hitpipe render " + choice.scene_options;
 
   const ref::RenderResult software = studio.render(*ref::make_tracer(scene.mesh, bvh, {}));
