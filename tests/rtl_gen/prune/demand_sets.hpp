@@ -140,7 +140,7 @@ class Scene {
   }
   Scene& coarse(const Port& port) {
     PortDemand& coarse = demand_on(demands_, port.name);
-    if (coarse.within.empty()) coarse.within = {{0, (std::int64_t{1} << port.width) - 1}};
+    if (coarse.within.empty()) coarse.within = {*port.range};
     coarse.low_zeros = 3;
     return *this;
   }

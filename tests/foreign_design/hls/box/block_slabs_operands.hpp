@@ -26,7 +26,7 @@ struct BlockBits {
   constexpr bool valid() const { return mantissa < coord; }
 
   constexpr Operand plane(const char* name, Role role, Axis axis) const {
-    return integer_operand(name, role, axis, mantissa, largest_mantissa());
+    return {name, role, axis, Kind::integer, mantissa, -largest_mantissa() - 1, largest_mantissa(), 0};
   }
 };
 

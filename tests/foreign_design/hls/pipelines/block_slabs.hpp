@@ -10,10 +10,11 @@
 
 namespace hitpipe {
 namespace hls {
+namespace block_slabs {
 
 struct BlockSlabs {
   static constexpr const char* name = "block_slabs";
-  static constexpr const char* summary = "integer slabs test of boxes with a shared exponent";
+  static constexpr const char* summary = "slabs test of boxes with one exponent";
   static constexpr DesignKind kind = box_kind;
   static constexpr const char* header = __FILE__;
   static constexpr bool conservative = true;
@@ -71,6 +72,10 @@ struct BlockSlabs {
     Word near, far;
   };
 };
+
+}  // namespace block_slabs
+
+using block_slabs::BlockSlabs;
 
 }  // namespace hls
 }  // namespace hitpipe

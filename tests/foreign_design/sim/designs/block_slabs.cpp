@@ -26,7 +26,9 @@ struct BlockBox : ref::IntBox {
 
 /// The least exponent with which all planes have mantissas of M bits.
 BlockBox block_box(const ref::IntBox& box, BlockBits bits) {
-  const auto fits = [&](std::int32_t mantissa) { return std::abs(mantissa) <= bits.largest_mantissa(); };
+  const auto fits = [&](std::int32_t mantissa) {
+    return mantissa >= -bits.largest_mantissa() - 1 && mantissa <= bits.largest_mantissa();
+  };
   BlockBox block;
   for (int exponent = 0;; ++exponent) {
     bool all_fit = true;
