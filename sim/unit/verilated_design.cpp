@@ -9,7 +9,8 @@ namespace hitpipe::sim {
 namespace {
 
 ModelSources sources_of(const Unit& unit, const std::vector<hls::Result>& results) {
-  const auto wrapper = [&](const std::string& module, const std::vector<rtl::Port>& ports, MorePins more) {
+  const auto wrapper = [&](const std::string& module, const std::vector<rtl::Port>& ports,
+                           const MorePins& more) {
     return model_source(module, unit.ports(), ports, results, unit.flow_control, more);
   };
   if (!unit.ray_slots)
