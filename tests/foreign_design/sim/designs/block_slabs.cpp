@@ -14,7 +14,7 @@ namespace {
 
 using hls::BlockBits;
 
-hls::IntBits grid(const rtl::Format& format) {
+hls::IntBits block_grid(const rtl::Format& format) {
   const int n = format.as<BlockBits>().coord;
   return {n, n};
 }
@@ -49,11 +49,11 @@ class BlockSetup {
   using Operands = hls::BlockSlabsOperands<Words, Bits>;
 
   BlockSetup(const ref::Ray& ray, const rtl::Format& format)
-      : ray_(ref::IntSlabsRaySetup(ray, grid(format)).ray()) {}
+      : ray_(ref::IntSlabsRaySetup(ray, block_grid(format)).ray()) {}
 
   static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
     std::vector<ref::IntBox> on_grid(boxes.size());
-    ref::quantise_boxes(boxes, grid(format).coord, on_grid);
+    ref::quantise_boxes(boxes, block_grid(format).coord, on_grid);
     for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = block_box(on_grid[i], format.as<BlockBits>());
   }
   void fill(float /*length*/, Operands& in) const {
@@ -68,7 +68,7 @@ class BlockSetup {
 /// Of a mantissa a scene tells nothing: its exponent is that of the largest plane.
 std::optional<SceneDemand> block_demand(const rtl::Port& port, const rtl::Format& format,
                                         const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
-  const int n = grid(format).coord;
+  const int n = block_grid(format).coord;
   const int axis = static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
   if (port.role == hls::Role::origin) {
     if (const Range range = int_origin(scene, axis, n)) return SceneDemand{{*range}, 1};
