@@ -101,10 +101,12 @@ class DepthFirst {
   std::array<Waiting<Store>, deepest_stack> stack_;  // only [0, top_) is read, so the rest is not set
 };
 
-/// `test` is the box test of `ray`; with `ends` it is cut at each hit.
+/// `test` is the box test of `ray`; with `ends` it is cut at each hit. All calls are inlined: a decoded node
+/// then stays in registers.
 template <class Store, BoxTest<typename Store::Box> Test, class Observer>
-TraceCounts trace_ray(const Store& store, const Leaves& leaves, Test test, const Ray& ray, Query query,
-                      unsigned order_class, bool ends, Hit& hit, Observer& observer) {
+[[gnu::flatten]] TraceCounts trace_ray(const Store& store, const Leaves& leaves, Test test, const Ray& ray,
+                                       Query query, unsigned order_class, bool ends, Hit& hit,
+                                       Observer& observer) {
   DepthFirst<Store> walk(store, order_class);
   do {
     walk.answer(test(store.box(walk.node())), store, leaves, ray, query, hit, observer, [&] {
