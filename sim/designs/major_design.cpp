@@ -8,7 +8,7 @@
 #include "sim/feeds/set_up_feed.hpp"
 #include "sim/fit/port_ranges.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
-#include "sw_ref/quantise/fine_grid.hpp"
+#include "sw_ref/quantise/grid.hpp"
 
 namespace hitpipe::sim {
 

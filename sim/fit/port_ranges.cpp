@@ -56,7 +56,7 @@ Range int_origin(const ref::SceneDemands& scene, int axis, int coord_bits, const
   const auto i = static_cast<std::size_t>(axis);
   const auto on_grid = [&](float at) {
     ref::IntOrigin origin{};
-    origin[i] = static_cast<std::int32_t>(ref::grid_floor(at, coord_bits, ref::Half::up));
+    origin[i] = static_cast<std::int32_t>(ref::fine_nearest(at, coord_bits));
     return ref::coarse_origin(origin, coarse, coord_bits)[i];
   };
   return rtl::Interval{on_grid(origins.min[axis]), on_grid(origins.max[axis])};

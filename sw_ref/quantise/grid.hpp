@@ -1,8 +1,10 @@
 // The integer grid of n-bit coordinates (section 6.2.1), and its limits G and M. [-1, 1] is mapped to [-G,
-// G], so that the difference of two coordinates still fits n bits. All rounding is exact: it uses integers
+// G], so that the difference of two coordinates still fits n bits. The grid of ray origins may be finer by g
+// bits: there [-1, 1] is mapped to [-G 2^g, G 2^g]. All rounding is exact: it uses integers
 // made of the binary32's mantissa and exponent.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "sw_ref/judge/binary32.hpp"
@@ -29,8 +31,6 @@ namespace hitpipe::ref {
   return (std::int64_t{1} << (coord_bits - 1)) - 1;
 }
 
-enum class Half : int { down = -1, up = 1 };
-
 /// Up to this n, G x has at most 29 + 24 bits and is exact in a double.
 inline constexpr int exact_in_double = 31;
 
@@ -44,21 +44,34 @@ inline constexpr int exact_in_double = 31;
   return nearest + (scaled - nearest == 0.5 ? 1.0 : 0.0);
 }
 
-/// floor(G * x - 1/2) or floor(G * x + 1/2), exact for |x| <= 2 and n in 6..32.
-[[nodiscard]] inline std::int64_t grid_floor(float x, int coord_bits, Half half) {
+/// floor(G 2^g x + 1/2), exact for |x| <= 2, n in 4..32 and g in 0..3.
+[[nodiscard]] inline std::int64_t fine_nearest(float x, int coord_bits, int finer = 0) {
   if (coord_bits <= exact_in_double) {
-    const double up = grid_nearest(x, static_cast<double>(grid_scale(coord_bits)));
-    return static_cast<std::int64_t>(up) - (half == Half::down ? 1 : 0);
+    return static_cast<std::int64_t>(grid_nearest(x, static_cast<double>(grid_scale(coord_bits) << finer)));
   }
-  // G x +- 1/2 = (2 G m +- 2^s) / 2^(s+1) with |x| = m 2^-s, m < 2^24, 22 <= s <= 149; 2 G m < 2^55.
+  // (2 G 2^g m + 2^s) / 2^(s+1) with |x| = m 2^-s, m < 2^24, 22 <= s <= 149; 2 G 2^g m < 2^58.
   const Binary32 parts = decode(x);
   const int s = -parts.exponent;
-  if (s > 60) {
-    return half == Half::down ? -1 : 0;  // |G x| < 2^54 * 2^-61 < 1/2
+  if (s > 60) return 0;  // |G 2^g x| < 2^57 * 2^-61 < 1/2
+  const std::int64_t magnitude =
+      (grid_scale(coord_bits) << (finer + 1)) * static_cast<std::int64_t>(parts.mantissa);
+  return ((parts.negative ? -magnitude : magnitude) + (std::int64_t{1} << s)) >> (s + 1);
+}
+
+/// floor(G x - 2^-(g+1)), exact for the same: a plane moved down by half a unit of the finer grid and rounded
+/// down to the coarser.
+[[nodiscard]] inline std::int64_t fine_lower(float x, int coord_bits, int finer = 0) {
+  const int below = finer + 1;
+  if (coord_bits <= exact_in_double) {
+    const double fine = static_cast<double>(grid_scale(coord_bits) << below) * static_cast<double>(x);
+    return (static_cast<std::int64_t>(std::floor(fine)) - 1) >> below;
   }
-  const std::int64_t magnitude = 2 * grid_scale(coord_bits) * static_cast<std::int64_t>(parts.mantissa);
-  const std::int64_t one_half = static_cast<std::int64_t>(half) * (std::int64_t{1} << s);
-  return ((parts.negative ? -magnitude : magnitude) + one_half) >> (s + 1);
+  const Binary32 parts = decode(x);
+  const int s = -parts.exponent;
+  if (s > 58) return -1;  // 2^(g+1) |G x| < 2^58 * 2^-59 < 1
+  const std::int64_t magnitude =
+      (grid_scale(coord_bits) << below) * static_cast<std::int64_t>(parts.mantissa);
+  return ((parts.negative ? -magnitude : magnitude) - (std::int64_t{1} << s)) >> (s + below);
 }
 
 }  // namespace hitpipe::ref

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "hls/box/int_format.hpp"
-#include "sw_ref/quantise/fine_grid.hpp"
+#include "sw_ref/quantise/grid.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -17,9 +17,6 @@ namespace {
 // outward rounded coordinate is at most G + 1 in magnitude. The padded boxes of a scene inside +-(1 - 2^-10)
 // stay below 1 - 2^-10 + 5e-7 < 1 (section 4.3), so they always pass. Ray origins lie in [-G, G], so a
 // difference is at most (G + 1) + G = M and fits n bits.
-std::int64_t lower(float x, int coord_bits, int finer) {
-  return fine_lower(x, coord_bits, finer);
-}
 std::int64_t upper(float x, int coord_bits, int finer) {
   return -fine_lower(-x, coord_bits, finer);
 }
@@ -70,7 +67,7 @@ IntBox rounded_one_by_one(const Aabb& box, int coord_bits, int finer) {
   IntBox rounded;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    rounded.min[i] = checked(lower, box.min[axis], coord_bits, finer, axis);
+    rounded.min[i] = checked(fine_lower, box.min[axis], coord_bits, finer, axis);
     rounded.max[i] = checked(upper, box.max[axis], coord_bits, finer, axis);
   }
   return rounded;

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "sw_ref/judge/binary32.hpp"
-#include "sw_ref/quantise/fine_grid.hpp"
+#include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/ray_check.hpp"
 
 namespace hitpipe::ref {

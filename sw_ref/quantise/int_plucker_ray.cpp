@@ -84,7 +84,7 @@ IntPluckerRaySetup::IntPluckerRaySetup(const Ray& ray, hls::IntBits bits)
   for (int axis = 0; axis < 3; ++axis) {
     // To nearest, ties upwards. The error is at most exactly 1/2, which the half unit of the box covers.
     ray_.origin[static_cast<std::size_t>(axis)] =
-        static_cast<std::int32_t>(grid_floor(ray.origin[axis], coord_bits_, Half::up));
+        static_cast<std::int32_t>(fine_nearest(ray.origin[axis], coord_bits_));
   }
   set_direction();
   ray_.end = endpoint(ray.length);

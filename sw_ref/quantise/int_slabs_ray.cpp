@@ -42,7 +42,7 @@ IntSlabsRaySetup::IntSlabsRaySetup(const Ray& ray, hls::IntBits bits) : bits_(bi
   for (int axis = 0; axis < 3; ++axis) {
     // To nearest, ties upwards. The error is at most exactly 1/2, which the half unit of the box covers.
     ray_.origin[static_cast<std::size_t>(axis)] =
-        static_cast<std::int32_t>(grid_floor(ray.origin[axis], bits.coord, Half::up));
+        static_cast<std::int32_t>(fine_nearest(ray.origin[axis], bits.coord));
   }
   set_irdvcs(ray);
   ray_.infinite = ray.is_infinite();

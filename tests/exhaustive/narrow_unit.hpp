@@ -16,7 +16,6 @@
 #include "hls/pipelines/int_slabs.hpp"
 #include "rtl_gen/catalogue/design_of.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
-#include "sw_ref/quantise/fine_grid.hpp"
 #include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_major_ray.hpp"

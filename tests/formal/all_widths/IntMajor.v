@@ -64,7 +64,7 @@ Definition meets (ray : Ray) (box : Box) : Prop :=
 Definition is_major (major : Axis) (ray : Ray) : Prop :=
   forall k, (Qabs (direction ray k) <= Qabs (direction ray major))%Q.
 
-(* ---- Ray set-up: sw_ref/quantise/int_major_ray.cpp, fine_grid.hpp ---- *)
+(* ---- Ray set-up: sw_ref/quantise/int_major_ray.cpp, grid.hpp ---- *)
 
 Definition negative (c : Q) : bool := negb (Qle_bool 0 c).
 
