@@ -12,6 +12,7 @@
 
 #include "sw_ref/quantise/fp_slabs_safe_ray.hpp"
 #include "sw_ref/scene/aabb.hpp"
+#include "sw_ref/trace/test_maker.hpp"
 
 #ifdef __FAST_MATH__
 #error "truncated sums need IEEE arithmetic: build without -ffast-math"
@@ -102,15 +103,6 @@ class FpSlabsSafeTest {
   double length_ = 0;
 };
 
-/// Makes the box test of a ray: a functor of (const Ray&).
-class FpSlabsSafeTestMaker {
- public:
-  explicit FpSlabsSafeTestMaker(const hls::FpBits& bits) : bits_(bits) {}
-
-  [[nodiscard]] FpSlabsSafeTest operator()(const Ray& ray) const { return {ray, bits_}; }
-
- private:
-  hls::FpBits bits_;
-};
+using FpSlabsSafeTestMaker = TestMaker<FpSlabsSafeTest, hls::FpBits>;
 
 }  // namespace hitpipe::ref

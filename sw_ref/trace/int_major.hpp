@@ -12,6 +12,7 @@
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_major_ray.hpp"
 #include "sw_ref/scene/ray.hpp"
+#include "sw_ref/trace/test_maker.hpp"
 
 namespace hitpipe::ref {
 
@@ -91,15 +92,6 @@ class IntMajorTest {
   std::int64_t length_ = 0;
 };
 
-/// Makes the box test of a ray: a functor of (const Ray&).
-class IntMajorTestMaker {
- public:
-  explicit IntMajorTestMaker(hls::MajorBits bits) : bits_(bits) {}
-
-  [[nodiscard]] IntMajorTest operator()(const Ray& ray) const { return {ray, bits_}; }
-
- private:
-  hls::MajorBits bits_;
-};
+using IntMajorTestMaker = TestMaker<IntMajorTest, hls::MajorBits>;
 
 }  // namespace hitpipe::ref

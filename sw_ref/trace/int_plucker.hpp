@@ -12,12 +12,15 @@
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/scene/ray.hpp"
+#include "sw_ref/trace/test_maker.hpp"
 
 namespace hitpipe::ref {
 
 /// Differences and directions have n - 1 bits and a sign, and n <= 32, so products stay below 2^62.
 class IntPluckerTest {
  public:
+  static constexpr const char* maker_name = "IntPluckerTestMaker";
+
   /// Throws as IntPluckerRaySetup and coarse_origin() do.
   IntPluckerTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse = {});
 
@@ -79,17 +82,6 @@ class IntPluckerTest {
   std::int64_t edge_bound_;
 };
 
-/// Makes the box test of a ray: a functor of (const Ray&).
-class IntPluckerTestMaker {
- public:
-  /// Throws std::invalid_argument unless an integer unit can have the format and these dropped bits.
-  explicit IntPluckerTestMaker(hls::IntBits bits, const CoarseAxes& coarse = {});
-
-  [[nodiscard]] IntPluckerTest operator()(const Ray& ray) const { return {ray, bits_, coarse_}; }
-
- private:
-  hls::IntBits bits_;
-  CoarseAxes coarse_;
-};
+using IntPluckerTestMaker = IntTestMaker<IntPluckerTest>;
 
 }  // namespace hitpipe::ref

@@ -12,12 +12,15 @@
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "sw_ref/scene/ray.hpp"
+#include "sw_ref/trace/test_maker.hpp"
 
 namespace hitpipe::ref {
 
 /// Differences and IRDVCs have n - 1 bits and a sign, and n <= 32, so products stay below 2^62.
 class IntSlabsTest {
  public:
+  static constexpr const char* maker_name = "IntSlabsTestMaker";
+
   /// Throws as IntSlabsRaySetup and coarse_origin() do.
   IntSlabsTest(const Ray& ray, hls::IntBits bits, const CoarseAxes& coarse = {});
 
@@ -54,17 +57,6 @@ class IntSlabsTest {
   std::int64_t length_ = 0;
 };
 
-/// Makes the box test of a ray: a functor of (const Ray&).
-class IntSlabsTestMaker {
- public:
-  /// Throws std::invalid_argument unless an integer unit can have the format and these dropped bits.
-  explicit IntSlabsTestMaker(hls::IntBits bits, const CoarseAxes& coarse = {});
-
-  [[nodiscard]] IntSlabsTest operator()(const Ray& ray) const { return {ray, bits_, coarse_}; }
-
- private:
-  hls::IntBits bits_;
-  CoarseAxes coarse_;
-};
+using IntSlabsTestMaker = IntTestMaker<IntSlabsTest>;
 
 }  // namespace hitpipe::ref

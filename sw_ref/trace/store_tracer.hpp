@@ -4,15 +4,10 @@
 #include <memory>
 #include <utility>
 
+#include "sw_ref/trace/test_maker.hpp"
 #include "sw_ref/trace/trace_batch.hpp"
 
 namespace hitpipe::ref {
-
-/// Makes a box test from the ray alone.
-template <class Test>
-struct TestMaker {
-  [[nodiscard]] Test operator()(const Ray& ray) const { return Test(ray); }
-};
 
 template <class Store, class Maker>
 class StoreTracer final : public Tracer {
