@@ -24,7 +24,7 @@
 #include "sw_ref/quantise/int_slabs_ray.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/small_scene.hpp"
-#include "tests/sw_ref/judge/adversary/halved.hpp"
+#include "tests/sw_ref/judge/adversary/each_case.hpp"
 
 namespace hitpipe::sim::feed_test {
 namespace {

@@ -48,38 +48,39 @@ TEST(GroupedRatio, CasesThatAreCopiesOfEachOtherCountOnce) {
   expect_interval(none.share_interval(), 0.0, 0.1611);
 }
 
-TEST(GroupedRatio, FourGroupsHoldTheTrueShareToo) {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> share(0.2, 0.4);
-  int holds = 0;
+/// The share of samples whose interval holds the true ratio.
+template <class Sample>
+double share_that_hold(double truth, const Sample& sample) {
   constexpr int samples = 2'000;
-  for (int sample = 0; sample < samples; ++sample) {
-    GroupedRatio ratio;
-    for (int group = 0; group < 4; ++group) {
-      std::binomial_distribution<int> counted(1'000, share(random));
-      ratio.add(counted(random), 1'000);
-    }
-    const Interval interval = ratio.share_interval();
-    holds += interval.low <= 0.3 && 0.3 <= interval.high ? 1 : 0;
+  int holds = 0;
+  for (int i = 0; i < samples; ++i) {
+    const Interval interval = sample();
+    holds += interval.low <= truth && truth <= interval.high ? 1 : 0;
   }
-  EXPECT_NEAR(holds / static_cast<double>(samples), 0.95, 0.02);
+  return holds / static_cast<double>(samples);
 }
 
 TEST(GroupedRatio, HoldsTheTrueRatioIn95OfAHundredSamples) {
   std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> share(0.2, 0.4);
+  const auto of_four_groups = [&] {
+    GroupedRatio ratio;
+    for (int group = 0; group < 4; ++group)
+      ratio.add(std::binomial_distribution<int>(1'000, share(random))(random), 1'000);
+    return ratio.share_interval();
+  };
+  EXPECT_NEAR(share_that_hold(0.3, of_four_groups), 0.95, 0.02);
+  random.seed(1);
   std::exponential_distribution<double> size(0.1);
-  int holds = 0;
-  constexpr int samples = 2'000;
-  for (int sample = 0; sample < samples; ++sample) {
+  const auto of_many_groups = [&] {
     GroupedRatio ratio;
     for (int group = 0; group < 200; ++group) {
       const double below = 1 + size(random);
       ratio.add(1.5 * below + size(random) - 10, below);
     }
-    const Interval interval = ratio.interval();
-    holds += interval.low <= 1.5 && 1.5 <= interval.high ? 1 : 0;
-  }
-  EXPECT_NEAR(holds / static_cast<double>(samples), 0.95, 0.02);
+    return ratio.interval();
+  };
+  EXPECT_NEAR(share_that_hold(1.5, of_many_groups), 0.95, 0.02);
 }
 
 TEST(GroupedRatio, GroupWithNothingBelowTheLineStillCountsAbove) {

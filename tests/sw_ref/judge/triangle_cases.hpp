@@ -9,13 +9,17 @@
 
 #include <fmt/format.h>
 
+#include "sw_ref/judge/adversary/generators.hpp"
+#include "sw_ref/judge/adversary/parts.hpp"
 #include "sw_ref/scene/mesh.hpp"
 #include "sw_ref/scene/ray.hpp"
-#include "tests/sw_ref/judge/box_cases.hpp"
 #include "tests/sw_ref/judge/rational.hpp"
 
 namespace hitpipe::ref::cases {
 
+using adversary::nudged;
+using adversary::Random;
+using adversary::vector_of;
 using oracle::exact;
 using oracle::Rational;
 using RationalVec = std::array<Rational, 3>;
@@ -65,7 +69,7 @@ struct Shot {
 };
 
 inline std::string describe(const Shot& s) {
-  std::string text = describe(s.ray) + " corners";
+  std::string text = adversary::to_text(s.ray) + " corners";
   for (const glm::vec3& v : {s.corners.a, s.corners.b, s.corners.c}) {
     text += fmt::format(" {:a} {:a} {:a}", v.x, v.y, v.z);
   }
@@ -76,7 +80,7 @@ inline glm::vec3 coarse_point(Random& random) {
   return vector_of([&] { return random.coarse(); });
 }
 inline glm::vec3 fine_point(Random& random) {
-  return vector_of([&] { return random.coordinate(); });
+  return vector_of([&] { return random.signed_unit(); });
 }
 
 inline Mesh::Corners coarse_triangle(Random& random) {
@@ -112,13 +116,13 @@ inline Shot nudged_shot(Random& random) {
   const int ulps = random.between(-2, 2);
   switch (random.below(3)) {
     case 0:
-      at(s.corners.b, random.axis()) += static_cast<float>(ulps) * 0x1p-24F;
+      s.corners.b[random.axis()] += static_cast<float>(ulps) * 0x1p-24F;
       break;
     case 1:
-      at(s.ray.origin, random.axis()) += static_cast<float>(ulps) * 0x1p-24F;
+      s.ray.origin[random.axis()] += static_cast<float>(ulps) * 0x1p-24F;
       break;
     default: {
-      float& component = at(s.ray.direction, random.axis());
+      float& component = s.ray.direction[random.axis()];
       component = nudged(component, ulps);
     }
   }
@@ -134,16 +138,16 @@ inline Shot length_shot(Random& random) {
 
 /// The plane lies just before or behind the end of the ray, closer than a double can resolve.
 inline Shot length_within_a_hair(Random& random) {
-  const std::size_t up = random.axis();
+  const int up = random.axis();
   Shot s{coarse_triangle(random), {}};
   const float height = random.sign() * static_cast<float>(random.between(1, 63)) * 0x1p-6F;
   for (glm::vec3* corner : {&s.corners.a, &s.corners.b, &s.corners.c}) {
-    at(*corner, up) = height;
+    (*corner)[up] = height;
   }
   s.ray.origin = (s.corners.a + s.corners.b) * 0.25F + s.corners.c * 0.5F;
   const int speed = random.between(-20, 20);
-  at(s.ray.origin, up) = random.sign() * std::ldexp(1.0F, -random.between(50, 149));
-  at(s.ray.direction, up) = std::copysign(std::ldexp(1.0F, speed), height);
+  s.ray.origin[up] = random.sign() * std::ldexp(1.0F, -random.between(50, 149));
+  s.ray.direction[up] = std::copysign(std::ldexp(1.0F, speed), height);
   s.ray.length = std::ldexp(std::abs(height), -speed);
   return s;
 }
@@ -154,7 +158,7 @@ inline Shot origin_on_plane(Random& random) {
   s.ray.direction = coarse_point(random);
   s.ray.direction = nonzero(s.ray.direction);
   if (random.coin()) s.ray.length = 0;
-  if (random.coin()) at(s.ray.origin, random.axis()) += 0x1p-24F;
+  if (random.coin()) s.ray.origin[random.axis()] += 0x1p-24F;
   return s;
 }
 
@@ -170,7 +174,7 @@ inline Shot coplanar_shot(Random& random) {
 inline Shot sliver_shot(Random& random) {
   Shot s = random_shot(random);
   s.corners.c = s.corners.a + (s.corners.b - s.corners.a) * 0.5F;
-  at(s.corners.c, random.axis()) += std::ldexp(random.sign(), -random.between(15, 40));
+  s.corners.c[random.axis()] += std::ldexp(random.sign(), -random.between(15, 40));
   const float along = 0.5F + 0.5F * random.signed_unit();
   s.ray.direction = nonzero(s.corners.a + (s.corners.b - s.corners.a) * along - s.ray.origin);
   return s;
@@ -189,10 +193,10 @@ inline Shot extreme_direction(Random& random) {
 }
 
 inline Shot stiff_shot(Random& random) {
-  Shot s{coarse_triangle(random), stiff(random).ray};
+  Shot s{coarse_triangle(random), adversary::stiff(random).ray};
   const glm::vec3 target = s.corners.a;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (random.coin()) at(s.ray.origin, axis) = at(target, axis);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (random.coin()) s.ray.origin[axis] = target[axis];
   }
   return s;
 }

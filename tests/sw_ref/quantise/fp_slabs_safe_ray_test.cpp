@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/fp_box.hpp"
 #include "tests/message_of.hpp"
+#include "tests/sw_ref/judge/adversary/each_case.hpp"
 #include "tests/sw_ref/judge/rational.hpp"
 
 namespace hitpipe::ref::fp_slabs_safe_ray_test {
@@ -23,14 +23,6 @@ using oracle::Rational;
 
 constexpr std::uint64_t seed = 20091;
 const std::vector<FpBits> formats{{8, 23}, {8, 15}, {8, 7}, {5, 10}, {6, 13}, {3, 2}, {2, 1}, {4, 23}};
-
-std::vector<adversary::Category> all_categories() {
-  const auto usual = adversary::categories();
-  const auto own = adversary::float_unit_categories();
-  std::vector<adversary::Category> all(usual.begin(), usual.end());
-  all.insert(all.end(), own.begin(), own.end());
-  return all;
-}
 
 Rational power_of_two(int exponent) {
   const Rational power(oracle::Integer(1) << static_cast<unsigned>(std::abs(exponent)));
@@ -105,50 +97,35 @@ void expect_bounds(const Ray& ray, const FpBits& bits) {
   if (!end.endless) expect_last_below(end.length, length, bits);
 }
 
+/// `plane` is the magnitude of a plane and `rounded` the rounded plane: the next number of the format towards
+/// zero, or away from it.
+void expect_next_outside(float rounded, const Rational& plane, bool towards_zero, const FpBits& bits) {
+  const std::int64_t pattern = fp_pattern(std::abs(rounded), bits);
+  ASSERT_EQ(number(pattern, bits), exact(std::abs(rounded)));
+  towards_zero ? expect_last_below(pattern, plane, bits) : expect_first_above(pattern, plane, bits);
+}
+
 TEST(FpSlabsSafeRaySetup, IsTheTightestBoundInEveryFormatAndCategory) {
   adversary::Random random(seed);
-  for (const FpBits& bits : formats) {
-    for (const adversary::Category& category : all_categories()) {
-      for (int i = 0; i < 60; ++i) {
-        const Ray ray = category.make(random).ray;
-        expect_bounds(ray, bits);
-        if (HasFatalFailure()) FAIL() << category.name << " " << adversary::to_text(ray);
-      }
-    }
-  }
+  for (const FpBits& bits : formats)
+    adversary::each_case(random, 60, [&](const adversary::Case& c) { expect_bounds(c.ray, bits); });
 }
 
 TEST(FpRounding, PutsEachPlaneOnTheNextNumberOutside) {
   adversary::Random random(seed);
   for (const FpBits& bits : formats) {
-    for (const adversary::Category& category : all_categories()) {
-      for (int i = 0; i < 60; ++i) {
-        const Aabb box = category.make(random).box;
-        const Aabb rounded = round_box(box, bits);
-        for (int axis = 0; axis < 3; ++axis) {
-          // The sign of a zero counts too.
-          ASSERT_TRUE(rounded.min[axis] != 0.0F || std::signbit(rounded.min[axis]));
-          ASSERT_TRUE(rounded.max[axis] != 0.0F || !std::signbit(rounded.max[axis]));
-          const Rational min = exact(box.min[axis]);
-          const Rational max = exact(box.max[axis]);
-          const std::int64_t low = fp_pattern(std::abs(rounded.min[axis]), bits);
-          const std::int64_t high = fp_pattern(std::abs(rounded.max[axis]), bits);
-          ASSERT_EQ(number(low, bits), exact(std::abs(rounded.min[axis])));
-          ASSERT_EQ(number(high, bits), exact(std::abs(rounded.max[axis])));
-          if (min >= 0) {
-            expect_last_below(low, min, bits);
-          } else {
-            expect_first_above(low, -min, bits);
-          }
-          if (max <= 0) {
-            expect_last_below(high, -max, bits);
-          } else {
-            expect_first_above(high, max, bits);
-          }
-          if (HasFatalFailure()) return;
-        }
+    adversary::each_case(random, 60, [&](const adversary::Case& c) {
+      const Aabb rounded = round_box(c.box, bits);
+      for (int axis = 0; axis < 3; ++axis) {
+        // The sign of a zero counts too.
+        ASSERT_TRUE(rounded.min[axis] != 0.0F || std::signbit(rounded.min[axis]));
+        ASSERT_TRUE(rounded.max[axis] != 0.0F || !std::signbit(rounded.max[axis]));
+        const float min = c.box.min[axis];
+        const float max = c.box.max[axis];
+        expect_next_outside(rounded.min[axis], exact(std::abs(min)), min >= 0, bits);
+        expect_next_outside(rounded.max[axis], exact(std::abs(max)), max <= 0, bits);
       }
-    }
+    });
   }
 }
 

@@ -1,6 +1,11 @@
 // The datapaths of hls/ on a quantised ray and box, as a unit of format F<n, t> answers them.
 #pragma once
 
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
 #include "hls/num/domain.hpp"
 #include "hls/pipelines/int_plucker.hpp"
 #include "hls/pipelines/int_slabs.hpp"
@@ -8,6 +13,7 @@
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_plucker_ray.hpp"
 #include "sw_ref/quantise/int_slabs_ray.hpp"
+#include "tests/sw_ref/judge/adversary/each_case.hpp"
 
 namespace hitpipe::ref {
 
@@ -63,5 +69,45 @@ struct NativePlucker {
     return hls::IntPlucker::test(F(), in).hit.to_bool();
   }
 };
+
+/// An integer unit as its datapath answers, with dropped low bits.
+struct NativeUnit {
+  hls::IntBits bits;
+  bool (*hit)(const Ray&, const IntBox&, const CoarseAxes&);
+  CoarseAxes coarse{};
+
+  /// The case, or the case moved towards the middle of the cube if it does not fit the coarser grid.
+  [[nodiscard]] adversary::Case fitting(const adversary::Case& c) const {
+    const IntOrigin origin = IntSlabsRaySetup(c.ray, bits).ray().origin;
+    const bool fits = fits_grid(origin, quantise_box(c.box, bits.coord), coarse, bits.coord);
+    return fits ? c : adversary::halved(c);
+  }
+  [[nodiscard]] std::string name() const {
+    return fmt::format("{}/{} coarse {}", bits.coord, bits.interval, to_text(coarse));
+  }
+};
+
+template <template <class> class Design, class F>
+constexpr NativeUnit unit_of(const CoarseAxes& coarse = {}) {
+  return {F::bits, Design<F>::hit, coarse};
+}
+
+/// From 6 to 32 bits, on fine axes and then on coarser axes.
+template <template <class> class Design>
+constexpr std::array native_units{unit_of<Design, hls::IntFormat<24, 24>>(),
+                                  unit_of<Design, hls::IntFormat<20, 24>>(),
+                                  unit_of<Design, hls::IntFormat<16, 16>>(),
+                                  unit_of<Design, hls::IntFormat<12, 12>>(),
+                                  unit_of<Design, hls::IntFormat<8, 8>>(),
+                                  unit_of<Design, hls::IntFormat<6, 6>>(),
+                                  unit_of<Design, hls::IntFormat<6, 11>>(),
+                                  unit_of<Design, hls::IntFormat<31, 40>>(),
+                                  unit_of<Design, hls::IntFormat<32, 6>>(),
+                                  unit_of<Design, hls::IntFormat<32, 63>>(),
+                                  unit_of<Design, hls::IntFormat<24, 24>>({{0, 0, 5}}),
+                                  unit_of<Design, hls::IntFormat<16, 16>>({{0, 9, 2}}),
+                                  unit_of<Design, hls::IntFormat<12, 12>>({{4, 0, 1}}),
+                                  unit_of<Design, hls::IntFormat<6, 6>>({{0, 2, 1}}),
+                                  unit_of<Design, hls::IntFormat<6, 11>>({{3, 0, 0}})};
 
 }  // namespace hitpipe::ref

@@ -1,9 +1,7 @@
 // Records of two boxes, and the test of two boxes at a time: every child is hit exactly when its box alone is
-// hit, and the traversal finds the triangles that others find.
+// hit.
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -78,12 +76,8 @@ TEST(PairNodes, HoldTheBoxesAndTrianglesOfAllNodes) {
                      const PairChild child = records.child(record, which);
                      ASSERT_EQ(box, quantise_box(node.box, n, g));
                      ASSERT_EQ(child.count, node.is_leaf() ? node.count : PairChild::branch);
-                     if (!node.is_leaf()) {
-                       ASSERT_EQ(records.split_axis(child.first), node.split_axis());
-                     }
-                     if (node.is_leaf()) {
-                       ASSERT_EQ(child.first, node.first);
-                     }
+                     ASSERT_TRUE(node.is_leaf() ? child.first == node.first
+                                                : records.split_axis(child.first) == node.split_axis());
                    });
         EXPECT_EQ(nodes, bvh.nodes.size());
         EXPECT_EQ(records.size(), (bvh.nodes.size() + 1) / 2);
@@ -161,66 +155,6 @@ class Walker {
   std::int64_t length_;
 };
 
-std::vector<Ray> rays_at(const Mesh& mesh, int count) {
-  Random random(seed + 1);
-  std::vector<Ray> rays;
-  for (int i = 0; i < count; ++i) {
-    Ray ray{any_point(random), any_point(random), Ray::infinite};
-    const glm::vec3 target =
-        mesh.vertices[static_cast<std::size_t>(below(random, static_cast<int>(mesh.vertices.size())))];
-    if (i % 2 == 0) ray.direction = target - ray.origin;
-    // Components of 0, tiny ones and equal ones; ends before, at and behind the target.
-    if (i % 3 == 0) ray.direction[below(random, 3)] = 0.0F;
-    if (i % 5 == 0) ray.direction[below(random, 3)] *= std::ldexp(1.0F, -below(random, 40));
-    if (i % 7 == 0) ray.direction.x = -ray.direction.y;
-    if (i % 4 == 0) ray.length = 0.5F * static_cast<float>(below(random, 4));
-    if (ray.direction == glm::vec3(0)) ray.direction.z = 1;
-    rays.push_back(ray);
-  }
-  return rays;
-}
-
-TEST(PairTest, HitsAChildOfEveryTreeExactlyWhenItsBoxAloneIsHit) {
-  int compared = 0;
-  int hits = 0;
-  for (const Mesh& mesh : meshes()) {
-    for (const Bvh& bvh : trees(mesh)) {
-      for (const MajorBits bits :
-           {MajorBits{20, 1, 13}, MajorBits{6, 0, 4}, MajorBits{12, 3, 8, 2}, MajorBits{16, 2, 9, -2}}) {
-        const PairNodes records(bvh, bits.coord, bits.finer);
-        for (const Ray& ray : rays_at(mesh, 120)) {
-          Walker walker(ray, bits);
-          std::vector<std::pair<std::uint32_t, IntBox>> open{{0, records.boxes(0).planes}};
-          while (!open.empty()) {
-            const auto [record, box] = open.back();
-            open.pop_back();
-            const RayInterval parent =
-                record == 0 ? RayInterval{0, walker.interval_of(box).far} : walker.interval_of(box);
-            if (record != 0 && parent.near > parent.far) continue;
-            const PairBoxes pair = records.boxes(record);
-            const bool both = records.child(record, 1).count != PairChild::none;
-            const std::array<IntBox, 2> boxes{box_of_child(pair, 0, box),
-                                              both ? box_of_child(pair, 1, box) : box};
-            if (record != 0) {
-              const int found = walker.compare(pair, parent, boxes);
-              ASSERT_GE(found, 0);
-              hits += found;
-              ++compared;
-            }
-            for (unsigned which = 0; which < (both ? 2U : 1U); ++which)
-              if (const PairChild child = records.child(record, which); child.count == PairChild::branch)
-                open.emplace_back(child.first, boxes[which]);
-          }
-        }
-      }
-    }
-  }
-  std::printf("seed %u: %d pairs, %d boxes hit\n", seed, compared, hits);
-  EXPECT_GT(compared, 10'000);
-  EXPECT_GT(hits, compared / 4);
-  EXPECT_LT(hits, 2 * compared);
-}
-
 /// All pairs of intervals on one axis of a 4-bit grid, with all origins of a fine lattice and directions of
 /// three lengths: what a slab of the pair says depends on nothing else.
 TEST(PairTest, HitsAChildExactlyWhenItsBoxAloneIsHitForAllSlabsOfASmallGrid) {
@@ -261,58 +195,6 @@ TEST(PairTest, HitsAChildExactlyWhenItsBoxAloneIsHitForAllSlabsOfASmallGrid) {
   }
   EXPECT_GT(compared, 500'000);
   EXPECT_GT(hits, compared / 4);
-}
-
-TEST(PairTraversal, FindsTheTrianglesThatTheConservativeTraversalFinds) {
-  for (const Mesh& mesh : meshes()) {
-    for (const Bvh& bvh : trees(mesh)) {
-      const std::vector<Ray> rays = rays_at(mesh, 400);
-      for (const MajorBits bits : {MajorBits{20, 1, 13}, MajorBits{8, 0, 5}}) {
-        const auto pairs = major_pair_tracer(bits, mesh, bvh);
-        const auto conservative = make_tracer(mesh, bvh, {});
-        for (const Query query : {Query::closest, Query::any}) {
-          std::vector<std::uint32_t> found(rays.size());
-          std::vector<std::uint32_t> expected(rays.size());
-          std::vector<TraceCounts> work(rays.size());
-          TraceCounts counts;
-          TraceCounts reference;
-          pairs->trace({rays, query, found, work}, counts);
-          conservative->trace({rays, query, expected}, reference);
-          std::uint64_t box_tests = 0;
-          for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (query == Query::closest) {
-              ASSERT_EQ(found[i], expected[i]);
-            } else {
-              ASSERT_EQ(found[i] == Hit::none, expected[i] == Hit::none);
-            }
-            box_tests += work[i].box_tests;
-          }
-          EXPECT_EQ(counts.box_tests, box_tests);
-          // One test for the root of each ray, which is for one box; all others are for two.
-          EXPECT_EQ(counts.box_tests, 2 * counts.nodes_loaded - rays.size());
-          EXPECT_GE(2 * counts.box_tests, reference.box_tests);
-        }
-      }
-    }
-  }
-}
-
-TEST(PairTraversal, DeepestHierarchyFitsTheStack) {
-  const Mesh mesh = one_triangle_a_level();
-  const Bvh bvh = build_bvh(mesh, {.max_triangles = 1, .min_split = 0.0F});
-  ASSERT_EQ(bvh.depth, BuildOptions::deepest);
-  const auto tracer = major_pair_tracer({}, mesh, bvh);
-  const std::vector<Ray> rays{{{0.95F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F}},
-                              {{-0.95F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}},
-                              {{0.95F, 0.9F, 0.0F}, {-1.0F, 0.0F, 0.0F}}};
-  std::vector<std::uint32_t> found(rays.size());
-  std::vector<TraceCounts> work(rays.size());
-  TraceCounts counts;
-  tracer->trace({rays, Query::closest, found, work}, counts);
-  EXPECT_EQ(found[0], 0U);
-  EXPECT_NE(found[1], Hit::none);
-  EXPECT_EQ(found[2], Hit::none);
-  EXPECT_GE(work[1].box_tests, std::uint64_t{BuildOptions::deepest});
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "sw_ref/judge/adversary/case.hpp"
@@ -47,10 +46,8 @@ bool is_a_move(float from, float to) {
 }
 
 TEST(Neighbours, AreAcceptableAndDifferInOneFaceOrTheOneItTakesAlong) {
-  fmt::print("seed {}\n", seed);
   Random random(seed);
   std::array<Aabb, boxes> made;
-  int run = 0;
   for (const Category& category : categories()) {
     for (int i = 0; i < 1'000; ++i) {
       const Aabb box = category.make(random).box;
@@ -70,11 +67,9 @@ TEST(Neighbours, AreAcceptableAndDifferInOneFaceOrTheOneItTakesAlong) {
                   : is_a_move(box.min[axis], low) && is_a_move(box.max[axis], high);
           ASSERT_TRUE(right) << to_text(box) << " gave " << to_text(other);
         }
-        ++run;
       }
     }
   }
-  EXPECT_EQ(run, 27'000 * static_cast<int>(boxes));
 }
 
 /// Every face both ways, by 1 to 4 ulps and by every power of two from 2^-30 to 2^-3.

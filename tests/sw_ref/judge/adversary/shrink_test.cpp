@@ -1,12 +1,11 @@
 // A shrunk case still fails, is acceptable, and cannot be made simpler.
 #include <cmath>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "sw_ref/judge/adversary/case.hpp"
-#include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/box_referee.hpp"
+#include "tests/sw_ref/judge/adversary/each_case.hpp"
 
 namespace hitpipe::ref::adversary::shrink_test {
 namespace {
@@ -59,24 +58,17 @@ TEST(Shrink, StopsAtWhatIsSimpleAlready) {
 
 /// The last case fails, and so does every case on the way; none is refused.
 TEST(Shrink, AsksOnlyAboutAcceptableCasesAndEndsAtOneThatFails) {
-  fmt::print("seed {}\n", seed);
   Random random(seed);
-  int run = 0;
-  for (const Category& category : categories()) {
-    for (int i = 0; i < 20; ++i) {
-      const Case drawn = category.make(random);
-      const bool meets = ray_meets_box(drawn.ray, drawn.box);
-      const auto same = [&](const Case& c) {
-        EXPECT_TRUE(acceptable(c.ray) && acceptable(c.box)) << to_text(c);
-        return ray_meets_box(c.ray, c.box) == meets;
-      };
-      const Case simple = shrink(drawn, same);
-      EXPECT_TRUE(same(simple)) << to_text(drawn) << " became " << to_text(simple);
-      EXPECT_LE(numbers_to_read(simple), 3) << to_text(simple);
-      ++run;
-    }
-  }
-  EXPECT_EQ(run, 27 * 20);
+  each_case(random, 20, [](const Case& drawn) {
+    const bool meets = ray_meets_box(drawn.ray, drawn.box);
+    const auto same = [&](const Case& c) {
+      EXPECT_TRUE(acceptable(c.ray) && acceptable(c.box)) << to_text(c);
+      return ray_meets_box(c.ray, c.box) == meets;
+    };
+    const Case simple = shrink(drawn, same);
+    EXPECT_TRUE(same(simple)) << to_text(simple);
+    EXPECT_LE(numbers_to_read(simple), 3) << to_text(simple);
+  });
 }
 
 }  // namespace
