@@ -1,6 +1,6 @@
 // The integer Pluecker box test (section 6.3.2) in 64-bit words, for any n/t chosen at run time. It gives the
 // same HIT as the datapath of hls/pipelines/int_plucker.hpp. It takes boxes of the n-bit grid
-// (sw_ref/quantise/int_box.hpp), and is a BoxTest (sw_ref/trace/traversal.hpp).
+// (sw_ref/quantise/int_box.hpp), and is a SoftwareBoxTest (sw_ref/trace/traversal.hpp).
 #pragma once
 
 #include <array>

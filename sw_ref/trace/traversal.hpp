@@ -19,7 +19,7 @@ namespace hitpipe::ref {
 /// A box test belongs to one ray; a functor of (const Ray&) makes it. After cut(length) it may call a box a
 /// miss that the ray enters only beyond t = length.
 template <class T, class Box>
-concept BoxTest = requires(T test, const T& asked, const Box& box, float length) {
+concept SoftwareBoxTest = requires(T test, const T& asked, const Box& box, float length) {
   test.cut(length);
   { asked(box) } -> std::same_as<bool>;
 };
@@ -103,7 +103,7 @@ class DepthFirst {
 
 /// `test` is the box test of `ray`; with `ends` it is cut at each hit. All calls are inlined: a decoded node
 /// then stays in registers.
-template <class Store, BoxTest<typename Store::Box> Test, class Observer>
+template <class Store, SoftwareBoxTest<typename Store::Box> Test, class Observer>
 [[gnu::flatten]] TraceCounts trace_ray(const Store& store, const Leaves& leaves, Test test, const Ray& ray,
                                        Query query, unsigned order_class, bool ends, Hit& hit,
                                        Observer& observer) {
