@@ -2,12 +2,13 @@
 #pragma once
 
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
 namespace hitpipe {
 
-template <class Error, class Call>
+template <class Error = std::runtime_error, class Call>
 std::string message_of(Call&& call) {
   try {
     try {
