@@ -17,9 +17,6 @@ std::vector<int> needed_low_bits(const Graph& graph) {
     const Node& n = graph[id];
     if (need[id] == 0) continue;
     switch (n.op) {
-      case Op::input:
-      case Op::constant:
-        break;
       case Op::slice:
         ask(n.args[0], n.low + need[id]);
         break;
@@ -27,29 +24,14 @@ std::vector<int> needed_low_bits(const Graph& graph) {
         ask(n.args[1], need[id]);
         if (need[id] > graph[n.args[1]].width) ask(n.args[0], need[id] - graph[n.args[1]].width);
         break;
-      case Op::extend:
-      case Op::invert:
-        ask(n.args[0], need[id]);
-        break;
-      case Op::bit_and:
-      case Op::bit_or:
-      case Op::bit_xor:
-      case Op::add:
-      case Op::sub:
-        ask(n.args[0], need[id]);
-        ask(n.args[1], need[id]);
-        break;
       case Op::mul:
       case Op::less:
       case Op::equal:
       case Op::call:
         for (const NodeId arg : n.operands()) ask(arg, graph[arg].width);
         break;
-      case Op::mux:
-        ask(n.args[0], 1);
-        ask(n.args[1], need[id]);
-        ask(n.args[2], need[id]);
-        break;
+      default:
+        for (const NodeId arg : n.operands()) ask(arg, need[id]);
     }
   }
   return need;
@@ -59,9 +41,8 @@ class Rebuild {
  public:
   explicit Rebuild(const Graph& from)
       : from_(from), to_(from.name()), need_(needed_low_bits(from)), done_(from.size(), no_node) {
-    for (const NodeId id : from.inputs()) {
+    for (const NodeId id : from.inputs())
       done_[id] = to_.input(from[id].name, from[id].width, from[id].is_signed);
-    }
     for (const Output& out : from.outputs()) to_.output(out.name, low_bits(out.node, from[out.node].width));
   }
   [[nodiscard]] Graph take() { return std::move(to_); }

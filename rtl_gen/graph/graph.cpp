@@ -1,11 +1,13 @@
 #include "rtl_gen/graph/graph.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "hls/num/bits.hpp"
+#include "rtl_gen/graph/operation.hpp"
 
 namespace hitpipe::rtl {
 
@@ -23,41 +25,10 @@ bool are_equal(const Unit& a, const Unit& b) {
 }  // namespace
 
 std::string_view op_name(Op op) {
-  switch (op) {
-    case Op::input:
-      return "input";
-    case Op::constant:
-      return "const";
-    case Op::slice:
-      return "slice";
-    case Op::concat:
-      return "concat";
-    case Op::extend:
-      return "extend";
-    case Op::invert:
-      return "not";
-    case Op::bit_and:
-      return "and";
-    case Op::bit_or:
-      return "or";
-    case Op::bit_xor:
-      return "xor";
-    case Op::add:
-      return "add";
-    case Op::sub:
-      return "sub";
-    case Op::mul:
-      return "mul";
-    case Op::less:
-      return "cmp";
-    case Op::equal:
-      return "eq";
-    case Op::mux:
-      return "mux";
-    case Op::call:
-      return "call";
-  }
-  return "?";
+  constexpr std::array<std::string_view, 16> names{"input", "const", "slice", "concat", "extend", "not",
+                                                   "and",   "or",    "xor",   "add",    "sub",    "mul",
+                                                   "cmp",   "eq",    "mux",   "call"};
+  return names.at(static_cast<std::size_t>(op));
 }
 
 NodeId Graph::record(Node node) {
@@ -68,9 +39,8 @@ NodeId Graph::record(Node node) {
   node.min_stage = is_root(node.op) && node.op != Op::input ? min_stage_ : 0;
   const Key key{node.op,   node.width, node.is_signed, node.low,
                 node.unit, node.value, node.args,      node.min_stage};
-  if (node.op != Op::input) {
+  if (node.op != Op::input)
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
-  }
   const auto id = static_cast<NodeId>(nodes_.size());
   if (node.op != Op::input) known_.emplace(key, id);
   nodes_.push_back(std::move(node));
@@ -126,18 +96,16 @@ NodeId Graph::slice(NodeId a, int high, int low) {
 NodeId Graph::concat(NodeId high, NodeId low) {
   const Node h = nodes_[high];
   const Node l = nodes_[low];
-  if (h.op == Op::slice && l.op == Op::slice && h.args[0] == l.args[0] && h.low == l.low + l.width) {
+  if (h.op == Op::slice && l.op == Op::slice && h.args[0] == l.args[0] && h.low == l.low + l.width)
     return slice(h.args[0], h.low + h.width - 1, l.low);
-  }
   return record({.op = Op::concat, .width = h.width + l.width, .args = {high, low, no_node}});
 }
 
 NodeId Graph::extend(NodeId a, int width, bool is_signed) {
   const Node n = nodes_[a];
   if (width == n.width) return a;
-  if (n.op == Op::constant) {
+  if (n.op == Op::constant)
     return constant(width, is_signed ? static_cast<std::uint64_t>(sign_extended(n.value, n.width)) : n.value);
-  }
   if (n.op == Op::extend && (n.is_signed == is_signed || !n.is_signed)) {
     return extend(n.args[0], width, n.is_signed);
   }
@@ -246,67 +214,13 @@ std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uin
   std::size_t next_input = 0;
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& n = graph[id];
-    const std::uint64_t a = n.arity() > 0 ? value[n.args[0]] : 0;
-    const std::uint64_t b = n.arity() > 1 ? value[n.args[1]] : 0;
-    const int wa = n.arity() > 0 ? graph[n.args[0]].width : 0;
-    const int wb = n.arity() > 1 ? graph[n.args[1]].width : 0;
-    std::uint64_t v = 0;
-    switch (n.op) {
-      case Op::input:
-        v = inputs[next_input++];
-        break;
-      case Op::constant:
-        v = n.value;
-        break;
-      case Op::slice:
-        v = a >> n.low;
-        break;
-      case Op::concat:
-        v = a << wb | b;
-        break;
-      case Op::extend:
-        v = n.is_signed ? static_cast<std::uint64_t>(sign_extended(a, wa)) : a;
-        break;
-      case Op::invert:
-        v = ~a;
-        break;
-      case Op::bit_and:
-        v = a & b;
-        break;
-      case Op::bit_or:
-        v = a | b;
-        break;
-      case Op::bit_xor:
-        v = a ^ b;
-        break;
-      case Op::add:
-        v = a + b;
-        break;
-      case Op::sub:
-        v = a - b;
-        break;
-      case Op::mul:
-        v = n.is_signed ? static_cast<std::uint64_t>(sign_extended(a, wa)) *
-                              static_cast<std::uint64_t>(sign_extended(b, wb))
-                        : a * b;
-        break;
-      case Op::less:
-        v = n.is_signed ? sign_extended(a, wa) < sign_extended(b, wb) : a < b;
-        break;
-      case Op::equal:
-        v = a == b;
-        break;
-      case Op::mux:
-        v = a != 0 ? b : value[n.args[2]];
-        break;
-      case Op::call: {
-        std::vector<std::uint64_t> operands;
-        for (const NodeId arg : n.operands()) operands.push_back(value[arg]);
-        v = evaluate(graph.unit_of(id)->body, operands).front();
-        break;
-      }
-    }
-    value[id] = v & low_mask(n.width);
+    const auto operand = [&](int i) {
+      return n.arity() > i ? value[n.args[static_cast<std::size_t>(i)]] : 0;
+    };
+    if (n.op == Op::input) value[id] = inputs[next_input++];
+    with_operation(graph, n,
+                   [&](const auto& operation) { value[id] = operation(operand(0), operand(1), operand(2)); });
+    value[id] &= low_mask(n.width);
   }
   std::vector<std::uint64_t> results;
   for (const Output& out : graph.outputs()) results.push_back(value[out.node]);

@@ -11,17 +11,13 @@
 namespace hitpipe::rtl {
 
 inline constexpr std::size_t most_lanes = 64;
-/// A value for each lane. Lanes without a vector have those of the last.
+/// A value for each lane. Lanes without a vector repeat the last vector.
 using Lanes = std::array<std::uint64_t, most_lanes>;
-
-/// The output of a unit.
-using RunUnit = std::uint64_t (*)(const Unit& unit, std::span<const std::uint64_t> operands);
-[[nodiscard]] std::uint64_t run_body(const Unit& unit, std::span<const std::uint64_t> operands);
 
 class GraphLanes {
  public:
   /// The graph must outlive it.
-  explicit GraphLanes(const Graph& graph, RunUnit run_unit = run_body);
+  explicit GraphLanes(const Graph& graph);
 
   /// One to 64 vectors, each with a number for each input in order; bits above an input's width are ignored.
   void load(std::span<const std::vector<std::int64_t>> operands);
@@ -32,11 +28,9 @@ class GraphLanes {
 
  private:
   const Graph& graph_;
-  RunUnit run_unit_;
   std::vector<Lanes> right_, wrong_;
   std::vector<char> differs_;
-  std::vector<std::vector<NodeId>>
-      readers_;  ///< every node that an output needs and that depends on the node
+  std::vector<std::vector<NodeId>> readers_;  ///< every node that depends on the node
 };
 
 }  // namespace hitpipe::rtl

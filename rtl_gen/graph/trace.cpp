@@ -13,9 +13,8 @@ namespace {
 /// The last `count` components of a path, without a slash before them.
 std::string_view last_components(std::string_view path, int count) {
   std::size_t start = path.size();
-  for (; start > 0; --start) {
+  for (; start > 0; --start)
     if (path[start - 1] == '/' && (--count == 0 || start == 1)) break;
-  }
   return path.substr(start);
 }
 

@@ -43,37 +43,28 @@ Trace::uint call(const Operator& what, const hls::FpBits& format, const Trace::u
   return Trace::uint(graph.call(unit, operands));
 }
 
+using hls::FpBits;
+using Bits = Trace::uint;
+namespace logic = hls::fp_logic;
+
 }  // namespace
 
-Trace::uint call_subtract(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {
-  return call(
-      {"fp_subtract", "difference", format.width()}, format, a, b,
-      [](const auto& f, const auto& x, const auto& y) { return hls::fp_logic::subtract<Trace>(f, x, y); });
+Bits call_subtract(const FpBits& f, const Bits& a, const Bits& b) {
+  return call({"fp_subtract", "difference", f.width()}, f, a, b, logic::subtract<Trace, FpBits, Bits>);
 }
-
-Trace::uint call_multiply(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {
-  return call(
-      {"fp_multiply", "product", format.width()}, format, a, b,
-      [](const auto& f, const auto& x, const auto& y) { return hls::fp_logic::multiply<Trace>(f, x, y); });
+Bits call_multiply(const FpBits& f, const Bits& a, const Bits& b) {
+  return call({"fp_multiply", "product", f.width()}, f, a, b, logic::multiply<Trace, FpBits, Bits>);
 }
-
-Trace::uint call_compare(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {
-  return call(
-      {"fp_compare", "order", format.width()}, format, a, b,
-      [](const auto& f, const auto& x, const auto& y) { return hls::fp_logic::compare<Trace>(f, x, y); });
+Bits call_compare(const FpBits& f, const Bits& a, const Bits& b) {
+  return call({"fp_compare", "order", f.width()}, f, a, b, logic::compare<Trace, FpBits, Bits>);
 }
-
-Trace::uint call_subtract_rz(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {
-  return call(
-      {"fp_subtract_rz", "difference", format.width()}, format, a, b,
-      [](const auto& f, const auto& x, const auto& y) { return hls::fp_logic::subtract_rz<Trace>(f, x, y); });
+Bits call_subtract_rz(const FpBits& f, const Bits& a, const Bits& b) {
+  return call({"fp_subtract_rz", "difference", f.width()}, f, a, b, logic::subtract_rz<Trace, FpBits, Bits>);
 }
-
 // Its cost follows from the significands, which differ between e8m7 and e5m10.
-Trace::uint call_multiply_rz(const hls::FpBits& format, const Trace::uint& a, const Trace::uint& b) {
-  return call(
-      {"fp_multiply_rz", "product", format.fraction + 1}, format, a, b,
-      [](const auto& f, const auto& x, const auto& y) { return hls::fp_logic::multiply_rz<Trace>(f, x, y); });
+Bits call_multiply_rz(const FpBits& f, const Bits& a, const Bits& b) {
+  return call({"fp_multiply_rz", "product", f.fraction + 1}, f, a, b,
+              logic::multiply_rz<Trace, FpBits, Bits>);
 }
 
 }  // namespace hitpipe::rtl

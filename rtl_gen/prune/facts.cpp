@@ -195,9 +195,8 @@ class Analysis {
       : graph_(graph), orders_(std::move(orders)) {
     facts_.reserve(graph.size());
     std::size_t next_port = 0;
-    for (NodeId id = 0; id < graph.size(); ++id) {
+    for (NodeId id = 0; id < graph.size(); ++id)
       facts_.push_back(graph[id].op == Op::input ? ports[next_port++] : of(graph[id], id));
-    }
   }
   [[nodiscard]] std::vector<Facts> take() { return std::move(facts_); }
 
@@ -270,9 +269,8 @@ class Analysis {
     if (order.op != Op::less || !order.is_signed) return plain;
     const Interval a = facts_[n.args[1]].number();
     const Interval b = facts_[n.args[2]].number();
-    if (order.args[0] == n.args[2] && order.args[1] == n.args[1]) {
+    if (order.args[0] == n.args[2] && order.args[1] == n.args[1])
       return Facts::both(plain, Facts::number(n.width, std::max(a.low, b.low), std::max(a.high, b.high)));
-    }
     if (order.args[0] == n.args[1] && order.args[1] == n.args[2]) {
       return Facts::both(plain, Facts::number(n.width, std::min(a.low, b.low), std::min(a.high, b.high)));
     }
@@ -348,9 +346,8 @@ std::vector<Facts> analyse(const Graph& graph, const Demands& demands) {
 std::vector<std::uint64_t> read_bits(const Graph& graph) {
   std::vector<std::uint64_t> bits(graph.size(), 0);
   const auto read = [&](NodeId source, std::uint64_t mask) { bits[source] |= mask; };
-  for (NodeId id = 0; id < graph.size(); ++id) {
+  for (NodeId id = 0; id < graph.size(); ++id)
     if (is_root(graph[id].op)) for_each_source(graph, id, read);
-  }
   for (const Output& out : graph.outputs()) for_each_source_of(graph, out.node, read);
   return bits;
 }

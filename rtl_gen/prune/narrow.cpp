@@ -132,7 +132,7 @@ class Narrow {
     const int differing = std::max(1, 64 - std::countl_zero(~alike & hls::low_mask(width)));
     const bool keeps_sign = n.op == Op::less && n.is_signed;
     const int by_sign = std::max(a.signed_width(), b.signed_width());
-    // When the high bits are equal, the order is that of the unsigned patterns below them.
+    // When the high bits are equal, the unsigned patterns below them decide.
     const bool as_patterns = differing < width && differing <= by_sign;
     const int bits = as_patterns ? differing : keeps_sign || n.op == Op::equal ? by_sign : width;
     const int low = std::min(std::countr_one(alike), bits - 1);

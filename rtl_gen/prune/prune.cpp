@@ -102,9 +102,8 @@ void add_shares(const Graph& named, const Demands& demands, PruneReport& report)
     report.shares.push_back(
         {.demand = text, .nodes = size.nodes - report.after.nodes, .bits = size.bits - report.after.bits});
     const std::map<std::string, Named> left = named_values(without);
-    for (Cut& cut : report.cuts) {
+    for (Cut& cut : report.cuts)
       if (bits_left(left, cut.name) > cut.bits_after) cut.demands.push_back(text);
-    }
   }
 }
 

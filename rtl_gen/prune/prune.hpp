@@ -54,7 +54,8 @@ struct Pruned {
 [[nodiscard]] Graph simplify_arithmetic(const Graph& graph);
 
 /// Every value is computed in the bits that its numbers need. The bits above are copies of its sign or
-/// constants. The bits below are constants, or those of one operand of a sum where the other ends in zeros.
+/// constants. The bits below are constants, or bits of one operand of a sum whose other operand ends in
+/// zeros.
 [[nodiscard]] Graph narrow(const Graph& graph, const Demands& demands);
 
 /// A float operator is simplified inside by what is known of its operands, and gets a name of its own. Its

@@ -24,9 +24,8 @@ std::string kind_of(const Graph& graph, NodeId id) {
 std::string name_from_readers(const Graph& graph, NodeId id,
                               const std::vector<std::vector<NodeId>>& readers) {
   const auto only_reader = [&](NodeId at) { return readers[at].size() == 1 ? readers[at].front() : no_node; };
-  if (const NodeId wire = only_reader(id); wire != no_node && graph[wire].op == Op::slice) {
+  if (const NodeId wire = only_reader(id); wire != no_node && graph[wire].op == Op::slice)
     if (!graph[wire].name.empty()) return graph[wire].name;
-  }
   NodeId at = id;
   while (graph[at].name.empty() && !readers[at].empty()) at = readers[at].front();
   const std::string& reader = graph[at].name.empty() ? graph.name() : graph[at].name;
@@ -52,9 +51,8 @@ Size size_of(const Graph& graph) {
 
 std::vector<std::string> PruneReport::dropped_ports() const {
   std::vector<std::string> names;
-  for (const PortChange& change : ports) {
+  for (const PortChange& change : ports)
     if (change.bits_after == 0) names.push_back(change.port);
-  }
   return names;
 }
 

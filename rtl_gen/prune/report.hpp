@@ -59,7 +59,7 @@ struct PruneReport {
 [[nodiscard]] std::string cut_text(const Cut& cut);
 
 /// The values of a graph that a report lists, by name. Ports have the number of bits read; components and
-/// gates have their width, a multiplier that of its wider operand.
+/// gates have their width, a multiplier has the width of its wider operand.
 struct Named {
   std::string kind;
   int bits;

@@ -36,6 +36,66 @@ NodeId record_again(Graph& to, const Graph& from, NodeId id, const NewOperands& 
   return no_node;
 }
 
+namespace {
+
+std::optional<bool> constant_bit(const Graph& graph, NodeId id) {
+  const Node& n = graph[id];
+  if (n.op != Op::constant || n.width != 1) return std::nullopt;
+  return n.value != 0;
+}
+
+/// A one-bit multiplexer with a constant arm.
+NodeId as_gate(Graph& to, NodeId select, NodeId if_one, NodeId if_zero) {
+  if (const auto one = constant_bit(to, if_one))
+    return *one ? to.binary(Op::bit_or, select, if_zero) : to.binary(Op::bit_and, to.invert(select), if_zero);
+  if (const auto zero = constant_bit(to, if_zero)) {
+    return *zero ? to.binary(Op::bit_or, to.invert(select), if_one) : to.binary(Op::bit_and, select, if_one);
+  }
+  return no_node;
+}
+
+/// The value of an arm while the select has the given value.
+NodeId while_select_is(bool value, NodeId select, const Graph& to, NodeId arm) {
+  while (to[arm].op == Op::mux && to[arm].args[0] == select) arm = to[arm].args[value ? 1 : 2];
+  return arm;
+}
+
+bool is_constant(const Graph& graph, NodeId id, std::uint64_t pattern) {
+  return graph[id].op == Op::constant && graph[id].value == pattern;
+}
+
+bool opposite(const Graph& graph, NodeId a, NodeId b) {
+  return (graph[a].op == Op::invert && graph[a].args[0] == b) ||
+         (graph[b].op == Op::invert && graph[b].args[0] == a);
+}
+
+/// The value of a gate with a constant operand; no_node when `fixed` is no constant that decides.
+NodeId with_constant(Graph& to, Op op, NodeId fixed, NodeId other) {
+  const std::uint64_t all = hls::low_mask(to[other].width);
+  if (is_constant(to, fixed, 0)) return op == Op::bit_and ? fixed : other;
+  if (!is_constant(to, fixed, all)) return no_node;
+  return op == Op::bit_and ? other : op == Op::bit_or ? fixed : to.invert(other);
+}
+
+/// A product with the constant 0, or with a power of two that the multiplier reads as positive.
+NodeId shifted(Graph& to, const Node& mul, NodeId fixed, NodeId other) {
+  const Node factor = to[fixed];
+  if (factor.op != Op::constant) return no_node;
+  if (factor.value == 0) return to.constant(mul.width, 0);
+  if (!std::has_single_bit(factor.value)) return no_node;
+  if (mul.is_signed && hls::sign_extended(factor.value, factor.width) < 0) return no_node;
+  const int shift = std::countr_zero(factor.value);
+  const NodeId wide = to.extend(other, mul.width, mul.is_signed);
+  return shift == 0 ? wide : to.concat(to.slice(wide, mul.width - 1 - shift, 0), to.constant(shift, 0));
+}
+
+/// Products are left alone: their operands differ in width, and the multiplier is divided by the right one.
+bool commutes(Op op) {
+  return op == Op::add || op == Op::equal || op == Op::bit_and || op == Op::bit_or || op == Op::bit_xor;
+}
+
+}  // namespace
+
 Graph fold_constants(const Graph& graph, const Demands& demands) {
   const std::vector<Facts> facts = analyse(graph, demands);
   return rewrite(graph, [&](Graph& to, NodeId id, const NewOperands&) {
@@ -61,33 +121,6 @@ Graph decide_comparisons(const Graph& graph, const Demands& demands) {
   });
 }
 
-namespace {
-
-std::optional<bool> constant_bit(const Graph& graph, NodeId id) {
-  const Node& n = graph[id];
-  if (n.op != Op::constant || n.width != 1) return std::nullopt;
-  return n.value != 0;
-}
-
-/// A one-bit multiplexer with a constant arm.
-NodeId as_gate(Graph& to, NodeId select, NodeId if_one, NodeId if_zero) {
-  if (const auto one = constant_bit(to, if_one)) {
-    return *one ? to.binary(Op::bit_or, select, if_zero) : to.binary(Op::bit_and, to.invert(select), if_zero);
-  }
-  if (const auto zero = constant_bit(to, if_zero)) {
-    return *zero ? to.binary(Op::bit_or, to.invert(select), if_one) : to.binary(Op::bit_and, select, if_one);
-  }
-  return no_node;
-}
-
-/// The value of an arm while the select has the given value.
-NodeId while_select_is(bool value, NodeId select, const Graph& to, NodeId arm) {
-  while (to[arm].op == Op::mux && to[arm].args[0] == select) arm = to[arm].args[value ? 1 : 2];
-  return arm;
-}
-
-}  // namespace
-
 Graph simplify_muxes(const Graph& graph, const Demands& demands) {
   const std::vector<Facts> facts = analyse(graph, demands);
   return rewrite(graph, [&](Graph& to, NodeId id, const NewOperands& operands) {
@@ -103,27 +136,6 @@ Graph simplify_muxes(const Graph& graph, const Demands& demands) {
   });
 }
 
-namespace {
-
-bool is_constant(const Graph& graph, NodeId id, std::uint64_t pattern) {
-  return graph[id].op == Op::constant && graph[id].value == pattern;
-}
-
-bool opposite(const Graph& graph, NodeId a, NodeId b) {
-  return (graph[a].op == Op::invert && graph[a].args[0] == b) ||
-         (graph[b].op == Op::invert && graph[b].args[0] == a);
-}
-
-/// The value of a gate with a constant operand; no_node when `fixed` is no constant that decides.
-NodeId with_constant(Graph& to, Op op, NodeId fixed, NodeId other) {
-  const std::uint64_t all = hls::low_mask(to[other].width);
-  if (is_constant(to, fixed, 0)) return op == Op::bit_and ? fixed : other;
-  if (!is_constant(to, fixed, all)) return no_node;
-  return op == Op::bit_and ? other : op == Op::bit_or ? fixed : to.invert(other);
-}
-
-}  // namespace
-
 Graph simplify_gates(const Graph& graph) {
   return rewrite(graph, [&](Graph& to, NodeId id, const NewOperands& operands) {
     const Node& n = graph[id];
@@ -136,47 +148,18 @@ Graph simplify_gates(const Graph& graph) {
   });
 }
 
-namespace {
-
-bool is_zero(const Graph& graph, NodeId id) {
-  return graph[id].op == Op::constant && graph[id].value == 0;
-}
-
-/// A product with the constant 0, or with a power of two that the multiplier reads as positive.
-NodeId shifted(Graph& to, const Node& mul, NodeId fixed, NodeId other) {
-  const Node factor = to[fixed];
-  if (factor.op != Op::constant) return no_node;
-  if (factor.value == 0) return to.constant(mul.width, 0);
-  if (!std::has_single_bit(factor.value)) return no_node;
-  if (mul.is_signed && hls::sign_extended(factor.value, factor.width) < 0) return no_node;
-  const int shift = std::countr_zero(factor.value);
-  const NodeId wide = to.extend(other, mul.width, mul.is_signed);
-  return shift == 0 ? wide : to.concat(to.slice(wide, mul.width - 1 - shift, 0), to.constant(shift, 0));
-}
-
-}  // namespace
-
 Graph simplify_arithmetic(const Graph& graph) {
   return rewrite(graph, [&](Graph& to, NodeId id, const NewOperands& operands) {
     const Node& n = graph[id];
     const auto [a, b, unused] = operands;
     if (n.op == Op::sub && a == b) return to.constant(n.width, 0);
-    if ((n.op == Op::sub || n.op == Op::add) && is_zero(to, b)) return a;
-    if (n.op == Op::add && is_zero(to, a)) return b;
+    if ((n.op == Op::sub || n.op == Op::add) && is_constant(to, b, 0)) return a;
+    if (n.op == Op::add && is_constant(to, a, 0)) return b;
     if (n.op != Op::mul) return no_node;
     if (const NodeId made = shifted(to, n, a, b); made != no_node) return made;
     return shifted(to, n, b, a);
   });
 }
-
-namespace {
-
-/// Products are left alone: their operands differ in width, and the multiplier is divided by the right one.
-bool commutes(Op op) {
-  return op == Op::add || op == Op::equal || op == Op::bit_and || op == Op::bit_or || op == Op::bit_xor;
-}
-
-}  // namespace
 
 Graph share(const Graph& graph) {
   // The graph records equal nodes once, so it is enough to make them equal.

@@ -111,7 +111,6 @@ TEST(Canonical, RandomGraphsKeepTheirMeaning) {
   constexpr int graphs = 600;
   constexpr int vectors = 20;
   Seeded random(107);
-  int compared = 0;
   int smaller = 0;
   for (int i = 0; i < graphs; ++i) {
     const Recipe recipe(random, 5, 60, 4);
@@ -119,13 +118,12 @@ TEST(Canonical, RandomGraphsKeepTheirMeaning) {
     const Graph made = canonical(graph);
     smaller += made.size() < graph.size() ? 1 : 0;
     ASSERT_TRUE(every_node_is_read(made)) << "graph " << i << "\n" << to_text(graph) << to_text(made);
-    for (int v = 0; v < vectors; ++v, ++compared) {
+    for (int v = 0; v < vectors; ++v) {
       const auto inputs = recipe.random_inputs(random);
       ASSERT_EQ(evaluate(made, inputs), recipe.outputs(inputs)) << "graph " << i << "\n"
                                                                 << to_text(graph) << to_text(made);
     }
   }
-  EXPECT_EQ(compared, graphs * vectors);
   EXPECT_GT(smaller, graphs / 2);
 }
 

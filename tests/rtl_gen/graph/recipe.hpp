@@ -102,19 +102,9 @@ class Recipe {
 
  private:
   static std::size_t arity_of(Op op) {
-    switch (op) {
-      case Op::input:
-      case Op::constant:
-        return 0;
-      case Op::slice:
-      case Op::extend:
-      case Op::invert:
-        return 1;
-      case Op::mux:
-        return 3;
-      default:
-        return 2;
-    }
+    if (op == Op::input || op == Op::constant) return 0;
+    if (op == Op::slice || op == Op::extend || op == Op::invert) return 1;
+    return op == Op::mux ? 3 : 2;
   }
 
   std::size_t push(Step step) {
@@ -255,56 +245,28 @@ class Recipe {
       const std::uint64_t sign = bit(arg(i), width(i) - 1) << (width(i) - 1);
       return static_cast<std::int64_t>(arg(i) - sign - sign);
     };
+    const auto bit_of_result = [&](int i) -> std::uint64_t {
+      if (s.op == Op::slice) return bit(arg(0), s.low + i);
+      if (s.op == Op::concat) return i < width(1) ? bit(arg(1), i) : bit(arg(0), i - width(1));
+      if (s.op == Op::extend)
+        return i < width(0) ? bit(arg(0), i) : s.is_signed ? bit(arg(0), width(0) - 1) : 0;
+      if (s.op == Op::invert) return 1 - bit(arg(0), i);
+      if (s.op == Op::bit_and) return bit(arg(0), i) * bit(arg(1), i);
+      if (s.op == Op::bit_or) return std::max(bit(arg(0), i), bit(arg(1), i));
+      return bit(arg(0), i) != bit(arg(1), i) ? 1 : 0;  // bit_xor
+    };
+    const auto wrapped = [&](std::uint64_t result) { return result & ~std::uint64_t{0} >> (64 - s.width); };
+    if (s.op == Op::constant) return s.value;
+    if (s.op == Op::add) return wrapped(arg(0) + arg(1));
+    if (s.op == Op::sub) return wrapped(arg(0) - arg(1));
+    if (s.op == Op::mul)
+      return wrapped(s.is_signed ? static_cast<std::uint64_t>(number(0) * number(1)) : arg(0) * arg(1));
+    if (s.op == Op::less) return (s.is_signed ? number(0) < number(1) : arg(0) < arg(1)) ? 1 : 0;
+    if (s.op == Op::equal) return arg(0) == arg(1) ? 1 : 0;
+    if (s.op == Op::mux) return arg(0) == 1 ? arg(1) : arg(2);
     std::uint64_t result = 0;
-    switch (s.op) {
-      case Op::constant:
-        return s.value;
-      case Op::add:
-        result = arg(0) + arg(1);
-        break;
-      case Op::sub:
-        result = arg(0) - arg(1);
-        break;
-      case Op::mul:
-        result = s.is_signed ? static_cast<std::uint64_t>(number(0) * number(1)) : arg(0) * arg(1);
-        break;
-      case Op::less:
-        return (s.is_signed ? number(0) < number(1) : arg(0) < arg(1)) ? 1 : 0;
-      case Op::equal:
-        return arg(0) == arg(1) ? 1 : 0;
-      case Op::mux:
-        return arg(0) == 1 ? arg(1) : arg(2);
-      default:
-        for (int i = 0; i < s.width; ++i) {
-          std::uint64_t b = 0;
-          switch (s.op) {
-            case Op::slice:
-              b = bit(arg(0), s.low + i);
-              break;
-            case Op::concat:
-              b = i < width(1) ? bit(arg(1), i) : bit(arg(0), i - width(1));
-              break;
-            case Op::extend:
-              b = i < width(0) ? bit(arg(0), i) : s.is_signed ? bit(arg(0), width(0) - 1) : 0;
-              break;
-            case Op::invert:
-              b = 1 - bit(arg(0), i);
-              break;
-            case Op::bit_and:
-              b = bit(arg(0), i) * bit(arg(1), i);
-              break;
-            case Op::bit_or:
-              b = std::max(bit(arg(0), i), bit(arg(1), i));
-              break;
-            default:
-              b = bit(arg(0), i) != bit(arg(1), i) ? 1 : 0;
-              break;
-          }
-          result |= b << i;
-        }
-        return result;
-    }
-    return result & ~std::uint64_t{0} >> (64 - s.width);
+    for (int i = 0; i < s.width; ++i) result |= bit_of_result(i) << i;
+    return result;
   }
 
   std::vector<Step> steps_;
