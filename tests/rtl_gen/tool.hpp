@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 
 #include "host/files.hpp"
 #include "host/process.hpp"
+#include "tests/rtl_gen/text.hpp"
 
 namespace hitpipe::rtl {
 
@@ -33,16 +33,25 @@ inline ToolResult run_tool(const std::filesystem::path& folder, const std::strin
 
 using host::ScratchFolder;
 
+/// The program, which is in a package of its name, succeeds and prints nothing.
+inline void expect_silence(const std::filesystem::path& folder, const std::string& program,
+                           const std::string& arguments) {
+  const ToolResult result = run_tool(folder, program, program, arguments);
+  EXPECT_EQ(result.status, 0) << program << ' ' << arguments;
+  EXPECT_EQ(result.output, "") << program << ' ' << arguments;
+}
+
 /// Verilator, Yosys and Icarus read the files of many units, a list for each with the top module's first, and
 /// find nothing to say. Each file has the name of its module. A tool starts once, for that takes longer than
-/// a unit. `checks` are further commands of Yosys for each unit.
+/// a unit. `checks` are further commands of Yosys for each unit, `define` is an option of all
+/// three.
 inline void expect_silent_tools(const std::filesystem::path& folder,
                                 const std::vector<std::vector<std::string>>& units,
-                                const std::string& checks = "") {
+                                const std::string& checks = "", const std::string& define = "") {
   std::string all;
   std::string script;
   for (const std::vector<std::string>& modules : units) {
-    script += "design -reset; read_verilog";
+    script += "design -reset; read_verilog " + define;
     for (const std::string& module : modules) {
       all += " " + module + ".v";
       script += " " + module + ".v";
@@ -50,26 +59,22 @@ inline void expect_silent_tools(const std::filesystem::path& folder,
     script += "; hierarchy -check -top " + modules.front() + "; proc; check -assert" + checks + "\n";
   }
   std::ofstream(folder / "lint.ys") << script;
-  const auto expect_silence = [&](const std::string& program, const std::string& arguments) {
-    const ToolResult result = run_tool(folder, program, program, arguments);
-    EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(result.output, "");
-  };
-  expect_silence("verilator", "--lint-only -Wall -Wno-MULTITOP" + all);
-  expect_silence("yosys", "-q lint.ys");
-  expect_silence("iverilog", "-g2001 -Wall -o lint.vvp" + all);
+  expect_silence(folder, "verilator", "--lint-only -Wall -Wno-MULTITOP " + define + all);
+  expect_silence(folder, "yosys", "-q lint.ys");
+  expect_silence(folder, "iverilog", "-g2001 -Wall -o lint.vvp " + define + all);
 }
 
 inline void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot write the file");
+  host::write_file(file, text);
 }
 
 inline std::string read_text(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error(file.string() + ": cannot read the file");
-  return {std::istreambuf_iterator<char>(in), {}};
+  return host::read_file(file);
+}
+
+/// Writes the file again with `bad` in place of the first `good`.
+inline void damage(const std::filesystem::path& file, std::string_view good, std::string_view bad) {
+  host::write_file(file, replaced(host::read_file(file), good, bad));
 }
 
 }  // namespace hitpipe::rtl

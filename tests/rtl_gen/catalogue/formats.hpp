@@ -11,6 +11,7 @@
 #include "hls/box/fp_format.hpp"
 #include "hls/box/major_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 
@@ -37,6 +38,9 @@ struct DesignFormat {
   [[nodiscard]] std::string module() const { return found().module_at(parsed()); }
   [[nodiscard]] Pipeline pipeline() const {
     return make_pipeline(found().trace(parsed()), Library::thesis());
+  }
+  [[nodiscard]] EmittedDesign emitted(const EmitOptions& options = {}) const {
+    return emit(found(), parsed(), Library::thesis(), pipeline(), options);
   }
   /// Of the whole unit.
   [[nodiscard]] ModuleInterface interface(FlowControl flow = FlowControl::stall) const {
