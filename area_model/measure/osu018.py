@@ -23,7 +23,7 @@ RECIPES = ("timed", "small")
 
 def fail(message):
     """Asked wrongly, or a tool or file is not there."""
-    print(f"{Path(sys.argv[0]).name}: {message}", file=sys.stderr)
+    print(f"{Path(sys.argv[0]).stem}: {message}", file=sys.stderr)
     sys.exit(2)
 
 

@@ -1,4 +1,4 @@
-// osu018.json is what area_model/measure/measure measures, and prices every design.
+// osu018.json is what area_model/measure/measure.py measures, and prices every design.
 #include <sstream>
 #include <string>
 #include <vector>
@@ -20,8 +20,8 @@ const std::string osu018 = HITPIPE_SOURCE "/rtl_gen/component/libraries/osu018.j
 
 /// Measures small components again and compares them with a file.
 host::Outcome check(const std::string& library, const std::vector<std::string>& components) {
-  std::vector<std::string> words{scripts + "measure", "--hitpipe", HITPIPE_PROGRAM,
-                                 "--check",           "--library", library};
+  std::vector<std::string> words{
+      scripts + "measure.py", "--hitpipe", HITPIPE_PROGRAM, "--check", "--library", library};
   words.insert(words.end(), components.begin(), components.end());
   return host::run(words);
 }
@@ -46,9 +46,8 @@ TEST_F(Measured, CellsAreThoseOfTheFile) {
 
 TEST_F(Measured, AnotherFigureInTheFileIsADifference) {
   nlohmann::json library = nlohmann::json::parse(rtl::read_text(osu018));
-  for (auto& row : library["components"]["int_compare"]["cells"]) {
+  for (auto& row : library["components"]["int_compare"]["cells"])
     if (row["bits"] == 8) row["delay_ps"] = row["delay_ps"].get<int>() + 1;
-  }
   const host::ScratchFolder scratch;
   rtl::write_text(scratch / "other.json", library.dump());
   const host::Outcome other = check(scratch / "other.json", {"int_compare:8"});
@@ -57,14 +56,14 @@ TEST_F(Measured, AnotherFigureInTheFileIsADifference) {
 }
 
 TEST(MeasureScript, RefusesAWidthThatTheFileDoesNotHave) {
-  const host::Outcome refused = host::run({scripts + "measure", "--check", "mux2:7"});
+  const host::Outcome refused = host::run({scripts + "measure.py", "--check", "mux2:7"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(refused.err.rfind("measure: mux2:7: allowed are latch, ", 0), 0) << refused.err;
 }
 
 // The units themselves take an hour; the model's side of the tables takes a second.
 TEST(MeasuredUnits, TablesOfTheDocsAreThoseThatTheScriptPrints) {
-  const host::Outcome printed = host::run({scripts + "compare", "--hitpipe", HITPIPE_PROGRAM});
+  const host::Outcome printed = host::run({scripts + "compare.py", "--hitpipe", HITPIPE_PROGRAM});
   ASSERT_EQ(printed.exit_code, 0) << printed.err;
   const std::string docs =
       rtl::read_text(HITPIPE_SOURCE "/docs/chips.md") + rtl::read_text(HITPIPE_SOURCE "/docs/major.md");
@@ -79,7 +78,7 @@ TEST(MeasuredUnits, TablesOfTheDocsAreThoseThatTheScriptPrints) {
 }
 
 TEST(MeasuredUnits, OfEveryDesignAreCompared) {
-  const host::Outcome planned = host::run({scripts + "compare", "--hitpipe", HITPIPE_PROGRAM, "--plan"});
+  const host::Outcome planned = host::run({scripts + "compare.py", "--hitpipe", HITPIPE_PROGRAM, "--plan"});
   ASSERT_EQ(planned.exit_code, 0) << planned.err;
   for (const rtl::Design& design : rtl::designs()) {
     const std::string unit =

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Measures the components of a library in OSU 0.18 um cells.
 
-  area_model/measure/measure                          writes rtl_gen/component/libraries/osu018.json
-  area_model/measure/measure --check                  measures again; exit code 1 if a figure of that file differs
-  area_model/measure/measure --check mux2 int_subtract:16
+  area_model/measure/measure.py                          writes rtl_gen/component/libraries/osu018.json
+  area_model/measure/measure.py --check                  measures again; exit code 1 if a figure of that file differs
+  area_model/measure/measure.py --check mux2 int_subtract:16
                                                       only these components, or this width of one
-  area_model/measure/measure --estimate               the rows of thesis_250nm.json for operators that round toward zero
-  area_model/measure/measure --verilog FILE MODULE    area and delay of a module of your own, in the form of those
+  area_model/measure/measure.py --estimate               the rows of thesis_250nm.json for operators that round toward zero
+  area_model/measure/measure.py --verilog FILE MODULE    area and delay of a module of your own, in the form of those
                                                       that hitpipe writes (inputs and outputs, clk and en if clocked)
 
 A component stands between registers. Its area is what the cells take beyond those registers, and its delay is the
@@ -139,7 +139,7 @@ def gate_delay_ps(latch_ps):
 
 def written(gate_ps, rows):
     """The file: a cell a line."""
-    source = (f"Measured by area_model/measure/measure in OSU 0.18 um standard cells, typical corner, no wires: {', '.join(osu018.versions())}. "
+    source = (f"Measured by area_model/measure/measure.py in OSU 0.18 um standard cells, typical corner, no wires: {', '.join(osu018.versions())}. "
               f"Multipliers and float operators have the fewest stages that reach {CLOCK_PS} ps.")
     families = []
     for name, (above, area, _) in measurable().items():
