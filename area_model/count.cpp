@@ -1,17 +1,52 @@
 #include "area_model/count.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <tuple>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "hls/box/int_format.hpp"
+#include "rtl_gen/graph/sources.hpp"
 
 namespace hitpipe::area {
 
 namespace {
 
 using rtl::Component;
+using rtl::Graph;
 using rtl::NodeId;
+using rtl::Op;
+
+constexpr std::array<Component, rtl::component_count> table_7_1{
+    Component::int_subtract, Component::int_multiply, Component::int_compare,    Component::fp_subtract,
+    Component::fp_multiply,  Component::fp_compare,   Component::fp_subtract_rz, Component::fp_multiply_rz,
+    Component::latch,        Component::latch_enable, Component::mux2,           Component::gate};
+
+auto rank(const Part& part) {
+  const auto row = std::find(table_7_1.begin(), table_7_1.end(), part.component) - table_7_1.begin();
+  return std::tuple(part.purpose, row, part.bits, part.by);
+}
+
+/// q - p: a subtractor fed by multipliers.
+bool is_side_relation(const Graph& graph, NodeId node) {
+  if (graph[node].op != Op::sub) return false;
+  bool products = true;
+  rtl::for_each_source(graph, node,
+                       [&](NodeId source, std::uint64_t) { products &= graph[source].op == Op::mul; });
+  return products;
+}
+
+bool compares_side_relation(const Graph& graph, NodeId node) {
+  if (graph[node].op != Op::less) return false;
+  bool compares = false;
+  rtl::for_each_source(graph, node,
+                       [&](NodeId source, std::uint64_t) { compares |= is_side_relation(graph, source); });
+  return compares;
+}
 
 class Tally {
  public:
@@ -27,13 +62,13 @@ class Tally {
 };
 
 /// One node for each component: a magnitude comparator counts once, by the first of its two orders.
-std::vector<NodeId> components_of(const rtl::Graph& graph, const rtl::Schedule& schedule) {
+std::vector<NodeId> components_of(const Graph& graph, const rtl::Schedule& schedule) {
   std::vector<NodeId> nodes;
   std::set<std::tuple<int, NodeId, NodeId, bool>> compared;
   for (NodeId id = 0; id < graph.size(); ++id) {
     const rtl::Node& n = graph[id];
     if (!is_component(n.op)) continue;
-    if (n.op == rtl::Op::less) {
+    if (n.op == Op::less) {
       const auto [first, second] = std::minmax(n.args[0], n.args[1]);
       if (!compared.insert({schedule.slots[id].stage, first, second, n.is_signed}).second) continue;
     }
@@ -43,18 +78,14 @@ std::vector<NodeId> components_of(const rtl::Graph& graph, const rtl::Schedule& 
 }
 
 /// Part::by
-int narrower_operand(const rtl::Graph& graph, NodeId id) {
-  if (graph[id].op != rtl::Op::mul) return 0;
+int narrower_operand(const Graph& graph, NodeId id) {
+  if (graph[id].op != Op::mul) return 0;
   const auto [narrower, wider] =
       std::minmax({graph[graph[id].args[0]].width, graph[graph[id].args[1]].width});
   return narrower == wider ? 0 : narrower;
 }
 
-}  // namespace
-
-namespace {
-
-void add_logic(Tally& tally, const rtl::Graph& graph, const rtl::Schedule& schedule,
+void add_logic(Tally& tally, const Graph& graph, const rtl::Schedule& schedule,
                const rtl::Placement& placement, Component latch, Gates gates) {
   for (const rtl::Register& r : placement.registers) {
     const Purpose purpose = r.in_block ? Purpose::block : Purpose::datapath;
@@ -68,14 +99,46 @@ void add_logic(Tally& tally, const rtl::Graph& graph, const rtl::Schedule& sched
   if (gates == Gates::left_out) return;
   for (NodeId id = 0; id < graph.size(); ++id) {
     const rtl::Node& n = graph[id];
-    if (is_root(n.op) && n.op != rtl::Op::input && !is_component(n.op))
+    if (is_root(n.op) && n.op != Op::input && !is_component(n.op))
       tally.add(schedule.slots[id].stage, {Component::gate, n.width});
   }
 }
 
 }  // namespace
 
-std::vector<Count> count_logic(const rtl::Graph& graph, const rtl::Schedule& schedule,
+std::strong_ordering operator<=>(const Part& a, const Part& b) {
+  return rank(a) <=> rank(b);
+}
+
+std::string part_name(const Part& part) {
+  switch (part.purpose) {
+    case Purpose::valid:
+      return fmt::format("valid_{}", part.bits);
+    case Purpose::tag:
+      return fmt::format("tag_{}", part.bits);
+    case Purpose::block:
+      return fmt::format("block_latch_{}", part.bits);
+    case Purpose::datapath:
+      break;
+  }
+  if (part.by != 0) return fmt::format("{}_{}x{}", component_name(part.component), part.bits, part.by);
+  return fmt::format("{}_{}", component_name(part.component), part.bits);
+}
+
+int printed_latch_bits(const Graph& graph, const rtl::Register& latch, const rtl::Format& format,
+                       const rtl::ThesisAccounting& printed) {
+  const bool product = printed.products_at_n_bits && graph[latch.value].op == Op::mul;
+  return product ? std::min(latch.width(), format.as<hls::IntBits>().coord) : latch.width();
+}
+
+int printed_component_bits(const Graph& graph, NodeId node, const rtl::Format& format,
+                           const rtl::ThesisAccounting& printed) {
+  if (printed.side_relations_at_t && (is_side_relation(graph, node) || compares_side_relation(graph, node)))
+    return format.as<hls::IntBits>().interval;
+  return rtl::component_of(graph, node).bits;
+}
+
+std::vector<Count> count_logic(const Graph& graph, const rtl::Schedule& schedule,
                                const rtl::Placement& placement, Gates gates) {
   Tally tally;
   add_logic(tally, graph, schedule, placement, Component::latch, gates);
@@ -98,8 +161,8 @@ std::vector<Count> count_built(const rtl::Pipeline& pipeline, Component latch, G
 }
 
 std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const rtl::Format& format,
-                                 const rtl::Printed& printed) {
-  const rtl::Graph& graph = pipeline.graph;
+                                 const rtl::ThesisAccounting& printed) {
+  const Graph& graph = pipeline.graph;
   Tally tally;
   for (const rtl::Register& r : pipeline.placement.registers) {
     if (r.boundary == 0 && !printed.input_latches) continue;

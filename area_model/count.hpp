@@ -1,18 +1,48 @@
-// Counts the parts of a scheduled design in each stage, in one of two accounts.
+// The parts of a design, under the names of Table 7.1, and how many of them each stage of a scheduled design
+// has, in one of two accounts.
 //   built    all that is emitted: every register, valid and tag bit, and every component at its real width;
 //            on a chip also every gate
-//   printed  as Table 7.2 counts, with its own ways (area_model/thesis_accounting.hpp)
+//   printed  as Table 7.2 counts: docs/table-7-2.md says where it departs from the schematics that it prices,
+//            and each design states its own departures (rtl::ThesisAccounting). Two rules hold in every row:
+//            only latches, muxes, subtractors, multipliers and comparators have area (no valid bits, no tag),
+//            and each row is rounded before the total is taken
 // In both accounts `<` and `>` of the same two operands in one stage are one magnitude comparator.
 #pragma once
 
+#include <compare>
+#include <string>
 #include <vector>
 
-#include "area_model/part.hpp"
-#include "area_model/thesis_accounting.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/component/library.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::area {
+
+/// What a part is for. Valid and tag bits, which the thesis does not draw, are latches with rows of their
+/// own.
+enum class Purpose {
+  datapath,
+  valid,  ///< one bit at each boundary: there is a ray-box pair
+  tag,    ///< the tag at each boundary
+  block,  ///< a latch that is one of the registers of a chip's multiplier block, so it costs nothing more
+};
+
+struct Part {
+  rtl::Component component;
+  int bits;
+  Purpose purpose = Purpose::datapath;
+  int by = 0;  ///< the width of a multiplier's narrower operand; 0: both operands have `bits`
+
+  friend bool operator==(const Part&, const Part&) = default;
+  /// In the order of Table 7.1, then by width; valid and tag bits last.
+  friend std::strong_ordering operator<=>(const Part& a, const Part& b);
+};
+
+/// "latch_24"; "valid_1" and "tag_16" for valid and tag bits; "block_latch_24"; "int_multiply_24x18" for
+/// operands of two widths.
+[[nodiscard]] std::string part_name(const Part& part);
 
 /// Width of the tag, unless a user of the Verilog sets TAG_BITS.
 inline constexpr int tag_bits = 16;
@@ -39,6 +69,12 @@ enum class Gates { left_out, counted };
 [[nodiscard]] std::vector<Count> count_logic(const rtl::Graph& graph, const rtl::Schedule& schedule,
                                              const rtl::Placement& placement, Gates gates);
 [[nodiscard]] std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const rtl::Format& format,
-                                               const rtl::Printed& printed);
+                                               const rtl::ThesisAccounting& printed);
+
+/// The width at which Table 7.2 prices a latch, or a component.
+[[nodiscard]] int printed_latch_bits(const rtl::Graph& graph, const rtl::Register& latch,
+                                     const rtl::Format& format, const rtl::ThesisAccounting& printed);
+[[nodiscard]] int printed_component_bits(const rtl::Graph& graph, rtl::NodeId node, const rtl::Format& format,
+                                         const rtl::ThesisAccounting& printed);
 
 }  // namespace hitpipe::area

@@ -123,7 +123,7 @@ const std::vector<Entry>& table_7_2() {
   static const std::vector<Entry> entries = [] {
     std::map<int, Entry> by_row;
     for (const rtl::Design& design : rtl::designs())
-      for (const rtl::PrintedRow& row : design.printed.rows)
+      for (const rtl::ThesisRow& row : design.printed.rows)
         by_row.emplace(row.row, Entry{design.name, row.format});
     std::vector<Entry> sorted;
     for (const auto& [row, entry] : by_row) sorted.push_back(entry);

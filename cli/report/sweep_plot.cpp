@@ -85,7 +85,7 @@ std::string head(const std::string& title, std::size_t key_entries) {
 }
 
 DesignStyle style_of(const std::string& design) {
-  return design_style(rtl::place_of(rtl::find_design(design)));
+  return design_style(rtl::place_of(rtl::find_design(design)).value());
 }
 
 std::string block(const std::string& name, const std::string& lines) {

@@ -1,7 +1,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <bit>
 #include <stdexcept>
 #include <utility>
@@ -17,6 +17,8 @@ std::deque<Design>& all() {
   static std::deque<Design> list = own_designs();
   return list;
 }
+
+std::atomic<bool> were_read = false;  ///< designs() was called
 
 [[noreturn]] void no_such_format(const Design& design, std::string_view text) {
   const FormatFamily& family = design.default_format.family();
@@ -102,8 +104,7 @@ void check_kind(const Design& design) {
     for (const hls::Result& result : results)
       if (result.box == object) wanted &= ~hls::meanings(result.meaning);
     if (wanted == 0) return;
-    constexpr std::array names{"hit", "entry", "exit", "order"};
-    const auto missing = names.at(static_cast<std::size_t>(std::countr_zero(wanted)));
+    const auto missing = meaning_names.at(static_cast<std::size_t>(std::countr_zero(wanted)));
     refuse(fmt::format("it needs the result {} of number {}", missing, object));
   };
   for (const hls::Result& result : results)
@@ -115,6 +116,7 @@ void check_kind(const Design& design) {
 }
 
 const std::deque<Design>& designs() {
+  were_read = true;
   return all();
 }
 
@@ -122,6 +124,9 @@ void add_design(Design design) {
   for (const Design& known : all())
     if (known.name == design.name)
       throw std::invalid_argument(fmt::format("design {}: there is one of that name", design.name));
+  if (were_read)
+    throw std::invalid_argument(
+        fmt::format("design {}: add it before the first use of the list of designs", design.name));
   all().push_back(std::move(design));
 }
 
@@ -132,15 +137,15 @@ std::string design_names() {
 }
 
 const Design& find_design(std::string_view name) {
-  for (const Design& d : designs()) {
+  for (const Design& d : designs())
     if (d.name == name) return d;
-  }
   throw std::runtime_error(fmt::format("design {}: unknown; there are: {}", name, design_names()));
 }
 
-std::size_t place_of(const Design& design) {
+std::optional<std::size_t> place_of(const Design& design) {
   const auto found = std::find_if(designs().begin(), designs().end(),
                                   [&](const Design& each) { return each.name == design.name; });
+  if (found == designs().end()) return std::nullopt;
   return static_cast<std::size_t>(found - designs().begin());
 }
 

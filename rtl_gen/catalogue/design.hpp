@@ -15,7 +15,6 @@
 #include "rtl_gen/catalogue/evaluate.hpp"
 #include "rtl_gen/catalogue/format.hpp"
 #include "rtl_gen/catalogue/port.hpp"
-#include "rtl_gen/catalogue/printed.hpp"
 #include "rtl_gen/graph/graph.hpp"
 
 namespace hitpipe::rtl {
@@ -24,6 +23,20 @@ namespace hitpipe::rtl {
 struct DesignSource {
   std::string_view pipeline{};  ///< its struct in hitpipe::hls: "IntSlabs"
   std::string header{};         ///< "hls/pipelines/int_slabs.hpp"
+};
+
+struct ThesisRow {
+  int row;  ///< of the table, from 1
+  Format format;
+};
+
+/// The rows of a design in Table 7.2 of the thesis, and how these rows depart from the schematics (section
+/// 7.5).
+struct ThesisAccounting {
+  std::vector<ThesisRow> rows{};
+  bool input_latches = false;        ///< the words of figure 7.1 are counted
+  bool products_at_n_bits = false;   ///< latches of products have n bits, though t > n bits are compared
+  bool side_relations_at_t = false;  ///< q - p and its comparator have t bits, though they need t+1
 };
 
 struct Design {
@@ -38,8 +51,8 @@ struct Design {
   Evaluate::Run (*run_at)(const Format&);  ///< bit by bit
   /// The same answers by the host's floating-point unit. Null, or gives null: there is no such function.
   Evaluate::Run (*float_unit_run_at)(const Format&) = nullptr;
-  Printed printed{};      ///< nothing of a design that the thesis does not have
-  DesignSource source{};  ///< nothing: no top function for high-level synthesis is written
+  ThesisAccounting printed{};  ///< nothing of a design that the thesis does not have
+  DesignSource source{};       ///< nothing: no top function for high-level synthesis is written
 
   /// A format of this design as a user writes it. Throws std::runtime_error, one line, that says what is
   /// allowed.
@@ -60,21 +73,21 @@ struct Design {
   [[nodiscard]] std::string bits_option(const Format& format) const;
 };
 
-/// Throws std::invalid_argument, one line, when a design's results are not those of its kind.
+/// Throws std::invalid_argument, one line, when a design lacks a result of its kind or has one too many.
 void check_kind(const Design& design);
 
-/// hitpipe's own: those of designs.cmake. The build writes this function.
+/// The designs of designs.cmake. The build writes this function.
 [[nodiscard]] std::deque<Design> own_designs();
-/// These, and those that a program added.
+/// These designs, then the designs that a program added.
 [[nodiscard]] const std::deque<Design>& designs();
-/// For a program with designs of its own, before it uses any. Throws std::invalid_argument for a name that
-/// there is.
+/// For a program with designs of its own. Throws std::invalid_argument, one line, if the name is taken or if
+/// designs() was called before: its caller would not know of this design.
 void add_design(Design design);
 /// The names of all designs, separated by commas.
 [[nodiscard]] std::string design_names();
-/// Throws std::runtime_error that lists the designs when there is none of that name.
+/// Throws std::runtime_error, which lists the designs, if no design has that name.
 [[nodiscard]] const Design& find_design(std::string_view name);
-/// By its place in designs().
-[[nodiscard]] std::size_t place_of(const Design& design);
+/// Index of the design of that name in designs(), or nullopt.
+[[nodiscard]] std::optional<std::size_t> place_of(const Design& design);
 
 }  // namespace hitpipe::rtl

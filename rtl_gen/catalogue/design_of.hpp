@@ -9,7 +9,7 @@
 namespace hitpipe::rtl {
 
 /// `name` is the struct's in hitpipe::hls. Without a name no top function for high-level synthesis can be
-/// written. Throws std::invalid_argument when the results are not those of the design's kind.
+/// written. Throws as check_kind() does.
 template <class Pipeline>
 Design design_of(std::string_view name = {}) {
   using Bits = typename Pipeline::Bits;

@@ -4,11 +4,15 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "hls/box/operand.hpp"
 #include "rtl_gen/catalogue/format.hpp"
 
 namespace hitpipe::rtl {
+
+/// In the order of hls::Meaning.
+inline constexpr std::array<std::string_view, 4> meaning_names{"hit", "entry", "exit", "order"};
 
 /// Where HIT of the first box is among a design's results. Throws std::invalid_argument when there is none.
 [[nodiscard]] std::size_t place_of_hit(std::span<const hls::Result> results);

@@ -35,17 +35,23 @@ std::vector<Port> input_ports(const Graph& graph) {
   return ports;
 }
 
-std::size_t index_of(const std::vector<Port>& ports, const std::string& name) {
-  const auto found = std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == name; });
+namespace {
+
+template <class IsWanted>
+std::optional<std::size_t> index_if(const std::vector<Port>& ports, const IsWanted& is_wanted) {
+  const auto found = std::find_if(ports.begin(), ports.end(), is_wanted);
+  if (found == ports.end()) return std::nullopt;
   return static_cast<std::size_t>(found - ports.begin());
 }
 
+}  // namespace
+
+std::optional<std::size_t> index_of(const std::vector<Port>& ports, const std::string& name) {
+  return index_if(ports, [&](const Port& p) { return p.name == name; });
+}
+
 std::optional<std::size_t> index_of(const std::vector<Port>& ports, hls::Role role, hls::Axis axis) {
-  const auto found = std::find_if(ports.begin(), ports.end(), [&](const Port& p) {
-    return p.role == role && p.axis == axis && p.box == 0;
-  });
-  if (found == ports.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - ports.begin());
+  return index_if(ports, [&](const Port& p) { return p.role == role && p.axis == axis && p.box == 0; });
 }
 
 }  // namespace hitpipe::rtl

@@ -36,8 +36,8 @@ struct Port {
 [[nodiscard]] int total_width(const std::vector<Port>& ports);
 /// A graph's inputs, in order, without their roles.
 [[nodiscard]] std::vector<Port> input_ports(const Graph& graph);
-/// Index of the named port; ports.size() if no port has the name.
-[[nodiscard]] std::size_t index_of(const std::vector<Port>& ports, const std::string& name);
+/// Index of the named port, or nullopt.
+[[nodiscard]] std::optional<std::size_t> index_of(const std::vector<Port>& ports, const std::string& name);
 /// Index of the port with that role and axis (for planes: of box 0), or nullopt.
 [[nodiscard]] std::optional<std::size_t> index_of(const std::vector<Port>& ports, hls::Role role,
                                                   hls::Axis axis = hls::Axis::none);

@@ -38,7 +38,7 @@ struct TracedPorts {
 
 }  // namespace detail
 
-/// The header of a pipeline's C++, and those of pipelines whose parts it uses.
+/// The header of a pipeline's C++, and the headers of pipelines whose parts it uses.
 template <class Pipeline>
 std::vector<std::string> headers_of() {
   std::vector<std::string> headers{source_line(Pipeline::header, 0).file};

@@ -104,9 +104,8 @@ Cell Library::on_chip(Component component, int bits) const {
 Cell Library::timing(Component component, int bits) const {
   const Family& rows = found(component);
   if (chip_) return on_chip(component, bits);
-  for (const Cell& cell : rows.cells) {
+  for (const Cell& cell : rows.cells)
     if (cell.bits >= bits) return cell;
-  }
   Cell cell = rows.cells.back();
   switch (rows.above) {
     case Above::same:

@@ -13,7 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "rtl_gen/component/chip.hpp"
 #include "rtl_gen/graph/graph.hpp"
 
 namespace hitpipe::rtl {
@@ -28,7 +27,7 @@ enum class Component {
   fp_multiply,
   fp_compare,
   fp_subtract_rz,  ///< rounds toward zero
-  fp_multiply_rz,  ///< the same; asked at M + 1 bits, those of the significands
+  fp_multiply_rz,  ///< rounds toward zero; asked at the width of the significands, M + 1
   gate,            ///< AND, OR, XOR; only a chip counts them
   latch_enable     ///< a latch that keeps its bits while its enable is low
 };
@@ -36,6 +35,50 @@ inline constexpr std::size_t component_count = 12;
 [[nodiscard]] std::string_view component_name(Component component);
 /// Throws std::invalid_argument for any other name.
 [[nodiscard]] Component component_called(std::string_view name);
+
+/// A multiplier in silicon.
+struct Block {
+  std::string name;  ///< the maker's, for example "DSP48E1"
+  int width_a = 0;   ///< of signed operands; not less than width_b
+  int width_b = 0;
+  bool reads_unsigned =
+      false;  ///< also multiplies unsigned operands of these widths; else they are one bit narrower
+  bool operand_registers = false;  ///< the registers before it may lie in the block
+  bool product_registers = false;  ///< and those behind it
+  int stages = 1;
+  int delay_ps = 0;  ///< of the slowest stage
+  int luts = 0;      ///< an odd piece of a product takes a block only if logic would take more than these
+
+  /// Whether one block multiplies operands of these widths. If one operand is signed, the other is read as
+  /// signed with a zero above it.
+  [[nodiscard]] bool multiplies(int a, bool a_signed, int b, bool b_signed) const;
+};
+
+/// What a programmable chip has: lookup tables, carry chains, registers and multiplier blocks, each with its
+/// delay and with the lookup tables that a bit takes. Delays include the wires of a usual net.
+struct Chip {
+  std::string device;
+  bool estimated = false;  ///< the delays
+  int lut_inputs = 0;
+  int register_delay_ps = 0;  ///< clock to output, and setup
+  int gate_delay_ps = 0;
+  int mux_delay_ps = 0;
+  int carry_delay_ps = 0;          ///< of an adder or comparator without bits
+  int carry_delay_ps_per_bit = 0;  ///< and what each bit adds
+  int gate_luts_pct = 0;  ///< lookup tables for 100 bits; less than 100 where tables take several gates
+  int mux_luts_pct = 0;
+  int carry_luts_pct = 0;
+  std::optional<Block> block;
+
+  /// An adder, subtractor or comparator.
+  [[nodiscard]] int carry_delay(int bits) const { return carry_delay_ps + carry_delay_ps_per_bit * bits; }
+  [[nodiscard]] int gate_luts(int bits) const { return rounded_up(bits * gate_luts_pct); }
+  [[nodiscard]] int mux_luts(int bits) const { return rounded_up(bits * mux_luts_pct); }
+  [[nodiscard]] int carry_luts(int bits) const { return rounded_up(bits * carry_luts_pct); }
+
+ private:
+  [[nodiscard]] static int rounded_up(int percent) { return (percent + 99) / 100; }
+};
 
 /// What a component takes of a chip; of an ASIC process, nothing.
 struct ChipCells {
@@ -55,7 +98,8 @@ struct ChipCells {
   friend bool operator==(const ChipCells&, const ChipCells&) = default;
 };
 
-/// One row of the library. With `stages` 0 it is combinational; else `delay_ps` is that of the slowest stage.
+/// One row of the library. With `stages` 0 it is combinational; else `delay_ps` is the delay of the slowest
+/// stage.
 struct Cell {
   int bits = 0;
   int area_um2 = 0;
@@ -67,7 +111,7 @@ struct Cell {
 
 /// Delay and stages above the widest row of the file.
 enum class Above {
-  same,    ///< bit-parallel (latch, mux): those of the widest row
+  same,    ///< bit-parallel (latch, mux): as in the widest row
   tree,    ///< carry or comparison tree: the delay grows with the depth, ceil(log2 bits)
   stages,  ///< array: the widest row's delay and bits per stage; stages are rounded up
 };
@@ -90,8 +134,8 @@ class Library {
   /// Table 7.1 of the thesis.
   [[nodiscard]] static const Library& thesis();
 
-  /// Delay and stages at a width: those of the next larger row when the width has no row, and those of the
-  /// law above the widest row.
+  /// Delay and stages at a width. A width without a row has those of the next larger row; the law holds above
+  /// the widest row.
   [[nodiscard]] Cell timing(Component component, int bits) const;
   /// The timing, and the area at exactly this width: that of its row, else by the area law, rounded to the
   /// nearest square micrometre. Both throw std::runtime_error when the library does not have the component.

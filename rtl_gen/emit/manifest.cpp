@@ -27,25 +27,11 @@ Json demands_json(const Demands& demands) {
   return list;
 }
 
-const char* word_of(hls::Meaning meaning) {
-  switch (meaning) {
-    case hls::Meaning::hit:
-      return "hit";
-    case hls::Meaning::entry:
-      return "entry";
-    case hls::Meaning::exit:
-      return "exit";
-    case hls::Meaning::order:
-      return "order";
-  }
-  throw std::logic_error("a result without a meaning");
-}
-
 Json results_json(const std::vector<hls::Result>& results) {
   Json list = Json::array();
   for (const hls::Result& result : results) {
     list.push_back({{"name", result.name},
-                    {"meaning", word_of(result.meaning)},
+                    {"meaning", meaning_names.at(static_cast<std::size_t>(result.meaning))},
                     {"box", result.box},
                     {"width", result.width}});
   }
@@ -72,7 +58,6 @@ Json stages(const Pipeline& pipeline) {
   return list;
 }
 
-/// Of one direction.
 }  // namespace
 
 Json ports_json(const ModuleInterface& interface) {

@@ -83,7 +83,7 @@ std::vector<Vector> Border::near(const std::vector<std::int64_t>& operands, std:
 }
 
 ShownBits::ShownBits(const Graph& graph, const std::vector<Port>& ports) : lanes_(graph) {
-  for (const NodeId id : graph.inputs()) places_.push_back(index_of(ports, graph[id].name));
+  for (const NodeId id : graph.inputs()) places_.push_back(index_of(ports, graph[id].name).value());
   for (NodeId id = 0; id < graph.size(); ++id) {
     if (graph[id].op == Op::constant) continue;
     for (int bit = 0; bit < graph[id].width; ++bit)
@@ -121,7 +121,7 @@ constexpr std::size_t of_corners = 4;
 constexpr std::size_t of_any = 1;
 
 constexpr std::size_t most_rare_draws = 48'000;
-constexpr std::size_t most_starts = 32;  ///< vectors beside which rare ones are sought: the last found
+constexpr std::size_t most_starts = 32;  ///< rare vectors are sought beside so many of the last found
 
 }  // namespace
 

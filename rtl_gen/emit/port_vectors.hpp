@@ -17,7 +17,7 @@ namespace hitpipe::rtl {
 
 class Border {
  public:
-  /// `draw` and `evaluate` must be those of one unit. Answers are the results of one bit.
+  /// `draw` and `evaluate` must belong to one unit. Answers are the results of one bit.
   Border(const Draw& draw, const Evaluate& evaluate, const std::vector<hls::Result>& results);
 
   /// From operands that meet the demands: a pair, then those with one bit changed. Empty when chance finds no
@@ -69,7 +69,7 @@ class ShownBits {
 /// What the vectors of a unit are drawn for.
 struct VectorUnit {
   const Graph& graph;              ///< its inputs are some or all of the ports
-  const std::vector<Port>& ports;  ///< those of the whole design
+  const std::vector<Port>& ports;  ///< of the whole design
   const Demands& demands;          ///< which all vectors meet
   const Evaluate& evaluate;
   const std::vector<hls::Result>& results;
@@ -102,7 +102,7 @@ class PortVectors {
   [[nodiscard]] Vector beside_corners();
   /// Exactly so many, where anything hits at all.
   [[nodiscard]] std::vector<Vector> borders(std::size_t count);
-  /// Beside the last ones found, and at the border there.
+  /// Neighbours of the last vectors found, and vectors at the border there.
   [[nodiscard]] std::vector<Vector> beside_found(const std::vector<Vector>& found, std::size_t count);
 
   VectorUnit unit_;

@@ -156,7 +156,7 @@ RaySlots ray_slots(const ModuleInterface& unit, const std::vector<Port>& operand
                  .end_places = {}};
   const std::vector<SentWith> parts = sent_with(operands);
   for (const Port& port : unit.operands()) {
-    const std::size_t place = index_of(operands, port.name);
+    const std::size_t place = index_of(operands, port.name).value();
     switch (parts.at(place)) {
       case SentWith::line:
         slots.line.push_back(port);

@@ -68,7 +68,7 @@ std::vector<Vector> with_results(std::vector<std::vector<std::int64_t>> operands
 std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>& left,
                         const std::vector<hls::Result>& results, const std::vector<Vector>& vectors) {
   std::vector<std::size_t> places;
-  for (const Port& port : left) places.push_back(index_of(ports, port.name));
+  for (const Port& port : left) places.push_back(index_of(ports, port.name).value());
   std::string text;
   for (const Vector& vector : vectors) {
     std::string bits;

@@ -12,8 +12,7 @@ namespace hitpipe::rtl {
 namespace {
 
 const Port& known_port(const std::vector<Port>& ports, const std::string& name) {
-  const std::size_t index = index_of(ports, name);
-  if (index < ports.size()) return ports[index];
+  if (const auto index = index_of(ports, name)) return ports[*index];
   std::vector<std::string> names;
   for (const Port& p : ports) names.push_back(p.name);
   throw std::invalid_argument(
@@ -150,7 +149,7 @@ bool meets(const PortDemand& demand, std::int64_t number) {
 }
 
 bool meets(const Demands& demands, const std::vector<Port>& ports, const std::int64_t* operands) {
-  const auto number = [&](const std::string& name) { return operands[index_of(ports, name)]; };
+  const auto number = [&](const std::string& name) { return operands[index_of(ports, name).value()]; };
   return std::all_of(demands.ports.begin(), demands.ports.end(),
                      [&](const PortDemand& d) { return meets(d, number(d.port)); }) &&
          std::all_of(demands.orders.begin(), demands.orders.end(),

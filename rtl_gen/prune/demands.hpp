@@ -61,7 +61,7 @@ void check_demands(const Demands& demands, const std::vector<Port>& ports);
                          const std::int64_t* operands);
 
 /// "rinf = 1", "irx in [-5, 5]", "iri_floor in [-9, -1] or [1, 9]", "izmin in [-40, 40], a multiple of 4",
-/// "ixmin <= ixmax". The index is that of `without`.
+/// "ixmin <= ixmax". The index counts as in `without`.
 [[nodiscard]] std::string demand_text(const Demands& demands, std::size_t index);
 [[nodiscard]] std::string demand_text(const PortDemand& demand);
 

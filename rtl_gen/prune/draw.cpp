@@ -125,10 +125,6 @@ std::int64_t pattern_of(std::int64_t number, int width) {
 // Draws that do not meet the orders are seldom; where nearly all fail, the demands are at odds.
 constexpr int most_tries = 100'000;
 
-[[noreturn]] void refuse_demands() {
-  throw std::runtime_error(fmt::format("demands: none of {} draws meets all of them", most_tries));
-}
-
 void put_in_order(std::int64_t& lesser, std::int64_t& greater) {
   if (lesser > greater) std::swap(lesser, greater);
 }
@@ -150,7 +146,7 @@ Draw::Draw(const std::vector<Port>& ports, const Demands& demands) : ports_(port
     }
   }
   for (const OrderDemand& each : demands.orders)
-    orders_.push_back({index_of(ports, each.lesser), index_of(ports, each.greater)});
+    orders_.push_back({index_of(ports, each.lesser).value(), index_of(ports, each.greater).value()});
 }
 
 bool Draw::put_in_order(std::vector<std::int64_t>& operands) const {
@@ -167,29 +163,43 @@ bool Draw::meets_all(const std::vector<std::int64_t>& operands) const {
   return true;
 }
 
-std::vector<std::int64_t> Draw::operator()(Random& random) const {
+template <class Make>
+std::vector<std::int64_t> Draw::drawn(const Make& make) const {
   for (int tries = 0; tries < most_tries; ++tries) {
+    std::vector<std::int64_t> operands = make();
+    if (put_in_order(operands)) return operands;
+  }
+  throw std::runtime_error(fmt::format("demands: none of {} draws meets all of them", most_tries));
+}
+
+template <class Change>
+std::vector<std::int64_t> Draw::changed(const std::vector<std::int64_t>& operands, std::uint64_t most_changes,
+                                        Random& random, const Change& change) const {
+  return drawn([&] {
+    std::vector<std::int64_t> near = operands;
+    for (std::uint64_t changes = 1 + below(random, most_changes); changes > 0 && !free_.empty(); --changes) {
+      const std::size_t port = free_[below(random, free_.size())];
+      near[port] = change(near, port);
+    }
+    return near;
+  });
+}
+
+std::vector<std::int64_t> Draw::operator()(Random& random) const {
+  return drawn([&] {
     std::vector<std::int64_t> operands;
     for (const PortDemand& wanted : wanted_) operands.push_back(number(random, wanted));
     // Boxes turned inside out are seldom hit.
-    if (below(random, 4) != 0) {
+    if (below(random, 4) != 0)
       for (const Order& box : boxes_) rtl::put_in_order(operands[box.lesser], operands[box.greater]);
-    }
-    if (put_in_order(operands)) return operands;
-  }
-  refuse_demands();
+    return operands;
+  });
 }
 
 std::vector<std::int64_t> Draw::beside(const std::vector<std::int64_t>& operands, Random& random) const {
-  for (int tries = 0; tries < most_tries; ++tries) {
-    std::vector<std::int64_t> near = operands;
-    for (std::uint64_t changes = 1 + below(random, 2); changes > 0 && !free_.empty(); --changes) {
-      const std::size_t port = free_[below(random, free_.size())];
-      near[port] = coin(random) ? number(random, wanted_[port]) : moved(random, wanted_[port], near[port]);
-    }
-    if (put_in_order(near)) return near;
-  }
-  refuse_demands();
+  return changed(operands, 2, random, [&](const std::vector<std::int64_t>& near, std::size_t port) {
+    return coin(random) ? number(random, wanted_[port]) : moved(random, wanted_[port], near[port]);
+  });
 }
 
 std::int64_t Draw::corner(const std::vector<std::int64_t>& operands, std::size_t port, Random& random) const {
@@ -227,26 +237,19 @@ std::int64_t Draw::corner(const std::vector<std::int64_t>& operands, std::size_t
 }
 
 std::vector<std::int64_t> Draw::corners(Random& random) const {
-  for (int tries = 0; tries < most_tries; ++tries) {
+  return drawn([&] {
     std::vector<std::int64_t> operands = (*this)(random);
     for (const std::size_t port : free_)
       if (below(random, 8) != 0) operands[port] = corner(operands, port, random);
-    if (put_in_order(operands)) return operands;
-  }
-  refuse_demands();
+    return operands;
+  });
 }
 
 std::vector<std::int64_t> Draw::corners_beside(const std::vector<std::int64_t>& operands,
                                                Random& random) const {
-  for (int tries = 0; tries < most_tries; ++tries) {
-    std::vector<std::int64_t> near = operands;
-    for (std::uint64_t changes = 1 + below(random, 4); changes > 0 && !free_.empty(); --changes) {
-      const std::size_t port = free_[below(random, free_.size())];
-      near[port] = corner(near, port, random);
-    }
-    if (put_in_order(near)) return near;
-  }
-  refuse_demands();
+  return changed(operands, 4, random, [&](const std::vector<std::int64_t>& near, std::size_t port) {
+    return corner(near, port, random);
+  });
 }
 
 std::int64_t Draw::another(const std::vector<std::int64_t>& operands, std::size_t port,

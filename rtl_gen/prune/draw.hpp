@@ -1,5 +1,5 @@
-// Random operands as demanded, what a fitted unit is tested with: any ones, and ones a step from a hit. One
-// program draws the same from a seed wherever it runs.
+// Random operands that meet the demands, which test a fitted unit: operands from anywhere, and neighbours of
+// a hit. One program draws the same operands from a seed on every machine.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ class Draw {
 
   /// Ports that may have more than one number.
   [[nodiscard]] const std::vector<std::size_t>& free_ports() const { return free_; }
-  /// Another number of that port, from the same interval as the one in `operands`.
+  /// Another number of that port, from the interval that holds its number in `operands`.
   [[nodiscard]] std::int64_t another(const std::vector<std::int64_t>& operands, std::size_t port,
                                      std::mt19937_64& random) const;
   /// `from` with one of the port's bits changed.
@@ -49,6 +49,14 @@ class Draw {
   /// As demanded, or the number that the port has where chance finds none.
   [[nodiscard]] std::int64_t corner(const std::vector<std::int64_t>& operands, std::size_t port,
                                     std::mt19937_64& random) const;
+  /// The first operands that `make` gives and that can be put in order. Throws if there are none.
+  template <class Make>
+  [[nodiscard]] std::vector<std::int64_t> drawn(const Make& make) const;
+  /// `operands` with a few free ports changed: change(operands, port) gives the new number.
+  template <class Change>
+  [[nodiscard]] std::vector<std::int64_t> changed(const std::vector<std::int64_t>& operands,
+                                                  std::uint64_t most_changes, std::mt19937_64& random,
+                                                  const Change& change) const;
   /// As the orders want them; false when an order or a port's number is then not as demanded.
   [[nodiscard]] bool put_in_order(std::vector<std::int64_t>& operands) const;
 
@@ -67,8 +75,8 @@ struct Vector {
 };
 [[nodiscard]] Vector with_results(std::vector<std::int64_t> operands, const Evaluate& evaluate);
 
-/// In turn any operands, and ones beside the last that hit: of any ones few do. What is beside goes astray in
-/// a walk through all hits, and meets their border at every other step.
+/// Alternates random operands with neighbours of the last hit, because few random operands hit. The
+/// neighbours walk along the border of the hits.
 class DrawVectors {
  public:
   /// Looks for a first hit, for a while.

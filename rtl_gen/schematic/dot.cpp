@@ -23,9 +23,8 @@ constexpr double without_axis = 4.0;
 std::vector<double> axis_order(const Graph& graph, const std::vector<Port>& ports) {
   std::vector<double> places(graph.size(), without_axis);
   for (const NodeId id : graph.inputs()) {
-    const std::size_t port = index_of(ports, graph[id].name);
-    if (port < ports.size() && ports[port].axis != hls::Axis::none)
-      places[id] = static_cast<double>(ports[port].axis);
+    const auto port = index_of(ports, graph[id].name);
+    if (port && ports[*port].axis != hls::Axis::none) places[id] = static_cast<double>(ports[*port].axis);
   }
   for (NodeId id = 0; id < graph.size(); ++id) {
     if (graph[id].op == Op::input) continue;
@@ -264,9 +263,8 @@ class Drawing {
   /// A constant stands at its reader, with its name if the C++ gives one.
   void connect_constants(NodeId value, const std::string& to, const Node& reader) {
     const Node& n = graph_[value];
-    if (is_wire(n.op)) {
+    if (is_wire(n.op))
       for (const NodeId arg : n.operands()) connect_constants(arg, to, reader);
-    }
     if (n.op != Op::constant) return;
     const std::string number = number_text(n, reader);
     write_entry(n.name.empty() ? number : fmt::format("{} = {}", n.name, number), to);
@@ -276,9 +274,8 @@ class Drawing {
   /// or its name.
   std::string source_of(NodeId value, int high, int low, int boundary) {
     if (boundary == entry_ && schedule_.slots[value].finish <= entry_) return entry(names_[value]);
-    for (const Register& r : placement_.registers) {
+    for (const Register& r : placement_.registers)
       if (r.value == value && r.boundary == boundary && r.low <= low && r.high >= high) return node_of(r);
-    }
     return fmt::format("v{}", value);
   }
 
@@ -316,9 +313,8 @@ class Drawing {
 
 std::vector<StageRange> stage_groups(const Pipeline& pipeline) {
   std::set<int> starts{1};
-  for (NodeId id = 0; id < pipeline.graph.size(); ++id) {
+  for (NodeId id = 0; id < pipeline.graph.size(); ++id)
     if (is_component(pipeline.graph[id].op)) starts.insert(pipeline.schedule.slots[id].stage);
-  }
   std::vector<StageRange> groups;
   for (const int first : starts) {
     if (!groups.empty()) groups.back().last = first - 1;

@@ -46,7 +46,7 @@ std::string fixed_text(const rtl::Facts& facts) {
 std::string fixed_text(const DemandGroup& group, const std::vector<rtl::Port>& ports) {
   std::vector<std::pair<std::string, std::vector<std::string>>> fixed;
   for (const rtl::PortDemand& demand : group.demands.ports) {
-    const rtl::Port& port = ports[rtl::index_of(ports, demand.port)];
+    const rtl::Port& port = ports[rtl::index_of(ports, demand.port).value()];
     if (port.kind != hls::Kind::real) return "";
     const std::string bits = fixed_text(rtl::facts_of(demand, port.width, port.is_signed));
     if (fixed.empty() || fixed.back().first != bits) fixed.push_back({bits, {}});

@@ -29,7 +29,7 @@ std::vector<SweepPoint> plan_sweep(std::span<const DesignFormats> designs,
 }
 
 RowKey key_of(const SweepPoint& point) {
-  return {rtl::place_of(*point.design), point.format.numbers(), point.rays_in_flight};
+  return {rtl::place_of(*point.design).value(), point.format.numbers(), point.rays_in_flight};
 }
 
 RowKey key_of(const std::string& design, const std::string& bits, int rays_in_flight) {

@@ -3,14 +3,35 @@
 // rows, and in one total.
 #include <cstdlib>
 #include <map>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "area_model/figure.hpp"
-#include "tests/area_model/csv_table.hpp"
+#include "host/files.hpp"
+#include "host/text.hpp"
 
 namespace hitpipe::area::table_7_2_test {
 namespace {
+
+using CsvRow = std::map<std::string, std::string>;
+
+/// The rows of a file with a header line, by the names of its columns.
+std::vector<CsvRow> csv_table(const std::string& file) {
+  std::istringstream lines(host::read_file(file));
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> header = host::csv_cells(line);
+  std::vector<CsvRow> rows;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> cells = host::csv_cells(line);
+    CsvRow& row = rows.emplace_back();
+    for (std::size_t i = 0; i < header.size(); ++i) row[header[i]] = cells.at(i);
+  }
+  return rows;
+}
 
 const std::vector<Price>& printed_prices() {
   static const std::vector<Price> prices = [] {

@@ -13,9 +13,8 @@ using rtl::Component;
 TEST(TriangleUnit, HasTheOperatorsOfMoellerAndTrumbore) {
   const Price price = price_of_triangle_unit(rtl::Library::thesis());
   std::map<Component, int> operators;
-  for (const Line& line : price.lines) {
+  for (const Line& line : price.lines)
     if (line.part.component != Component::latch) operators[line.part.component] += line.n;
-  }
   // Three differences of points, two cross products, four dot products, u + v; length times determinant.
   EXPECT_EQ(operators, (std::map<Component, int>{{Component::fp_subtract, 9 + 2 * 3 + 4 * 2 + 1},
                                                  {Component::fp_multiply, 2 * 6 + 4 * 3 + 1},

@@ -19,7 +19,7 @@
 namespace hitpipe::rtl::pipeline_sources_test {
 namespace {
 
-/// Its datapath is that of int_slabs.
+/// It has the datapath of int_slabs.
 struct Borrowed : hls::IntSlabs {
   static constexpr const char* name = "borrowed";
   static constexpr const char* header = __FILE__;
@@ -30,7 +30,7 @@ struct Shared : Borrowed {
 };
 
 TEST(PipelineSources, ValueFromAnotherPipelineRejected) {
-  const std::string message = message_of<std::runtime_error>([] {
+  const std::string message = message_of([] {
     const Design design = design_of<Borrowed>();
     static_cast<void>(design.trace(design.default_format));
   });

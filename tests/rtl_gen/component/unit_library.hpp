@@ -4,9 +4,15 @@
 // comparator, n^2 for a multiplier. It has no floats.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 #include "rtl_gen/component/library.hpp"
+#include "tests/message_of.hpp"
+#include "tests/rtl_gen/text.hpp"
 
 namespace hitpipe::rtl {
 
@@ -31,6 +37,20 @@ inline constexpr std::string_view unit_json = R"json({
 
 inline Library unit_library() {
   return Library::from_json(unit_json, "unit.json");
+}
+
+/// A replacement in the text of a library, and the complaint about it; empty: none.
+struct Refusal {
+  std::string_view from;
+  std::string to, complaint;
+};
+inline void expect_refusals(std::string_view json, const std::vector<Refusal>& refusals) {
+  for (const auto& [from, to, complaint] : refusals) {
+    const std::string text = replaced(std::string(json), from, to);
+    EXPECT_EQ(message_of([&] { return Library::from_json(text, "toy.json"); }),
+              complaint.empty() ? "no exception" : "toy.json: " + complaint)
+        << from;
+  }
 }
 
 }  // namespace hitpipe::rtl

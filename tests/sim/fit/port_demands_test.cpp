@@ -197,7 +197,8 @@ TEST(PortDemands, AreNoneOfASceneThatNeedsEverything) {
     for (const DemandGroup& group : port_demands(design, format, scene)) {
       if (format.is<hls::FpBits>()) {
         for (const rtl::PortDemand& demand : group.demands.ports)
-          EXPECT_TRUE(is_of_the_cube(demand, ports[rtl::index_of(ports, demand.port)])) << demand.port;
+          EXPECT_TRUE(is_of_the_cube(demand, ports[rtl::index_of(ports, demand.port).value()]))
+              << demand.port;
         continue;
       }
       ADD_FAILURE() << group.why;
