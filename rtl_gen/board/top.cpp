@@ -102,22 +102,16 @@ endmodule
       prefix);
 }
 
-namespace {
-
-constexpr int fingerprint_vectors = 1000;
-constexpr std::uint64_t fingerprint_seed = 1;
-
-}  // namespace
-
 std::uint64_t fingerprint(const Design& design, const Format& format) {
   const std::vector<Port> ports = design.ports(format);
+  constexpr int vectors = 1000;
+  constexpr std::uint64_t seed = 1;
   std::string text;
   for (const auto& each : {ports, result_ports(design.results(format))}) {
     for (const Port& port : each)
       text += fmt::format("{} {} {}\n", port.name, port.width, port.is_signed ? "signed" : "unsigned");
   }
-  for (const Vector& vector :
-       with_results(operand_vectors(ports, fingerprint_vectors, fingerprint_seed), design.evaluate(format))) {
+  for (const Vector& vector : with_results(operand_vectors(ports, vectors, seed), design.evaluate(format))) {
     for (const std::int64_t result : vector.results) text += fmt::format("{} ", result);
   }
   return host::fnv1a(std::as_bytes(std::span(text)));
@@ -130,7 +124,7 @@ std::string board_identity(const Design& design, const Format& format) {
 
 namespace {
 
-/// The bits of each port in a word, the first port in the low ones.
+/// The bits of each port in a word. The first port has the low bits.
 std::vector<std::string> fields(const std::vector<Port>& ports, const char* word) {
   std::vector<std::string> all;
   int low = 0;

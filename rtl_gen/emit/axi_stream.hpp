@@ -2,7 +2,7 @@
 // module. A beat of s_axis is one test, and its tid is the tag. A beat of m_axis holds the results of one.
 // There is a register on every path from input to output. In front of a unit that stalls, a spare latch holds
 // the result that has already left the pipeline when m_axis_tready falls. A unit without flow control is
-// behind its result FIFO. Latency and throughput stay those of the design.
+// behind its result FIFO. Latency and throughput stay as they are without the wrapper.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ struct StreamField {
 /// aclk, aresetn, s_axis and m_axis.
 [[nodiscard]] ModuleInterface stream_interface(const ModuleInterface& unit);
 /// The wrapper in Verilog-2001, without the unit's module and, for a unit without flow control, without its
-/// result FIFO.
+/// result FIFO. Throws as check_names() does.
 [[nodiscard]] std::string axi_stream(const ModuleInterface& unit);
 /// The object axi_stream of a manifest: module, file, clock, reset, and the fields of tdata and tid.
 [[nodiscard]] Json stream_json(const ModuleInterface& unit);

@@ -20,7 +20,7 @@ using host::File;
 
 /// What emit() must know of a unit that prune() made smaller.
 struct PrunedFrom {
-  const std::vector<Port>& ports;  ///< those of the whole design
+  const std::vector<Port>& ports;  ///< of the whole design
   const Demands& demands;          ///< not empty
   const PruneReport& report;
 };

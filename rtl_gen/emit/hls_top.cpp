@@ -107,15 +107,11 @@ go extract
 )";
 }
 
-}  // namespace
-
 std::vector<host::File> hls_scripts(const std::string& title, const std::string& module) {
   return {{module + "_vitis_hls.tcl", vitis_tcl(title, module)},
           {module + "_hls.cfg", vitis_cfg(title, module)},
           {module + "_catapult.tcl", catapult_tcl(title, module)}};
 }
-
-namespace {
 
 constexpr std::size_t columns = 110;  // as .clang-format has it
 

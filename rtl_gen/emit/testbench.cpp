@@ -40,7 +40,7 @@ struct ResultText {
   }
 
   std::string bits;   ///< declared beside other wires of one bit
-  std::string wires;  ///< declarations of wider ones
+  std::string wires;  ///< declarations of wider results
   std::vector<std::string> differences;
   std::string formats, values;  ///< to print what differs
 };

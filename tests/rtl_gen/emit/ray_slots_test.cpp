@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "host/files.hpp"
-#include "rtl_gen/emit/files.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/emit/wrapper.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::rtl::ray_slots_test {
@@ -78,7 +78,7 @@ TEST(RaySlotsNumber, IsRoundedUpToAPowerOfTwo) {
        {std::pair{2, 2}, {3, 4}, {4, 4}, {33, 64}, {64, 64}, {65, 128}, {65'536, 65'536}})
     EXPECT_EQ(slots_of(d, least).slots(), slots) << least;
   for (const int wrong : {-1, 0, 1, 65'537}) {
-    EXPECT_EQ(message_of<std::runtime_error>([&] { (void)slots_of(d, wrong); }),
+    EXPECT_EQ(message_of([&] { return slots_of(d, wrong); }),
               fmt::format("{} ray slots: allowed is 2 to 65536", wrong));
   }
 }
@@ -90,7 +90,7 @@ TEST(RaySlotsRefusals, SayWhatIsMissingOrTaken) {
     return ray_slots(unit_interface("unit", ports, {{"hit", 1, false}}, FlowControl::stall), ports, 4);
   };
   const auto refusal = [&](const std::vector<Port>& ports) {
-    return message_of<std::runtime_error>([&] { (void)four_slots(ports); });
+    return message_of([&] { return four_slots(ports); });
   };
   EXPECT_EQ(refusal({origin, plane}), "unit: its port in_slot has the name of one of unit_slots");
   Port renamed = plane;
@@ -100,17 +100,11 @@ TEST(RaySlotsRefusals, SayWhatIsMissingOrTaken) {
   EXPECT_EQ(four_slots({origin, renamed}).slots(), 4);
 }
 
-std::vector<File> emitted(const DesignFormat& d, int slots) {
-  return emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), {.ray_slots = slots}).files();
-}
-
 TEST(RaySlotsRefusals, TwoWrappersAtOnce) {
   const DesignFormat d{"int_slabs", "6/6"};
-  EXPECT_EQ(message_of<std::invalid_argument>([&] {
-              (void)emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(),
-                         {.axi_stream = true, .ray_slots = 4});
-            }),
-            "AXI4-Stream and ray slots: a unit has one wrapper or the other");
+  EXPECT_EQ(
+      message_of<std::invalid_argument>([&] { return d.emitted({.axi_stream = true, .ray_slots = 4}); }),
+      "AXI4-Stream and ray slots: a unit has one wrapper or the other");
 }
 
 TEST(RaySlotsLint, IsSilent) {
@@ -118,7 +112,7 @@ TEST(RaySlotsLint, IsSilent) {
     const ScratchFolder folder;
     std::vector<std::vector<std::string>> modules;
     for (const DesignFormat& d : every_design({"20/24"})) {
-      host::write_files(folder.path(), emitted(d, slots));
+      host::write_files(folder.path(), d.emitted({.ray_slots = slots}).files());
       modules.push_back({d.design + "_slots", d.design});
     }
     expect_silent_tools(folder.path(), modules, "; select -assert-none t:$dlatch");
@@ -129,48 +123,29 @@ class RaySlotsOfDesign : public testing::TestWithParam<DesignFormat> {};
 
 TEST_P(RaySlotsOfDesign, LeavesTheUnitAndTellsOfItself) {
   const std::string& design = GetParam().design;
-  nlohmann::json with;
-  std::string core;
-  std::map<std::string, std::string> files;
-  for (const File& file : emitted(GetParam(), 33)) files[file.name] = file.contents;
-  const EmittedDesign bare =
-      emit(GetParam().found(), GetParam().parsed(), Library::thesis(), GetParam().pipeline());
-  for (const File& file : bare.files()) {
-    const bool speaks_of_it = file.name == bare.core.name || file.name == bare.manifest_file().name;
-    EXPECT_EQ(files.at(file.name) == file.contents, !speaks_of_it) << file.name;
-  }
-  nlohmann::json manifest = nlohmann::json::parse(files.at(bare.manifest_file().name));
-  const nlohmann::json slots = manifest.at("ray_slots");
-  manifest.erase("ray_slots");
-  nlohmann::json without = nlohmann::json::parse(bare.manifest_file().contents);
-  auto& all = without.at("files");
-  all.insert(all.begin() + 7, design + "_slots.v");
-  EXPECT_EQ(manifest, without);
+  const EmittedDesign with = GetParam().emitted({.ray_slots = 33});
+  expect_only_wrapper_added(GetParam().emitted(), with, "_slots", "ray_slots");
+  const Json& slots = with.manifest->at("ray_slots");
+  const std::string& core = with.core.contents;
   EXPECT_EQ(slots.at("module"), design + "_slots");
-  EXPECT_TRUE(files.contains(slots.at("file")));
+  EXPECT_EQ(slots.at("file"), with.ray_slots.value().name);
   EXPECT_EQ(slots.at("slots"), 64);
-  EXPECT_EQ(slots.at("latency"), manifest.at("latency").get<int>() + 1);
+  EXPECT_EQ(slots.at("latency"), with.manifest->at("latency").get<int>() + 1);
   const RaySlots expected = slots_of(GetParam(), 64);
   EXPECT_EQ(slots.at("bits").at("test"), expected.bits_of_test());
   EXPECT_EQ(slots.at("bits").at("ray"), expected.bits_of_ray());
   EXPECT_EQ(slots.at("bits").contains("end_only"), !expected.end.empty());
-  // The ports are those of the Verilog, and the memories hold what is neither handshake nor test.
-  const std::string& verilog = files.at(slots.at("file"));
+  // The Verilog has these ports. The memories hold all operands that a test does not send.
+  const std::string& verilog = with.ray_slots.value().contents;
   const std::string head = verilog.substr(0, verilog.find(");"));
-  std::size_t lines = 0;
   for (const auto& port : slots.at("ports")) {
     const bool in = port.at("direction") == "in";
-    std::string width = " ";
-    if (port.at("width").is_string()) width = " [TAG_BITS-1:0] ";
-    if (port.at("width").is_number() && port.at("width") > 1)
-      width = fmt::format(" [{}:0] ", port.at("width").get<int>() - 1);
-    EXPECT_THAT(head, HasSubstr(fmt::format("\n  {}{}{}", in ? "input  wire" : "output wire", width,
+    const std::string width =
+        port.at("width").is_string() ? "[TAG_BITS-1:0] " : vector_range(port.at("width").get<int>());
+    EXPECT_THAT(head, HasSubstr(fmt::format("\n  {} wire {}{}", in ? "input " : "output", width,
                                             port.at("name").get<std::string>())));
-    ++lines;
   }
-  EXPECT_EQ(lines,
-            static_cast<std::size_t>(std::count(head.begin(), head.end(), ',')) + 1 -
-                static_cast<std::size_t>(std::count(head.begin(), head.begin() + head.find("module"), ',')));
+  EXPECT_EQ(slots.at("ports").size(), times(head, "put "));
   int memory_bits = 0;
   for (const auto& memory : slots.at("memories")) {
     EXPECT_EQ(memory.at("words"), 64);
@@ -178,9 +153,8 @@ TEST_P(RaySlotsOfDesign, LeavesTheUnitAndTellsOfItself) {
     memory_bits += memory.at("bits").get<int>();
   }
   EXPECT_EQ(memory_bits, 64 * (expected.bits_without() - expected.bits_of_test() + expected.slot_bits));
-  EXPECT_THAT(files.at(bare.core.name), HasSubstr("  slots:\n    files: [" + design + "_slots.v]\n"));
-  EXPECT_THAT(files.at(bare.core.name),
-              HasSubstr("filesets: [rtl, slots]\n    toplevel: " + design + "_slots\n"));
+  EXPECT_THAT(core, HasSubstr("  slots:\n    files: [" + design + "_slots.v]\n"));
+  EXPECT_THAT(core, HasSubstr("filesets: [rtl, slots]\n    toplevel: " + design + "_slots\n"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, RaySlotsOfDesign, testing::ValuesIn(every_design({"20/24"})),
@@ -210,7 +184,7 @@ const Target targets[] = {{"ice40", "map_gates", "t:SB_RAM40_4K"},
 TEST(RaySlotsInYosys, MemoriesAndTheirReadRegistersBecomeBlockRam) {
   const DesignFormat d{"int_slabs", "20/24"};
   const ScratchFolder folder;
-  host::write_files(folder.path(), emitted(d, 256));
+  host::write_files(folder.path(), d.emitted({.ray_slots = 256}).files());
   for (const auto& [target, until, rams] : targets) {
     const ToolResult result = mapped(folder, slots_of(d, 256), target, until, rams);
     EXPECT_EQ(result.status, 0) << target << ": " << result.output;
@@ -221,12 +195,8 @@ TEST(RaySlotsInYosys, MemoriesAndTheirReadRegistersBecomeBlockRam) {
 TEST(RaySlotsInYosys, ReadBesideAWriteWouldCostRegisters) {
   const DesignFormat d{"int_slabs", "20/24"};
   const ScratchFolder folder;
-  host::write_files(folder.path(), emitted(d, 256));
-  const std::string wait = " & ~(written & (ray_slot == in_slot))";
-  std::string text = read_text(folder / "int_slabs_slots.v");
-  const std::size_t at = text.find(wait);
-  ASSERT_NE(at, std::string::npos);
-  write_text(folder / "int_slabs_slots.v", text.erase(at, wait.size()));
+  host::write_files(folder.path(), d.emitted({.ray_slots = 256}).files());
+  damage(folder / "int_slabs_slots.v", " & ~(written & (ray_slot == in_slot))", "");
   const auto& [target, until, rams] = targets[1];
   EXPECT_NE(mapped(folder, slots_of(d, 256), target, until, rams).status, 0);
 }

@@ -1,25 +1,23 @@
 // What is emitted of a design with several results: the testbench compares each of them, the wrapper streams
 // them, and the manifest lists them.
-#include <sstream>
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "host/files.hpp"
-#include "rtl_gen/emit/axi_stream.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/emit/vectors.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/emit/axi_stream_bench.hpp"
 #include "tests/rtl_gen/emit/two_boxes.hpp"
+#include "tests/rtl_gen/emit/vector_lines.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::rtl::several_results_test {
 namespace {
 
-using nlohmann::json;
+using json = Json;
 
 class SeveralResults : public testing::Test {
  protected:
@@ -35,19 +33,8 @@ class SeveralResults : public testing::Test {
     EXPECT_EQ(compiled.output, "");
     return run_tool(folder / "tb", "iverilog", "vvp", "-n tb").output;
   }
-  /// Inverts a bit of the word in a line of the vector file.
-  void flip(std::size_t vector, int bit) const {
-    std::istringstream in(read_text(folder / vectors_file));
-    std::string text;
-    std::string line;
-    for (std::size_t i = 0; std::getline(in, line); i += line.starts_with("//") ? 0 : 1) {
-      if (i == vector && !line.starts_with("//")) {
-        char& digit = line[line.size() - 1 - static_cast<std::size_t>(bit) / 4];
-        digit = "0123456789abcdef"[std::stoi(std::string(1, digit), nullptr, 16) ^ (1 << bit % 4)];
-      }
-      text += line + "\n";
-    }
-    write_text(folder / vectors_file, text);
+  void flip(int vector, int bit) const {
+    write_text(folder / vectors_file, with_bit_inverted(read_text(folder / vectors_file), vector, bit));
   }
 
   static constexpr const char* vectors_file = "tb/two_boxes_vectors.hex";
@@ -76,12 +63,9 @@ TEST_F(SeveralResults, LintIsSilent) {
   for (const char* const bits : {"6/6", "16/16"}) {
     write(design.parse_format(bits));
     const std::string module = design.module_at(design.parse_format(bits));
-    EXPECT_EQ(run_tool(folder.path(), "verilator", "verilator", "--lint-only -Wall " + module + ".v").output,
-              "");
-    EXPECT_EQ(run_tool(folder.path(), "verilator", "verilator",
-                       fmt::format("--lint-only -Wall --top-module {0}_axis {0}_axis.v {0}.v", module))
-                  .output,
-              "");
+    expect_silence(folder.path(), "verilator", "--lint-only -Wall " + module + ".v");
+    expect_silence(folder.path(), "verilator",
+                   fmt::format("--lint-only -Wall --top-module {0}_axis {0}_axis.v {0}.v", module));
   }
 }
 
@@ -94,12 +78,8 @@ TEST_F(SeveralResults, AreStreamedOnByteBoundaries) {
 TEST_F(SeveralResults, AreAllComparedByTheBenchOfTheWrapper) {
   const std::string whole = read_text(folder / "two_boxes_axis.v");
   for (const char* const name : {"entry", "hit_a", "hit_b"}) {
-    std::string text = whole;
-    const std::string good = fmt::format("? spare_{0} : out_{0}", name);
-    const std::size_t at = text.find(good);
-    ASSERT_NE(at, std::string::npos);
-    write_text(folder / "two_boxes_axis.v",
-               text.replace(at, good.size(), fmt::format("? ~spare_{0} : ~out_{0}", name)));
+    write_text(folder / "two_boxes_axis.v", replaced(whole, fmt::format("? spare_{0} : out_{0}", name),
+                                                     fmt::format("? ~spare_{0} : ~out_{0}", name)));
     EXPECT_THAT(StreamBench(folder.path(), design, format).run(1), testing::StartsWith("FAIL wrong result"))
         << name;
   }

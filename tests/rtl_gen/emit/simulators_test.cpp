@@ -8,8 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"
-#include "rtl_gen/emit/files.hpp"
+#include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/emit/two_boxes.hpp"
+#include "tests/rtl_gen/emit/vector_lines.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::rtl::simulators_test {
@@ -49,20 +50,8 @@ class Damaged {
   std::string original_;
 };
 
-std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), by);
-}
-
 constexpr const char* vectors_file = "tb/two_boxes_vectors.hex";
 
-/// Where the line of a vector begins, after comments.
-std::size_t place_of_vector(const std::string& text, int vector) {
-  std::size_t at = 0;
-  while (text.compare(at, 2, "//") == 0 || vector-- > 0) at = text.find('\n', at) + 1;
-  return at;
-}
 std::string with_digit(std::string text, std::size_t at, char digit) {
   text[at] = digit;
   return text;
@@ -153,17 +142,12 @@ TEST_P(Simulator, FailsOnADamagedVectorFile) {
 }
 
 TEST_P(Simulator, FailsOnEveryWrongResult) {
-  const std::string text = read_text(unit_folder() / vectors_file);
   expect_pass(made());
   for (const int vector : {0, 999}) {
-    const std::size_t last_digit = place_of_vector(text, vector) + 12;
     // hit_b, hit_a, the lowest bit of entry, its sign.
     for (const int bit : {0, 1, 2, 7}) {
-      const std::size_t at = last_digit - static_cast<std::size_t>(bit) / 4;
-      const int digit = std::stoi(std::string(1, text[at]), nullptr, 16) ^ (1 << bit % 4);
-      const Damaged damaged(vectors_file, [&](const std::string& good) {
-        return with_digit(good, at, "0123456789abcdef"[digit]);
-      });
+      const Damaged damaged(vectors_file,
+                            [&](const std::string& good) { return with_bit_inverted(good, vector, bit); });
       expect_failure(replayed(), fmt::format("vector {} (", vector));
     }
   }
@@ -213,18 +197,10 @@ TEST(SimulatorFolder, WavesOfAnUnknownFormatRejected) {
 
 TEST(SimulatorFolder, TakesSeveralUnitsAndCleansUp) {
   const ScratchFolder folder;
-  for (const char* const name : {"fp_slabs", "int_slabs"}) {
-    const Design& design = find_design(name);
-    const Pipeline pipeline = make_pipeline(design.trace(design.default_format), Library::thesis());
-    host::write_files(folder.path(),
-                      emit(design, design.default_format, Library::thesis(), pipeline).files());
-  }
+  for (const DesignFormat& d : {DesignFormat{"fp_slabs", "fp32"}, DesignFormat{"int_slabs", "20/24"}})
+    host::write_files(folder.path(), d.emitted().files());
   const auto passes = [&](const std::string& arguments) {
-    const std::string printed = run_tool(folder.path(), "make", "make", "-C tb " + arguments).output;
-    int count = 0;
-    for (std::size_t at = printed.find("PASS"); at != std::string::npos; at = printed.find("PASS", at + 1))
-      ++count;
-    return count;
+    return times(run_tool(folder.path(), "make", "make", "-C tb " + arguments).output, "PASS");
   };
   EXPECT_EQ(passes("icarus"), 2);
   EXPECT_EQ(passes("waves UNITS=int_slabs"), 1);

@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"
-#include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
+#include "tests/rtl_gen/emit/vector_lines.hpp"
 #include "tests/rtl_gen/graph/recipe.hpp"
 #include "tests/rtl_gen/schedule/random_schedule.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -33,91 +33,54 @@ std::string replayed(const ScratchFolder& folder, const std::string& module) {
   std::istringstream printed(replay.output);
   std::string line;
   std::string verdicts;
-  while (std::getline(printed, line)) {
+  while (std::getline(printed, line))
     if (line.starts_with("PASS") || line.starts_with("FAIL")) verdicts += line;
-  }
   EXPECT_EQ(replay.status == 0, verdicts.starts_with("PASS")) << replay.output;
   return verdicts;
 }
 
-void write_design(const ScratchFolder& folder, const DesignFormat& d) {
-  host::write_files(folder.path(), emit(d.found(), d.parsed(), Library::thesis(), d.pipeline()).files());
-}
-
-void write_int_slabs(const ScratchFolder& folder, hls::IntBits bits) {
-  const DesignFormat d{"int_slabs", to_string(Format(bits))};
-  host::write_files(
-      folder.path(),
-      emit(d.found(), d.parsed(), Library::thesis(), d.pipeline(), {.module = "int_slabs"}).files());
-}
-
-/// Inverts the expected HIT of one vector. Returns the line of the file where it is.
-std::string flip_hit(const std::filesystem::path& file, int vector) {
-  std::istringstream in(read_text(file));
-  std::string text;
-  std::string line;
-  std::string flipped;
-  for (int i = 0; std::getline(in, line); i += line.starts_with("//") ? 0 : 1) {
-    if (i == vector && !line.starts_with("//")) {
-      char& digit = line.back();
-      const int value = digit <= '9' ? digit - '0' : digit - 'a' + 10;
-      digit = "0123456789abcdef"[value ^ 1];
-      flipped = line;
-    }
-    text += line + "\n";
-  }
-  write_text(file, text);
-  return flipped;
+void write(const ScratchFolder& folder, const EmittedDesign& unit) {
+  host::write_files(folder.path(), unit.files());
 }
 
 class Replay : public testing::TestWithParam<DesignFormat> {};
 
 TEST_P(Replay, TheEmittedDesignPasses) {
   const ScratchFolder folder;
-  write_design(folder, GetParam());
+  write(folder, GetParam().emitted());
   EXPECT_EQ(replayed(folder, GetParam().module()), "PASS 1000 vectors");
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, Replay, testing::ValuesIn(every_design()), design_suffix);
 
 TEST(Testbench, OneWrongBitFails) {
+  const ScratchFolder folder;
+  const EmittedDesign unit = DesignFormat{"int_slabs", "20/24"}.emitted();
   for (const int vector : {0, 517, 999}) {
-    const ScratchFolder folder;
-    write_int_slabs(folder, {20, 24});
-    const std::string line = flip_hit(folder / "tb" / "int_slabs_vectors.hex", vector);
-    const std::string now = std::string("02468ace").find(line.back()) != std::string::npos ? "0" : "1";
-    const std::string was = now == "0" ? "1" : "0";
-    const std::string number = std::to_string(vector);
-    EXPECT_EQ(replayed(folder, "int_slabs"), "FAIL vector " + number + " (" + line + "): hit " + was +
-                                                 ", expected " + now + ", tag " + number);
+    const std::string text = with_bit_inverted(unit.vectors.contents, vector, 0);
+    const std::size_t at = place_of_vector(text, vector);
+    const std::string line = text.substr(at, text.find('\n', at) - at);
+    const int now = std::stoi(line.substr(line.size() - 1), nullptr, 16) & 1;
+    write(folder, unit);
+    write_text(folder / unit.vectors.name, text);
+    EXPECT_EQ(
+        replayed(folder, "int_slabs"),
+        fmt::format("FAIL vector {0} ({1}): hit {2}, expected {3}, tag {0}", vector, line, 1 - now, now));
   }
 }
 
-TEST(Testbench, NothingComingBackFails) {
-  const ScratchFolder folder;
-  write_int_slabs(folder, {6, 6});
-  const std::string good = "assign out_valid = valid[4];";
-  std::string text = read_text(folder / "int_slabs.v");
-  const std::size_t at = text.find(good);
-  ASSERT_NE(at, std::string::npos);
-  write_text(folder / "int_slabs.v", text.replace(at, good.size(), "assign out_valid = 1'b0;"));
-  EXPECT_EQ(replayed(folder, "int_slabs"), "FAIL 0 of 1000 vectors came back");
-}
-
-TEST(Testbench, LostAndDoubledTestsFail) {
+TEST(Testbench, LostDoubledAndMixedTestsFail) {
   const struct {
-    const char *good, *bad;
+    const char *good, *bad, *verdict;
   } damages[] = {
-      {"else if (advance) valid", "else if (advance & ~valid[0]) valid"},  // results come twice or not at all
-      {"tag_s1 <= tag_s0", "tag_s1 <= in_tag"}};
-  for (const auto& [good, bad] : damages) {
-    const ScratchFolder folder;
-    write_int_slabs(folder, {6, 6});
-    std::string text = read_text(folder / "int_slabs.v");
-    const std::size_t at = text.find(good);
-    ASSERT_NE(at, std::string::npos);
-    write_text(folder / "int_slabs.v", text.replace(at, std::string(good).size(), bad));
-    EXPECT_EQ(replayed(folder, "int_slabs").substr(0, 4), "FAIL") << bad;
+      {"assign out_valid = valid[4];", "assign out_valid = 1'b0;", "FAIL 0 of 1000 vectors came back"},
+      {"else if (advance) valid", "else if (advance & ~valid[0]) valid", "FAIL"},  // doubled, or not there
+      {"tag_s1 <= tag_s0", "tag_s1 <= in_tag", "FAIL"}};
+  const ScratchFolder folder;
+  for (const auto& [good, bad, verdict] : damages) {
+    write(folder, DesignFormat{"int_slabs", "6/6"}.emitted({.module = "int_slabs"}));
+    damage(folder / "int_slabs.v", good, bad);
+    EXPECT_TRUE(replayed(folder, "int_slabs").starts_with(verdict)) << bad;
   }
 }
 
@@ -175,29 +138,19 @@ TEST(Vectors, FirstPortIsInTheHighBitsAndHitInBit0) {
   EXPECT_EQ(vector_file(ports, ports, hit_alone, with_results(vectors, less)), expected);
 }
 
-// The random graph that the Evaluate below runs. It is here because a Design can only hold a function without
-// state.
-const Graph* evaluated_graph = nullptr;
-
-void evaluate_graph(const Format& /*its own*/, const std::int64_t* operands, std::int64_t* results) {
-  std::vector<std::uint64_t> in;
-  for (std::size_t i = 0; i < evaluated_graph->inputs().size(); ++i)
-    in.push_back(static_cast<std::uint64_t>(operands[i]));
-  *results = static_cast<std::int64_t>(evaluate(*evaluated_graph, in).front());
-}
-
 /// What Icarus prints about a graph with one output, "hit", compared with evaluate().
 std::string replayed(const Graph& graph, const Pipeline& pipeline, const Library& library, int vectors) {
   const std::vector<Port> ports = input_ports(pipeline.graph);
   const ModuleInterface unit = unit_interface("toy", ports, result_ports(hit_alone), FlowControl::stall);
   const ScratchFolder folder;
-  evaluated_graph = &graph;
-  const std::vector<Vector> expected =
-      with_results(operand_vectors(ports, vectors, 5), Evaluate(evaluate_graph, hls::IntBits{}, hit_alone));
+  std::vector<Vector> expected;
+  for (const std::vector<std::int64_t>& operands : operand_vectors(ports, vectors, 5)) {
+    const std::vector<std::uint64_t> in(operands.begin(), operands.end());
+    expected.push_back({operands, {static_cast<std::int64_t>(evaluate(graph, in).front())}});
+  }
   host::write_files(folder.path(), {{"toy.v", to_verilog(pipeline, library)},
                                     {"tb/toy_tb.sv", testbench(unit, vectors, pipeline.latency())},
                                     {"tb/toy_vectors.hex", vector_file(ports, ports, hit_alone, expected)}});
-  evaluated_graph = nullptr;
   return replayed(folder, "toy");
 }
 
