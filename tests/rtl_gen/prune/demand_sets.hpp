@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <optional>
@@ -27,9 +28,8 @@ struct DemandSet {
 
 /// The demand on the port: the one that is there, or a new one without intervals.
 inline PortDemand& demand_on(Demands& demands, const std::string& port) {
-  for (PortDemand& each : demands.ports) {
+  for (PortDemand& each : demands.ports)
     if (each.port == port) return each;
-  }
   return demands.ports.emplace_back(PortDemand{port, {}});
 }
 
@@ -109,6 +109,11 @@ class Scene {
       coarse(port);
     return *this;
   }
+  /// Boxes alone lie on such planes.
+  Scene& coarse_planes() {
+    for (const Port& plane : with({hls::Role::plane_low, hls::Role::plane_high}, hls::Axis::y)) coarse(plane);
+    return *this;
+  }
   Scene& no_zero_components() {
     for (const Port& port : with(directions)) {
       std::vector<Interval> within{{port.range->low, -1}, {1, port.range->high}};
@@ -159,100 +164,97 @@ class Scene {
   Demands demands_;
 };
 
+/// A part of a demand set, which is a set by itself. The set "all of these" has the parts with a place in it,
+/// in the order of their places: a later part replaces what an earlier one demands of a port.
+struct ScenePart {
+  std::string name;
+  int place;  ///< from 1; 0: none
+  std::function<void(Scene&)> add;
+};
+
+inline std::vector<DemandSet> sets_of(const Design& design, Format format,
+                                      const std::vector<ScenePart>& parts) {
+  std::vector<DemandSet> sets;
+  for (const ScenePart& part : parts) {
+    Scene alone(design, format);
+    part.add(alone);
+    sets.push_back({part.name, alone.demands()});
+  }
+  Scene all(design, format);
+  for (int place = 1; place <= std::ssize(parts); ++place)
+    for (const ScenePart& part : parts)
+      if (part.place == place) part.add(all);
+  sets.push_back({"all of these", all.demands()});
+  return sets;
+}
+
 /// Of designs with a major axis: their ray is in lanes, of which only the boxes have an axis.
 inline std::vector<DemandSet> major_demand_sets(const Design& design, Format format) {
   using hls::Axis;
   using hls::Role;
-  const auto scene = [&] { return Scene(design, format); };
-  const std::vector<Port> origins = scene().with({Role::origin});
-  const std::vector<Port> narrow_planes = scene().with({Role::plane_low, Role::plane_high}, Axis::y);
-  const auto upward = [](Scene& all) { all.upward(); };
-  const auto along_z = [](Scene& all) { all.flags(Role::major, 0, Axis::y).flags(Role::major, 1, Axis::z); };
-  const auto fixed_origin = [&](Scene& all) {
+  const auto fixed_origin = [](Scene& all) {
+    const std::vector<Port> origins = all.with({Role::origin});
     const std::int64_t fine = origins[0].range->high;
     const std::int64_t at[3] = {fine * 3 / 10, -fine / 2, -fine / 10};  // the second is below a narrow y
     for (std::size_t i = 0; i < 3; ++i) all.within({origins[i]}, {at[i], at[i]});
   };
-  const auto narrow = [&](Scene& all) {
-    const std::int64_t least = (narrow_planes[0].range->high - 1) / 64;
-    all.within(narrow_planes, {-least, least});
-  };
-  const auto coarse = [&](Scene& all) {
-    for (const Port& plane : narrow_planes) all.coarse(plane);
+  const auto narrow = [](Scene& all) {
+    const std::vector<Port> planes = all.with({Role::plane_low, Role::plane_high}, Axis::y);
+    const std::int64_t least = (planes[0].range->high - 1) / 64;
+    all.within(planes, {-least, least});
   };
   const auto no_zero = [](Scene& all) {
     const std::vector<Port> exponents = all.with({Role::exponent});
     all.within(exponents, {0, exponents[0].range->high - 1});
   };
-  const auto ordered = [](Scene& all) { all.ordered_boxes(); };
-  const auto with = [&](const auto&... parts) {
-    Scene all = scene();
-    (parts(all), ...);
-    return all.demands();
-  };
-  return {{"upward", with(upward)},
-          {"one major axis", with(along_z)},
-          {"fixed origin", with(fixed_origin)},
-          {"narrow y", with(narrow)},
-          {"coarse y", with(coarse)},
-          {"no zero component", with(no_zero)},
-          {"min <= max", with(ordered)},
-          {"all of these", with(upward, along_z, fixed_origin, narrow, coarse, no_zero, ordered)}};
+  return sets_of(design, format,
+                 {{"upward", 1, &Scene::upward},
+                  {"one major axis", 2,
+                   [](Scene& all) { all.flags(Role::major, 0, Axis::y).flags(Role::major, 1, Axis::z); }},
+                  {"fixed origin", 3, fixed_origin},
+                  {"narrow y", 4, narrow},
+                  {"coarse y", 5, &Scene::coarse_planes},
+                  {"no zero component", 6, no_zero},
+                  {"min <= max", 7, &Scene::ordered_boxes}});
 }
 
 /// Of float designs whose ray is mirrored, with a port for the sign of each direction component.
 inline std::vector<DemandSet> any_float_demand_sets(const Design& design, Format format) {
-  using hls::Axis;
   using hls::Role;
   const auto bits = format.as<hls::FpBits>();
   const std::int64_t quarter = bits.one() - (std::int64_t{2} << bits.fraction);
-  const auto upward = [](Scene& all) { all.upward(); };
   const auto fixed_origin = [&](Scene& all) { all.within(all.with({Role::origin}), {quarter, quarter}); };
   const auto narrow = [&](Scene& all) {
-    all.within(all.with({Role::origin, Role::plane_low, Role::plane_high}, Axis::y),
+    all.within(all.with({Role::origin, Role::plane_low, Role::plane_high}, hls::Axis::y),
                {quarter, quarter + (std::int64_t{1} << bits.fraction)});
-  };
-  const auto coarse = [&](Scene& all) {
-    for (const Port& plane : all.with({Role::plane_low, Role::plane_high}, Axis::y)) all.coarse(plane);
   };
   const auto no_zero = [&](Scene& all) {
     all.within(all.with({Role::inverse_high}), {bits.one(), bits.infinity() - 1});
   };
-  const auto infinite = [](Scene& all) { all.infinite_rays(); };
-  const auto finite = [](Scene& all) { all.finite_rays(); };
-  const auto with = [&](const auto&... parts) {
-    Scene all(design, format);
-    (parts(all), ...);
-    return all.demands();
-  };
-  return {{"infinite rays", with(infinite)},
-          {"finite rays", with(finite)},
-          {"upward", with(upward)},
-          {"fixed origin", with(fixed_origin)},
-          {"narrow y", with(narrow)},
-          {"coarse y", with(coarse)},
-          {"no zero component", with(no_zero)},
-          {"all of these", with(infinite, upward, fixed_origin, narrow, coarse, no_zero)}};
+  return sets_of(design, format,
+                 {{"infinite rays", 1, &Scene::infinite_rays},
+                  {"finite rays", 0, &Scene::finite_rays},
+                  {"upward", 2, &Scene::upward},
+                  {"fixed origin", 3, fixed_origin},
+                  {"narrow y", 4, narrow},
+                  {"coarse y", 5, &Scene::coarse_planes},
+                  {"no zero component", 6, no_zero}});
 }
 
 inline std::vector<DemandSet> demand_sets(const Design& design, Format format) {
-  const auto scene = [&] { return Scene(design, format); };
-  if (scene().has(hls::Role::major)) return major_demand_sets(design, format);
-  if (scene().has(hls::Role::backward)) return any_float_demand_sets(design, format);
-  Scene all = scene();  // the camera stands outside the slab
-  all.infinite_rays().one_direction().narrow_axis().coarse_axis().fixed_origin().ordered_boxes();
-  std::vector<DemandSet> sets;
-  if (scene().has(hls::Role::endless))
-    sets = {{"infinite rays", scene().infinite_rays().demands()},
-            {"finite rays", scene().finite_rays().demands()}};
-  sets.insert(sets.end(), {{"one direction class", scene().one_direction().demands()},
-                           {"fixed origin", scene().fixed_origin().demands()},
-                           {"narrow y", scene().narrow_axis().demands()},
-                           {"coarse y", scene().coarse_axis().demands()},
-                           {"no zero component", scene().no_zero_components().demands()},
-                           {"min <= max", scene().ordered_boxes().demands()},
-                           {"all of these", all.demands()}});
-  return sets;
+  const Scene scene(design, format);
+  if (scene.has(hls::Role::major)) return major_demand_sets(design, format);
+  if (scene.has(hls::Role::backward)) return any_float_demand_sets(design, format);
+  std::vector<ScenePart> parts;
+  if (scene.has(hls::Role::endless))
+    parts = {{"infinite rays", 1, &Scene::infinite_rays}, {"finite rays", 0, &Scene::finite_rays}};
+  parts.insert(parts.end(), {{"one direction class", 2, &Scene::one_direction},
+                             {"fixed origin", 5, &Scene::fixed_origin},  // the camera stands outside the slab
+                             {"narrow y", 3, &Scene::narrow_axis},
+                             {"coarse y", 4, &Scene::coarse_axis},
+                             {"no zero component", 0, &Scene::no_zero_components},
+                             {"min <= max", 6, &Scene::ordered_boxes}});
+  return sets_of(design, format, parts);
 }
 
 /// The operands of the ports that a pruned graph still has, in its order.
@@ -260,9 +262,8 @@ inline std::vector<std::uint64_t> operands_left(const Graph& pruned, const std::
                                                 const std::vector<std::int64_t>& operands) {
   std::vector<std::uint64_t> left;
   for (const NodeId id : pruned.inputs()) {
-    for (std::size_t i = 0; i < ports.size(); ++i) {
+    for (std::size_t i = 0; i < ports.size(); ++i)
       if (ports[i].name == pruned[id].name) left.push_back(static_cast<std::uint64_t>(operands[i]));
-    }
   }
   return left;
 }

@@ -105,33 +105,27 @@ TEST(Analysis, HoldsForEveryPairOfThreeBitIntervals) {
             }
       }
   }
-  std::cout << cases << " values\n";
   EXPECT_GT(cases, 800'000U);
 }
 
 TEST(Analysis, HoldsOnRandomGraphs) {
   Seeded random(401);
-  std::size_t values = 0;
   for (int round = 0; round < 400; ++round) {
-    const Recipe recipe(random, 4, 40, 3);
-    Graph graph = recipe.graph();
+    Graph graph = Recipe(random, 4, 40, 3).graph();
     for (NodeId id = 0; id < graph.size(); ++id) graph.output(fmt::format("all{}", id), id);
     const Demands demands = random_demands(random, input_ports(graph));
     const std::vector<Facts> facts = analyse(graph, demands);
     const Draw draw(input_ports(graph), demands);
     for (int i = 0; i < 50; ++i) {
       const std::vector<std::int64_t> operands = draw(random);
-      const std::vector<std::uint64_t> patterns(operands.begin(), operands.end());
-      const std::vector<std::uint64_t> results = evaluate(graph, patterns);
+      const std::vector<std::uint64_t> results =
+          evaluate(graph, std::vector<std::uint64_t>(operands.begin(), operands.end()));
       for (NodeId id = 0; id < graph.size(); ++id) {
         const std::uint64_t value = results[results.size() - graph.size() + id];
         ASSERT_TRUE(holds(facts[id], value)) << to_text(graph) << fmt::format("%{} = {:#x}", id, value);
-        ++values;
       }
     }
   }
-  std::cout << values << " values\n";
-  EXPECT_GT(values, 500'000U);
 }
 
 TEST(Analysis, KnowsTheLesserAndTheGreaterOfTwo) {

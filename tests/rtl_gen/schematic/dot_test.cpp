@@ -20,12 +20,6 @@
 namespace hitpipe::rtl::dot_test {
 namespace {
 
-int times(const std::string& text, const std::string& part) {
-  int count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 /// Every stage in one drawing.
 std::string drawn(const Pipeline& p, const std::vector<Port>& ports) {
   return to_dot(p, ports, "title", {1, p.schedule.stages});
@@ -97,8 +91,9 @@ TEST_P(Schematic, HasTheAxesFromTopToBottomInEveryColumn) {
 }
 
 // A group has the nodes of its own stages and labels by name what enters it.
-TEST_P(Schematic, GroupsOfStagesShareOutTheWhole) {
+TEST_P(Schematic, GroupsOfStagesShareOutTheWholeAndNameWhatComesIn) {
   const Pipeline p = GetParam().pipeline();
+  const std::vector<std::string> names = value_names(p.graph, p.placement, {});
   int next = 1;
   for (const StageRange& group : stage_groups(p)) {
     EXPECT_EQ(group.first, next);
@@ -116,24 +111,16 @@ TEST_P(Schematic, GroupsOfStagesShareOutTheWhole) {
     for (const Output& output : p.graph.outputs())
       EXPECT_EQ(times(part, "\n  out_" + output.name + " ["), group.last == p.schedule.stages ? 1 : 0)
           << output.name;
+    for (const Register& r : p.placement.registers)
+      if (r.boundary == group.first - 1) {
+        EXPECT_GE(times(part, fmt::format("[label=\"{}\" shape=plaintext", names[r.value])), 1)
+            << names[r.value];
+      }
+    for (const auto& [from, to] : wires(part))
+      for (const std::string& end : {from, to}) EXPECT_EQ(times(part, "\n  " + end + " ["), 1) << end;
     next = group.last + 1;
   }
   EXPECT_EQ(next, p.schedule.stages + 1);
-}
-
-TEST_P(Schematic, GroupsNameWhatComesIn) {
-  const Pipeline p = GetParam().pipeline();
-  const std::vector<std::string> names = value_names(p.graph, p.placement, {});
-  for (const StageRange& group : stage_groups(p)) {
-    const std::string part = to_dot(p, input_ports(p.graph), "part", group);
-    for (const Register& r : p.placement.registers) {
-      if (r.boundary != group.first - 1) continue;
-      EXPECT_GE(times(part, fmt::format("[label=\"{}\" shape=plaintext", names[r.value])), 1)
-          << names[r.value];
-    }
-    for (const auto& [from, to] : wires(part))
-      for (const std::string& end : {from, to}) EXPECT_EQ(times(part, "\n  " + end + " ["), 1) << end;
-  }
 }
 
 TEST(SchematicGroups, AreTheThesissFigures) {
@@ -205,8 +192,7 @@ std::string entering(const std::string& dot, const std::string& point) {
 TEST(SmallSchematic, AComparatorSaysWhatItTellsOfTheUpperOperand) {
   for (const bool x_first : {true, false}) {
     Small s;
-    const NodeId x = s.operand(hls::Axis::x);
-    const NodeId y = s.operand(hls::Axis::y);
+    const NodeId x = s.operand(hls::Axis::x), y = s.operand(hls::Axis::y);
     const std::string dot = s.dot(s.graph.binary(Op::less, x_first ? x : y, x_first ? y : x, true));
     EXPECT_EQ(entering(dot, "nw"), "x0");
     EXPECT_EQ(entering(dot, "sw"), "x1");
@@ -226,8 +212,7 @@ TEST(SmallSchematic, ADifferenceIsTheUpperOperandLessTheLower) {
 TEST(SmallSchematic, TheArmsOfAMultiplexerAreNumbered) {
   for (const bool x_is_one : {true, false}) {
     Small s;
-    const NodeId x = s.operand(hls::Axis::x);
-    const NodeId y = s.operand(hls::Axis::y);
+    const NodeId x = s.operand(hls::Axis::x), y = s.operand(hls::Axis::y);
     const NodeId select = s.operand(hls::Axis::none, 1);
     const std::string dot = s.dot(s.graph.mux(select, x_is_one ? x : y, x_is_one ? y : x));
     EXPECT_EQ(entering(dot, "1:w"), x_is_one ? "x0" : "x1");
