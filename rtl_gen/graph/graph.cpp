@@ -214,9 +214,7 @@ std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uin
   std::size_t next_input = 0;
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& n = graph[id];
-    const auto operand = [&](int i) {
-      return n.arity() > i ? value[n.args[static_cast<std::size_t>(i)]] : 0;
-    };
+    const auto operand = [&](std::size_t i) { return n.args[i] == no_node ? 0 : value[n.args[i]]; };
     if (n.op == Op::input) value[id] = inputs[next_input++];
     with_operation(graph, n,
                    [&](const auto& operation) { value[id] = operation(operand(0), operand(1), operand(2)); });

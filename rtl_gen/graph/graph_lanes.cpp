@@ -13,8 +13,8 @@ template <class LanesOf>
 void run(const Graph& graph, NodeId id, const LanesOf& lanes_of, Lanes& out) {
   const Node& n = graph[id];
   const std::uint64_t mask = hls::low_mask(n.width);
-  const auto operand = [&](int i) -> const Lanes& {
-    return n.arity() > i ? lanes_of(n.args[static_cast<std::size_t>(i)]) : out;
+  const auto operand = [&](std::size_t i) -> const Lanes& {
+    return n.args[i] == no_node ? out : lanes_of(n.args[i]);
   };
   const Lanes& a = operand(0);
   const Lanes& b = operand(1);

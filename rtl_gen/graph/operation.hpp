@@ -14,9 +14,7 @@ namespace hitpipe::rtl {
 template <class Use>
 void with_operation(const Graph& graph, const Node& n, Use&& use) {
   using Word = std::uint64_t;
-  const auto width = [&](int i) {
-    return n.arity() > i ? graph[n.args[static_cast<std::size_t>(i)]].width : 1;
-  };
+  const auto width = [&](std::size_t i) { return n.args[i] == no_node ? 1 : graph[n.args[i]].width; };
   const auto signed_a = [wa = width(0)](Word a) { return hls::sign_extended(a, wa); };
   const auto signed_b = [wb = width(1)](Word b) { return hls::sign_extended(b, wb); };
   switch (n.op) {

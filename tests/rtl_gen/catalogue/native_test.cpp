@@ -26,7 +26,7 @@ TEST_P(NativeAndTraced, AgreeOnEveryVector) {
   const Evaluate native = design.evaluate(format);
   const Graph graph = canonical(design.trace(format));
   // Float units are graphs inside the graph, so evaluating them is slow.
-  const int vectors = !design.conservative ? 4000 : 50000;
+  const int vectors = !design.conservative ? 2000 : 25000;
   DrawVectors draw(input_ports(graph), {}, native, 157);
   auto operands = operand_vectors(input_ports(graph), vectors, 158);
   for (int i = 0; i < vectors; ++i) operands.push_back(draw().operands);

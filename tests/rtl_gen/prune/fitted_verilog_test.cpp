@@ -98,8 +98,7 @@ TEST(FittedVerilogLint, EveryToolIsSilent) {
       modules.push_back({d.design});
       modules.push_back({outside});
     }
-    for (const char* const define : {"", "-DHITPIPE_CHECK"})
-      expect_silent_tools(folder.path(), modules, "", define);
+    expect_silent_tools(folder.path(), modules, "", "-DHITPIPE_CHECK");
   }
 }
 
