@@ -158,9 +158,9 @@ std::string axi_stream(const ModuleInterface& unit) {
          fmt::format(
              R"(  // Holds a result when m_axis_tready falls; the pipeline stands still until it is taken.
   reg spare_valid;
-{3}  reg [TAG_BITS-1:0] spare_tag;
+{3}  reg {6} spare_tag;
   wire out_valid;
-{2}  wire [TAG_BITS-1:0] out_tag;
+{2}  wire {6} out_tag;
 
 {0}
   always @(posedge aclk) begin
@@ -177,7 +177,8 @@ std::string axi_stream(const ModuleInterface& unit) {
   assign m_axis_tid = spare_valid ? spare_tag : out_tag;
 {1}endmodule
 )",
-             inside, operands.unused, result.wires, result.spares, result.moves, result.data_with_spare);
+             inside, operands.unused, result.wires, result.spares, result.moves, result.data_with_spare,
+             tag_range);
 }
 
 Json stream_json(const ModuleInterface& unit) {

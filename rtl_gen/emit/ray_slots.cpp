@@ -223,7 +223,7 @@ std::string to_verilog(const RaySlots& slots) {
     else if (unit_ready | ~read_valid) read_valid <= read;
   end
 {4}
-{5}  reg [TAG_BITS-1:0] tag_read;
+{5}  reg {8} tag_read;
   always @(posedge clk) begin
     if (read) begin
 {6}      tag_read <= in_tag;
@@ -237,7 +237,7 @@ std::string to_verilog(const RaySlots& slots) {
                          names_of(slots.end, ", "))
            : "",
       slots.interface.head(), memories, tests ? test.declaration() : "",
-      tests ? fmt::format("      test_read <= {};\n", test.value()) : "", instance);
+      tests ? fmt::format("      test_read <= {};\n", test.value()) : "", instance, tag_range);
 }
 
 Json ray_slots_json(const RaySlots& slots, int unit_latency) {

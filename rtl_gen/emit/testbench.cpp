@@ -275,29 +275,32 @@ harness: $(UNITS:%=harness-%)
 waves:
 	$(MAKE) icarus WAVES=$(or $(WAVES),vcd)
 
-# Verilator and make see for themselves what must be compiled again.
-BUILD = build/$(1)_$*$(WAVES:%=_%)
+# Verilator and make see for themselves what must be compiled again. Verilator cannot build in a folder with a blank in its
+# name; then the build is in a temporary folder.
+ROOM := $(if $(word 2,$(CURDIR)),$(or $(TMPDIR),/tmp)/hitpipe-$(shell id -u)-$(shell pwd | cksum | tr ' ' -),build)
+BUILD = $(ROOM)/$(1)_$*$(WAVES:%=_%)
 RUN_WAVES = $(if $(WAVES),+waves=$*.$(WAVES))
 COMPILE = $(VERILATOR) -Wall $(TRACE) $(DEFINES) -j 0 -MAKEFLAGS -s -Mdir
 
 .PHONY: $(UNITS:%=icarus-%) $(UNITS:%=verilator-%) $(UNITS:%=harness-%)
 $(UNITS:%=icarus-%): icarus-%:
-	@mkdir -p build
+	@mkdir -p $(ROOM)
 	$(IVERILOG) -g2012 -Wall $(DEFINES) -s $*_tb -o $(call BUILD,icarus) $*_tb.sv ../$*.v
 	$(VVP) -n $(call BUILD,icarus) $(if $(WAVES),-$(WAVES)) $(RUN_WAVES)
 
 $(UNITS:%=verilator-%): verilator-%:
-	@mkdir -p build
+	@mkdir -p $(ROOM)
 	$(COMPILE) $(call BUILD,tb) --binary --top-module $*_tb $*_tb.sv ../$*.v
 	$(call BUILD,tb)/V$*_tb $(RUN_WAVES)
 
 $(UNITS:%=harness-%): harness-%:
-	@mkdir -p build
-	$(COMPILE) $(call BUILD,harness) --cc --exe --build --top-module $* ../$*.v $(CURDIR)/$*_harness.cpp
+	@mkdir -p $(call BUILD,harness)
+	@cp $*_harness.cpp $(call BUILD,harness)
+	$(COMPILE) $(call BUILD,harness) --cc --exe --build --top-module $* ../$*.v $*_harness.cpp
 	$(call BUILD,harness)/V$*
 
 clean:
-	rm -rf build $(UNITS:%=%.vcd) $(UNITS:%=%.fst)
+	rm -rf $(ROOM) $(UNITS:%=%.vcd) $(UNITS:%=%.fst)
 )";
 }
 

@@ -79,7 +79,7 @@ std::string control(int last, FlowControl flow) {
       "    else {2}valid <= {{valid[{1}:0], in_valid}};\n"
       "  end\n",
       last + 1, last - 1, stalls ? "if (advance) " : "");
-  for (int b = 0; b <= last; ++b) text += fmt::format("  reg [TAG_BITS-1:0] tag_s{};\n", b);
+  for (int b = 0; b <= last; ++b) text += fmt::format("  reg {} tag_s{};\n", tag_range, b);
   const char* const indent = stalls ? "      " : "    ";
   std::string moves = fmt::format("{}tag_s0 <= in_tag;\n", indent);
   for (int b = 1; b <= last; ++b) moves += fmt::format("{}tag_s{} <= tag_s{};\n", indent, b, b - 1);

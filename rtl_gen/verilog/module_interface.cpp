@@ -40,7 +40,7 @@ std::string ModuleInterface::head() const {
     const bool is_tag = pin.width == Pin::tag_width;
     has_tags = has_tags || is_tag;
     list.push_back(fmt::format("{} wire {}{}", pin.is_input ? "input " : "output",
-                               is_tag ? "[TAG_BITS-1:0] " : vector_range(pin.width), pin.name));
+                               is_tag ? fmt::format("{} ", tag_range) : vector_range(pin.width), pin.name));
   }
   return fmt::format("module {} {}(\n  {}\n);\n", module, has_tags ? "#(\n  parameter TAG_BITS = 16\n) " : "",
                      fmt::join(list, ",\n  "));

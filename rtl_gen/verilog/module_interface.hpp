@@ -28,6 +28,9 @@ inline constexpr std::array<std::string_view, 2> flow_control_names{"stall", "no
 /// "[7:0] ", or nothing for one bit.
 [[nodiscard]] std::string vector_range(int width);
 
+/// The range of a tag. With TAG_BITS = 0 it has one bit, which nobody needs to connect.
+inline constexpr std::string_view tag_range = "[(TAG_BITS > 0 ? TAG_BITS : 1)-1:0]";
+
 /// The channels of a unit: tests go in, results come out. A wrapper may have others.
 inline const std::string tests_channel = "in";
 inline const std::string results_channel = "out";
@@ -41,7 +44,7 @@ struct Pin {
   Role role;
   std::string channel;  ///< empty for clock, reset and enable
   bool is_input;
-  int width = 1;  ///< tag_width: as many bits as the parameter TAG_BITS says
+  int width = 1;  ///< tag_width: as many bits as the parameter TAG_BITS says, at least one
   bool is_signed = false;
 
   static constexpr int tag_width = 0;

@@ -132,7 +132,7 @@ endmodule
   std::string wrapper = rtl::result_fifo(
       rtl::unit_interface(unit, operands, {{"seen", 1, false}}, rtl::FlowControl::none), latency);
   insert_behind(
-      wrapper, "  wire [TAG_BITS-1:0] unit_tag;\n",
+      wrapper, fmt::format("  wire {} unit_tag;\n", rtl::tag_range),
       fmt::format("  wire [{}:0] is_test;\n  wire [{}:0] tests;\n", latency, test_bits * (latency + 1) - 1));
   insert_behind(wrapper, "unit_i (\n", "    .is_test(is_test), .tests(tests),\n");
   wrapper.insert(wrapper.rfind("endmodule"), properties);

@@ -117,7 +117,7 @@ std::string control_properties(const rtl::Pipeline& pipeline, rtl::FlowControl f
   std::string equal;
   std::string declare;
   for (int b = 0; b <= last; ++b) {
-    declare += fmt::format("  reg [TAG_BITS-1:0] was_tag_{};\n", b);
+    declare += fmt::format("  reg {} was_tag_{};\n", rtl::tag_range, b);
     shift += b == 0 ? std::string("      was_tag_0 <= in_tag;\n")
                     : fmt::format("      was_tag_{} <= was_tag_{};\n", b, b - 1);
     equal += fmt::format("      if (taken[{0}]) assert (tag_s{0} == was_tag_{0});\n", b);

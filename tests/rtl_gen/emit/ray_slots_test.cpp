@@ -140,8 +140,8 @@ TEST_P(RaySlotsOfDesign, LeavesTheUnitAndTellsOfItself) {
   const std::string head = verilog.substr(0, verilog.find(");"));
   for (const auto& port : slots.at("ports")) {
     const bool in = port.at("direction") == "in";
-    const std::string width =
-        port.at("width").is_string() ? "[TAG_BITS-1:0] " : vector_range(port.at("width").get<int>());
+    const std::string width = port.at("width").is_string() ? std::string(tag_range) + " "
+                                                           : vector_range(port.at("width").get<int>());
     EXPECT_THAT(head, HasSubstr(fmt::format("\n  {} wire {}{}", in ? "input " : "output", width,
                                             port.at("name").get<std::string>())));
   }

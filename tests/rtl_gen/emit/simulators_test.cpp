@@ -18,9 +18,10 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A design with several results, one of them a signed number. It is written and compiled once for all tests.
+/// A design with several results, one of them a signed number. It is written and compiled once for all tests,
+/// in a folder whose name a shell would misread.
 const std::filesystem::path& unit_folder() {
-  static const ScratchFolder folder;
+  static const ScratchFolder folder("it's-a-$folder-with-\"words\"-");
   static const bool written = [] {
     const Design design = two_boxes();
     const Pipeline pipeline = make_pipeline(design.trace(design.default_format), Library::thesis());
@@ -193,6 +194,21 @@ TEST(SimulatorFolder, WavesOfAnUnknownFormatRejected) {
   const ToolResult result = run_tool(unit_folder(), "make", "make", "-C tb icarus WAVES=png");
   EXPECT_NE(result.status, 0);
   EXPECT_THAT(result.output, HasSubstr("WAVES=png: allowed are vcd and fst"));
+}
+
+/// The build is elsewhere then, until `make clean`.
+TEST(SimulatorFolder, TakesABlankInItsName) {
+  const ScratchFolder above("two words-");
+  const std::filesystem::path unit = above / "it's a $unit";
+  std::filesystem::copy(unit_folder(), unit, std::filesystem::copy_options::recursive);
+  std::filesystem::remove_all(unit / "tb/build");
+  for (const std::string target : {"icarus", "verilator", "harness"}) {
+    const ToolResult result = run_tool(unit, "make", "make", "-C tb " + target);
+    EXPECT_EQ(result.status, 0) << result.output;
+    EXPECT_THAT(result.output, HasSubstr("\nPASS 1000 vectors\n")) << target;
+  }
+  EXPECT_FALSE(std::filesystem::exists(unit / "tb/build"));
+  EXPECT_EQ(run_tool(unit, "make", "make", "-C tb clean").status, 0);
 }
 
 TEST(SimulatorFolder, TakesSeveralUnitsAndCleansUp) {

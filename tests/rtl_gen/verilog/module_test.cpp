@@ -25,10 +25,10 @@ module toy #(
   input  wire rst,
   input  wire in_valid,
   output wire in_ready,
-  input  wire [TAG_BITS-1:0] in_tag,
+  input  wire [(TAG_BITS > 0 ? TAG_BITS : 1)-1:0] in_tag,
   output wire out_valid,
   input  wire out_ready,
-  output wire [TAG_BITS-1:0] out_tag,
+  output wire [(TAG_BITS > 0 ? TAG_BITS : 1)-1:0] out_tag,
   input  wire [5:0] a,
   input  wire [5:0] b,
   input  wire c,
@@ -44,12 +44,12 @@ module toy #(
     if (rst) valid <= 6'd0;
     else if (advance) valid <= {valid[4:0], in_valid};
   end
-  reg [TAG_BITS-1:0] tag_s0;
-  reg [TAG_BITS-1:0] tag_s1;
-  reg [TAG_BITS-1:0] tag_s2;
-  reg [TAG_BITS-1:0] tag_s3;
-  reg [TAG_BITS-1:0] tag_s4;
-  reg [TAG_BITS-1:0] tag_s5;
+  reg [(TAG_BITS > 0 ? TAG_BITS : 1)-1:0] tag_s0;
+  reg [(TAG_BITS > 0 ? TAG_BITS : 1)-1:0] tag_s1;
+  reg [(TAG_BITS > 0 ? TAG_BITS : 1)-1:0] tag_s2;
+  reg [(TAG_BITS > 0 ? TAG_BITS : 1)-1:0] tag_s3;
+  reg [(TAG_BITS > 0 ? TAG_BITS : 1)-1:0] tag_s4;
+  reg [(TAG_BITS > 0 ? TAG_BITS : 1)-1:0] tag_s5;
   always @(posedge clk) begin
     if (advance) begin
       tag_s0 <= in_tag;
