@@ -3,10 +3,13 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "host/temporary.hpp"
 
 namespace hitpipe::host {
 
@@ -26,12 +29,16 @@ struct File {
 /// be made or written to.
 void make_folder(const std::filesystem::path& folder);
 
+/// No PendingFile of this process takes the place of this file, whatever name leads to it: it is an input.
+/// "-" is standard input. What is no regular file is ignored.
+void never_replace(const std::string& file);
+
 /// A file that is written piece by piece beside its place, under another name. It takes its place when it is
 /// renamed. Without that nothing of it is left. All functions throw std::runtime_error, naming file and
 /// reason.
 class PendingFile {
  public:
-  /// Makes the folder. Refuses a place that is a folder or a device such as /dev/null.
+  /// Makes the folder. Refuses a place that is a folder, a device such as /dev/null or an input.
   explicit PendingFile(std::filesystem::path place);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
@@ -45,7 +52,7 @@ class PendingFile {
 
  private:
   std::filesystem::path place_;
-  std::filesystem::path aside_;  ///< empty when it has been renamed
+  std::unique_ptr<Temporary> aside_;  ///< null when it has been renamed
   std::FILE* file_ = nullptr;
 };
 
@@ -57,8 +64,8 @@ void write_files(const std::filesystem::path& folder, const std::vector<File>& f
 void write_file(const std::filesystem::path& file, std::string_view contents);
 
 /// A folder for temporary files. Its name begins with `prefix` and is unique. It is removed at the
-/// end with everything in it, unless it was moved elsewhere. Throws std::runtime_error, one line, when it
-/// cannot be made.
+/// end with everything in it, unless it was moved elsewhere. If the run is killed, the next folder of this
+/// prefix removes it. Throws std::runtime_error, one line, when it cannot be made.
 class ScratchFolder {
  public:
   explicit ScratchFolder(const std::string& prefix = "hitpipe-");  ///< in $TMPDIR or else /tmp
@@ -67,11 +74,11 @@ class ScratchFolder {
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  [[nodiscard]] const std::filesystem::path& path() const { return made_->path(); }
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path() / name; }
 
  private:
-  std::filesystem::path path_;
+  std::unique_ptr<Temporary> made_;
 };
 
 }  // namespace hitpipe::host

@@ -1,7 +1,6 @@
 #include "sim/model/build_cache.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -17,18 +16,6 @@ namespace hitpipe::sim {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* building = "building-";
-
-/// Build folders that nobody has touched for an hour.
-void remove_abandoned(const fs::path& cache) {
-  std::error_code ignored;
-  for (const auto& each : fs::directory_iterator(cache, ignored)) {
-    if (!each.path().filename().string().starts_with(building)) continue;
-    const auto age = fs::file_time_type::clock::now() - fs::last_write_time(each.path(), ignored);
-    if (age > std::chrono::hours(1)) fs::remove_all(each.path(), ignored);
-  }
-}
 
 /// The folder is this entry, and all its products are there.
 bool holds(const fs::path& folder, const CacheEntry& entry) {
@@ -55,11 +42,10 @@ fs::path cached(const CacheEntry& entry, const fs::path& cache) {
   std::optional<host::ScratchFolder> aside;
   try {
     host::make_folder(cache);
-    aside.emplace(cache, building);
+    aside.emplace(cache, "building-");
   } catch (const std::runtime_error&) {
     refuse();
   }
-  remove_abandoned(cache);
   entry.build(aside->path());
   host::write_file(*aside / "identity", entry.identity);
   std::error_code error;

@@ -19,7 +19,7 @@ struct CacheEntry {
 
 /// The folder that holds the entry. Builds it if it is not there. When `build` throws, the exception goes on
 /// to the caller and no entry is left. Throws std::runtime_error, one line, when the cache cannot be written.
-/// Removes what killed processes left behind at least an hour ago.
+/// Removes what killed processes left behind.
 [[nodiscard]] std::filesystem::path cached(const CacheEntry& entry, const std::filesystem::path& cache);
 
 }  // namespace hitpipe::sim

@@ -3,6 +3,7 @@
 #include "host/files.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "tests/message_of.hpp"
@@ -96,6 +98,7 @@ TEST(WriteFiles, NameThatCannotBeWrittenRejectedAndNothingLeftBehind) {
 /// As on a full disk: the second file is cut short.
 TEST(WriteFiles, FileThatIsCutShortRejectedAndNothingLeftBehind) {
   const ScratchFolder folder;
+  write_text(folder / "b.v", "before");
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto handler = signal(SIGXFSZ, SIG_IGN);
@@ -105,7 +108,8 @@ TEST(WriteFiles, FileThatIsCutShortRejectedAndNothingLeftBehind) {
   EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
   signal(SIGXFSZ, handler);
   EXPECT_EQ(message, (folder / "b.v").string() + ": cannot write the file: File too large");
-  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{});
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"b.v"});
+  EXPECT_EQ(read_text(folder / "b.v"), "before");
 }
 
 TEST(WriteFiles, FolderInTheWayRejectedAndNothingLeftBehind) {
@@ -124,21 +128,6 @@ TEST(WriteFiles, AFailureKeepsWhatWasThere) {
             (folder / "file").string() + ": cannot create the folder: Not a directory");
   EXPECT_EQ(read_text(folder / "a.v"), "before");
   EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"a.v", "file"}));
-}
-
-/// The disk is full: the temporary file is on a device that accepts nothing.
-TEST(WriteFile, FullDiskKeepsWhatWasThere) {
-  const ScratchFolder folder;
-  const std::filesystem::path file = folder / "a.csv";
-  write_text(file, "before");
-  for (const std::size_t bytes : {std::size_t{5}, std::size_t{1'000'000}}) {
-    std::filesystem::create_symlink("/dev/full", folder / (".a.csv." + std::to_string(getpid())));
-    ASSERT_EQ(message_of<std::runtime_error>([&] { write_file(file, std::string(bytes, 'x')); }),
-              file.string() + ": cannot write the file: No space left on device");
-    EXPECT_EQ(read_text(file), "before");
-    EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"a.csv"});
-    EXPECT_FALSE(std::filesystem::is_symlink(folder / (".a.csv." + std::to_string(getpid()))));
-  }
 }
 
 TEST(WriteFile, TakesANameWithoutAFolder) {
@@ -198,6 +187,77 @@ TEST(PendingFile, AppearsOnlyWhenItIsRenamed) {
   EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"a.csv"});
 }
 
+/// Two containers may have the same process numbers and one folder.
+TEST(PendingFile, OfTheSamePlaceDoNotMeet) {
+  const ScratchFolder folder;
+  PendingFile one(folder / "a.v");
+  PendingFile other(folder / "a.v");
+  EXPECT_EQ(files_in(folder.path()).size(), 2U);
+  one.write("one\n");
+  other.write("other\n");
+  one.close();
+  other.close();
+  one.rename();
+  EXPECT_EQ(read_text(folder / "a.v"), "one\n");
+  other.rename();
+  EXPECT_EQ(read_text(folder / "a.v"), "other\n");
+}
+
+/// Of a process that was killed, after it had written one file and closed another.
+TEST(PendingFile, OfADeadRunIsRemovedByTheNextAndThatOfALivingOneStays) {
+  const ScratchFolder folder;
+  const auto start = [&] {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    PendingFile open(folder / "a.v");
+    PendingFile closed(folder / "b.v");
+    closed.close();
+    write_text(folder / "begun", "");
+    for (;;) pause();
+  };
+  const pid_t child = start();
+  while (!std::filesystem::exists(folder / "begun")) usleep(1000);
+  write_files(folder.path(), {{"a.v", "x"}, {"b.v", "x"}});
+  EXPECT_EQ(files_in(folder.path()).size(), 5U) << "it lives";
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  write_files(folder.path(), {{"a.v", "x"}, {"b.v", "x"}});
+  EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"a.v", "b.v", "begun"}));
+}
+
+/// Its lock might not be seen here.
+TEST(PendingFile, OfAnotherMachineStaysForADay) {
+  const ScratchFolder folder;
+  const std::string name = ".a.v.hitpipe-00000000-0123456789abcdef";
+  for (const char* const stays : {".a.v.hitpipe-mine", ".b.v.hitpipe-00000000-0123456789abcdef", "a.v.1234"})
+    write_text(folder / stays, "");
+  write_text(folder / name, "");
+  write_file(folder / "a.v", "");
+  EXPECT_EQ(files_in(folder.path()).size(), 5U);
+  using std::chrono::hours;
+  for (const std::string& each : files_in(folder.path()))
+    std::filesystem::last_write_time(folder / each,
+                                     std::filesystem::file_time_type::clock::now() - hours(25));
+  write_file(folder / "a.v", "");
+  EXPECT_EQ(files_in(folder.path()).size(), 4U);
+  EXPECT_FALSE(std::filesystem::exists(folder / name));
+}
+
+/// Whatever name leads to it.
+TEST(PendingFile, DoesNotReplaceAnInput) {
+  const ScratchFolder folder;
+  write_text(folder / "in.csv", "input");
+  std::filesystem::create_symlink("in.csv", folder / "link.csv");
+  std::filesystem::create_hard_link(folder / "in.csv", folder / "hard.csv");
+  never_replace(folder / "link.csv");
+  never_replace(folder / "none.csv");
+  for (const char* const name : {"in.csv", "link.csv", "hard.csv"})
+    EXPECT_EQ(message_of<std::runtime_error>([&] { write_file(folder / name, "x"); }),
+              (folder / name).string() + ": is an input, which would be lost; give another file to write");
+  EXPECT_EQ(read_text(folder / "in.csv"), "input");
+  write_file(folder / "none.csv", "x");
+}
+
 TEST(PendingFile, LeavesNothingWhenItIsGivenUp) {
   const ScratchFolder folder;
   PendingFile(folder / "open.csv").write("text");
@@ -220,6 +280,26 @@ TEST(ScratchFolder, IsNewAndGoesWithAllThatIsInIt) {
   EXPECT_TRUE(std::filesystem::is_directory(other.path()));
 }
 
+TEST(ScratchFolder, OfADeadRunIsRemovedByTheNext) {
+  const ScratchFolder folder;
+  const auto killed = [&] {
+    const pid_t child = fork();
+    if (child == 0) {
+      const ScratchFolder left(folder.path(), "building-");
+      write_file(left / "below" / "file", "");
+      kill(getpid(), SIGKILL);
+    }
+    waitpid(child, nullptr, 0);
+  };
+  killed();
+  EXPECT_EQ(files_in(folder.path()).size(), 1U);
+  const ScratchFolder lives(folder.path(), "building-");
+  write_file(lives / "file", "");
+  EXPECT_EQ(files_in(folder.path()).size(), 1U);
+  const ScratchFolder next(folder.path(), "building-");
+  EXPECT_TRUE(std::filesystem::exists(lives / "file"));
+}
+
 TEST(ScratchFolder, IsWhereTmpdirSays) {
   const ScratchFolder folder;
   const std::filesystem::path parent = folder / "it's a \"folder\"";
@@ -234,7 +314,7 @@ TEST(ScratchFolder, StaysWhereItWasMoved) {
   const ScratchFolder folder;
   {
     const ScratchFolder made(folder.path(), "building-");
-    EXPECT_THAT(made.path().filename().string(), testing::MatchesRegex("building-......"));
+    EXPECT_THAT(made.path().filename().string(), testing::MatchesRegex("building-[0-9a-f]{8}-[0-9a-f]{16}"));
     write_file(made / "file", "text");
     std::filesystem::rename(made.path(), folder / "kept");
   }

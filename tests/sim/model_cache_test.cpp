@@ -201,7 +201,7 @@ TEST_F(ModelCache, RacingProcessesBothSucceedAndLeaveOneEntry) {
   only_entry(cache_);
 }
 
-TEST_F(ModelCache, KilledBuildLeavesNoEntry) {
+TEST_F(ModelCache, KilledBuildLeavesAFolderThatTheNextRemoves) {
   stub_.set_seconds("30");
   const pid_t child = start_build(cache_);
   for (int i = 0; i < 1000 && stub_.runs() == 0; ++i)
@@ -211,19 +211,12 @@ TEST_F(ModelCache, KilledBuildLeavesNoEntry) {
   EXPECT_EQ(exit_code(child), -1);
   ASSERT_EQ(names_in(cache_).size(), 1U);
   const fs::path left = cache_ / names_in(cache_).front();
-  EXPECT_THAT(left.filename().string(), MatchesRegex("building-......"));
+  EXPECT_THAT(left.filename().string(), MatchesRegex("building-[0-9a-f]{8}-[0-9a-f]{16}"));
 
   stub_.set_seconds("0");
   build_in(cache_);
   EXPECT_EQ(stub_.runs(), 2);
-  EXPECT_TRUE(fs::exists(left)) << "it could be a build that still runs";
-  // An hour later, the next build removes it.
-  fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::minutes(61));
-  stub_.set_version("Stub 2");
-  build_in(cache_);
-  EXPECT_EQ(count_in(cache_, "int_slabs"), 2);
-  EXPECT_EQ(count_in(cache_, "verilated"), 2);
-  EXPECT_EQ(names_in(cache_).size(), 4U);
+  only_entry(cache_);
 }
 
 TEST_F(ModelCache, DamagedEntriesAreBuiltAgain) {
