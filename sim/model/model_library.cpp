@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <dlfcn.h>
@@ -137,6 +139,15 @@ struct Sources {
   }
 };
 
+/// A tool has failed because a disk is full: it says so, or nothing can be written beside its files.
+bool was_out_of_space(const fs::path& folder, const host::Outcome& outcome) {
+  const std::string reason = std::generic_category().message(ENOSPC);
+  if ((outcome.out + outcome.err).find(reason) != std::string::npos) return true;
+  std::error_code error;
+  const fs::space_info space = fs::space(folder, error);
+  return !error && space.available == 0;
+}
+
 /// Runs a tool in the folder and writes its output to a log there. When the tool fails, the log stays in the
 /// cache under the name of what was to be built, so that the user can read it. The rest is removed.
 void step(const fs::path& folder, const std::string& what, const Tool& tool,
@@ -144,7 +155,13 @@ void step(const fs::path& folder, const std::string& what, const Tool& tool,
   const host::Outcome outcome = tool.run(arguments, folder);
   std::ofstream(folder / "log", std::ios::app) << outcome.out << outcome.err;
   if (outcome.succeeded()) return;
-  const fs::path kept = folder.parent_path() / fmt::format("failed-{}.log", what);
+  const fs::path cache = folder.parent_path();
+  if (was_out_of_space(folder, outcome))
+    throw std::runtime_error(fmt::format(
+        "{}: no space left on the disk for {}; make room, or set HITPIPE_CACHE, and TMPDIR for the "
+        "tools' own files, to folders elsewhere",
+        cache.string(), tool.name()));
+  const fs::path kept = cache / fmt::format("failed-{}.log", what);
   std::error_code ignored;
   fs::rename(folder / "log", kept, ignored);
   throw std::runtime_error(

@@ -113,6 +113,19 @@ TEST_F(ModelTools, FailingCompilerRejected) {
   EXPECT_EQ(names_in(cache_), (std::vector<std::string>{"failed-verilated.log"}));
 }
 
+TEST_F(ModelTools, ToolThatFindsNoSpaceRejected) {
+  const fs::path compiler =
+      folder_.write_program("compiler",
+                            "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\n"
+                            "echo 'error: unable to write a.o: No space left on device' >&2\nexit 1\n");
+  const EnvironmentValue variable("CXX", compiler);
+  EXPECT_EQ(
+      error_of_build(cache_),
+      cache_.string() + ": no space left on the disk for " + compiler.string() +
+          "; make room, or set HITPIPE_CACHE, and TMPDIR for the tools' own files, to folders elsewhere");
+  EXPECT_TRUE(fs::is_empty(cache_));
+}
+
 TEST_F(ModelTools, VerilatorWithoutRootRejected) {
   stub_.set_root("");
   EXPECT_EQ(error_of_build(cache_),
@@ -141,8 +154,10 @@ TEST_F(ModelTools, FullDiskRejected) {
   setrlimit(RLIMIT_FSIZE, &small);
   const std::string error = error_of_build(cache_);
   setrlimit(RLIMIT_FSIZE, &before);
-  EXPECT_THAT(error, MatchesRegex(cache_.string() +
-                                  "/building-....../int_slabs.v: cannot write the file: File too large"));
+  EXPECT_THAT(
+      error,
+      MatchesRegex(cache_.string() +
+                   "/building-[0-9a-f]{8}-[0-9a-f]{16}/int_slabs.v: cannot write the file: File too large"));
   EXPECT_TRUE(fs::is_empty(cache_));
 }
 
