@@ -5,9 +5,19 @@
 
 #include <fmt/format.h>
 
+#include "host/files.hpp"
+
 namespace hitpipe::sim {
 
 namespace {
+
+/// The rows, if they are about this.
+RowsFile required_about(RowsFile rows, const std::filesystem::path& file, const std::string& what) {
+  if (rows.about == what) return rows;
+  throw std::runtime_error(
+      fmt::format("{}: holds rows of \"{}\", asked for are \"{}\"; give another file or remove it",
+                  file.string(), rows.about, what));
+}
 
 /// Rows by their place in the file. Each new row is written at once.
 class KeptRows {
@@ -17,8 +27,8 @@ class KeptRows {
   KeptRows(std::filesystem::path file, std::span<const std::filesystem::path> more, std::string about,
            const TriangleCost& triangle)
       : file_(std::move(file)), about_(std::move(about)) {
-    if (std::filesystem::exists(file_)) take(file_, triangle);
-    for (const std::filesystem::path& each : more) take(each, triangle);
+    if (std::filesystem::exists(file_)) take(own_rows(), triangle);
+    for (const std::filesystem::path& each : more) take(read_rows_about(each, about_), triangle);
     // Written before the long run, so that a file that cannot be written is reported at once.
     write_rows(file_, contents());
   }
@@ -35,8 +45,16 @@ class KeptRows {
   }
 
  private:
-  void take(const std::filesystem::path& file, const TriangleCost& triangle) {
-    for (SweepRow& row : read_rows_about(file, about_).rows) {
+  /// A copy that broke off may have cut the file. What its last line would say is measured again.
+  [[nodiscard]] RowsFile own_rows() const {
+    const std::string text = host::read_file(file_, "cannot read the rows");
+    if (to_text({about_, {}}).starts_with(text)) return {};
+    const std::size_t end = text.rfind('\n');
+    const std::string whole = end == std::string::npos ? text : text.substr(0, end + 1);
+    return required_about(parse_rows(whole, file_.string()), file_, about_);
+  }
+  void take(RowsFile rows, const TriangleCost& triangle) {
+    for (SweepRow& row : rows.rows) {
       row.triangle = triangle;
       keep(row);
     }
@@ -62,11 +80,7 @@ RowsFile resume(const ResumableSweep& sweep) {
 }
 
 RowsFile read_rows_about(const std::filesystem::path& file, const std::string& about) {
-  RowsFile rows = read_rows(file);
-  if (rows.about == about) return rows;
-  throw std::runtime_error(
-      fmt::format("{}: holds rows of \"{}\", asked for are \"{}\"; give another file or remove it",
-                  file.string(), rows.about, about));
+  return required_about(read_rows(file), file, about);
 }
 
 }  // namespace hitpipe::sim

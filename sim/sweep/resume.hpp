@@ -22,8 +22,9 @@ struct ResumableSweep {
 };
 
 /// Takes the rows of `more` files into the file, measures those that it does not hold yet, and returns all
-/// rows of the file. Throws what run_sweep(), read_rows() and write_rows() throw, and std::runtime_error, one
-/// line, when a file holds rows of another scene or other options.
+/// rows of the file. A last line that was cut short counts as missing. Throws what run_sweep(), read_rows()
+/// and write_rows() throw, and std::runtime_error, one line, when a file holds rows of another scene or other
+/// options.
 [[nodiscard]] RowsFile resume(const ResumableSweep& sweep);
 
 /// Throws what read_rows() throws, and std::runtime_error, one line, when the rows are not `about` this.

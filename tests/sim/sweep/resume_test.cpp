@@ -84,6 +84,25 @@ TEST_F(Resume, TakesRowsThatWereMeasuredElsewhere) {
   EXPECT_FALSE(std::filesystem::exists(joined.file));
 }
 
+/// As a copy that broke off leaves it: within its last row, without a row, within the header, or empty.
+TEST_F(Resume, MeasuresARowThatIsCutShortAgain) {
+  (void)resume(sweep());
+  const std::string whole = text();
+  const std::size_t rows = whole.find('\n', whole.find('\n') + 1) + 1;
+  for (const std::size_t length :
+       {whole.size() - 1, rows + 5, rows, rows - 5, std::size_t{10}, std::size_t{0}}) {
+    folder_.write("rows.csv", whole.substr(0, length));
+    const RowsFile again = resume(sweep());
+    ASSERT_EQ(again.rows.size(), 2U) << length;
+    EXPECT_EQ(again.rows[1].cycles, parse_rows(whole, "").rows[1].cycles);
+    EXPECT_EQ(to_text(again), text());
+  }
+  folder_.write("rows.csv", "no rows");
+  EXPECT_EQ(message_of<std::runtime_error>([&] { (void)resume(sweep()); }),
+            (folder_.path() / "rows.csv").string() +
+                ": the last line is cut short; give a file that hitpipe sweep wrote");
+}
+
 TEST_F(Resume, RowsOfSomethingElseAreRefusedAndKept) {
   (void)resume(sweep());
   const std::string before = text();
