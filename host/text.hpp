@@ -15,6 +15,9 @@ namespace hitpipe::host {
 /// The words of a text, separated by blanks.
 [[nodiscard]] std::vector<std::string> words_of(std::string_view text);
 
+/// The text as a message quotes it: the beginning of a long one, then how many bytes it has.
+[[nodiscard]] std::string shortened(std::string_view text);
+
 /// The cells of a CSV line, without quotes. A quote that is not closed extends to the end of the line.
 [[nodiscard]] std::vector<std::string> csv_cells(std::string_view line);
 

@@ -1,6 +1,7 @@
 #include "rtl_gen/catalogue/port.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace hitpipe::rtl {
 
@@ -20,6 +21,14 @@ std::vector<Port> result_ports(const std::vector<hls::Result>& results) {
   for (const hls::Result& result : results)
     ports.push_back({.name = result.name, .width = result.width, .is_signed = result.is_signed});
   return ports;
+}
+
+Interval numbers_of(const Port& port) {
+  if (port.width == 64)
+    return {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()};
+  const int bits = port.is_signed ? port.width - 1 : port.width;
+  const auto most = static_cast<std::int64_t>((std::uint64_t{1} << bits) - 1);
+  return {port.is_signed ? -most - 1 : 0, most};
 }
 
 int total_width(const std::vector<Port>& ports) {

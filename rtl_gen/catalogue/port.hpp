@@ -32,6 +32,8 @@ struct Port {
 
 [[nodiscard]] Port port_of(const hls::Operand& operand);
 [[nodiscard]] std::vector<Port> result_ports(const std::vector<hls::Result>& results);
+/// The numbers that its bits can stand for; any of std::int64_t for a port of 64 bits.
+[[nodiscard]] Interval numbers_of(const Port& port);
 /// The bits of all ports together.
 [[nodiscard]] int total_width(const std::vector<Port>& ports);
 /// A graph's inputs, in order, without their roles.

@@ -17,6 +17,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/text.hpp"
+
 namespace hitpipe::sim {
 
 namespace {
@@ -213,8 +215,8 @@ void NumberFile::read_header(std::size_t needed) {
   const std::optional<NumberLine> header = next();
   if (!header) throw std::runtime_error(fmt::format("{}: is empty; line 1 must be {}", name(), allowed));
   const auto refuse = [&](std::string_view cell, const char* why) {
-    reject(*header,
-           fmt::format("column \"{}\" {}; the first line must name the columns {}", cell, why, allowed));
+    reject(*header, fmt::format("column \"{}\" {}; the first line must name the columns {}",
+                                host::shortened(cell), why, allowed));
   };
   std::string_view text = header->text;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // spreadsheets mark UTF-8 so

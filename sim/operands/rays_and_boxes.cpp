@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "host/text.hpp"
 #include "sw_ref/quantise/to_cube.hpp"
 
 namespace hitpipe::sim {
@@ -59,7 +60,7 @@ double checked_number(const NumberFile& lines, const NumberLine& line, std::size
     lines.reject(line,
                  fmt::format("{} is \"{}\", which is no number; allowed are decimal numbers such as -0.25 "
                              "and C's hexadecimal ones such as -0x1p-2",
-                             lines.column(column), word));
+                             lines.column(column), host::shortened(word)));
   return *value;
 }
 
@@ -67,8 +68,9 @@ double checked_number(const NumberFile& lines, const NumberLine& line, std::size
                           std::string_view word, const Placement& placement) {
   const char* const where = placement.has_bounds() ? "beyond the bounds" : "outside the cube";
   const char* const how = placement.has_bounds() ? "" : "; for other units give the bounds of all boxes";
-  lines.reject(line, fmt::format("{} {} lies {}; allowed is {:.9g} to {:.9g}{}", lines.column(column), word,
-                                 where, placement.least(axis), placement.most(axis), how));
+  lines.reject(line,
+               fmt::format("{} {} lies {}; allowed is {:.9g} to {:.9g}{}", lines.column(column),
+                           host::shortened(word), where, placement.least(axis), placement.most(axis), how));
 }
 
 bool is_infinity(std::string_view word) {
@@ -89,12 +91,13 @@ float RayFile::length(const NumberLine& line, std::string_view word) const {
   if (word.empty() || is_infinity(word)) return ref::Ray::infinite;
   const double own = number(line, ray_columns - 1, word);
   if (own < 0)
-    lines_.reject(line, fmt::format("length {} is negative; allowed is 0 or more, inf or nothing", word));
+    lines_.reject(line, fmt::format("length {} is negative; allowed is 0 or more, inf or nothing",
+                                    host::shortened(word)));
   const float length =
       placement_.has_bounds() ? static_cast<float>(placement_.length(own)) : nearest_binary32(word);
   if (std::isinf(length))
-    lines_.reject(line,
-                  fmt::format("length {} is beyond binary32; for a ray without an end write inf", word));
+    lines_.reject(line, fmt::format("length {} is beyond binary32; for a ray without an end write inf",
+                                    host::shortened(word)));
   return length;
 }
 
@@ -115,7 +118,7 @@ ref::Ray RayFile::ray(const NumberLine& line) const {
     if (std::isinf(ray.direction[axis]))
       lines_.reject(line,
                     fmt::format("{} {} is beyond binary32; a direction may have any length, so divide it",
-                                lines_.column(column), words[column]));
+                                lines_.column(column), host::shortened(words[column])));
   }
   if (ray.direction == glm::vec3(0.0F))
     lines_.reject(line, "the direction is (0, 0, 0) in binary32; one component must differ from 0");
@@ -158,8 +161,9 @@ Boxes BoxFile::boxes(const NumberLine& line) const {
       const std::size_t low = planes_of_box * box + static_cast<std::size_t>(axis);
       const std::size_t high = low + 3;
       if (checked_number(lines_, line, low, words[low]) > checked_number(lines_, line, high, words[high]))
-        lines_.reject(line, fmt::format("{} {} is above {} {}", lines_.column(low), words[low],
-                                        lines_.column(high), words[high]));
+        lines_.reject(line,
+                      fmt::format("{} {} is above {} {}", lines_.column(low), host::shortened(words[low]),
+                                  lines_.column(high), host::shortened(words[high])));
       boxes[box].min[axis] = plane(line, low, words[low]);
       boxes[box].max[axis] = plane(line, high, words[high]);
     }

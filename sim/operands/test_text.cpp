@@ -18,6 +18,11 @@ class Values {
   Values(const Columns& columns, bool named, std::string& text)
       : columns_(columns), named_(named), text_(text) {}
 
+  void add_nothing() {
+    begin();
+    if (named_) text_ += "null";
+    ++place_;
+  }
   void add(std::int64_t value) {
     begin();
     const int digits = columns_[place_].pattern_digits;
@@ -68,21 +73,41 @@ TestLayout::TestLayout(const rtl::Design& design, const rtl::Format& format, con
     for (const std::string& name : box_columns(boxes_)) columns_.push_back({name});
   }
   if (boxes_ > 1) columns_.push_back({"of_parent"});
-  for (const rtl::Port& port : ports_)
-    columns_.push_back({port.name, port.kind == hls::Kind::real ? (port.width + 3) / 4 : 0});
-  for (const hls::Result& result : results_) columns_.push_back({result.name});
+  add_columns();
   for (const hls::Result& result : results_)
     if (result.meaning == hls::Meaning::hit) columns_.push_back({fmt::format("exact_{}", result.name)});
 }
 
+TestLayout::TestLayout(const rtl::Design& design, const rtl::Format& format, TestForm form)
+    : design_(design.name),
+      bits_(rtl::to_string(format)),
+      form_(form),
+      boxes_(static_cast<std::size_t>(design.kind.objects)),
+      ports_(design.ports(format)),
+      results_(design.results(format)) {
+  add_columns();
+}
+
+void TestLayout::add_columns() {
+  for (const rtl::Port& port : ports_)
+    columns_.push_back({port.name, port.kind == hls::Kind::real ? (port.width + 3) / 4 : 0});
+  for (const hls::Result& result : results_) columns_.push_back({result.name});
+}
+
 std::string TestLayout::head() const {
-  const ref::Normalisation& cube = placement_.transform();
-  const glm::dvec3& offset = cube.offset;
-  if (form_ == TestForm::json)
-    return fmt::format("{{\"design\":\"{}\",\"bits\":\"{}\",\"scale\":{},\"offset\":[{},{},{}]}}\n", design_,
-                       bits_, cube.scale, offset.x, offset.y, offset.z);
-  const std::string about = fmt::format("{} {}; cube = (own - offset) * scale, offset {} {} {}, scale {}",
-                                        design_, bits_, offset.x, offset.y, offset.z, cube.scale);
+  std::string about = form_ == TestForm::json
+                          ? fmt::format("\"design\":\"{}\",\"bits\":\"{}\"", design_, bits_)
+                          : fmt::format("{} {}", design_, bits_);
+  if (placement_) {
+    const ref::Normalisation& cube = placement_->transform();
+    const glm::dvec3& offset = cube.offset;
+    about +=
+        form_ == TestForm::json
+            ? fmt::format(",\"scale\":{},\"offset\":[{},{},{}]", cube.scale, offset.x, offset.y, offset.z)
+            : fmt::format("; cube = (own - offset) * scale, offset {} {} {}, scale {}", offset.x, offset.y,
+                          offset.z, cube.scale);
+  }
+  if (form_ == TestForm::json) return fmt::format("{{{}}}\n", about);
   if (form_ == TestForm::csv) {
     std::vector<std::string_view> names;
     for (const Column& column : columns_) names.push_back(column.name);
@@ -98,8 +123,10 @@ std::string TestLayout::head() const {
 
 void TestLayout::append_values(const JudgedTest& test, std::string& text) const {
   Values values(columns_, form_ == TestForm::json, text);
-  values.add(static_cast<std::int64_t>(test.ray_number));
-  values.add(static_cast<std::int64_t>(test.box_number));
+  if (placement_) {
+    values.add(static_cast<std::int64_t>(test.ray_number));
+    values.add(static_cast<std::int64_t>(test.box_number));
+  }
   if (with_input_) {
     for (int axis = 0; axis < 3; ++axis) values.add(test.ray.origin[axis]);
     for (int axis = 0; axis < 3; ++axis) values.add(test.ray.direction[axis]);
@@ -107,9 +134,17 @@ void TestLayout::append_values(const JudgedTest& test, std::string& text) const 
     for (std::size_t box = 0; box < boxes_; ++box)
       for (unsigned face = 0; face < 6; ++face) values.add(test.boxes[box].plane(face));
   }
-  if (boxes_ > 1) values.add(std::int64_t{test.of_parent});
+  if (placement_ && boxes_ > 1) values.add(std::int64_t{test.of_parent});
   for (const std::int64_t operand : test.operands) values.add(operand);
-  for (const std::int64_t result : test.results) values.add(result);
+  for (std::size_t i = 0; i < results_.size(); ++i) {
+    const bool of_second = results_[i].box > 0 || results_[i].meaning == hls::Meaning::order;
+    if (test.of_parent && of_second) {
+      values.add_nothing();
+    } else {
+      values.add(test.results[i]);
+    }
+  }
+  if (!placement_) return;
   for (std::size_t box = 0; box < boxes_; ++box) values.add(std::int64_t{test.exact[box]});
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,7 +30,9 @@ struct JudgedTest {
   std::span<const std::int64_t> operands;
   std::span<const std::int64_t> results;
   std::array<bool, 2> exact{};  ///< the ray meets the box
-  bool of_parent = false;       ///< the unit tested only the parent of two boxes, which the ray misses
+  /// The unit tested only the parent of two boxes, which the ray misses. Its results of a second box mean
+  /// nothing and are left empty.
+  bool of_parent = false;
 };
 
 /// What stands in each column. It is shared by all that write one file.
@@ -38,6 +41,9 @@ class TestLayout {
   /// `with_input`: ray and boxes too, as they were tested.
   TestLayout(const rtl::Design& design, const rtl::Format& format, const Placement& placement, TestForm form,
              bool with_input);
+
+  /// Of operands of one's own: without rays and boxes, and nobody judges.
+  TestLayout(const rtl::Design& design, const rtl::Format& format, TestForm form);
 
   /// What stands before the first test.
   [[nodiscard]] std::string head() const;
@@ -54,13 +60,14 @@ class TestLayout {
     std::string name;
     int pattern_digits = 0;  ///< of a float's pattern in hexadecimal; 0: a decimal number
   };
+  void add_columns();
   void append_values(const JudgedTest& test, std::string& text) const;
 
   std::string design_;
   std::string bits_;
-  Placement placement_;
+  std::optional<Placement> placement_;  ///< nothing: operands of one's own
   TestForm form_;
-  bool with_input_;
+  bool with_input_ = false;
   std::size_t boxes_;
   std::vector<rtl::Port> ports_;
   std::vector<hls::Result> results_;

@@ -1,14 +1,17 @@
 // Files of rays and boxes become the operands, results and exact answers of a unit, in order.
 #include "sim/operands/operands.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/operands/own_operands.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
 #include "sw_ref/judge/box_referee.hpp"
@@ -52,6 +55,19 @@ class NeverHits final : public BoxTest {
   std::unique_ptr<BoxTest> unit_;
 };
 
+/// A file with one test: a number for each operand, the first of which may be another one.
+std::string own_line(const rtl::Design& design, const std::string& number,
+                     std::optional<std::string> first = {}) {
+  std::vector<std::string> names;
+  for (const rtl::Port& port : design.ports(design.default_format)) names.push_back(port.name);
+  std::vector<std::string> numbers(names.size(), number);
+  if (first) numbers.front() = *first;
+  return fmt::format("{}\n{}\n", fmt::join(names, ","), fmt::join(numbers, ","));
+}
+std::size_t lines_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
 class Operands : public testing::Test {
  protected:
   Operands() {
@@ -84,11 +100,14 @@ class Operands : public testing::Test {
   OperandCounts counts_;
 };
 
+constexpr std::int64_t nothing = -77;
+
 /// The numbers of a line of CSV; patterns are hexadecimal.
 std::vector<std::int64_t> numbers(const std::string& line) {
   std::vector<std::int64_t> all;
   std::istringstream cells(line);
-  for (std::string cell; std::getline(cells, cell, ',');) all.push_back(std::stoll(cell, nullptr, 0));
+  for (std::string cell; std::getline(cells, cell, ',');)
+    all.push_back(cell.empty() ? nothing : std::stoll(cell, nullptr, 0));
   return all;
 }
 
@@ -211,6 +230,9 @@ TEST_F(Operands, TwoBoxesAreTestedAsChildrenOfOneParent) {
     parents += of_parent ? 1 : 0;
     if (of_parent) {
       ASSERT_FALSE(hit[0] || hit[1]) << i;
+      // hit_0, hit_1, near_0, far_0, near_1, far_1, second_first
+      for (const std::size_t of_second : {1, 4, 5, 6}) ASSERT_EQ(all[results + of_second], nothing) << i;
+      for (const std::size_t of_first : {0, 2, 3}) ASSERT_NE(all[results + of_first], nothing) << i;
     } else {
       ASSERT_EQ(all[results] != 0, hit[0]) << i;
       ASSERT_EQ(all[results + 1] != 0, hit[1]) << i;
@@ -221,6 +243,81 @@ TEST_F(Operands, TwoBoxesAreTestedAsChildrenOfOneParent) {
   EXPECT_GT(parents, 100U);
   EXPECT_EQ(counts_.hits, hits);
   EXPECT_EQ(counts_.false_misses, 0U);
+}
+
+/// What the command wrote, and operands that no ray and box have.
+TEST_F(Operands, OfOnesOwnGetTheUnitsResults) {
+  for (const std::string_view name : {"int_slabs", "fp_slabs"}) {
+    const rtl::Design& design = rtl::find_design(name);
+    const std::string made = written(name, layout(name, TestForm::csv, true));
+    const auto run = [&](const std::string& text, TestForm form) {
+      std::string out;
+      const RunCounts counts = run_operands(
+          design, design.default_format, folder_.write("own.csv", text).string(), form,
+          [&](std::string_view part) { out += part; }, [](double) {});
+      EXPECT_GT(counts.tests, 0U);
+      return out;
+    };
+    std::istringstream given(made);
+    std::istringstream answered(run(made, TestForm::csv));
+    std::string line;
+    std::string own;
+    std::getline(given, line);
+    std::getline(answered, own);
+    EXPECT_EQ(own, fmt::format("# {} {}", name, rtl::to_string(design.default_format)));
+    std::getline(given, line);
+    std::getline(answered, own);
+    EXPECT_EQ(line,
+              "ray,box,ox,oy,oz,dx,dy,dz,length,min_x,min_y,min_z,max_x,max_y,max_z," + own + ",exact_hit");
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+      ASSERT_TRUE(std::getline(given, line) && std::getline(answered, own)) << i;
+      // Behind ray, box and 13 numbers of the input; before the exact answer.
+      std::size_t from = 0;
+      for (int cell = 0; cell < 15; ++cell) from = line.find(',', from) + 1;
+      ASSERT_EQ(own, line.substr(from, line.rfind(',') - from)) << i;
+    }
+    EXPECT_FALSE(std::getline(answered, own));
+    EXPECT_EQ(lines_in(run(own_line(design, "0"), TestForm::hex)), 3U);
+    EXPECT_THAT(run(own_line(design, "0x1"), TestForm::json), testing::HasSubstr("\"hit\":"));
+    // The pattern of a negative number.
+    const std::int64_t least = rtl::numbers_of(design.ports(design.default_format).front()).low;
+    EXPECT_THAT(run(own_line(design, "0", least < 0 ? "0xfffff" : "0xffffffff"), TestForm::csv),
+                testing::HasSubstr(least < 0 ? "\n-1,0," : "\n0xffffffff,0x00000000,"));
+  }
+}
+
+TEST_F(Operands, OfOnesOwnThatDoNotFitRejected) {
+  const rtl::Design& design = rtl::find_design("int_slabs");
+  const auto told = [&](const std::string& text) {
+    const std::string file = folder_.write("own.csv", text).string();
+    const std::string line = message_of<std::runtime_error>([&] {
+      run_operands(
+          design, design.default_format, file, TestForm::csv, [](std::string_view) {}, [](double) {});
+    });
+    return line.substr(std::min(line.size(), file.size()));
+  };
+  const auto irx = [&](const std::string& word) { return told(own_line(design, "0", word)); };
+  const std::string allowed =
+      "\"; allowed is -524288 to 524287, or the pattern of its 20 bits, such as 0xfffff";
+  for (const std::string word :
+       {"524288", "-524289", "0x100000", "", "1.5", "x", "0x", "99999999999999999999"})
+    EXPECT_EQ(irx(word), ": line 2: irx is \"" + word + allowed);
+  EXPECT_THAT(irx(std::string(60'000, '1')), testing::EndsWith("1... (60000 bytes)" + allowed));
+  for (const std::string word : {"524287", "-524288", "0xfffff"})
+    EXPECT_THAT(irx(word), testing::Not(testing::HasSubstr("irx"))) << word;
+  EXPECT_THAT(told("irx\n1\n"), testing::HasSubstr(": line 1: column \"iry\" is missing; "));
+  EXPECT_EQ(told(own_line(design, "0").substr(0, own_line(design, "0").find('\n') + 1)),
+            ": there is no line below the names of the columns");
+}
+
+/// The message has the beginning of the word.
+TEST_F(Operands, LongWordsAreCutInMessages) {
+  options_.files.rays = folder_.write("long.csv", std::string(60'000, 'x') + "\n").string();
+  const std::string line =
+      message_of<std::runtime_error>([&] { written("int_slabs", layout("int_slabs", TestForm::csv)); });
+  EXPECT_THAT(
+      line, testing::HasSubstr(": line 1: column \"" + std::string(50, 'x') + "... (60000 bytes)\" is not"));
+  EXPECT_LT(line.size(), 400U);
 }
 
 TEST_F(Operands, TheFirstBadLineIsNamedOnAnyNumberOfThreads) {
