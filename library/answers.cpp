@@ -82,6 +82,27 @@ hitpipe_status hitpipe_test(hitpipe_unit* unit, const hitpipe_box* boxes, size_t
   });
 }
 
+hitpipe_status hitpipe_run(const hitpipe_unit* unit, const int64_t* operands, size_t test_count,
+                           int64_t* results) {
+  return guarded([&] {
+    const hitpipe_unit& its = given(unit, "unit");
+    if (test_count == 0) return;
+    const int64_t* const first = &given(operands, "operands");
+    std::int64_t* out = &given(results, "results");
+    for (std::size_t test = 0; test < test_count; ++test) {
+      for (std::size_t i = 0; i < its.ports.size(); ++i) {
+        const auto [low, high] = hitpipe::rtl::numbers_of(its.ports[i]);
+        const std::int64_t value = first[test * its.ports.size() + i];
+        if (value < low || value > high)
+          throw Refusal(HITPIPE_BAD_OPERAND, fmt::format("test {}: operand {} is {}; allowed is {} to {}",
+                                                         test, its.ports[i].name, value, low, high));
+      }
+    }
+    for (std::size_t test = 0; test < test_count; ++test, out += its.results.size())
+      its.evaluate(first + test * its.ports.size(), out);
+  });
+}
+
 uint64_t hitpipe_bits(int64_t value, int width) {
   const auto bits = static_cast<std::uint64_t>(value);
   return width >= 64 ? bits : bits & ((std::uint64_t{1} << std::max(width, 0)) - 1);

@@ -20,7 +20,8 @@ struct hitpipe_unit {
         ports(its_design.ports(its_format)),
         results(its_design.results(its_format)),
         boxes_per_test(static_cast<std::size_t>(its_design.kind.objects)),
-        test(hitpipe::sim::make_box_test(its_design, its_format)) {}
+        test(hitpipe::sim::make_box_test(its_design, its_format)),
+        evaluate(its_design.evaluate(its_format)) {}
 
   const hitpipe::rtl::Design* design;
   std::string name;
@@ -29,5 +30,6 @@ struct hitpipe_unit {
   std::vector<hitpipe::hls::Result> results;
   std::size_t boxes_per_test;
   std::unique_ptr<hitpipe::sim::BoxTest> test;
+  hitpipe::rtl::Evaluate evaluate;
   std::optional<hitpipe::ref::BoxReferee> referee{};  ///< of the ray; nothing: there is no ray
 };

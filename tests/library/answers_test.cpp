@@ -69,6 +69,34 @@ TEST(LibraryAnswers, OfTwoBoxesAreThoseOfTheUnitForOneBox) {
   EXPECT_GT(hits, 100U);
 }
 
+/// The operands of a test, and others that no set-up gives: every port at an end of what its bits hold.
+TEST(LibraryAnswers, OfOperandsAloneAreTheResultsOfTheirTests) {
+  for (const rtl::Design& design : rtl::designs()) {
+    SCOPED_TRACE(design.name);
+    Unit unit{std::string(design.name)};
+    const rtl::Evaluate evaluate = design.evaluate(design.default_format);
+    std::vector<std::int64_t> operands;
+    std::vector<std::int64_t> results;
+    if (sim::software_of(design).box_test != nullptr) {
+      for (const LibraryCase& c : library_cases(5, 4)) {
+        unit.set_ray(c.ray);
+        const Answers answers = unit.test(std::vector<Box>(unit.boxes_per_test(), c.box));
+        operands.insert(operands.end(), answers.operands.begin(), answers.operands.end());
+        results.insert(results.end(), answers.results.begin(), answers.results.end());
+      }
+    }
+    for (const bool high : {false, true}) {
+      std::vector<std::int64_t> ends;
+      for (const rtl::Port& port : design.ports(design.default_format))
+        ends.push_back(high ? rtl::numbers_of(port).high : rtl::numbers_of(port).low);
+      operands.insert(operands.end(), ends.begin(), ends.end());
+      results.resize(results.size() + evaluate.result_count());
+      evaluate(ends.data(), &results[results.size() - evaluate.result_count()]);
+    }
+    ASSERT_EQ(unit.run(operands), results);
+  }
+}
+
 TEST(LibraryAnswers, OfManyBoxesAreThoseOfEach) {
   const auto cases = library_cases(10, 3);
   std::vector<Box> boxes;

@@ -63,6 +63,44 @@ TEST(LibraryRefusal, ARefusedRayLeavesNoRay) {
   EXPECT_EQ(test(), no_ray);
 }
 
+TEST(LibraryRefusal, NamesTheFirstBadOperand) {
+  const Unit unit("int_slabs");
+  const std::size_t count = unit.ports().size();
+  std::vector<std::int64_t> operands(2 * count);
+  std::vector<std::int64_t> results(2, 7);
+  EXPECT_EQ(refusal([&] { check(hitpipe_run(nullptr, operands.data(), 2, results.data())); }),
+            "1: unit: a null pointer is not allowed");
+  const auto refused = [&](std::size_t place, std::int64_t value) {
+    operands[place] = value;
+    const std::string line = refusal([&] { static_cast<void>(unit.run(operands)); });
+    operands[place] = 0;
+    return line;
+  };
+  EXPECT_EQ(refused(count, 524'288), "8: test 1: operand irx is 524288; allowed is -524288 to 524287");
+  EXPECT_EQ(refused(0, -524'289), "8: test 0: operand irx is -524289; allowed is -524288 to 524287");
+  EXPECT_EQ(refused(10, -1), "8: test 0: operand rinf is -1; allowed is 0 to 1");
+  EXPECT_EQ(refused(0, 524'287), "no refusal");
+  operands.pop_back();
+  EXPECT_THROW(static_cast<void>(unit.run(operands)), std::invalid_argument);
+}
+
+TEST(LibraryRefusal, WritesNoResultOfABadOperand) {
+  hitpipe_unit* unit = nullptr;
+  check(hitpipe_open("int_slabs", nullptr, &unit));
+  std::vector<std::int64_t> operands(2 * hitpipe_port_count(unit));
+  operands.back() = INT64_MAX;
+  std::int64_t results[] = {7, 7};
+  EXPECT_EQ(hitpipe_run(unit, operands.data(), 2, results), HITPIPE_BAD_OPERAND);
+  EXPECT_EQ(results[0], 7);
+  EXPECT_EQ(hitpipe_run(unit, operands.data(), 1, results), HITPIPE_OK);
+  EXPECT_NE(results[0], 7);
+  EXPECT_EQ(results[1], 7);
+  EXPECT_EQ(hitpipe_run(unit, nullptr, 0, nullptr), HITPIPE_OK);
+  EXPECT_EQ(hitpipe_run(unit, nullptr, 1, results), HITPIPE_BAD_ARGUMENT);
+  EXPECT_EQ(hitpipe_run(unit, operands.data(), 1, nullptr), HITPIPE_BAD_ARGUMENT);
+  hitpipe_close(unit);
+}
+
 TEST(LibraryRefusal, NamesTheFirstBadBox) {
   Unit unit("fp_slabs");
   unit.set_ray(ray);

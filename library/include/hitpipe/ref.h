@@ -32,7 +32,8 @@ typedef enum hitpipe_status {
   HITPIPE_BAD_RAY = 4,      /* outside the cube, no direction, NaN, a negative length */
   HITPIPE_BAD_BOX = 5,      /* outside the cube, inverted, NaN */
   HITPIPE_NO_RAY = 6,       /* hitpipe_set_ray() comes first */
-  HITPIPE_FAILED = 7        /* out of memory, or an error of hitpipe itself */
+  HITPIPE_FAILED = 7,       /* out of memory, or an error of hitpipe itself */
+  HITPIPE_BAD_OPERAND = 8   /* does not fit its port */
 } hitpipe_status;
 
 /* Why the last call of this thread that failed did so: one line, "" if none did. Valid until the next failure
@@ -176,6 +177,15 @@ typedef struct hitpipe_answers {
  * the ray misses it, both hits are 0, and operands and results are those of that first test. */
 HITPIPE_API hitpipe_status hitpipe_test(hitpipe_unit* unit, const hitpipe_box* boxes, size_t box_count,
                                         const hitpipe_answers* out);
+
+/* What the unit answers to operands of your own, whatever set-up they come from: bit for bit the results of
+ * the Verilog. Each test has all operands in port order: test_count * port count numbers. `results` gets
+ * test_count * result count. A signed operand of width w is from -2^(w-1) to 2^(w-1) - 1, another from 0 to
+ * 2^w - 1; a float is the number with its bits. min and max of its port, which your set-up may leave, do not
+ * count. All operands are checked before anything is written. No ray needs to be set. Nobody judges the
+ * answer: there is no ray and no box. */
+HITPIPE_API hitpipe_status hitpipe_run(const hitpipe_unit* unit, const int64_t* operands, size_t test_count,
+                                       int64_t* results);
 
 /* The bits of an operand or result of this width, as a port or $readmemh takes it: two's complement cut to
  * the width. */

@@ -94,6 +94,16 @@ class Unit {
     return bits;
   }
 
+  /// What the unit answers to operands of your own: all results of each test, as hitpipe_run() gives them.
+  [[nodiscard]] std::vector<std::int64_t> run(std::span<const std::int64_t> operands) const {
+    if (operands.size() % ports_.size() != 0)
+      throw std::invalid_argument("run: a test has " + std::to_string(ports_.size()) + " operands");
+    const std::size_t tests = operands.size() / ports_.size();
+    std::vector<std::int64_t> results(tests * results_.size());
+    check(hitpipe_run(unit_.get(), operands.data(), tests, results.data()));
+    return results;
+  }
+
   /// HIT alone; `out` has as many places as `boxes`.
   void hits(std::span<const Box> boxes, std::span<std::uint8_t> out) {
     if (out.size() < boxes.size()) throw std::invalid_argument("hits: fewer places than boxes");
