@@ -4,6 +4,7 @@
 // part then refuses the design, or leaves it out and says so.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,6 +35,12 @@ struct TracedUnit {
   bool ends = true;  ///< false: box tests do not know where rays end
 };
 
+/// A hierarchy as a unit reads it: records of the same size, one after the other.
+struct NodeRecords {
+  std::size_t bytes_per_record = 0;
+  std::vector<std::byte> bytes;
+};
+
 struct Software {
   std::unique_ptr<SceneFeed> (*feed)(const rtl::Format& format, const ref::Bvh& bvh) = nullptr;
   std::unique_ptr<BoxTest> (*box_test)(const rtl::Design& design, const rtl::Format& format) = nullptr;
@@ -46,6 +53,9 @@ struct Software {
   ref::TracerOptions (*named_tracer)(const rtl::Format& format) = nullptr;
   /// Null: six planes as wide as their ports, then count and pointer of 4 bytes each.
   std::size_t (*bytes_per_node)(const rtl::Format& format, const ref::CoarseAxes& coarse) = nullptr;
+
+  /// Null: its nodes are those of any hierarchy.
+  NodeRecords (*records)(const rtl::Format& format, const ref::Bvh& bvh) = nullptr;
 
   /// Nothing when the scene tells no more than the port's own range.
   std::optional<SceneDemand> (*demand)(const rtl::Port& port, const rtl::Format& format,

@@ -185,6 +185,12 @@ std::size_t pair_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes
   return (ref::PairNodes::record_bytes(format.as<MajorBits>().coord) + 1) / 2;
 }
 
+NodeRecords pair_records(const rtl::Format& format, const ref::Bvh& bvh) {
+  const auto bits = format.as<MajorBits>();
+  const ref::PairNodes records(bvh, bits.coord, bits.finer);
+  return {records.bytes_per_record, {records.bytes().begin(), records.bytes().end()}};
+}
+
 }  // namespace
 
 Software int_major_pair_software() {
@@ -193,6 +199,7 @@ Software int_major_pair_software() {
   software.box_test = pair_test;
   software.tracer = int_major_pair_tracer;
   software.bytes_per_node = pair_bytes_per_node;
+  software.records = pair_records;
   return software;
 }
 

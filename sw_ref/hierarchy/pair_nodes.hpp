@@ -1,8 +1,8 @@
 // Records of the hierarchy for a unit that tests two boxes at a time (docs/major.md). A record stands for a
 // branch. It has six planes on the n-bit grid, one for each face: that of the child which does not reach the
 // face of their common box. Six owner bits tell which child that is. Two bits are the axis along which
-// the branch was split. Then come count and pointer of both children, 4 bytes each, as in Table 6.1:
-// ceil((6n + 8) / 8) + 16 bytes for two nodes. The first record is
+// the branch was split. Then come count and pointer of both children, 4 bytes each, as in Table 6.1
+// (docs/bvh.md has the place of each bit): ceil((6n + 8) / 8) + 16 bytes for two nodes. The first record is
 // the root's own box: its child 0 owns all six planes, and there is no child 1.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "sw_ref/hierarchy/bvh.hpp"
@@ -59,6 +60,8 @@ class PairNodes {
     std::memcpy(&child, at, sizeof child);
     return child;
   }
+  /// All records, as they lie in memory.
+  [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
   [[nodiscard]] std::size_t size() const { return bytes_.size() / bytes_per_record; }
   /// The node of the hierarchy that child 0 is; child 1 follows it. For those who judge answers.
   [[nodiscard]] std::uint32_t first_node(std::uint32_t record) const { return first_nodes_[record]; }
