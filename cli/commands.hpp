@@ -1,43 +1,37 @@
-// The commands, in the order of the help. To add one, add its name here and write commands/NAME_command.cpp.
+// The commands in the order of the help, each with what a user wants of it. To add one, add its line here and
+// write commands/NAME_command.cpp.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include <CLI/CLI.hpp>
 
-#define HITPIPE_COMMANDS(COMMAND) \
-  COMMAND(designs)                \
-  COMMAND(libraries)              \
-  COMMAND(scenes)                 \
-  COMMAND(rtl)                    \
-  COMMAND(area)                   \
-  COMMAND(implement)              \
-  COMMAND(bvh)                    \
-  COMMAND(render)                 \
-  COMMAND(compare)                \
-  COMMAND(cosim)                  \
-  COMMAND(sweep)                  \
-  COMMAND(table)                  \
-  COMMAND(reproduce)              \
-  COMMAND(check)                  \
-  COMMAND(operands)               \
-  COMMAND(board)                  \
-  COMMAND(stiffness)              \
-  COMMAND(rescale)                \
-  COMMAND(fit)                    \
-  COMMAND(report)
+#define HITPIPE_COMMANDS(COMMAND)          \
+  COMMAND("Take a unit", rtl)              \
+  COMMAND("Take a unit", operands)         \
+  COMMAND("Take a unit", list)             \
+  COMMAND("Judge it", check)               \
+  COMMAND("Judge it", cosim)               \
+  COMMAND("Judge it", render)              \
+  COMMAND("Judge it", bvh)                 \
+  COMMAND("Choose it", area)               \
+  COMMAND("Choose it", sweep)              \
+  COMMAND("Choose it", fit)                \
+  COMMAND("Choose it", report)             \
+  COMMAND("Put it onto a chip", implement) \
+  COMMAND("Put it onto a chip", board)     \
+  COMMAND("The thesis", table)
 
 namespace hitpipe::cli {
 
-/// The function of each command adds it, with its options, to the program. A command that has run leaves its
-/// exit code in `exit_code`. Errors are std::exception with one line of text.
-#define HITPIPE_DECLARE_COMMAND(name) void add_##name##_command(CLI::App& program, int& exit_code);
+/// The function of each command adds it, with its options, to the program and returns it. A command that has
+/// run leaves its exit code in `exit_code`. Errors are std::exception with one line of text.
+#define HITPIPE_DECLARE_COMMAND(purpose, name) \
+  CLI::App* add_##name##_command(CLI::App& program, int& exit_code);
 HITPIPE_COMMANDS(HITPIPE_DECLARE_COMMAND)
 #undef HITPIPE_DECLARE_COMMAND
 
 /// Adds all commands.
 inline void add_commands(CLI::App& program, int& exit_code) {
-#define HITPIPE_ADD_COMMAND(name) add_##name##_command(program, exit_code);
+#define HITPIPE_ADD_COMMAND(purpose, name) add_##name##_command(program, exit_code)->group(purpose);
   HITPIPE_COMMANDS(HITPIPE_ADD_COMMAND)
 #undef HITPIPE_ADD_COMMAND
 }

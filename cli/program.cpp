@@ -3,15 +3,21 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <new>
+#include <numeric>
+#include <string_view>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
+#include "cli/old_names.hpp"
 #include "cli/text/help.hpp"
+#include "host/text.hpp"
 #include "sim/cosim/counts.hpp"
 
 namespace hitpipe::cli {
@@ -29,11 +35,53 @@ void print_error(std::string text) {
   fmt::print(stderr, "hitpipe: {}\n", text);
 }
 
+/// How many characters must be put in, taken out or replaced.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j)
+      diagonal = std::exchange(row[j + 1],
+                               std::min({diagonal + (a[i] == b[j] ? 0 : 1), row[j] + 1, row[j + 1] + 1}));
+  }
+  return row.back();
+}
+
+/// The option that the user may have meant: one that begins so, or else the most similar.
+std::string nearest_option(const CLI::App& command, const std::string& given) {
+  const std::string name = given.substr(0, given.find('='));
+  std::string nearest;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const CLI::Option* const option : command.get_options()) {
+    if (option->get_positional()) continue;
+    const std::string other = option->get_name();
+    const std::size_t far = other.starts_with(name) ? 0 : distance(name, other);
+    if (far < least) nearest = other;
+    least = std::min(least, far);
+  }
+  return nearest;
+}
+
+/// Names the first option that does not exist, or the first word too many. Empty if there is none.
+std::string not_expected(const CLI::App& command) {
+  const std::vector<std::string> words = command.remaining();
+  if (words.empty()) return "";
+  const auto option =
+      std::find_if(words.begin(), words.end(), [](const std::string& word) { return word.starts_with('-'); });
+  if (option == words.end()) return fmt::format("{}: a word too many", host::shortened(words.front()));
+  return fmt::format("{}: no such option; the nearest is {}", host::shortened(*option),
+                     nearest_option(command, *option));
+}
+
 /// What is wrong with the command line, and which help tells more.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
   const auto commands = program.get_subcommands();
-  if (!commands.empty())
-    return fmt::format("{}; see hitpipe {} --help", error.what(), commands.front()->get_name());
+  if (!commands.empty()) {
+    const std::string unknown = not_expected(*commands.front());
+    return fmt::format("{}; see hitpipe {} --help", unknown.empty() ? error.what() : unknown,
+                       commands.front()->get_name());
+  }
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
   const std::vector<std::string> unknown = program.remaining();
@@ -45,14 +93,13 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
 }  // namespace
 
 int run(int argc, char** argv) {
-  CLI::App program("Ray-box hardware pipelines from one C++ source: emit, co-simulate, compare.", "hitpipe");
+  CLI::App program("Ray-box test units from one C++ source: emit, simulate, judge, price.", "hitpipe");
   program.set_version_flag("--version", "hitpipe " HITPIPE_VERSION, "Print the version and exit");
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.require_subcommand(1);
   program.formatter(std::make_shared<HelpFormatter>());
   int exit_code = 0;
   add_commands(program, exit_code);
-  for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
   program.footer(
       "hitpipe COMMAND --help tells more of each. A first try:\n"
       "  hitpipe cosim int_slabs --scene spheres --out out\n"
@@ -61,7 +108,10 @@ int run(int argc, char** argv) {
       "  1  the hardware or a picture is wrong\n"
       "  2  asked wrongly, or a file cannot be used");
   try {
-    program.parse(argc, argv);
+    RenamedWords line = renamed({argv + 1, argv + argc});
+    if (!line.notice.empty()) print_error(line.notice);
+    std::reverse(line.words.begin(), line.words.end());
+    program.parse(std::move(line.words));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // help or version was asked for
     print_error(usage_error(program, error));

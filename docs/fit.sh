@@ -12,8 +12,8 @@ echo "| scene | design | bits | dropped x y z | mm² before | after | saved % | 
 echo "|---|---|---|---|---|---|---|---|---|---|"
 # The columns by their names; those used stand before any that may hold a comma.
 fit() {
-  "$program" fit --scene "$@" --overhead 2 --designs fp_slabs --designs int_slabs --designs fp_plucker \
-    --designs int_plucker --designs fp_slabs_safe --width "$size" --height "$size" --out "$out" --format csv >"$out/rows.csv"
+  "$program" fit --scene "$@" --overhead 2 fp_slabs int_slabs fp_plucker \
+    int_plucker fp_slabs_safe --width "$size" --height "$size" --out "$out" --format csv >"$out/rows.csv"
   awk -F, '
     NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
     { extra = sprintf("%.2f", $at["extra_box_tests_pct"])

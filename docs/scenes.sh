@@ -15,10 +15,10 @@ designs=$(printf '%s\n' "${units[@]%%=*}" | sort -u | paste -sd,)
 formats=$(IFS=,; echo "${units[*]}")
 
 # The scene plant is another name for plant_front.
-scenes=$(build/hitpipe scenes --format csv | awk -F, 'NR > 1 && $1 != "plant" { print $1 }')
+scenes=$(build/hitpipe list scenes --format csv | awk -F, 'NR > 1 && $1 != "plant" { print $1 }')
 for scene in $scenes "$@"; do
   name=$(basename "${scene%.*}")
-  build/hitpipe sweep --scene "$scene" --width "$size" --height "$size" --designs "$designs" --bits "$formats" \
+  build/hitpipe sweep --scene "$scene" --width "$size" --height "$size" "$designs" --bits "$formats" \
     --out "$out/$name.csv" >/dev/null
   [[ -s $out/$name.rays.csv ]] ||
     build/hitpipe render --scene "$scene" --width "$size" --height "$size" --format csv >"$out/$name.rays.csv"

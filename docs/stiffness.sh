@@ -6,7 +6,7 @@ program=${1:-build/hitpipe}
 folder=${2:-docs}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
-"$program" stiffness --scene spheres --designs int_slabs,int_plucker --out "$out" --format csv >/dev/null 2>&1
+"$program" check --stiff --scene spheres int_slabs,int_plucker --out "$out" --format csv >/dev/null 2>&1
 cp "$out/stiffness.svg" "$folder/stiffness.svg"
 
 # table WHAT: rows by ratio, columns by design and format, with the columns of the CSV by their names. The kinds of box of a

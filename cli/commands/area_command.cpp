@@ -193,16 +193,11 @@ void print_prices(const AreaOptions& options) {
 
 }  // namespace
 
-void add_area_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App* const command = program.add_subcommand(
-      "area", "Price designs: components, area, stages, delay; Table 7.2 of the thesis");
+CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App* const command =
+      program.add_subcommand("area", "Price designs: area, stages, delay, lookup tables of a chip");
   const auto options = std::make_shared<AreaOptions>();
-  CLI::Option* const designs =
-      command
-          ->add_option("design", options->units.names,
-                       "Names that `hitpipe designs` lists; without any, the six designs of Table 7.2")
-          ->delimiter(',')
-          ->type_name("NAME");
+  CLI::Option* const designs = add_designs_option(*command, options->units, "the six of Table 7.2");
   add_bits_option(*command, options->units, "each design's own")->needs(designs);
   add_choice_option<Account>(*command, "--account", options->account,
                              {{"printed", Account::printed}, {"built", Account::built}},
@@ -220,6 +215,7 @@ void add_area_command(CLI::App& program, int& /*exit_code*/) {
           "built");
     print_prices(*options);
   });
+  return command;
 }
 
 }  // namespace hitpipe::cli

@@ -164,23 +164,23 @@ int simulate(const BoardCommand& command) {
 
 }  // namespace
 
-void add_board_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand(
-      "board", "Send tests to a unit on a board over its serial port, and compare every answer with the C++");
+CLI::App* add_board_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command =
+      program.add_subcommand("board", "Test a unit on a board over its serial port, or simulate the board");
   const auto options = std::make_shared<BoardCommand>();
   add_design_options(*command, options->choice);
   command->get_option("design")->required(false)->description(
-      "A name that `hitpipe designs` lists. Default: the unit that `hitpipe implement` puts on the board");
-  CLI::Option* const port =
+      "A name that `hitpipe list designs` shows. Default: the unit that `hitpipe implement` puts on the "
+      "board");
+  const CLI::Option* const port =
       command->add_option("--port", options->port, "The board's serial port, for example /dev/ttyUSB1")
           ->type_name("DEVICE");
   add_board_option(*command, options->board, "The board, which tells the usual rate")->capture_default_str();
   add_baud_option(*command, options->board);
-  command
-      ->add_flag("--simulate", options->simulate,
-                 "Be the board: run its Verilog behind a pseudo-terminal and print the name of that, until "
-                 "interrupted")
-      ->excludes(port);
+  exclude(command->add_flag("--simulate", options->simulate,
+                            "Be the board: run its Verilog behind a pseudo-terminal and print the name of "
+                            "that, until interrupted"),
+          port, "the simulated board has a port of its own");
   add_large_count_option(*command, "--tests", options->tests, 1, 10'000'000'000,
                          "Number of tests (1 to 10^10; without --scene to 10^6)");
   add_seed_option(*command, options->seed);
@@ -196,6 +196,7 @@ void add_board_command(CLI::App& program, int& exit_code) {
       throw std::runtime_error("board: give the board's --port, or --simulate to be one");
     exit_code = options->simulate ? simulate(*options) : stream(*options);
   });
+  return command;
 }
 
 }  // namespace hitpipe::cli

@@ -1,19 +1,24 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
 #include "cli/options/build_options.hpp"
+#include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "sim/software.hpp"
 #include "sw_ref/hierarchy/bvh_file.hpp"
 #include "sw_ref/hierarchy/statistics.hpp"
 
@@ -26,6 +31,8 @@ struct BvhCommand {
   ref::BuildOptions build;
   std::string bvh;
   std::string out;
+  std::string records;
+  DesignChoice unit;  ///< that reads the records
   bool sweep = false;
   Format format = Format::text;
 };
@@ -72,6 +79,56 @@ Row record(const BvhCommand& command, const ref::Scene& scene, const ref::Loaded
   return row;
 }
 
+/// Where the user names none, the first design that has records.
+DesignChoice unit_of_records(const BvhCommand& command) {
+  if (!command.unit.name.empty()) {
+    const rtl::Design& design = command.unit.design();
+    if (sim::software_of(design).records == nullptr)
+      throw std::runtime_error(sim::missing(design, "record of a node that its unit reads"));
+    return command.unit;
+  }
+  for (const rtl::Design& design : rtl::designs())
+    if (sim::software_of(design).records != nullptr) return {std::string(design.name), command.unit.bits};
+  throw std::runtime_error("--records: no design has records of its own");
+}
+
+/// A record a line, its last byte first. Bit i of the record is then bit i of the number.
+std::string hex_lines(const sim::NodeRecords& records) {
+  std::string text;
+  for (std::size_t record = 0; record < records.bytes.size(); record += records.bytes_per_record) {
+    for (std::size_t i = records.bytes_per_record; i-- > 0;)
+      fmt::format_to(std::back_inserter(text), "{:02x}", std::to_integer<int>(records.bytes[record + i]));
+    text += '\n';
+  }
+  return text;
+}
+
+/// Throws before the hierarchy is built.
+bool is_binary(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension != ".hex" && extension != ".bin")
+    throw std::runtime_error(
+        fmt::format("--records {}: unknown extension \"{}\"; allowed are .hex and .bin", file, extension));
+  return extension == ".bin";
+}
+
+Row write_records(const BvhCommand& command, const ref::Bvh& bvh) {
+  const DesignChoice unit = unit_of_records(command);
+  const std::string name = fmt::format("{} {}", unit.name, rtl::to_string(unit.format()));
+  const sim::NodeRecords records = sim::software_of(unit.design()).records(unit.format(), bvh);
+  const std::size_t count = records.bytes.size() / records.bytes_per_record;
+  const std::string text =
+      is_binary(command.records)
+          ? std::string(reinterpret_cast<const char*>(records.bytes.data()), records.bytes.size())
+          : fmt::format("// {}: {} records of {} bytes. docs/bvh.md says what their bits are.\n{}", name,
+                        count, records.bytes_per_record, hex_lines(records));
+  host::write_file(command.records, text);
+  return {{"records", command.records},
+          {"records_of", name},
+          {"record_count", count},
+          {"record_bytes", records.bytes_per_record}};
+}
+
 void print_one(const BvhCommand& command, const ref::Scene& scene) {
   std::optional<Progress> progress(command.bvh.empty() ? "building the hierarchy" : "reading the hierarchy");
   const auto start = std::chrono::steady_clock::now();
@@ -82,6 +139,7 @@ void print_one(const BvhCommand& command, const ref::Scene& scene) {
     host::write_file(command.out, ref::bvh_text(hierarchy.bvh, scene.mesh));
     row["file"] = command.out;
   }
+  if (!command.records.empty()) row.update(write_records(command, hierarchy.bvh));
   progress.reset();
   fmt::print("{}", record_text(row, command.format));
 }
@@ -109,6 +167,10 @@ void print_sweep(const BvhCommand& command, const ref::Scene& scene) {
 
 void report(BvhCommand command) {
   command.build.threads = command.scene.threads;
+  if (!command.records.empty()) {
+    static_cast<void>(is_binary(command.records));
+    static_cast<void>(unit_of_records(command).format());
+  }
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   progress.reset();
@@ -121,9 +183,9 @@ void report(BvhCommand command) {
 
 }  // namespace
 
-void add_bvh_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App* const command = program.add_subcommand(
-      "bvh", "Build a scene's hierarchy of boxes and print its figures (Appendix B of the thesis)");
+CLI::App* add_bvh_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App* const command =
+      program.add_subcommand("bvh", "Build a scene's hierarchy: figures, file, records for a unit");
   const auto options = std::make_shared<BvhCommand>();
   add_scene_options(*command, options->scene);
   for (const char* const of_an_image : {"--width", "--height"}) {
@@ -133,12 +195,27 @@ void add_bvh_command(CLI::App& program, int& /*exit_code*/) {
   add_bvh_file_option(*command, options->bvh);
   command->add_option("--out", options->out, "Write the hierarchy to this file, which --bvh reads")
       ->type_name("FILE");
-  command->add_flag("--sweep", options->sweep, "A row for each leaf size of Appendix B, 1 to 512 triangles")
-      ->excludes("--max-triangles")
-      ->excludes("--bvh")
-      ->excludes("--out");
+  const CLI::Option* const records =
+      command
+          ->add_option(
+              "--records", options->records,
+              "Write the hierarchy as the design's unit reads it: .hex for $readmemh, a record a line; .bin "
+              "as in memory")
+          ->type_name("FILE");
+  add_design_options(*command, options->unit);
+  command->get_option("design")->required(false)->description(
+      "The design of --records. Default: the first that has records of its own");
+  CLI::Option* const sweep = command->add_flag("--sweep", options->sweep,
+                                               "A row for each leaf size of Appendix B, 1 to 512 triangles");
+  for (const char* const other : {"--max-triangles", "--bvh", "--out", "--records"})
+    exclude(sweep, command->get_option(other), "it builds a hierarchy for each leaf size");
   add_format_option(*command, options->format);
-  command->callback([options] { report(*options); });
+  command->callback([options, records] {
+    if (records->count() == 0 && (!options->unit.name.empty() || options->unit.bits))
+      throw std::runtime_error("bvh: a design and --bits are those of --records; give a file");
+    report(*options);
+  });
+  return command;
 }
 
 }  // namespace hitpipe::cli

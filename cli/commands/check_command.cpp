@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/stiff_check.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
@@ -27,6 +29,8 @@ namespace {
 using ref::adversary::Case;
 using ref::adversary::Category;
 
+constexpr std::uint64_t most_stiff = 1'000'000'000;
+
 struct CheckCommand {
   DesignChoice choice;
   std::vector<std::string> categories;
@@ -34,6 +38,7 @@ struct CheckCommand {
   std::uint64_t seed = 1;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   bool rtl = false;
+  bool stiff = false;
   std::optional<std::string> replay;
   Format format = Format::text;
 };
@@ -199,15 +204,21 @@ int replay(const CheckCommand& command) {
 
 }  // namespace
 
-void add_check_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand(
-      "check", "Judge a design by exact arithmetic, on rays and boxes made to break it");
+CLI::App* add_check_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command =
+      program.add_subcommand("check", "Judge a design exactly, on rays and boxes made to break it");
   const auto options = std::make_shared<CheckCommand>();
-  add_design_options(*command, options->choice);
+  const auto stiff = std::make_shared<StiffCheck>();
+  add_designs_option(*command, stiff->units, "with --stiff those that never miss; otherwise name one");
+  add_bits_option(
+      *command, stiff->units,
+      "the design's own; with --stiff 24/24, 20/24, 16/16 and 12/12 for n/t designs, and at most 8");
   add_list_option(*command, "--category", options->categories,
                   "Draw only from these categories; an unknown name lists all", "NAME");
-  add_large_count_option(*command, "--tests", options->tests, 1, 10'000'000'000'000,
-                         "Total number of tests, divided among the categories (1 to 10^13)");
+  const CLI::Option* const tests = add_large_count_option(
+      *command, "--tests", options->tests, 1, 10'000'000'000'000,
+      "Number of tests, divided among the categories (1 to 10^13); with --stiff of boxes "
+      "for each ratio (1 to 10^9, default 60000)");
   add_seed_option(*command, options->seed);
   add_count_option(*command, "--threads", options->threads, {1, 1024},
                    "Number of threads; results do not depend on it")
@@ -215,9 +226,38 @@ void add_check_command(CLI::App& program, int& exit_code) {
   command->add_flag("--rtl", options->rtl, "The Verilog answers every test too");
   command->add_option("--replay", options->replay, "Judge the one case that a failed check printed")
       ->type_name("CASE");
+  CLI::Option* const is_stiff = command->add_flag(
+      "--stiff", options->stiff,
+      "Count false hits as the components of a ray's direction grow apart, of several designs and formats");
+  as_input(command->add_option(
+               "--scene", stiff->scene,
+               "With --stiff: also count the box tests of stiff rays through a built-in scene or a "
+               "mesh file"))
+      ->needs(is_stiff)
+      ->type_name("NAME|FILE");
+  add_large_count_option(*command, "--rays", stiff->rays, 1, 1'000'000'000,
+                         "With --stiff: rays through the scene for each ratio (1 to 10^9)")
+      ->needs(is_stiff);
+  add_folder_option(*command, stiff->out, "With --stiff: folder for the rows as CSV and for the plots as SVG")
+      ->needs(is_stiff);
+  for (const char* const other : {"--category", "--rtl", "--replay"})
+    exclude(is_stiff, command->get_option(other), "stiff rays have cases of their own, and the C++ answers");
   add_format_option(*command, options->format);
-  command->callback(
-      [options, &exit_code] { exit_code = options->replay ? replay(*options) : judge(*options); });
+  command->callback([options, stiff, tests, &exit_code] {
+    if (options->stiff) {
+      if (tests->count() > 0) stiff->tests = options->tests;
+      if (stiff->tests > most_stiff)
+        throw std::runtime_error(fmt::format("--tests: with --stiff allowed is 1 to {}", most_stiff));
+      stiff->seed = options->seed;
+      stiff->threads = options->threads;
+      stiff->format = options->format;
+      exit_code = check_stiff_rays(*stiff);
+      return;
+    }
+    options->choice = stiff->units.only("check");
+    exit_code = options->replay ? replay(*options) : judge(*options);
+  });
+  return command;
 }
 
 }  // namespace hitpipe::cli

@@ -2,11 +2,13 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/rescale.hpp"
 #include "cli/options/build_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
@@ -172,19 +174,21 @@ int cosimulate(const CosimCommand& command) {
 
 }  // namespace
 
-void add_cosim_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand(
-      "cosim", "Render a scene with a design's Verilog answering every box test, and compare with software");
+CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command =
+      program.add_subcommand("cosim", "Render a scene by a design's Verilog, and compare with software");
   const auto options = std::make_shared<CosimCommand>();
   add_design_options(*command, options->choice);
-  command
-      ->add_option(
-          "--unit", options->unit,
-          "Run the unit in this folder, which `hitpipe fit` or `hitpipe rtl` wrote; it may be edited. "
-          "Where the folder has several units of the design: the manifest of one")
-      ->excludes("--bits")
-      ->type_name("DIR|MANIFEST");
-  add_flow_control_option(*command, options->flow_control)->excludes("--unit");
+  CLI::Option* const unit =
+      command
+          ->add_option(
+              "--unit", options->unit,
+              "Run the unit in this folder, which `hitpipe fit` or `hitpipe rtl` wrote; it may be edited. "
+              "Where the folder has several units of the design: the manifest of one")
+          ->type_name("DIR|MANIFEST");
+  const CLI::Option* const flow = add_flow_control_option(*command, options->flow_control);
+  for (const CLI::Option* const other : {flow, std::as_const(*command).get_option("--bits")})
+    exclude(unit, other, "the unit in the folder has its own, which its manifest says");
   add_library_option(*command, options->library);
   add_scene_options(*command, options->scene);
   add_bvh_file_option(*command, options->bvh);
@@ -202,7 +206,13 @@ void add_cosim_command(CLI::App& program, int& exit_code) {
                     "the others with the host's floating-point unit");
   add_folder_option(*command, options->out, "Folder for the image, the Verilog and the schematics");
   add_format_option(*command, options->format);
-  command->callback([options, &exit_code] { exit_code = cosimulate(*options); });
+  const auto moves = std::make_shared<RescaleChoice>();
+  add_rescale_options(*command, *moves, {"design", "--bits"});
+  command->callback([options, moves, &exit_code] {
+    exit_code = moves->asked ? rescale(options->scene, *moves, &options->choice, options->format)
+                             : cosimulate(*options);
+  });
+  return command;
 }
 
 }  // namespace hitpipe::cli

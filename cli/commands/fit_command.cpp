@@ -231,14 +231,14 @@ int fit(const FitCommand& command) {
 
 }  // namespace
 
-void add_fit_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand(
-      "fit", "Make the smallest unit of each design for a scene, and check that it misses nothing");
+CLI::App* add_fit_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command =
+      program.add_subcommand("fit", "Make the smallest unit of each design for a scene, and check it");
   const auto options = std::make_shared<FitCommand>();
   add_scene_options(*command, options->scene);
   add_bounces_option(*command, options->light);
   command->add_flag("--no-shadows", options->no_shadows, "Switch the lights off: no shadow rays");
-  add_designs_option(*command, options->units);
+  add_designs_option(*command, options->units, "all");
   command
       ->add_option("--overhead", options->overhead_pct,
                    "Take the fewest bits with at most P percent more box tests, instead of the least whole "
@@ -254,6 +254,7 @@ void add_fit_command(CLI::App& program, int& exit_code) {
       ->required();
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = fit(*options); });
+  return command;
 }
 
 }  // namespace hitpipe::cli

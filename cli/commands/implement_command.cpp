@@ -194,18 +194,17 @@ int implement(const ImplementCommand& command) {
 
 }  // namespace
 
-void add_implement_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand(
-      "implement", "Put a unit into a chip or standard cells: counts, clock, and its netlist simulated");
+CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command =
+      program.add_subcommand("implement", "Map a unit to a chip or standard cells: counts, clock, netlist");
   const auto options = std::make_shared<ImplementCommand>();
   sim::ImplementOptions& how = options->options;
   add_design_options(*command, options->choice);
   command->get_option("design")->required(false)->description(
-      "A name that `hitpipe designs` lists. Default: the usual unit of the board");
-  command
-      ->add_option("--target", options->target,
-                   fmt::format("A built-in target ({}) or a file NAME.json; a board has its own",
-                               fmt::join(sim::target_names(), ", ")))
+      "A name that `hitpipe list designs` shows. Default: the usual unit of the board");
+  as_input(command->add_option("--target", options->target,
+                               fmt::format("A built-in target ({}) or a file NAME.json; a board has its own",
+                                           fmt::join(sim::target_names(), ", "))))
       ->type_name("NAME|FILE");
   CLI::Option* const board =
       add_board_option(*command, options->board,
@@ -215,11 +214,11 @@ void add_implement_command(CLI::App& program, int& exit_code) {
       *command, options->out,
       "Folder; the unit and the tools' files go to a folder in it that is named after the target")
       ->required();
-  command
-      ->add_option("--library", how.library,
-                   fmt::format("Component library that drives the schedule, a built-in one ({}) or a file "
-                               "NAME.json. Default: the target's",
-                               fmt::join(rtl::built_in_names(), ", ")))
+  as_input(command->add_option(
+               "--library", how.library,
+               fmt::format("Component library that drives the schedule, a built-in one ({}) or a file "
+                           "NAME.json. Default: the target's",
+                           fmt::join(rtl::built_in_names(), ", "))))
       ->type_name("NAME|FILE");
   add_count_option(
       *command, "--clock-ps", how.clock_ps, {1, 1'000'000'000},
@@ -233,10 +232,11 @@ void add_implement_command(CLI::App& program, int& exit_code) {
       "Place with seeds 1 to N; the clock is that of the median and the best. With 0 the unit is "
       "not placed")
       ->capture_default_str();
-  add_count_option(*command, "--simulate", how.simulate, {1, 10'000'000},
-                   "Simulate the mapped netlist with N vectors, as `hitpipe rtl --vectors` chooses them, and "
-                   "compare it with the C++")
-      ->excludes(board);
+  exclude(add_count_option(
+              *command, "--simulate", how.simulate, {1, 10'000'000},
+              "Simulate the mapped netlist with N vectors, as `hitpipe rtl --vectors` chooses them, and "
+              "compare it with the C++"),
+          board, "the vectors are those of the unit alone, and on a board it stands behind a serial line");
   add_choice_option<sim::Simulator>(
       *command, "--simulator", how.simulator,
       {{"icarus", sim::Simulator::icarus}, {"verilator", sim::Simulator::verilator}},
@@ -244,6 +244,7 @@ void add_implement_command(CLI::App& program, int& exit_code) {
   add_seed_option(*command, how.seed);
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = implement(*options); });
+  return command;
 }
 
 }  // namespace hitpipe::cli

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -18,6 +19,7 @@
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
 #include "sim/operands/operands.hpp"
+#include "sim/operands/own_operands.hpp"
 
 namespace hitpipe::cli {
 
@@ -28,6 +30,7 @@ using sim::TestForm;
 struct OperandsCommand {
   DesignChoice choice;
   sim::OperandFiles files;
+  std::string own;  ///< a file of operands, in place of rays and boxes
   std::optional<ref::Bounds> bounds;
   std::string out;
   std::optional<TestForm> form;
@@ -74,15 +77,28 @@ int verdict(const OperandsCommand& command, const sim::OperandCounts& counts) {
   return 1;
 }
 
-int make_operands(const OperandsCommand& command) {
+/// Of rays and boxes.
+sim::OperandCounts judge_operands(const OperandsCommand& command, TestForm form,
+                                  const std::function<void(std::string_view)>& write,
+                                  const std::function<void(double)>& progress) {
   const rtl::Design& design = command.choice.design();
   const rtl::Format format = command.choice.format();
+  const sim::Placement placement = command.bounds ? sim::Placement(*command.bounds) : sim::Placement();
+  return sim::write_operands(
+      [&] { return sim::make_box_test(design, format); },
+      {design, format, placement, form, command.with_input},
+      {.files = command.files, .placement = placement, .threads = command.threads, .progress = progress},
+      write);
+}
+
+int make_operands(const OperandsCommand& command) {
+  if (command.own.empty() && (command.files.rays.empty() || command.files.boxes.empty()))
+    throw std::runtime_error("operands: give --rays and --boxes, or --operands");
   if (command.files.rays == "-" && command.files.boxes == "-")
     throw std::runtime_error("--rays and --boxes are both -; only one can be standard input");
-  const sim::Placement placement = command.bounds ? sim::Placement(*command.bounds) : sim::Placement();
-  const sim::TestLayout layout(design, format, placement, form_of(command), command.with_input);
-  const sim::MakeBoxTest make = [&] { return sim::make_box_test(design, format); };
-
+  const rtl::Design& design = command.choice.design();
+  const rtl::Format format = command.choice.format();
+  const TestForm form = form_of(command);
   const bool to_file = command.out != "-";
   std::optional<host::PendingFile> file;
   if (to_file) file.emplace(command.out);
@@ -94,26 +110,26 @@ int make_operands(const OperandsCommand& command) {
     }
   };
   std::optional<Progress> progress(std::in_place, "testing");
-  const sim::OperandCounts counts =
-      sim::write_operands(make, layout,
-                          {.files = command.files,
-                           .placement = placement,
-                           .threads = command.threads,
-                           .progress = [&](double share) { progress->show(share); }},
-                          write);
+  const auto show = [&](double share) { progress->show(share); };
+  Row row{{"design", design.name}, {"bits", rtl::to_string(format)}};
+  sim::OperandCounts counts;
+  if (command.own.empty()) {
+    counts = judge_operands(command, form, write, show);
+    row.update({{"tests", counts.tests},
+                {"hits", counts.hits},
+                {"exact_hits", counts.exact_hits},
+                {"false_hits", counts.false_hits},
+                {"false_misses", counts.false_misses}});
+  } else {
+    const sim::RunCounts run = sim::run_operands(design, format, command.own, form, write, show);
+    row.update({{"tests", run.tests}, {"hits", run.hits}});
+  }
   if (to_file) {
     file->close();
     file->rename();
   }
   progress.reset();
 
-  Row row{{"design", design.name},
-          {"bits", rtl::to_string(format)},
-          {"tests", counts.tests},
-          {"hits", counts.hits},
-          {"exact_hits", counts.exact_hits},
-          {"false_hits", counts.false_hits},
-          {"false_misses", counts.false_misses}};
   if (to_file) row["operands"] = command.out;
   fmt::print(to_file ? stdout : stderr, "{}", record_text(row, command.format));
   return verdict(command, counts);
@@ -121,24 +137,23 @@ int make_operands(const OperandsCommand& command) {
 
 }  // namespace
 
-void add_operands_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand(
-      "operands", "Make the operands of your own rays and boxes, with HIT and the exact answer");
+CLI::App* add_operands_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command =
+      program.add_subcommand("operands", "Operands of your rays and boxes, with HIT and the exact answer");
   const auto options = std::make_shared<OperandsCommand>();
   add_design_options(*command, options->choice);
-  command
-      ->add_option(
-          "--rays", options->files.rays,
-          "CSV file with the columns ox,oy,oz,dx,dy,dz and, if you like, length; - is standard input")
-      ->required()
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--boxes", options->files.boxes,
-          "CSV file with the columns min_x,min_y,min_z,max_x,max_y,max_z; for a design that tests two "
-          "boxes at a time min_x_0,...,max_z_0,min_x_1,...,max_z_1")
-      ->required()
-      ->type_name("FILE");
+  const auto input = [&](const char* name, std::string& file, const char* what) {
+    return as_input(command->add_option(name, file, what))->type_name("FILE");
+  };
+  input("--rays", options->files.rays,
+        "CSV file with the columns ox,oy,oz,dx,dy,dz and, if you like, length; - is standard input");
+  input("--boxes", options->files.boxes,
+        "CSV file with the columns min_x,min_y,min_z,max_x,max_y,max_z; for a design that tests two "
+        "boxes at a time min_x_0,...,max_z_0,min_x_1,...,max_z_1");
+  CLI::Option* const own = input("--operands", options->own,
+                                 "In place of rays and boxes: CSV file of operands of your own, with a "
+                                 "column for each. The results of the "
+                                 "unit are written behind them");
   command->add_option("--out", options->out, "File to write; - is standard output")
       ->required()
       ->type_name("FILE");
@@ -146,8 +161,7 @@ void add_operands_command(CLI::App& program, int& exit_code) {
       *command, "--as", options->form,
       {{"csv", TestForm::csv}, {"json", TestForm::json}, {"hex", TestForm::hex}},
       "What to write: csv; json, one object a line; or hex, the vectors of the emitted testbench. Default: "
-      "as "
-      "the file's extension says, csv on standard output");
+      "as the file's extension says, csv on standard output");
   command->add_flag("--all-pairs", options->files.all_pairs,
                     "Test every ray with every box, in place of line i of one file with line i of the other");
   command
@@ -158,11 +172,14 @@ void add_operands_command(CLI::App& program, int& exit_code) {
       ->type_name("X,Y,Z,X,Y,Z");
   command->add_flag("--with-input", options->with_input,
                     "Also write ray and box as they were tested: in the cube, in binary32");
+  for (const char* const other : {"--rays", "--boxes", "--all-pairs", "--bounds", "--with-input"})
+    exclude(own, command->get_option(other), "operands are what the unit takes, without a ray and a box");
   add_count_option(*command, "--threads", options->threads, {1, 1024},
                    "Number of threads; results do not depend on it")
       ->capture_default_str();
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = make_operands(*options); });
+  return command;
 }
 
 }  // namespace hitpipe::cli

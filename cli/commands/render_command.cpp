@@ -2,11 +2,13 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/rescale.hpp"
 #include "cli/options/build_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
@@ -14,6 +16,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/render/image_compare.hpp"
 #include "sw_ref/render/image_file.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/render/stiff_rays.hpp"
@@ -33,6 +36,10 @@ struct RenderCommand {
   std::string box_map;
   std::string extra_box_map;
   std::string triangle_map;
+  RescaleChoice moves;
+  std::vector<std::string> images;  ///< to compare
+  bool compare = false;
+  double tolerance = 0.0;
   Format format = Format::text;
 
   [[nodiscard]] bool maps() const {
@@ -67,6 +74,32 @@ void add_map(Row& row, const ref::RenderResult& result, const std::string& name,
   row[name] = file;
   row[name + "_low"] = scale.low;
   row[name + "_high"] = scale.high;
+}
+
+/// Two images. The exit code is 1 when they differ.
+int compare_images(const RenderCommand& command) {
+  // One step of an 8-bit code is 0.0039, so the text needs more than two digits after the point.
+  const auto difference_of = [&](double x) {
+    return command.format == Format::text ? Row(fmt::format("{:.6g}", x)) : Row(x);
+  };
+  const ref::StoredImage a = ref::read_image(command.images.at(0));
+  const ref::StoredImage b = ref::read_image(command.images.at(1));
+  const ref::ImageDifference difference = ref::compare_images(a, b, command.tolerance);
+  Row row{{"width", a.width},
+          {"height", a.height},
+          {"channels", a.channels},
+          {"pixels", difference.pixels},
+          {"different_pixels", difference.different_pixels},
+          {"largest_difference", difference_of(difference.largest)},
+          {"mean_difference", difference_of(difference.mean)},
+          {"psnr_db", difference.psnr_db}};
+  if (!command.out.empty()) {
+    ref::write_map(command.out, a.width, a.height, difference.per_pixel,
+                   {0.0F, ref::scale_of(difference.per_pixel).high});
+    row["difference_image"] = command.out;
+  }
+  fmt::print("{}", record_text(row, command.format));
+  return difference.different_pixels == 0 ? 0 : 1;
 }
 
 void render_scene(const RenderCommand& command) {
@@ -138,9 +171,9 @@ void render_scene(const RenderCommand& command) {
 
 }  // namespace
 
-void add_render_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App* const command = program.add_subcommand(
-      "render", "Render a scene in software, by any traversal and encoding of its hierarchy");
+CLI::App* add_render_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command =
+      program.add_subcommand("render", "Render a scene in software by any traversal; compare two images");
   const auto options = std::make_shared<RenderCommand>();
   add_scene_options(*command, options->scene);
   add_bounces_option(*command, options->light);
@@ -160,7 +193,39 @@ void add_render_command(CLI::App& program, int& /*exit_code*/) {
   file("--extra-box-map", options->extra_box_map,
        "Map of the box tests above those of robust float slabs, which are the default, in the same colours");
   add_format_option(*command, options->format);
-  command->callback([options] { render_scene(*options); });
+  add_rescale_options(*command, options->moves, {});
+  as_input(command->add_option("image", options->images, "Two images of one size, for --compare"))
+      ->type_name("FILE");
+  CLI::Option* const compares =
+      command->add_flag("--compare", options->compare,
+                        "Compare two images in place of rendering; the exit code is 1 when a pixel "
+                        "differs by more than the tolerance. --out is a map of each pixel's largest "
+                        "difference");
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "With --compare: how far channels may be apart; values of a .png are 0 to 1")
+      ->check(CLI::NonNegativeNumber.description(""))
+      ->needs(compares)
+      ->type_name("X")
+      ->capture_default_str();
+  command->get_option("--scene")->required(false);
+  exclude_all_but(*command, compares, {"image", "--tolerance", "--out", "--format"},
+                  "two images are compared, and nothing is rendered");
+  command->callback([options, &exit_code] {
+    const std::size_t images = options->compare ? 2 : 0;
+    if (options->images.size() != images)
+      throw std::runtime_error(fmt::format("render: {} images; --compare takes two", options->images.size()));
+    if (!options->compare && options->scene.name.empty())
+      throw std::runtime_error("--scene is required; see hitpipe render --help");
+    if (options->compare) {
+      exit_code = compare_images(*options);
+    } else if (options->moves.asked) {
+      exit_code = rescale(options->scene, options->moves, nullptr, options->format);
+    } else {
+      render_scene(*options);
+    }
+  });
+  return command;
 }
 
 }  // namespace hitpipe::cli

@@ -168,7 +168,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   facts.stiffness =
       measure_stiffness({.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
   facts.stiffness_command =
-      fmt::format("hitpipe stiffness --tests {} --seed {} --out FOLDER", command.tests, command.seed);
+      fmt::format("hitpipe check --stiff --tests {} --seed {} --out FOLDER", command.tests, command.seed);
   facts.stiffness_diagram = {
       "stiffness.svg", draw_plot(boxes_plot(facts.stiffness)),
       "False hits on stiff rays by the ratio of the direction's components",
@@ -227,17 +227,18 @@ int report(const ReportCommand& command, const CLI::App& options) {
 
 }  // namespace
 
-void add_report_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand(
-      "report", "Measure every unit on a scene and show error against cost on one page of HTML");
+CLI::App* add_report_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command =
+      program.add_subcommand("report", "Measure all designs on a scene: error against cost, as HTML");
   const auto options = std::make_shared<ReportCommand>();
   add_scene_options(*command, options->scene);
-  CLI::Option* const rows =
-      command
-          ->add_option("--rows", options->rows,
-                       "Read the rows from a CSV file that hitpipe sweep wrote for this scene and size")
+  const CLI::Option* const rows =
+      as_input(command->add_option(
+                   "--rows", options->rows,
+                   "Read the rows from a CSV file that hitpipe sweep wrote for this scene and size"))
           ->type_name("FILE");
-  add_bits_option(*command, options->swept, "those of hitpipe sweep")->excludes(rows);
+  exclude(add_bits_option(*command, options->swept, "those of hitpipe sweep"), rows,
+          "the rows of the file have their formats");
   add_cost_options(*command, options->cost);
   options->image.name = image_design();
   command
@@ -253,6 +254,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
   add_format_option(*command, options->format);
   command->callback([options, command, &exit_code] { exit_code = report(*options, *command); });
+  return command;
 }
 
 }  // namespace hitpipe::cli

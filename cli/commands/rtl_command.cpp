@@ -82,9 +82,9 @@ void emit_rtl(const RtlOptions& options) {
 
 }  // namespace
 
-void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App* const command = program.add_subcommand(
-      "rtl", "Write a design's Verilog, manifest, FuseSoC core, schematics, testbench and vectors");
+CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App* const command =
+      program.add_subcommand("rtl", "Write a design's Verilog, manifest, schematics and testbench");
   const auto options = std::make_shared<RtlOptions>();
   add_design_options(*command, options->choice);
   add_folder_option(*command, options->out, "Folder to write to; made if it is not there")->required();
@@ -105,11 +105,13 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
       "--fifo", options->fifo,
       "Also write <module>_fifo.v: valid and ready around a design without flow control, by a FIFO "
       "for its results and a count of the places in it");
-  add_count_option(*command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
-                   "Also write <module>_slots.v, the design behind a memory of N rays: a ray is sent once, "
-                   "and its tests name its slot; N is rounded up to a power of two")
-      ->excludes("--axi-stream")
-      ->excludes("--fifo");
+  CLI::Option* const slots = add_count_option(
+      *command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
+      "Also write <module>_slots.v, the design behind a memory of N rays: a ray is sent once, "
+      "and its tests name its slot; N is rounded up to a power of two");
+  for (const char* const other : {"--axi-stream", "--fifo"})
+    exclude(slots, command->get_option(other),
+            "both wrap the unit itself, and no wrapper goes around another");
   command->add_flag("--hls", options->hls,
                     "Also write hls/: the design as a C++ top function for high-level synthesis, with "
                     "scripts for Vitis HLS and Catapult");
@@ -121,6 +123,7 @@ void add_rtl_command(CLI::App& program, int& /*exit_code*/) {
     options->flow_control_given = flow->count() > 0;
     emit_rtl(*options);
   });
+  return command;
 }
 
 }  // namespace hitpipe::cli

@@ -137,12 +137,12 @@ int sweep(const SweepCommand& command) {
 
 }  // namespace
 
-void add_sweep_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand(
-      "sweep", "Measure error, run time and area of designs in many formats on a scene; resumable");
+CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command =
+      program.add_subcommand("sweep", "Measure error, run time and area in many formats; can be resumed");
   const auto options = std::make_shared<SweepCommand>();
   add_scene_options(*command, options->scene);
-  add_designs_option(*command, options->units);
+  add_designs_option(*command, options->units, "all");
   add_bits_option(*command, options->units,
                   "for n/t designs, n from 8 to 32 in steps of 4, each with t of n, n+4 and n+8");
   add_list_option(*command, "--rays-in-flight", options->rays_in_flight,
@@ -150,9 +150,9 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
       ->transform(number_from(1, sim::RayUnit::most_rays_in_flight));
   add_bounces_option(*command, options->light);
   add_cost_options(*command, options->cost);
-  add_list_option(*command, "--rows", options->rows,
-                  "Also take the rows of these files, which hitpipe sweep wrote for this scene and size",
-                  "FILE");
+  as_input(add_list_option(
+      *command, "--rows", options->rows,
+      "Also take the rows of these files, which hitpipe sweep wrote for this scene and size", "FILE"));
   command
       ->add_option("--out", options->out,
                    "File for the rows (.csv); rows that it already holds are not measured again")
@@ -160,6 +160,7 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
       ->type_name("FILE");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = sweep(*options); });
+  return command;
 }
 
 }  // namespace hitpipe::cli

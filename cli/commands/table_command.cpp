@@ -1,50 +1,109 @@
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
 #include "cli/options/experiment_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/report/reproduction_page.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/result_text.hpp"
+#include "host/files.hpp"
 #include "sim/thesis/chapter_7.hpp"
-#include "sw_ref/thesis/experiment.hpp"
 
 namespace hitpipe::cli {
 
 namespace {
 
-struct TableOptions {
-  std::string number;
+struct TableCommand {
+  std::vector<std::string> numbers;
+  bool judge = false;
   ref::ExperimentOptions experiment;
+  std::string out;
   Format format = Format::text;
 };
 
-void run(const TableOptions& options) {
-  const ref::Experiment& experiment = ref::find_experiment(options.number, sim::experiments_and_proposals());
-  Progress progress("running the experiment");
-  ref::ExperimentOptions with_progress = options.experiment;
-  with_progress.progress = [&](double share) { progress.show(share); };
-  const ref::ResultTable table = experiment.run(experiment.number, with_progress);
-  fmt::print("{}", result_text(table, options.format));
+ref::ResultTable table_of(const ref::Experiment& experiment, const TableCommand& command) {
+  Progress progress(fmt::format("table {}", experiment.number));
+  ref::ExperimentOptions options = command.experiment;
+  options.progress = [&](double share) { progress.show(share); };
+  return experiment.run(experiment.number, options);
+}
+
+void print_table(const TableCommand& command) {
+  if (command.numbers.size() != 1)
+    throw std::runtime_error(
+        fmt::format("table: {} tables; allowed is one, or any number with --judge", command.numbers.size()));
+  const ref::Experiment& experiment =
+      ref::find_experiment(command.numbers.front(), sim::experiments_and_proposals());
+  fmt::print("{}", result_text(table_of(experiment, command), command.format));
+}
+
+/// The tables that are asked for, or all of the thesis.
+std::vector<const ref::Experiment*> judged(const TableCommand& command) {
+  std::vector<const ref::Experiment*> experiments;
+  for (const std::string& number : command.numbers)
+    experiments.push_back(&ref::find_experiment(number, sim::thesis_experiments()));
+  if (experiments.empty())
+    for (const ref::Experiment& experiment : sim::thesis_experiments()) experiments.push_back(&experiment);
+  return experiments;
+}
+
+std::string command_text(const TableCommand& command) {
+  std::string text = "hitpipe table --judge";
+  if (!command.numbers.empty()) text += fmt::format(" {}", fmt::join(command.numbers, " "));
+  text += experiment_options_text(command.experiment);
+  return command.out.empty() ? text : text + " --out " + command.out;
+}
+
+void judge(const TableCommand& command) {
+  const std::filesystem::path page(command.out);
+  if (!command.out.empty() && page.extension() != ".md")
+    throw CLI::ValidationError("--out", command.out + " does not end in .md");
+  std::vector<ref::ResultTable> tables;
+  for (const ref::Experiment* const experiment : judged(command))
+    tables.push_back(table_of(*experiment, command));
+  const std::string text = reproduction_page(tables, command_text(command));
+  if (command.out.empty() || command.format != Format::text)
+    fmt::print("{}",
+               command.format == Format::text ? text : table_text(reproduction_rows(tables), command.format));
+  if (command.out.empty()) return;
+  std::filesystem::path figures = page.filename();
+  figures.replace_extension(".csv");
+  host::write_files(page.has_parent_path() ? page.parent_path() : ".",
+                    {{page.filename().string(), text},
+                     {figures.string(), table_text(reproduction_rows(tables), Format::csv)}});
 }
 
 }  // namespace
 
-void add_table_command(CLI::App& program, int& /*exit_code*/) {
+CLI::App* add_table_command(CLI::App& program, int& /*exit_code*/) {
   std::string numbers;
   for (const ref::Experiment& experiment : sim::experiments_and_proposals())
     numbers += (numbers.empty() ? "" : ", ") + std::string(experiment.number);
   CLI::App* const command =
-      program.add_subcommand("table", "Run an experiment of the thesis again and print its table");
-  const auto options = std::make_shared<TableOptions>();
-  command->add_option("number", options->number, "The thesis's table: " + numbers)
-      ->required()
+      program.add_subcommand("table", "Repeat the experiment of a table, or judge all of the thesis");
+  const auto options = std::make_shared<TableCommand>();
+  command->add_option("number", options->numbers, "The thesis's table: " + numbers)
+      ->delimiter(',')
       ->type_name("N");
+  CLI::Option* const judges = command->add_flag(
+      "--judge", options->judge,
+      "Judge each statement and figure of the thesis, about these tables or about all and the text");
   add_experiment_options(*command, options->experiment);
+  command
+      ->add_option("--out", options->out,
+                   "With --judge: page to write, ending in .md; every figure goes to a .csv beside it. "
+                   "Without it the page goes to standard output")
+      ->needs(judges)
+      ->type_name("FILE");
   add_format_option(*command, options->format);
-  command->callback([options] { run(*options); });
+  command->callback([options] { options->judge ? judge(*options) : print_table(*options); });
+  return command;
 }
 
 }  // namespace hitpipe::cli

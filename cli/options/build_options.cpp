@@ -61,9 +61,10 @@ void add_bvh_file_option(CLI::App& command, std::string& file) {
       command.add_option("--bvh", file, "Take the hierarchy of boxes from this file instead of building one")
           ->check(named)
           ->type_name("FILE");
-  for (const char* const of_a_build : {"--builder", "--max-triangles", "--max-depth", "--grid-bits"}) {
-    if (CLI::Option* const other = command.get_option_no_throw(of_a_build)) option->excludes(other);
-  }
+  as_input(option);
+  for (const char* const of_a_build : {"--builder", "--max-triangles", "--max-depth", "--grid-bits"})
+    if (const CLI::Option* const other = command.get_option_no_throw(of_a_build))
+      exclude(option, other, "the hierarchy of the file is built already");
 }
 
 ref::LoadedBvh make_hierarchy(const std::string& file, const ref::Scene& scene,

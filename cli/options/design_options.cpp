@@ -39,14 +39,23 @@ std::string spellings(const std::vector<const rtl::Design*>& designs) {
 }  // namespace
 
 void add_design_options(CLI::App& command, DesignChoice& choice) {
-  command.add_option("design", choice.name, "A name that `hitpipe designs` lists")
+  command.add_option("design", choice.name, "A name that `hitpipe list designs` shows")
       ->required()
       ->type_name("NAME");
   command
       .add_option("--bits", choice.bits,
-                  "Number format. `hitpipe designs` lists the formats and the default of each design. "
+                  "Number format. `hitpipe list designs --format json` shows those of each design. "
                   "n/t: n bits of a coordinate, t bits kept of a product")
       ->type_name("FORMAT");
+}
+
+DesignChoice DesignsChoice::only(const std::string& command) const {
+  if (names.size() != 1)
+    throw std::runtime_error(
+        fmt::format("{}: {} designs; allowed is one of: {}", command, names.size(), rtl::design_names()));
+  if (bits.size() > 1)
+    throw std::runtime_error(fmt::format("{}: {} formats; allowed is one", command, bits.size()));
+  return {names.front(), bits.empty() ? std::nullopt : std::optional(bits.front())};
 }
 
 std::vector<const rtl::Design*> DesignsChoice::designs(WhyNot why_not) const {
@@ -106,9 +115,14 @@ std::vector<sim::DesignFormats> DesignsChoice::formats(const std::vector<const r
   return all;
 }
 
-CLI::Option* add_designs_option(CLI::App& command, DesignsChoice& choice) {
-  return add_list_option(command, "--designs", choice.names,
-                         "Names that `hitpipe designs` lists (default: all)", "NAME");
+CLI::Option* add_designs_option(CLI::App& command, DesignsChoice& choice, const std::string& otherwise) {
+  return command
+      .add_option(
+          "design", choice.names,
+          fmt::format("Names that `hitpipe list designs` shows, separated by commas or blanks. Default: {}",
+                      otherwise))
+      ->delimiter(',')
+      ->type_name("NAME");
 }
 
 CLI::Option* add_bits_option(CLI::App& command, DesignsChoice& choice, const std::string& otherwise) {
@@ -120,10 +134,9 @@ CLI::Option* add_bits_option(CLI::App& command, DesignsChoice& choice, const std
 }
 
 void add_library_option(CLI::App& command, std::string& library) {
-  command
-      .add_option("--library", library,
-                  fmt::format("Component library, a built-in one ({}) or a file NAME.json",
-                              fmt::join(rtl::built_in_names(), ", ")))
+  as_input(command.add_option("--library", library,
+                              fmt::format("Component library, a built-in one ({}) or a file NAME.json",
+                                          fmt::join(rtl::built_in_names(), ", "))))
       ->type_name("NAME|FILE")
       ->capture_default_str();
 }

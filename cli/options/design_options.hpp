@@ -42,6 +42,9 @@ struct DesignsChoice {
   std::vector<std::string> names;  ///< empty: all designs that can be used
   std::vector<std::string> bits;   ///< "20/24" for every design that has it, "int_slabs=20/24" for one
 
+  /// For a command that takes one design with one format here. Throws std::runtime_error, one line, if there
+  /// are more or none.
+  [[nodiscard]] DesignChoice only(const std::string& command) const;
   /// Each design once. Throws std::runtime_error when a name is unknown or a named design cannot be used.
   /// Without names, designs that cannot be used are left out, with a line on standard error.
   [[nodiscard]] std::vector<const rtl::Design*> designs(WhyNot why_not) const;
@@ -51,8 +54,8 @@ struct DesignsChoice {
                                                         const Formats& otherwise) const;
 };
 
-/// Adds --designs.
-CLI::Option* add_designs_option(CLI::App& command, DesignsChoice& choice);
+/// Adds the designs' names. `otherwise` tells the help which designs are the default.
+CLI::Option* add_designs_option(CLI::App& command, DesignsChoice& choice, const std::string& otherwise);
 /// Adds --bits. `otherwise` tells the help which formats are the default.
 CLI::Option* add_bits_option(CLI::App& command, DesignsChoice& choice, const std::string& otherwise);
 

@@ -17,6 +17,7 @@ void add_scene(const std::string& text, ref::ExperimentOptions& options) {
     throw CLI::ValidationError("--scene",
                                fmt::format("{} is not NAME=SCENE; give for example Bunny=bunny.ply", text));
   options.scenes[text.substr(0, equals)] = text.substr(equals + 1);
+  host::never_replace(text.substr(equals + 1));
 }
 
 }  // namespace

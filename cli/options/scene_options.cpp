@@ -43,15 +43,14 @@ void add_scene_options(CLI::App& command, SceneChoice& choice) {
             name, [name, &value](const std::string& text) { value = parse_vector(name, text); }, what)
         ->type_name("X,Y,Z");
   };
-  command
-      .add_option("--scene", choice.name,
-                  fmt::format("A built-in scene ({}), a scene file (.json) or a mesh file (.obj, .ply, .stl, "
-                              ".gltf, .glb)",
-                              ref::built_in_names()))
+  as_input(command.add_option("--scene", choice.name,
+                              fmt::format("A built-in scene ({}), a scene file (.json) or a mesh file "
+                                          "(.obj, .ply, .stl, .gltf, .glb)",
+                                          ref::built_in_names())))
       ->required()
       ->type_name("NAME|FILE");
   add_count_option(command, "--triangles", choice.placing.triangles, {1, 100'000'000},
-                   "Approximate number, for a built-in scene that scales; see hitpipe scenes");
+                   "Approximate number, for a built-in scene that scales; see hitpipe list scenes");
   point("--eye", choice.placing.eye, "Where the camera is, in the scene's own units");
   point("--target", choice.placing.target, "The point in the middle of the image");
   point("--up", choice.placing.up, "The direction that is up");
@@ -64,9 +63,9 @@ void add_scene_options(CLI::App& command, SceneChoice& choice) {
   CLI::Option* const parallel =
       project("--orthographic", ref::Projection::orthographic,
               "Parallel rays; the image is as high as the field of view is at the target");
-  project("--perspective", ref::Projection::perspective,
-          "Rays from the eye, also if the scene is orthographic")
-      ->excludes(parallel);
+  exclude(project("--perspective", ref::Projection::perspective,
+                  "Rays from the eye, also if the scene is orthographic"),
+          parallel, "an image has one projection");
   const auto lights = [&](const std::string& name, ref::LightKind kind, const char* what) {
     command
         .add_option_function<std::vector<std::string>>(

@@ -2,6 +2,7 @@
 // what is allowed.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -13,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/text/table.hpp"
+#include "host/files.hpp"
 #include "host/text.hpp"
 
 namespace hitpipe::cli {
@@ -80,6 +82,33 @@ inline CLI::Option* add_folder_option(CLI::App& command, std::string& value, con
     return folder.empty() ? "is empty; give the name of a folder" : std::string();
   };
   return command.add_option("--out", value, what)->check(named)->type_name("FOLDER");
+}
+
+/// A file that the command reads. No file that it writes takes its place.
+inline CLI::Option* as_input(CLI::Option* option) {
+  return option->check([](const std::string& file) {
+    host::never_replace(file);
+    return std::string();
+  });
+}
+
+/// Refuses the one option beside the other: "--unit excludes --bits: WHY".
+inline void exclude(CLI::Option* option, const CLI::Option* other, const std::string& why) {
+  option->check([option, other, why](const std::string&) {
+    if (other->count() > 0)
+      throw CLI::ParseError(fmt::format("{} excludes {}: {}", option->get_name(), other->get_name(), why),
+                            CLI::ExitCodes::ExcludesError);
+    return std::string();
+  });
+}
+
+/// Refuses it beside each option of the command but these.
+inline void exclude_all_but(CLI::App& command, CLI::Option* option, const std::vector<std::string>& allowed,
+                            const std::string& why) {
+  for (const CLI::Option* const other : command.get_options())
+    if (other != option && other != command.get_help_ptr() &&
+        std::find(allowed.begin(), allowed.end(), other->get_name()) == allowed.end())
+      exclude(option, other, why);
 }
 
 template <class Value>

@@ -68,8 +68,8 @@ std::vector<std::string> sweep_commands(std::span<const sim::SweepRow> rows,
   std::vector<std::string> commands;
   for (const auto& [rays, sweep] : sweeps) {
     const std::string bits = sweep.bits.empty() ? "" : fmt::format(" --bits {}", fmt::join(sweep.bits, ","));
-    commands.push_back(fmt::format("hitpipe sweep {} --designs {}{} --rays-in-flight {} --out rows.csv",
-                                   scene_options, fmt::join(sweep.designs, ","), bits, fmt::join(rays, ",")));
+    commands.push_back(fmt::format("hitpipe sweep {} {}{} --rays-in-flight {} --out rows.csv", scene_options,
+                                   fmt::join(sweep.designs, ","), bits, fmt::join(rays, ",")));
   }
   return commands;
 }

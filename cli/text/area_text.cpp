@@ -27,13 +27,14 @@ std::size_t column_width(const std::vector<Cells>& rows, std::size_t column) {
 }
 
 /// The first columns are aligned left, all others right.
-std::string aligned(const std::vector<Cells>& rows, std::size_t left_columns, std::size_t gap = usual_gap) {
+std::string aligned(const std::vector<Cells>& rows, std::size_t left_columns,
+                    std::size_t between = usual_gap) {
   std::string text;
   for (const Cells& row : rows) {
     std::string line;
     for (std::size_t column = 0; column < row.size(); ++column) {
       const std::size_t width = column_width(rows, column);
-      if (column > 0) line += std::string(gap, ' ');
+      if (column > 0) line += std::string(between, ' ');
       line += column < left_columns ? fmt::format("{:<{}}", row[column], width)
                                     : fmt::format("{:>{}}", row[column], width);
     }

@@ -9,6 +9,7 @@ namespace hitpipe::cli {
 namespace {
 
 constexpr std::size_t name_width = 33;  // the longest name with its value: --format text|csv|json=text
+constexpr std::size_t command_width = 13;
 
 /// Without the last line end, because CLI adds one.
 std::string in_lines(const std::string& text, std::size_t width) {
@@ -33,7 +34,7 @@ std::string HelpFormatter::make_description(const CLI::App* app) const {
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
   std::ostringstream out;
   CLI::detail::format_help(out, command->get_name(),
-                           in_lines(command->get_description(), line_width - name_width), name_width);
+                           in_lines(command->get_description(), line_width - command_width), command_width);
   return out.str();
 }
 

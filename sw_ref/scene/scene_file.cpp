@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/files.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "sw_ref/scene/json_place.hpp"
 #include "sw_ref/scene/mesh_file.hpp"
@@ -161,6 +162,7 @@ SceneDescription read_base(const Place& top, const std::filesystem::path& file,
       top.fail(fmt::format("a mesh file has the triangles it has; their number can be chosen for: {}",
                            scaling_names()));
     const std::filesystem::path mesh = file.parent_path() / top.at("mesh").word();
+    host::never_replace(mesh);
     Mesh triangles_of_file = load_mesh(mesh, groups);
     return mesh_scene(std::move(triangles_of_file), file.stem().string(), groups);
   }

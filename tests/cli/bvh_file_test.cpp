@@ -22,7 +22,6 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
-using testing::MatchesRegex;
 
 std::string page() {
   return contents_of(std::filesystem::path(HITPIPE_SOURCE) / "docs/bvh.md");
@@ -59,6 +58,44 @@ TEST(BvhFileOfTheDocs, IsReadAsPrinted) {
   EXPECT_EQ(row.at("bvh"), bvh);
   EXPECT_EQ(row.at("bvh_nodes"), 3);
   EXPECT_EQ(row.at("false_misses"), 0);
+}
+
+/// The bits of a record as the page places them, and what is in them.
+TEST(BvhFileOfTheDocs, HasTheRecordsOfThePage) {
+  const sim::TemporaryFolder folder;
+  const std::string mesh = folder.write("mesh.obj", block("v 0 0 0")).string();
+  const std::string bvh = folder.write("mesh.bvh", block("hitpipe-bvh 1")).string();
+  const std::string out = (folder.path() / "mesh").string();
+  const std::string words = "bvh --format json --scene " + mesh + " --bvh " + bvh + " --records " + out;
+  const json row = json::parse(printed(words + ".hex"));
+  EXPECT_EQ(contents_of(out + ".hex"), block("// int_major_pair"));
+  EXPECT_EQ(row.at("records_of"), "int_major_pair 20+1/13");
+  EXPECT_EQ(row.at("record_count"), 2);
+  EXPECT_EQ(row.at("record_bytes"), 32);
+
+  printed(words + ".bin --bits 12+1/12");
+  const std::string bytes = contents_of(out + ".bin");
+  ASSERT_EQ(bytes.size(), 2U * 26);
+  const auto bits = [&](std::size_t record, int low, int count) {
+    int value = 0;
+    for (int i = count; i-- > 0;) {
+      const auto byte =
+          static_cast<unsigned char>(bytes[26 * record + static_cast<std::size_t>((low + i) / 8)]);
+      value = 2 * value + (byte >> (low + i) % 8 & 1);
+    }
+    return value;
+  };
+  for (int plane = 0; plane < 6; ++plane) EXPECT_EQ(bits(0, 72 + plane, 1), 0) << "the root's own";
+  EXPECT_EQ(bits(1, 72, 6), 1) << "the second child has the lower plane of x, the first all others";
+  EXPECT_EQ(bits(1, 78, 2), 0) << "split along x";
+  EXPECT_GT(bits(1, 0, 12) - (bits(1, 0, 12) >= 2048 ? 4096 : 0),
+            bits(1, 36, 12) - (bits(1, 36, 12) >= 2048 ? 4096 : 0))
+      << "the children lie apart";
+  const int children[] = {1, 0, 2, 1};  // triangles, first entry
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(bits(1, 80 + 32 * i, 31), children[i]) << i;
+  EXPECT_EQ(bits(0, 80, 31), 0) << "a branch";
+  EXPECT_EQ(bits(0, 112, 31), 1) << "which is record 1";
+  EXPECT_EQ(bits(0, 144, 31), 0x7fffffff) << "no second child";
 }
 
 TEST(BvhFileOfTheDocs, IsWrittenByTheProgramThatIsTestedHere) {
@@ -211,53 +248,6 @@ TEST(BvhFile, OfOurOwnHierarchyGivesTheSameCounts) {
   const json figures = counts_of({"bvh", "--scene", "spheres", "--bvh", bvh, "--out", again});
   EXPECT_EQ(contents_of(again), contents_of(bvh));
   EXPECT_EQ(figures.at("sah_cost"), written.at("sah_cost"));
-}
-
-TEST(BvhFile, ThatIsNoTreeOfTheSceneIsOneLine) {
-  const sim::TemporaryFolder folder;
-  const std::string mesh = folder.write("mesh.obj", block("v 0 0 0")).string();
-  const std::string good = block("hitpipe-bvh 1");
-  const auto refused = [&](const std::vector<std::string>& command, const std::string& file) {
-    std::vector<std::string> arguments = command;
-    arguments.insert(arguments.end(), {"--scene", mesh, "--bvh", file});
-    const Outcome outcome = run_hitpipe(arguments);
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
-    return outcome.err;
-  };
-  const std::string image = (folder.path() / "image.png").string();
-  for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"cosim", "int_slabs", "--out", (folder.path() / "out").string()},
-        {"render", "--out", image},
-        {"bvh", "--out", image}}) {
-    const std::string bad = folder.write("bad.bvh", good + "7\n").string();
-    EXPECT_EQ(refused(command, bad),
-              "hitpipe: BVH file \"" + bad + "\": line 10: more than the 3 triangles that were announced\n");
-    EXPECT_EQ(refused(command, "missing.bvh"), "hitpipe: BVH file \"missing.bvh\": no such file\n");
-  }
-  EXPECT_EQ(files_below(folder.path()), (std::vector<std::string>{"bad.bvh", "mesh.obj"}));
-  // A file that is cut short.
-  const std::size_t whole = good.find_last_not_of('\n') + 1;
-  for (std::size_t length = 0; length < whole; length += 37) {
-    const std::string cut = folder.write("cut.bvh", good.substr(0, length)).string();
-    EXPECT_THAT(refused({"bvh"}, cut), MatchesRegex("hitpipe: BVH file \".*cut.bvh\": line [0-9]+: .*\n"));
-  }
-}
-
-TEST(BvhFile, TakesThePlaceOfTheOptionsOfABuild) {
-  const auto error = [](std::vector<std::string> more) {
-    more.insert(more.begin() + 1, {"--scene", "spheres", "--bvh", "a.bvh"});
-    const Outcome outcome = run_hitpipe(more);
-    EXPECT_EQ(outcome.exit_code, 2);
-    return outcome.err;
-  };
-  EXPECT_THAT(error({"bvh", "--builder", "sah"}), HasSubstr("--builder excludes --bvh"));
-  EXPECT_THAT(error({"render", "--max-depth", "7"}), HasSubstr("--max-depth excludes --bvh"));
-  EXPECT_THAT(error({"bvh", "--sweep"}), HasSubstr("excludes --sweep"));
-  const Outcome empty = run_hitpipe({"cosim", "int_slabs", "--scene", "spheres", "--bvh", ""});
-  EXPECT_EQ(empty.exit_code, 2);
-  EXPECT_THAT(empty.err, HasSubstr("is empty; give the name of a file"));
 }
 
 }  // namespace

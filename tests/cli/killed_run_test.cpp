@@ -1,6 +1,5 @@
 // A run killed at any moment (SIGKILL, so none of its code runs any more) leaves whole files or none. The
-// next run into the same folder makes all of them. Temporary files with the run's process id in their name
-// may stay.
+// next run into the same folder makes all of them and removes the temporary ones.
 #include <array>
 #include <chrono>
 #include <random>
@@ -56,7 +55,7 @@ class FolderEvents {
 };
 
 bool is_temporary(const std::string& file) {
-  static const std::regex pattern(R"((.*/)?\..*\.\d+)");
+  static const std::regex pattern(R"((.*/)?\..*\.hitpipe-[0-9a-f-]+)");
   return std::regex_match(file, pattern);
 }
 
@@ -140,6 +139,7 @@ class KilledRun : public testing::Test {
   void expect_next_run_whole(const fs::path& folder) const {
     EXPECT_EQ(run_hitpipe(into(folder)).exit_code, 0);
     EXPECT_EQ(expect_whole_files(folder, "before"), files_below(whole_).size());
+    EXPECT_EQ(files_below(folder), files_below(whole_)) << "a temporary file is left";
   }
 
  private:
@@ -164,8 +164,8 @@ TEST_F(KilledRun, OfCosimLeavesOnlyWholeFiles) {
 
 TEST_F(KilledRun, OfFitLeavesOnlyWholeFiles) {
   ASSERT_NO_FATAL_FAILURE(
-      run_whole({"fit", "--scene", "spheres", "--no-shadows", "--width", "8", "--height", "8", "--designs",
-                 "int_slabs", "--keep-bits", "--bits", "12/12", "--vectors", "1000"}));
+      run_whole({"fit", "--scene", "spheres", "--no-shadows", "--width", "8", "--height", "8", "int_slabs",
+                 "--keep-bits", "--bits", "12/12", "--vectors", "1000"}));
   kill_at_events("int_slabs", 8, "int_slabs");
   kill_at_random_moments(6, 5);
 }

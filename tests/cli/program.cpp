@@ -7,11 +7,13 @@
 #include <sstream>
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "host/process.hpp"
+#include "host/text.hpp"
 
 namespace hitpipe::cli {
 
@@ -41,6 +43,17 @@ Outcome run_hitpipe(const std::vector<std::string>& arguments, const Variables& 
   words.insert(words.end(), arguments.begin(), arguments.end());
   const host::Outcome ended = host::run(words);
   return {ended.signal == 0 ? ended.exit_code : -1, ended.out, without_progress(ended.err)};
+}
+
+Outcome hitpipe(const std::string& words, const Variables& variables) {
+  return run_hitpipe(host::words_of(words), variables);
+}
+
+std::string printed(const std::string& words) {
+  const Outcome outcome = hitpipe(words);
+  EXPECT_EQ(outcome.exit_code, 0) << words;
+  EXPECT_EQ(outcome.err, "") << words;
+  return outcome.out;
 }
 
 pid_t start_hitpipe(const std::vector<std::string>& arguments) {

@@ -23,6 +23,12 @@ using Variables = std::vector<std::pair<std::string, std::string>>;
 
 [[nodiscard]] Outcome run_hitpipe(const std::vector<std::string>& arguments, const Variables& variables = {});
 
+/// The same with words that blanks separate.
+[[nodiscard]] Outcome hitpipe(const std::string& words, const Variables& variables = {});
+
+/// What it prints. It must end well and be silent on standard error.
+std::string printed(const std::string& words);
+
 /// Starts the program as a process that can be killed, in a group with the processes that it starts. It
 /// prints nothing.
 [[nodiscard]] pid_t start_hitpipe(const std::vector<std::string>& arguments);

@@ -56,6 +56,6 @@ small=(--scene spheres --width 24 --height 24)
 grep -E 'false miss' "$work/my_slabs.txt" || fail 'no false miss is reported'
 
 "$hitpipe" cosim user_slabs "${small[@]}" --referee >/dev/null || fail 'the referee reports user_slabs'
-"$hitpipe" sweep "${small[@]}" --designs fp_slabs,user_slabs --out "$work/rows.csv" >/dev/null
+"$hitpipe" sweep "${small[@]}" fp_slabs,user_slabs --out "$work/rows.csv" >/dev/null
 grep -c ',user_slabs,' "$work/rows.csv" || fail 'the sweep has no row of user_slabs'
 "$hitpipe" check user_slabs --tests 20000 >/dev/null || fail 'user_slabs misses a box'

@@ -32,7 +32,7 @@ class ForeignDesign : public testing::Test {
 };
 
 TEST_F(ForeignDesign, IsListed) {
-  EXPECT_THAT(run_hitpipe({"designs"}).out, HasSubstr("block_slabs"));
+  EXPECT_THAT(hitpipe("list designs").out, HasSubstr("block_slabs"));
 }
 
 TEST_F(ForeignDesign, IsEmitted) {
@@ -88,7 +88,7 @@ TEST_F(ForeignDesign, IsChecked) {
 }
 
 TEST_F(ForeignDesign, IsAmongTheStiffOnesUnlessOthersAreNamed) {
-  const Outcome run = run_hitpipe({"stiffness", "--bits", "12/12", "--tests", "600"});
+  const Outcome run = hitpipe("check --stiff --bits 12/12 --tests 600");
   EXPECT_EQ(run.exit_code, 0);
   for (const char* const design : {"int_slabs: ", "int_plucker: ", "block_slabs: "})
     EXPECT_THAT(run.out, HasSubstr(design));
@@ -107,7 +107,6 @@ TEST_F(ForeignDesign, IsSwept) {
                                            "16",
                                            "--bits",
                                            "fp_slabs=fp32,12/12,b12m6",
-                                           "--designs",
                                            "block_slabs,fp_slabs,int_slabs",
                                            "--out",
                                            out("rows.csv"),
@@ -121,9 +120,9 @@ TEST_F(ForeignDesign, IsSwept) {
 }
 
 TEST_F(ForeignDesign, IsFitted) {
-  const json rows = of(
-      run_hitpipe({"fit", "--scene", "waves", "--designs", "block_slabs", "--width", "16", "--height", "16",
-                   "--overhead", "100", "--vectors", "20000", "--out", out("fit"), "--format", "json"}));
+  const json rows =
+      of(run_hitpipe({"fit", "--scene", "waves", "block_slabs", "--width", "16", "--height", "16",
+                      "--overhead", "100", "--vectors", "20000", "--out", out("fit"), "--format", "json"}));
   const json& fitted = rows.front();
   EXPECT_GT(fitted.at("area_saved_pct"), 1.0);
   EXPECT_EQ(fitted.at("ray_ends"), true) << "it has none to leave out";
@@ -158,16 +157,17 @@ TEST_P(DesignWithoutSetUp, IsRefusedWhereRaysAreNeeded) {
   EXPECT_EQ(run.err,
             "hitpipe: design one_axis_slab: there is no set-up of rays and boxes for its operands\n");
 }
-INSTANTIATE_TEST_SUITE_P(Commands, DesignWithoutSetUp,
-                         testing::Values(std::vector<std::string>{"cosim", "one_axis_slab", "--scene",
-                                                                  "waves"},
-                                         std::vector<std::string>{"check", "one_axis_slab"},
-                                         std::vector<std::string>{"stiffness", "--designs", "one_axis_slab"},
-                                         std::vector<std::string>{"sweep", "--scene", "waves", "--designs",
-                                                                  "one_axis_slab", "--out", "rows.csv"},
-                                         std::vector<std::string>{"fit", "--scene", "waves", "--designs",
-                                                                  "one_axis_slab", "--out", "fit"}),
-                         [](const auto& command) { return command.param.front(); });
+INSTANTIATE_TEST_SUITE_P(
+    Commands, DesignWithoutSetUp,
+    testing::Values(std::vector<std::string>{"cosim", "one_axis_slab", "--scene", "waves"},
+                    std::vector<std::string>{"check", "one_axis_slab"},
+                    std::vector<std::string>{"check", "--stiff", "one_axis_slab"},
+                    std::vector<std::string>{"sweep", "--scene", "waves", "one_axis_slab", "--out",
+                                             "rows.csv"},
+                    std::vector<std::string>{"fit", "--scene", "waves", "one_axis_slab", "--out", "fit"}),
+    [](const auto& command) {
+      return command.param.front() + (command.param[1] == "--stiff" ? "_stiff" : "");
+    });
 
 }  // namespace
 }  // namespace hitpipe::cli

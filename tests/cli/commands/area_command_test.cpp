@@ -135,29 +135,6 @@ TEST(AreaCommand, TextFitsEightyColumnsHoweverManyDesigns) {
   EXPECT_EQ(columns, 11U + 11U + 11U) << "summary, counts and areas have every design";
 }
 
-/// In percent.
-double share(double part, double whole) {
-  return 100.0 * part / whole;
-}
-
-/// A unit that answers for two boxes in a test is compared as two units.
-TEST(AreaCommand, ComparesAPairForEachBox) {
-  const Json list = Json::parse(printed({"fp_slabs", "int_major", "int_major_pair", "--format", "json"}));
-  ASSERT_EQ(list.size(), 3U);
-  const auto number = [&](std::size_t row, const char* key) { return list[row].at(key).get<double>(); };
-  EXPECT_EQ(number(0, "boxes_per_test"), 1);
-  EXPECT_EQ(number(1, "boxes_per_test"), 1);
-  EXPECT_EQ(number(2, "boxes_per_test"), 2);
-  for (std::size_t row = 0; row < 2; ++row)
-    EXPECT_EQ(number(row, "area_per_box_mm2"), number(row, "area_mm2"));
-  EXPECT_NEAR(number(2, "area_per_box_mm2"), number(2, "area_mm2") / 2, 1.0001e-4);
-  EXPECT_NEAR(number(2, "area_pct"), share(number(2, "area_mm2") / 2, number(0, "area_mm2")), 0.51);
-  EXPECT_NEAR(number(2, "adp_mm2_ns"), number(2, "area_mm2") * number(2, "stage_delay_ns") / 2, 1e-3);
-  EXPECT_NEAR(number(2, "adp_pct"), share(number(2, "adp_mm2_ns"), number(0, "adp_mm2_ns")), 0.51);
-  EXPECT_GT(number(2, "area_mm2"), number(1, "area_mm2"));
-  EXPECT_LT(number(2, "area_pct"), number(1, "area_pct"));
-}
-
 TEST(AreaCommand, PrintsTheBoxesOfAPair) {
   const std::string text = printed({"fp_slabs", "int_major", "int_major_pair"});
   EXPECT_LE(widest_line(text), 80U) << text;
@@ -250,15 +227,6 @@ TEST_F(AreaLibrary, WithoutFloatsLeavesPercentagesOut) {
   rejected({"--library", file}, "library thesis_250nm: it has no fp_subtract");
 }
 
-TEST_F(AreaLibrary, ThatIsBrokenRejected) {
-  Json library = Json::parse(thesis());
-  library["components"]["mux2"].erase("area");
-  const std::string file = write(library);
-  rejected({"--library", file}, file + ": mux2: \"area\" is missing");
-  const std::string none = (folder_.path() / "none.json").string();
-  rejected({"--library", none}, none + ": cannot read the component library");
-}
-
 /// A chip's units are counted in its cells.
 TEST(AreaOnAChip, PrintsTablesRegistersAndBlocks) {
   const std::string text = printed({"int_slabs", "--bits", "16/16,24/24", "--library", "xc7"});
@@ -298,67 +266,6 @@ TEST(AreaOnAChip, PrintsTheSameFiguresInEveryFormat) {
     }
   }
   EXPECT_EQ(list[0].at("dsp"), 6);
-}
-
-TEST(AreaOnAChip, StagesAddUp) {
-  for (const char* const library : {"xc7", "ice40_hx"}) {
-    const Json whole = Json::parse(printed({"int_slabs", "--library", library, "--format", "json"})).at(0);
-    const Json stages =
-        Json::parse(printed({"int_slabs", "--library", library, "--by-stage", "--format", "json"}));
-    int luts = 0;
-    int registers = 0;
-    int blocks = 0;
-    for (const Json& stage : stages) {
-      luts += stage.at("lut").get<int>();
-      registers += stage.at("ff").get<int>();
-      blocks += stage.at("dsp").get<int>();
-    }
-    EXPECT_EQ(registers, whole.at("ff"));
-    EXPECT_EQ(blocks, whole.at("dsp"));
-    EXPECT_EQ(luts, whole.at("lut"));
-    const std::string text = printed({"int_slabs", "--library", library, "--by-stage"});
-    EXPECT_LE(widest_line(text), 80U) << text;
-  }
-}
-
-TEST(AreaOnAChip, HasNoPrintedAccount) {
-  rejected(
-      {"--account", "printed", "--library", "xc7"},
-      "library xc7: it is a chip's and has no areas, so there is no printed account, only the built one");
-}
-
-TEST(AreaCommand, UnknownDesignRejected) {
-  rejected({"pluecker"}, "design pluecker: unknown; there are: " + rtl::design_names());
-}
-
-TEST(AreaCommand, BitsRejected) {
-  const std::string allowed =
-      ": no format of int_slabs; allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
-  for (const std::string bits : {"5/6", "20/40", "abc", ""})
-    rejected({"int_slabs", "--bits", bits}, "bits " + bits + allowed);
-  rejected({"fp_slabs", "--bits", "20/24"},
-           "bits 20/24: no format of fp_slabs; allowed is fp32, which is e8m23");
-  rejected({"--bits", "20/24"}, "--bits requires design; see hitpipe area --help");
-}
-
-TEST(AreaCommand, FlowControlOfThePrintedAccountRejected) {
-  const Outcome outcome = run_hitpipe({"area", "--account", "printed", "--flow-control", "none"});
-  EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err,
-            "hitpipe: --flow-control: the printed account counts latches as the thesis does; allowed with "
-            "--account built\n");
-}
-
-TEST(AreaCommand, TheThesisPricesBothFlowControlsAlike) {
-  const Outcome stall = run_hitpipe({"area"});
-  EXPECT_EQ(stall.exit_code, 0);
-  EXPECT_EQ(run_hitpipe({"area", "--flow-control", "stall"}).out, stall.out);
-  EXPECT_EQ(run_hitpipe({"area", "--flow-control", "none"}).out, stall.out);
-}
-
-TEST(AreaCommand, UnknownAccountRejected) {
-  rejected({"--account", "thesis"}, "--account: thesis is none of printed, built; see hitpipe area --help");
 }
 
 }  // namespace

@@ -26,14 +26,6 @@ Json figures(std::vector<std::string> more) {
   return Json::parse(printed(std::move(more)));
 }
 
-void rejected(std::vector<std::string> more, const std::string& message) {
-  more.insert(more.begin(), "bvh");
-  const Outcome outcome = run_hitpipe(more);
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
-}
-
 TEST(BvhCommand, PrintsFiguresThatAgreeWithEachOther) {
   const Json made = figures({"--threads", "1"});
   EXPECT_EQ(made.at("triangles"), 24'578);
@@ -89,25 +81,6 @@ TEST(BvhCommand, SweepsTheLeafSizesOfAppendixB) {
   EXPECT_EQ(rows[0].at("bvh_nodes"), 2 * 24'578 - 1);
   EXPECT_EQ(rows[22].at("max_triangles"), 512);
   EXPECT_EQ(rows[5].at("bvh_nodes"), figures({}).at("bvh_nodes"));
-}
-
-TEST(BvhCommand, OptionsOutOfRangeAreRejected) {
-  const std::string help = "; see hitpipe bvh --help";
-  rejected({}, "--scene is required" + help);
-  const auto with = [](std::vector<std::string> more) {
-    more.insert(more.begin(), {"--scene", "spheres"});
-    return more;
-  };
-  rejected(with({"--builder", "best"}), "--builder: best is none of median, sah" + help);
-  rejected(with({"--max-triangles", "0"}), "--max-triangles: Value 0 not in range 1 to 2147483647" + help);
-  rejected(with({"--max-depth", "61"}), "--max-depth: Value 61 not in range 1 to 60" + help);
-  for (const std::string padding : {"-1e-7", "0.001", "nan", "5e-7x"}) {
-    rejected(with({"--padding", padding}),
-             "--padding: " + padding + " is not a padding; allowed is 0 to 2^-10 = 0.000977" + help);
-  }
-  rejected(with({"--grid-bits", "5"}), "--grid-bits: Value 5 not in range 6 to 32" + help);
-  rejected(with({"--sweep", "--max-triangles", "4"}), "--max-triangles excludes --sweep" + help);
-  rejected(with({"--width", "4"}), "The following arguments were not expected: 4 --width" + help);
 }
 
 }  // namespace

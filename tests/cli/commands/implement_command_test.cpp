@@ -109,24 +109,23 @@ TEST_F(ImplementCommand, FailingToolNamesItsLog) {
   EXPECT_EQ(contents_of(log), "broken\n");
 }
 
-TEST_F(ImplementCommand, WrongUseRejected) {
-  const auto refused = [&](const std::vector<std::string>& more) {
-    const Outcome outcome = run(more);
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_FALSE(std::filesystem::exists(out_));
-    return outcome.err;
-  };
-  EXPECT_EQ(refused({}), "hitpipe: implement: name a design and a --target, or a --board\n");
-  EXPECT_EQ(
-      refused({"--target", "stratix"}),
-      "hitpipe: target stratix: unknown; there are ecp5, ice40_hx, ice40_up5k, osu018, xc7, and any file "
-      "whose name ends in .json\n");
-  EXPECT_EQ(refused({"--target", "xc7", "--seeds", "101"}),
-            "hitpipe: --seeds: Value 101 not in range 0 to 100; see hitpipe implement --help\n");
-  EXPECT_EQ(
-      refused({"--target", "xc7", "--simulate", "9"}),
-      "hitpipe: target xc7: has no simulation models of its cells, so its netlist cannot be simulated\n");
-  EXPECT_EQ(refused({"--target", "xc7", "--name", "a-b"}).substr(0, 9), "hitpipe: ");
+TEST(ImplementBoard, EndsInABitstream) {
+  const sim::TemporaryFolder folder;
+  const std::string out = (folder / "out").string();
+  const auto json = nlohmann::json::parse(printed(
+      "implement int_slabs --bits 6/6 --target ice40_up5k --board icebreaker --seeds 1 --format json --out " +
+      out));
+  EXPECT_EQ(json["module"], "int_slabs_6_6_board");
+  EXPECT_GT(json["luts"], 100);
+  EXPECT_GT(json["fmax_mhz"], 12);
+  EXPECT_EQ(json["clock_mhz"], 12);
+  // All bitstreams of this chip are of one size; they begin with the preamble.
+  const std::string bitstream = contents_of(json["bitstream"].get<std::string>());
+  EXPECT_EQ(bitstream.size(), 104'090U);
+  EXPECT_EQ(json["bitstream_bytes"], bitstream.size());
+  EXPECT_THAT(bitstream, HasSubstr("\x7e\xaa\x99\x7e"));
+  EXPECT_THAT(contents_of(out + "/ice40_up5k/int_slabs_6_6_board.pcf"), HasSubstr("set_io tx 9\n"));
+  EXPECT_THAT(contents_of(out + "/ice40_up5k/int_slabs_6_6_board.v"), HasSubstr("CLOCKS_PER_BIT = 16'd12"));
 }
 
 }  // namespace

@@ -158,34 +158,20 @@ TEST_F(OperandsCommand, BadLineRejectedAndNothingIsWritten) {
            rays_ + ": line 4: the direction is (0, 0, 0) in binary32; one component must differ from 0");
 }
 
-TEST_F(OperandsCommand, AFailureKeepsTheFileThatWasThere) {
-  const std::string file = folder_.write("o.csv", "before").string();
-  rays_ = folder_.write("bad.csv", two_rays + "x\n").string();
-  EXPECT_EQ(operands(file).exit_code, 2);
-  EXPECT_EQ(contents_of(file), "before");
-}
-
-TEST_F(OperandsCommand, BoundsRejected) {
-  for (const char* const words : {"0,0,0,1,1", "0,0,0,1,1,1,1", "0,0,0,1,1,x", "", "0,0,0,1,1,1,"})
-    rejected(operands(out("o.csv"), {"--bounds", words}),
-             std::string("--bounds: ") + words +
-                 " is not min_x,min_y,min_z,max_x,max_y,max_z; give six numbers, for example "
-                 "-10,-10,0,10,10,5; see "
-                 "hitpipe operands --help");
-  rejected(operands(out("o.csv"), {"--bounds", "0,0,0,1,-1,1"}), "bounds: min_y 0 is above max_y -1");
-}
-
-TEST_F(OperandsCommand, FilesThatCannotBeUsedRejected) {
-  rejected(operands(out("o.txt")),
-           "--out " + out("o.txt") +
-               ": unknown extension \".txt\"; allowed are .csv, .json, .jsonl and .hex, or "
-               "give --as");
-  rejected(operands(out("o.csv"), {"--as", "xml"}),
-           "--as: xml is none of csv, json, hex; see hitpipe operands --help");
-  rays_ = boxes_ = "-";
-  rejected(operands(out("o.csv")), "--rays and --boxes are both -; only one can be standard input");
-  rays_ = (folder_.path() / "none.csv").string();
-  rejected(operands(out("o.csv")), rays_ + ": cannot read the file: No such file or directory");
+/// Its own output is an input: the operands give the same results.
+TEST_F(OperandsCommand, OfOnesOwnGetTheResultsOfTheUnit) {
+  ASSERT_EQ(operands(out("o.csv")).exit_code, 0);
+  const std::string words = "operands int_slabs --operands " + out("o.csv") + " --out ";
+  EXPECT_EQ(
+      printed(words + out("r.csv")),
+      "design    int_slabs\nbits      20/24\ntests     2\nhits      1\noperands  " + out("r.csv") + "\n");
+  const auto judged = lines_of(contents_of(out("o.csv")));
+  const auto answered = lines_of(contents_of(out("r.csv")));
+  ASSERT_EQ(answered.size(), judged.size());
+  EXPECT_EQ(answered[0], "# int_slabs 20/24");
+  EXPECT_EQ("ray,box," + answered[1] + ",exact_hit", judged[1]);
+  EXPECT_EQ("1,1," + answered[2] + ",1", judged[2]);
+  EXPECT_THAT(hitpipe(words + "- --as json").out, HasSubstr("{\"irx\":-131071,\"iry\":0,"));
 }
 
 TEST_F(OperandsCommand, OneBoxIsTooFewForADesignOfTwo) {

@@ -108,34 +108,6 @@ TEST(RenderCommand, TracesAsItIsTold) {
   EXPECT_LT(shown[2].at("nodes_loaded"), shown[2].at("box_tests"));
 }
 
-TEST(RenderCommand, CombinationsThatDoNotExistRejected) {
-  const auto refused = [](const std::vector<std::string>& options, const std::string& message) {
-    const Outcome outcome = run_hitpipe(with(small, options));
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_THAT(outcome.err, testing::MatchesRegex("hitpipe: " + message + "\n"));
-  };
-  refused({"--bits", "20/24"}, "--bits 20/24: only --arithmetic integer has them; leave --bits out");
-  refused(
-      {"--traversal", "dsa"},
-      "--traversal: dsa is none of slabs, plu, slabs-dist, slabs-dsa, plu-dsa; see hitpipe render --help");
-  refused({"--arithmetic", "half"},
-          "--arithmetic: half is none of float, double, robust, integer; see hitpipe render --help");
-  refused({"--encoding", "h5"},
-          "--encoding: h5 is none of plain, h4, h8, h12, h16; see hitpipe render --help");
-  refused({"--bundle", "32"}, "--bundle: 32 is none of 1, 64, 256; see hitpipe render --help");
-  refused({"--triangle-test", "no"},
-          "--triangle-test: no is none of exact, float, double; see hitpipe render --help");
-  refused({"--bounces", "65"}, "--bounces: Value 65 not in range 0 to 64; see hitpipe render --help");
-  // The tracer refuses these; the message is one line.
-  for (const std::vector<std::string>& options :
-       std::vector<std::vector<std::string>>{{"--traversal", "plu"},
-                                             {"--lut"},
-                                             {"--arithmetic", "integer", "--bundle", "64"},
-                                             {"--arithmetic", "integer", "--bits", "99/99"}})
-    refused(options, "[^\n]+");
-}
-
 TEST(RenderCommand, DrawsMapsWhereTold) {
   const sim::TemporaryFolder folder;
   const auto file = [&](const char* name) { return (folder.path() / name).string(); };
@@ -152,76 +124,97 @@ TEST(RenderCommand, DrawsMapsWhereTold) {
   EXPECT_GT(object.at("triangle_map_high"), 1.0);
 }
 
-TEST(RenderCommand, SaysWhatTheSceneDidWithout) {
-  const sim::TemporaryFolder folder;
-  const auto shown = [&](const std::string& lights, const std::string& bounces) {
-    const std::string scene =
-        folder.write("scene.json", R"({"built_in": "spheres", "lights": [)" + lights + "]}").string();
-    const Outcome outcome = run_hitpipe({"render", "--scene", scene, "--width", "40", "--height", "30",
-                                         "--bounces", bounces, "--format", "json"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return nlohmann::json::parse(outcome.out);
-  };
-  const auto least = shown("", "0");
-  EXPECT_GT(least.at("surface_points"), 0);
-  EXPECT_EQ(least.at("light_evaluations"), 0);
-  EXPECT_GT(least.at("queue_bytes_primary"), 0);
-  EXPECT_EQ(least.at("queue_bytes_secondary"), 0);
-  EXPECT_EQ(least.at("queue_bytes_shadow"), 0);
-  const auto most = shown(R"({"position": [0, 9, 3]})", "3");
-  EXPECT_GT(most.at("surface_points"), least.at("surface_points"));
-  EXPECT_GT(most.at("light_evaluations"), 0);
-  EXPECT_EQ(most.at("queue_bytes_primary"), least.at("queue_bytes_primary"));
-  EXPECT_GT(most.at("queue_bytes_secondary"), 0);
-  EXPECT_GT(most.at("queue_bytes_shadow"), 0);
-}
-
-/// The options do what their help says: another light makes more shadow rays, another eye makes another
-/// picture.
+/// The options do what their help says: another light makes more shadow rays, another eye or projection makes
+/// another picture. Threads change nothing.
 TEST(RenderCommand, PlacesCameraAndLights) {
-  const auto shown = [](const std::vector<std::string>& options) {
-    const Outcome outcome = run_hitpipe(with(small, with(options, {"--format", "json"})));
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return nlohmann::json::parse(outcome.out);
+  const auto shown = [](const std::string& options) {
+    auto row = nlohmann::json::parse(
+        printed("render --scene spheres --width 40 --height 30 --format json " + options));
+    row.erase("seconds");
+    return row;
   };
-  const auto one = shown({"--light", "0,50,0"});
-  const auto two = shown({"--light", "0,50,0", "--light=0,50,0"});
+  const auto own = shown("");
+  EXPECT_EQ(shown("--threads 64"), own);
+  EXPECT_EQ(shown("--perspective"), own);
+  const auto one = shown("--light 0,50,0");
+  const auto two = shown("--light 0,50,0 --light=0,50,0");
   EXPECT_GT(one.at("rays_shadow"), 0);
   EXPECT_EQ(two.at("rays_shadow"), 2 * one.at("rays_shadow").get<int>());
   EXPECT_EQ(two.at("rays_primary"), one.at("rays_primary"));
-  const auto above = shown({"--eye", "-1.5e1,40,.5", "--target", "0,0,0", "--up", "0,0,-1", "--fov", "20"});
-  EXPECT_NE(above.at("box_tests"), shown({}).at("box_tests"));
-}
-
-TEST(RenderCommand, TakesAnyProjectionAndSuns) {
-  const auto shown = [](const std::vector<std::string>& options) {
-    const Outcome outcome = run_hitpipe(with(small, with(options, {"--format", "json"})));
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return nlohmann::json::parse(outcome.out);
-  };
-  const auto own = shown({});
-  const auto parallel = shown({"--orthographic"});
+  EXPECT_NE(shown("--eye -1.5e1,40,.5 --target 0,0,0 --up 0,0,-1 --fov 20").at("box_tests"),
+            own.at("box_tests"));
+  const auto parallel = shown("--orthographic");
   EXPECT_NE(parallel.at("box_tests"), own.at("box_tests"));
-  EXPECT_EQ(shown({"--perspective"}).at("box_tests"), own.at("box_tests"));
-  const auto sun = shown({"--orthographic", "--sun", "0,1,0"});
+  const auto sun = shown("--orthographic --sun 0,1,0");
   EXPECT_EQ(sun.at("rays_primary"), parallel.at("rays_primary"));
   EXPECT_GT(sun.at("rays_shadow"), 0);
   EXPECT_LT(sun.at("rays_shadow"), parallel.at("rays_shadow"));  // of two lights
-  const auto both = shown({"--orthographic", "--sun", "0,1,0", "--light", "0,50,0"});
-  EXPECT_GT(both.at("rays_shadow"), sun.at("rays_shadow"));
+  EXPECT_GT(shown("--orthographic --sun 0,1,0 --light 0,50,0").at("rays_shadow"), sun.at("rays_shadow"));
+  EXPECT_LT(shown("--bounces 0").at("rays_secondary"), own.at("rays_secondary"));
 }
 
-TEST(RenderCommand, DoesNotDependOnThreads) {
+/// The tracer refuses these; the message is one line.
+TEST(RenderCommand, CombinationsThatDoNotExistRejected) {
+  for (const std::string options : {"--traversal plu", "--lut", "--arithmetic integer --bundle 64",
+                                    "--arithmetic integer --bits 99/99"}) {
+    const Outcome outcome = hitpipe("render --scene spheres --width 8 --height 8 " + options);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, testing::MatchesRegex("hitpipe: [^\n]+\n"));
+  }
+}
+
+TEST(RenderCompare, SaysHowFarImagesAreApart) {
   const sim::TemporaryFolder folder;
-  const auto rendered = [&](const std::string& threads) {
-    const std::string image = (folder.path() / (threads + ".png")).string();
-    const Outcome outcome = run_hitpipe(with(small, {"--threads", threads, "--out", image}));
-    EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_EQ(outcome.err, "");
-    return contents_of(image);
+  const auto rendered = [&](const char* name, const std::string& light) {
+    const std::string file = (folder.path() / name).string();
+    printed("render --scene spheres --width 24 --height 16 --light " + light + " --out " + file);
+    return file;
   };
-  EXPECT_EQ(rendered("1"), rendered("2"));
-  EXPECT_EQ(rendered("1"), rendered("1024"));
+  const std::string a = rendered("a.png", "0,50,0");
+  const std::string b = rendered("b.png", "50,0,0");
+  const auto same = nlohmann::json::parse(printed("render --compare " + a + " " + a + " --format json"));
+  EXPECT_EQ(same.at("width"), 24);
+  EXPECT_EQ(same.at("height"), 16);
+  EXPECT_EQ(same.at("pixels"), 384);
+  EXPECT_EQ(same.at("different_pixels"), 0);
+  EXPECT_TRUE(same.at("psnr_db").is_null());  // infinite
+  EXPECT_THAT(printed("render --compare " + a + " " + a), testing::HasSubstr("\npsnr_db             inf\n"));
+
+  const std::string map = (folder.path() / "d.png").string();
+  const Outcome outcome = hitpipe("render " + a + " --compare --out " + map + " --format json " + b);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err, "");
+  const auto apart = nlohmann::json::parse(outcome.out);
+  EXPECT_GT(apart.at("different_pixels"), 20);
+  EXPECT_GT(apart.at("largest_difference"), 0.1);
+  EXPECT_GT(apart.at("mean_difference"), 0.0);
+  EXPECT_GT(apart.at("psnr_db"), 5.0);
+  EXPECT_EQ(apart.at("difference_image"), map);
+  EXPECT_THAT(contents_of(map), StartsWith("\x89PNG"));
+  printed("render --compare " + a + " " + b + " --tolerance 1");
+}
+
+TEST(RenderRescale, CountsThePixelsThatChange) {
+  const std::string words = "render --rescale --scene spheres --width 40 --height 30 ";
+  const std::string text = printed(words);
+  EXPECT_LE(widest_line(text), 80U);
+  const auto lines = lines_of(text);
+  ASSERT_EQ(lines.size(), 10U);
+  EXPECT_EQ(lines[0], "spheres: 12316 vertices, 1200 pixels");
+  EXPECT_THAT(lines[1], StartsWith("transform "));
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_THAT(lines[2 + i],
+                StartsWith(std::vector<std::string>{"2^-100 ", "2^-10 ", "2^10 ", "2^100 "}[i]));
+    EXPECT_THAT(lines[2 + i], testing::ContainsRegex(" 0 +0 +0 +0$"));
+  }
+  EXPECT_EQ(lines_of(printed(words + "--scale 2 --format csv")),
+            (std::vector<std::string>{"transform,vertices_moved,degenerate_dropped,pixels_other_triangle,"
+                                      "pixels_other_colour,different_triangles,rtl_mismatches",
+                                      "2,0,0,0,0,,"}));
+  const Outcome too_large = hitpipe(words + "--scale 2^127");
+  EXPECT_EQ(too_large.exit_code, 2);
+  EXPECT_THAT(too_large.err, testing::MatchesRegex(
+                                 "hitpipe: transform 2\\^127: vertex [^\n]* leaves the range of binary32\n"));
 }
 
 }  // namespace

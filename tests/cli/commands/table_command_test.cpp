@@ -1,4 +1,4 @@
-// `hitpipe table`: our figures and those of the thesis in the same rows, in three formats.
+// `hitpipe table`: our figures and those of the thesis in the same rows, and the page that judges them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -83,21 +83,51 @@ TEST(TableCommand, ChapterSevenAndTheOrderOfChildrenAreThere) {
   EXPECT_THAT(run_hitpipe({"table", "4.2"}).out, HasSubstr("thesis 24, ours 24"));
 }
 
-TEST(TableCommand, BadInputRejected) {
-  const auto rejected = [](const std::vector<std::string>& arguments, const std::string& message) {
-    const Outcome outcome = run_hitpipe(arguments);
+TEST(TableJudge, WritesThePageAndEveryFigure) {
+  const sim::TemporaryFolder folder;
+  const std::string out = (folder.path() / "page.md").string();
+  const std::string words =
+      "hitpipe table --judge 4.2 6.2 7.1 7.2 --scene Branch=spheres --scene Bunny=spheres "
+      "--width 16 --height 12 --repeats 1 --out " +
+      out;
+  EXPECT_EQ(printed(words.substr(8)), "");
+  const std::string page = contents_of(out);
+  EXPECT_THAT(page, HasSubstr(words));
+  EXPECT_THAT(page,
+              HasSubstr("| 4.2 | a ray visits first the child on the side that it comes from | orders that "
+                        "are equal | 24 | 24 | agrees |"));
+  EXPECT_THAT(page, HasSubstr("| 7.1 | area_mm2 | 19 | 19 | 0 | 0 | 1.00 |"));
+  const auto rows = lines_of(contents_of(folder.path() / "page.csv"));
+  EXPECT_EQ(rows[0], "table,row,column,thesis,ours,ours_low,ours_high,ratio,verdict");
+  EXPECT_EQ(rows[1], "4.2,MMM x,first_child,1.0,1.0,,,1.0,agrees");
+  // 24 orders, 16 rows of 10 figures, 19 circuits of 3, 6 units of 6.
+  EXPECT_EQ(rows.size(), 1U + 24U + 160U + 57U + 36U);
+}
+
+/// What does not depend on the machine is the same in the page that is kept: the tables that take no time.
+TEST(TableJudge, KeptPageHasTodaysFigures) {
+  const auto kept = lines_of(contents_of(HITPIPE_SOURCE "/docs/reproduction.md"));
+  int compared = 0;
+  for (const std::string& line : lines_of(printed("table --judge 4.2,7.1,7.2"))) {
+    if (!line.starts_with("| 4.2 |") && !line.starts_with("| 7.")) continue;
+    EXPECT_THAT(kept, testing::Contains(line));
+    ++compared;
+  }
+  EXPECT_GT(compared, 15);
+}
+
+TEST(TableCommand, TablesAndScenesThatThereAreNotRejected) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"table 4.5", "4.5: no experiment of that number; there are 3.1, 3.2, 4.1, 4.2,"},
+      {"table --judge 4.5", "4.5: no experiment of that number; there are 3.1,"},
+      {"table 4.1 --only Teapot", "table 4.1 has no scene \"Teapot\"; it has: Spheres, Bunny,"},
+      {"table 5.3 --only Bunny --scene Bunny=none.ply", "mesh file \"none.ply\": no such file"}};
+  for (const auto& [words, message] : cases) {
+    const Outcome outcome = hitpipe(words);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_THAT(outcome.err, testing::StartsWith("hitpipe: " + message));
+    EXPECT_THAT(outcome.err, testing::StartsWith("hitpipe: " + std::string(message)));
     EXPECT_EQ(lines_of(outcome.err).size(), 1U);
-  };
-  rejected({"table", "4.5"}, "4.5: no experiment of that number; there are 3.1, 3.2, 4.1, 4.2,");
-  rejected({"table"}, "number is required");
-  rejected({"table", "4.1", "--only", "Teapot"},
-           "table 4.1 has no scene \"Teapot\"; it has: Spheres, Bunny,");
-  rejected({"table", "4.1", "--scene", "Bunny"}, "--scene: Bunny is not NAME=SCENE; give for example");
-  rejected({"table", "5.3", "--only", "Bunny", "--scene", "Bunny=none.ply"},
-           "mesh file \"none.ply\": no such file");
+  }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ targets=(ice40_hx ice40_up5k osu018)
 [[ $# -gt 0 ]] && targets=("$@")
 vectors=${VECTORS:-100000}
 out=out/netlists
-units=$(build/hitpipe designs --format csv | tail -n +2 | cut -d, -f1)
+units=$(build/hitpipe list designs --format csv | tail -n +2 | cut -d, -f1)
 for design in $units; do
   for target in "${targets[@]}"; do
     for run in "verilator $vectors" "icarus $((vectors < 1000 ? vectors : 1000))"; do

@@ -1,37 +1,20 @@
+#include "cli/commands/rescale.hpp"
+
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "cli/commands.hpp"
-#include "cli/options/design_options.hpp"
-#include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/text.hpp"
-#include "sim/check/rescale.hpp"
 
 namespace hitpipe::cli {
 
 namespace {
-
-/// A transform, with the text by which the user gave it.
-struct NamedTransform {
-  std::string name;
-  sim::Transform transform;
-};
-
-struct RescaleCommand {
-  SceneChoice scene;
-  std::vector<NamedTransform> scales;
-  std::vector<NamedTransform> offsets;
-  DesignChoice design;  ///< without a name: software only
-  Format format = Format::text;
-};
 
 std::optional<double> number(std::string_view text) {
   const auto value = host::number_in<double>(text);
@@ -71,9 +54,9 @@ NamedTransform parse_offset(const std::string& text) {
 
 /// What the user asked for, or a choice of scales and offsets. Offsets are measured in the longest side of
 /// the mesh.
-std::vector<NamedTransform> transforms(const RescaleCommand& command, const ref::SceneDescription& scene) {
-  std::vector<NamedTransform> all = command.scales;
-  all.insert(all.end(), command.offsets.begin(), command.offsets.end());
+std::vector<NamedTransform> transforms(const RescaleChoice& choice, const ref::SceneDescription& scene) {
+  std::vector<NamedTransform> all = choice.scales;
+  all.insert(all.end(), choice.offsets.begin(), choice.offsets.end());
   if (!all.empty()) return all;
   for (const char* const scale : {"2^-100", "2^-10", "2^10", "2^100", "3", "0.1"}) {
     all.push_back(parse_scale(scale));
@@ -111,17 +94,18 @@ Row short_row(const Row& row, bool judged) {
   return made;
 }
 
-int rescale(const RescaleCommand& command) {
-  const bool judged = !command.design.name.empty();
-  if (!judged && command.design.bits) throw CLI::ValidationError("--bits", "needs --design");
-  sim::PictureOptions options{
-      .width = command.scene.width, .height = command.scene.height, .threads = command.scene.threads};
+}  // namespace
+
+int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const DesignChoice* design,
+            Format format) {
+  const bool judged = design != nullptr;
+  sim::PictureOptions options{.width = chosen.width, .height = chosen.height, .threads = chosen.threads};
   std::optional<sim::Unit> unit;
-  if (judged) unit = sim::make_unit(command.design.design(), command.design.format(), rtl::Library::thesis());
+  if (judged) unit = sim::make_unit(design->design(), design->format(), rtl::Library::thesis());
 
   std::optional<Progress> progress("reading the scene");
-  const ref::SceneDescription scene = ref::describe_scene(command.scene.name, command.scene.placing);
-  const std::vector<NamedTransform> all = transforms(command, scene);
+  const ref::SceneDescription scene = ref::describe_scene(chosen.name, chosen.placing);
+  const std::vector<NamedTransform> all = transforms(choice, scene);
   std::optional<sim::VerilatedDesign> verilated;
   if (judged) {
     progress.emplace("compiling the Verilog");
@@ -149,46 +133,50 @@ int rescale(const RescaleCommand& command) {
   }
   progress.reset();
 
-  if (command.format == Format::text) {
-    fmt::print(
-        "{}: {} vertices, {} pixels{}\n", scene.name, scene.mesh.vertices.size(), original.image.size(),
-        judged ? fmt::format(", {} {}", command.design.design().name, rtl::to_string(command.design.format()))
-               : "");
+  if (format == Format::text) {
+    fmt::print("{}: {} vertices, {} pixels{}\n", scene.name, scene.mesh.vertices.size(),
+               original.image.size(),
+               judged ? fmt::format(", {} {}", design->design().name, rtl::to_string(design->format())) : "");
     for (Row& row : rows) row = short_row(row, judged);
   }
-  fmt::print("{}", table_text(rows, command.format));
+  fmt::print("{}", table_text(rows, format));
   if (wrong == 0) return 0;
   fmt::print(stderr, "hitpipe: {} answers of the Verilog differ from the reference on the moved mesh\n",
              wrong);
   return 1;
 }
 
-}  // namespace
-
-void add_rescale_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command = program.add_subcommand(
-      "rescale", "Render a scene in other units and at other places, and count the pixels that change");
-  const auto options = std::make_shared<RescaleCommand>();
-  add_scene_options(*command, options->scene);
+void add_rescale_options(CLI::App& command, RescaleChoice& choice, const std::vector<std::string>& used) {
+  std::vector<std::string> allowed{"--rescale",     "--scale",  "--offset", "--scene", "--triangles",
+                                   "--eye",         "--target", "--up",     "--fov",   "--orthographic",
+                                   "--perspective", "--light",  "--sun",    "--width", "--height",
+                                   "--threads",     "--format"};
+  allowed.insert(allowed.end(), used.begin(), used.end());
+  CLI::Option* const asked = command.add_flag(
+      "--rescale", choice.asked,
+      "In place of a picture, count the pixels that change when mesh, camera and lights are scaled and "
+      "moved, by --scale and --offset or else a choice of both");
   const auto add = [&](const char* name, std::vector<NamedTransform>& list,
                        NamedTransform (*parse)(const std::string&), const char* what) {
-    return command->add_option_function<std::vector<std::string>>(
-        name,
-        [&list, parse](const std::vector<std::string>& texts) {
-          for (const std::string& text : texts) list.push_back(parse(text));
-        },
-        what);
+    return command
+        .add_option_function<std::vector<std::string>>(
+            name,
+            [&list, parse](const std::vector<std::string>& texts) {
+              for (const std::string& text : texts) list.push_back(parse(text));
+            },
+            what)
+        ->needs(asked)
+        ->allow_extra_args(false);
   };
-  add("--scale", options->scales, parse_scale, "Scale mesh, camera and lights by a number or by 2^N")
+  add("--scale", choice.scales, parse_scale,
+      "With --rescale: scale by a number or by 2^N; repeat it for more")
       ->delimiter(',')
       ->type_name("X");
-  add("--offset", options->offsets, parse_offset, "Move them, in units of the scene")->type_name("X,Y,Z");
-  command->add_option("--design", options->design.name, "This design's Verilog answers every box test")
-      ->type_name("NAME");
-  command->add_option("--bits", options->design.bits, "Number format of the design (default: its own)")
-      ->type_name("FORMAT");
-  add_format_option(*command, options->format);
-  command->callback([options, &exit_code] { exit_code = rescale(*options); });
+  add("--offset", choice.offsets, parse_offset,
+      "With --rescale: move, in units of the scene; repeat it for more")
+      ->type_name("X,Y,Z");
+  exclude_all_but(command, asked, allowed,
+                  "it renders each picture with the usual hierarchy and unit, and writes none");
 }
 
 }  // namespace hitpipe::cli

@@ -1,0 +1,94 @@
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/values.hpp"
+#include "cli/text/table.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/component/library.hpp"
+#include "sw_ref/scene/built_in.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+std::string designs_text(Format format) {
+  std::vector<Row> rows;
+  for (const rtl::Design& design : rtl::designs()) {
+    rows.push_back({{"design", design.name},
+                    {"bits", rtl::to_string(design.default_format)},
+                    {"may_miss", design.conservative ? "no" : "yes"},
+                    {"what", design.summary}});
+    if (format == Format::text) continue;  // lines of text are short
+    rows.back()["formats"] = design.default_format.family().allowed();
+  }
+  return table_text(rows, format);
+}
+
+std::string scenes_text(Format format) {
+  std::vector<Row> rows;
+  for (const ref::BuiltInScene& scene : ref::built_in_scenes()) {
+    Row& row = rows.emplace_back(Row{{"scene", scene.name}, {"triangles", scene.triangles}});
+    if (format != Format::text)
+      row.update({{"least", scene.least}, {"most", scene.most}, {"lights", scene.lights}});
+    row["stands_for"] = scene.stands_for;
+    row["what"] = scene.what;
+  }
+  return table_text(rows, format);
+}
+
+std::string counted(const rtl::Library& library) {
+  if (library.chip() == nullptr) return "area in mm2";
+  return library.chip()->block ? fmt::format("LUT, FF, {}", library.chip()->block->name) : "LUT, FF";
+}
+
+/// A paragraph for each library, because their sources are long.
+std::string described(const Row& row) {
+  std::string text = row.at("library").get<std::string>() + "\n";
+  for (const auto& [key, value] : row.items()) {
+    if (key == "library" || value.get<std::string>().empty()) continue;
+    const std::string head = fmt::format("  {:<8}", key);
+    text += head + wrapped(value.get<std::string>(), head.size(), head.size());
+  }
+  return text;
+}
+
+std::string libraries_text(Format format) {
+  std::vector<Row> rows;
+  std::string text;
+  for (const std::string& name : rtl::built_in_names()) {
+    const rtl::Library library = rtl::library_called(name);
+    rows.push_back({{"library", library.name()},
+                    {"of", library.chip() != nullptr ? library.chip()->device : library.process()},
+                    {"counts", counted(library)},
+                    {"source", library.source()}});
+    text += described(rows.back());
+  }
+  return format == Format::text ? text : table_text(rows, format);
+}
+
+using Listing = std::string (*)(Format);
+
+struct ListCommand {
+  Listing listing = nullptr;
+  Format format = Format::text;
+};
+
+}  // namespace
+
+CLI::App* add_list_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App* const command =
+      program.add_subcommand("list", "List the designs, component libraries or built-in scenes");
+  const auto options = std::make_shared<ListCommand>();
+  add_choice_option<Listing>(
+      *command, "what", options->listing,
+      {{"designs", designs_text}, {"libraries", libraries_text}, {"scenes", scenes_text}}, "What to list")
+      ->required();
+  add_format_option(*command, options->format);
+  command->callback([options] { fmt::print("{}", options->listing(options->format)); });
+  return command;
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,34 @@
+// `--rescale` of cosim and render: a scene in other units and at other places.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/design_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/text/table.hpp"
+#include "sim/check/rescale.hpp"
+
+namespace hitpipe::cli {
+
+/// A transform, with the text by which the user gave it.
+struct NamedTransform {
+  std::string name;
+  sim::Transform transform;
+};
+
+struct RescaleChoice {
+  bool asked = false;
+  std::vector<NamedTransform> scales;
+  std::vector<NamedTransform> offsets;
+};
+
+/// Adds --rescale, --scale and --offset. The command has all its other options already; of these it allows
+/// those of the scene, --format and what is `used`.
+void add_rescale_options(CLI::App& command, RescaleChoice& choice, const std::vector<std::string>& used);
+
+/// Renders the pictures, prints a row for each and returns the exit code. Without a design in software alone.
+[[nodiscard]] int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const DesignChoice* design,
+                          Format format);
+
+}  // namespace hitpipe::cli

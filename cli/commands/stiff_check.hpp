@@ -1,0 +1,26 @@
+// `hitpipe check --stiff`: false hits as the components of a ray's direction grow apart.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "cli/options/design_options.hpp"
+#include "cli/text/table.hpp"
+
+namespace hitpipe::cli {
+
+struct StiffCheck {
+  DesignsChoice units;  ///< without names: the designs that never miss
+  std::string scene;    ///< empty: no boxes but drawn ones
+  std::uint64_t tests = 60'000;
+  std::uint64_t rays = 2'000;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::string out;
+  Format format = Format::text;
+};
+
+/// Prints the table and returns the exit code.
+[[nodiscard]] int check_stiff_rays(const StiffCheck& command);
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,113 @@
+// Files, folders and tools that a command cannot use (tests/cli/wrong_use.hpp).
+#include <cstdlib>
+
+#include <sys/wait.h>
+
+#include "tests/cli/wrong_use.hpp"
+
+namespace hitpipe::cli::wrong_files_test {
+namespace {
+
+namespace fs = std::filesystem;
+using WrongFiles = WrongUseOf;
+
+/// By any name of it.
+TEST_F(WrongFiles, AnInputAsOutput) {
+  folder_.write("rays.csv", "ox,oy,oz,dx,dy,dz\n0,0,0,1,0,0\n");
+  folder_.write("boxes.csv", "min_x,min_y,min_z,max_x,max_y,max_z\n0,0,0,1,1,1\n");
+  folder_.write("scene.json", "{\"mesh\": \"triangle.obj\"}");
+  fs::copy_file(HITPIPE_SOURCE "/rtl_gen/component/libraries/thesis_250nm.json",
+                folder_.path() / "int_slabs.json");
+  fs::create_symlink("triangle.obj", folder_.path() / "link.obj");
+  const auto lost = [](const std::string& file) {
+    return file + ": is an input, which would be lost; give another file to write";
+  };
+  const std::string mesh = contents_of(folder_.path() / "triangle.obj");
+  rejected({{"bvh --scene DIR/triangle.obj --out DIR/triangle.obj", lost("DIR/triangle.obj")},
+            {"bvh --scene DIR/link.obj --out DIR/triangle.obj", lost("DIR/triangle.obj")},
+            {"bvh --scene DIR/triangle.obj --out DIR/link.obj", lost("DIR/link.obj")},
+            {"bvh --scene DIR/scene.json --out DIR/triangle.obj", lost("DIR/triangle.obj")},
+            {"operands int_slabs --rays DIR/rays.csv --boxes DIR/boxes.csv --out DIR/rays.csv",
+             lost("DIR/rays.csv")},
+            {"operands int_slabs --rays DIR/rays.csv --boxes DIR/boxes.csv --out DIR/./boxes.csv",
+             lost("DIR/./boxes.csv")},
+            {"operands int_slabs --operands DIR/two.csv --out DIR/two.csv", lost("DIR/two.csv")},
+            {"rtl int_slabs --library DIR/int_slabs.json --out DIR", lost("DIR/int_slabs.json")}});
+  EXPECT_FALSE(fs::exists(folder_.path() / "int_slabs.v"));
+  EXPECT_EQ(contents_of(folder_.path() / "triangle.obj"), mesh);
+  const fs::path picture = folder_.path() / "a.png";
+  ASSERT_EQ(hitpipe("render --scene spheres --width 8 --height 8 --out " + picture.string()).exit_code, 0);
+  rejected({{"render --compare DIR/a.png DIR/a.png --out DIR/a.png", lost("DIR/a.png")}});
+}
+
+TEST_F(WrongFiles, FilesAndFolders) {
+  const std::string below = "DIR/file/out: cannot create the folder: Not a directory";
+  rejected({{"rtl int_slabs --out DIR/file/out", below},
+            {"cosim int_slabs --scene spheres --out DIR/file/out", below},
+            {"fit fp_slabs --scene spheres --out DIR/file/out", below},
+            // Not even for the superuser: /proc takes no folder.
+            {"fit int_slabs --scene spheres --out /proc/hitpipe",
+             "/proc/hitpipe: cannot create the folder: No such file or directory"},
+            {"rtl int_slabs --out ''", "--out: is empty; give the name of a folder;"},
+            {"cosim int_slabs --scene spheres --out ''", "--out: is empty; give the name of a folder;"},
+            {"cosim int_slabs --scene spheres --bvh ''", "--bvh: is empty; give the name of a file;"},
+            {"check --stiff --out ''", "--out: is empty; give the name of a folder;"},
+            {"render --scene spheres --width 8 --height 8 --out DIR/none/image.png",
+             "image file \"DIR/none/image.png\": no folder \"DIR/none\"; create it first"},
+            {"render --scene spheres --width 8 --height 8 --out OUT.jpg",
+             "image file \"OUT.jpg\": unknown extension \".jpg\"; allowed are .png and .exr"},
+            {"render --compare DIR/none.png DIR/none.png",
+             "image file \"DIR/none.png\": no such file; check the name"},
+            {"bvh --scene spheres --bvh DIR/none.bvh --out OUT", "BVH file \"DIR/none.bvh\": no such file"},
+            {"cosim int_slabs --scene spheres --bvh DIR/two.csv --out OUT",
+             "BVH file \"DIR/two.csv\": line 1: the first line must be \"hitpipe-bvh 1\""},
+            {"rtl int_slabs --out OUT --library DIR/none.json",
+             "DIR/none.json: cannot read the component library"},
+            {"area --library DIR/none.json", "DIR/none.json: cannot read the component library"},
+            {"cosim int_slabs --scene spheres --library DIR/none.json",
+             "DIR/none.json: cannot read the component library"},
+            {"sweep int_slabs --scene spheres --rows DIR/none.csv --out OUT.csv",
+             "DIR/none.csv: cannot read the rows"},
+            {"operands int_slabs --rays DIR/none.csv --boxes DIR/two.csv --out OUT.csv",
+             "DIR/none.csv: cannot read the file: No such file or directory"}});
+}
+
+TEST_F(WrongFiles, Tools) {
+  const std::vector<std::string> cosim{"cosim",   "int_slabs", "--scene",  "spheres",
+                                       "--width", "8",         "--height", "8"};
+  rejected(
+      cosim,
+      "/nonexistent/verilator: cannot be run; install the package verilator or set VERILATOR to the program",
+      {{"VERILATOR", "/nonexistent/verilator"}});
+  const std::string verilator =
+      folder_
+          .write_program("verilator", "#!/bin/sh\nif [ \"$1\" = --version ]; then echo 1; exit; fi\nexit 3\n")
+          .string();
+  rejected(cosim, verilator + ": failed with exit code 3; its output is in DIR/cache/failed-int_slabs.log",
+           {{"VERILATOR", verilator}, {"HITPIPE_CACHE", filled("DIR/cache")}});
+  rejected(cosim, "DIR/file/cache: cannot write to the cache; set HITPIPE_CACHE to another folder",
+           {{"HITPIPE_CACHE", filled("DIR/file/cache")}});
+  rejected({"check", "--stiff", "int_slabs", "--bits", "12/12", "--tests", "60", "--out", "OUT"},
+           "stiffness: gnuplot was not found; install the package gnuplot-nox", {{"PATH", filled("DIR")}});
+  // Nothing here needs a temporary folder before it is asked to draw.
+  EXPECT_EQ(run_hitpipe(cosim, {{"TMPDIR", "/nonexistent"}}).exit_code, 0);
+}
+
+#ifndef __SANITIZE_ADDRESS__  // it needs more address space than this test leaves
+/// A picture that does not fit into memory gives one line in our own words.
+TEST_F(WrongFiles, MoreThanMemoryHolds) {
+  const fs::path err = folder_.path() / "err";
+  const std::string command = "ulimit -v 1000000; exec " HITPIPE_PROGRAM
+                              " render --scene spheres --width 16384 --height 16384 --threads 1 2>" +
+                              err.string();
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_EQ(contents_of(err),
+            "hitpipe: not enough memory; ask for fewer pixels, triangles or rays in flight, or for fewer "
+            "threads\n");
+}
+#endif
+
+}  // namespace
+}  // namespace hitpipe::cli::wrong_files_test
