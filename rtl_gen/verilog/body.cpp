@@ -18,6 +18,10 @@ std::string select_bits(const std::string& name, BitSpan declared, int high, int
   return fmt::format("{}[{}:{}]", name, high - declared.low, low - declared.low);
 }
 
+std::string repeated(int count, const std::string& bit) {
+  return count == 1 ? bit : fmt::format("{{{}{{{}}}}}", count, bit);
+}
+
 std::string_view infix(Op op) {
   switch (op) {
     case Op::bit_and:
@@ -51,11 +55,10 @@ Body::Body(const Graph& graph, const Schedule& schedule, const Placement& placem
   }
   names_ = value_names(graph, placement, taken_);
   taken_.insert(names_.begin(), names_.end());
-  registers_of_.resize(graph.size());
   for (std::size_t i = 0; i < placement.registers.size(); ++i) {
     const Register& r = placement.registers[i];
     registers_.push_back(claim(wished_name(r)));
-    registers_of_[r.value].push_back(i);
+    registers_at_[{r.value, r.boundary}].push_back(i);
   }
 
   if (std::any_of(placement.registers.begin(), placement.registers.end(),
@@ -87,10 +90,6 @@ std::string Body::claim(const std::string& wish) {
   return name;
 }
 
-const std::string& Body::register_name(const Register& r) const {
-  return registers_[static_cast<std::size_t>(&r - placement_.registers.data())];
-}
-
 std::string Body::wished_name(const Register& r) const {
   const BitSpan whole = used_span(graph_, placement_, r.value);
   const std::string& name = names_[r.value];
@@ -101,10 +100,12 @@ std::string Body::wished_name(const Register& r) const {
 }
 
 std::string Body::bits_of(NodeId root, int high, int low, int stage) const {
-  for (const std::size_t i : registers_of_[root]) {
-    const Register& r = placement_.registers[i];
-    if (r.boundary == stage - 1 && r.low <= low && r.high >= high)
-      return select_bits(registers_[i], {r.high, r.low}, high, low);
+  const auto found = registers_at_.find({root, stage - 1});
+  if (found != registers_at_.end()) {
+    for (const std::size_t i : found->second) {
+      const Register& r = placement_.registers[i];
+      if (r.low <= low && r.high >= high) return select_bits(registers_[i], {r.high, r.low}, high, low);
+    }
   }
   return select_bits(names_[root], declared(root), high, low);
 }
@@ -134,11 +135,15 @@ std::string Body::expression(NodeId value, int high, int low, int stage) const {
       const int source = graph_[n.args[0]].width;
       if (high < source) return expression(n.args[0], high, low, stage);
       const int extra = high - std::max(low, source) + 1;
-      const std::string fill = n.is_signed ? fmt::format("{{{}{{{}}}}}", extra,
-                                                         expression(n.args[0], source - 1, source - 1, stage))
-                                           : fmt::format("{}'d0", extra);
-      if (low >= source) return fill;
-      return fmt::format("{{{}, {}}}", fill, expression(n.args[0], source - 1, low, stage));
+      if (!n.is_signed) {
+        const std::string zeros = fmt::format("{}'d0", extra);
+        if (low >= source) return zeros;
+        return fmt::format("{{{}, {}}}", zeros, expression(n.args[0], source - 1, low, stage));
+      }
+      const std::string sign = expression(n.args[0], source - 1, source - 1, stage);
+      if (low >= source) return repeated(extra, sign);
+      if (low == source - 1) return repeated(extra + 1, sign);
+      return fmt::format("{{{}, {}}}", repeated(extra, sign), expression(n.args[0], source - 1, low, stage));
     }
     default:
       return bits_of(value, high, low, stage);
@@ -151,7 +156,7 @@ void Body::write_value(NodeId id) {
   const auto arg = [&](std::size_t i) {
     const std::string value = expression(n.args[i], stage);
     // A product is wider than its operands: Verilog would extend them before it inverts them.
-    return n.op == Op::mul && graph_[n.args[i]].op == Op::invert ? fmt::format("{{{}}}", value) : value;
+    return n.op == Op::mul && value.starts_with('~') ? fmt::format("{{{}}}", value) : value;
   };
   std::string right;
   if (n.op == Op::mux) {
@@ -211,9 +216,10 @@ void Body::write_unit(NodeId id) {
 
 void Body::write_registers(int boundary) {
   std::string load;
-  for (const Register& r : placement_.registers) {
+  for (std::size_t i = 0; i < placement_.registers.size(); ++i) {
+    const Register& r = placement_.registers[i];
     if (r.boundary != boundary) continue;
-    const std::string& name = register_name(r);
+    const std::string& name = registers_[i];
     text_ += fmt::format("  reg {}{};  // stage {}{}\n", vector_range(r.width()), name, boundary,
                          source_comment(r.value));
     load += fmt::format("{}{} <= {};\n", options_.enable.empty() ? "    " : "      ", name,
@@ -254,7 +260,10 @@ void Body::write_unused() {
     const BitSpan span = declared(id);
     add(names_[id], span, bit_range(span.high, span.low) & ~placement_.used_bits[id]);
   }
-  for (const Register& r : placement_.registers) add(register_name(r), {r.high, r.low}, r.unread);
+  for (std::size_t i = 0; i < placement_.registers.size(); ++i) {
+    const Register& r = placement_.registers[i];
+    add(registers_[i], {r.high, r.low}, r.unread);
+  }
   if (unused.empty()) return;
   text_ +=
       fmt::format("\n  // Not read on purpose.\n  wire unused = &{{1'b0, {}}};\n", fmt::join(unused, ", "));

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rtl_gen/component/product.hpp"
@@ -53,7 +54,6 @@ class Body {
   [[nodiscard]] std::string bits_of(NodeId root, int high, int low, int stage) const;
   /// `wish`, with a number at its end when the name is taken.
   [[nodiscard]] std::string claim(const std::string& wish);
-  [[nodiscard]] const std::string& register_name(const Register& r) const;  ///< `r` is in the placement
   [[nodiscard]] std::string wished_name(const Register& r) const;
   [[nodiscard]] std::string source_comment(NodeId id) const;
   /// The bits with which an unlatched value is declared: those of a pipelined multiplier that are read, all
@@ -66,9 +66,10 @@ class Body {
   const Placement& placement_;
   BodyOptions options_;
   std::set<std::string> taken_;
-  std::vector<std::string> names_;                      ///< by node
-  std::vector<std::string> registers_;                  ///< names, in the order of the placement
-  std::vector<std::vector<std::size_t>> registers_of_;  ///< by node: the places of its registers
+  std::vector<std::string> names_;      ///< by node
+  std::vector<std::string> registers_;  ///< names, in the order of the placement
+  /// By value and boundary: the places of its registers there.
+  std::map<std::pair<NodeId, int>, std::vector<std::size_t>> registers_at_;
   std::map<MultiplierShape, std::string> multipliers_;
   std::map<std::string, UnitUse> units_;
   std::string text_;

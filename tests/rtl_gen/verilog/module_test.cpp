@@ -127,7 +127,7 @@ module toy #(
   end
 
   // Stage 5.
-  wire toy_cmp = $signed(p_s4) < $signed({{5{d_sign_s4}}, d_sign_s4});
+  wire toy_cmp = $signed(p_s4) < $signed({6{d_sign_s4}});
   wire toy_and = toy_cmp & d_sign_s4;
   reg [1:0] d_1_0_s5;  // stage 5, hls/pipelines/toy.hpp:10
   reg toy_and_s5;  // stage 5
@@ -165,7 +165,7 @@ module toy_mul_6x6s_to_10_5 (
   end
 
   // Stage 2.
-  wire [7:0] sum_1 = {{1{piece_0_s1[6]}}, piece_0_s1} + piece_1_s1;
+  wire [7:0] sum_1 = {piece_0_s1[6], piece_0_s1} + piece_1_s1;
 
   // Not read on purpose.
   wire unused = &{1'b0, piece_0[2:0], piece_1[8], sum_1[1:0]};
