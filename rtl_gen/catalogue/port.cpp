@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace hitpipe::rtl {
 
@@ -19,7 +22,10 @@ Port port_of(const hls::Operand& operand) {
 std::vector<Port> result_ports(const std::vector<hls::Result>& results) {
   std::vector<Port> ports;
   for (const hls::Result& result : results)
-    ports.push_back({.name = result.name, .width = result.width, .is_signed = result.is_signed});
+    ports.push_back({.name = result.name,
+                     .width = result.width,
+                     .is_signed = result.is_signed,
+                     .comment = description(result)});
   return ports;
 }
 
@@ -29,6 +35,89 @@ Interval numbers_of(const Port& port) {
   const int bits = port.is_signed ? port.width - 1 : port.width;
   const auto most = static_cast<std::int64_t>((std::uint64_t{1} << bits) - 1);
   return {port.is_signed ? -most - 1 : 0, most};
+}
+
+namespace {
+
+std::string_view words_of(hls::Role role) {
+  switch (role) {
+    case hls::Role::origin:
+      return "origin of the ray";
+    case hls::Role::origin_high:
+      return "upper bound of the ray's origin";
+    case hls::Role::endpoint:
+      return "end of the ray";
+    case hls::Role::direction:
+      return "direction of the ray";
+    case hls::Role::inverse:
+      return "reciprocal of the direction";
+    case hls::Role::inverse_low:
+      return "lower bound of a reciprocal";
+    case hls::Role::inverse_high:
+      return "upper bound of a reciprocal";
+    case hls::Role::length:
+      return "where the ray ends";
+    case hls::Role::endless:
+      return "1: the ray has no end";
+    case hls::Role::plane_low:
+      return "lower plane";
+    case hls::Role::plane_high:
+      return "upper plane";
+    case hls::Role::exponent:
+      return "exponent of the bounds of a reciprocal";
+    case hls::Role::backward:
+      return "1: the direction is negative";
+    case hls::Role::entry:
+      return "where the ray enters the parent";
+    case hls::Role::owner:
+      return "number of the box that has the plane";
+    case hls::Role::major:
+      return "1: the direction's largest component";
+    case hls::Role::other:
+      return "of the design's own set-up";
+  }
+  throw std::logic_error("an operand without a role");
+}
+
+std::string_view words_of(hls::Kind kind) {
+  switch (kind) {
+    case hls::Kind::integer:
+      return "integer";
+    case hls::Kind::natural:
+      return "natural";
+    case hls::Kind::real:
+      return "float";
+    case hls::Kind::flag:
+      return "flag";
+  }
+  throw std::logic_error("an operand without a kind");
+}
+
+}  // namespace
+
+std::string description(const Port& operand) {
+  std::string text(words_of(operand.role));
+  if (operand.axis != hls::Axis::none) text += fmt::format(", {}", " xyz"[static_cast<int>(operand.axis)]);
+  if (operand.box > 0) text += fmt::format(", box {}", operand.box);
+  if (!operand.kind) return text;
+  text += fmt::format("; {}", words_of(*operand.kind));
+  const bool has_numbers = *operand.kind == hls::Kind::integer || *operand.kind == hls::Kind::natural;
+  if (has_numbers && operand.range) text += fmt::format(", {}..{}", operand.range->low, operand.range->high);
+  return text;
+}
+
+std::string description(const hls::Result& result) {
+  switch (result.meaning) {
+    case hls::Meaning::hit:
+      return fmt::format("1: the ray meets box {}", result.box);
+    case hls::Meaning::entry:
+      return fmt::format("where the ray enters box {}", result.box);
+    case hls::Meaning::exit:
+      return fmt::format("where the ray leaves box {}", result.box);
+    case hls::Meaning::order:
+      return "1: the second box comes first";
+  }
+  throw std::logic_error("a result without a meaning");
 }
 
 int total_width(const std::vector<Port>& ports) {

@@ -28,12 +28,16 @@ struct Port {
   int box = 0;                      ///< plane_low, plane_high: of which box
   std::optional<Interval> range{};  ///< the numbers that the set-up gives; nothing: not known
   std::optional<hls::Kind> kind{};  ///< how its bits are read; nothing: not known
+  std::string comment{};            ///< for the reader of the Verilog; may be empty
 };
 
 [[nodiscard]] Port port_of(const hls::Operand& operand);
 [[nodiscard]] std::vector<Port> result_ports(const std::vector<hls::Result>& results);
 /// The numbers that its bits can stand for; any of std::int64_t for a port of 64 bits.
 [[nodiscard]] Interval numbers_of(const Port& port);
+/// What an operand tells the unit, in words: "lower plane, x; integer, -32767..32767".
+[[nodiscard]] std::string description(const Port& operand);
+[[nodiscard]] std::string description(const hls::Result& result);
 /// The bits of all ports together.
 [[nodiscard]] int total_width(const std::vector<Port>& ports);
 /// A graph's inputs, in order, without their roles.

@@ -57,7 +57,7 @@ class Rebuild {
     if (done_[old] != no_node) return done_[old];
     const Node& n = from_[old];
     const NodeId made = make(old, need_[old]);
-    to_.annotate(made, n.name, n.source);
+    to_.annotate_as(made, n);
     return done_[old] = made;
   }
 

@@ -183,6 +183,30 @@ void Graph::annotate(NodeId node, std::string_view name, const SourceLine& sourc
   if (!n.name.empty() || name.empty()) return;
   n.name = name;
   n.source = source;
+  NamedPart part{n.width - 1, 0, n.name, source};
+  NodeId at = node;
+  for (; nodes_[at].op == Op::slice || nodes_[at].op == Op::extend; at = nodes_[at].args[0]) {
+    const Node& wire = nodes_[at];
+    part.high = std::min(part.high + wire.low, nodes_[wire.args[0]].width - 1);
+    part.low += wire.low;
+  }
+  if (at != node) add_part(at, part);
+}
+
+void Graph::add_part(NodeId node, const NamedPart& part) {
+  Node& n = nodes_[node];
+  if (!is_root(n.op) || n.op == Op::input) return;
+  const NamedPart added{std::min(part.high, n.width - 1), part.low, part.name, part.source};
+  const auto same = [&](const NamedPart& known) {
+    return known.high == added.high && known.low == added.low && known.name == added.name;
+  };
+  if (added.high >= added.low && std::none_of(n.parts.begin(), n.parts.end(), same)) n.parts.push_back(added);
+}
+
+void Graph::annotate_as(NodeId node, const Node& other) {
+  annotate(node, other.name, other.source);
+  if (nodes_[node].op != other.op) return;
+  for (const NamedPart& part : other.parts) add_part(node, part);
 }
 
 std::string to_text(const Graph& graph) {

@@ -55,6 +55,14 @@ struct SourceLine {
   unsigned line = 0;
 };
 
+/// Some bits of a value, or these bits extended, as the C++ names them.
+struct NamedPart {
+  int high = 0;
+  int low = 0;
+  std::string name;
+  SourceLine source;
+};
+
 struct Node {
   Op op = Op::input;
   int width = 1;
@@ -65,6 +73,7 @@ struct Node {
   std::array<NodeId, 3> args{no_node, no_node, no_node};
   std::string name{};  ///< from the C++, may be empty
   SourceLine source{};
+  std::vector<NamedPart> parts{};  ///< of a value without a name: what the C++ names of it
   int min_stage = 0;  ///< earliest pipeline stage; set only in components that state their partition
 
   [[nodiscard]] int arity() const {
@@ -101,8 +110,11 @@ class Graph {
   NodeId call(const std::shared_ptr<const Unit>& unit, std::span<const NodeId> operands);
   void output(std::string_view name, NodeId node);
 
-  /// Names a value unless it has a name already (inputs keep their port's).
+  /// Names a value unless it has a name already (inputs keep their port's). The name of a slice is also that
+  /// of a part of the value from which it is taken.
   void annotate(NodeId node, std::string_view name, const SourceLine& source);
+  /// The same with all names of a node in another graph, for a node that does the same to fewer high bits.
+  void annotate_as(NodeId node, const Node& other);
   /// Nodes recorded from here on start no earlier than this stage.
   void begin_stage(int stage) { min_stage_ = stage; }
 
@@ -120,6 +132,7 @@ class Graph {
  private:
   using Key = std::tuple<Op, int, bool, int, int, std::uint64_t, std::array<NodeId, 3>, int>;
   NodeId record(Node node);
+  void add_part(NodeId node, const NamedPart& part);
 
   std::string name_;
   std::vector<Node> nodes_;

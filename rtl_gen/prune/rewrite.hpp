@@ -32,7 +32,12 @@ template <class Port, class Replace>
     } else if (n.op != Op::input) {
       made[id] = record_again(to, from, id, operands);
     }
-    if (n.op != Op::input) to.annotate(made[id], n.name, n.source);
+    if (n.op == Op::input) continue;
+    if (instead == no_node) {
+      to.annotate_as(made[id], n);
+    } else {
+      to.annotate(made[id], n.name, n.source);
+    }
   }
   for (const Output& out : from.outputs()) to.output(out.name, made[out.node]);
   return to;

@@ -126,7 +126,7 @@ class Drawing {
       std::vector<std::string> nodes;
       for (const NodeId id : column) {
         nodes.push_back(fmt::format("v{}", id));
-        text_ += fmt::format("  v{} [{} tooltip=\"{}\"]\n", id, symbol(id), names_[id]);
+        text_ += fmt::format("  v{} [{} tooltip=\"{}\"]\n", id, symbol(id), names_[id].name);
         connect_operands(id, stage);
       }
       write_order(nodes);
@@ -145,11 +145,11 @@ class Drawing {
     for (const Register* const r : column) {
       nodes.push_back(node_of(*r));
       text_ += fmt::format("  {} [label=\"L:{}\" shape=box fillcolor=\"#ffffff\" tooltip=\"{}\"]\n",
-                           nodes.back(), r->width(), names_[r->value]);
+                           nodes.back(), r->width(), names_[r->value].name);
       const Slot& slot = schedule_.slots[r->value];
       const bool first = graph_[r->value].op != Op::input && boundary == slot.finish;
       // A component of several stages takes as many columns.
-      const std::string wire = first ? fmt::format(" [label=\"{}\" minlen={}]", names_[r->value],
+      const std::string wire = first ? fmt::format(" [label=\"{}\" minlen={}]", names_[r->value].name,
                                                    std::max(1, slot.finish - slot.stage))
                                      : "";
       const std::string from =
@@ -273,7 +273,7 @@ class Drawing {
   /// The drawn node that holds these bits of a value: a latch at the boundary, the node that makes the value,
   /// or its name.
   std::string source_of(NodeId value, int high, int low, int boundary) {
-    if (boundary == entry_ && schedule_.slots[value].finish <= entry_) return entry(names_[value]);
+    if (boundary == entry_ && schedule_.slots[value].finish <= entry_) return entry(names_[value].name);
     for (const Register& r : placement_.registers)
       if (r.value == value && r.boundary == boundary && r.low <= low && r.high >= high) return node_of(r);
     return fmt::format("v{}", value);
@@ -301,7 +301,7 @@ class Drawing {
   const Graph& graph_;
   const Schedule& schedule_;
   const Placement& placement_;
-  std::vector<std::string> names_;
+  std::vector<ValueName> names_;
   std::vector<double> places_;  ///< by node, from the top
   int entry_;                   ///< the boundary before the first stage
   int entries_ = 0;

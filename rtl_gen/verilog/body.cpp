@@ -54,7 +54,7 @@ Body::Body(const Graph& graph, const Schedule& schedule, const Placement& placem
     taken_.insert(fmt::format("tag_s{}", boundary));
   }
   names_ = value_names(graph, placement, taken_);
-  taken_.insert(names_.begin(), names_.end());
+  for (const ValueName& value : names_) taken_.insert(value.name);
   for (std::size_t i = 0; i < placement.registers.size(); ++i) {
     const Register& r = placement.registers[i];
     registers_.push_back(claim(wished_name(r)));
@@ -79,9 +79,17 @@ BitSpan Body::declared(NodeId root) const {
                                        : BitSpan{graph_[root].width - 1, 0};
 }
 
-std::string Body::source_comment(NodeId id) const {
-  const SourceLine& s = graph_[id].source;
-  return s.line == 0 ? "" : fmt::format(", {}:{}", s.file, s.line);
+std::string Body::source_text(NodeId id) const {
+  if (graph_[id].op == Op::input) return "port " + graph_[id].name;
+  const ValueName& value = names_[id];
+  if (value.source.line == 0) return "";
+  return fmt::format("{}{}:{}", value.is_own ? "" : "for ", value.source.file, value.source.line);
+}
+
+std::string Body::comment(const std::string& what, NodeId id) const {
+  const std::string source = source_text(id);
+  if (what.empty() && source.empty()) return "";
+  return fmt::format("  // {}{}{}", what, what.empty() || source.empty() ? "" : ", ", source);
 }
 
 std::string Body::claim(const std::string& wish) {
@@ -92,7 +100,7 @@ std::string Body::claim(const std::string& wish) {
 
 std::string Body::wished_name(const Register& r) const {
   const BitSpan whole = used_span(graph_, placement_, r.value);
-  const std::string& name = names_[r.value];
+  const std::string& name = names_[r.value].name;
   if (r.high == whole.high && r.low == whole.low) return fmt::format("{}_s{}", name, r.boundary);
   if (r.high == r.low && r.high == graph_[r.value].width - 1)
     return fmt::format("{}_sign_s{}", name, r.boundary);
@@ -107,7 +115,7 @@ std::string Body::bits_of(NodeId root, int high, int low, int stage) const {
       if (r.low <= low && r.high >= high) return select_bits(registers_[i], {r.high, r.low}, high, low);
     }
   }
-  return select_bits(names_[root], declared(root), high, low);
+  return select_bits(names_[root].name, declared(root), high, low);
 }
 
 std::string Body::expression(NodeId value, int stage) const {
@@ -166,7 +174,8 @@ void Body::write_value(NodeId id) {
     const std::string_view form = reads_sign ? "$signed({}) {} $signed({})" : "{} {} {}";
     right = fmt::format(fmt::runtime(form), arg(0), infix(n.op), arg(1));
   }
-  text_ += fmt::format("  wire {}{} = {};\n", vector_range(n.width), names_[id], right);
+  text_ +=
+      fmt::format("  wire {}{} = {};{}\n", vector_range(n.width), names_[id].name, right, comment("", id));
 }
 
 std::string Body::clock_pins() const {
@@ -188,10 +197,11 @@ void Body::write_multiplier(NodeId id) {
                                        shape.width_b, shape.is_signed ? "s" : "u", shape.high, shape.low);
   const std::string& module = multipliers_.try_emplace(shape, base).first->second;
   const std::string clocked = shape.stages > 1 ? clock_pins() : "";
-  text_ += fmt::format("  wire {}{};  // bits {}:{}, there in stage {}\n", vector_range(used.width()),
-                       names_[id], used.high, used.low, slot.finish);
-  text_ += fmt::format("  {} {} ({}.a({}), .b({}), .p({}));\n", module, claim("mul_" + names_[id]), clocked,
-                       expression(n.args[0], slot.stage), expression(n.args[1], slot.stage), names_[id]);
+  const std::string& name = names_[id].name;
+  const std::string what = fmt::format("bits {}:{}, there in stage {}", used.high, used.low, slot.finish);
+  text_ += fmt::format("  wire {}{};{}\n", vector_range(used.width()), name, comment(what, id));
+  text_ += fmt::format("  {} {} ({}.a({}), .b({}), .p({}));\n", module, claim("mul_" + name), clocked,
+                       expression(n.args[0], slot.stage), expression(n.args[1], slot.stage), name);
 }
 
 void Body::write_unit(NodeId id) {
@@ -207,11 +217,11 @@ void Body::write_unit(NodeId id) {
         fmt::format(".{}({}), ", body[body.inputs()[i]].name, expression(graph_[id].args[i], slot.stage));
   }
   const std::string clocked = use.stages > 1 ? clock_pins() : "";
-  text_ += fmt::format("  wire {}{};  // there in stage {}\n", vector_range(graph_[id].width), names_[id],
-                       slot.finish);
-  text_ += fmt::format("  {} {} ({}{}.{}({}));\n", module,
-                       claim(fmt::format("{}_{}", unit->component, names_[id])), clocked, operands,
-                       body.outputs().front().name, names_[id]);
+  const std::string& name = names_[id].name;
+  text_ += fmt::format("  wire {}{};{}\n", vector_range(graph_[id].width), name,
+                       comment(fmt::format("there in stage {}", slot.finish), id));
+  text_ += fmt::format("  {} {} ({}{}.{}({}));\n", module, claim(fmt::format("{}_{}", unit->component, name)),
+                       clocked, operands, body.outputs().front().name, name);
 }
 
 void Body::write_registers(int boundary) {
@@ -220,8 +230,8 @@ void Body::write_registers(int boundary) {
     const Register& r = placement_.registers[i];
     if (r.boundary != boundary) continue;
     const std::string& name = registers_[i];
-    text_ += fmt::format("  reg {}{};  // stage {}{}\n", vector_range(r.width()), name, boundary,
-                         source_comment(r.value));
+    text_ += fmt::format("  reg {}{};{}\n", vector_range(r.width()), name,
+                         comment(fmt::format("stage {}", boundary), r.value));
     load += fmt::format("{}{} <= {};\n", options_.enable.empty() ? "    " : "      ", name,
                         bits_of(r.value, r.high, r.low, boundary));
   }
@@ -258,7 +268,7 @@ void Body::write_unused() {
   for (NodeId id = 0; id < graph_.size(); ++id) {
     if (!is_root(graph_[id].op)) continue;
     const BitSpan span = declared(id);
-    add(names_[id], span, bit_range(span.high, span.low) & ~placement_.used_bits[id]);
+    add(names_[id].name, span, bit_range(span.high, span.low) & ~placement_.used_bits[id]);
   }
   for (std::size_t i = 0; i < placement_.registers.size(); ++i) {
     const Register& r = placement_.registers[i];

@@ -55,7 +55,10 @@ class Body {
   /// `wish`, with a number at its end when the name is taken.
   [[nodiscard]] std::string claim(const std::string& wish);
   [[nodiscard]] std::string wished_name(const Register& r) const;
-  [[nodiscard]] std::string source_comment(NodeId id) const;
+  /// The C++ line of a value, or the line that it is for; of an operand, its port.
+  [[nodiscard]] std::string source_text(NodeId id) const;
+  /// "  // what, source", or nothing.
+  [[nodiscard]] std::string comment(const std::string& what, NodeId id) const;
   /// The bits with which an unlatched value is declared: those of a pipelined multiplier that are read, all
   /// of any other.
   [[nodiscard]] BitSpan declared(NodeId root) const;
@@ -66,7 +69,7 @@ class Body {
   const Placement& placement_;
   BodyOptions options_;
   std::set<std::string> taken_;
-  std::vector<std::string> names_;      ///< by node
+  std::vector<ValueName> names_;        ///< by node
   std::vector<std::string> registers_;  ///< names, in the order of the placement
   /// By value and boundary: the places of its registers there.
   std::map<std::pair<NodeId, int>, std::vector<std::size_t>> registers_at_;

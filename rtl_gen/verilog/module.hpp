@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
@@ -13,6 +14,9 @@ struct VerilogOptions {
   std::string module_name;  ///< empty: the graph's name
   std::string bits;         ///< for the header comment, e.g. "20/24"
   FlowControl flow_control = FlowControl::stall;
+  /// What the design says of its ports. A port that is in neither list is declared as the graph has it.
+  std::vector<Port> operands{};
+  std::vector<hls::Result> results{};
 };
 
 /// The top module, then one module for each kind of pipelined component in it. Beside operands and results

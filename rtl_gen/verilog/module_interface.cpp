@@ -34,16 +34,18 @@ std::vector<Port> ModuleInterface::data(std::string_view channel) const {
 }
 
 std::string ModuleInterface::head() const {
-  std::vector<std::string> list;
+  std::string list;
   bool has_tags = false;
   for (const Pin& pin : pins) {
     const bool is_tag = pin.width == Pin::tag_width;
     has_tags = has_tags || is_tag;
-    list.push_back(fmt::format("{} wire {}{}", pin.is_input ? "input " : "output",
-                               is_tag ? fmt::format("{} ", tag_range) : vector_range(pin.width), pin.name));
+    list += fmt::format("  {} wire {}{}{}{}{}{}\n", pin.is_input ? "input " : "output",
+                        pin.is_signed ? "signed " : "",
+                        is_tag ? fmt::format("{} ", tag_range) : vector_range(pin.width), pin.name,
+                        &pin == &pins.back() ? "" : ",", pin.comment.empty() ? "" : "  // ", pin.comment);
   }
-  return fmt::format("module {} {}(\n  {}\n);\n", module, has_tags ? "#(\n  parameter TAG_BITS = 16\n) " : "",
-                     fmt::join(list, ",\n  "));
+  return fmt::format("module {} {}(\n{});\n", module, has_tags ? "#(\n  parameter TAG_BITS = 16\n) " : "",
+                     list);
 }
 
 std::string ModuleInterface::control_connections(std::initializer_list<std::string_view> channels,
@@ -79,7 +81,7 @@ std::string ModuleInterface::instance(const std::string& name, const std::string
 void add_data(std::vector<Pin>& pins, const std::string& channel, bool is_input,
               const std::vector<Port>& ports) {
   for (const Port& port : ports)
-    pins.push_back({port.name, Pin::Role::data, channel, is_input, port.width, port.is_signed});
+    pins.push_back({port.name, Pin::Role::data, channel, is_input, port.width, port.is_signed, port.comment});
 }
 
 ModuleInterface unit_interface(const std::string& module, const std::vector<Port>& operands,

@@ -46,6 +46,7 @@ struct Pin {
   bool is_input;
   int width = 1;  ///< tag_width: as many bits as the parameter TAG_BITS says, at least one
   bool is_signed = false;
+  std::string comment{};  ///< for the reader of the Verilog; may be empty
 
   static constexpr int tag_width = 0;
 };

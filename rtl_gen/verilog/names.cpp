@@ -8,19 +8,59 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace hitpipe::rtl {
 
 namespace {
 
-/// The name of `value`, or of its nearest reader that the C++ names.
-std::string name_downstream(const Graph& graph, NodeId value,
-                            const std::vector<std::vector<NodeId>>& readers) {
-  for (NodeId at = value;;) {
-    if (!graph[at].name.empty()) return graph[at].name;
-    if (readers[at].empty()) return graph.name();
-    at = readers[at].front();
+using Words = std::vector<std::string>;
+
+Words words_of(const std::string& name) {
+  Words words;
+  std::istringstream stream(name);
+  for (std::string word; std::getline(stream, word, '_');) words.push_back(word);
+  return words;
+}
+
+/// The words of `a` that are also in `b`, in the same order.
+Words shared_words(const Words& a, const Words& b) {
+  Words shared;
+  auto from = b.begin();
+  for (const std::string& word : a) {
+    const auto found = std::find(from, b.end(), word);
+    if (found == b.end()) continue;
+    shared.push_back(word);
+    from = found + 1;
   }
+  return shared;
+}
+
+/// What the next named readers of a value have in common.
+struct Purpose {
+  bool is_known = false;
+  Words words{};
+  SourceLine source{};  ///< line 0: they come from several lines
+
+  void add(const Purpose& other) {
+    if (!other.is_known) return;
+    if (!is_known) {
+      *this = other;
+      return;
+    }
+    words = shared_words(words, other.words);
+    if (source.file != other.source.file || source.line != other.source.line) source = {};
+  }
+};
+
+/// The smallest part that has a name and holds all used bits, or null.
+const NamedPart* used_part(const Node& n, BitSpan used) {
+  const NamedPart* best = nullptr;
+  for (const NamedPart& part : n.parts) {
+    if (part.high < used.high || part.low > used.low) continue;
+    if (best == nullptr || part.high - part.low < best->high - best->low) best = &part;
+  }
+  return best;
 }
 
 }  // namespace
@@ -31,34 +71,42 @@ BitSpan used_span(const Graph& graph, const Placement& placement, NodeId value) 
   return {63 - std::countl_zero(bits), std::countr_zero(bits)};
 }
 
-std::vector<std::string> value_names(const Graph& graph, const Placement& placement,
-                                     std::set<std::string> taken) {
+std::vector<ValueName> value_names(const Graph& graph, const Placement& placement,
+                                   std::set<std::string> taken) {
   const std::set<std::string>& keywords = verilog_keywords();
   taken.insert(keywords.begin(), keywords.end());
-  std::vector<std::string> part(graph.size());  // the C++'s name for exactly the used bits
-  std::vector<std::vector<NodeId>> readers(graph.size());
-  for (NodeId id = 0; id < graph.size(); ++id) {
+  std::vector<ValueName> names(graph.size());
+  std::vector<Purpose> purposes(graph.size());
+  for (NodeId id = graph.size(); id-- > 0;) {
     const Node& n = graph[id];
-    for (const NodeId arg : n.operands()) readers[arg].push_back(id);
-    if (n.op != Op::slice || n.name.empty()) continue;
-    const BitSpan used = used_span(graph, placement, n.args[0]);
-    if (used.low == n.low && used.width() == n.width) part[n.args[0]] = n.name;
+    ValueName& own = names[id];
+    own = {.name = n.name, .source = n.source, .is_own = !n.name.empty()};
+    if (n.name.empty() && is_root(n.op)) {
+      if (const NamedPart* const part = used_part(n, used_span(graph, placement, id)))
+        own = {.name = part->name, .source = part->source, .is_own = true};
+    }
+    const Purpose of_this{true, words_of(own.name), own.source};
+    for (const NodeId arg : n.operands()) purposes[arg].add(own.is_own ? of_this : purposes[id]);
   }
-  std::vector<std::string> names(graph.size());
   const auto claim = [&](NodeId id, const std::string& wish) {
     std::string name = wish;
     for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", wish, i);
-    names[id] = name;
+    names[id].name = name;
   };
   // Ports come first, as they must keep their names; then what the C++ names; then the rest.
   for (const NodeId id : graph.inputs()) claim(id, graph[id].name);
   for (const bool named : {true, false}) {
     for (NodeId id = 0; id < graph.size(); ++id) {
       const Node& n = graph[id];
-      if (!is_root(n.op) || n.op == Op::input) continue;
-      const std::string& own = n.name.empty() ? part[id] : n.name;
-      if (own.empty() == named) continue;
-      claim(id, named ? own : fmt::format("{}_{}", name_downstream(graph, id, readers), op_name(n.op)));
+      if (n.op == Op::input || names[id].is_own != named) continue;
+      if (!is_root(n.op)) {
+        names[id] = {};
+        continue;
+      }
+      if (!named) names[id].source = purposes[id].source;
+      const Words& words = purposes[id].words;
+      const std::string purpose = words.empty() ? graph.name() : fmt::format("{}", fmt::join(words, "_"));
+      claim(id, named ? names[id].name : fmt::format("{}_{}", purpose, op_name(n.op)));
     }
   }
   return names;

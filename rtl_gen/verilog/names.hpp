@@ -18,12 +18,19 @@ struct BitSpan {
 };
 [[nodiscard]] BitSpan used_span(const Graph& graph, const Placement& placement, NodeId value);
 
-/// A name for every input, component and gate. Names are unique, and none is a Verilog keyword. A value has
-/// its name from the C++. Where the C++ names only a part of it (a trimmed product) and nothing else of it is
-/// used, it takes the name of the part. Where the C++ names nothing, the name is made of the first named
-/// reader and the operation.
-[[nodiscard]] std::vector<std::string> value_names(const Graph& graph, const Placement& placement,
-                                                   std::set<std::string> taken);
+struct ValueName {
+  std::string name;
+  SourceLine source{};  ///< line 0: unknown
+  bool is_own = false;  ///< false: the C++ gives the name and the line to a value that is made of this one
+};
+
+/// A name for every input, component and gate; wires and constants have none. Names are unique, and none is
+/// a Verilog keyword. A value has its name from the C++. Where the C++ names only a part of it (a trimmed
+/// product) and nothing else of it is used, it takes the name of the smallest such part. Where the C++ names
+/// nothing, the name says for what the value is and which operation makes it. It is for the next named values
+/// that read it; of several names it takes the words that they share, or the graph's name.
+[[nodiscard]] std::vector<ValueName> value_names(const Graph& graph, const Placement& placement,
+                                                 std::set<std::string> taken);
 
 /// Of Verilog (IEEE 1364-2001) and of SystemVerilog (IEEE 1800-2012): some tools read every design as
 /// SystemVerilog.

@@ -49,9 +49,12 @@ Unit make_unit(const rtl::Design& design, const rtl::Format& format, const rtl::
             .verilog = {},
             .flow_control = flow,
             .demands = std::move(demands)};
-  unit.verilog =
-      rtl::to_verilog(unit.pipeline, library,
-                      {.module_name = unit.module, .bits = rtl::to_string(format), .flow_control = flow});
+  unit.verilog = rtl::to_verilog(unit.pipeline, library,
+                                 {.module_name = unit.module,
+                                  .bits = rtl::to_string(format),
+                                  .flow_control = flow,
+                                  .operands = unit.ports(),
+                                  .results = design.results(format)});
   if (unit.demands.empty()) return unit;
   const std::vector<rtl::Port> ports = unit.ports();
   unit.verilog =

@@ -142,7 +142,8 @@ TEST_P(RaySlotsOfDesign, LeavesTheUnitAndTellsOfItself) {
     const bool in = port.at("direction") == "in";
     const std::string width = port.at("width").is_string() ? std::string(tag_range) + " "
                                                            : vector_range(port.at("width").get<int>());
-    EXPECT_THAT(head, HasSubstr(fmt::format("\n  {} wire {}{}", in ? "input " : "output", width,
+    const std::string sign = port.at("signed").get<bool>() ? "signed " : "";
+    EXPECT_THAT(head, HasSubstr(fmt::format("\n  {} wire {}{}{}", in ? "input " : "output", sign, width,
                                             port.at("name").get<std::string>())));
   }
   EXPECT_EQ(slots.at("ports").size(), times(head, "put "));

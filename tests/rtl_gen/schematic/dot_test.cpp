@@ -93,7 +93,7 @@ TEST_P(Schematic, HasTheAxesFromTopToBottomInEveryColumn) {
 // A group has the nodes of its own stages and labels by name what enters it.
 TEST_P(Schematic, GroupsOfStagesShareOutTheWholeAndNameWhatComesIn) {
   const Pipeline p = GetParam().pipeline();
-  const std::vector<std::string> names = value_names(p.graph, p.placement, {});
+  const std::vector<ValueName> names = value_names(p.graph, p.placement, {});
   int next = 1;
   for (const StageRange& group : stage_groups(p)) {
     EXPECT_EQ(group.first, next);
@@ -113,8 +113,8 @@ TEST_P(Schematic, GroupsOfStagesShareOutTheWholeAndNameWhatComesIn) {
           << output.name;
     for (const Register& r : p.placement.registers)
       if (r.boundary == group.first - 1) {
-        EXPECT_GE(times(part, fmt::format("[label=\"{}\" shape=plaintext", names[r.value])), 1)
-            << names[r.value];
+        EXPECT_GE(times(part, fmt::format("[label=\"{}\" shape=plaintext", names[r.value].name)), 1)
+            << names[r.value].name;
       }
     for (const auto& [from, to] : wires(part))
       for (const std::string& end : {from, to}) EXPECT_EQ(times(part, "\n  " + end + " ["), 1) << end;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "rtl_gen/graph/canonical.hpp"
 #include "rtl_gen/verilog/module.hpp"
 #include "tests/rtl_gen/component/unit_library.hpp"
 #include "tests/rtl_gen/tool.hpp"
@@ -22,7 +23,9 @@ struct Tiny {
   }
   [[nodiscard]] std::vector<std::string> names(std::set<std::string> taken = {}) const {
     const Placement placement = place_registers(g, schedule_asap(g, unit_library()), Ports::latched);
-    return value_names(g, placement, std::move(taken));
+    std::vector<std::string> names;
+    for (const ValueName& value : value_names(g, placement, std::move(taken))) names.push_back(value.name);
+    return names;
   }
 };
 
@@ -67,6 +70,61 @@ TEST(Names, AProductThatIsReadBesideItsPartDoesNot) {
   t.g.output("o", t.named("distance", t.g.slice(product, 14, 7)));
   t.g.output("low", t.g.slice(product, 0, 0));
   EXPECT_EQ(t.names().at(product), "distance_mul") << "after its first named reader";
+}
+
+TEST(Names, APartKeepsItsNameWhereFewerOfItsBitsAreRead) {
+  Tiny t;
+  const NodeId product = t.g.binary(Op::mul, t.a, t.b, true);
+  t.named("product", t.g.slice(product, 14, 0));
+  const NodeId distance = t.named("distance", t.g.slice(product, 14, 7));
+  t.g.output("o", t.g.slice(distance, 6, 1));
+  EXPECT_EQ(t.names().at(product), "distance") << "the smallest part that holds bits 13:8";
+  const Graph made = canonical(t.g);
+  const Placement placement = place_registers(made, schedule_asap(made, unit_library()), Ports::latched);
+  EXPECT_EQ(value_names(made, placement, {}).at(2).name, "distance");
+}
+
+TEST(Names, AnExtendedValueHasTheNameOfTheExtension) {
+  Tiny t;
+  const NodeId sum = t.g.binary(Op::add, t.a, t.b);
+  t.g.output("o", t.named("wide", t.g.extend(sum, 12, true)));
+  EXPECT_EQ(t.names().at(sum), "wide");
+}
+
+TEST(Names, ASignDoesNotNameItsValue) {
+  Tiny t;
+  const NodeId sum = t.g.binary(Op::add, t.a, t.b);
+  t.g.output("o", t.named("negative", t.g.slice(sum, 7, 7)));
+  t.g.output("p", t.named("all", t.g.binary(Op::bit_xor, sum, t.b)));
+  EXPECT_EQ(t.names().at(sum), "tiny_add");
+}
+
+TEST(Names, AValueOfSeveralReadersTakesTheWordsThatTheyShare) {
+  Tiny t;
+  const NodeId sum = t.g.binary(Op::add, t.a, t.b);
+  const NodeId near = t.g.binary(Op::bit_xor, sum, t.b);
+  t.g.output("o", t.named("d_near_x", near));
+  t.g.output("p", t.named("d_far_x", t.g.binary(Op::bit_or, sum, t.b)));
+  EXPECT_EQ(t.names().at(sum), "d_x_add");
+}
+
+TEST(Names, ALineIsOfTheValueOrOfTheOnlyLineItIsFor) {
+  Tiny t;
+  const NodeId shared = t.g.binary(Op::add, t.a, t.b);
+  const NodeId inner = t.g.binary(Op::bit_and, shared, t.b);
+  const NodeId first = t.g.binary(Op::bit_xor, inner, t.a);
+  const NodeId second = t.g.binary(Op::bit_or, shared, t.b);
+  t.g.annotate(first, "first", {"hls/pipelines/tiny.hpp", 4});
+  t.g.annotate(second, "second", {"hls/pipelines/tiny.hpp", 5});
+  t.g.output("o", first);
+  t.g.output("p", second);
+  const Placement placement = place_registers(t.g, schedule_asap(t.g, unit_library()), Ports::latched);
+  const auto names = value_names(t.g, placement, {});
+  EXPECT_EQ(names.at(first).source.line, 4);
+  EXPECT_TRUE(names.at(first).is_own);
+  EXPECT_EQ(names.at(inner).source.line, 4);
+  EXPECT_FALSE(names.at(inner).is_own);
+  EXPECT_EQ(names.at(shared).source.line, 0) << "it is for two lines";
 }
 
 TEST(Names, UnnamedValuesAreCalledAfterTheirReader) {
