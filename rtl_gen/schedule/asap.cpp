@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "rtl_gen/graph/sources.hpp"
+#include "rtl_gen/schedule/chaining.hpp"
 #include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/schedule/schedule.hpp"
 
@@ -61,16 +62,7 @@ Schedule schedule_asap(const Graph& graph, const Library& library, std::optional
     if (n.op == Op::input) slot.latched = true;
     if (!is_root(n.op) || n.op == Op::input) continue;
 
-    int stage = std::max(1, n.min_stage);
-    int start_ps = 0;
-    for_each_source(graph, id, [&](NodeId source, std::uint64_t) {
-      const Slot& from = s.slots[source];
-      const int there = from.latched ? from.finish + 1 : from.finish;
-      const int at_ps = from.latched ? 0 : from.ready_ps;
-      if (there > stage) start_ps = 0;
-      if (there >= stage) start_ps = std::max(start_ps, at_ps);
-      stage = std::max(stage, there);
-    });
+    auto [stage, start_ps] = earliest_start(graph, s, id);
     const Cell cell = timing(id);
     if (start_ps + cell.delay_ps + s.latch_ps > s.clock_ps) {
       ++stage;
@@ -81,12 +73,7 @@ Schedule schedule_asap(const Graph& graph, const Library& library, std::optional
     slot.finish = stage + std::max(cell.stages, 1) - 1;
     slot.ready_ps = slot.latched ? 0 : start_ps + cell.delay_ps;
   }
-  s.stages = 1;
-  for (const Output& out : graph.outputs()) {
-    for_each_source_of(graph, out.node, [&](NodeId source, std::uint64_t) {
-      s.stages = std::max(s.stages, s.slots[source].finish);
-    });
-  }
+  s.stages = last_stage(graph, s);
   require_legal(graph, verify(graph, library, s));
   return s;
 }

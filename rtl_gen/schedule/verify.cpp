@@ -1,12 +1,15 @@
 // Checks the rules of schedule.hpp one by one. It computes arrival times again, from the stages alone.
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "rtl_gen/graph/sources.hpp"
 #include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/schedule/schedule.hpp"
+#include "rtl_gen/schedule/sharing.hpp"
 
 namespace hitpipe::rtl {
 
@@ -17,9 +20,17 @@ std::string label(const Graph& graph, NodeId id) {
   return n.name.empty() ? fmt::format("%{} ({})", id, op_name(n.op)) : n.name;
 }
 
+/// The nodes that read their operands one stage before they work, and the delay of the selection.
+struct Selections {
+  const Binding* binding = nullptr;
+  int delay_ps = 0;
+  [[nodiscard]] bool has(NodeId id) const { return binding != nullptr && binding->instance_of.contains(id); }
+};
+
 /// `timing` gives the delay and the internal stages of a node.
 std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedule,
-                                      const std::function<Cell(NodeId)>& timing, int latch_ps) {
+                                      const std::function<Cell(NodeId)>& timing, int latch_ps,
+                                      const Selections& selections = {}) {
   std::vector<std::string> broken;
   if (schedule.slots.size() != graph.size()) {
     return {fmt::format("{} slots for {} nodes", schedule.slots.size(), graph.size())};
@@ -41,9 +52,12 @@ std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedu
                                    n.min_stage));
     }
     const Cell cell = timing(id);
-    if (slot.finish != slot.stage + std::max(cell.stages, 1) - 1 || slot.latched != (cell.stages > 0)) {
-      broken.push_back(fmt::format("{} has {} internal stages but occupies stages {} to {}", label(graph, id),
-                                   cell.stages, slot.stage, slot.finish));
+    const bool selects = selections.has(id);
+    const int works = slot.stage + (selects ? 1 : 0);
+    if (slot.finish != works + std::max(cell.stages, 1) - 1 || slot.latched != (cell.stages > 0)) {
+      broken.push_back(fmt::format("{} has {} internal stages{} but occupies stages {} to {}",
+                                   label(graph, id), cell.stages, selects ? " and a selection" : "",
+                                   slot.stage, slot.finish));
     }
     int chain = 0;
     for_each_source(graph, id, [&](NodeId source, std::uint64_t) {
@@ -56,6 +70,15 @@ std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedu
         chain = std::max(chain, arrival[source]);
       }
     });
+    if (selects) {
+      if (chain + selections.delay_ps + latch_ps > schedule.clock_ps) {
+        broken.push_back(
+            fmt::format("{}: {} ps of logic before its latched operands and a {} ps latch exceed "
+                        "the clock of {} ps",
+                        label(graph, id), chain + selections.delay_ps, latch_ps, schedule.clock_ps));
+      }
+      chain = 0;
+    }
     if (chain + cell.delay_ps + latch_ps > schedule.clock_ps) {
       broken.push_back(fmt::format("{}: {} ps of logic and a {} ps latch exceed the clock of {} ps",
                                    label(graph, id), chain + cell.delay_ps, latch_ps, schedule.clock_ps));
@@ -73,11 +96,50 @@ std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedu
   return broken;
 }
 
+/// Whether one component can carry out both operations.
+bool one_kind(const Graph& graph, NodeId a, NodeId b) {
+  const Node& x = graph[a];
+  const Node& y = graph[b];
+  bool alike = is_component(x.op) && x.op == y.op && x.width == y.width && x.is_signed == y.is_signed &&
+               x.unit == y.unit && x.arity() == y.arity();
+  for (int i = 0; alike && i < x.arity(); ++i)
+    alike = graph[x.operands()[static_cast<std::size_t>(i)]].width ==
+            graph[y.operands()[static_cast<std::size_t>(i)]].width;
+  return alike;
+}
+
 }  // namespace
 
 std::vector<std::string> verify(const Graph& graph, const Library& library, const Schedule& schedule) {
   return broken_rules(graph, schedule, NodeTiming(graph, library, schedule.clock_ps),
                       library.latch_delay_ps());
+}
+
+std::vector<std::string> verify(const Graph& graph, const Library& library, const Schedule& schedule,
+                                const Binding& binding) {
+  if (binding.interval < 1) return {fmt::format("an interval of {} cycles", binding.interval)};
+  std::vector<std::string> broken =
+      broken_rules(graph, schedule, NodeTiming(graph, library, schedule.clock_ps), library.latch_delay_ps(),
+                   {&binding, selection_ps(library, binding.interval)});
+  if (schedule.slots.size() != graph.size()) return broken;
+  std::map<std::pair<int, int>, NodeId> taken;  // by instance and phase
+  std::map<int, NodeId> first;                  // by instance
+  for (const auto& [id, instance] : binding.instance_of) {
+    const NodeId of_kind = first.try_emplace(instance, id).first->second;
+    if (!one_kind(graph, of_kind, id)) {
+      broken.push_back(fmt::format("{} and {} share instance {} but are of different kinds",
+                                   label(graph, of_kind), label(graph, id), instance));
+    }
+    const int phase = schedule.slots[id].stage % binding.interval;
+    const auto [other, is_free] = taken.try_emplace({instance, phase}, id);
+    if (!is_free) {
+      broken.push_back(fmt::format("{} and {} start in stages {} and {} on instance {}, the same modulo {}",
+                                   label(graph, other->second), label(graph, id),
+                                   schedule.slots[other->second].stage, schedule.slots[id].stage, instance,
+                                   binding.interval));
+    }
+  }
+  return broken;
 }
 
 std::vector<std::string> verify_stated(const Graph& graph, const Schedule& schedule) {

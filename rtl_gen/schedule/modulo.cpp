@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <bit>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "rtl_gen/schedule/chaining.hpp"
+#include "rtl_gen/schedule/divided_unit.hpp"
+#include "rtl_gen/schedule/sharing.hpp"
+
+namespace hitpipe::rtl {
+
+namespace {
+
+/// What one component must be able to do for an operation.
+using OperationShape = std::tuple<Op, int, bool, int, std::vector<int>>;
+
+OperationShape shape_of(const Graph& graph, NodeId id) {
+  const Node& n = graph[id];
+  std::vector<int> widths;
+  for (const NodeId arg : n.operands()) widths.push_back(graph[arg].width);
+  return {n.op, n.width, n.is_signed, n.unit, widths};
+}
+
+[[noreturn]] void refuse_sharing(const Graph& graph, const std::string& why) {
+  throw std::invalid_argument(fmt::format("{}: {}", graph.name(), why));
+}
+
+void check_sharing(const SharingProblem& problem) {
+  if (problem.interval < 1 || problem.interval > most_interval)
+    refuse_sharing(problem.graph,
+                   fmt::format("interval {}: allowed is 1 to {}", problem.interval, most_interval));
+  std::set<NodeId> seen;
+  for (const SharingGroup& group : problem.groups) {
+    const auto count = static_cast<std::int64_t>(group.operations.size());
+    const std::int64_t most = std::int64_t{group.instances} * problem.interval;
+    if (group.instances < 1 || count > most)
+      refuse_sharing(problem.graph,
+                     fmt::format("{} operations on {} instances: in {} cycles they carry out {}", count,
+                                 group.instances, problem.interval, std::max<std::int64_t>(most, 0)));
+    for (const NodeId id : group.operations) {
+      if (!is_component(problem.graph[id].op) ||
+          shape_of(problem.graph, id) != shape_of(problem.graph, group.operations.front()))
+        refuse_sharing(problem.graph, fmt::format("operation %{} is not of the kind of its group", id));
+      if (!seen.insert(id).second)
+        refuse_sharing(problem.graph, fmt::format("operation %{} is in two groups", id));
+    }
+  }
+}
+
+/// For every node, the number of components and gates on the longest way to an output.
+std::vector<int> heights(const Graph& graph) {
+  std::vector<int> height(graph.size(), 0);
+  for (NodeId id = graph.size(); id-- > 0;) {
+    const int own = height[id] + (is_root(graph[id].op) ? 1 : 0);
+    for (const NodeId arg : graph[id].operands()) height[arg] = std::max(height[arg], own);
+  }
+  return height;
+}
+
+class ModuloList {
+ public:
+  explicit ModuloList(const SharingProblem& problem)
+      : graph_(problem.graph),
+        library_(problem.library),
+        made_{schedule_asap(problem.graph, problem.library, problem.clock_ps), {problem.interval, {}}},
+        timing_(graph_, library_, made_.schedule.clock_ps),
+        selection_ps_(selection_ps(library_, problem.interval)),
+        group_of_(graph_.size(), -1) {
+    for (const SharingGroup& group : problem.groups) {
+      for (const NodeId id : group.operations) group_of_[id] = static_cast<int>(first_instance_.size());
+      first_instance_.push_back(static_cast<int>(phases_.size()));
+      phases_.resize(phases_.size() + static_cast<std::size_t>(group.instances));
+    }
+    first_instance_.push_back(static_cast<int>(phases_.size()));
+    if (!phases_.empty() && selection_ps_ + made_.schedule.latch_ps > made_.schedule.clock_ps)
+      refuse_sharing(
+          graph_,
+          fmt::format("a clock of {} ps is too short to select among {} operands; the smallest "
+                      "that can be met is {} ps",
+                      made_.schedule.clock_ps, problem.interval, selection_ps_ + made_.schedule.latch_ps));
+    place_all();
+    made_.schedule.stages = last_stage(graph_, made_.schedule);
+  }
+  [[nodiscard]] SharedSchedule take() { return std::move(made_); }
+
+ private:
+  void place_all() {
+    std::vector<int> waits(graph_.size(), 0);
+    std::vector<std::vector<NodeId>> readers(graph_.size());
+    const auto works = [&](NodeId id) { return is_root(graph_[id].op) && graph_[id].op != Op::input; };
+    for (NodeId id = 0; id < graph_.size(); ++id) {
+      if (!works(id)) continue;
+      for_each_source(graph_, id, [&](NodeId source, std::uint64_t) {
+        if (!works(source)) return;
+        readers[source].push_back(id);
+        ++waits[id];
+      });
+    }
+    const std::vector<int> height = heights(graph_);
+    std::set<std::tuple<int, int, NodeId>> ready;
+    const auto add = [&](NodeId id) {
+      ready.insert({earliest_start(graph_, made_.schedule, id).stage, -height[id], id});
+    };
+    for (NodeId id = 0; id < graph_.size(); ++id)
+      if (works(id) && waits[id] == 0) add(id);
+    while (!ready.empty()) {
+      const NodeId id = std::get<NodeId>(*ready.begin());
+      ready.erase(ready.begin());
+      place(id);
+      for (const NodeId reader : readers[id])
+        if (--waits[reader] == 0) add(reader);
+    }
+  }
+
+  void place(NodeId id) {
+    auto [stage, time_ps] = earliest_start(graph_, made_.schedule, id);
+    const Cell cell = timing_(id);
+    const bool shares = group_of_[id] >= 0;
+    const int first_ps = shares ? selection_ps_ : cell.delay_ps;
+    if (time_ps + first_ps + made_.schedule.latch_ps > made_.schedule.clock_ps) {
+      ++stage;
+      time_ps = 0;
+    }
+    if (shares) {
+      while (!takes(id, stage)) ++stage;
+      time_ps = 0;
+    }
+    Slot& slot = made_.schedule.slots[id];
+    slot.stage = stage;
+    slot.latched = cell.stages > 0;
+    slot.finish = stage + (shares ? 1 : 0) + std::max(cell.stages, 1) - 1;
+    slot.ready_ps = slot.latched ? 0 : time_ps + cell.delay_ps;
+  }
+
+  /// Takes an instance that is free in the stage modulo the interval; false: there is none.
+  bool takes(NodeId id, int stage) {
+    const auto group = static_cast<std::size_t>(group_of_[id]);
+    const std::uint64_t phase = std::uint64_t{1} << (stage % made_.binding.interval);
+    for (int i = first_instance_[group]; i < first_instance_[group + 1]; ++i) {
+      std::uint64_t& taken = phases_[static_cast<std::size_t>(i)];
+      if ((taken & phase) != 0) continue;
+      taken |= phase;
+      made_.binding.instance_of[id] = i;
+      return true;
+    }
+    return false;
+  }
+
+  const Graph& graph_;
+  const Library& library_;
+  SharedSchedule made_;
+  NodeTiming timing_;
+  int selection_ps_;
+  std::vector<int> group_of_;          ///< by node; -1: it does not share
+  std::vector<int> first_instance_;    ///< by group
+  std::vector<std::uint64_t> phases_;  ///< by instance: a bit for each phase that is taken
+};
+
+}  // namespace
+
+std::vector<SharingGroup> kinds_of(const Graph& graph) {
+  std::map<OperationShape, std::vector<NodeId>> by_kind;
+  for (NodeId id = 0; id < graph.size(); ++id)
+    if (is_component(graph[id].op)) by_kind[shape_of(graph, id)].push_back(id);
+  std::vector<SharingGroup> groups;
+  for (auto& [kind, operations] : by_kind) {
+    const int count = static_cast<int>(operations.size());
+    if (count > 1) groups.push_back({std::move(operations), count});
+  }
+  return groups;
+}
+
+int selection_ps(const Library& library, int interval) {
+  const int levels = static_cast<int>(std::bit_width(static_cast<unsigned>(interval - 1)));
+  return levels * library.timing(Component::mux2, 1).delay_ps;
+}
+
+SharedSchedule schedule_modulo(const SharingProblem& problem) {
+  check_sharing(problem);
+  SharedSchedule made = ModuloList(problem).take();
+  const std::vector<std::string> broken = verify(problem.graph, problem.library, made.schedule, made.binding);
+  if (!broken.empty())
+    throw std::logic_error(
+        fmt::format("{}: illegal shared schedule: {}", problem.graph.name(), fmt::join(broken, "; ")));
+  return made;
+}
+
+}  // namespace hitpipe::rtl
