@@ -1,0 +1,34 @@
+// Which operations share components: as many as make the unit smaller. A shared component needs multiplexers
+// and latches before it, and operations that wait for it leave values in registers for longer.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "rtl_gen/schedule/sharing.hpp"
+
+namespace hitpipe::rtl {
+
+/// In square micrometres or, of a chip, in cells: a lookup table, a register, and what a multiplier block is
+/// worth in lookup tables (Block::luts).
+struct SharingPrices {
+  std::function<std::int64_t(Component, int bits)> part;
+  std::function<std::int64_t(NodeId)> operation;  ///< of the component that carries it out
+  int control_bits = 17;                          ///< latched in each stage: valid and the tag
+};
+
+[[nodiscard]] SharingPrices sharing_prices(const Graph& graph, const Library& library, int clock_ps);
+
+/// Components, multiplexers and latches before shared ones, and the registers of every stage. Gates are left
+/// out: no schedule changes them.
+[[nodiscard]] std::int64_t area_of(const Graph& graph, const SharedSchedule& shared,
+                                   const SharingPrices& prices);
+
+/// The kind of operation whose components cost most comes first. For each kind it tries every number of
+/// shared instances, schedules the whole graph and keeps the least area, until no kind changes. Throws as
+/// schedule_modulo() does.
+[[nodiscard]] SharedSchedule share_for_least_area(const Graph& graph, const Library& library, int interval,
+                                                  const SharingPrices& prices,
+                                                  std::optional<int> clock_ps = std::nullopt);
+
+}  // namespace hitpipe::rtl
