@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The table of docs/chips.md: every unit in every target. docs/chips.sh, or docs/chips.sh TARGET... for some.
+# The tables of docs/measured/chips.md and docs/chips.md: every unit in every target. docs/chips.sh, or docs/chips.sh TARGET... for some.
 # Results stay in out/chips. A unit that is there is not implemented again, so an interrupted run goes on where it was.
 # Then docs/chips.sh --print only prints what is there.
 set -euo pipefail
@@ -32,7 +32,7 @@ done
 python3 - "$out" "${units[@]}" <<'PYTHON'
 import json, os, sys
 
-out, units = sys.argv[1], sys.argv[2:]
+out, units, whole = sys.argv[1], sys.argv[2:], {}
 print("| unit | in | LUT | FF | DSP | carry | largest part of the chip | MHz, median / best of 5 | mm² | latency, ns | million HIT a second |")
 print("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|")
 for unit in units:
@@ -60,4 +60,19 @@ for unit in units:
         cells = [unit.replace(" ", " ", 1), target, count("luts"), count("registers"), count("dsps"), count("carries"), part, clock,
                  figure("cell_area_um2", 3, 1e-6), figure("latency_ns", 1), figure("million_hits_per_s", 1)]
         print("| " + " | ".join(cells) + " |")
+        whole[unit, target] = cells
+
+print("\n| unit | UP5K, % of chip | MHz | HX8K, % of chip | MHz | ECP5: LUT | DSP | Artix-7: LUT | DSP | OSU: mm² | MHz |")
+print("|---|" + "--:|" * 10)
+for unit in units:
+    if not all((unit, target) in whole for target in ("ice40_up5k", "ice40_hx", "ecp5", "xc7", "osu018")):
+        continue
+
+    def placed(target):
+        share, clock = whole[unit, target][6:8]
+        return [share.split(" ")[0], clock.split(" / ")[0] if clock[:1].isdigit() else ""]
+
+    ecp5, xc7, osu = (whole[unit, target] for target in ("ecp5", "xc7", "osu018"))
+    cells = [unit, *placed("ice40_up5k"), *placed("ice40_hx"), ecp5[2], ecp5[4], xc7[2], xc7[4], osu[8], osu[7]]
+    print("| " + " | ".join(cells) + " |")
 PYTHON

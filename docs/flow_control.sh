@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What flow control costs: a unit that stalls, one without flow control, and the AXI4-Stream wrapper around either, in OSU 0.18 um
+# The tables of docs/measured/flow_control.md: a unit that stalls, one without flow control, and the AXI4-Stream wrapper around either, in OSU 0.18 um
 # cells, on iCE40 and on 7-series: docs/flow_control.sh, or docs/flow_control.sh DESIGN FORMAT for one.
 # It takes Yosys and the Debian package qflow-tech-osu018.
 set -euo pipefail

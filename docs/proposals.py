@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Makes the tables of docs/proposals.md again: docs/proposals.py [SIZE [PROGRAM [TABLE...]]]. Images have SIZE x SIZE pixels, 64 in the document."""
+"""Makes the tables of docs/measured/proposals.md again: docs/proposals.py [SIZE [PROGRAM [TABLE...]]]. Images have SIZE x SIZE pixels, 64 in the document."""
 import csv
 import io
 import pathlib
 import subprocess
 import sys
 
-page = pathlib.Path(__file__).parent / "proposals.md"
+page = pathlib.Path(__file__).parent / "measured/proposals.md"
 size = sys.argv[1] if len(sys.argv) > 1 else "64"
 # The fewest triangles that a scene can have: the tree of a larger one takes minutes.
 KD_SCENES = {"spheres": 24578, "branch": 80000, "poppy": 25000, "plant_front": 300000, "statue": 10000, "two_statues": 20000,

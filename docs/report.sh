@@ -1,5 +1,6 @@
 #!/bin/sh
-# Makes the report of docs/report.md again: its diagrams in docs/report/ and its table between the marks.
+# Makes the report of docs/choosing.md again: its diagrams in docs/report/, and its table between the marks of
+# docs/measured/spheres.md.
 # Run it at the root of the checkout: docs/report.sh [PROGRAM]
 set -eu
 program=${1:-build/hitpipe}
@@ -8,7 +9,7 @@ out=out/report
   --bits 24/32,24/28,24/24,20/28,20/24,20/20,16/24,16/20,16/16,12/12,10/12,8/8,20+1/13,16+1/12,12+1/10,e8m23,e8m15,e8m7,e5m10 --out "$out"
 mkdir -p docs/report
 # The diagrams that the page shows.
-grep -o 'report/[a-z_]*\.svg' docs/report.md | sort -u | while read -r diagram; do cp "$out/${diagram#report/}" "docs/$diagram"; done
+grep -o 'report/[a-z_]*\.svg' docs/choosing.md | sort -u | while read -r diagram; do cp "$out/${diagram#report/}" "docs/$diagram"; done
 
 # Of rows.csv, with 32 rays in flight; the columns by their names.
 awk -F, '
@@ -27,6 +28,6 @@ awk -F, '
 awk -v table="$out/table.md" '
   /<!-- table -->/ { print; print ""; while ((getline line < table) > 0) print line; print ""; skip = 1; next }
   /<!-- end of table -->/ { skip = 0 }
-  !skip { print }' docs/report.md >"$out/report.md"
-mv "$out/report.md" docs/report.md
+  !skip { print }' docs/measured/spheres.md >"$out/spheres.md"
+mv "$out/spheres.md" docs/measured/spheres.md
 rm "$out/table.md"

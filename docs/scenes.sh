@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the tables of docs/hard_scenes.md as Markdown: docs/scenes.sh [SIZE [MESH...]]. Images have SIZE x SIZE pixels, 128 in the
+# Prints the tables of docs/choosing.md and docs/measured/scenes.md as Markdown: docs/scenes.sh [SIZE [MESH...]]. Images have SIZE x SIZE pixels, 96 in the
 # document. Every built-in scene and every mesh goes through every unit below; the Verilog answers each box test. Rows that
 # out/scenes already holds are not measured again. The program is build/hitpipe.
 set -euo pipefail

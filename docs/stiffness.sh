@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Makes the tables of docs/stiffness.md and its plot again: docs/stiffness.sh [PROGRAM [FOLDER]], where FOLDER holds stiffness.md.
+# Makes the tables of docs/measured/stiffness.md and its plot again: docs/stiffness.sh [PROGRAM [FOLDER]], where FOLDER holds
+# stiffness.md.
 # A test runs it and compares with what is kept.
 set -euo pipefail
 program=${1:-build/hitpipe}
-folder=${2:-docs}
+folder=${2:-docs/measured}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 "$program" check --stiff --scene spheres int_slabs,int_plucker --out "$out" --format csv >/dev/null 2>&1

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Whole units in OSU 0.18 um cells, and what the area model says of them.
 
-  area_model/measure/compare.py                  the tables of docs/chips.md and docs/major.md, from units.csv
-  area_model/measure/compare.py --plan           lists the units that the tables need, and which of them units.csv has
-  area_model/measure/compare.py --run            synthesises all units that units.csv does not have, and adds them
-  area_model/measure/compare.py DESIGN FORMAT    synthesises one unit and prints its line of units.csv
+  area_model/measure/compare                  the tables of docs/chips.md, docs/measured/chips.md
+                                              and docs/major.md, from units.csv
+  area_model/measure/compare --plan           lists the units that the tables need, and which of them units.csv has
+  area_model/measure/compare --run            synthesises all units that units.csv does not have, and adds them
+  area_model/measure/compare DESIGN FORMAT    synthesises one unit and prints its line of units.csv
 """
 
 import argparse

@@ -151,7 +151,8 @@ constexpr const char* rule =
     "is "
     "rounded to it. A statement has the\nverdict of its worst figure, a table that of its worst statement. "
     "An interval says how far another sample of the\nimage's tiles would move our figure. "
-    "[`verdict.hpp`](../sw_ref/thesis/verdict.hpp) is the rule, and\n[experiments.md](experiments.md) "
+    "[`verdict.hpp`](../../sw_ref/thesis/verdict.hpp) is the rule, "
+    "and\n[reproduction.md](../reproduction.md) "
     "says "
     "how each experiment is made. Times are of one machine.\n\n";
 

@@ -1,7 +1,7 @@
 // A float slabs test, in eEmM, that never misses: does a ray meet a closed box? All rounding is
 // toward zero, which takes the fewest gates. A near distance may be too small. A far difference that is too
 // small is made up for by its factor, which the set-up rounds up by one part in 2^M more. Products are cut in
-// the same way for near and far, which keeps their order. docs/conservative.md proves that the unit never
+// the same way for near and far, which keeps their order. docs/never_misses.md proves that the unit never
 // misses. There are no NaN: an infinite inverse makes a far distance infinite, and a near distance infinite
 // or 0.
 #pragma once

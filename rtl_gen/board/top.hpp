@@ -1,5 +1,5 @@
 // A unit as the whole of a chip: operands come over a serial line and results go back. The module takes
-// frames (docs/board.md) and answers each with a frame. It has one clock. It says which unit it contains, so
+// frames (docs/chips.md) and answers each with a frame. It has one clock. It says which unit it contains, so
 // that nobody compares answers of the wrong bitstream.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace hitpipe::rtl {
 
-/// The number of the protocol in docs/board.md.
+/// The number of the protocol in docs/chips.md.
 inline constexpr int board_protocol = 1;
 
 /// A hash of the ports, of the results, and of the answers to 1000 drawn operands. Two units with the same

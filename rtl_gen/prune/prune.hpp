@@ -11,7 +11,7 @@
 // and at the end, once, narrow_ports (narrow.cpp), which alone changes the interface.
 //
 // A pass makes a graph with the same inputs and outputs, and with the same values for operands that meet the
-// demands. The result is scheduled, emitted and priced like any traced graph. docs/prune.md tells what each
+// demands. The result is scheduled, emitted and priced like any traced graph. docs/fit.md tells what each
 // pass may do.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Operands and results as bytes: all bits in port order, the first port in the low bits, the lowest byte
 // first.
 // The frames in which a board and a computer talk: HDLC-like framing of RFC 1662, with its check sequence of
-// 16 bits. A lost or changed byte spoils one frame, and the next flag begins a new one. docs/board.md has the
+// 16 bits. A lost or changed byte spoils one frame, and the next flag begins a new one. docs/chips.md has the
 // bytes.
 #pragma once
 

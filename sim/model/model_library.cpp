@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // The operators of a float design stay functions of their own (--inline-mult 1): merged into one function of
-// many thousand instructions they are slower. docs/speed.md has the figures.
+// many thousand instructions they are slower. docs/check.md has the figures.
 constexpr std::string_view verilator_options =
     "--cc -O3 --inline-mult 1 --x-assign fast --x-initial fast --noassert -Wno-fatal --Mdir obj";
 // The vectors of g++ gather registers that are apart, and that takes longer.

@@ -1,4 +1,4 @@
-// One measured row of a sweep: the counts, and the figures that follow from them. docs/error_and_run_time.md
+// One measured row of a sweep: the counts, and the figures that follow from them. docs/choosing.md
 // defines each.
 #pragma once
 

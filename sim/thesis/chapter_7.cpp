@@ -143,7 +143,7 @@ ResultTable unit_prices(std::string_view number, const ref::ExperimentOptions& o
   }
   table.findings = chapter_7_findings({printed, built});
   table.notes = {"rows: ours is counted as the thesis counts (hitpipe area --account printed)",
-                 "statements: ours is all that is emitted (--account built), see docs/table-7-2.md"};
+                 "statements: ours is all that is emitted (--account built), see docs/reproduction.md"};
   options.progress(1.0);
   return table;
 }

@@ -56,7 +56,7 @@ struct Bvh {
 
 /// The costs of visiting a branch, which is two box tests, and of testing one triangle of a leaf. They are
 /// equal because the measured times are about equal in hierarchies of 1 to 16 triangles per leaf
-/// (docs/bvh.md): 13 to 15 ns a branch, 11 to 13 ns a triangle.
+/// (docs/scenes.md): 13 to 15 ns a branch, 11 to 13 ns a triangle.
 constexpr float traversal_cost = 1.0F;
 constexpr float intersection_cost = 1.0F;
 

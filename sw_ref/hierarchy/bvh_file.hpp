@@ -1,5 +1,5 @@
-// A hierarchy of boxes from a text file (docs/bvh.md), as it is written there: any number of children, boxes
-// in the scene's own units or in the cube, triangles by their numbers in the source.
+// A hierarchy of boxes from a text file (docs/scenes.md), as it is written there: any number of children,
+// boxes in the scene's own units or in the cube, triangles by their numbers in the source.
 #pragma once
 
 #include <cstddef>

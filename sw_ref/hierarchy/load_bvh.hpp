@@ -1,4 +1,4 @@
-// Takes a hierarchy from a file and gives it the form of our own (docs/bvh.md).
+// Takes a hierarchy from a file and gives it the form of our own (docs/scenes.md).
 #pragma once
 
 #include <cstddef>

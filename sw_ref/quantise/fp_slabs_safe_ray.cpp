@@ -12,7 +12,7 @@
 
 namespace hitpipe::ref {
 
-// Why the unit never misses is in docs/conservative.md. What its proof takes from this file, with d the
+// Why the unit never misses is in docs/never_misses.md. What its proof takes from this file, with d the
 // direction and s = scale_:
 //   origin    origin_low <= +-o <= origin_high
 //   inverse   inverse_low <= 2^s / |d| and (1 + 2^-M) 2^s / |d| <= inverse_high; both are infinite for d = 0

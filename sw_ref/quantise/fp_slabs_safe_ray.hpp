@@ -1,4 +1,4 @@
-// Ray set-up for the float slabs unit that never misses (docs/conservative.md): bounds of the origin and of
+// Ray set-up for the float slabs unit that never misses (docs/never_misses.md): bounds of the origin and of
 // the inverse direction in any format eEmM, and the length. Every bound is exact: the code computes with
 // integers made of the binary32's mantissas and exponents. Directions are scaled by a power of two, so that
 // the largest component is in (1/2, 1] and no inverse is below 1.

@@ -1,4 +1,4 @@
-// The box test of the float unit that never misses (docs/conservative.md), for any format chosen at run time.
+// The box test of the float unit that never misses (docs/never_misses.md), for any format chosen at run time.
 // It gives the same HIT as the datapath of hls/pipelines/fp_slabs_safe.hpp. It takes boxes that
 // FpRounding::outward() rounded, and is a SoftwareBoxTest (sw_ref/trace/traversal.hpp).
 #pragma once

@@ -1,5 +1,5 @@
 // Rays in, triangles out: the interface between code that makes rays (renderer, experiments) and code that
-// traces them. With the exact triangle test all tracers give the same answers (docs/one_answer.md).
+// traces them. With the exact triangle test all tracers give the same answers (docs/never_misses.md).
 #pragma once
 
 #include <cstddef>

@@ -65,8 +65,9 @@ TEST(MeasureScript, RefusesAWidthThatTheFileDoesNotHave) {
 TEST(MeasuredUnits, TablesOfTheDocsAreThoseThatTheScriptPrints) {
   const host::Outcome printed = host::run({scripts + "compare.py", "--hitpipe", HITPIPE_PROGRAM});
   ASSERT_EQ(printed.exit_code, 0) << printed.err;
-  const std::string docs =
-      rtl::read_text(HITPIPE_SOURCE "/docs/chips.md") + rtl::read_text(HITPIPE_SOURCE "/docs/major.md");
+  const std::string docs = rtl::read_text(HITPIPE_SOURCE "/docs/chips.md") +
+                           rtl::read_text(HITPIPE_SOURCE "/docs/measured/chips.md") +
+                           rtl::read_text(HITPIPE_SOURCE "/docs/major.md");
   std::istringstream lines(printed.out);
   int rows = 0;
   for (std::string line; std::getline(lines, line);) {

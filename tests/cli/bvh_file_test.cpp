@@ -1,5 +1,5 @@
-// Hierarchies from files in the commands that take them: the file of docs/bvh.md, trees of another program,
-// and our own.
+// Hierarchies from files in the commands that take them: the file of docs/scenes.md, trees of another
+// program, and our own.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +24,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 std::string page() {
-  return contents_of(std::filesystem::path(HITPIPE_SOURCE) / "docs/bvh.md");
+  return contents_of(std::filesystem::path(HITPIPE_SOURCE) / "docs/scenes.md");
 }
 
 /// The block of the page that begins with these characters.

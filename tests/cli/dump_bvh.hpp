@@ -1,4 +1,5 @@
-// The program of docs/bvh.md that writes a hierarchy of one's own. The test compares this text with the page.
+// The program of docs/scenes.md that writes a hierarchy of one's own. The test compares this text with the
+// page.
 #pragma once
 
 #include <cstdio>

@@ -1,7 +1,7 @@
 // Writes what the proof of one fitted design reads: emit_fitted DESIGN FORMAT SET FOLDER. SET is the number
 // of a demand set, from 0, or the manifest of a fitted unit. The proof: for all operands that meet the
 // demands, three graphs give the same HIT. These are the traced graph, the fitted one behind the ports of the
-// whole design, and the fitted one itself. docs/prune.md says which lemmas it uses.
+// whole design, and the fitted one itself. docs/fit.md says which lemmas it uses.
 #include <algorithm>
 #include <exception>
 #include <iostream>

@@ -1,5 +1,5 @@
 // Demand sets as scenes give them, for every design: what the tests, the proofs and the table of
-// docs/prune.md prune by. Integer sets hold the ranges that the ports promise anyway; float sets have no such
+// docs/fit.md prune by. Integer sets hold the ranges that the ports promise anyway; float sets have no such
 // ranges.
 #pragma once
 

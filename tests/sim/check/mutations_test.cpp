@@ -1,5 +1,5 @@
 // The check finds faults: each fault in a set-up or a datapath gives a false miss within 10^6 tests. Where
-// the thesis's text itself fails, one ray and box of docs/conservative.md shows it.
+// the thesis's text itself fails, one ray and box of docs/never_misses.md shows it.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -320,7 +320,7 @@ TEST_P(TextAsWritten, MissesABoxThatTheRayMeets) {
 }
 
 TEST_P(TextAsWritten, IsInTheDocumentWithItsRayAndBox) {
-  std::ifstream page(std::filesystem::path(__FILE__).parent_path() / "../../../docs/conservative.md");
+  std::ifstream page(std::filesystem::path(__FILE__).parent_path() / "../../../docs/never_misses.md");
   const std::string text{std::istreambuf_iterator<char>(page), {}};
   const AsWritten& example = GetParam();
   const std::string command = fmt::format("hitpipe check {} --bits {} --replay \\\n  \"{}\"",
