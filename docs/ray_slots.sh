@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Prints what the memory of `hitpipe rtl --ray-slots` becomes in Yosys, as a Markdown table: docs/ray_slots.sh [SLOTS...]
-# Without numbers it is that of docs/flow.md. The unit is a black box here.
+# Without numbers it is the table of docs/measured/ray_slots.md. The unit is a black box here.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=$(mktemp -d)

@@ -1,4 +1,4 @@
-// Prints the table of docs/fit.md: what demand sets save of each design's area, account built,
+// Prints the table of docs/measured/pruning.md: what demand sets save of each design's area, account built,
 // thesis_250nm.
 #include <fmt/format.h>
 
