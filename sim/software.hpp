@@ -90,7 +90,7 @@ void add_design(const rtl::Design& design, Software software);
 /// The software of a design that is added already, or of one that is in no list.
 void add_software(std::string_view design, Software software);
 
-/// The formats in which `stiffness` studies a design without --bits. The default format if the design states
+/// The formats in which `check --stiff` studies a design without --bits. The default format if the design states
 /// none.
 [[nodiscard]] std::vector<rtl::Format> stiffness_formats(const rtl::Design& design);
 

@@ -120,7 +120,7 @@ Row write_records(const BvhCommand& command, const ref::Bvh& bvh) {
   const std::string text =
       is_binary(command.records)
           ? std::string(reinterpret_cast<const char*>(records.bytes.data()), records.bytes.size())
-          : fmt::format("// {}: {} records of {} bytes. docs/bvh.md says what their bits are.\n{}", name,
+          : fmt::format("// {}: {} records of {} bytes. docs/scenes.md says what their bits are.\n{}", name,
                         count, records.bytes_per_record, hex_lines(records));
   host::write_file(command.records, text);
   return {{"records", command.records},

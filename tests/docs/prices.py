@@ -2,7 +2,7 @@
 """prices.py PROGRAM SOURCE: prices on the pages are what `hitpipe area` prints today.
 
 docs/designs.md has a row for each design and format, docs/reproduction.md Table 7.2 in both accounts, and README.md the area of
-each unit that it recommends. Whether a design may miss a box is as `hitpipe designs` says.
+each unit that it recommends. Whether a design may miss a box is as `hitpipe list designs` says.
 """
 import csv, io, pathlib, re, subprocess, sys
 
