@@ -240,7 +240,7 @@ std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uin
     const Node& n = graph[id];
     const auto operand = [&](std::size_t i) { return n.args[i] == no_node ? 0 : value[n.args[i]]; };
     if (n.op == Op::input) value[id] = inputs[next_input++];
-    with_operation(graph, n,
+    with_operation(graph, n, run_body,
                    [&](const auto& operation) { value[id] = operation(operand(0), operand(1), operand(2)); });
     value[id] &= low_mask(n.width);
   }

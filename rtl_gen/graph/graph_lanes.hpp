@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "rtl_gen/graph/graph.hpp"
+#include "rtl_gen/graph/operation.hpp"
 
 namespace hitpipe::rtl {
 
@@ -17,7 +17,8 @@ using Lanes = std::array<std::uint64_t, most_lanes>;
 class GraphLanes {
  public:
   /// The graph must outlive it.
-  explicit GraphLanes(const Graph& graph);
+  /// `run_unit` computes calls; another one may be quicker.
+  explicit GraphLanes(const Graph& graph, RunUnit run_unit = run_body);
 
   /// One to 64 vectors, each with a number for each input in order; bits above an input's width are ignored.
   void load(std::span<const std::vector<std::int64_t>> operands);
@@ -28,6 +29,7 @@ class GraphLanes {
 
  private:
   const Graph& graph_;
+  RunUnit run_unit_;
   std::vector<Lanes> right_, wrong_;
   std::vector<char> differs_;
   std::vector<std::vector<NodeId>> readers_;  ///< every node that depends on the node

@@ -9,10 +9,16 @@
 
 namespace hitpipe::rtl {
 
+/// The output of a unit.
+using RunUnit = std::uint64_t (*)(const Unit& unit, std::span<const std::uint64_t> operands);
+inline std::uint64_t run_body(const Unit& unit, std::span<const std::uint64_t> operands) {
+  return evaluate(unit.body, operands).front();
+}
+
 /// Calls use(f): f(a, b, c) gives the value of the node for its operands in the low bits of a word, with any
 /// bits above its width.
 template <class Use>
-void with_operation(const Graph& graph, const Node& n, Use&& use) {
+void with_operation(const Graph& graph, const Node& n, RunUnit run_unit, Use&& use) {
   using Word = std::uint64_t;
   const auto width = [&](std::size_t i) { return n.args[i] == no_node ? 1 : graph[n.args[i]].width; };
   const auto signed_a = [wa = width(0)](Word a) { return hls::sign_extended(a, wa); };
@@ -56,8 +62,8 @@ void with_operation(const Graph& graph, const Node& n, Use&& use) {
     case Op::call:
       return use([&](Word a, Word b, Word c) {
         const std::array operands{a, b, c};
-        const Graph& body = graph.units()[static_cast<std::size_t>(n.unit)]->body;
-        return evaluate(body, std::span(operands).first(n.operands().size())).front();
+        return run_unit(*graph.units()[static_cast<std::size_t>(n.unit)],
+                        std::span(operands).first(n.operands().size()));
       });
   }
 }
