@@ -90,8 +90,8 @@ void add_design(const rtl::Design& design, Software software);
 /// The software of a design that is added already, or of one that is in no list.
 void add_software(std::string_view design, Software software);
 
-/// The formats in which `check --stiff` studies a design without --bits. The default format if the design states
-/// none.
+/// The formats in which `check --stiff` studies a design without --bits. The default format if the design
+/// states none.
 [[nodiscard]] std::vector<rtl::Format> stiffness_formats(const rtl::Design& design);
 
 /// The line that names a missing part: "design x: there is no set-up of rays and boxes for its operands".

@@ -2,8 +2,8 @@
 // branch. It has six planes on the n-bit grid, one for each face: that of the child which does not reach the
 // face of their common box. Six owner bits tell which child that is. Two bits are the axis along which
 // the branch was split. Then come count and pointer of both children, 4 bytes each, as in Table 6.1
-// (docs/scenes.md has the place of each bit): ceil((6n + 8) / 8) + 16 bytes for two nodes. The first record is
-// the root's own box: its child 0 owns all six planes, and there is no child 1.
+// (docs/scenes.md has the place of each bit): ceil((6n + 8) / 8) + 16 bytes for two nodes. The first record
+// is the root's own box: its child 0 owns all six planes, and there is no child 1.
 #pragma once
 
 #include <array>

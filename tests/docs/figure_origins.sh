@@ -17,7 +17,7 @@ while read -r link; do
 done < <(grep -oE '\]\([^)]+\)' <<<"$section" | sed 's/^](//; s/)$//')
 while read -r script; do
   [[ -x $script ]] || say "$script: no such script"
-done < <(grep -oE '(docs|bench)/[A-Za-z0-9_]+\.(sh|py)|area_model/measure/[a-z]+' <<<"$section" | sort -u)
+done < <(grep -oE '(docs|bench)/[A-Za-z0-9_]+\.(sh|py)|area_model/measure/[a-z]+\.py' <<<"$section" | sort -u)
 
 history=
 if git rev-parse --verify --quiet HEAD >/dev/null && [[ $(git rev-parse --is-shallow-repository) == false ]]; then history=yes; fi

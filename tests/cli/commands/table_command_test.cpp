@@ -106,7 +106,7 @@ TEST(TableJudge, WritesThePageAndEveryFigure) {
 
 /// What does not depend on the machine is the same in the page that is kept: the tables that take no time.
 TEST(TableJudge, KeptPageHasTodaysFigures) {
-  const auto kept = lines_of(contents_of(HITPIPE_SOURCE "/docs/reproduction.md"));
+  const auto kept = lines_of(contents_of(HITPIPE_SOURCE "/docs/measured/reproduction.md"));
   int compared = 0;
   for (const std::string& line : lines_of(printed("table --judge 4.2,7.1,7.2"))) {
     if (!line.starts_with("| 4.2 |") && !line.starts_with("| 7.")) continue;
