@@ -1,17 +1,17 @@
 // What a family of number formats says about itself. A family is a struct of ints, at most four, with
 //   fields      how a user writes each of the ints
-//   condition   what must hold between them, in words; it may be missing, as may all that follow
-//   valid()     the same as a function
-//   example()   a format for messages, where that is not the struct's default
+//   condition   what must hold between them, in words; this and all below may be missing
+//   valid()     the condition as a function
+//   example()   a format for messages, if the struct's default is none
 //   alias       another name of the default format
-//   single      true: the others are no formats of this family, and the default one is written by its alias
+//   single      true: the default format is the only one of this family, and is written by its alias
 //   type        the template that is the format with widths known when the code is compiled: "IntFormat"
 #pragma once
 
 namespace hitpipe {
 namespace hls {
 
-/// A number of a format: of 20/24 the 24 has "/" before it and is the t of n/t.
+/// A number of a format. In 20/24 the number 24 has "/" before it and is the t of n/t.
 struct FormatField {
   const char* before;
   const char* letter;

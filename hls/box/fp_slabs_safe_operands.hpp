@@ -18,7 +18,7 @@ struct FpSlabsSafeOperands {
 
   bit back_x, back_y, back_z;  ///< 1: the direction is negative, so the axis is mirrored
   real rx, ry, rz;             ///< ray origin, mirrored, rounded down
-  real rx_up, ry_up, rz_up;    ///< the same rounded up; no ports where the format holds a binary32
+  real rx_up, ry_up, rz_up;    ///< ray origin, mirrored, rounded up; no port if the format holds a binary32
   magnitude rlen;              ///< ray length, rounded down
   magnitude ri_low, ri_high;   ///< bounds of the scaled inverse direction of x, at least 1
   magnitude rj_low, rj_high;   ///< of y

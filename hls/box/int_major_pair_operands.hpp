@@ -25,7 +25,7 @@ struct PlaneOwners {
   }
 };
 
-/// The planes are those of the box that owns them. The other box has the parent's.
+/// A plane belongs to the box that owns it. The other box has the parent's plane there.
 template <class D, class F>
 struct IntMajorPairOperands : MajorRay<D, F>, MajorPlanes<D, F>, PlaneOwners<D> {
   using length = typename F::template Length<D>;
@@ -43,7 +43,7 @@ struct IntMajorPairOperands : MajorRay<D, F>, MajorPlanes<D, F>, PlaneOwners<D> 
   }
 };
 
-/// Distances are those of a box only if its HIT is 1.
+/// The distances of a box have a meaning only if its HIT is 1.
 template <class D, class F>
 struct IntMajorPairResults {
   using bit = typename D::bit;

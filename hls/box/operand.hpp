@@ -12,7 +12,7 @@ enum class Axis { none, x, y, z };
 /// What an operand tells the unit.
 enum class Role {
   origin,        ///< of the ray
-  origin_high,   ///< upper bound of the origin, where `origin` is a lower one
+  origin_high,   ///< upper bound of the origin; `origin` is then the lower bound
   endpoint,      ///< of the ray
   direction,     ///< of the ray
   inverse,       ///< reciprocal of a direction component
@@ -26,7 +26,7 @@ enum class Role {
   backward,      ///< 1: the ray's direction is negative
   entry,         ///< distance at which the ray enters a parent box
   owner,         ///< which of two boxes has a plane
-  major,         ///< 1: the axis is that of the direction's largest component
+  major,         ///< 1: the direction is largest along this axis
   other,         ///< only the design's own set-up knows it
 };
 

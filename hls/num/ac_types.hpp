@@ -2,8 +2,8 @@
 // (Catapult) or of the public repository. Only ac_int's documented members slc and set_slc, constructors and
 // operators are used. The functions below are global, as ac_int is, so that a pipeline's calls find them.
 // hls/num/bits.hpp describes them.
-//   ~x of an ac_int is the signed number -x-1, one bit wider than an unsigned x. Its low bits are the right
-//   ones, so a pipeline stores an inverted bit in a Bit before a function reads its width.
+//   ~x of an ac_int is the signed number -x-1, one bit wider than an unsigned x. Its low bits are
+//   right, so a pipeline stores an inverted bit in a Bit before a function reads its width.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // ap_base<W, S>: a W-bit two's complement integer, the type behind ap_int<W> (S) and ap_uint<W> (not S).
-// Names, widths and meanings are those of the vendors' ap_int, so that one pipeline source compiles against
+// Names, widths and meanings are as in the vendors' ap_int, so that one pipeline source compiles against
 // either. Operators grow (see ap_operators.hpp); only construction, assignment and compound assignment wrap
 // to W bits. Widths: 1 to 512 bits. The value is kept in one machine word up to 64 bits, see words.hpp.
 #pragma once
@@ -123,7 +123,7 @@ class ap_base {
   constexpr void clear(int i) { set_bit(i, false); }
   constexpr void invert(int i) { set_bit(i, !test(i)); }
 
-  /// (x, b): the bits of this value above those of b. Unsigned, as wide as both. Writable if both are.
+  /// (x, b): this value in the high bits, b in the low bits. Unsigned, as wide as both. Writable if both are.
   template <class B>
   constexpr auto concat(B&& b) &;
   template <class B>

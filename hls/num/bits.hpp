@@ -3,7 +3,7 @@
 //   D::lit(v, w)            a constant: the low w bits of v, unsigned
 //   width_of(x)             the width of x
 //   slice(x, high, low)     bits high .. low of x, unsigned
-//   cat(a, b)               the bits of a above those of b, unsigned
+//   cat(a, b)               a in the high bits, b in the low bits, unsigned
 //   resize(x, w)            x in w bits: extended by its own sign, or its low w bits
 //   as_signed(x)            the bits of x as two's complement; as_unsigned(x) the reverse
 //   select(bit, a, b)       a multiplexer: a where the bit is 1, else b; a and b of one width and sign

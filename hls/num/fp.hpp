@@ -54,8 +54,8 @@ constexpr Fp<D, F> fp_mul(const Fp<D, F>& a, const Fp<D, F>& b) {
   return {fp_logic::multiply<D>(a.format, a.bits, b.bits), a.format};
 }
 
-/// a - b of finite numbers, toward zero and by one unit of its last place at most. A negative difference has
-/// only its sign. Zeros and small numbers: see fp_truncate.hpp.
+/// a - b of finite numbers, rounded toward zero; the error is at most one unit of the last place. If a < b,
+/// only the sign bit has a meaning. Zeros and small numbers: see fp_truncate.hpp.
 template <class D, class F>
 constexpr Fp<D, F> fp_sub_rz(const Fp<D, F>& a, const Fp<D, F>& b) {
   return {fp_logic::subtract_rz<D>(a.format, a.bits, b.bits), a.format};

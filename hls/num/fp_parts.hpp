@@ -39,8 +39,8 @@ constexpr X smear(const X& x) {
   });
 }
 
-/// Counts the ones of a word that has ones above zeros, in s bits for a word of 2^s - 1 bits. It is a binary
-/// search with one multiplexer for each step.
+/// Counts the 1 bits of a word in which they are all on top, in s bits for a word of 2^s - 1 bits. It is a
+/// binary search with one multiplexer for each step.
 template <class D, class S, class Ones>
 constexpr Word<D, S> count_ones_above(const S& s, const Ones& ones) {
   return change_if(1_w < s, ones, [&](const auto& word) {

@@ -1,4 +1,4 @@
-// The float multiplication before rounding. The leading zeros of the product are those of its subnormal
+// The float multiplication before rounding. The product has as many leading zeros as its subnormal
 // operand. So they are counted while the multiplier works, and one shifter serves both directions.
 #pragma once
 

@@ -8,8 +8,8 @@ namespace hitpipe {
 namespace hls {
 namespace fp_logic {
 
-/// A significand shifted right by `distance`, with `guards` more bits and a lowest one that is the OR of all
-/// below.
+/// A significand shifted right by `distance`, with `guards` more bits and a last bit, which is the OR of all
+/// bits below them.
 template <class D, class F, class Significand, class Distance, class Guards>
 constexpr auto align(const F& format, const Significand& significand, const Distance& distance,
                      const Guards& guards) {
@@ -26,8 +26,8 @@ constexpr auto align(const F& format, const Significand& significand, const Dist
   return cat(slice(shifted, width_of(shifted) - 1_w, low), any<D>(slice(shifted, low - 1_w, 0_w)));
 }
 
-/// `sum` as a raw result. The top bit of sum is one place above that of the significands of `exponent`. The
-/// leading one moves to the top bit, unless it reaches the exponent of subnormal numbers before.
+/// `sum` as a raw result. The top bit of sum is one place above the top bit of a significand of `exponent`.
+/// The leading one moves to the top bit, unless it reaches the exponent of subnormal numbers before.
 template <class D, class F, class Exponent, class Sum>
 constexpr Raw<D, F> normalise(const F& format, const typename D::bit& negative, const Exponent& exponent,
                               const Sum& sum) {

@@ -27,8 +27,8 @@ constexpr X shift_out(const X& x, const Distance& distance) {
   });
 }
 
-/// A difference before it is normalised: sum * 2^exponent, up to a constant factor. Where it is negative,
-/// only the sign means something.
+/// A difference before it is normalised: sum * 2^exponent, up to a constant factor. If it is negative,
+/// only the sign has a meaning.
 template <class Bit, class Exponent, class Sum>
 struct Difference {
   Bit negative;
@@ -74,10 +74,10 @@ constexpr auto difference_rz(const F& format, const X& a, const X& b) {
   return difference_of(negative, exponent, sum);
 }
 
-/// a - b for |a - b| below the largest number. A normal result is not above a - b, and below that by one unit
-/// of its last place at most. A result with field 0 is exact from 2^-bias on and too large below that, but 0
-/// is 0, and +0 unless a is -0 and b is +0. A negative difference has only its sign: its other bits mean
-/// nothing.
+/// a - b for |a - b| below the largest number. A normal result is at most a - b, and at most one unit of its
+/// last place less. A result with exponent field 0 is exact from 2^-bias on; a smaller difference becomes
+/// larger. A difference of 0 gives 0, and +0 unless a is -0 and b is +0. If a < b, only the sign bit has a
+/// meaning.
 template <class D, class F, class X>
 constexpr X subtract_rz(const F& format, const X& a, const X& b) {
   using Bit = typename D::bit;
@@ -86,8 +86,8 @@ constexpr X subtract_rz(const F& format, const X& a, const X& b) {
   const auto difference = difference_rz<D>(format, a, b);
   const auto zeros = as("leading_zeros", leading_zeros<D>(difference.sum));
   const auto normalised = as("normalised", shift_left<D>(difference.sum, zeros));
-  // The top bit of the sum is one place above that of the significands. After the shift it is 0 in zero
-  // alone.
+  // The top bit of the sum is one place above the top bit of the significands. After the shift it is 0 only
+  // in zero.
   const auto field = as("field", (difference.exponent + D::lit(1, 1_w)) - zeros);
   const Bit counts = sign(normalised) & ~sign(field);
   return cat(difference.negative, cat(as_unsigned(slice(field, e - 1_w, 0_w)) & spread(counts, e),
@@ -96,8 +96,8 @@ constexpr X subtract_rz(const F& format, const X& a, const X& b) {
 
 /// The product of two numbers without their signs. Both are read as normal numbers: a pattern with exponent
 /// field 0 counts as (1 + fraction) 2^-bias, which is not less than the number that it stands for. b is at
-/// least 1. If b is infinite or the product is 2^(bias+2) or more, all bits of the result are 1. The highest
-/// exponent is that of finite numbers here, so patterns are in the order of the products.
+/// least 1. If b is infinite or the product is 2^(bias+2) or more, all bits of the result are 1. Patterns
+/// of the highest exponent also stand for finite numbers here, so patterns are in the order of the products.
 template <class D, class F, class X>
 constexpr X multiply_rz(const F& format, const X& a, const X& b) {
   using Bit = typename D::bit;

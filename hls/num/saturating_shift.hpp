@@ -18,7 +18,7 @@ constexpr auto or_of(const X& x, const Levels& levels) {
   });
 }
 
-/// The low bits of x, with those of `fill` shifted in below them.
+/// The low bits of x, with `fill` shifted in below them.
 template <class X, class W>
 constexpr auto shifted_in(const X& fill, const X& x, const W& amount) {
   return cat(slice(x, width_of(x) - 1_w - amount, 0_w), slice(fill, amount - 1_w, 0_w));

@@ -1,5 +1,5 @@
 // The float Pluecker test with its products compared directly: the ray passes outside an edge when q < p.
-// The thesis subtracts first, q - p < 0 (figures 7.9, 7.10). Both say the same of every pair of floats:
+// The thesis subtracts first, q - p < 0 (figures 7.9, 7.10). Both agree for every pair of floats:
 //   finite    q - p is a whole multiple of the smallest subnormal number. Where q and p differ, rounding to
 //             nearest keeps the sign and never gives 0. Where they are equal, the difference is +0.
 //   overflow  a difference beyond the largest number rounds to the infinity of its sign.
@@ -23,7 +23,7 @@ struct FpLesserTerm {
   }
 };
 
-/// It takes all but its sides from the other.
+/// Fields and functions that this struct does not define are FpPlucker's.
 struct FpPluckerDirect : FpPlucker {
   static constexpr const char* name = "fp_plucker_direct";
   static constexpr const char* summary = "float Pluecker test without side relations";

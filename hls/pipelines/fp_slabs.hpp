@@ -1,5 +1,5 @@
 // The float slabs test of section 2.3.1, figures 7.2 and 7.3: does a ray meet a box, in floating point?
-// Rounding makes it miss boxes that a ray only grazes. It is the yardstick of the thesis and proves nothing.
+// Rounding makes it miss boxes that a ray only grazes. It is the thesis's baseline and guarantees nothing.
 // A distance can be NaN: 0 times an infinite IRDVC, when the origin lies in a face that is parallel to the
 // ray. NaN compares false.
 #pragma once

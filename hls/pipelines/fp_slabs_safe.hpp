@@ -1,7 +1,7 @@
 // A float slabs test, in eEmM, that never misses: does a ray meet a closed box? All rounding is
-// toward zero, which takes the fewest gates. A near distance may be too small. A far difference that is too
-// small is made up for by its factor, which the set-up rounds up by one part in 2^M more. Products are cut in
-// the same way for near and far, which keeps their order. docs/never_misses.md proves that the unit never
+// toward zero, which takes the fewest gates. A near distance may be too small. A far difference is too small
+// as well, so the set-up makes its factor larger by one part in 2^M. Near and far products are cut in the
+// same way, which keeps their order. docs/never_misses.md proves that the unit never
 // misses. There are no NaN: an infinite inverse makes a far distance infinite, and a near distance infinite
 // or 0.
 #pragma once
@@ -13,8 +13,8 @@
 namespace hitpipe {
 namespace hls {
 namespace fp_slabs_safe {
-/// Distances at which a ray enters and leaves a slab, as patterns without sign. Their order is that of the
-/// numbers.
+/// Distances at which a ray enters and leaves a slab, as patterns without sign. Patterns have the order of
+/// the numbers.
 template <class Magnitude, class Bit>
 struct SafeSlab {
   Magnitude near, far;
@@ -38,11 +38,11 @@ constexpr SafeSlab<typename F::template Magnitude<D>, typename D::bit> safe_slab
   const F& format = ray.origin_low.format;
   const auto near_plane = as("near_plane", axis, select(ray.back, negated(plane_max), plane_min));
   const auto far_plane = as("far_plane", axis, select(ray.back, negated(plane_min), plane_max));
-  // A difference of zero is not negative, so the ray is behind the far plane only if that does not contain
+  // A difference of zero is not negative. So a ray that starts in the far plane does not count as behind
   // it.
   const auto d_near = as("d_near", axis, fp_sub_rz(near_plane, ray.origin_high));
   const auto d_far = as("d_far", axis, fp_sub_rz(far_plane, ray.origin_low));
-  // The product takes a subnormal number for a larger one, so a near one is left out.
+  // A product reads a subnormal number as a larger number. A near distance must not be larger, so it is 0.
   const Bit normal = any<D>(slice(d_near.bits, format.exponent + format.fraction - 1_w, format.fraction));
   const Bit ahead = as("ahead", axis, Bit(~sign(d_near) & normal));
   const auto to_near = as("t_near", axis, fp_mul_rz(magnitude(d_near), ray.inverse_low));

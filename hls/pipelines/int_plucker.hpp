@@ -32,7 +32,7 @@ constexpr auto int_axis_view(const F& format, char axis, const Coord& direction,
   return axis_view(direction, sign(direction), a, b);
 }
 
-/// A term of a side relation without its low bits: bits 2n-2 down to 2n-1-t of the product.
+/// A term of a side relation: the upper t bits of a product, without bit 2n-1, which repeats the sign.
 template <class F, class Coord>
 constexpr auto side_term(const F& format, const char* name, char number, const SideFactors<Coord>& factors) {
   const auto whole = factors.direction * factors.plane;

@@ -1,6 +1,6 @@
 // The integer slabs test of section 6.2.2, figures 7.4 to 7.6: does a ray meet a box, in n-bit coordinates?
 // It is conservative: it may say HIT too often but never misses. The floor and ceil IRDVCs are chosen so that
-// every interval can only grow, and dropping low product bits (2n-1 down to t) keeps the order of distances.
+// every interval can only grow. All products lose equally many low bits, which keeps the order of distances.
 // Widths: differences n bits (the ranges of the operands leave room for the sign), products 2n, intervals t.
 #pragma once
 
@@ -42,7 +42,7 @@ struct IntSlab {
   Interval near, far;
 };
 
-/// Products without their low bits: bits 2n-2 down to 2n-1-t (bit 2n-1 repeats the sign). Figures 7.4, 7.5.
+/// The upper t bits of each product, without bit 2n-1, which repeats the sign. Figures 7.4, 7.5.
 template <class Interval, class F, class Coord>
 constexpr IntSlab<Interval> int_slab(const F& format, char axis, const SlabFactors<Coord>& f) {
   const auto high = format.product() - 1_w;

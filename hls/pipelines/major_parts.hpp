@@ -38,7 +38,7 @@ constexpr NearFar<X> in_ray_order(const Bit& back, const X& low, const X& high) 
 
 namespace detail {
 
-/// A mirrored plane on the origin's grid: g zeros below it, or ones where -x - 1 stands for x.
+/// A mirrored plane on the origin's grid: its g new low bits are 0, or 1 if the plane is -x - 1.
 template <class Plane, class Bit, class W>
 constexpr auto finer_plane(const Plane& plane, const Bit& back, const W& finer) {
   return as_signed(cat(plane, spread(back, finer)));
@@ -55,8 +55,8 @@ constexpr auto with_low_bits(const X& x, const W& low) {
 
 }  // namespace detail
 
-/// Plane minus origin on the origin's grid, both mirrored. -x - 1 stands for x in both, so the sign of the
-/// difference changes exactly.
+/// Plane minus origin on the origin's grid, both mirrored: x becomes -x - 1. The two - 1 cancel, so the
+/// difference changes its sign exactly.
 template <class D, class F>
 constexpr typename F::template Point<D> difference(const F& format, const char* name, char slot,
                                                    const typename F::template Plane<D>& plane,
@@ -82,8 +82,8 @@ constexpr typename F::template Distance<D> major_distance(const F& format,
   return resize(more, format.distance());
 }
 
-/// The distances of the planes of another axis: d |D_M| / |D_k|. Near distances take the bound that makes
-/// them smaller, far ones the bound that makes them greater.
+/// The distances of the planes of another axis: d |D_M| / |D_k|. A near distance takes the bound that
+/// makes it smaller, a far distance the bound that makes it greater.
 template <class D, class F>
 constexpr NearFar<typename F::template Distance<D>> scaled_slab(
     const F& format, char slot, const NearFar<typename F::template Point<D>>& d,

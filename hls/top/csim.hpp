@@ -70,7 +70,7 @@ class Replay {
     for (const int width : {PortOf<Ports>::width...}) sum += width;
     return sum;
   }
-  /// True when every result is the expected one. Prints the first that is not.
+  /// True if every result is as expected. Prints the first wrong result.
   bool operator()(Vector vector, unsigned long number) {
     vector.begin(bits());
     return run(vector, number, std::index_sequence_for<Ports...>());
@@ -87,8 +87,8 @@ class Replay {
     return right;
   }
 
-  /// An operand gets its number. A result starts as the opposite of what is expected, so that one that is not
-  /// written shows.
+  /// An operand gets its number. A result starts as the complement of the expected bits, so a result that is
+  /// not written shows.
   template <class Port>
   static std::uint64_t start(typename PortOf<Port>::Word& word, Vector& vector) {
     const std::uint64_t given = vector.take(PortOf<Port>::width);

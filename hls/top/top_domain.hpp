@@ -1,6 +1,6 @@
 // The value domain and the types of a top function: ac_int with HITPIPE_AC_TYPES, a vendor's ap_int.h with
-// HITPIPE_VENDOR or where a synthesiser runs (__SYNTHESIS__), else hitpipe's own integers. The last need
-// C++20, the others C++14.
+// HITPIPE_VENDOR or where a synthesiser runs (__SYNTHESIS__), else hitpipe's own integers. hitpipe's integers
+// need C++20, the others C++14.
 #pragma once
 
 #if defined(HITPIPE_AC_TYPES)
