@@ -30,7 +30,7 @@ struct BuildOptions {
   static constexpr int deepest = 60;  ///< section 4.3; it sets the size of a traversal's stack
 
   Builder builder = Builder::median;
-  int max_triangles = 6;    ///< of a leaf, >= 1; section 4.3. sah makes smaller ones where they are cheaper
+  int max_triangles = 6;    ///< of a leaf, >= 1; section 4.3. sah makes smaller leaves where they are cheaper
   int max_depth = deepest;  ///< levels, 1..deepest, the root is level 1
   float padding = 5e-7F;    ///< >= 0, added to each side of a box, in units of the [-1, 1] cube
   float min_split = 1e-6F;  ///< >= 0; the unpadded box is not split along an axis where it is narrower

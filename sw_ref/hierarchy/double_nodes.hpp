@@ -1,5 +1,5 @@
-// Nodes in binary64 (section 5.7): 56 bytes. The box is an exact copy of the padded binary32 box, so whatever
-// holds for the plain nodes holds for these. A NodeStore (sw_ref/hierarchy/node_store.hpp).
+// Nodes in binary64 (section 5.7): 56 bytes. The box is an exact copy of the padded binary32 box, so what
+// holds for plain nodes holds here. A NodeStore (sw_ref/hierarchy/node_store.hpp).
 #pragma once
 
 #include <cstddef>

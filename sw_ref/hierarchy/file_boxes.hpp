@@ -20,7 +20,7 @@ namespace hitpipe::ref {
 /// when such a box leaves the cube.
 void move_into_cube(BvhFile& file, const Scene& scene);
 
-/// Replaces the numbers of triangles by those of the mesh, leaves out those that were dropped, and then takes
+/// Replaces the file's numbers of triangles by the mesh's, leaves out dropped triangles, and then takes
 /// leaves without triangles out of their branches. Boxes that are too small by at most `tolerance`, in the
 /// cube, are grown; returns how many. A triangle may stick out of its leaf if all its leaves together hold
 /// it. `from_root` are the nodes, parents before children. Throws as BvhFile::reject() does when boxes do not

@@ -28,7 +28,7 @@ class IntNodes {
   const std::size_t bytes_per_node;
   [[nodiscard]] static std::size_t node_bytes(int coord_bits, const CoarseAxes& coarse = {});
 
-  /// `finer` is that of quantise_box(). `bvh` needs at least one node; its data is copied. Throws as
+  /// `finer` is as for quantise_box(). `bvh` needs at least one node; its data is copied. Throws as
   /// quantise_box() and coarse_box() do, for n outside 6..32 and for boxes that leave the grid.
   IntNodes(const Bvh& bvh, int coord_bits, const CoarseAxes& coarse = {}, int finer = 0);
 
@@ -50,7 +50,7 @@ class IntNodes {
  private:
   /// Where a coordinate lies: in the 8 bytes from `byte` on, below the top `above` bits. These 8 bytes never
   /// leave the node, because they start in a coordinate's byte, and 8 bytes follow the coordinates. A read
-  /// takes n bits; those below the kept ones belong to something else and are masked.
+  /// takes n bits; the bits below `kept` belong to something else and are masked.
   struct Place {
     std::uint32_t byte;
     int above;

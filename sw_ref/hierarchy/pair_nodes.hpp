@@ -1,7 +1,7 @@
 // Records of the hierarchy for a unit that tests two boxes at a time (docs/major.md). A record stands for a
-// branch. It has six planes on the n-bit grid, one for each face: that of the child which does not reach the
-// face of their common box. Six owner bits tell which child that is. Two bits are the axis along which
-// the branch was split. Then come count and pointer of both children, 4 bytes each, as in Table 6.1
+// branch. It has six planes on the n-bit grid, one for each face. It belongs to the child that does not reach
+// the face of their common box, and six owner bits tell which child that is. Two bits are the axis along
+// which the branch was split. Then come count and pointer of both children, 4 bytes each, as in Table 6.1
 // (docs/scenes.md has the place of each bit): ceil((6n + 8) / 8) + 16 bytes for two nodes. The first record
 // is the root's own box: its child 0 owns all six planes, and there is no child 1.
 #pragma once
@@ -48,7 +48,7 @@ class PairNodes {
   }
 
   /// `bvh` needs at least one node; its data is copied. Boxes of branches are taken anew from their children,
-  /// so a hierarchy with looser ones works too. Throws as quantise_box() does.
+  /// so a hierarchy with looser boxes works too. Throws as quantise_box() does.
   PairNodes(const Bvh& bvh, int coord_bits, int finer);
 
   [[nodiscard]] PairBoxes boxes(std::uint32_t record) const;

@@ -19,7 +19,8 @@ struct Exchange {
   std::size_t low, high, count;
 };
 
-/// Pairs the runs of high items below the middle with those of low items above it; there are equally many.
+/// Pairs the runs of high items below the middle with the runs of low items above it. Both hold equally many
+/// items.
 std::vector<Exchange> pair_up(std::vector<Run> highs, std::vector<Run> lows) {
   std::vector<Exchange> pairs;
   for (std::size_t h = 0, l = 0; h < highs.size() && l < lows.size();) {

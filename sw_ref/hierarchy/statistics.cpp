@@ -42,7 +42,7 @@ BvhStatistics statistics(const Bvh& bvh) {
     ++result.leaves_of[count];
     leaf_tests += area_of(node.box) * static_cast<double>(count);
   }
-  // No line meets a root without surface; its cost is that of a line that meets nothing.
+  // No line meets a root without surface, so its cost stays 0.
   const double root = area_of(bvh.nodes[0].box);
   if (root > 0.0)
     result.sah_cost = (branches * double{traversal_cost} + leaf_tests * double{intersection_cost}) / root;

@@ -11,8 +11,8 @@ namespace {
 /// 95 % of a normal distribution lie within this many standard deviations.
 constexpr double normal_quantile = 1.959963984540054;
 
-/// The same of Student's distribution: few groups know their own spread badly. Abramowitz and Stegun 26.7.5,
-/// within 1 % from 4 degrees of freedom on.
+/// The quantile of Student's distribution, because few groups tell little of their own spread. Abramowitz and
+/// Stegun 26.7.5, within 1 % from 4 degrees of freedom on.
 double students_quantile(double degrees) {
   const double z = normal_quantile;
   const double z3 = z * z * z;

@@ -18,7 +18,7 @@
 #include "sw_ref/scene/ray.hpp"
 
 #ifdef __FAST_MATH__
-#error "the error bounds of sw_ref/exact need IEEE arithmetic: build without -ffast-math"
+#error "the error bounds of sw_ref/judge need IEEE arithmetic: build without -ffast-math"
 #endif
 
 namespace hitpipe::ref {

@@ -1,6 +1,6 @@
-// Integers for the slow exact path: binary32 values in units of 2^-149. Only the .cpp files of exact/ include
-// this. Width: a coordinate difference is below 2^278 units and a direction component below 2^277, so a
-// triple product is below 6 * 2^834 < 2^837 and the product of two of them below 2^1674.
+// Integers for the slow exact path: binary32 values in units of 2^-149. Only .cpp files of sw_ref/judge
+// include this. Width: a coordinate difference is below 2^278 units and a direction component below 2^277, so
+// a triple product is below 6 * 2^834 < 2^837 and the product of two of them below 2^1674.
 #pragma once
 
 #include <array>

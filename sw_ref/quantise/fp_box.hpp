@@ -15,11 +15,11 @@ class FpRounding {
  public:
   explicit FpRounding(const hls::FpBits& bits);
 
-  /// The largest number of the format that is not above x. The sign of a zero is that of x.
+  /// The largest number of the format that is not above x. A zero has the sign of x.
   [[nodiscard]] float down(float x) const;
-  /// The smallest one that is not below x.
+  /// The smallest number of the format that is not below x.
   [[nodiscard]] float up(float x) const { return -down(-x); }
-  /// Lower planes are rounded down and upper ones up. A lower plane at 0 becomes -0, an upper one +0: the
+  /// Lower planes are rounded down and upper planes up. A lower plane at 0 becomes -0, an upper plane +0: the
   /// unit needs these signs.
   [[nodiscard]] Aabb outward(const Aabb& box) const;
 

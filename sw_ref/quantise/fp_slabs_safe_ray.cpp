@@ -50,7 +50,7 @@ FpSlabsSafeEnd FpSlabsSafeRaySetup::end(float length) const {
   const int exponent = parts.exponent + scale_;
   const int highest = exponent + static_cast<int>(std::bit_width(parts.mantissa)) - 1;
   if (highest > bits_.bias()) return endless;
-  const int power = std::max(highest, 1 - bits_.bias());  // that of the highest bit of a normal number
+  const int power = std::max(highest, 1 - bits_.bias());  // of the highest bit of a normal number
   const int below = power - bits_.fraction - exponent;    // bits of the mantissa below the last place
   const std::uint64_t mantissa = parts.mantissa;
   const std::uint64_t units = below >= 64 ? 0 : below >= 0 ? mantissa >> below : mantissa << -below;

@@ -10,9 +10,9 @@
 
 namespace hitpipe::ref {
 
-// Why the integer test never misses. G and M are those of grid.hpp. o and d are the ray's origin and
-// direction, io and id the rounded ones. e = M d / max |d_i| is the direction before rounding. So |id - e| <=
-// 1/2 and |e| <= M on every axis, and |e| = M on one.
+// Why the integer test never misses. G and M are as in grid.hpp. o and d are the ray's origin and
+// direction, io and id their rounded forms. e = M d / max |d_i| is the direction before rounding. So |id - e|
+// <= 1/2 and |e| <= M on every axis, and |e| = M on one.
 //
 // The ray that the unit sees. Let ray and box share a point, which is G o + s e in grid units, s >= 0. Move
 // it by io - G o, at most 1/2 on every axis: it is then io + s e, and lies in the box grown by half a unit,
@@ -25,7 +25,7 @@ namespace hitpipe::ref {
 //   q - p >= id_j x_i - id_i x_j = (id_j - e_j) x_i - (id_i - e_i) x_j >= -(|x_i| + |x_j|) / 2 >= -M.
 // Equality would need |x_i| = |x_j| = M and thus |e_i| = |e_j| = M, but those are rounded without error. So
 // the integer q - p is at least -(M - 1), as section 6.3.2 says. The proof does not use the true signs, so
-// the classes may be those of the rounded components.
+// the classes may follow the rounded components.
 //
 // Trimming. floor(q / 2^k) - floor(p / 2^k) >= (q - p - (2^k - 1)) / 2^k >= -(M - 1 + 2^k - 1) / 2^k, and as
 // an integer >= -ceil((M - 1) / 2^k): EBND.

@@ -1,6 +1,6 @@
 // Ray set-up for the integer Pluecker unit (section 6.3.1): rounded origin, rounded direction, and the
 // endpoint rounded outward along the ray. Every result is the exact value rounded once: the code computes
-// with integers made of the binary32's mantissas and exponents. G and M are those of grid.hpp.
+// with integers made of the binary32's mantissas and exponents. G and M are as in grid.hpp.
 #pragma once
 
 #include <array>

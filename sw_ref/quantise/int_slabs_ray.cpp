@@ -10,7 +10,7 @@
 
 namespace hitpipe::ref {
 
-// Why the integer test never misses. G and M are those of grid.hpp, r is the direction, io the rounded
+// Why the integer test never misses. G and M are as in grid.hpp, r is the direction, io the rounded
 // origin.
 //
 // Non-zero components. Let scale = M min|r_i| and c_i = scale / r_i. Then floor_i <= c_i <= ceil_i and |c_i|

@@ -1,7 +1,7 @@
 // Ray set-up for the integer slabs unit (section 6.2.1): rounded origin, inverse ray direction vector
 // components (IRDVCs) bounded from both sides, and the ray length on the scale of the distances. Every result
 // is exact: the code computes with integers made of the binary32's mantissas and exponents, without a
-// floating-point operation. G and M are those of grid.hpp.
+// floating-point operation. G and M are as in grid.hpp.
 #pragma once
 
 #include <array>

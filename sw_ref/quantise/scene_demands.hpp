@@ -40,7 +40,7 @@ struct SceneDemands {
   [[nodiscard]] std::vector<Evidence> evidence() const;
 };
 
-/// The hierarchy must be that of the scene's mesh.
+/// The hierarchy must be of the scene's mesh.
 [[nodiscard]] SceneDemands scene_demands(const Scene& scene, const Bvh& bvh, const ViewOptions& view);
 
 }  // namespace hitpipe::ref

@@ -20,9 +20,9 @@ float binary32_above(double most, double rest, bool in_doubt) {
 
 }  // namespace
 
-// Knuth's two-sum has the error of the difference, and fused operations have that of the product and the sum
-// of both errors, rounded once. A rounded sum of zero or one that is a tie with a binary32 does not tell on
-// which side the exact one lies.
+// Knuth's two-sum gives the error of the difference. Fused operations give the error of the product, and the
+// sum of both errors, rounded once. If the rounded sum is zero or a tie with a binary32, it does not tell on
+// which side the exact number lies.
 float plane_above(double own, double offset, double scale) {
   const double difference = own - offset;
   const double back = difference - own;

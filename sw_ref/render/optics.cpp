@@ -16,7 +16,7 @@ glm::dvec3 mirrored(const glm::dvec3& arriving, const glm::dvec3& normal) {
   return arriving - 2.0 * glm::dot(arriving, normal) * normal;
 }
 
-/// `ratio`: refractive index of this side over that of the other.
+/// `ratio`: refractive index of this side over the other side's.
 std::optional<glm::dvec3> refracted(const glm::dvec3& arriving, const glm::dvec3& normal, double ratio) {
   const double cosine = -glm::dot(arriving, normal);
   const double other_cosine_squared = 1.0 - ratio * ratio * (1.0 - cosine * cosine);

@@ -37,7 +37,8 @@ struct Measurement {
 /// One of the counts.
 using Count = std::uint64_t TraceCounts::*;
 
-/// A count of one tracer over that of another, for the rays of a kind. The tiles of the image are the groups.
+/// A count of one tracer over the same count of another, for the rays of a kind. The tiles of the image are
+/// the groups.
 [[nodiscard]] GroupedRatio ratio_by_tile(const std::vector<RecordedBatch>& batches, RayKind kind, Count count,
                                          const Measurement& above, const Measurement& below);
 

@@ -74,8 +74,8 @@ struct RenderResult {
   ShadingCounts shading;
 };
 
-/// By pixel: the box tests above those of the reference, 0 where there are fewer. Both have maps, of one
-/// scene and size.
+/// By pixel: the box tests beyond the reference's, 0 if there are fewer. Both have maps of one scene and
+/// size.
 [[nodiscard]] std::vector<float> extra_box_tests(const RenderResult& result, const RenderResult& reference);
 
 /// `tracer` must be made for `scene.mesh`; the camera must be in the cube. Throws std::invalid_argument for

@@ -44,7 +44,7 @@ struct RayTask {
 struct WhittedOptions {
   static constexpr int most_bounces = 64;
 
-  /// The most secondary rays in a row, 0..most_bounces. Further ones would bring no light.
+  /// The most secondary rays in a row, 0..most_bounces. Further rays would bring no light.
   int bounces = 5;
   /// A secondary ray is not sent if each component of its weight is below the cutoff. Its light counts as
   /// dark. The parts of a material add up to 1 at most, so a pixel has at most 3 / cutoff rays of equal

@@ -109,7 +109,7 @@ void check_file(const std::filesystem::path& file) {
   if (extension == ".glb") check_glb(file, size);
 }
 
-/// Checks that every index of a face is that of a vertex. Assimp does not guarantee this for any format.
+/// Checks that every index of a face names a vertex. Assimp does not guarantee this for any format.
 void check_indices(const aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[m];
@@ -219,7 +219,7 @@ Mesh import(const std::filesystem::path& file, std::vector<MeshGroup>& groups) {
   const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (!scene || !scene->mRootNode) {
     std::string why = importer.GetErrorString();
-    if (why.starts_with("No suitable reader")) why = "its beginning is not that of one";
+    if (why.starts_with("No suitable reader")) why = "it does not begin as one";
     reject(fmt::format("cannot be read, it must be a complete {} file ({})", lower_extension(file).substr(1),
                        why));
   }

@@ -18,8 +18,8 @@
 namespace hitpipe::ref {
 namespace {
 
-/// The side of the box that the triangle lies in, 0..5 (axis, then min or max), or -1. Bounds are those of
-/// the binary32 vertices, so equality is exact.
+/// The side of the box that the triangle lies in, 0..5 (axis, then min or max), or -1. Bounds are of the
+/// binary32 vertices, so equality is exact.
 int side_of(const Mesh::Corners& t, const Bounds& walls) {
   for (int axis = 0; axis < 3; ++axis) {
     if (t.a[axis] != t.b[axis] || t.a[axis] != t.c[axis]) continue;

@@ -1,4 +1,4 @@
-// The parts of the plant, in metres, y up. Each function adds its part; `detail` is that of shapes.hpp.
+// The parts of the plant, in metres, y up. Each function adds its part; `detail` is as in shapes.hpp.
 #pragma once
 
 #include <cstdint>

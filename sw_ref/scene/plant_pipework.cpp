@@ -161,7 +161,7 @@ void add_pipework(Shapes& shapes, double detail) {
   const int routes = scaled(420, detail, 20);
   for (int i = 0; i < routes; ++i) {
     Dice route(static_cast<std::uint64_t>(i) +
-               1000);  // its own dice, so that more routes do not change the first ones
+               1000);  // its own dice, so that more routes do not change the first routes
     add_route(shapes, route, detail);
   }
   for (int level = 1; level <= storeys; ++level) {

@@ -84,7 +84,7 @@ class Surfaces {
     constexpr std::size_t most = 256;  // the index of a triangle's material is one byte
     for (const auto& [name, value] : place.members()) {
       if (scene_->materials.size() == most)
-        place.fail(fmt::format("{} materials with those of the scene are the most allowed", most));
+        place.fail(fmt::format("at most {} materials are allowed, with the scene's own", most));
       numbers_[name] = static_cast<std::uint8_t>(scene_->materials.size());
       scene_->materials.push_back(read_material(value));
     }

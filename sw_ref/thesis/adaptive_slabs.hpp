@@ -1,5 +1,5 @@
 // Integer slabs with three answers (section 8.2): the ray surely misses the box, surely meets it, or the bits
-// do not suffice. A sure miss is that of IntSlabsTest. A sure hit needs bounds from the other side: planes as
+// do not suffice. IntSlabsTest gives the sure misses. A sure hit needs bounds from the other side: planes as
 // far inside as their rounding can have moved them, the IRDVC bounds exchanged, and products rounded up.
 #pragma once
 
@@ -20,7 +20,7 @@ class AdaptiveSlabs {
   /// `length` must be >= 0 or infinite.
   void cut(float length);
 
-  /// `box` is that of quantise_box().
+  /// `box` comes from quantise_box().
   [[nodiscard]] Answer operator()(const IntBox& box) const;
 
  private:

@@ -36,7 +36,7 @@ struct Experiment {
 /// All experiments of chapters 3 to 6 and appendix B, in the thesis's order.
 [[nodiscard]] std::span<const Experiment> experiments();
 
-/// Throws std::runtime_error for an unknown number, with one line that lists the known ones.
+/// Throws std::runtime_error for an unknown number, with one line that lists the known numbers.
 [[nodiscard]] const Experiment& find_experiment(std::string_view number,
                                                 std::span<const Experiment> among = experiments());
 

@@ -53,8 +53,8 @@ std::vector<int> walk(const GridRay& ray, Choose choose) {
   }
 }
 
-/// Whether the ray reaches the upper face of axis `a` before that of axis `b`: the side on which it passes
-/// the edge between them.
+/// Whether the ray reaches the upper face of axis `a` before the upper face of axis `b`: the side on which it
+/// passes the edge between them.
 template <class T>
 bool first_at(const glm::vec<3, T>& to_face, const glm::vec<3, T>& direction, int a, int b) {
   return to_face[a] * direction[b] < to_face[b] * direction[a];

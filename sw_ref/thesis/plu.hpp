@@ -1,6 +1,6 @@
 // The Pluecker box test of section 3.3 for infinite rays: "plu" moves the box to the ray's origin; "plu-cff"
-// uses the ray's coordinates R0, R1, R3 instead. Forms with a distance give that of the last of the three
-// planes that face the ray, 0 if the origin is inside (figure 3.6).
+// uses the ray's coordinates R0, R1, R3 instead. Forms with a distance give the distance of the last of the
+// three planes that face the ray, 0 if the origin is inside (figure 3.6).
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -10,7 +10,7 @@
 
 namespace hitpipe::ref {
 
-/// The built-in scenes, or those of options.only. Throws std::runtime_error for another name.
+/// The built-in scenes, or the scenes of options.only. Throws std::runtime_error for another name.
 [[nodiscard]] std::vector<std::string> proposal_scenes(std::string_view number,
                                                        const ExperimentOptions& options);
 /// With options.triangles where the scene can have as many.

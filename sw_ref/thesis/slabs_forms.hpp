@@ -1,6 +1,6 @@
 // The slabs test of section 2.3.1 in the forms that chapter 3 times, for infinite rays: "slabs" selects near
 // and far planes by the signs of the direction at run time; "slabs8" knows them in each of the eight ray
-// classes. The distance is that of entry, 0 if the origin is inside.
+// classes. The distance is where the ray enters, 0 if the origin is inside.
 #pragma once
 
 #include <cmath>

@@ -18,7 +18,7 @@ struct BoxTestTiming {
 
 /// Tests `pairs` pairs `repeats` times on one thread; the thesis has 500,000 and 100. The results are ordered
 /// by precision, then hit share, then variant. Throws std::logic_error if a variant's number of hits is not
-/// that of the workload.
+/// the workload's.
 [[nodiscard]] std::vector<BoxTestTiming> time_box_tests(std::size_t pairs, int repeats,
                                                         std::uint64_t seed = 2007);
 

@@ -1,6 +1,6 @@
 // Woo's test (section 2.3.2; Woo 1990) for infinite rays. At most three planes lie between the origin and the
-// box. The ray enters at the one that it meets last, if that point lies in the face. The distance is that of
-// entry, 0 if the origin is inside. At an edge of the box the ray meets two planes together. Rounding can
+// box. The ray enters at the plane that it meets last, if that point lies in the face. The distance is where
+// it enters, 0 if the origin is inside. At an edge of the box the ray meets two planes together. Rounding can
 // then put the point outside the face, and the test misses a ray that goes through the middle of the box.
 #pragma once
 

@@ -56,8 +56,8 @@ class FpSlabsSafeTest {
     bool back;
   };
 
-  /// a - b, rounded toward zero. Where terms of one sign differ by 2 or more in their exponents, an exact
-  /// result is one unit of its last place smaller.
+  /// a - b, rounded toward zero. If terms of one sign differ by 2 or more in their exponents, an exact result
+  /// becomes one unit of its last place smaller.
   [[nodiscard]] float cut_difference(float a, float b) const {
     // Knuth's two-sum: difference + error = a - b exactly. A rounded difference that is too large is one ulp
     // too large.
@@ -72,21 +72,21 @@ class FpSlabsSafeTest {
     // A difference that is subnormal in the format has no bits here.
     return std::bit_cast<float>(bits & ~below_);
   }
-  /// The exponent field of a float. Numbers that are subnormal in the format have that of the least normal
-  /// one.
+  /// The exponent field of a float. A number that is subnormal in the format has the field of the least
+  /// normal number.
   [[nodiscard]] int field(float x) const {
     const auto exponent = static_cast<int>(std::bit_cast<std::uint32_t>(x) << 1 >> 24);
     return exponent < least_field_ ? least_field_ : exponent;
   }
-  /// The product takes what is below the least normal number for a number in the binade below: with the same
-  /// significand, or 1.
+  /// What the product reads for a number below the least normal number: a number in the binade below that,
+  /// with the same significand, or 1.
   [[nodiscard]] double raised(float d) const {
     constexpr std::uint64_t fraction = (std::uint64_t{1} << 52) - 1;
     return std::bit_cast<double>((std::bit_cast<std::uint64_t>(static_cast<double>(d)) & fraction) |
                                  std::bit_cast<std::uint64_t>(static_cast<double>(least_normal_) / 2));
   }
-  /// The product, exact in 48 bits, without the bits that the format does not have. All above the largest
-  /// pattern are the same.
+  /// The product, exact in 48 bits, without the bits that the format does not have. A product above the
+  /// largest pattern becomes it.
   [[nodiscard]] double distance(double d, double inverse) const {
     const double product = std::bit_cast<double>(std::bit_cast<std::uint64_t>(d * inverse) & ~below_double_);
     return product < largest_ ? product : largest_;

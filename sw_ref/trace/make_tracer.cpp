@@ -97,7 +97,7 @@ std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh, const Trac
   // Why there is no such tracer.
   allow(!bvh.nodes.empty(), "tracer: the hierarchy has no node; build it first");
   allow(!plucker || options.arithmetic != Arithmetic::conservative,
-        "tracer: robust arithmetic is for slabs; with Pluecker take binary32 or binary64");
+        "tracer: conservative arithmetic is for slabs; with Pluecker take binary32 or binary64");
   allow(!integer || !by_distance,
         "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa");
   allow(!integer || options.encoding == Encoding::plain,

@@ -16,7 +16,7 @@
 
 namespace hitpipe::ref {
 
-/// The mirrored planes of a box. The ray meets the near ones first. The fourth lanes are 0 and 1.
+/// The mirrored planes of a box. The ray meets the near planes first. The fourth lanes are 0 and 1.
 template <class T>
 struct NearFar {
   Lanes<T> near, far;

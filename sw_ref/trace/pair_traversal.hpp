@@ -23,7 +23,7 @@ struct PairAnswer {
   bool second_first = false;              ///< the ray enters the second box before the first
 };
 
-/// A hierarchy as it is, as records: that of a branch has the number of its node plus one.
+/// A hierarchy as records, without a copy. A branch's record has the number of its node plus one.
 class BvhPairs {
  public:
   explicit BvhPairs(const Bvh& bvh) : nodes_(bvh.nodes) {}

@@ -10,7 +10,8 @@
 
 namespace hitpipe::ref {
 
-/// As trace_ray(). test.enters() gives the distance of a box, which is never above that of a triangle in it.
+/// As trace_ray(). test.enters() gives the distance of a box, which is never above the distance of a triangle
+/// in it.
 template <class Store, class Test, class Observer>
 TraceCounts trace_by_distance(const Store& store, const Leaves& leaves, Test test, const Ray& ray,
                               Query query, Hit& hit, Observer& observer) {

@@ -93,7 +93,7 @@ enum class Encoding : std::uint8_t {
 };
 
 enum class TriangleTest : std::uint8_t {
-  exact,     ///< sw_ref/exact: one answer for every traversal
+  exact,     ///< sw_ref/judge: one answer for every traversal
   binary32,  ///< Moeller and Trumbore (1997), as in the thesis, for its timings
   binary64,
 };

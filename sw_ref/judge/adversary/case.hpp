@@ -20,8 +20,8 @@ struct Case {
 [[nodiscard]] std::string to_text(const Case& c);
 
 /// Replaces one number at a time by a simpler one: an infinite length, 0, +-1, fewer mantissa bits, or an
-/// exponent closer to that of 1. The case must stay acceptable, and `fails` must still be true. Ends when no
-/// replacement is left. `fails(c)` must be true for the given case.
+/// exponent closer to the exponent of 1. The case must stay acceptable, and `fails` must still be true. Ends
+/// when no replacement is left. `fails(c)` must be true for the given case.
 [[nodiscard]] Case shrink(Case c, const std::function<bool(const Case&)>& fails);
 
 /// Reads what to_text(Case) writes. Numbers may be decimal or hexadecimal, and a length may be inf. Throws

@@ -21,8 +21,8 @@ std::array<float*, 13> numbers_of(Case& c) {
   return numbers;
 }
 
-/// How complicated a number is: its significant mantissa bits plus the distance of its exponent from that of
-/// 1.
+/// How complicated a number is: its significant mantissa bits plus the distance of its exponent from the
+/// exponent of 1.
 int complexity(float x) {
   if (x == 0 || std::isinf(x)) return std::signbit(x) ? 1 : 0;
   const Binary32 parts = decode(x);

@@ -1,4 +1,4 @@
-// The statistics of a hierarchy, computed by hand, and those of Appendix B's sweep.
+// The statistics of a hierarchy, computed by hand, and of Appendix B's sweep.
 #include "sw_ref/hierarchy/statistics.hpp"
 
 #include <gtest/gtest.h>

@@ -23,7 +23,7 @@ TEST(TriangleCover, IsByOneBoxOrByPartsThatMeet) {
   EXPECT_FALSE(cover({}, slanted, 1e-9));
 }
 
-/// A chessboard of boxes covers it; without any one of those that it goes through, it does not.
+/// A chessboard of boxes covers it; without any box that it goes through, it does not.
 TEST(TriangleCover, NeedsEveryBoxThatTheTriangleGoesThrough) {
   constexpr int side = 8;
   std::vector<Aabb> boxes;

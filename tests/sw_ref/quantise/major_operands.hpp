@@ -18,7 +18,7 @@ namespace hitpipe::ref {
 inline constexpr std::size_t major_ray_operands = 15;
 using MajorOperandValues = std::array<std::int64_t, major_ray_operands + 6>;
 
-/// The operands of the ray. Those of the box are not changed.
+/// The operands of the ray. The box's operands are not changed.
 inline void put_ray(const IntMajorRaySetup& set_up, float length, MajorOperandValues& values) {
   const IntMajorRay& ray = set_up.ray();
   std::int64_t* out = values.data();

@@ -323,9 +323,9 @@ TEST_F(MeshFile, OtherFormatUnderAKnownNameIsNotGuessed) {
   // Assimp has a reader for each of these texts, but hitpipe offers none of their formats.
   const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   for (const char* const name : {"a.gltf", "b.glb"})
-    EXPECT_THAT(reason(name, off), testing::HasSubstr("(its beginning is not that of one)")) << name;
+    EXPECT_THAT(reason(name, off), testing::HasSubstr("(it does not begin as one)")) << name;
   EXPECT_THAT(reason("c.gltf", "Metric (key = \"distance\") {float {1}}\n"),
-              testing::HasSubstr("(its beginning is not that of one)"));
+              testing::HasSubstr("(it does not begin as one)"));
 }
 
 TEST_F(MeshFile, FileWithoutTriangleIsRejected) {

@@ -117,7 +117,7 @@ TEST(PairNodes, RefuseBoxesOutsideTheGrid) {
   EXPECT_THROW(PairNodes(build_bvh(meshes().back()), 33, 0), std::invalid_argument);
 }
 
-/// Each child's interval in the pair, where the parent's is not empty, against that of its box alone.
+/// Each child's interval in the pair, where the parent's is not empty, against its box's interval alone.
 class Walker {
  public:
   Walker(const Ray& ray, MajorBits bits)

@@ -37,7 +37,7 @@ Case subnormal_distance(Random& random) {
 }
 
 /// The tests miss no box that the ray meets: ConservativeSlabs the box itself, the others the box padded as
-/// in section 4.3. Counts boxes met, and those of them that Slabs<float> misses without padding.
+/// in section 4.3. Counts boxes met, and how many of them Slabs<float> misses without padding.
 struct Judge {
   int met = 0, float_misses = 0;
 

@@ -378,7 +378,7 @@ TEST(Tracer, CombinationsThatDoNotExistAreRejected) {
   EXPECT_THAT(
       messages,
       testing::UnorderedElementsAre(
-          "tracer: robust arithmetic is for slabs; with Pluecker take binary32 or binary64",
+          "tracer: conservative arithmetic is for slabs; with Pluecker take binary32 or binary64",
           "tracer: integer units give no distance; with integers take slabs, slabs_dsa, plu or plu_dsa",
           "tracer: integer arithmetic has nodes of its own; take the plain encoding",
           "tracer: a look-up table is for hierarchical nodes of 4 or 8 bits",
