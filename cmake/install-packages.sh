@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs the named packages, or those of packages.txt, that dpkg does not have: install-packages.sh [PACKAGE...]
+# Installs packages that dpkg does not have, named here or all of packages.txt: install-packages.sh [PACKAGE...]
 # Needs root or sudo only when something is missing.
 set -eu
 list=$(dirname "$0")/../packages.txt

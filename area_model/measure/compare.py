@@ -48,7 +48,7 @@ def table_7_2():
 
 @functools.cache
 def modelled():
-    """Every design that hitpipe has; those of one family stand together, format by format."""
+    """Every design that hitpipe has, family by family and format by format."""
     families = {}
     for row in rows_of("designs"):
         formats = FORMATS.get(row["formats"].split()[0], [row["bits"]])
@@ -127,7 +127,7 @@ def model_table(units):
 
 
 def thesis_table(units):
-    """Table 7.2 beside the same units in cells: in the thesis's stages, and in those of osu018."""
+    """Table 7.2 beside the same units in cells, with the thesis's stages and with the stages of osu018."""
     print("| unit | Table 7.2, mm² | % | stages | cells, mm² | % | ns | area × delay, % | stages | cells, mm² | % | ns | area × delay, % |")
     print("|---|" + "--:|" * 12)
     for design, bits in table_7_2():
@@ -146,7 +146,7 @@ def thesis_table(units):
 
 
 def component_table(_units):
-    """The prices of Table 7.1 beside the measured ones."""
+    """The prices of Table 7.1 beside the measured prices."""
     libraries = [json.loads((ROOT / library).read_text())["components"] for library in (THESIS, OSU018)]
     print("| component | Table 7.1, µm² | of a multiplier | stages | ns | cells, µm² | of a multiplier | stages | ns |")
     print("|---|" + "--:|" * 8)

@@ -6,14 +6,13 @@
   area_model/measure/measure.py --check mux2 int_subtract:16
                                                       only these components, or this width of one
   area_model/measure/measure.py --estimate               the rows of thesis_250nm.json for operators that round toward zero
-  area_model/measure/measure.py --verilog FILE MODULE    area and delay of a module of your own, in the form of those
-                                                      that hitpipe writes (inputs and outputs, clk and en if clocked)
+  area_model/measure/measure.py --verilog FILE MODULE    area and delay of a module of your own, in the form that
+                                                      hitpipe writes (inputs and outputs, clk and en if clocked)
 
 A component stands between registers. Its area is what the cells take beyond those registers, and its delay is the
-period from register to register less that of two registers alone (the latch's): so the slowest component and a latch
-make the clock, as the scheduler counts. Multipliers and float operators are the modules that hitpipe writes, in the
-fewest stages that reach CLOCK_PS; all else is one line of Verilog.
-"""
+period from register to register less the period of two registers alone (the latch's delay). So the slowest component
+and a latch make the clock, as the scheduler counts. Multipliers and float operators are the modules that hitpipe
+writes, in the fewest stages that reach CLOCK_PS; all else is one line of Verilog. """
 
 import argparse
 import csv
@@ -96,7 +95,7 @@ def one_line(name, bits):
 
 def emitted(name, bits, stages, form):
     """The component's module out of a unit that hitpipe writes with so many stages for it, and the module's name."""
-    # A product of n by n bits of which the upper n bits are kept, sign apart: that of the integer units.
+    # The integer units' product: n by n bits, of which the upper n bits below the sign are kept.
     design, _, module = SOURCES[name]
     library = json.loads((LIBRARIES / "thesis_250nm.json").read_text())
     for component in SOURCES:
@@ -133,7 +132,7 @@ def cell(name, bits, latch_ps):
 
 
 def gate_delay_ps(latch_ps):
-    """That of the slowest gate of two inputs."""
+    """The delay of the slowest gate of two inputs."""
     return max(between_registers(one_line(gate, 1), "component_of_library")[1] for gate in ONE_LINE if "gate" in gate) - latch_ps
 
 

@@ -44,14 +44,14 @@ struct Design {
   std::string_view summary;  ///< one line, with its figures in the thesis
   hls::DesignKind kind;      ///< what a test answers
   bool conservative;         ///< HIT whenever the exact ray meets the closed box
-  Format default_format;     ///< of the family that all its formats are of
+  Format default_format;     ///< all its formats are of this format's family
   std::vector<hls::Result> (*results_at)(const Format&);
   std::vector<Port> (*ports_at)(const Format&);
   Graph (*trace_at)(const Format&);
   Evaluate::Run (*run_at)(const Format&);  ///< bit by bit
   /// The same answers by the host's floating-point unit. Null, or gives null: there is no such function.
   Evaluate::Run (*float_unit_run_at)(const Format&) = nullptr;
-  ThesisAccounting printed{};  ///< nothing of a design that the thesis does not have
+  ThesisAccounting printed{};  ///< empty: the thesis does not have the design
   DesignSource source{};       ///< nothing: no top function for high-level synthesis is written
 
   /// A format of this design as a user writes it. Throws std::runtime_error, one line, that says what is
@@ -64,7 +64,7 @@ struct Design {
   [[nodiscard]] Evaluate evaluate(const Format& format) const;
   /// The same answers by the host's floating-point unit. Nothing when no part of the design is for that unit.
   [[nodiscard]] std::optional<Evaluate> evaluate_on_float_unit(const Format& format) const;
-  /// The name and the format, or the name alone where there is one format only.
+  /// The name and the format; the name alone if the design has one format.
   [[nodiscard]] std::string name_at(const Format& format) const;
   /// The name of its Verilog module unless the user gives another: the design's name at the default format,
   /// "int_slabs_16_16" at another.

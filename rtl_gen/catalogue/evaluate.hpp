@@ -30,7 +30,7 @@ class Evaluate {
 
   /// HIT of the first box.
   bool operator()(const std::int64_t* operands) const {
-    std::array<std::int64_t, most_results> results;  // NOLINT: run_ writes those that there are
+    std::array<std::int64_t, most_results> results;  // NOLINT: run_ writes as many as the design has
     run_(format_, operands, results.data());
     return hit(results.data());
   }

@@ -72,7 +72,7 @@ std::string_view words_of(hls::Role role) {
     case hls::Role::owner:
       return "number of the box that has the plane";
     case hls::Role::major:
-      return "1: the direction's largest component";
+      return "1: the major axis";
     case hls::Role::other:
       return "of the design's own set-up";
   }

@@ -48,8 +48,8 @@ std::vector<std::string> headers_of() {
   return headers;
 }
 
-/// Throws std::runtime_error, one line, when a value is computed elsewhere than in the pipeline's headers and
-/// the shared ones (check_sources).
+/// Throws std::runtime_error, one line, when a value is computed outside the pipeline's headers and the
+/// shared headers (check_sources).
 template <class Pipeline>
 Graph traced(const typename Pipeline::Bits& format) {
   using Bits = typename Pipeline::Bits;

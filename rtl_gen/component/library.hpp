@@ -134,11 +134,12 @@ class Library {
   /// Table 7.1 of the thesis.
   [[nodiscard]] static const Library& thesis();
 
-  /// Delay and stages at a width. A width without a row has those of the next larger row; the law holds above
-  /// the widest row.
+  /// Delay and stages at a width. A width without a row takes the next larger row; above the widest row the
+  /// law holds.
   [[nodiscard]] Cell timing(Component component, int bits) const;
-  /// The timing, and the area at exactly this width: that of its row, else by the area law, rounded to the
-  /// nearest square micrometre. Both throw std::runtime_error when the library does not have the component.
+  /// The timing, and the area at exactly this width. Without a row the area follows the area law, rounded to
+  /// the nearest square micrometre. Both throw std::runtime_error when the library does not have the
+  /// component.
   [[nodiscard]] Cell cell(Component component, int bits) const;
   [[nodiscard]] bool has(Component component) const;
   [[nodiscard]] int latch_delay_ps() const { return timing(Component::latch, 1).delay_ps; }

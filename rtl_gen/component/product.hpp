@@ -1,7 +1,7 @@
 // How products are made. For a library of cells a pipelined multiplier is divided into its stages; the
 // partition is stated here, so nothing is left to retiming. Stage 1 multiplies the whole left operand by each
 // of S equal pieces of the right operand. Stage i > 1 adds the product of piece i-1, shifted to its place, to
-// the sum of the lower ones. The low bits of a sum are final and do not pass through the next adder.
+// the sum of the pieces below it. The low bits of a sum are final and do not pass through the next adder.
 //
 // On a chip a product that a multiplier block can make is one block. A larger one is cut into pieces: blocks,
 // and rows of gates with adders for odd bits where those take fewer lookup tables than a block is worth. The
@@ -60,8 +60,8 @@ struct ProductPlan {
   int luts = 0;  ///< by the chip's laws
 };
 
-/// The plan that takes the fewest lookup tables, each block counted as those that it is worth. A product that
-/// fits a block is one, however small.
+/// The plan that takes the fewest lookup tables. A block counts as the lookup tables that it is worth. A
+/// product that fits a block is always one block.
 [[nodiscard]] ProductPlan plan_product(const ProductShape& shape, const Chip& chip);
 
 /// The product of `a` and `b`, shape.width() bits, made as planned.

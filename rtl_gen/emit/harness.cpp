@@ -126,7 +126,7 @@ std::uint64_t bits(const std::string& digits, int high, int low) {{
   return value;
 }}
 
-/// The lines of the file; empty ones and comments (//) are skipped.
+/// The lines of the file without empty lines and comments (//).
 std::vector<std::string> read_vectors(const std::string& name) {{
   std::ifstream file(name);
   if (!file) throw std::runtime_error(name + ": cannot be opened");

@@ -1,7 +1,7 @@
-// Vectors that know nothing of rays and boxes: what can be drawn at the ports of a unit and answered by its
+// Vectors that know nothing of rays and boxes: operands drawn at the ports of a unit, and the answers of its
 // C++. Few random operands hit, and most hits stay hits when a part of the unit fails. So vectors are drawn
-// beside hits, at corners, and in pairs across the border of a hit; and vectors are sought whose result
-// depends on bits on which no other vector's result depends.
+// beside hits, at corners, and in pairs across the border of a hit. A search adds vectors whose result
+// depends on a bit that decides no other vector's result.
 #pragma once
 
 #include <cstdint>
@@ -20,22 +20,22 @@ class Border {
   /// `draw` and `evaluate` must belong to one unit. Answers are the results of one bit.
   Border(const Draw& draw, const Evaluate& evaluate, const std::vector<hls::Result>& results);
 
-  /// From operands that meet the demands: a pair, then those with one bit changed. Empty when chance finds no
-  /// way to another answer.
+  /// From operands that meet the demands: a pair with different answers, then its vectors with one bit
+  /// changed. Empty if chance finds no pair.
   [[nodiscard]] std::vector<Vector> near(const std::vector<std::int64_t>& operands,
                                          std::mt19937_64& random) const;
 
  private:
-  /// Operands of another answer that differ from these in one port, and that port.
+  /// Two vectors that differ in one port and in one answer.
   struct Way {
     Vector here, there;
     std::size_t port;
     std::size_t answer;
   };
   [[nodiscard]] std::optional<Way> way_across(const Vector& here, std::mt19937_64& random) const;
-  /// Shortens it to one unit; false when what lies between is not as demanded.
+  /// Moves the two together until they are one unit apart; false if numbers between them break a demand.
   [[nodiscard]] bool shorten(Way& way) const;
-  /// `from` with one bit of the way's port changed, which answers as `as` does.
+  /// `from` with one bit of the way's port changed, if its answer is then the answer of `as`.
   [[nodiscard]] std::optional<Vector> bit_across(const Vector& from, const Vector& as, const Way& way,
                                                  std::mt19937_64& random) const;
 
@@ -46,10 +46,11 @@ class Border {
 
 class ShownBits {
  public:
-  /// The vectors' operands are those of `ports`, of which the graph has some or all. Both must outlive it.
+  /// Vectors have an operand for each of `ports`; the graph has some or all of these ports. Both must outlive
+  /// the ShownBits.
   ShownBits(const Graph& graph, const std::vector<Port>& ports);
 
-  /// Of at most 64 vectors those that show a bit, as 0 or as 1, that none before them has shown.
+  /// The vectors, among at most 64, that show a bit as 0 or as 1 which no earlier vector has shown.
   [[nodiscard]] std::vector<Vector> new_ones(std::span<const Vector> vectors);
   /// Bits, each as 0 and as 1, that no vector has shown so far.
   [[nodiscard]] std::size_t hidden() const { return hidden_.size(); }
@@ -79,13 +80,12 @@ class PortVectors {
  public:
   PortVectors(const VectorUnit& unit, std::uint64_t seed);
 
-  /// Corners, operands beside hits and at the border. This and the others give the same in the same order of
-  /// calls.
+  /// Corners, operands beside hits and at the border. The same calls in the same order give the same vectors.
   [[nodiscard]] std::vector<VectorGroup> groups(std::size_t count);
-  /// First those that show bits of the graph which the groups do not show, as far as many draws find such;
-  /// then others at the border.
+  /// First vectors that show bits of the graph which the groups do not show, as many as a long search finds;
+  /// then other vectors at the border.
   [[nodiscard]] VectorGroup rare(const std::vector<VectorGroup>& groups, std::size_t count);
-  /// At the border beside the operands; empty when none is found.
+  /// Vectors at the border beside the operands; empty if the search finds none.
   [[nodiscard]] std::vector<Vector> border(const std::vector<std::int64_t>& operands) {
     return border_.near(operands, random_);
   }
@@ -98,9 +98,9 @@ class PortVectors {
   [[nodiscard]] Vector any() { return noted(any_hit_, draw_(random_)); }
   [[nodiscard]] Vector corners() { return noted(corner_hit_, draw_.corners(random_)); }
   [[nodiscard]] Vector beside_any();
-  /// Of a hit at corners, so that most ports stay at corners: differences of two have few bits.
+  /// A neighbour of a hit at corners. Most ports stay at corners, so differences of two ports have few bits.
   [[nodiscard]] Vector beside_corners();
-  /// Exactly so many, where anything hits at all.
+  /// Exactly `count`, if any operands hit.
   [[nodiscard]] std::vector<Vector> borders(std::size_t count);
   /// Neighbours of the last vectors found, and vectors at the border there.
   [[nodiscard]] std::vector<Vector> beside_found(const std::vector<Vector>& found, std::size_t count);

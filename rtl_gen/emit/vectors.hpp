@@ -36,8 +36,8 @@ struct VectorSet {
 [[nodiscard]] std::size_t hits(const std::vector<Vector>& vectors, const std::vector<hls::Result>& results);
 
 /// One vector a line, hexadecimal: the operands, first port in the high bits, then the expected results, last
-/// result in the low bits. Vectors hold operands of all `ports`; the file has only those of the ports that
-/// are `left`.
+/// result in the low bits. Vectors hold operands of all `ports`; the file has operands of the ports
+/// that are `left`.
 [[nodiscard]] std::string vector_file(const std::vector<Port>& ports, const std::vector<Port>& left,
                                       const std::vector<hls::Result>& results,
                                       const std::vector<Vector>& vectors);

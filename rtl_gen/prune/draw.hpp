@@ -21,9 +21,9 @@ class Draw {
   /// One or two ports of `operands`, as demanded themselves, are drawn again or moved a little.
   [[nodiscard]] std::vector<std::int64_t> beside(const std::vector<std::int64_t>& operands,
                                                  std::mt19937_64& random) const;
-  /// Most ports at a corner: an end of their numbers or of those that the set-up gives, near 0, a power of
-  /// two, or as far as that from the number of another port; of a float also infinity, NaN and the ends of
-  /// the subnormals.
+  /// Operands with most ports at a corner. Corners of a port are the ends of its numbers and of the numbers
+  /// that the set-up gives, numbers near 0, powers of two, and another port's number plus or minus such a
+  /// number. A float also has infinity, NaN and the ends of the subnormals.
   [[nodiscard]] std::vector<std::int64_t> corners(std::mt19937_64& random) const;
   /// A few ports of `operands`, as demanded themselves, are put at a corner.
   [[nodiscard]] std::vector<std::int64_t> corners_beside(const std::vector<std::int64_t>& operands,
@@ -37,8 +37,8 @@ class Draw {
   /// `from` with one of the port's bits changed.
   [[nodiscard]] std::int64_t one_bit_changed(std::int64_t from, std::size_t port,
                                              std::mt19937_64& random) const;
-  /// The multiple of the port's unit that lies halfway between two of them, rounded towards `low`; `low`
-  /// where there is none between. Floats are ordered by value.
+  /// The multiple of the port's unit halfway between `low` and `high`, rounded towards `low`; `low` if no
+  /// multiple lies between. Floats are ordered by value.
   [[nodiscard]] std::int64_t halfway(std::size_t port, std::int64_t low, std::int64_t high) const;
   [[nodiscard]] bool meets_all(const std::vector<std::int64_t>& operands) const;
 
@@ -46,7 +46,7 @@ class Draw {
   struct Order {
     std::size_t lesser, greater;
   };
-  /// As demanded, or the number that the port has where chance finds none.
+  /// A corner that meets the demand, or the number that the port has if chance finds none.
   [[nodiscard]] std::int64_t corner(const std::vector<std::int64_t>& operands, std::size_t port,
                                     std::mt19937_64& random) const;
   /// The first operands that `make` gives and that can be put in order. Throws if there are none.
@@ -57,7 +57,7 @@ class Draw {
   [[nodiscard]] std::vector<std::int64_t> changed(const std::vector<std::int64_t>& operands,
                                                   std::uint64_t most_changes, std::mt19937_64& random,
                                                   const Change& change) const;
-  /// As the orders want them; false when an order or a port's number is then not as demanded.
+  /// Exchanges numbers until all orders hold; false if an order or a port's demand is then broken.
   [[nodiscard]] bool put_in_order(std::vector<std::int64_t>& operands) const;
 
   std::vector<Port> ports_;

@@ -99,7 +99,7 @@ typedef enum hitpipe_role {
   HITPIPE_BACKWARD,     /* 1: the ray's direction is negative */
   HITPIPE_ENTRY,        /* distance at which the ray enters a parent box */
   HITPIPE_OWNER,        /* which of two boxes has a plane */
-  HITPIPE_MAJOR,        /* 1: the axis is that of the direction's largest component */
+  HITPIPE_MAJOR,        /* 1: the direction is largest along this axis */
   HITPIPE_OTHER
 } hitpipe_role;
 
@@ -120,7 +120,7 @@ typedef enum hitpipe_meaning {
 } hitpipe_meaning;
 
 typedef struct hitpipe_port_info {
-  const char* name;  /* that of the Verilog port */
+  const char* name;  /* as the Verilog port's */
   int width;         /* bits, 1..64 */
   int is_signed;     /* 1: two's complement */
   hitpipe_kind kind; /* a float is the unsigned number with its bits */
@@ -131,7 +131,7 @@ typedef struct hitpipe_port_info {
 } hitpipe_port_info;
 
 typedef struct hitpipe_result_info {
-  const char* name; /* that of the Verilog port */
+  const char* name; /* as the Verilog port's */
   int width;        /* bits, 1..64 */
   int is_signed;    /* 1: two's complement */
   hitpipe_meaning meaning;
@@ -165,7 +165,7 @@ HITPIPE_API hitpipe_status hitpipe_set_ray(hitpipe_unit* unit, const hitpipe_ray
 /* What a call of hitpipe_test() writes. Each may be NULL. T is the number of tests: box_count / boxes per
  * test. */
 typedef struct hitpipe_answers {
-  uint8_t* hit;      /* box_count: HIT of the unit's C++ datapath, bit for bit that of the Verilog */
+  uint8_t* hit;      /* box_count: HIT of the unit's C++ datapath, equal to the Verilog's */
   uint8_t* exact;    /* box_count: as hitpipe_exact() */
   int64_t* operands; /* T * port count: each test's operands, in port order */
   int64_t* results;  /* T * result count: what the unit answers, in the order of the results */
@@ -174,7 +174,7 @@ typedef struct hitpipe_answers {
 /* Tests the ray against boxes. All boxes are checked before anything is written; an error names the first bad
  * one by its index. A unit with two boxes a test takes boxes 2i and 2i + 1 as the two children of a parent,
  * so box_count must be even. It gets the parent, their union, tested first, as at the root of a hierarchy. If
- * the ray misses it, both hits are 0, and operands and results are those of that first test. */
+ * the ray misses it, both hits are 0, and operands and results belong to that first test. */
 HITPIPE_API hitpipe_status hitpipe_test(hitpipe_unit* unit, const hitpipe_box* boxes, size_t box_count,
                                         const hitpipe_answers* out);
 

@@ -74,7 +74,7 @@ class Unit {
 
   void set_ray(const Ray& ray) { check(hitpipe_set_ray(unit_.get(), &ray)); }
 
-  /// All that there is to know of these boxes.
+  /// All that hitpipe_test() gives for these boxes.
   [[nodiscard]] Answers test(std::span<const Box> boxes) {
     const std::size_t tests = boxes.size() / boxes_per_test();
     Answers all{std::vector<std::uint8_t>(boxes.size()), std::vector<std::uint8_t>(boxes.size()),

@@ -213,7 +213,7 @@ TEST(Verilog, PortsSayWhatTheyAre) {
   const DesignFormat d{"int_major_pair", "20+1/13"};
   const std::string text = emit(d.found(), d.parsed(), Library::thesis(), d.pipeline()).verilog.contents;
   for (const char* line :
-       {"  input  wire major_y,  // 1: the direction's largest component, y; flag\n",
+       {"  input  wire major_y,  // 1: the major axis, y; flag\n",
         "  input  wire signed [20:0] origin_m,  // origin of the ray; integer, -524287..524286\n",
         "  input  wire [12:0] floor_a,  // lower bound of a reciprocal; natural, 4095..8191\n",
         "  input  wire signed [19:0] parent_far,  // where the ray ends; integer, 0..524287\n",
