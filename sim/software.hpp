@@ -54,7 +54,7 @@ struct Software {
   /// Null: six planes as wide as their ports, then count and pointer of 4 bytes each.
   std::size_t (*bytes_per_node)(const rtl::Format& format, const ref::CoarseAxes& coarse) = nullptr;
 
-  /// Null: its nodes are those of any hierarchy.
+  /// Null: the unit reads nodes, not records of its own.
   NodeRecords (*records)(const rtl::Format& format, const ref::Bvh& bvh) = nullptr;
 
   /// Nothing when the scene tells no more than the port's own range.
@@ -80,7 +80,7 @@ struct Software {
 
 using SoftwareByName = std::map<std::string, Software, std::less<>>;
 
-/// That of the designs in designs.cmake. The build writes this function.
+/// The software of the designs in designs.cmake. The build writes this function.
 [[nodiscard]] SoftwareByName own_software();
 /// All parts are missing for a design that states nothing.
 [[nodiscard]] const Software& software_of(const rtl::Design& design);

@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A quarter of the tags, so that a late answer is never taken for that of another test.
+// A quarter of the tags, so that a late answer is never taken for the answer of another test.
 constexpr std::size_t most_waiting = 64;
 constexpr int most_sendings = 10;
 constexpr std::chrono::milliseconds most_wait{50};
@@ -61,8 +61,8 @@ std::string BoardLink::identity() {
     throw std::runtime_error(
         fmt::format("{}: no answer; is this the board's port, and has it been programmed?", port_.name()));
   throw std::runtime_error(
-      fmt::format("{}: {} bytes came and no sound frame; is the baud rate that of the bitstream?",
-                  port_.name(), counts_.bytes_received));
+      fmt::format("{}: {} bytes came and no sound frame; has the bitstream this baud rate?", port_.name(),
+                  counts_.bytes_received));
 }
 
 void BoardLink::require_same_unit() {

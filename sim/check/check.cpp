@@ -97,7 +97,7 @@ struct Batch {
   std::uint64_t tests;
 };
 
-/// Shares all tests among the categories; the first ones take what is left over.
+/// Shares all tests among the categories; the first categories take what is left over.
 class Shares {
  public:
   Shares(std::uint64_t tests, std::size_t categories)

@@ -18,8 +18,7 @@ namespace hitpipe::sim {
 
 struct CheckOptions {
   std::vector<ref::adversary::Category> categories;  ///< which to draw from
-  /// In all. Categories have equal shares; the first ones have a test more where the number cannot be
-  /// divided.
+  /// Of all categories, which have equal shares. A remainder goes to the first categories, one test each.
   std::uint64_t tests = 1'000'000;
   std::uint64_t seed = 1;
   int threads = 1;

@@ -34,7 +34,7 @@ struct PictureOptions {
   int height = 256;
   int threads = 1;
   const VerilatedDesign* verilated =
-      nullptr;  ///< answers the box tests; null: robust float slabs in software
+      nullptr;  ///< answers the box tests; null: conservative float slabs in software
 };
 
 struct Picture {

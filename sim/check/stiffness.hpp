@@ -61,7 +61,7 @@ struct StiffTraversals {
   Stiffness stiffness;
   std::uint64_t rays = 0;
   std::uint64_t box_tests = 0;
-  std::uint64_t reference_box_tests = 0;  ///< by the robust float traversal, for the same rays
+  std::uint64_t reference_box_tests = 0;  ///< by conservative float slabs in software, for the same rays
   std::uint64_t different_triangles = 0;
   ref::GroupedRatio work{};  ///< box tests over the reference's; a ray is a group
 

@@ -128,8 +128,8 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
   std::uint64_t sent = 0;
   std::uint64_t answered = 0;
   std::size_t in_pipeline = 0;
-  // A test is in the pipeline in every cycle, or a ray is written. When no answer comes for longer than that
-  // takes, the Verilog has lost one.
+  // A test is in the pipeline in every cycle, or a ray is written. If no answer comes for longer than these
+  // take, the Verilog has lost an answer.
   int silent_cycles = 0;
   const int longest_silence = options_.verilated->latency() + (writer_ ? 3 : 2);
   const auto can_send = [&](std::size_t slot) {

@@ -48,7 +48,7 @@ class RayUnit {
   };
 
   static constexpr int most_rays_in_flight = 65'536;  ///< a tag has 16 bits
-  /// A prime, so that the tests compared bit by bit are not always those of the same rays.
+  /// A prime, so that the tests compared bit by bit are not always of the same rays.
   static constexpr int bit_level_stride = 61;
 
   /// A ray in flight has the slot of its number when the unit has slots. Throws std::invalid_argument, one

@@ -21,7 +21,7 @@ struct WalkScene {
   const ref::Mesh* mesh;
 };
 
-/// The place of a result among those of a design. Throws std::runtime_error, one line, when there is none.
+/// The place of a result in a design's list. Throws std::runtime_error, one line, if it is not there.
 [[nodiscard]] std::size_t place_of_result(std::span<const hls::Result> results, hls::Meaning meaning,
                                           int box);
 

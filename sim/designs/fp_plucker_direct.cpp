@@ -1,4 +1,4 @@
-// The operands and answers of fp_plucker_direct are those of fp_plucker.
+// fp_plucker_direct has the operands and the answers of fp_plucker.
 #include "sim/software.hpp"
 
 namespace hitpipe::sim {

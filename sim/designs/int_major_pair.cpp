@@ -86,8 +86,8 @@ std::unique_ptr<SceneFeed> pair_feed(const rtl::Format& format, const ref::Bvh& 
 }
 
 /// Judges one box as the first of two. Its sibling reaches beyond it on some faces and ends before it on
-/// others, so its planes are in turn its own and the parent's. The unit tests the parent first, as it would a
-/// root. The answer does not depend on the sibling.
+/// others, so some of its planes are its own and some the parent's. The unit tests the parent first, as it
+/// would a root. The answer does not depend on the sibling.
 class PairTest final : public BoxTest {
  public:
   PairTest(const rtl::Design& design, const rtl::Format& format)

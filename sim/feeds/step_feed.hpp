@@ -18,7 +18,7 @@ using OperandStep = std::function<void(std::int64_t* operands)>;
 [[nodiscard]] std::unique_ptr<SceneFeed> with_step(std::unique_ptr<SceneFeed> feed, OperandStep step);
 
 /// Changes origin and box as coarse_origin() and coarse_box() do; finds their ports by role. Throws
-/// std::invalid_argument when the ports are not those of an integer unit, or have fewer bits than are to be
+/// std::invalid_argument if the ports are not an integer unit's, or have fewer bits than are to be
 /// dropped.
 [[nodiscard]] OperandStep coarse_step(const std::vector<rtl::Port>& ports, const ref::CoarseAxes& coarse);
 

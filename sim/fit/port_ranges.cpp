@@ -139,7 +139,7 @@ bool same_bits(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-/// Which signs the family's directions have along the axis. That of a zero is not bounded, unless all
+/// Which signs the family's directions have along the axis. A zero may have either sign, unless all
 /// directions are one.
 struct Signs {
   bool positive, negative;

@@ -63,7 +63,7 @@ class FloatRange {
 /// Origins along the axis, mirrored where the direction is negative; `low` rounds them down, else up.
 [[nodiscard]] std::vector<rtl::Interval> mirrored_origin(const ref::SceneDemands& scene, int axis,
                                                          const hls::FpBits& bits, bool low);
-/// Lower planes of boxes along the axis, or upper ones.
+/// Lower or upper planes of boxes along the axis.
 [[nodiscard]] std::vector<rtl::Interval> rounded_planes(const ref::SceneDemands& scene, int axis,
                                                         const hls::FpBits& bits, bool low);
 /// Bounds of the scaled inverse direction, without their sign (fp_slabs_safe_ray.hpp).

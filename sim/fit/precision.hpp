@@ -14,7 +14,7 @@
 
 namespace hitpipe::sim {
 
-/// Every ray of an image, and the number of box tests that a traversal without extra ones makes for them.
+/// Every ray of an image, and the number of box tests that a traversal without extra tests makes for them.
 struct SceneRays {
   std::vector<ref::RecordedBatch> batches;
   ref::RenderCounts reference;

@@ -23,7 +23,7 @@ struct MorePins {
 [[nodiscard]] std::string drive_lines(const std::vector<rtl::Port>& ports,
                                       const std::vector<rtl::Port>& operands, const char* array);
 
-/// The write port of a unit behind ray slots. `operands` are those of the whole design.
+/// The write port of a unit behind ray slots. `operands` are the whole design's.
 [[nodiscard]] MorePins ray_slot_pins(const rtl::RaySlots& slots, const std::vector<rtl::Port>& operands);
 
 /// Each of the module's `ports` has an operand's name and takes its low `width` bits. `results` are the

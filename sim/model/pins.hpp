@@ -12,7 +12,7 @@ struct RayPins {
   bool end_only = false;  ///< only where the ray ends changes
   std::uint16_t slot = 0;
   std::uint16_t in_slot = 0;
-  const std::int64_t* operands = nullptr;  ///< of which those of the ray are written; in port order
+  const std::int64_t* operands = nullptr;  ///< all, in port order; the ray's are written
   bool ready = false;                      ///< seen before the rising edge
 };
 
@@ -23,7 +23,7 @@ struct Pins {
   bool out_ready = true;
   std::uint16_t in_tag = 0;
   // Seen before the rising edge, with the above applied.
-  bool in_ready = false;  ///< always of a unit without flow control
+  bool in_ready = false;  ///< always 1 of a unit without flow control
   bool out_valid = false;
   bool hit = false;  ///< of the first box
   std::uint16_t out_tag = 0;

@@ -68,7 +68,7 @@ struct NumberLine {
 
 class NumberFile {
  public:
-  /// Reads the header. All `needed` columns must be there, `optional` ones may be, and no others. Throws
+  /// Reads the header. All `needed` columns must be there, `optional` columns may be, and no others. Throws
   /// std::runtime_error, one line that names the file and the line, as all functions do.
   NumberFile(const std::string& file, std::vector<std::string> needed,
              std::vector<std::string> optional = {});

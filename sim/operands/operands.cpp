@@ -16,7 +16,7 @@ namespace hitpipe::sim {
 
 namespace {
 
-// A thread's work at a time. Its text is kept until that of the earlier tests is written.
+// A thread's work at a time. Its text is kept until the text of the earlier tests is written.
 constexpr std::size_t tests_per_part = 1024;
 
 struct Numbered {

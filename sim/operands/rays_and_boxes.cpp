@@ -59,7 +59,7 @@ double checked_number(const NumberFile& lines, const NumberLine& line, std::size
   if (!value)
     lines.reject(line,
                  fmt::format("{} is \"{}\", which is no number; allowed are decimal numbers such as -0.25 "
-                             "and C's hexadecimal ones such as -0x1p-2",
+                             "and C's hexadecimal numbers such as -0x1p-2",
                              lines.column(column), host::shortened(word)));
   return *value;
 }

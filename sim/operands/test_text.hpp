@@ -50,7 +50,7 @@ class TestLayout {
   /// One line for each test. Hex has all tests of one call.
   void append(const JudgedTest& test, std::string& text) const;
   [[nodiscard]] std::string vectors(const std::vector<rtl::Vector>& tests) const;
-  /// The results have these hits. If not, they are those of the parent's test, whose second box is no box.
+  /// The results have these hits. If not, they belong to the parent's test, which has no second box.
   [[nodiscard]] bool reports(std::span<const std::int64_t> results, const std::array<bool, 2>& hits) const;
   [[nodiscard]] TestForm form() const { return form_; }
   [[nodiscard]] std::size_t boxes_per_test() const { return boxes_; }

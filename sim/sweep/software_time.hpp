@@ -1,4 +1,4 @@
-// How long a design's software traversal takes, relative to that of the baseline design. It measures
+// How long a design's software traversal takes, relative to the baseline design's. It measures
 // processor time of one thread for the same rays, including the exact triangle test.
 #pragma once
 

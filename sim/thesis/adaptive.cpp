@@ -36,7 +36,7 @@ std::vector<IntBox> boxes_of(const ref::Bvh& bvh, int coord_bits) {
   return quantised;
 }
 
-/// The traversal is that of the large unit: it has the last word, and a sure answer is its answer too.
+/// The large unit steers the traversal: it has the last word, and a sure answer is its answer too.
 class Measured {
  public:
   Measured(const ref::Mesh& mesh, const ref::Bvh& bvh)
@@ -153,8 +153,8 @@ ref::ResultTable adaptive_precision(std::string_view number, const ref::Experime
     add_rows(table, name, measure(ref::proposal_scene(name, options), options));
   }
   options.progress(1.0);
-  table.notes = {fmt::format("{} x {} pixels, all rays; the traversal is that of one 24/24 unit",
-                             options.width, options.height),
+  table.notes = {fmt::format("{} x {} pixels, all rays; one 24/24 unit steers the traversal", options.width,
+                             options.height),
                  "area x time: integer slabs of n1 bits for each test, and the asked share of a unit of n2 "
                  "bits, of one unit "
                  "of n2 bits = 100 %. A sure hit needs bounds from the other side: with '1 n1' they cost "

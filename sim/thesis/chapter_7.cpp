@@ -63,7 +63,7 @@ constexpr std::array figures{
 /// The place of a unit in Table 7.2.
 enum Row : std::size_t { float_slabs, float_plucker, slabs_24, slabs_20, plucker_24, plucker_20 };
 
-/// A figure of one unit as a share of that of another, in percent, in both sources.
+/// A figure of one unit as a share of another unit's figure, in percent, in both sources.
 class Shares {
  public:
   Shares(const ref::PrintedTable& printed, const std::vector<area::Price>& ours)

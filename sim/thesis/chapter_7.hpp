@@ -8,7 +8,7 @@
 
 namespace hitpipe::sim {
 
-/// All experiments of the thesis: those of ref::experiments() and of chapter 7, in the thesis's order.
+/// All experiments of the thesis: ref::experiments() and chapter 7, in the thesis's order.
 [[nodiscard]] std::span<const ref::Experiment> thesis_experiments();
 
 /// Those experiments, and what section 8.2 proposes: "adaptive", "grid", "kd". The thesis prints no figures

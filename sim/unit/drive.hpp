@@ -54,7 +54,7 @@ struct DriveReport {
   std::uint64_t hits = 0;           ///< answers that are HIT
   std::uint64_t wrong = 0;          ///< answers with a wrong result, a wrong tag or both
   std::uint64_t wrong_results = 0;  ///< a result differs from the C++ datapath
-  std::uint64_t wrong_tags = 0;     ///< tag is not that of the oldest test without an answer
+  std::uint64_t wrong_tags = 0;     ///< not the tag of the oldest test without an answer
   std::uint64_t surplus = 0;        ///< answers to no test
   std::uint64_t lost = 0;           ///< tests that were never answered
   std::uint64_t not_held = 0;       ///< an answer that was not taken changed or went

@@ -71,7 +71,7 @@ Unit read_unit(const fs::path& place, const rtl::Design& design, const rtl::Libr
     const rtl::ManifestHead head = rtl::head_of(manifest);
     if (head.design != design.name)
       throw std::runtime_error(
-          fmt::format("the manifest of {}; allowed is that of {}", head.design, design.name));
+          fmt::format("the manifest of {}; allowed is a manifest of {}", head.design, design.name));
     const rtl::Format format = design.parse_format(head.bits);
     const rtl::Graph traced = design.trace(format);
     rtl::Demands demands = rtl::demands_of_manifest(manifest);
@@ -79,9 +79,9 @@ Unit read_unit(const fs::path& place, const rtl::Design& design, const rtl::Libr
     rtl::Pipeline pipeline = rtl::make_pipeline(rtl::prune(traced, demands, options).graph, library);
     if (head.latency != pipeline.latency())
       throw std::runtime_error(fmt::format(
-          "a latency of {} cycles, {} is that of the library {}; give the library that it was written "
+          "a latency of {} cycles, but with the library {} it is {}; give the library that it was written "
           "with, or write the unit again",
-          head.latency, pipeline.latency(), library.name()));
+          head.latency, library.name(), pipeline.latency()));
     Unit unit =
         make_unit(design, format, library, std::move(pipeline), std::move(demands), head.flow_control);
     unit.module = head.module;

@@ -14,8 +14,8 @@ namespace {
 
 using ref::adversary::Category;
 
-/// Operands of rays and boxes of one category, in turn ones that hit and ones that do not, and in turn alone
-/// and as a pair across the border beside them.
+/// Operands of rays and boxes of one category. Hits and misses alternate; so do single vectors and pairs
+/// across the border beside them.
 class CategoryVectors {
  public:
   CategoryVectors(BoxTest& test, rtl::PortVectors& ports, const Category& category, std::uint64_t seed)

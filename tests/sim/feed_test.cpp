@@ -1,4 +1,4 @@
-// Operands are those of ray set-up and quantisation (sections 2.3.1, 3.3, 6.2.1, 6.3.1), each at its own
+// Operands are as in ray set-up and quantisation (sections 2.3.1, 3.3, 6.2.1, 6.3.1), each at its own
 // port.
 #include "sim/feeds/feed.hpp"
 
@@ -153,7 +153,7 @@ Operands both(Operands ray, Operands box) {
   return ray;
 }
 
-/// Those of a design that is not here are what a set-up of this ray and length alone gives.
+/// Operands of a design that is not here are what a set-up of this ray and length alone gives.
 Operands expected(const TestedUnit& unit, const ref::Ray& ray, float length, const ref::Aabb& box) {
   const auto with_integers = [&](const auto& set_up) {
     const auto bits = unit.format.as<hls::IntBits>();
@@ -199,7 +199,8 @@ TEST_P(Feed, GivesEachPortItsOperand) {
       rays->start(fresh, set_up[fresh]);
     }
     if (i < 3) continue;
-    // The ray's own length, then shorter ones as closer hits are found, and the same length twice in a row.
+    // The ray's own length, then shorter lengths as closer hits are found, and the same length twice in a
+    // row.
     float length = set_up[slot].length;
     if (random.coin()) length = random.coin() ? 0.0F : std::min(length, std::abs(random.signed_unit()));
     const auto node = static_cast<std::uint32_t>(random.below(bvh.nodes.size()));
@@ -309,7 +310,7 @@ TEST(FeedOfABoxOutsideTheCube, Rejected) {
   }
 }
 
-/// Those of int_slabs, the planes of the box first.
+/// The operands of int_slabs, the planes of the box first.
 template <class D, class F>
 struct BoxFirstOperands : hls::IntSlabsOperands<D, F> {
   template <class Self, class Visit>

@@ -1,5 +1,5 @@
-// Integer slabs in the formats of the tests that run units: the thesis's two, narrow ones, and both ends of
-// the range.
+// Integer slabs in the formats of the tests that run units: the thesis's two, narrow formats, and both ends
+// of the range.
 #pragma once
 
 #include <array>

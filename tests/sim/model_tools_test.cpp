@@ -1,4 +1,4 @@
-// The tools that build a model and the folder that it goes to: which ones are taken, and that every failure
+// The tools that build a model and the folder that it goes to: which tools are taken, and that every failure
 // says in one line what was wrong and what to do.
 #include <cstdlib>
 #include <fstream>

@@ -1,4 +1,4 @@
-// The sampled time is that of the work, without reading the clock and without interruptions.
+// The sampled time is the time of the work, without reading the clock and without interruptions.
 #include "sim/cosim/sampled_time.hpp"
 
 #include <gtest/gtest.h>

@@ -76,7 +76,7 @@ TEST_F(SeveralResults, AgreeInAVectorCheck) {
   EXPECT_EQ(result.vectors, 2000U);
 }
 
-/// Boxes of the adversary at the ports of the first box, moved a little at those of the second.
+/// Boxes of the adversary at the ports of the first box, moved a little at the ports of the second.
 class TwoBoxesTest final : public BoxTest {
  public:
   TwoBoxesTest(const rtl::Design& design, const rtl::Format& format, bool with_results)

@@ -1,6 +1,6 @@
 // Drives a unit behind ray slots at random: rays are written to slots whose tests are under way or are sent
-// in the same cycle, whole or only at their ends, with gaps, stalls and resets. Every answer must be that of
-// the ray that its slot held when the test was taken.
+// in the same cycle, whole or only at their ends, with gaps, stalls and resets. Every answer must be the
+// answer of the ray that its slot held when the test was taken.
 #pragma once
 
 #include <cstdint>

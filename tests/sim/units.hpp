@@ -1,5 +1,5 @@
 // The units that the tests of sim/ run: every registered design in its own format and, where its family has
-// more, in a narrow one, in a wide one and in those that other tests use. Each is built once, and loaded once
+// more, in a narrow one, in a wide one and in all that other tests use. Each is built once, and loaded once
 // by a program.
 #pragma once
 

@@ -243,8 +243,9 @@ TEST(CosimCommand, ReadsAUnitOfAnotherLibrary) {
   ASSERT_EQ(run_hitpipe({"rtl", "int_slabs", "--library", "xc7", "--out", unit}).exit_code, 0);
   const Outcome without = run_hitpipe(cosim({"--unit", unit}));
   EXPECT_EQ(without.exit_code, 2);
-  EXPECT_THAT(without.err, HasSubstr("is that of the library thesis_250nm; give the library that it was "
-                                     "written with, or write the unit again\n"));
+  EXPECT_THAT(without.err,
+              HasSubstr("but with the library thesis_250nm it is 4; give the library that it was "
+                        "written with, or write the unit again\n"));
   const Outcome with = run_hitpipe(cosim({"--unit", unit, "--library", "xc7", "--format", "json"}));
   EXPECT_EQ(with.exit_code, 0) << with.err;
   EXPECT_EQ(json::parse(with.out).at("rtl_mismatches"), 0);

@@ -113,7 +113,7 @@ TEST_F(FitCommand, SaysWhatIsKeptWhyAndWhatItCosts) {
 
 TEST_F(FitCommand, FailsWhenVectorsFindWhatTheImageDoesNot) {
   // A Verilator that damages its input: tests are lost while answers wait, which the rays never cause. Its
-  // own version keeps its models apart from undamaged ones.
+  // own version keeps its models apart from undamaged models.
   const std::string verilator = folder_
                                     .write_program("verilator", R"(#!/bin/sh
 if [ "$1" = --version ]; then echo losing tests; exit; fi
@@ -189,7 +189,7 @@ TEST_F(FitCommand, WrittenUnitRunsAgainAndRefusesWhatItWasNotFittedTo) {
   damaged = json::parse(manifest);
   damaged["design"] = "int_plucker";
   EXPECT_THAT(error_with(damaged.dump()),
-              HasSubstr("the manifest of int_plucker; allowed is that of int_slabs"));
+              HasSubstr("the manifest of int_plucker; allowed is a manifest of int_slabs"));
   damaged = json::parse(manifest);
   damaged["demands"][0]["port"] = "nowhere";
   EXPECT_THAT(error_with(damaged.dump()), HasSubstr("demand on nowhere: no such port; "));

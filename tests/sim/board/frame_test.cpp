@@ -1,4 +1,4 @@
-// Frames and packed bits: the bytes that docs/chips.md shows, and what becomes of damaged ones.
+// Frames and packed bits: the bytes that docs/chips.md shows, and what becomes of damaged frames.
 #include "sim/board/frame.hpp"
 
 #include <gmock/gmock.h>

@@ -127,7 +127,7 @@ void major_length_wraps(const Ray& ray, const Aabb& /*box*/, const rtl::Format& 
   in[length] = to_whole(std::fmod(std::floor(full), static_cast<double>(bits.largest_length() + 1)));
 }
 
-/// Of all its ors, that of the shifter's result has more than one bit.
+/// Of its ors only the last one of the shifter has more than one bit.
 NodeId major_shift_wraps(Graph& /*to*/, const Node& node, Args args) {
   return node.op == Op::bit_or && node.width > 1 ? args[0] : no_node;
 }

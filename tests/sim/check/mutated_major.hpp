@@ -37,7 +37,7 @@ rtl::NodeId major_near_with_the_upper_bound(rtl::Graph& to, const rtl::Node& nod
 /// Far distances of slot b are products with the lower mantissa.
 rtl::NodeId major_far_with_the_lower_bound(rtl::Graph& to, const rtl::Node& node,
                                            std::span<const rtl::NodeId> args);
-/// -x - 1 stands for x in the plane, but not in the bits of the finer grid below it.
+/// The plane is mirrored to -x - 1, but its bits on the finer grid are not.
 rtl::NodeId major_mirrored_plane_filled_with_zeros(rtl::Graph& to, const rtl::Node& node,
                                                    std::span<const rtl::NodeId> args);
 

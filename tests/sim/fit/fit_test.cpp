@@ -1,4 +1,4 @@
-// Fitted units are smaller and give the answers of the whole ones. Rays and operands outside their demands
+// Fitted units are smaller and give the answers of the whole units. Rays and operands outside their demands
 // are refused.
 #include "sim/fit/fit.hpp"
 

@@ -1,5 +1,5 @@
-// Co-simulation of a unit from its files: whole units run on any scene, fitted ones on scenes that meet their
-// demands.
+// Co-simulation of a unit from its files: whole units run on any scene, fitted units on scenes that meet
+// their demands.
 #include <stdexcept>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The float components of a graph on the host, those that round to nearest in binary32 only, and what their
+// The float components of a graph on the host, with rounding to nearest in binary32 only, and what their
 // faults are made of. Numbers are
 // patterns.
 #pragma once

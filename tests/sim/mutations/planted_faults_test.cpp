@@ -1,5 +1,5 @@
 // Faults of every kind at every node of every design: the vectors that `hitpipe rtl` writes show all that
-// change the function. Those that do not are listed here with the reason, and none of them shows.
+// change the function. Faults that do not are listed here with the reason, and none of them shows.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -33,7 +33,7 @@ struct FaultyUnit {
   std::string design;
   std::string bits;
   std::vector<Harmless> harmless{};
-  bool reasoned = true;  ///< harmless changes are listed; if not, they are those that no vector shows
+  bool reasoned = true;  ///< harmless changes are listed; if not, they are all that no vector shows
 
   [[nodiscard]] const rtl::Design& found() const { return rtl::find_design(design); }
   [[nodiscard]] rtl::Format format() const { return found().parse_format(bits); }

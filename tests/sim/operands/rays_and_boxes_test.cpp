@@ -117,7 +117,7 @@ TEST_F(RaysAndBoxes, FirstLineThatDoesNotNameTheColumnsRejected) {
 
 TEST_F(RaysAndBoxes, BadRaysRejected) {
   const std::string numbers =
-      ", which is no number; allowed are decimal numbers such as -0.25 and C's hexadecimal ones such as "
+      ", which is no number; allowed are decimal numbers such as -0.25 and C's hexadecimal numbers such as "
       "-0x1p-2";
   ray_rejected("0,0,0,1,0,0", "has 6 cells; the first line names 7 columns");
   ray_rejected("0,0,0,1,0,0,1,1", "has 8 cells; the first line names 7 columns");
@@ -153,7 +153,7 @@ TEST_F(RaysAndBoxes, BadBoxesRejected) {
   box_rejected(
       "0,0,0,1,1,inf",
       "max_z is \"inf\", which is no number; allowed are decimal numbers such as -0.25 and C's hexadecimal "
-      "ones such as -0x1p-2");
+      "numbers such as -0x1p-2");
 }
 
 TEST_F(RaysAndBoxes, LineWithoutAnEndRejected) {

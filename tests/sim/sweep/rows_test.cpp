@@ -60,7 +60,7 @@ TEST(SweepRowFigures, OfAPairAreForEachBox) {
   EXPECT_DOUBLE_EQ(row.area_per_box_mm2(), 1.234567 / 2);
   EXPECT_DOUBLE_EQ(row.area_delay_mm2_ns(), 1.234567 / 2 * 3.176);
   EXPECT_EQ(row.nodes_fetched(), 400'000U) << "a record has two nodes";
-  // The run time is that of the whole unit, so the area is too.
+  // The run time counts the whole unit, so the area is too.
   EXPECT_DOUBLE_EQ(row.area_run_time_mm2_ms(), 1.234567 * 1.588 / 2);
 }
 
