@@ -123,7 +123,7 @@ const bool registered = [] {
     }
   }
   ref::TracerOptions options{.arithmetic = Arithmetic::conservative};
-  add("slabs_dsa/robust/exact", false, options);
+  add("slabs_dsa/conservative/exact", false, options);
   options = {.algorithm = Algorithm::plu_dsa, .arithmetic = Arithmetic::binary64};
   options.triangle_test = TriangleTest::binary64;
   add("plu_dsa/binary64/moeller_trumbore", false, options);

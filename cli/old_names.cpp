@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,10 +46,24 @@ bool names_a_design(std::string_view word) {
   return std::any_of(all.begin(), all.end(), [&](const rtl::Design& design) { return design.name == first; });
 }
 
+/// `--arithmetic robust` is `--arithmetic conservative` today.
+RenamedWords renamed_arithmetic(std::vector<std::string> words) {
+  std::string notice;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const bool is_value = words[i] == "robust" && words[i - 1] == "--arithmetic";
+    if (!is_value && words[i] != "--arithmetic=robust") continue;
+    words[i] = is_value ? "conservative" : "--arithmetic=conservative";
+    notice =
+        "`--arithmetic robust` is now `--arithmetic conservative`; the next release takes only the new form";
+  }
+  return {std::move(words), notice};
+}
+
 }  // namespace
 
 RenamedWords renamed(const std::vector<std::string>& words) {
   if (words.empty()) return {};
+  if (words.front() == "render") return renamed_arithmetic(words);
   const auto old = std::find_if(old_commands.begin(), old_commands.end(),
                                 [&](const OldCommand& command) { return command.name == words.front(); });
   const bool is_old = old != old_commands.end();

@@ -8,7 +8,7 @@ namespace hitpipe::cli {
 
 struct RenamedWords {
   std::vector<std::string> words;
-  std::string notice;  ///< what to write today, one line; empty if the words are those of today
+  std::string notice;  ///< what to write today, one line; empty if the user wrote that
 };
 
 /// The words of a command line, without the program's.

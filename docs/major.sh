@@ -17,7 +17,7 @@ field() {
 }
 
 units=('int_slabs 16/16' 'int_slabs 20/24' 'int_slabs 24/24' 'int_major 20+1/13' 'int_major_pair 20+1/13')
-echo "Extra triangle tests, % more than those of the robust traversal ($size x $size, all rays):"
+echo "Extra triangle tests, % more than the conservative software traversal ($size x $size, all rays):"
 echo
 printf '| scene |'
 printf ' %s |' "${units[@]}"

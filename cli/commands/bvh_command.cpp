@@ -212,7 +212,7 @@ CLI::App* add_bvh_command(CLI::App& program, int& /*exit_code*/) {
   add_format_option(*command, options->format);
   command->callback([options, records] {
     if (records->count() == 0 && (!options->unit.name.empty() || options->unit.bits))
-      throw std::runtime_error("bvh: a design and --bits are those of --records; give a file");
+      throw std::runtime_error("bvh: a design and --bits belong to --records; give --records FILE");
     report(*options);
   });
   return command;

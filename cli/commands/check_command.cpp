@@ -83,10 +83,10 @@ Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim:
     add_share(row, "false_miss_pct", r.false_miss_share);
     add_share(row, "false_hit_pct", r.false_hit_share);
   }
-  if (comparison != nullptr) row["robust_misses"] = comparison->false_misses;
+  if (comparison != nullptr) row["ize_misses"] = comparison->false_misses;
   if (comparison != nullptr && command.format != Format::text) {
-    add_share(row, "robust_false_miss_pct", comparison->false_miss_share);
-    row["robust_false_hits"] = comparison->false_hits;
+    add_share(row, "ize_false_miss_pct", comparison->false_miss_share);
+    row["ize_false_hits"] = comparison->false_hits;
   }
   if (command.rtl) row["rtl_mismatches"] = r.rtl_mismatches;
   return row;

@@ -229,14 +229,14 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
   add_flow_control_option(*command, how.flow_control);
   add_count_option(
       *command, "--seeds", how.seeds, {0, 100},
-      "Place with seeds 1 to N; the clock is that of the median and the best. With 0 the unit is "
+      "Place with seeds 1 to N; prints the clock of the median and of the best seed. With 0 the unit is "
       "not placed")
       ->capture_default_str();
   exclude(add_count_option(
               *command, "--simulate", how.simulate, {1, 10'000'000},
               "Simulate the mapped netlist with N vectors, as `hitpipe rtl --vectors` chooses them, and "
               "compare it with the C++"),
-          board, "the vectors are those of the unit alone, and on a board it stands behind a serial line");
+          board, "the vectors are for the unit alone, and on a board it stands behind a serial line");
   add_choice_option<sim::Simulator>(
       *command, "--simulator", how.simulator,
       {{"icarus", sim::Simulator::icarus}, {"verilator", sim::Simulator::verilator}},

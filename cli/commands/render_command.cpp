@@ -191,7 +191,7 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
        "Map of the box tests of all rays of a pixel: .exr holds the values, .png colours from none to most");
   file("--triangle-map", options->triangle_map, "The same for triangle tests");
   file("--extra-box-map", options->extra_box_map,
-       "Map of the box tests above those of robust float slabs, which are the default, in the same colours");
+       "Map of the box tests beyond conservative float slabs (the default), in the same colours");
   add_format_option(*command, options->format);
   add_rescale_options(*command, options->moves, {});
   as_input(command->add_option("image", options->images, "Two images of one size, for --compare"))

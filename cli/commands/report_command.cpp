@@ -51,7 +51,8 @@ std::string quoted(const std::string& word) {
 /// Which of the options that the user gave.
 enum class Given { all, of_scene, of_sweep };
 
-/// As given. Those of the scene are of the picture too; a sweep takes them and those of costs.
+/// The options as the user gave them. Options of the scene go to pictures and to a sweep, options of costs
+/// to a sweep alone.
 std::string options_given(const CLI::App& command, Given which) {
   std::string text;
   for (const CLI::Option* const option : command.get_options()) {
@@ -237,7 +238,7 @@ CLI::App* add_report_command(CLI::App& program, int& exit_code) {
                    "--rows", options->rows,
                    "Read the rows from a CSV file that hitpipe sweep wrote for this scene and size"))
           ->type_name("FILE");
-  exclude(add_bits_option(*command, options->swept, "those of hitpipe sweep"), rows,
+  exclude(add_bits_option(*command, options->swept, "as hitpipe sweep"), rows,
           "the rows of the file have their formats");
   add_cost_options(*command, options->cost);
   options->image.name = image_design();

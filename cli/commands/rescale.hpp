@@ -23,8 +23,8 @@ struct RescaleChoice {
   std::vector<NamedTransform> offsets;
 };
 
-/// Adds --rescale, --scale and --offset. The command has all its other options already; of these it allows
-/// those of the scene, --format and what is `used`.
+/// Adds --rescale, --scale and --offset. The command has all its other options already; with
+/// --rescale it allows the options of the scene, --format and `used`.
 void add_rescale_options(CLI::App& command, RescaleChoice& choice, const std::vector<std::string>& used);
 
 /// Renders the pictures, prints a row for each and returns the exit code. Without a design in software alone.

@@ -11,7 +11,7 @@ namespace hitpipe::cli {
 
 struct StiffCheck {
   DesignsChoice units;  ///< without names: the designs that never miss
-  std::string scene;    ///< empty: no boxes but drawn ones
+  std::string scene;    ///< empty: only drawn boxes
   std::uint64_t tests = 60'000;
   std::uint64_t rays = 2'000;
   std::uint64_t seed = 1;

@@ -15,8 +15,7 @@ namespace {
 
 void add_cost(CLI::App& command, const char* name, std::optional<double>& value, const std::string& what) {
   command
-      .add_option(name, value,
-                  what + " (default: that of a float unit of the same library, on a chip estimated)")
+      .add_option(name, value, what + " (default: a float unit's in the same library; an estimate on a chip)")
       ->transform(number_from(0.0, 1e6))
       ->type_name("X");
 }

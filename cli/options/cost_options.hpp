@@ -22,7 +22,7 @@ struct CostChoice {
 
   /// Throws what rtl::library_called() throws.
   [[nodiscard]] rtl::Library load() const { return rtl::library_called(library); }
-  /// What the user does not say is that of sim::triangle_cost(), which throws for some libraries.
+  /// What the user does not give comes from sim::triangle_cost(), which throws for some libraries.
   [[nodiscard]] sim::TriangleCost triangle(const rtl::Library& priced_by) const;
   [[nodiscard]] bool says_triangle() const { return triangle_ns || triangle_mm2 || triangle_luts; }
 };

@@ -44,7 +44,7 @@ void add_design_options(CLI::App& command, DesignChoice& choice) {
       ->type_name("NAME");
   command
       .add_option("--bits", choice.bits,
-                  "Number format. `hitpipe list designs --format json` shows those of each design. "
+                  "Number format. `hitpipe list designs --format json` shows the formats of each design. "
                   "n/t: n bits of a coordinate, t bits kept of a product")
       ->type_name("FORMAT");
 }
@@ -85,7 +85,7 @@ std::vector<sim::DesignFormats> DesignsChoice::formats(const std::vector<const r
     const std::size_t equals = text.find('=');
     const std::string name = equals == std::string::npos ? "" : text.substr(0, equals);
     const std::string format = equals == std::string::npos ? text : text.substr(equals + 1);
-    // Families may share a spelling: some take any eEmM, others only that of binary32.
+    // Families may share a spelling: some take any eEmM, others only e8m23.
     const auto has = [&](const sim::DesignFormats& each) {
       const rtl::FormatFamily& family = each.design->default_format.family();
       const std::optional<rtl::FormatNumbers> numbers = family.parse(format);

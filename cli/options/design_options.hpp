@@ -48,7 +48,7 @@ struct DesignsChoice {
   /// Each design once. Throws std::runtime_error when a name is unknown or a named design cannot be used.
   /// Without names, designs that cannot be used are left out, with a line on standard error.
   [[nodiscard]] std::vector<const rtl::Design*> designs(WhyNot why_not) const;
-  /// The formats that the user gave for each design. A design for which none was given gets those of
+  /// The formats that the user gave for each design. A design without one gets its formats from
   /// `otherwise`. Throws std::runtime_error for a format that none of these designs has.
   [[nodiscard]] std::vector<sim::DesignFormats> formats(const std::vector<const rtl::Design*>& designs,
                                                         const Formats& otherwise) const;

@@ -23,7 +23,7 @@ const Choices<Algorithm> algorithms{{"slabs", Algorithm::slabs},
                                     {"plu-dsa", Algorithm::plu_dsa}};
 const Choices<Arithmetic> arithmetics{{"float", Arithmetic::binary32},
                                       {"double", Arithmetic::binary64},
-                                      {"robust", Arithmetic::conservative},
+                                      {"conservative", Arithmetic::conservative},
                                       {"integer", Arithmetic::integer}};
 
 template <class Value>
@@ -65,8 +65,9 @@ void add_trace_options(CLI::App& command, TraceChoice& choice) {
       command, "--traversal", tracer.algorithm, algorithms,
       "Box test and order of children: fixed, nearer box first (dist), or by direction and "
       "split axis (dsa)");
-  add_choice_option<Arithmetic>(command, "--arithmetic", tracer.arithmetic, arithmetics,
-                                "Arithmetic of the box test. robust: floats with a proven bound, slabs only");
+  add_choice_option<Arithmetic>(
+      command, "--arithmetic", tracer.arithmetic, arithmetics,
+      "Arithmetic of the box test. conservative: floats widened by a proven bound, never misses, slabs only");
   command.add_option("--bits", choice.bits, "Number format of integer arithmetic (default: 24/24)")
       ->type_name("n/t");
   add_choice_option<Encoding>(command, "--encoding", tracer.encoding,

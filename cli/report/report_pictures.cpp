@@ -101,7 +101,7 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
 
   const ref::RenderResult software = studio.render(*ref::make_tracer(scene.mesh, bvh, {}));
   const ref::TraceCounts reference = software.counts.total();
-  studio.image("software", software.image, "Software: robust float slabs.",
+  studio.image("software", software.image, "Software: conservative float slabs.",
                fmt::format("The scene {} rendered by software", scene.name),
                row_of("software", reference.box_tests, reference.triangle_tests, render + " --out FILE.png"));
 
@@ -128,7 +128,7 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
                                   choice.scene_options)));
 
   studio.map(
-      "box_tests", software.box_tests, "Box tests of all rays of a pixel, robust float slabs.",
+      "box_tests", software.box_tests, "Box tests of all rays of a pixel, conservative float slabs.",
       "Heat map of the box tests of each pixel",
       row_of("software", reference.box_tests, reference.triangle_tests, render + " --box-map FILE.png"));
   std::vector<rtl::Format> formats{choice.format};
@@ -143,7 +143,7 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
     std::replace(file.begin(), file.end(), '/', '_');
     studio.map(
         file, ref::extra_box_tests(work, software),
-        fmt::format("Extra box tests of a pixel: {} {} above robust float slabs. {} in all, of {}.",
+        fmt::format("Extra box tests of a pixel: {} {} above conservative float slabs. {} in all, of {}.",
                     choice.design->name, bits,
                     readable_number(std::to_string(static_cast<std::int64_t>(counts.box_tests) -
                                                    static_cast<std::int64_t>(reference.box_tests))),

@@ -288,10 +288,10 @@ std::string report_html(const ReportFacts& facts) {
   Page page("hitpipe: which box test for " + facts.scene + "?");
   page.paragraph(
       "Every unit below traced the same rays through the same hierarchy, each of its box tests answered by "
-      "its Verilog. Error is what a unit does in vain: box and triangle tests beyond those of a software "
+      "its Verilog. Error is extra work: the box and triangle tests that a unit makes beyond a software "
       "traversal in floats. Run time is clock cycles, as counted, times the clock period. Area is compared "
-      "for each box that a unit tests in a cycle. The whole cost adds the triangle tests: a box that a unit "
-      "accepts in vain is paid for there.");
+      "for each box that a unit tests in a cycle. The whole cost adds the triangle tests: a false "
+      "hit is paid for there.");
 
   page.heading("What was asked");
   page.commands({facts.command});
@@ -302,11 +302,11 @@ std::string report_html(const ReportFacts& facts) {
 
   page.heading("Error against cost");
   page.paragraph(
-      "Up: tests in vain, above those of the reference, robust float slabs in software. Axes end where the "
-      "data does. Each mark has its formats beside it, n/t. Formats of a design that would cover one another "
-      "share a mark; marks of different designs that would, stand side by side. No unit lies below and left "
-      "of "
-      "the dashed front. The first three diagrams count box tests alone, as the thesis does, the next two "
+      "Up: extra tests, above the reference, which is conservative float slabs in software. Axes end "
+      "where the data does. Each mark has its formats beside it, n/t. Formats of one design at the same "
+      "place share a mark; marks of different designs there stand side by side. No unit lies below and "
+      "left of the dashed front. The first three diagrams count box tests alone, as the thesis does, the "
+      "next two "
       "triangle tests too. The last one has the bytes that a ray reads from memory.");
   for (const Drawing& d : facts.diagrams) page.plot(d.svg, d.alternative, d.caption);
 
@@ -371,7 +371,7 @@ std::string report_html(const ReportFacts& facts) {
   }
 
   page.heading("To repeat it");
-  page.paragraph("No number but a time depends on threads or machine. Seeds are those of the commands.");
+  page.paragraph("No number but a time depends on threads or machine. The commands show their seeds.");
   page.commands(commands_of(facts));
   page.heading("Versions");
   std::vector<std::pair<std::string, std::string>> made_by = versions();

@@ -57,7 +57,7 @@ std::string name_of(const ResultTable& table) {
   return is_table(table) ? "Table " + table.number : "No table";
 }
 
-/// The verdict of a table is that of its worst statement; nothing if none was measured.
+/// A table has the verdict of its worst statement; nothing if none was measured.
 std::optional<Verdict> verdict_of(const ResultTable& table) {
   if (table.findings.empty()) return std::nullopt;
   Verdict worst = Verdict::agrees;
@@ -149,7 +149,8 @@ constexpr const char* rule =
     "is "
     "about: where the\nthesis says \"4 % more tests\", 4 and not 104. A printed figure stands for all that "
     "is "
-    "rounded to it. A statement has the\nverdict of its worst figure, a table that of its worst statement. "
+    "rounded to it. A statement has the\nverdict of its worst figure, a table the verdict of its worst "
+    "statement. "
     "An interval says how far another sample of the\nimage's tiles would move our figure. "
     "[`verdict.hpp`](../../sw_ref/thesis/verdict.hpp) is the rule, "
     "and\n[reproduction.md](../reproduction.md) "
@@ -180,7 +181,7 @@ std::string reproduction_page(const std::vector<ResultTable>& tables, const std:
   text +=
       "## Every figure, by column\n\nThe CSV file beside this page has each figure. `fp32` and the numbers "
       "of "
-      "nodes and bytes are those of\nother people's scenes; the changes beside them are what the thesis is "
+      "nodes and bytes belong to\nother people's scenes; the changes beside them are what the thesis is "
       "about.\n\n"
       "| table | column | all | agree | same order | differ | median factor |\n"
       "|---|---|--:|--:|--:|--:|--:|\n";

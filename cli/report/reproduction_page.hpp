@@ -1,5 +1,5 @@
-// The thesis beside our runs: every statement with its figures, and how far the figures of each table are
-// from the printed ones. Markdown for people, CSV with every figure.
+// The thesis beside our runs: every statement with its figures, and how far our figures are from the
+// printed figures. Markdown for people, CSV with every figure.
 #pragma once
 
 #include <string>

@@ -72,7 +72,7 @@ std::string plot_script(const Plot& plot) {
     text += fmt::format("set title {} noenhanced\nplot", gnuplot_string(panel.title));
     for (std::size_t l = 0; l < panel.lines.size(); ++l) {
       const LineStyle& style = line_styles[l % line_styles.size()];
-      // The last point is that of zero and stands alone.
+      // The last point is for a component of zero and stands alone.
       text += fmt::format(
           "{0} $panel{1} using 1:{2} every ::0::{3} with linespoints lc rgb '{4}' pt {5} ps 0.6 "
           "lw 1.5 title {6}, $panel{1} using 1:{2} every ::{7} with points lc rgb '{4}' pt "

@@ -10,7 +10,7 @@ namespace hitpipe::cli {
 
 struct PlotLine {
   std::string title;            ///< the format
-  std::vector<double> percent;  ///< by stiffness; the last is that of a zero component
+  std::vector<double> percent;  ///< by stiffness; the last is for a zero component
 };
 
 struct PlotPanel {

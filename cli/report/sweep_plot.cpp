@@ -32,8 +32,8 @@ constexpr std::array design_colours{"#0072B2", "#D55E00", "#806000", "#000000", 
                                     "#56B4E9", "#8C6D31", "#444444", "#7A1F5C", "#004C77", "#8F3F00"};
 constexpr std::array design_shapes{7, 5, 8, 13, 10, 9, 11, 15, 4, 6, 12, 14};
 
-constexpr const char* extra_boxes = "extra box tests, % above robust float slabs";
-constexpr const char* extra_triangles = "extra triangle tests, % above robust float slabs";
+constexpr const char* extra_boxes = "extra box tests, % above conservative float slabs";
+constexpr const char* extra_triangles = "extra triangle tests, % above conservative float slabs";
 using Diagrams = std::array<Diagram, 6>;
 
 constexpr Diagrams diagrams_of(bool on_chip) {

@@ -1,7 +1,7 @@
 // Diagrams of a sweep (SVG, by gnuplot): error against cost, with the Pareto front, and occupancy against
 // rays in flight. Each mark has its units' names beside it, axes end where the data does, and what is plotted
 // are columns of the rows' file. Each design has a mark of its own, up to twelve in shape as in
-// colour, so that the pictures can be read in grey. Colours are those of Okabe and Ito.
+// colour, so that the pictures can be read in grey. Colours are Okabe and Ito's.
 #pragma once
 
 #include <compare>

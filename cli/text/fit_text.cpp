@@ -16,7 +16,7 @@ before, after  area in mm2, account built: the whole design, and what is left
 saved%, ADP%   of the area, and of area times delay
 stages         before>after
 bytes          of a node of the hierarchy in so many bits
-extra%         box tests beyond those of robust float slabs, which miss none
+extra%         box tests beyond conservative float slabs, which miss none
 wrong          answers and triangles that differ, and false misses; must be 0
 )";
 

@@ -129,7 +129,7 @@ std::string stiffness_text(const std::vector<MeasuredDesign>& designs, const std
     text += text_of(d, boxes_pct, boxes_interval, 4, "false hits, % of the boxes that the ray misses");
     if (!scene.empty()) {
       text += '\n' + text_of(d, traversals_pct, traversals_interval, 2,
-                             fmt::format("extra box tests on {}, % above robust float slabs", scene));
+                             fmt::format("extra box tests on {}, % above conservative float slabs", scene));
     }
   }
   const Measured& any = designs.front().formats.front();
@@ -145,7 +145,7 @@ Plot boxes_plot(const std::vector<MeasuredDesign>& designs) {
 
 Plot traversals_plot(const std::vector<MeasuredDesign>& designs, const std::string& scene) {
   return plot_of(designs, traversals_pct,
-                 fmt::format("Box tests of stiff rays on {}, above robust float slabs", scene),
+                 fmt::format("Box tests of stiff rays on {}, above conservative float slabs", scene),
                  "extra box tests");
 }
 

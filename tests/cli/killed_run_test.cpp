@@ -1,5 +1,5 @@
 // A run killed at any moment (SIGKILL, so none of its code runs any more) leaves whole files or none. The
-// next run into the same folder makes all of them and removes the temporary ones.
+// next run into the same folder makes all of them and removes the temporary files.
 #include <array>
 #include <chrono>
 #include <random>

@@ -52,7 +52,7 @@ TEST_F(WrongUseOf, OptionsThatExcludeEachOther) {
        {"board --port x --simulate",
         "--simulate excludes --port: the simulated board has a port of its own;"},
        {"implement --board icebreaker --simulate 9 --out OUT",
-        "--simulate excludes --board: the vectors are those of the unit alone, and on a board it stands "
+        "--simulate excludes --board: the vectors are for the unit alone, and on a board it stands "
         "behind a "
         "serial line;"},
        {"check int_slabs --stiff --rtl",
@@ -89,17 +89,18 @@ TEST_F(WrongUseOf, NamesOfDesignsAndFormats) {
        {"rtl fp_slabs --out OUT", "area fp_slabs", "check fp_slabs",
         "sweep fp_slabs --scene spheres --out OUT", "fit fp_slabs,fp_plucker --scene spheres --out OUT"})
     rejected({{command + " --bits 12/12", floats}});
-  rejected({{"area --bits 20/24", "--bits requires design;"},
-            {"check", "check: 0 designs; allowed is one of: DESIGNS"},
-            {"check int_slabs fp_slabs", "check: 2 designs; allowed is one of: DESIGNS"},
-            {"check int_slabs --bits 6/6,7/7", "check: 2 formats; allowed is one"},
-            {"check --stiff int_slabs --bits 6/6,7/7,8/8,9/9,10/10,11/11,12/12,13/13,14/14",
-             "--bits: 9 formats for int_slabs; allowed are 8 at most;"},
-            {"bvh int_slabs --scene spheres", "bvh: a design and --bits are those of --records; give a file"},
-            {"bvh int_slabs --scene spheres --records OUT.hex",
-             "design int_slabs: there is no record of a node that its unit reads"},
-            {"bvh --scene spheres --records OUT.txt",
-             "--records OUT.txt: unknown extension \".txt\"; allowed are .hex and .bin"}});
+  rejected(
+      {{"area --bits 20/24", "--bits requires design;"},
+       {"check", "check: 0 designs; allowed is one of: DESIGNS"},
+       {"check int_slabs fp_slabs", "check: 2 designs; allowed is one of: DESIGNS"},
+       {"check int_slabs --bits 6/6,7/7", "check: 2 formats; allowed is one"},
+       {"check --stiff int_slabs --bits 6/6,7/7,8/8,9/9,10/10,11/11,12/12,13/13,14/14",
+        "--bits: 9 formats for int_slabs; allowed are 8 at most;"},
+       {"bvh int_slabs --scene spheres", "bvh: a design and --bits belong to --records; give --records FILE"},
+       {"bvh int_slabs --scene spheres --records OUT.hex",
+        "design int_slabs: there is no record of a node that its unit reads"},
+       {"bvh --scene spheres --records OUT.txt",
+        "--records OUT.txt: unknown extension \".txt\"; allowed are .hex and .bin"}});
 }
 
 TEST_F(WrongUseOf, Scenes) {
@@ -204,7 +205,7 @@ TEST_F(WrongUseOf, Words) {
         "--bits 20/24: only --arithmetic integer has them; leave --bits out"},
        {render + "--traversal dsa",
         "--traversal: dsa is none of slabs, plu, slabs-dist, slabs-dsa, plu-dsa;"},
-       {render + "--arithmetic half", "--arithmetic: half is none of float, double, robust, integer;"},
+       {render + "--arithmetic half", "--arithmetic: half is none of float, double, conservative, integer;"},
        {render + "--encoding h5", "--encoding: h5 is none of plain, h4, h8, h12, h16;"},
        {render + "--bundle 32", "--bundle: 32 is none of 1, 64, 256;"},
        {render + "--triangle-test no", "--triangle-test: no is none of exact, float, double;"},

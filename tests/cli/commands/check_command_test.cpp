@@ -75,8 +75,8 @@ TEST(CheckCommand, PrintsJsonWithTheRobustFormBesideFloatSlabs) {
   EXPECT_EQ(usual.size(), 11U);
   const Outcome outcome = hitpipe("check fp_slabs" + how);
   std::vector<std::string> beside = usual;
-  beside.insert(beside.end(), {"robust_misses", "robust_false_miss_pct", "robust_false_miss_pct_low",
-                               "robust_false_miss_pct_high", "robust_false_hits"});
+  beside.insert(beside.end(), {"ize_misses", "ize_false_miss_pct", "ize_false_miss_pct_low",
+                               "ize_false_miss_pct_high", "ize_false_hits"});
   EXPECT_EQ(keys_of(outcome.out), beside);
   const json row = json::parse(outcome.out).front();
   const auto number = [&](const char* key) { return row.at(key).get<double>(); };
@@ -84,7 +84,7 @@ TEST(CheckCommand, PrintsJsonWithTheRobustFormBesideFloatSlabs) {
   EXPECT_DOUBLE_EQ(number("false_miss_pct"), 100.0 * number("false_misses") / number("hits"));
   EXPECT_DOUBLE_EQ(number("false_hit_pct"),
                    100.0 * number("false_hits") / (number("tests") - number("hits")));
-  EXPECT_LT(number("robust_misses"), number("false_misses"));
+  EXPECT_LT(number("ize_misses"), number("false_misses"));
 }
 
 /// The boxes of a ray are neighbours and have much the same answer. An interval that takes them for
@@ -266,7 +266,7 @@ TEST(CheckStiff, CountsBoxTestsOfASceneAndWritesRowsAndPlots) {
         "ratio of direction components", "false hits, %"})
     EXPECT_THAT(contents_of(out + "/stiffness.svg"), HasSubstr(word));
   EXPECT_THAT(contents_of(out + "/stiffness_scene.svg"),
-              HasSubstr("Box tests of stiff rays on spheres, above robust float slabs"));
+              HasSubstr("Box tests of stiff rays on spheres, above conservative float slabs"));
 }
 
 }  // namespace

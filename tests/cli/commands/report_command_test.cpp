@@ -49,7 +49,7 @@ class ReportCommand : public testing::Test {
   static inline std::string page_;
 };
 
-/// The designs that the report measures in a format beside those of Table 7.2, and these formats as it names
+/// The designs that the report measures in a format beyond Table 7.2, and these formats as it names
 /// them for a sweep: the given one of their family, or their own.
 struct Others {
   std::vector<std::string> designs, formats;

@@ -1,4 +1,4 @@
-// `hitpipe table`: our figures and those of the thesis in the same rows, and the page that judges them.
+// `hitpipe table`: our figures and the thesis's in the same rows, and the page that judges them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

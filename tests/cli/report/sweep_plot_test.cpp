@@ -95,7 +95,7 @@ TEST(Diagram, HasTheFrontOfAreasForEachBox) {
   EXPECT_THAT(script, HasSubstr("set xlabel 'area for each box tested in a cycle, mm²'"));
 }
 
-/// By box tests alone the small unit is cheaper. As a whole it is not, for what it accepts in vain.
+/// By box tests alone the small unit is cheaper. With its false hits it is not.
 TEST(Diagram, OfTheWholeHasAnotherFrontThanThatOfBoxTests) {
   sim::SweepRow small = row("int_slabs", "8/8", 1100);
   small.area_um2 = 500'000;
