@@ -60,9 +60,9 @@ for unit, _, _, extra, on_up5k, on_artix in readme:
     else:
         same('README.md', f'{unit}, extra tests', extra, 'not measured')
     row = chips[unit, 'ice40_up5k']
-    fits = f'{share(row)} %, {row[4]}, {rounded(clock(row))} MHz' if clock(row) else 'does not fit'
+    fits = f'{share(row)} %, {row[4]}, {rounded(clock(row))}' if clock(row) else 'does not fit'
     same('README.md', f'{unit} on UP5K', on_up5k, fits)
     row = chips[unit, 'xc7']
-    same('README.md', f'{unit} on Artix-7', on_artix.replace(', for two boxes', ''), f'{row[2]} and {row[4]}')
+    same('README.md', f'{unit} on Artix-7', on_artix, f'{row[2]}, {row[4]}')
 if len(readme) < 5: wrong += 1
 sys.exit(wrong > 0)
