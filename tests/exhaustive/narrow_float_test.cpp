@@ -1,5 +1,6 @@
 // The float unit that never misses, in e3m2: every origin, box and direction of one axis, and triples of axes
-// by chance. The numbers are those of the format, all halfway between two of them, and those beside.
+// by chance. The numbers are all numbers of the format, all halfway between two of them, and their
+// neighbours.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Every ray and box of a small world, for widths so narrow that the half units of rounding are large:
 //   directions  all of a float format of 1 sign, 2 exponent and 1 or 2 significand bits, subnormals included
-//   boxes       all whose corners lie on a sub-grid, flat ones included
+//   boxes       all whose corners lie on a sub-grid, flat boxes included
 //   origins     grid ties: +-1/2 times the odd G = 2^(n-2) - 1 rounds up by half a unit, the binary32 below
 //               1/2 down by almost as much; the sub-grid has ties too, where a box is rounded by nothing
 #pragma once

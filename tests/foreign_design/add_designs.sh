@@ -47,7 +47,7 @@ hitpipe=build/hitpipe
 "$hitpipe" rtl int_slabs --out "$work/rtl"
 "$hitpipe" rtl my_slabs --out "$work/rtl"
 sed 's/my_slabs/int_slabs/g' "$work/rtl/my_slabs.v" | diff "$work/rtl/int_slabs.v" - >"$work/changed" &&
-  fail 'the Verilog of the changed copy is that of int_slabs'
+  fail 'the changed copy has the Verilog of int_slabs'
 grep '^[<>]' "$work/changed" | grep -vE 'near.*<.*irlen|irlen.*<.*near|^. *//' && fail 'more than the changed line is new'
 
 small=(--scene spheres --width 24 --height 24)

@@ -1,4 +1,4 @@
-// The demands of a proof: those of a demand set, given by its number from 0, or those of a fitted unit, given
+// The demands of a proof: a demand set, given by its number from 0, or the demands of a fitted unit, given
 // by its manifest.
 #pragma once
 

@@ -55,7 +55,7 @@ std::string instances(const rtl::Graph& graph, const std::string& design, rtl::F
       stalls ? ".out_ready(out_ready), " : "");
 }
 
-/// An assertion for each result: it is that of the first operands.
+/// An assertion for each result: it belongs to the first operands.
 std::string each_result_is(const rtl::Graph& graph) {
   std::string text;
   int low = 0;

@@ -59,7 +59,7 @@ components_of() {
   done <components
 }
 
-# all_without_flow_control DESIGN FORMAT: the same of the design that never waits, and its result FIFO.
+# all_without_flow_control DESIGN FORMAT: the same proofs for the design that never waits, and its result FIFO.
 all_without_flow_control() {
   enter "$1" "$2" none
   row "$1, no flow control: valid, tags" "$2" proved prove_control "$1"

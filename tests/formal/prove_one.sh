@@ -25,7 +25,7 @@ cat >"$work/damaging" <<END
 END
 chmod +x "$work/damaging"
 "$prove" "$work/damaging" "$emit_lemmas" "$work/damaged" int_slabs 6/6 >"$work/table" && fail 'damage is not found'
-grep -q 'HIT and tag of its operands .*NOT PROVED' "$work/table" || fail 'another proof failed than that of the results'
+grep -q 'HIT and tag of its operands .*NOT PROVED' "$work/table" || fail 'a proof failed that is not about the results'
 
 # refused LINE-PART ARGUMENT...
 refused() {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # run.sh FOLDER SECONDS: runs every *_fuzz of FOLDER, SECONDS in all, from the seeds beside this script, those in FOLDER/seeds
-# and what earlier runs found. SEED=n (1) draws other inputs: with one seed a fresh folder sees the same ones each time, as far as
+# and what earlier runs found. SEED=n (1) draws other inputs: with one seed a fresh folder sees the same inputs each time, as far as
 # the seconds last. One line a target. Fails on a crash, a leak, a time-out, or a target that did not run; the input that did it
 # is kept.
 set -eu

@@ -27,7 +27,7 @@ using hitpipe::message_of;
 using rtl::read_text;
 using rtl::write_text;
 
-/// Files below a folder, also hidden ones.
+/// Files below a folder, hidden files too.
 std::vector<std::string> files_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

@@ -78,7 +78,7 @@ TEST(ThreadSeconds, GrowWithWorkOfTheThreadAlone) {
   });
   other.join();
   EXPECT_GE(of_other, 0.2);
-  // This thread only waited, so its time is far less than that of the other's work.
+  // This thread only waited, so its time is far less than the other thread's.
   EXPECT_LT(thread_seconds() - before, 0.1);
 }
 

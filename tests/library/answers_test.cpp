@@ -1,4 +1,4 @@
-// Operands, HIT, results and exact answers of the library, against those that the program computes.
+// Operands, HIT, results and exact answers of the library, against the program's.
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -63,7 +63,7 @@ TEST(LibraryAnswers, OfTwoBoxesAreThoseOfTheUnitForOneBox) {
     ASSERT_EQ(both.hit, each.hit);
     ASSERT_EQ(both.exact, each.exact);
     hits += both.hit[0] + both.hit[1];
-    // The results are those of the test of both, or of the parent's test where the ray misses it.
+    // The results belong to the test of both, or to the parent's test if the ray misses it.
     ASSERT_EQ(both.results[0] != 0, both.hit[0] != 0);
   }
   EXPECT_GT(hits, 100U);

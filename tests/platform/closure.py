@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What a Debian 12 with git and make has once packages.txt is installed: the closure of packages.txt without recommended packages.
   closure.py files BUILD    every file outside the tree that CMake, compiler and linker read for BUILD belongs to a package of it
-  closure.py path FOLDER    links all its programs into FOLDER: whoever has only FOLDER in PATH starts no other ones by name
+  closure.py path FOLDER    links all its programs into FOLDER: whoever has only FOLDER in PATH starts no other programs by name
 Ends with 77 on another system."""
 import os
 import re

@@ -13,7 +13,7 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-# These need headers that packages.txt does not bring, or those of a Verilated unit.
+# These need headers that packages.txt does not bring, or headers of a Verilated unit.
 NEEDS_OTHERS = {"bench/embree_tracer.hpp", "hls/num/vendor.hpp", "tests/hls/num/vendor_domain_test.cpp",
                 "tests/hls/num/vendor_fp_test.cpp", "examples/verilated_unit/main.cpp"}
 

@@ -1,5 +1,5 @@
 (* The unit int_major as integer arithmetic, its ray set-up and its boxes as rational arithmetic.
-   A float is a rational number, so rational inputs cover all floats. Names are those of the C++. *)
+   A float is a rational number, so rational inputs cover all floats. Names are as in the C++. *)
 From Coq Require Import ZArith QArith Qabs Qround Lia Bool.
 From HitpipeMajor Require Import Numbers.
 Open Scope Z_scope.

@@ -12,7 +12,7 @@ Fixpoint or_of (levels : nat) (bits : Z) : Z :=
       or_of fewer (Z.lor (slice bits (2 * half - 1) half) (slice bits (half - 1) 0))
   end.
 
-(* The low bits of x, with those of `fill` shifted in below them. *)
+(* The low bits of x, with `fill` shifted in below them. *)
 Definition shifted_in (bits fill x amount : Z) : Z :=
   cat amount (slice x (bits - 1 - amount) 0) (slice fill (amount - 1) 0).
 

@@ -40,7 +40,7 @@ class Draw {
       if (bits.proved()) return bits;
     }
   }
-  /// Round numbers give ties, and tiny ones take the rare paths of the rounding code.
+  /// Round numbers give ties, and tiny numbers take the rare paths of the rounding code.
   float coordinate() {
     switch (integer(0, 4)) {
       case 0:

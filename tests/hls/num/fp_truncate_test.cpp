@@ -21,7 +21,7 @@ using exact::FloatFormat;
 using exact::Integer;
 
 /// The pattern of a magnitude in smallest subnormal numbers, cut to M fraction bits. Field 0 is the binade of
-/// 2^-bias, and that of all below.
+/// 2^-bias, and the place of all below.
 std::uint64_t pattern_of(const FloatFormat& format, const Integer& units) {
   if (units == 0) return 0;
   const int m = format.fraction_bits;

@@ -1,5 +1,5 @@
 // The saturating shift against plain integers: every number and exponent of narrow widths, corners and random
-// numbers of wide ones, with widths known when the code is compiled and with widths known at run time.
+// numbers of wide formats, with widths known when the code is compiled and with widths known at run time.
 #include "hls/num/saturating_shift.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The float operators on widths known at run time give the bits of the native domain: all pairs of small
-// formats, random pairs of wide and lopsided ones, all pairs of binary32 corners.
+// formats, random pairs of wide and lopsided formats, all pairs of binary32 corners.
 #include <cstdint>
 #include <iostream>
 #include <random>

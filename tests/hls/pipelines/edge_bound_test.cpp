@@ -1,6 +1,6 @@
 // EBND of section 6.3.2 by brute force: the least side relation that a ray can have with an edge when it
 // passes on the inner side. It covers all planes and rounded directions of a small n, for every number of
-// dropped bits. Two axes are enough. A third axis, that of the largest direction component, only says that a
+// dropped bits. Two axes are enough. A third axis, along which the direction is largest, only says that a
 // box's point is reached at s <= 1.
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// The catalogue: designs by name, formats by text, and the messages for those that do not exist.
+// The catalogue: designs by name, formats by text, and the messages for unknown names.
 #include "rtl_gen/catalogue/design.hpp"
 
 #include <algorithm>

@@ -117,7 +117,7 @@ TEST(Formats, OfEveryFloatAreReadBackAndNoOthersExist) {
   }
 }
 
-/// The limits, written without those of MajorBits.
+/// The limits, written without MajorBits' own.
 bool allowed(int n, int g, int p, int fraction) {
   return n >= 6 && n <= 32 && g >= 0 && g <= 3 && p >= 4 && p <= 32 && fraction >= -2 && fraction <= 3 &&
          n + g + p <= 63;

@@ -50,7 +50,7 @@ class Scene {
       : ports_(design.ports(format)), demands_(set_up_demands(ports_)) {}
 
   [[nodiscard]] Demands demands() const { return demands_; }
-  /// The ports with the first role, then those with the next, of all axes or of one.
+  /// The ports with the first role, then the ports with the next, of all axes or of one.
   [[nodiscard]] std::vector<Port> with(std::initializer_list<hls::Role> roles,
                                        std::optional<hls::Axis> axis = std::nullopt) const {
     std::vector<Port> found;

@@ -1,4 +1,4 @@
-// Names in the Verilog: those of the C++ if possible, never a keyword, never one name for two things.
+// Names in the Verilog: as in the C++ if possible, never a keyword, never one name for two things.
 #include "rtl_gen/verilog/names.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The registers that Yosys finds in the Verilog are exactly those that the schedule placed.
+// The registers that Yosys finds in the Verilog are exactly the registers that the schedule placed.
 #include <regex>
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ int component_bits(const Pipeline& p, NodeId id) {
   return bits_inside(inside, schedule_as_stated(inside, shape.stages));
 }
 
-/// Latches between the values, inside the components, and those that go along: a valid bit and a tag at each
+/// Latches between the values, inside the components, and beside them: a valid bit and a tag at each
 /// boundary.
 int placed_bits(const Pipeline& p) {
   int bits = bits_of(p.placement) + (p.schedule.stages + 1) * (1 + tag_bits);

@@ -18,7 +18,7 @@ struct BlockBits {
   /// Exponents are 0..N-M.
   constexpr int exponent() const { return count_bits(coord - mantissa + 1); }
   constexpr int product() const { return 2 * coord - 1; }
-  /// Origins and planes lie in -G-1..G+1, so a difference has N bits. G is that of ref::quantise_box.
+  /// Origins and planes lie in -G-1..G+1, so a difference has N bits. G is as in ref::quantise_box().
   constexpr std::int64_t largest_point() const { return (std::int64_t{1} << (coord - 2)) - 1; }
   constexpr std::int64_t largest_component() const { return (std::int64_t{1} << (coord - 1)) - 1; }
   constexpr std::int64_t largest_mantissa() const { return (std::int64_t{1} << (mantissa - 1)) - 1; }

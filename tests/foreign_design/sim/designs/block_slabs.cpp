@@ -1,4 +1,4 @@
-// The operands of hls::BlockSlabsOperands. Rays are those of int_slabs, and boxes are rounded outward once
+// The operands of hls::BlockSlabsOperands. Rays are as in int_slabs, and boxes are rounded outward once
 // more.
 #include "hls/box/block_slabs_operands.hpp"
 #include "hls/box/int_format.hpp"
@@ -65,7 +65,7 @@ class BlockSetup {
   ref::IntSlabsRay ray_;
 };
 
-/// Of a mantissa a scene tells nothing: its exponent is that of the largest plane.
+/// A scene tells nothing of a mantissa: the largest plane decides the exponent.
 std::optional<SceneDemand> block_demand(const rtl::Port& port, const rtl::Format& format,
                                         const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
   const int n = block_grid(format).coord;
