@@ -89,7 +89,7 @@ struct Cluster {
   }
 };
 
-/// Joins what belongs to one design and would cover, until nothing does.
+/// Joins marks of one design that would cover one another, until none would.
 std::vector<Cluster> clusters_of(std::span<const sim::SweepRow> units, std::span<const Mark> places) {
   std::vector<Cluster> clusters;
   for (std::size_t i = 0; i < units.size(); ++i)

@@ -180,7 +180,8 @@ ComponentUse component_of(const Graph& graph, NodeId node) {
 Cell timing_of(const Graph& graph, NodeId node, const Library& library) {
   const Node& n = graph[node];
   if (n.op == Op::mul) {
-    // The square multiplier whose product is as wide has as long a sum, and no fewer rows to add.
+    // A square multiplier with a product of this width has a sum of the same length and at least as many
+    // rows.
     const int bits = (graph[n.args[0]].width + graph[n.args[1]].width + 1) / 2;
     return library.timing(Component::int_multiply, bits);
   }

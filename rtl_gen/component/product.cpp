@@ -64,7 +64,7 @@ Halves cut(const ProductShape& s, Way way, int at) {
   return {{s.width_a, at, s.a_signed, false}, {s.width_a, s.width_b - at, s.a_signed, s.b_signed}};
 }
 
-/// The sum of two products needs an adder for the bits of the higher one.
+/// The sum of two products needs an adder for the bits of the higher product.
 int adder_bits(const ProductShape& whole, int at) {
   return whole.width() - at;
 }
@@ -140,9 +140,9 @@ struct Term {
   bool is_negative = false;  ///< to be subtracted
 };
 
-/// The sum modulo 2^width. `upper` begins no lower than `lower`, and `lower` is not subtracted. One of two
-/// terms alone has a sign only where `upper` has the product's highest bit; then `width` is what limits the
-/// sum, and a sign bit for the other term would be cut off again.
+/// The sum modulo 2^width. `upper` begins no lower than `lower`, and `lower` is not subtracted. If only
+/// one term has a sign, `upper` has the product's highest bit. Then `width` limits the sum, and a sign bit
+/// for the other term would be cut off again.
 Term sum_of(Graph& to, const Term& lower, const Term& upper, int width) {
   const int shift = upper.low - lower.low;
   const bool is_signed = lower.is_signed || upper.is_signed || upper.is_negative;

@@ -204,7 +204,7 @@ module {module}_tb;
     forever #5 clk = ~clk;
   end
 
-  // Values change at the falling edge; {seen} are seen as they stand before the rising one.
+  // Values change at the falling edge; {seen} are seen as they stand before the rising edge.
   initial begin
     if ($value$plusargs("waves=%s", waves)) begin
       $dumpfile(waves);

@@ -50,7 +50,8 @@ namespace detail {
 
 namespace {
 
-/// Of a beside b: an unsigned operand beside a signed one needs a zero bit above it.
+/// The width of a in an operation with b: an unsigned operand beside a signed operand needs a zero bit on
+/// top.
 int exact_width(Operand a, Operand b) {
   return TraceRecorder::graph()[a.id].width + (b.is_signed && !a.is_signed ? 1 : 0);
 }
@@ -75,7 +76,8 @@ NodeId less(Operand a, Operand b) {
 NodeId product(Operand a, Operand b) {
   Graph& graph = TraceRecorder::graph();
   const int width = graph[a.id].width + graph[b.id].width;
-  // A multiplier has one sign for both operands; an unsigned one beside a signed one gains a zero bit.
+  // A multiplier reads both operands as signed or both as unsigned; an unsigned operand beside a signed
+  // operand gains a zero bit.
   const NodeId left = graph.resize(a.id, exact_width(a, b), a.is_signed);
   const NodeId right = graph.resize(b.id, exact_width(b, a), b.is_signed);
   return graph.slice(graph.binary(Op::mul, left, right, a.is_signed || b.is_signed), width - 1, 0);

@@ -107,7 +107,7 @@ std::optional<std::string> broken(const OrderDemand& order, const Demands& deman
   if (!keeps_numbers(demands, *port_called(original, order.lesser), *lesser) ||
       !keeps_numbers(demands, *port_called(original, order.greater), *greater))
     return std::nullopt;
-  // An unsigned port needs one bit more beside a signed one.
+  // An unsigned port needs one bit more beside a signed port.
   const bool is_signed = lesser->is_signed || greater->is_signed;
   const auto need = [&](const Port& p) { return p.width + (is_signed && !p.is_signed ? 1 : 0); };
   const int width = std::max(need(*lesser), need(*greater));

@@ -18,8 +18,8 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// The bits of a value that must be computed. Those below are known. Those above are known too, or with
-/// `by_sign` they repeat the highest computed one.
+/// The bits of a value that must be computed. All lower bits are known. All higher bits are known too, or
+/// with `by_sign` they repeat the highest computed bit.
 struct Core {
   int width;  ///< the bits below included
   int low;    ///< how many bits are below

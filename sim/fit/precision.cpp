@@ -38,7 +38,7 @@ double extra_pct(std::uint64_t taken, std::uint64_t reference) {
   return 100.0 * (static_cast<double>(taken) / static_cast<double>(reference) - 1.0);
 }
 
-/// The first good one of `sorted`. If one is good, all after it are good; the last one is.
+/// The first good value of `sorted`. All values after a good value are good, and the last value is.
 template <class Value, class Good>
 const Value& first_good(const std::vector<Value>& sorted, Good&& good) {
   return *std::partition_point(sorted.begin(), sorted.end() - 1,

@@ -35,7 +35,7 @@ class CategoryVectors {
   }
 
  private:
-  /// One that hits, or one that does not, if a few tries find it.
+  /// A vector that hits, or that misses, if a few tries find it.
   [[nodiscard]] rtl::Vector draw(bool hit) {
     constexpr std::size_t boxes_per_ray = 8;
     for (int rays = 0;; ++rays) {
