@@ -20,8 +20,8 @@ struct StageRange {
 /// A group starts at each stage in which some component starts, as in the thesis's figures: 1-7, 8-12, 13.
 [[nodiscard]] std::vector<StageRange> stage_groups(const Pipeline& pipeline);
 
-/// One group. A value that comes from an earlier stage stands by its name at each of its readers. The axes
-/// are those of `ports`, the design's.
+/// One group. A value that comes from an earlier stage stands by its name at each of its readers. Its axes
+/// come from `ports`, the design's.
 [[nodiscard]] std::string to_dot(const Pipeline& pipeline, const std::vector<Port>& ports,
                                  const std::string& title, StageRange range);
 
