@@ -1,7 +1,7 @@
-#include "tests/sim/check/mutated_datapath.hpp"
-
 #include <stdexcept>
 #include <vector>
+
+#include "tests/sim/check/mutations.hpp"
 
 namespace hitpipe::sim {
 namespace {
@@ -11,8 +11,6 @@ using rtl::no_node;
 using rtl::Node;
 using rtl::NodeId;
 using rtl::Op;
-
-using Args = std::span<const NodeId>;
 
 NodeId copied(Graph& to, const Node& node, Args args) {
   switch (node.op) {
@@ -37,7 +35,7 @@ NodeId copied(Graph& to, const Node& node, Args args) {
   }
 }
 
-Graph mutated(const Graph& right, GraphFault fault) {
+Graph mutated(const Graph& right, GraphFault* fault) {
   Graph to(right.name());
   std::vector<NodeId> made;
   bool changed = false;
@@ -56,7 +54,7 @@ Graph mutated(const Graph& right, GraphFault fault) {
 
 class MutatedDatapath final : public BoxTest {
  public:
-  MutatedDatapath(const rtl::Design& design, const rtl::Format& format, GraphFault fault)
+  MutatedDatapath(const rtl::Design& design, const rtl::Format& format, GraphFault* fault)
       : right_(make_box_test(design, format)),
         ports_(design.ports(format)),
         graph_(mutated(design.trace(format), fault)),
@@ -86,7 +84,7 @@ NodeId swapped_mux(Graph& to, const Node& node, std::string_view name, Args args
 }  // namespace
 
 std::unique_ptr<BoxTest> mutated_datapath(const rtl::Design& design, const rtl::Format& format,
-                                          GraphFault fault) {
+                                          GraphFault* fault) {
   return std::make_unique<MutatedDatapath>(design, format, fault);
 }
 

@@ -1,11 +1,10 @@
-#include "tests/sim/check/mutated_major.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "hls/box/major_format.hpp"
 #include "sw_ref/quantise/grid.hpp"
+#include "tests/sim/check/mutations.hpp"
 
 namespace hitpipe::sim {
 namespace {
@@ -17,8 +16,6 @@ using rtl::no_node;
 using rtl::Node;
 using rtl::NodeId;
 using rtl::Op;
-
-using Args = std::span<const NodeId>;
 
 // Ports of hls::IntMajorOperands, by slot m, a, b or a, b.
 constexpr std::size_t major_y = 0;

@@ -1,10 +1,9 @@
-#include "tests/sim/check/mutated_set_up.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "sw_ref/quantise/grid.hpp"
+#include "tests/sim/check/mutations.hpp"
 
 namespace hitpipe::sim {
 namespace {
@@ -23,7 +22,7 @@ constexpr std::size_t pluecker_rinf = 9;
 
 class MutatedSetup final : public BoxTest {
  public:
-  MutatedSetup(const rtl::Design& design, const rtl::Format& format, SetupFault fault)
+  MutatedSetup(const rtl::Design& design, const rtl::Format& format, SetupFault* fault)
       : right_(make_box_test(design, format)),
         evaluate_(design.evaluate(format)),
         format_(format),
@@ -44,7 +43,7 @@ class MutatedSetup final : public BoxTest {
   std::unique_ptr<BoxTest> right_;
   rtl::Evaluate evaluate_;
   rtl::Format format_;
-  SetupFault fault_;
+  SetupFault* fault_;
   Ray ray_;
   std::vector<std::int64_t> operands_;
 };
@@ -78,7 +77,7 @@ double endpoint(const Ray& ray, std::size_t axis) {
 }  // namespace
 
 std::unique_ptr<BoxTest> mutated_set_up(const rtl::Design& design, const rtl::Format& format,
-                                        SetupFault fault) {
+                                        SetupFault* fault) {
   return std::make_unique<MutatedSetup>(design, format, fault);
 }
 

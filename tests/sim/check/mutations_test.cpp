@@ -1,5 +1,7 @@
 // The check finds faults: each fault in a set-up or a datapath gives a false miss within 10^6 tests. Where
 // the thesis's text itself fails, one ray and box of docs/never_misses.md shows it.
+#include "tests/sim/check/mutations.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -21,9 +23,6 @@
 #include "sim/software.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
 #include "sw_ref/judge/box_referee.hpp"
-#include "tests/sim/check/mutated_datapath.hpp"
-#include "tests/sim/check/mutated_major.hpp"
-#include "tests/sim/check/mutated_set_up.hpp"
 
 namespace hitpipe::sim::mutations_test {
 namespace {
@@ -47,11 +46,13 @@ Formats major(std::initializer_list<hls::MajorBits> bits) {
   return {bits.begin(), bits.end()};
 }
 
+const Formats usual_major = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}});
+
 struct Mutation {
   const char* name;
   const char* design;
-  SetupFault set_up = nullptr;
-  GraphFault datapath = nullptr;
+  SetupFault* set_up = nullptr;
+  GraphFault* datapath = nullptr;
   Formats formats = thesis();
   std::string_view category = "";  ///< drawn alone; empty: all are drawn
 
@@ -115,19 +116,19 @@ const std::vector<Mutation> faults{
     {.name = "MajorBoxNotGrown",
      .design = "int_major",
      .set_up = major_box_not_grown,
-     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+     .formats = usual_major},
     {.name = "MajorBoxGrownByHalfAsMuch",
      .design = "int_major",
      .set_up = major_box_grown_by_half_as_much,
-     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+     .formats = usual_major},
     {.name = "MajorOriginTiesReversed",
      .design = "int_major",
      .set_up = major_origin_ties_reversed,
-     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+     .formats = usual_major},
     {.name = "MajorMantissaToNearest",
      .design = "int_major",
      .set_up = major_mantissa_to_nearest,
-     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+     .formats = usual_major},
     {.name = "MajorUpperMantissaOfTwoCut",
      .design = "int_major",
      .set_up = major_upper_mantissa_of_two_cut,
@@ -136,14 +137,8 @@ const std::vector<Mutation> faults{
      .design = "int_major",
      .set_up = major_exponent_cap_one_less,
      .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 6, 1}})},
-    {.name = "MajorLengthWraps",
-     .design = "int_major",
-     .set_up = major_length_wraps,
-     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
-    {.name = "MajorShiftWraps",
-     .design = "int_major",
-     .datapath = major_shift_wraps,
-     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+    {.name = "MajorLengthWraps", .design = "int_major", .set_up = major_length_wraps, .formats = usual_major},
+    {.name = "MajorShiftWraps", .design = "int_major", .datapath = major_shift_wraps, .formats = usual_major},
     {.name = "MajorNearRoundedUp",
      .design = "int_major",
      .datapath = major_near_rounded_up,
@@ -151,11 +146,11 @@ const std::vector<Mutation> faults{
     {.name = "MajorNearWithTheUpperBound",
      .design = "int_major",
      .datapath = major_near_with_the_upper_bound,
-     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+     .formats = usual_major},
     {.name = "MajorFarWithTheLowerBound",
      .design = "int_major",
      .datapath = major_far_with_the_lower_bound,
-     .formats = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+     .formats = usual_major},
     {.name = "MajorMirroredPlaneFilledWithZeros",
      .design = "int_major",
      .datapath = major_mirrored_plane_filled_with_zeros,
