@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/render/render.hpp"
+#include "tests/message_of.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/small_scene.hpp"
 
@@ -266,25 +267,16 @@ TEST(CosimResultVerdict, SaysNothingOfFalseMissesWithoutReferee) {
   EXPECT_TRUE(judged.verified(true));
 }
 
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "none";
-}
-
 TEST(Cosim, OfNoRaysOrNoPixelsIsRefused) {
   const CosimOfScene cosim("hills");
   for (const int rays : {0, -1, 65'537}) {
-    EXPECT_EQ(refusal([&] { (void)cosim.run(usual, {.width = 8, .height = 8, .rays_in_flight = rays}); }),
+    EXPECT_EQ(message_of<std::invalid_argument>(
+                  [&] { (void)cosim.run(usual, {.width = 8, .height = 8, .rays_in_flight = rays}); }),
               std::to_string(rays) + " rays in flight: allowed is 1 to 65536");
   }
-  EXPECT_EQ(refusal([&] { (void)cosim.run(usual, {.width = 0, .height = 8}); }),
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { (void)cosim.run(usual, {.width = 0, .height = 8}); }),
             "image of 0 x 8 pixels: allowed is 1 x 1 and more");
-  EXPECT_EQ(refusal([&] { (void)cosim.run(usual, {.width = 8, .height = 0}); }),
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { (void)cosim.run(usual, {.width = 8, .height = 0}); }),
             "image of 8 x 0 pixels: allowed is 1 x 1 and more");
 }
 

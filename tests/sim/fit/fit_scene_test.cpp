@@ -2,11 +2,12 @@
 #include "sim/fit/fit_scene.hpp"
 
 #include <mutex>
-#include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/files.hpp"
+#include "tests/message_of.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
@@ -53,47 +54,55 @@ TEST_F(FitToScene, ProvesTheUnitAndWritesItsFiles) {
   for (std::size_t i = 1; i < result.unit.left_out.size(); ++i)
     EXPECT_GE(result.unit.left_out[i - 1].area_um2, result.unit.left_out[i].area_um2);
   EXPECT_EQ(result.unit.verilog, fitted_files(result.unit, library).verilog.contents);
-  EXPECT_EQ(read_unit(folder_.path() / "int_slabs", design, library).verilog, result.unit.verilog);
+  const Unit read = read_unit(folder_.path() / "int_slabs", design, library);
+  EXPECT_EQ(read.verilog, result.unit.verilog);
+  EXPECT_EQ(read.demands, result.unit.demands);
   EXPECT_EQ(steps_, (std::vector<std::string>{"building the hierarchy", "tracing the scene's rays",
                                               "int_slabs: looking for the fewest bits",
                                               "int_slabs: compiling the Verilog",
                                               "int_slabs: sending vectors", "int_slabs: co-simulating"}));
 }
 
-TEST_F(FitToScene, WritesNothingWithoutAFolder) {
+TEST_F(FitToScene, WritesNothingWithoutAFolderAndIsVerified) {
   FitOptions nowhere = options();
   nowhere.folder.clear();
   const FitScene scene = prepare_fit(hills(), nowhere);
-  EXPECT_TRUE(fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, nowhere,
-                           rtl::Library::thesis())
-                  .verified());
-  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
-}
-
-TEST_F(FitToScene, OfASceneThatNoRayMeetsIsRefused) {
-  ref::Scene away = hills();
-  away.camera.forward = -away.camera.forward;
-  try {
-    (void)prepare_fit(std::move(away), options());
-    FAIL() << "accepted";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), testing::EndsWith(": no ray of the image meets a triangle; a unit fitted to it "
-                                                "would be of no use"));
-  }
-}
-
-TEST_F(FitToScene, IsVerifiedByRightVectorsAndAPictureThatARefereeJudged) {
-  const FitScene scene = prepare_fit(hills(), options());
-  FitResult result = fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, options(),
+  FitResult result = fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, nowhere,
                                   rtl::Library::thesis());
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+  // Vectors must be right, and a referee must have judged the picture.
   EXPECT_TRUE(result.verified());
   result.vectors.mismatches = 1;
   EXPECT_FALSE(result.verified());
   result.vectors.mismatches = 0;
   result.image.unit.false_misses = 1;
   EXPECT_FALSE(result.verified());
-  result.image.unit.false_misses.reset();  // nobody looked
+  result.image.unit.false_misses.reset();
   EXPECT_FALSE(result.verified());
+}
+
+TEST_F(FitToScene, OfASceneThatNoRayMeetsIsRefused) {
+  ref::Scene away = hills();
+  away.camera.forward = -away.camera.forward;
+  EXPECT_THAT(
+      message_of([&] { (void)prepare_fit(std::move(away), options()); }),
+      testing::EndsWith(": no ray of the image meets a triangle; a unit fitted to it would be of no use"));
+}
+
+TEST(WholeUnit, IsWhatIsWrittenOfTheDesign) {
+  const rtl::Library& library = rtl::Library::thesis();
+  const rtl::Design& design = rtl::find_design("int_slabs");
+  const Unit unit = make_unit(design, hls::IntBits{12, 12}, library);
+  EXPECT_TRUE(unit.demands.empty());
+  EXPECT_TRUE(unit.ends);
+  EXPECT_FALSE(unit.coarse.any());
+  const TemporaryFolder folder;
+  host::write_files(folder.path(), rtl::emit(design, hls::IntBits{12, 12}, library,
+                                             rtl::make_pipeline(design.trace(hls::IntBits{12, 12}), library))
+                                       .files());
+  const Unit read = read_unit(folder.path(), design, library);
+  EXPECT_EQ(read.verilog, unit.verilog);
+  EXPECT_EQ(read.pipeline.latency(), unit.pipeline.latency());
 }
 
 }  // namespace
