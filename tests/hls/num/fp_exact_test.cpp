@@ -1,99 +1,43 @@
 // The float operators against exact arithmetic rounded once: every pair of small formats, random pairs of
 // wide and lopsided formats.
-#include <cstddef>
-#include <iostream>
-#include <random>
-
-#include <gtest/gtest.h>
-
 #include "hls/num/fp.hpp"
-#include "hls/num/fp_logic.hpp"
 #include "tests/hls/num/exact_float.hpp"
-#include "tests/hls/num/float_operators.hpp"
+#include "tests/hls/num/float_check.hpp"
 
 namespace hitpipe::hls::fp_exact_test {
 namespace {
 
 using exact::FloatFormat;
 
-/// Compares all operators on a pair, counts results, prints the first few that differ.
 template <int E, int M>
-class Check {
- public:
-  void pair(std::uint64_t a, std::uint64_t b) {
-    one("a - b", a, b, exact::subtract_bits<E, M>(a, b), format_.subtract(a, b));
-    one("a * b", a, b, exact::multiply_bits<E, M>(a, b), format_.multiply(a, b));
-    one("compare(a, b)", a, b, exact::compare_bits<E, M>(a, b), format_.compare(a, b));
-  }
-
-  void finish(std::size_t intended) const {
-    EXPECT_EQ(failed_, 0U);
-    EXPECT_EQ(checked_, intended);
-    std::cout << checked_ << " results checked of E = " << E << ", M = " << M << '\n';
-  }
-
- private:
-  void one(const char* operation, std::uint64_t a, std::uint64_t b, std::uint64_t got,
-           std::uint64_t expected) {
-    ++checked_;
-    if (got == expected || ++failed_ > 5) return;
-    ADD_FAILURE() << "E = " << E << ", M = " << M << std::hex << ": " << operation << ", a 0x" << a
-                  << ", b 0x" << b << ", gives 0x" << got << ", exactly 0x" << expected;
-  }
-
-  FloatFormat format_{E, M};
-  std::size_t checked_ = 0;
-  std::size_t failed_ = 0;
-};
-
-template <int E, int M>
-void check_every_pair() {
-  constexpr std::uint64_t patterns = std::uint64_t{1} << (1 + E + M);
-  Check<E, M> check;
-  for (std::uint64_t a = 0; a < patterns; ++a) {
-    for (std::uint64_t b = 0; b < patterns; ++b) check.pair(a, b);
-  }
-  check.finish(3 * patterns * patterns);
+exact::FloatCheck check() {
+  constexpr FloatFormat format{E, M};
+  return {E,
+          M,
+          exact::native_operators<E, M>(),
+          {[=](std::uint64_t a, std::uint64_t b) { return format.subtract(a, b); },
+           [=](std::uint64_t a, std::uint64_t b) { return format.multiply(a, b); },
+           [=](std::uint64_t a, std::uint64_t b) { return format.compare(a, b); }}};
 }
 
-TEST(FloatOperators, EveryPairOfAnEightBitFormatIsExactlyRounded) {
-  check_every_pair<4, 3>();
-}
-
-TEST(FloatOperators, EveryPairOfTinyFormatsIsExactlyRounded) {
-  check_every_pair<3, 2>();
-  check_every_pair<2, 1>();
-  check_every_pair<2, 4>();
-  check_every_pair<5, 1>();
-  check_every_pair<3, 3>();
-}
-
-/// Random patterns; in half of the pairs the exponents are near.
-template <int E, int M>
-void check_random_pairs(std::uint64_t seed) {
-  constexpr int pairs = 20000;
-  constexpr std::uint64_t mask = (std::uint64_t{1} << (1 + E + M)) - 1;
-  std::mt19937_64 random(seed);
-  std::cout << "seed " << seed << '\n';
-  Check<E, M> check;
-  for (int i = 0; i < pairs; ++i) {
-    const std::uint64_t a = random() & mask;
-    const std::uint64_t any = random() & mask;
-    const std::uint64_t low = (std::uint64_t{1} << (M + random() % 3)) - 1;
-    check.pair(a, i % 2 == 0 ? any : a ^ (any & low));
-  }
-  check.finish(std::size_t{3} * pairs);
+TEST(FloatOperators, EveryPairOfSmallFormatsIsExactlyRounded) {
+  check<4, 3>().every_pair();
+  check<3, 2>().every_pair();
+  check<2, 1>().every_pair();
+  check<2, 4>().every_pair();
+  check<5, 1>().every_pair();
+  check<3, 3>().every_pair();
 }
 
 TEST(FloatOperators, RandomPairsOfWideAndLopsidedFormatsAreExactlyRounded) {
-  check_random_pairs<5, 10>(71);
-  check_random_pairs<8, 7>(72);
-  check_random_pairs<8, 1>(73);
-  check_random_pairs<2, 23>(74);
-  check_random_pairs<3, 23>(75);
-  check_random_pairs<6, 14>(76);
-  check_random_pairs<7, 15>(77);
-  check_random_pairs<8, 23>(78);
+  check<5, 10>().random_pairs(71);
+  check<8, 7>().random_pairs(72);
+  check<8, 1>().random_pairs(73);
+  check<2, 23>().random_pairs(74);
+  check<3, 23>().random_pairs(75);
+  check<6, 14>().random_pairs(76);
+  check<7, 15>().random_pairs(77);
+  check<8, 23>().random_pairs(78);
 }
 
 /// The reference itself, on literals of the 8-bit format: bias 7, one is 0x38, the largest number 240 0x77.

@@ -15,8 +15,7 @@
 #include "hls/num/fp_logic.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "tests/hls/num/domain_operators.hpp"
-#include "tests/hls/num/float_corners.hpp"
-#include "tests/hls/num/float_operators.hpp"
+#include "tests/hls/num/float_check.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
@@ -143,10 +142,11 @@ template <int E, int M>
 std::vector<TracedOperator> traced_operators() {
   using hls::FpBits;
   using Bits = Trace::uint;
+  const exact::FloatOperators native = exact::native_operators<E, M>();
   return {
-      traced("subtract", {E, M}, exact::subtract_bits<E, M>, hls::fp_logic::subtract<Trace, FpBits, Bits>),
-      traced("multiply", {E, M}, exact::multiply_bits<E, M>, hls::fp_logic::multiply<Trace, FpBits, Bits>),
-      traced("compare", {E, M}, exact::compare_bits<E, M>, hls::fp_logic::compare<Trace, FpBits, Bits>),
+      traced("subtract", {E, M}, native.subtract, hls::fp_logic::subtract<Trace, FpBits, Bits>),
+      traced("multiply", {E, M}, native.multiply, hls::fp_logic::multiply<Trace, FpBits, Bits>),
+      traced("compare", {E, M}, native.compare, hls::fp_logic::compare<Trace, FpBits, Bits>),
   };
 }
 
