@@ -12,7 +12,7 @@ namespace hitpipe::sim {
 [[nodiscard]] std::vector<std::vector<std::int64_t>> adversary_vectors(
     const TestedUnit& unit, const ref::adversary::Category& category, int count, std::uint64_t seed);
 
-/// Raw operands, most of them corner values (corner_values.hpp). Each port is drawn independently.
+/// Raw operands, most of them corner values. Each port is drawn independently.
 [[nodiscard]] std::vector<std::vector<std::int64_t>> raw_corner_vectors(const TestedUnit& unit, int count,
                                                                         std::uint64_t seed);
 

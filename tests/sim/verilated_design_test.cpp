@@ -1,13 +1,13 @@
-// The emitted Verilog of every design equals the C++ datapath bit by bit: with named corners, the adversary's
-// rays and boxes, raw and random operands, at full speed and with gaps, stalls and resets. Answers keep their
-// order and tags, wait until they are taken, and do not survive a reset.
+// The emitted Verilog of every design equals the C++ datapath bit by bit: with the adversary's rays and
+// boxes, operands at their corners and random operands, at full speed and with gaps, stalls and resets.
+// Answers keep their order and tags, wait until they are taken, and do not survive a reset.
 #include <array>
 
 #include <gtest/gtest.h>
 
 #include "rtl_gen/emit/vectors.hpp"
+#include "sim/vectors/design_vectors.hpp"
 #include "tests/sim/adversary_vectors.hpp"
-#include "tests/sim/corner_vectors.hpp"
 #include "tests/sim/formats.hpp"
 #include "tests/sim/testbench.hpp"
 
@@ -71,21 +71,6 @@ class VerilatedUnit : public testing::TestWithParam<TestedUnit> {
   Model model_{design_};
 };
 
-TEST_P(VerilatedUnit, AgreesOnNamedCorners) {
-  const std::vector<CornerVector> corners = corner_vectors(GetParam());
-  const std::size_t intended = GetParam().float_bits()           ? 17 * 17 * 2
-                               : has(ports_, hls::Role::major)   ? 8 * 3 * 2
-                               : has(ports_, hls::Role::length)  ? 13 * 4
-                               : has(ports_, hls::Role::endless) ? 13 * 2
-                                                                 : 13;
-  EXPECT_EQ(corners.size(), intended);
-  for (const CornerVector& corner : corners) {
-    const DriveReport report = sent({corner.operands}, traffics[0], first_seed, 0);
-    EXPECT_TRUE(report.clean()) << corner.name << ": " << report.first_failure;
-    EXPECT_EQ(report.received, 1U) << corner.name;
-  }
-}
-
 TEST_P(VerilatedUnit, AgreesOnTheAdversary) {
   print_head();
   DriveReport all;
@@ -103,12 +88,19 @@ TEST_P(VerilatedUnit, AgreesOnTheAdversary) {
   EXPECT_GT(all.dropped, all.resets);
 }
 
-TEST_P(VerilatedUnit, AgreesOnRawCornersAndRandomOperands) {
+TEST_P(VerilatedUnit, AgreesOnCornersChosenAndRandomOperands) {
   print_head();
   const int raw = count(raw_vectors);
   const int any = count(random_vectors);
   const DriveReport corners = run("raw corners", raw_corner_vectors(GetParam(), raw, first_seed), first_seed);
   EXPECT_EQ(corners.received, static_cast<std::uint64_t>(raw));
+  // These show every planted fault that can show (planted_faults_test.cpp).
+  const auto vectors =
+      design_vectors(GetParam().design(), GetParam().format, usual_vectors, usual_seed).all();
+  Vectors chosen;
+  for (const rtl::Vector& vector : vectors) chosen.push_back(vector.operands);
+  EXPECT_EQ(run("vectors of the design", chosen, usual_seed).received,
+            static_cast<std::uint64_t>(usual_vectors));
   const DriveReport random = run("random", rtl::operand_vectors(ports_, any, first_seed), first_seed + 100);
   EXPECT_EQ(random.received, static_cast<std::uint64_t>(any));
   for (const DriveReport& report : {corners, random}) {
