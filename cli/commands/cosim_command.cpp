@@ -49,10 +49,8 @@ struct CosimCommand {
 /// Made here, or read from a folder.
 sim::Unit unit_of(const CosimCommand& command, const rtl::Library& library) {
   const rtl::Design& design = command.choice.design();
-  sim::Unit unit = command.unit.empty()
-                       ? sim::make_unit(design, command.choice.format(), library, command.flow_control)
-                       : sim::read_unit(command.unit, design, library);
-  return command.ray_slots ? sim::behind_ray_slots(std::move(unit), *command.ray_slots) : unit;
+  return command.unit.empty() ? sim::make_unit(design, command.choice.format(), library, command.flow_control)
+                              : sim::read_unit(command.unit, design, library);
 }
 
 Row record(const CosimCommand& command, const sim::Unit& unit, const ref::Scene& scene,
@@ -120,7 +118,8 @@ int cosimulate(const CosimCommand& command) {
   if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
   if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
   const rtl::Library library = rtl::library_called(command.library);
-  const sim::Unit unit = unit_of(command, library);
+  const sim::Unit bare = unit_of(command, library);
+  const sim::Unit unit = command.ray_slots ? sim::behind_ray_slots(bare, *command.ray_slots) : bare;
 
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
@@ -133,9 +132,9 @@ int cosimulate(const CosimCommand& command) {
   if (!command.out.empty()) host::make_folder(folder);
   rtl::UnitFiles written;
   if (emits) {
-    const rtl::EmittedDesign emitted =
-        rtl::emit(design, unit.format, library, unit.pipeline,
-                  {.flow_control = unit.flow_control, .ray_slots = command.ray_slots});
+    const rtl::EmittedDesign emitted = rtl::emit(
+        design, unit.format, library, unit.pipeline,
+        {.flow_control = unit.flow_control, .ray_slots = command.ray_slots, .verilog = &bare.verilog});
     written = rtl::write_unit(folder, emitted);
   }
   progress.emplace("co-simulating");

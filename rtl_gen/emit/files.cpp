@@ -204,18 +204,20 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
     drawn = {vector_seed, at_ports.groups(drawn_vectors)};
   }
   const VectorSet& vectors = options.vectors == nullptr ? drawn : *options.vectors;
-  std::string verilog = to_verilog(pipeline, library,
-                                   {.module_name = name,
-                                    .bits = to_string(format),
-                                    .flow_control = flow,
-                                    .operands = design.ports(format),
-                                    .results = results});
+  std::string verilog = options.verilog != nullptr ? *options.verilog
+                                                   : to_verilog(pipeline, library,
+                                                                {.module_name = name,
+                                                                 .bits = to_string(format),
+                                                                 .flow_control = flow,
+                                                                 .operands = design.ports(format),
+                                                                 .results = results});
   const ModuleInterface unit = unit_interface(name, left, result_ports(results), flow);
   const int latency = pipeline.latency();
   Json json = manifest(design, format, unit, pipeline, library);
   if (options.axi_stream) json["axi_stream"] = stream_json(unit);
   if (from != nullptr) {
-    verilog = with_check_block(verilog, check_block(unit, from->demands, from->ports));
+    if (options.verilog == nullptr)
+      verilog = with_check_block(verilog, check_block(unit, from->demands, from->ports));
     add_demands(json, from->demands, from->report);
   }
   const int count = static_cast<int>(vectors.size());

@@ -40,6 +40,8 @@ struct EmitOptions {
   const PrunedFrom* pruned_from = nullptr;
   /// Vectors for the testbench, of all ports of the whole design. Null: 1000 that are drawn at the ports.
   const VectorSet* vectors = nullptr;
+  /// The unit's Verilog, with the check block of a fitted unit. Null: it is made.
+  const std::string* verilog = nullptr;
 };
 
 /// The files of a design, each by what it is.

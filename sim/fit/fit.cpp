@@ -122,7 +122,7 @@ rtl::EmittedDesign fitted_files(const FittedUnit& unit, const rtl::Library& libr
   const std::vector<rtl::Port> ports = unit.ports();
   const rtl::PrunedFrom from{ports, unit.demands, unit.report};
   return rtl::emit(*unit.design, unit.format, library, unit.pipeline,
-                   {.pruned_from = unit.demands.empty() ? nullptr : &from});
+                   {.pruned_from = unit.demands.empty() ? nullptr : &from, .verilog = &unit.verilog});
 }
 
 }  // namespace hitpipe::sim
