@@ -53,7 +53,6 @@ TEST_F(FitToScene, ProvesTheUnitAndWritesItsFiles) {
   EXPECT_GT(result.unit.saved_um2(), 0);
   for (std::size_t i = 1; i < result.unit.left_out.size(); ++i)
     EXPECT_GE(result.unit.left_out[i - 1].area_um2, result.unit.left_out[i].area_um2);
-  EXPECT_EQ(result.unit.verilog, fitted_files(result.unit, library).verilog.contents);
   const Unit read = read_unit(folder_.path() / "int_slabs", design, library);
   EXPECT_EQ(read.verilog, result.unit.verilog);
   EXPECT_EQ(read.demands, result.unit.demands);
