@@ -234,8 +234,7 @@ TEST(BvhFile, OfOurOwnHierarchyGivesTheSameCounts) {
   EXPECT_EQ(written.at("file"), bvh);
   const std::vector<std::string> cosim{"cosim",   "int_slabs", "--scene",  "spheres",
                                        "--width", "32",        "--height", "24"};
-  std::vector<std::string> from_file = cosim;
-  from_file.insert(from_file.end(), {"--bvh", bvh});
+  const std::vector<std::string> from_file = with(cosim, {"--bvh", bvh});
   json built = counts_of(cosim);
   json read = counts_of(from_file);
   EXPECT_EQ(read.at("bvh_boxes_grown"), 0);

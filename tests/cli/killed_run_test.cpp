@@ -74,8 +74,7 @@ class KilledRun : public testing::Test {
   }
 
   [[nodiscard]] std::vector<std::string> into(const fs::path& folder) const {
-    std::vector<std::string> arguments = command_;
-    arguments.insert(arguments.end(), {"--out", folder.string()});
+    const std::vector<std::string> arguments = with(command_, {"--out", folder.string()});
     return arguments;
   }
 

@@ -49,6 +49,11 @@ Outcome hitpipe(const std::string& words, const Variables& variables) {
   return run_hitpipe(host::words_of(words), variables);
 }
 
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 std::string printed(const std::string& words) {
   const Outcome outcome = hitpipe(words);
   EXPECT_EQ(outcome.exit_code, 0) << words;

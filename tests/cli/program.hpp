@@ -26,6 +26,10 @@ using Variables = std::vector<std::pair<std::string, std::string>>;
 /// The same with words that blanks separate.
 [[nodiscard]] Outcome hitpipe(const std::string& words, const Variables& variables = {});
 
+/// Both, as the arguments of one run.
+[[nodiscard]] std::vector<std::string> with(std::vector<std::string> arguments,
+                                            const std::vector<std::string>& more);
+
 /// What it prints. It must end well and be silent on standard error.
 std::string printed(const std::string& words);
 

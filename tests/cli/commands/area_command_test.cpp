@@ -16,9 +16,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-Outcome area(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "area");
-  return run_hitpipe(arguments);
+Outcome area(const std::vector<std::string>& arguments) {
+  return run_hitpipe(with({"area"}, arguments));
 }
 
 std::string printed(const std::vector<std::string>& arguments) {
@@ -120,10 +119,8 @@ TEST(AreaCommand, PrintsALineADesignThenAColumnADesign) {
 TEST(AreaCommand, TextFitsEightyColumnsHoweverManyDesigns) {
   const std::vector<std::string> many{"int_plucker", "--bits",
                                       "6/6,8/8,10/10,12/12,14/14,16/16,18/18,20/20,22/22,24/24,32/32"};
-  std::vector<std::string> by_stage = many;
-  by_stage.emplace_back("--by-stage");
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{}, {"--by-stage"}, {"fp_slabs"}, many, by_stage}) {
+       {std::vector<std::string>{}, {"--by-stage"}, {"fp_slabs"}, many, with(many, {"--by-stage"})}) {
     const std::string text = printed(arguments);
     EXPECT_LE(widest_line(text), 80U) << text;
   }
@@ -201,9 +198,8 @@ class AreaLibrary : public testing::Test {
 
 TEST_F(AreaLibrary, OfOnesOwnChangesThePrices) {
   const std::vector<std::string> arguments{"int_slabs", "--account", "printed", "--format", "json"};
-  std::vector<std::string> with_library = arguments;
   Json library = Json::parse(thesis());
-  with_library.insert(with_library.end(), {"--library", write(library)});
+  const std::vector<std::string> with_library = with(arguments, {"--library", write(library)});
   EXPECT_EQ(printed(with_library), printed(arguments));
   // Six multipliers of 20 bits, each 0.01 mm2 larger.
   Json& cell = library["components"]["int_multiply"]["cells"][1];
@@ -243,13 +239,8 @@ TEST(AreaOnAChip, PrintsTablesRegistersAndBlocks) {
 
 TEST(AreaOnAChip, PrintsTheSameFiguresInEveryFormat) {
   const std::vector<std::string> arguments{"int_slabs", "fp_slabs", "--library", "ice40_up5k", "--format"};
-  const auto with = [&](const char* format) {
-    std::vector<std::string> all = arguments;
-    all.emplace_back(format);
-    return printed(all);
-  };
-  const Json list = Json::parse(with("json"));
-  const auto lines = lines_of(with("csv"));
+  const Json list = Json::parse(printed(with(arguments, {"json"})));
+  const auto lines = lines_of(printed(with(arguments, {"csv"})));
   ASSERT_EQ(list.size(), 2U);
   ASSERT_EQ(lines.size(), 3U);
   const auto header = cells_of(lines[0]);

@@ -19,9 +19,7 @@ using sim::ServedBoard;
 
 Outcome board(const std::string& port, const std::vector<std::string>& more = {},
               const std::string& bits = "6/6") {
-  std::vector<std::string> arguments{"board", "int_slabs", "--bits", bits, "--port", port};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return run_hitpipe(arguments);
+  return run_hitpipe(with({"board", "int_slabs", "--bits", bits, "--port", port}, more));
 }
 
 void rejected(const Outcome& outcome, const std::string& message) {
@@ -80,7 +78,6 @@ TEST(BoardCommand, WhatIsWrongIsOneLine) {
   rejected(board(served.port(), {"--tests", "10", "--only", "10"}),
            "--only 10: allowed is 0 to 9, below --tests");
   rejected(board(served.port(), {"--board", "arty"}), "board arty: unknown; there are: icebreaker");
-  rejected(run_hitpipe({"board", "int_slabs"}), "board: give the board's --port, or --simulate to be one");
 }
 
 /// The program as a board in a process of its own, which tells its number and then its port.

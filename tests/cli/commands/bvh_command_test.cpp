@@ -13,9 +13,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 std::string printed(std::vector<std::string> more) {
-  std::vector<std::string> arguments{"bvh", "--scene", "spheres"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const Outcome outcome = run_hitpipe(arguments);
+  const Outcome outcome = run_hitpipe(with({"bvh", "--scene", "spheres"}, more));
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   return outcome.out;

@@ -22,10 +22,7 @@ const std::string passed = "origin 0 0 0 direction -1 0 0 length inf box 0.5 -0.
 
 Outcome replayed(const std::vector<std::string>& words, const std::string& text,
                  const Variables& variables = {}) {
-  std::vector<std::string> arguments{"check"};
-  arguments.insert(arguments.end(), words.begin(), words.end());
-  arguments.insert(arguments.end(), {"--replay", text});
-  return run_hitpipe(arguments, variables);
+  return run_hitpipe(with(with({"check"}, words), {"--replay", text}), variables);
 }
 
 std::vector<std::string> keys_of(const std::string& text) {

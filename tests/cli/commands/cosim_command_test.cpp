@@ -13,10 +13,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 std::vector<std::string> cosim(const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"cosim",   "int_slabs", "--scene",  "spheres",
-                                     "--width", "40",        "--height", "30"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+  return with({"cosim", "int_slabs", "--scene", "spheres", "--width", "40", "--height", "30"}, more);
 }
 
 TEST(CosimCommand, PrintsEveryNumberAsJson) {
@@ -129,6 +126,7 @@ TEST(CosimCommand, RaySlotsAreTheUnitWithFewerBits) {
   EXPECT_GT(slots.at("bits_per_box_test"), 125.0);
   EXPECT_LT(slots.at("bits_per_box_test"), 325.0);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "int_slabs_slots.v"));
+  EXPECT_THAT(contents_of(folder.path() / "int_slabs.v"), testing::Not(HasSubstr("module int_slabs_slots")));
   EXPECT_FALSE(bare.contains("ray_slots"));
 }
 

@@ -44,10 +44,9 @@ class FitCommand : public testing::Test {
   }
   [[nodiscard]] std::string out() const { return (folder_.path() / "out").string(); }
   [[nodiscard]] Outcome fit(const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments{"fit", "--scene",   scene_,  "--width", "24",        "--height",
-                                       "20",  "int_slabs", "--out", out(),     "--vectors", "2000"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_hitpipe(arguments);
+    return run_hitpipe(with({"fit", "--scene", scene_, "--width", "24", "--height", "20", "int_slabs",
+                             "--out", out(), "--vectors", "2000"},
+                            more));
   }
 
   sim::TemporaryFolder folder_;
@@ -157,10 +156,7 @@ TEST_F(FitCommand, WrittenUnitRunsAgainAndRefusesWhatItWasNotFittedTo) {
             0);
   const std::string unit = out() + "/int_slabs";
   const auto cosim = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"cosim",   "int_slabs", "--unit",   unit,
-                                       "--width", "16",        "--height", "16"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_hitpipe(arguments);
+    return run_hitpipe(with({"cosim", "int_slabs", "--unit", unit, "--width", "16", "--height", "16"}, more));
   };
   const Outcome same = cosim({"--scene", "spheres", "--referee", "--format", "json"});
   EXPECT_EQ(same.exit_code, 0) << same.err;

@@ -16,9 +16,8 @@ class ImplementCommand : public testing::Test {
  protected:
   /// int_slabs 6/6.
   [[nodiscard]] Outcome run(const std::vector<std::string>& more, const Variables& variables = {}) const {
-    std::vector<std::string> arguments{"implement", "int_slabs", "--bits", "6/6", "--out", out_.string()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_hitpipe(arguments, variables);
+    return run_hitpipe(with({"implement", "int_slabs", "--bits", "6/6", "--out", out_.string()}, more),
+                       variables);
   }
 
   sim::TemporaryFolder folder_;
@@ -69,9 +68,7 @@ TEST_F(ImplementCommand, UnitThatDoesNotFitIsAResult) {
 TEST_F(ImplementCommand, MissingToolNamesItsPackage) {
   const auto missing = [&](const std::string& target, const std::string& variable,
                            const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments{"--target", target};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run(arguments, {{variable, "/nowhere/tool"}});
+    const Outcome outcome = run(with({"--target", target}, more), {{variable, "/nowhere/tool"}});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_FALSE(std::filesystem::exists(out_));

@@ -29,9 +29,7 @@ class OperandsCommand : public testing::Test {
 
   [[nodiscard]] Outcome operands(const std::string& out, const std::vector<std::string>& more = {},
                                  const std::string& design = "int_slabs") const {
-    std::vector<std::string> arguments{"operands", design, "--rays", rays_, "--boxes", boxes_, "--out", out};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_hitpipe(arguments);
+    return run_hitpipe(with({"operands", design, "--rays", rays_, "--boxes", boxes_, "--out", out}, more));
   }
   [[nodiscard]] std::string out(const std::string& name) const { return (results_ / name).string(); }
   void rejected(const Outcome& outcome, const std::string& message) const {

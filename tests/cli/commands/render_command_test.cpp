@@ -12,11 +12,6 @@ using testing::StartsWith;
 
 const std::vector<std::string> small{"render", "--scene", "spheres", "--width", "40", "--height", "30"};
 
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
 TEST(RenderCommand, PrintsCountsAndWritesTheImage) {
   const sim::TemporaryFolder folder;
   for (const char* const name : {"image.png", "image.exr"}) {

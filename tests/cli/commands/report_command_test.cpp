@@ -22,10 +22,9 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::vector<std::string> report(const fs::path& out, const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"report", "--scene", "spheres", "--width", "8",         "--height",
-                                     "8",      "--tests", "600",     "--out",   out.string()};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+  return with({"report", "--scene", "spheres", "--width", "8", "--height", "8", "--tests", "600", "--out",
+               out.string()},
+              more);
 }
 
 /// One report with its own sweep, shared by all tests.

@@ -41,22 +41,10 @@ class SweepCommand : public testing::Test {
   /// Three units, each with two numbers of rays in flight.
   [[nodiscard]] static std::vector<std::string> sweep(const fs::path& file,
                                                       const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments{"sweep",
-                                       "--scene",
-                                       scene_.string(),
-                                       "--width",
-                                       "40",
-                                       "--height",
-                                       "30",
-                                       "int_plucker,fp_slabs,int_slabs",
-                                       "--bits",
-                                       "6/6",
-                                       "--rays-in-flight",
-                                       "8,1",
-                                       "--out",
-                                       file.string()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+    return with({"sweep", "--scene", scene_.string(), "--width", "40", "--height", "30",
+                 "int_plucker,fp_slabs,int_slabs", "--bits", "6/6", "--rays-in-flight", "8,1", "--out",
+                 file.string()},
+                more);
   }
   [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
   /// The file of an undisturbed run on one thread.

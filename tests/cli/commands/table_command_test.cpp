@@ -12,10 +12,8 @@ using testing::HasSubstr;
 
 /// A run of less than a second: one scene, few rays.
 std::vector<std::string> quick(const std::string& number, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> arguments{"table", number,     "--only", "Spheres",   "--width",
-                                     "16",    "--height", "12",     "--repeats", "1"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+  return with({"table", number, "--only", "Spheres", "--width", "16", "--height", "12", "--repeats", "1"},
+              more);
 }
 
 TEST(TableCommand, PrintsTheThesisFiguresBelowOurs) {
