@@ -1,10 +1,11 @@
-// A datapath ready to be emitted: canonical graph, stages, registers.
+// A datapath ready to be emitted: canonical graph, stages, registers, shared components.
 #pragma once
 
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/graph/graph.hpp"
 #include "rtl_gen/schedule/registers.hpp"
 #include "rtl_gen/schedule/schedule.hpp"
+#include "rtl_gen/schedule/sharing.hpp"
 
 namespace hitpipe::rtl {
 
@@ -12,14 +13,19 @@ struct Pipeline {
   Graph graph;
   Schedule schedule;
   Placement placement;
+  Binding binding{};
 
+  /// A test may begin every so many cycles.
+  [[nodiscard]] int interval() const { return binding.interval; }
   /// Cycles from the clock edge that latches the operands to the edge that latches the outputs: the thesis's
   /// number of pipeline stages (section 7.4).
   [[nodiscard]] int latency() const { return schedule.stages; }
 };
 
-/// On a chip, products are made as rtl_gen/component/product.hpp plans them. Throws as schedule_asap does.
+/// On a chip, products are made as rtl_gen/component/product.hpp plans them. With an interval of more than
+/// one cycle, operations share components where that makes the unit smaller
+/// (rtl_gen/schedule/least_area.hpp). Throws as schedule_modulo() does.
 [[nodiscard]] Pipeline make_pipeline(const Graph& traced, const Library& library,
-                                     std::optional<int> clock_ps = std::nullopt);
+                                     std::optional<int> clock_ps = std::nullopt, int interval = 1);
 
 }  // namespace hitpipe::rtl

@@ -53,10 +53,7 @@ std::int64_t selection_price(const Graph& graph, const std::vector<NodeId>& oper
   const Node& first = graph[operations.front()];
   for (std::size_t i = 0; i < first.operands().size(); ++i) {
     const NodeId arg = first.args[i];
-    const bool is_one_constant =
-        graph[arg].op == Op::constant && std::all_of(operations.begin(), operations.end(),
-                                                     [&](NodeId id) { return graph[id].args[i] == arg; });
-    if (is_one_constant) continue;
+    if (!is_selected(graph, operations, i)) continue;
     price += prices.part(Component::latch, graph[arg].width);
     price +=
         static_cast<std::int64_t>(operations.size() - 1) * prices.part(Component::mux2, graph[arg].width);
@@ -83,17 +80,9 @@ SharingPrices sharing_prices(const Graph& graph, const Library& library, int clo
 std::int64_t area_of(const Graph& graph, const SharedSchedule& shared, const SharingPrices& prices) {
   const auto& [schedule, binding] = shared;
   std::int64_t area = 0;
-  std::map<int, std::vector<NodeId>> instances;
-  for (NodeId id = 0; id < graph.size(); ++id) {
-    if (!is_component(graph[id].op)) continue;
-    const auto bound = binding.instance_of.find(id);
-    if (bound == binding.instance_of.end()) {
-      area += prices.operation(id);
-    } else {
-      instances[bound->second].push_back(id);
-    }
-  }
-  for (const auto& [instance, operations] : instances)
+  for (NodeId id = 0; id < graph.size(); ++id)
+    if (is_component(graph[id].op) && !binding.shares(id)) area += prices.operation(id);
+  for (const auto& [instance, operations] : binding.instances())
     area += prices.operation(operations.front()) + selection_price(graph, operations, prices);
   for (const Register& r : place_registers(graph, schedule, Ports::latched).registers)
     area += prices.part(Component::latch, r.width());

@@ -174,6 +174,19 @@ std::vector<SharingGroup> kinds_of(const Graph& graph) {
   return groups;
 }
 
+std::map<int, std::vector<NodeId>> Binding::instances() const {
+  std::map<int, std::vector<NodeId>> all;
+  for (const auto& [id, instance] : instance_of) all[instance].push_back(id);
+  return all;
+}
+
+bool is_selected(const Graph& graph, const std::vector<NodeId>& operations, std::size_t place) {
+  const NodeId first = graph[operations.front()].args[place];
+  return graph[first].op != Op::constant ||
+         !std::all_of(operations.begin(), operations.end(),
+                      [&](NodeId id) { return graph[id].args[place] == first; });
+}
+
 int selection_ps(const Library& library, int interval) {
   const int levels = static_cast<int>(std::bit_width(static_cast<unsigned>(interval - 1)));
   return levels * library.timing(Component::mux2, 1).delay_ps;

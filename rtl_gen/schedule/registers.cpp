@@ -49,7 +49,8 @@ Placement place_registers(const Graph& graph, const Schedule& schedule, Ports po
 namespace {
 
 /// For each value, the last stage in which something other than a block reads it; 0 if nothing does.
-std::vector<int> last_read_outside(const Graph& graph, const Schedule& schedule, const Block& block) {
+std::vector<int> last_read_outside(const Graph& graph, const Schedule& schedule, const Block& block,
+                                   const Binding& binding) {
   std::vector<int> last(graph.size(), 0);
   // A zero above an operand is no register's, and then Yosys leaves the register outside.
   const auto is_plain = [&](NodeId value) {
@@ -65,7 +66,8 @@ std::vector<int> last_read_outside(const Graph& graph, const Schedule& schedule,
     const Node& n = graph[id];
     if (!is_root(n.op)) continue;
     for (const NodeId arg : n.operands()) {
-      const bool into_block = n.op == Op::mul && (n.is_signed || block.reads_unsigned) && is_plain(arg);
+      const bool into_block =
+          n.op == Op::mul && !binding.shares(id) && (n.is_signed || block.reads_unsigned) && is_plain(arg);
       if (!into_block) read(arg, schedule.slots[id].stage);
     }
   }
@@ -74,10 +76,12 @@ std::vector<int> last_read_outside(const Graph& graph, const Schedule& schedule,
 }
 
 /// One register in place of the runs of bits behind each block.
-void widen_product_registers(Placement& placement, const Graph& graph, const Schedule& schedule) {
+void widen_product_registers(Placement& placement, const Graph& graph, const Schedule& schedule,
+                             const Binding& binding) {
   std::vector<Register> widened;
   for (const Register& r : placement.registers) {
-    const bool behind_block = graph[r.value].op == Op::mul && schedule.slots[r.value].finish == r.boundary;
+    const bool behind_block = graph[r.value].op == Op::mul && !binding.shares(r.value) &&
+                              schedule.slots[r.value].finish == r.boundary;
     if (!behind_block) {
       widened.push_back(r);
       continue;
@@ -98,18 +102,18 @@ void widen_product_registers(Placement& placement, const Graph& graph, const Sch
 }  // namespace
 
 void use_block_registers(Placement& placement, const Graph& graph, const Schedule& schedule,
-                         const Library& library) {
+                         const Library& library, const Binding& binding) {
   if (library.chip() == nullptr || !library.chip()->block) return;
   const Block& block = *library.chip()->block;
   if (block.operand_registers) {
-    const std::vector<int> outside = last_read_outside(graph, schedule, block);
+    const std::vector<int> outside = last_read_outside(graph, schedule, block, binding);
     // Only the register that the block reads can be in it, not those that hold the value before.
     std::vector<int> last(graph.size(), -1);
     for (const Register& r : placement.registers) last[r.value] = std::max(last[r.value], r.boundary);
     for (Register& r : placement.registers)
       r.in_block = outside[r.value] <= r.boundary && r.boundary == last[r.value];
   }
-  if (block.product_registers) widen_product_registers(placement, graph, schedule);
+  if (block.product_registers) widen_product_registers(placement, graph, schedule, binding);
 }
 
 }  // namespace hitpipe::rtl

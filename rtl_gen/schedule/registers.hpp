@@ -9,6 +9,7 @@
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/graph/graph.hpp"
 #include "rtl_gen/schedule/schedule.hpp"
+#include "rtl_gen/schedule/sharing.hpp"
 
 namespace hitpipe::rtl {
 
@@ -39,8 +40,9 @@ struct Placement {
 
 /// Marks the registers that only blocks read, and those behind a block. A block has no register for some bits
 /// of its product alone, so a register behind it begins at bit 0; nothing reads the bits that are added.
-/// Without a chip, or without registers in its blocks, nothing changes.
+/// A shared block reads its operands through a multiplexer, and its product goes to several registers: those
+/// registers lie outside. Without a chip, or without registers in its blocks, nothing changes.
 void use_block_registers(Placement& placement, const Graph& graph, const Schedule& schedule,
-                         const Library& library);
+                         const Library& library, const Binding& binding = {});
 
 }  // namespace hitpipe::rtl

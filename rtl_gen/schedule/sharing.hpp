@@ -44,7 +44,14 @@ struct Binding {
   /// By node; an operation that is not here has a component of its own. Instances are numbered from 0, over
   /// all groups.
   std::map<NodeId, int> instance_of{};
+
+  [[nodiscard]] bool shares(NodeId id) const { return instance_of.contains(id); }
+  /// The operations of each instance.
+  [[nodiscard]] std::map<int, std::vector<NodeId>> instances() const;
 };
+
+/// Whether the operations' operand at this place is selected and latched: a constant that all read is not.
+[[nodiscard]] bool is_selected(const Graph& graph, const std::vector<NodeId>& operations, std::size_t place);
 
 struct SharedSchedule {
   Schedule schedule;

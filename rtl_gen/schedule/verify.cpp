@@ -24,7 +24,7 @@ std::string label(const Graph& graph, NodeId id) {
 struct Selections {
   const Binding* binding = nullptr;
   int delay_ps = 0;
-  [[nodiscard]] bool has(NodeId id) const { return binding != nullptr && binding->instance_of.contains(id); }
+  [[nodiscard]] bool has(NodeId id) const { return binding != nullptr && binding->shares(id); }
 };
 
 /// `timing` gives the delay and the internal stages of a node.

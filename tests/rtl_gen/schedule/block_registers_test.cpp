@@ -76,5 +76,18 @@ TEST(BlockRegisters, ABlockWithoutThemLeavesAllOutside) {
             "0: a[11:0], 0: b[11:0], 0: c[11:0], 1: b[11:0], 1: difference[11:0], 2: product[20:8]");
 }
 
+/// They lie behind or before a multiplexer, or several read the product.
+TEST(BlockRegisters, TheRegistersAroundASharedBlockStayOutside) {
+  Graph g("toy");
+  for (const std::string i : {"0", "1"}) {
+    const NodeId product = g.binary(Op::mul, g.input("a" + i, 16, true), g.input("b" + i, 16, true), true);
+    g.annotate(product, "product" + i, {});
+    g.output("p" + i, product);
+  }
+  const Pipeline pipeline = make_pipeline(g, library_called("ice40_up5k"), std::nullopt, 2);
+  EXPECT_EQ(pipeline.binding.instance_of.size(), 2U);
+  for (const Register& r : pipeline.placement.registers) EXPECT_FALSE(r.in_block) << r.boundary;
+}
+
 }  // namespace
 }  // namespace hitpipe::rtl::block_registers_test

@@ -3,7 +3,6 @@
 #include "rtl_gen/schedule/least_area.hpp"
 
 #include <limits>
-#include <set>
 
 #include <gtest/gtest.h>
 
@@ -17,19 +16,12 @@ namespace hitpipe::rtl::least_area_test {
 namespace {
 
 /// The components that carry out the operations of a kind.
-int components(const Graph& g, const SharedSchedule& s, Op op) {
+int components(const Graph& g, const Binding& binding, Op op) {
   int count = 0;
-  std::set<int> instances;
-  for (NodeId id = 0; id < g.size(); ++id) {
-    if (g[id].op != op) continue;
-    const auto bound = s.binding.instance_of.find(id);
-    if (bound == s.binding.instance_of.end()) {
-      ++count;
-    } else {
-      instances.insert(bound->second);
-    }
-  }
-  return count + static_cast<int>(instances.size());
+  for (NodeId id = 0; id < g.size(); ++id) count += g[id].op == op && !binding.shares(id) ? 1 : 0;
+  for (const auto& [instance, operations] : binding.instances())
+    count += g[operations.front()].op == op ? 1 : 0;
+  return count;
 }
 
 SharedSchedule shared(const Graph& g, const Library& library, int interval) {
@@ -84,8 +76,8 @@ TEST(LeastArea, AProductIsSharedAndAMultiplexerIsNot) {
   const NodeId select = g.input("s", 1, false);
   for (NodeId i = 0; i < 3; ++i) g.output("m", g.mux(select, g.inputs()[i], g.inputs()[i + 1]));
   const SharedSchedule s = shared(g, library, 2);
-  EXPECT_EQ(components(g, s, Op::mul), 2);
-  EXPECT_EQ(components(g, s, Op::mux), 3);
+  EXPECT_EQ(components(g, s.binding, Op::mul), 2);
+  EXPECT_EQ(components(g, s.binding, Op::mux), 3);
 }
 
 TEST(LeastArea, AnIntervalOfOneSharesNothing) {
@@ -100,15 +92,18 @@ TEST(LeastArea, AProductThatIsLeftOverKeepsItsOwn) {
   const Library library = unit_library();
   const Graph g = products(3);
   const SharedSchedule s = shared(g, library, 2);
-  EXPECT_EQ(components(g, s, Op::mul), 2);
+  EXPECT_EQ(components(g, s.binding, Op::mul), 2);
   EXPECT_EQ(s.binding.instance_of.size(), 2) << "a component for one operation needs no selection";
 }
 
 TEST(LeastArea, IntSlabsTakesSixThreeTwoAndOneProduct) {
   const Library library = library_called("xc7");
-  const Graph g = make_pipeline(find_design("int_slabs").trace(hls::IntBits{16, 16}), library).graph;
-  for (const auto& [interval, blocks] : {std::pair{1, 6}, {2, 3}, {3, 2}, {6, 1}})
-    EXPECT_EQ(components(g, shared(g, library, interval), Op::mul), blocks) << interval;
+  const Graph traced = find_design("int_slabs").trace(hls::IntBits{16, 16});
+  for (const auto& [interval, blocks] : {std::pair{1, 6}, {2, 3}, {3, 2}, {6, 1}}) {
+    const Pipeline p = make_pipeline(traced, library, std::nullopt, interval);
+    EXPECT_EQ(p.interval(), interval);
+    EXPECT_EQ(components(p.graph, p.binding, Op::mul), blocks) << interval;
+  }
 }
 
 class LeastAreaOfDesign : public testing::TestWithParam<DesignFormat> {};
