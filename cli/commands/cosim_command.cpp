@@ -36,6 +36,7 @@ struct CosimCommand {
   SceneChoice scene;
   std::string bvh;
   rtl::FlowControl flow_control = rtl::FlowControl::stall;
+  int interval = 1;
   int rays_in_flight = 32;
   std::optional<int> ray_slots;
   bool referee = false;
@@ -49,8 +50,10 @@ struct CosimCommand {
 /// Made here, or read from a folder.
 sim::Unit unit_of(const CosimCommand& command, const rtl::Library& library) {
   const rtl::Design& design = command.choice.design();
-  return command.unit.empty() ? sim::make_unit(design, command.choice.format(), library, command.flow_control)
-                              : sim::read_unit(command.unit, design, library);
+  sim::Unit unit = command.unit.empty() ? sim::make_unit(design, command.choice.format(), library,
+                                                         command.flow_control, command.interval)
+                                        : sim::read_unit(command.unit, design, library);
+  return command.ray_slots ? sim::behind_ray_slots(std::move(unit), *command.ray_slots) : unit;
 }
 
 Row record(const CosimCommand& command, const sim::Unit& unit, const ref::Scene& scene,
@@ -186,7 +189,8 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
               "Where the folder has several units of the design: the manifest of one")
           ->type_name("DIR|MANIFEST");
   const CLI::Option* const flow = add_flow_control_option(*command, options->flow_control);
-  for (const CLI::Option* const other : {flow, std::as_const(*command).get_option("--bits")})
+  const CLI::Option* const interval = add_interval_option(*command, options->interval);
+  for (const CLI::Option* const other : {flow, interval, std::as_const(*command).get_option("--bits")})
     exclude(unit, other, "the unit in the folder has its own, which its manifest says");
   add_library_option(*command, options->library);
   add_scene_options(*command, options->scene);

@@ -26,6 +26,7 @@ struct RtlOptions {
   std::string library{rtl::default_library};
   std::optional<std::string> name;
   std::optional<int> clock_ps;
+  int interval = 1;
   rtl::FlowControl flow_control = rtl::FlowControl::stall;
   bool flow_control_given = false;
   bool axi_stream = false;
@@ -49,7 +50,8 @@ void emit_rtl(const RtlOptions& options) {
   const rtl::Format format = options.choice.format();
   if (options.name) rtl::check_module_name(*options.name);
   const rtl::Library library = rtl::library_called(options.library);
-  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
+  const rtl::Pipeline pipeline =
+      rtl::make_pipeline(design.trace(format), library, options.clock_ps, options.interval);
   const rtl::FlowControl flow = flow_control_of(options, pipeline);
   const rtl::VectorSet vectors =
       sim::design_vectors(design, format, static_cast<std::size_t>(options.vectors), options.seed);
@@ -91,6 +93,7 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   add_library_option(*command, options->library);
   add_count_option(*command, "--clock-ps", options->clock_ps, {1, 1'000'000'000},
                    "Clock period in picoseconds; by default what the slowest component needs");
+  add_interval_option(*command, options->interval);
   command
       ->add_option("--name", options->name,
                    "Name of the Verilog module, which also begins the names of all files. Default: the "

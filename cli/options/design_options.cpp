@@ -12,6 +12,7 @@
 
 #include "cli/options/values.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/schedule/sharing.hpp"
 
 namespace hitpipe::cli {
 
@@ -138,6 +139,14 @@ void add_library_option(CLI::App& command, std::string& library) {
                               fmt::format("Component library, a built-in one ({}) or a file NAME.json",
                                           fmt::join(rtl::built_in_names(), ", "))))
       ->type_name("NAME|FILE")
+      ->capture_default_str();
+}
+
+CLI::Option* add_interval_option(CLI::App& command, int& value, const std::string& more) {
+  return add_count_option(command, "--ii", value, {1, rtl::most_interval},
+                          "Initiation interval: a test may begin every N cycles, and operations share "
+                          "components where that makes the unit smaller" +
+                              more)
       ->capture_default_str();
 }
 

@@ -62,6 +62,9 @@ CLI::Option* add_bits_option(CLI::App& command, DesignsChoice& choice, const std
 /// --library. `library` holds the default; rtl::library_called() reads it.
 void add_library_option(CLI::App& command, std::string& library);
 
+/// Adds --ii, of commands that make a unit. `more` ends its help.
+CLI::Option* add_interval_option(CLI::App& command, int& value, const std::string& more = "");
+
 /// Adds --flow-control, of commands that make a unit or price one. `more` ends its help.
 CLI::Option* add_flow_control_option(CLI::App& command, rtl::FlowControl& value,
                                      const std::string& more = "");

@@ -6,14 +6,22 @@ namespace hitpipe::rtl {
 
 namespace {
 
-constexpr const char* with_handshake = R"(  std::mt19937 random(1);
+/// Ends a run in which tests are lost or never taken.
+std::string limit(int interval) {
+  const std::string slower = interval == 1 ? "" : fmt::format("{} * ", interval);
+  return "    if (cycle > 16 * " + slower + R"(vectors.size() + 1000)
+      throw std::runtime_error(std::to_string(received) + " of " + std::to_string(vectors.size()) +
+                               " vectors came back");
+)";
+}
+
+std::string with_handshake(int interval) {
+  return R"(  std::mt19937 random(1);
   std::size_t sent = 0;
   std::size_t received = 0;
   for (std::size_t cycle = 0; received < vectors.size(); ++cycle) {
-    if (cycle > 16 * vectors.size() + 1000)
-      throw std::runtime_error(std::to_string(received) + " of " + std::to_string(vectors.size()) +
-                               " vectors came back");
-    // Before the rising edge: offer a test and take a result, each in three cycles of four.
+)" + limit(interval) +
+         R"(    // Before the rising edge: offer a test and take a result, each in three cycles of four.
     dut.in_valid = sent < vectors.size() && random() % 4 != 0;
     dut.out_ready = random() % 4 != 0;
     if (dut.in_valid) {
@@ -32,24 +40,33 @@ constexpr const char* with_handshake = R"(  std::mt19937 random(1);
     eval_with_clock(true);
   }
 )";
+}
 
-constexpr const char* with_fixed_latency = R"(  std::mt19937 random(1);
+std::string with_fixed_latency(int interval) {
+  const bool waits = interval > 1;
+  const std::string taken = waits ? "taken" : "dut.in_valid";
+  return std::string(R"(  std::mt19937 random(1);
   std::size_t sent = 0;
   std::size_t received = 0;
   std::deque<bool> sent_before(latency + 1, false);  // in each of the last cycles, the oldest first
-  // After the last result the unit must stay silent.
+)") + (waits ? "  std::size_t cycle = 0;\n" : "") +
+         R"(  // After the last result the unit must stay silent.
   for (std::size_t idle = 0; idle < 2 * latency + 8; idle += received == vectors.size()) {
-    // Before the rising edge: send a test in three cycles of four.
+)" + (waits ? "    ++cycle;\n" + limit(interval) : "") +
+         R"(    // Before the rising edge: send a test in three cycles of four.
     dut.in_valid = sent < vectors.size() && random() % 4 != 0;
     if (dut.in_valid) {
       set_operands(dut, vectors[sent]);
       set(dut.in_tag, sent & 0xffff);
     }
     eval_with_clock(false);
-    const bool due = sent_before.front();
+)" + (waits ? "    const bool taken = dut.in_valid && dut.in_ready;\n" : "") +
+         R"(    const bool due = sent_before.front();
     sent_before.pop_front();
-    sent_before.push_back(dut.in_valid);
-    if (dut.in_valid) ++sent;
+    sent_before.push_back()" +
+         taken + R"();
+    if ()" +
+         taken + R"() ++sent;
     if (dut.out_valid && !due)
       throw std::runtime_error("a result, and no test was sent " + std::to_string(latency) + " cycles before");
     if (due) {
@@ -63,6 +80,7 @@ constexpr const char* with_fixed_latency = R"(  std::mt19937 random(1);
     eval_with_clock(true);
   }
 )";
+}
 
 }  // namespace
 
@@ -223,8 +241,8 @@ int main() {{
                       "constexpr std::size_t latency = {};\n",
                       latency)),
       fmt::arg("no_out_ready", ready ? "  dut.out_ready = 0;\n" : ""),
-      fmt::arg("drive", ready ? with_handshake : with_fixed_latency), fmt::arg("operands", operands),
-      fmt::arg("comparisons", comparisons));
+      fmt::arg("drive", ready ? with_handshake(unit.interval) : with_fixed_latency(unit.interval)),
+      fmt::arg("operands", operands), fmt::arg("comparisons", comparisons));
 }
 
 }  // namespace hitpipe::rtl

@@ -43,6 +43,7 @@ Json stages(const Pipeline& pipeline) {
   for (int stage = 0; stage <= pipeline.schedule.stages; ++stage) {
     std::map<std::string, int> components;
     for (NodeId id = 0; id < pipeline.graph.size(); ++id) {
+      if (pipeline.binding.shares(id)) continue;
       if (!is_component(pipeline.graph[id].op) || pipeline.schedule.slots[id].stage != stage) continue;
       const ComponentUse use = component_of(pipeline.graph, id);
       ++components[fmt::format("{}_{}", component_name(use.component), use.bits)];
@@ -56,6 +57,26 @@ Json stages(const Pipeline& pipeline) {
     list.push_back({{"stage", stage}, {"components", components}, {"latch_bits", latch_bits}});
   }
   return list;
+}
+
+/// The components that several operations share, and of how many operations each.
+Json shared_components(const Pipeline& pipeline) {
+  Json list = Json::array();
+  for (const auto& [instance, operations] : pipeline.binding.instances()) {
+    const ComponentUse use = component_of(pipeline.graph, operations.front());
+    list.push_back({{"component", fmt::format("{}_{}", component_name(use.component), use.bits)},
+                    {"operations", operations.size()}});
+  }
+  return list;
+}
+
+/// Results come in the order of the tests.
+std::string handshake(const ModuleInterface& unit) {
+  if (unit.flow_control() == FlowControl::stall)
+    return fmt::format("valid/ready;{} results in order; the whole pipeline waits for out_ready",
+                       unit.interval == 1 ? "" : " in_ready in one of `ii` cycles;");
+  return fmt::format("valid{}; results in order, each `latency` cycles after its operands; nothing waits",
+                     unit.interval == 1 ? "" : ", and in_ready in one of `ii` cycles");
 }
 
 }  // namespace
@@ -74,27 +95,28 @@ Json ports_json(const ModuleInterface& interface) {
 
 Json manifest(const Design& design, Format format, const ModuleInterface& unit, const Pipeline& pipeline,
               const Library& library) {
-  const FlowControl flow = unit.flow_control();
-  return {
-      {"design", std::string(design.name)},
-      {"kind", design.kind.name},
-      {"bits", to_string(format)},
-      {"module", unit.module},
-      {"verilog", {unit.module + ".v"}},
-      {"clock", "clk, rising edge"},
-      {"reset", "rst, synchronous, active high, valid bits only"},
-      {"flow_control", flow_control_name(flow)},
-      {"handshake", flow == FlowControl::stall
-                        ? "valid/ready; results in order; the whole pipeline waits for out_ready"
-                        : "valid; results in order, each `latency` cycles after its operands; nothing waits"},
-      {"parameters", {{"TAG_BITS", 16}}},
-      {"ports", ports_json(unit)},
-      {"results", results_json(design.results(format))},
-      {"stages", pipeline.schedule.stages},
-      {"latency", pipeline.latency()},
-      {"clock_ps", pipeline.schedule.clock_ps},
-      {"library", library.name()},
-      {"by_stage", stages(pipeline)}};
+  Json json{{"design", std::string(design.name)},
+            {"kind", design.kind.name},
+            {"bits", to_string(format)},
+            {"module", unit.module},
+            {"verilog", {unit.module + ".v"}},
+            {"clock", "clk, rising edge"},
+            {"reset", "rst, synchronous, active high, valid bits only"},
+            {"flow_control", flow_control_name(unit.flow_control())},
+            {"handshake", handshake(unit)},
+            {"parameters", {{"TAG_BITS", 16}}},
+            {"ports", ports_json(unit)},
+            {"results", results_json(design.results(format))},
+            {"stages", pipeline.schedule.stages},
+            {"latency", pipeline.latency()},
+            {"clock_ps", pipeline.schedule.clock_ps},
+            {"library", library.name()},
+            {"by_stage", stages(pipeline)}};
+  if (pipeline.interval() > 1) {
+    json["ii"] = pipeline.interval();
+    json["shared"] = shared_components(pipeline);
+  }
+  return json;
 }
 
 void add_demands(Json& manifest, const Demands& demands, const PruneReport& report) {
@@ -133,6 +155,7 @@ ManifestHead head_of(const std::string& manifest) {
                       json.at("module").get<std::string>(),
                       json.at("latency").get<int>(),
                       flow_control_of(json),
+                      json.value("ii", 1),
                       json.value("files", std::vector<std::string>{})};
     check_module_name(head.module);
     return head;

@@ -18,8 +18,9 @@ using Json = nlohmann::ordered_json;
 
 /// Keys: design, kind, bits, module, verilog, clock, reset, flow_control, handshake, ports (name, direction,
 /// width, signed), results (name, meaning, box, width), stages, latency, clock_ps, library, by_stage (for
-/// each stage, its components with their counts and the latch bits at its end). Wrappers add an object each,
-/// and emit() adds `files`.
+/// each stage, its components with their counts and the latch bits at its end). A unit that takes a test
+/// every N cycles, N > 1, also has `ii`, which is N, and `shared` (its shared components, which are in no
+/// stage). Wrappers add an object each, and emit() adds `files`.
 [[nodiscard]] Json manifest(const Design& design, Format format, const ModuleInterface& unit,
                             const Pipeline& pipeline, const Library& library);
 
@@ -38,6 +39,7 @@ struct ManifestHead {
   std::string module;  ///< its Verilog is in MODULE.v
   int latency = 0;
   FlowControl flow_control = FlowControl::stall;
+  int interval = 1;
   std::vector<std::string> files{};  ///< none in a manifest that does not list them
 };
 

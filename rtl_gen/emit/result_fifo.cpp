@@ -22,14 +22,15 @@ std::string fifo_module(const std::string& module) {
 }
 
 ModuleInterface fifo_interface(const ModuleInterface& unit) {
-  return unit_interface(fifo_module(unit.module), unit.operands(), unit.results(), FlowControl::stall);
+  return unit_interface(fifo_module(unit.module), unit.operands(), unit.results(), FlowControl::stall,
+                        unit.interval);
 }
 
 std::string result_fifo(const ModuleInterface& unit, int latency) {
   const ModuleInterface fifo = fifo_interface(unit);
   check_names(fifo, unit,
               {"taken", "given", "arrives", "used", "oldest", "waits", "now", "shown", "held", "line", "i",
-               "BITS", "unit_i", "unit_tag"});
+               "BITS", "unit_i", "unit_tag", "unit_ready"});
   std::vector<std::string> names{"out_tag"};
   std::vector<std::string> unit_names{"unit_tag"};
   std::string wires;
@@ -41,9 +42,11 @@ std::string result_fifo(const ModuleInterface& unit, int latency) {
   const std::string instance = unit.instance("unit_i", "TAG_BITS", [](const Pin& pin) -> std::string {
     if (pin.name == "in_valid") return "taken";
     if (pin.name == "out_valid") return "arrives";
+    if (pin.role == Pin::Role::ready) return "unit_ready";
     if (pin.role == Pin::Role::tag && !pin.is_input) return "unit_tag";
     return pin.role == Pin::Role::data && !pin.is_input ? "unit_" + pin.name : pin.name;
   });
+  const bool waits = unit.has_ready(tests_channel);
   const int places = fifo_places(latency);
   const auto credit_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(places)));
   const auto place_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(places - 1)));
@@ -59,7 +62,7 @@ std::string result_fifo(const ModuleInterface& unit, int latency) {
 
   // Places that are used: tests in flight and results that wait.
   reg [{credit_high}:0] used;
-  assign in_ready = used != {credit_bits}'d{places};
+{unit_ready}  assign in_ready = {and_unit_ready}used != {credit_bits}'d{places};
   always @(posedge clk) begin
     if (rst) used <= {credit_bits}'d0;
     else if (taken & ~given) used <= used + {credit_bits}'d1;
@@ -91,12 +94,14 @@ std::string result_fifo(const ModuleInterface& unit, int latency) {
 endmodule
 )",
       fmt::arg("module", unit.module), fmt::arg("places", places), fmt::arg("head", fifo.head()),
-      fmt::arg("tag_range", tag_range), fmt::arg("result_bits", total_width(unit.results())),
-      fmt::arg("credit_high", credit_bits - 1), fmt::arg("credit_bits", credit_bits),
-      fmt::arg("wires", wires), fmt::arg("instance", instance), fmt::arg("place_bits", place_bits),
-      fmt::arg("oldest_bits", place_bits + 1), fmt::arg("place_high", place_bits - 1),
-      fmt::arg("unit_names", fmt::join(unit_names, ", ")), fmt::arg("held_high", places - 1),
-      fmt::arg("held_high_1", places - 2), fmt::arg("names", fmt::join(names, ", ")));
+      fmt::arg("unit_ready", waits ? "  wire unit_ready;\n" : ""),
+      fmt::arg("and_unit_ready", waits ? "unit_ready & " : ""), fmt::arg("tag_range", tag_range),
+      fmt::arg("result_bits", total_width(unit.results())), fmt::arg("credit_high", credit_bits - 1),
+      fmt::arg("credit_bits", credit_bits), fmt::arg("wires", wires), fmt::arg("instance", instance),
+      fmt::arg("place_bits", place_bits), fmt::arg("oldest_bits", place_bits + 1),
+      fmt::arg("place_high", place_bits - 1), fmt::arg("unit_names", fmt::join(unit_names, ", ")),
+      fmt::arg("held_high", places - 1), fmt::arg("held_high_1", places - 2),
+      fmt::arg("names", fmt::join(names, ", ")));
 }
 
 Json fifo_json(const ModuleInterface& unit, int latency) {

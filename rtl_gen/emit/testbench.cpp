@@ -47,14 +47,16 @@ struct ResultText {
 
 /// What differs between a unit that takes part in a handshake and one whose latency is fixed.
 struct FlowText {
-  FlowText(FlowControl flow, int latency) : ready(flow == FlowControl::stall) {
+  FlowText(const ModuleInterface& unit, int latency)
+      : ready(unit.flow_control() == FlowControl::stall), waits(unit.has_ready(tests_channel)) {
     if (ready) return;
     // Long enough to show what comes that was never sent.
     constants = fmt::format(
         "  // Edges from the one that takes the operands to the one that latches the results.\n"
         "  localparam integer LATENCY = {};\n  localparam integer IDLE = 2 * LATENCY + 8;\n",
         latency);
-    more = "\n  reg [LATENCY:0] due;  // by boundary: there is a test\n  integer idle;";
+    more = fmt::format("\n  reg [LATENCY:0] due;  // by boundary: there is a test\n{}  integer idle;",
+                       waits ? "  reg taken;\n" : "");
   }
   [[nodiscard]] const char* only_with_ready(const char* text) const { return ready ? text : ""; }
 
@@ -89,18 +91,20 @@ struct FlowText {
       if (due[LATENCY]) begin
 {}        received = received + 1;
       end
-      @(posedge clk);
-      due = {{due[LATENCY-1:0], in_valid}};
-      #1 if (in_valid) sent = sent + 1;
+{}      @(posedge clk);
+      due = {{due[LATENCY-1:0], {}}};
+      #1 if ({}) sent = sent + 1;
       @(negedge clk);
       cycles = cycles + 1;
       if (received == COUNT) idle = idle + 1;
     end
 )",
-                       compare);
+                       compare, waits ? "      taken = in_valid && in_ready;\n" : "",
+                       waits ? "taken" : "in_valid", waits ? "taken" : "in_valid");
   }
 
-  bool ready;
+  bool ready;  ///< on both sides
+  bool waits;  ///< tests wait for in_ready
   std::string constants, more;
 };
 
@@ -112,7 +116,8 @@ std::string testbench(const ModuleInterface& unit, int count, int latency) {
   const int width = total_width(ports) + result_width;
   const std::vector<std::string> operands = fields("operands", ports, width);
   const ResultText result(unit.results(), "expected");
-  const FlowText flow(unit.flow_control(), latency);
+  const FlowText flow(unit, latency);
+  const std::string in_time = fmt::format("cycles < {} * COUNT + 1000", 16 * unit.interval);
   std::size_t next = 0;
   const auto wire = [&](const Pin& pin) {
     if (pin.channel == tests_channel && pin.role == Pin::Role::tag) return std::string("sent[15:0]");
@@ -238,11 +243,13 @@ endmodule
       fmt::arg("data_pins", unit.data_connections(wire)),
       fmt::arg("stalls", flow.only_with_ready(" and stalls")), fmt::arg("constants", flow.constants),
       fmt::arg("more", flow.more), fmt::arg("out_ready", flow.only_with_ready(", out_ready")),
-      fmt::arg("in_ready", flow.only_with_ready("in_ready, ")),
+      fmt::arg("in_ready", flow.waits ? "in_ready, " : ""),
       fmt::arg("seen", flow.ready ? "handshakes" : "results"),
       fmt::arg("no_out_ready", flow.only_with_ready(" out_ready = 1'b0;")),
       fmt::arg("nothing_due", flow.ready ? "" : " due = 0; idle = 0;"),
-      fmt::arg("running", flow.ready ? "received != COUNT && cycles < 16 * COUNT + 1000" : "idle != IDLE"),
+      fmt::arg("running", flow.ready   ? "received != COUNT && " + in_time
+                          : flow.waits ? "idle != IDLE && " + in_time
+                                       : "idle != IDLE"),
       fmt::arg("drive", flow.drive(compare)));
 }
 

@@ -157,7 +157,7 @@ std::string check_block(const ModuleInterface& unit, const Demands& demands,
   return text + fmt::format(
                     "`ifdef HITPIPE_CHECK\n`ifndef SYNTHESIS\n  always @(posedge clk) begin\n"
                     "    if (in_valid{} && !rst) begin\n{}    end\n  end\n`endif\n`endif\n",
-                    unit.flow_control() == FlowControl::stall ? " && in_ready" : "", tests);
+                    unit.has_ready(tests_channel) ? " && in_ready" : "", tests);
 }
 
 std::string with_check_block(const std::string& verilog, const std::string& block) {

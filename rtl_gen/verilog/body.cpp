@@ -61,12 +61,17 @@ Body::Body(const Graph& graph, const Schedule& schedule, const Placement& placem
     registers_at_[{r.value, r.boundary}].push_back(i);
   }
 
+  const auto instances = options_.binding.instances();
+  if (!instances.empty()) text_ += "\n  // Components that several operations share.\n";
+  for (const auto& [instance, operations] : instances)
+    shared_[instance] = written_shared_component(operations);
   if (std::any_of(placement.registers.begin(), placement.registers.end(),
                   [](const Register& r) { return r.boundary == 0; })) {
     text_ += "\n  // Input latches.\n";
     write_registers(0);
   }
   for (int stage = 1; stage <= schedule.stages; ++stage) write_stage(stage);
+  for (const auto& [instance, shared] : shared_) write_selection(shared);
   write_unused();
 }
 
@@ -158,11 +163,30 @@ std::string Body::expression(NodeId value, int high, int low, int stage) const {
   }
 }
 
-void Body::write_value(NodeId id) {
-  const Node& n = graph_[id];
-  const int stage = schedule_.slots[id].stage;
+int Body::written_in(NodeId id) const {
+  const Slot& slot = schedule_.slots[id];
+  return options_.binding.shares(id) ? slot.finish : slot.stage;
+}
+
+int Body::stages_inside(NodeId id) const {
+  const Slot& slot = schedule_.slots[id];
+  return slot.finish - slot.stage + (options_.binding.shares(id) ? 0 : 1);
+}
+
+void Body::write_component(const Connected& c) {
+  if (is_pipelined_multiplier(c.like)) {
+    write_multiplier(c);
+  } else if (graph_[c.like].op == Op::call) {
+    write_unit(c);
+  } else {
+    write_value(c);
+  }
+}
+
+void Body::write_value(const Connected& c) {
+  const Node& n = graph_[c.like];
   const auto arg = [&](std::size_t i) {
-    const std::string value = expression(n.args[i], stage);
+    const std::string& value = c.operands[i];
     // A product is wider than its operands: Verilog would extend them before it inverts them.
     return n.op == Op::mul && value.starts_with('~') ? fmt::format("{{{}}}", value) : value;
   };
@@ -174,54 +198,106 @@ void Body::write_value(NodeId id) {
     const std::string_view form = reads_sign ? "$signed({}) {} $signed({})" : "{} {} {}";
     right = fmt::format(fmt::runtime(form), arg(0), infix(n.op), arg(1));
   }
-  text_ +=
-      fmt::format("  wire {}{} = {};{}\n", vector_range(n.width), names_[id].name, right, comment("", id));
+  text_ += fmt::format("  wire {}{} = {};{}\n", vector_range(n.width), c.result, right, c.comment);
 }
 
 std::string Body::clock_pins() const {
   return options_.enable.empty() ? ".clk(clk), " : fmt::format(".clk(clk), .en({}), ", options_.enable);
 }
 
-void Body::write_multiplier(NodeId id) {
-  const Node& n = graph_[id];
-  const Slot& slot = schedule_.slots[id];
-  const BitSpan used = declared(id);
+void Body::write_multiplier(const Connected& c) {
+  const Node& n = graph_[c.like];
   const MultiplierShape shape{.width_a = graph_[n.args[0]].width,
                               .width_b = graph_[n.args[1]].width,
                               .is_signed = n.is_signed,
-                              .stages = slot.finish - slot.stage + 1,
-                              .high = used.high,
-                              .low = used.low,
+                              .stages = stages_inside(c.like),
+                              .high = c.declared.high,
+                              .low = c.declared.low,
                               .in_block = options_.on_chip};
   const std::string base = fmt::format("{}_mul_{}x{}{}_to_{}_{}", options_.prefix, shape.width_a,
                                        shape.width_b, shape.is_signed ? "s" : "u", shape.high, shape.low);
   const std::string& module = multipliers_.try_emplace(shape, base).first->second;
   const std::string clocked = shape.stages > 1 ? clock_pins() : "";
-  const std::string& name = names_[id].name;
-  const std::string what = fmt::format("bits {}:{}, there in stage {}", used.high, used.low, slot.finish);
-  text_ += fmt::format("  wire {}{};{}\n", vector_range(used.width()), name, comment(what, id));
-  text_ += fmt::format("  {} {} ({}.a({}), .b({}), .p({}));\n", module, claim("mul_" + name), clocked,
-                       expression(n.args[0], slot.stage), expression(n.args[1], slot.stage), name);
+  text_ += fmt::format("  wire {}{};{}\n", vector_range(c.declared.width()), c.result, c.comment);
+  text_ += fmt::format("  {} {} ({}.a({}), .b({}), .p({}));\n", module, claim("mul_" + c.result), clocked,
+                       c.operands[0], c.operands[1], c.result);
 }
 
-void Body::write_unit(NodeId id) {
-  const Slot& slot = schedule_.slots[id];
-  const std::shared_ptr<const Unit>& unit = graph_.unit_of(id);
+void Body::write_unit(const Connected& c) {
+  const std::shared_ptr<const Unit>& unit = graph_.unit_of(c.like);
   const Graph& body = unit->body;
   const std::string module = fmt::format("{}_{}", options_.prefix, body.name());
-  const UnitUse use{unit, slot.finish - slot.stage + 1};
+  const UnitUse use{unit, stages_inside(c.like)};
   units_.try_emplace(module, use);
   std::string operands;
-  for (std::size_t i = 0; i < body.inputs().size(); ++i) {
-    operands +=
-        fmt::format(".{}({}), ", body[body.inputs()[i]].name, expression(graph_[id].args[i], slot.stage));
-  }
+  for (std::size_t i = 0; i < body.inputs().size(); ++i)
+    operands += fmt::format(".{}({}), ", body[body.inputs()[i]].name, c.operands[i]);
   const std::string clocked = use.stages > 1 ? clock_pins() : "";
-  const std::string& name = names_[id].name;
-  text_ += fmt::format("  wire {}{};{}\n", vector_range(graph_[id].width), name,
-                       comment(fmt::format("there in stage {}", slot.finish), id));
-  text_ += fmt::format("  {} {} ({}{}.{}({}));\n", module, claim(fmt::format("{}_{}", unit->component, name)),
-                       clocked, operands, body.outputs().front().name, name);
+  text_ += fmt::format("  wire {}{};{}\n", vector_range(graph_[c.like].width), c.result, c.comment);
+  text_ +=
+      fmt::format("  {} {} ({}{}.{}({}));\n", module, claim(fmt::format("{}_{}", unit->component, c.result)),
+                  clocked, operands, body.outputs().front().name, c.result);
+}
+
+Body::SharedComponent Body::written_shared_component(const std::vector<NodeId>& operations) {
+  const Node& n = graph_[operations.front()];
+  SharedComponent shared{.operations = operations, .name = {}, .operands = {}, .declared = {0, 64}};
+  std::vector<std::string> names, uses;
+  for (const NodeId id : operations) {
+    const BitSpan span = declared(id);
+    shared.declared = {std::max(shared.declared.high, span.high), std::min(shared.declared.low, span.low)};
+    names.push_back(names_[id].name);
+    uses.push_back(fmt::format("{} (reads in stage {})", names_[id].name, schedule_.slots[id].stage));
+  }
+  const bool is_unit = n.op == Op::call;
+  std::string wish = fmt::format(
+      "shared_{}", is_unit ? std::string_view(graph_.unit_of(operations.front())->component) : op_name(n.op));
+  if (const std::string common = shared_name(names); !common.empty()) wish += "_" + common;
+  shared.name = claim(wish);
+  text_ += fmt::format("  // {}, for {}.\n", shared.name, fmt::join(uses, ", "));
+  for (std::size_t i = 0; i < n.operands().size(); ++i) {
+    if (!is_selected(graph_, operations, i)) {
+      shared.operands.push_back(expression(n.args[i], 0));
+      continue;
+    }
+    const Graph* const inside = is_unit ? &graph_.unit_of(operations.front())->body : nullptr;
+    const std::string pin =
+        inside != nullptr ? (*inside)[inside->inputs()[i]].name : std::string(1, static_cast<char>('a' + i));
+    shared.operands.push_back(claim(fmt::format("{}_{}", shared.name, pin)));
+    text_ += fmt::format("  reg {}{};\n", vector_range(graph_[n.args[i]].width), shared.operands.back());
+  }
+  write_component({operations.front(), shared.operands, shared.name, shared.declared, ""});
+  return shared;
+}
+
+void Body::write_selection(const SharedComponent& shared) {
+  const int interval = options_.binding.interval;
+  const auto width = std::bit_width(static_cast<unsigned>(interval - 1));
+  const std::string indent = options_.enable.empty() ? "" : "  ";
+  std::string cases;
+  for (const NodeId id : shared.operations) {
+    const int stage = schedule_.slots[id].stage;
+    cases += fmt::format(
+        "{}      {}: begin  // stage {}, for {}\n", indent,
+        id == shared.operations.back() ? "default" : fmt::format("{}'d{}", width, stage % interval), stage,
+        names_[id].name);
+    for (std::size_t i = 0; i < shared.operands.size(); ++i)
+      if (is_selected(graph_, shared.operations, i))
+        cases += fmt::format("{}        {} <= {};\n", indent, shared.operands[i],
+                             expression(graph_[id].args[i], stage));
+    cases += indent + "      end\n";
+  }
+  cases = fmt::format("{0}    case (phase)\n{1}{0}    endcase\n", indent, cases);
+  if (!options_.enable.empty()) cases = fmt::format("    if ({}) begin\n{}    end\n", options_.enable, cases);
+  text_ +=
+      fmt::format("\n  // What {} reads next.\n  always @(posedge clk) begin\n{}  end\n", shared.name, cases);
+}
+
+void Body::write_shared_result(NodeId id) {
+  const SharedComponent& shared = shared_.at(options_.binding.instance_of.at(id));
+  const BitSpan span = declared(id);
+  text_ += fmt::format("  wire {}{} = {};{}\n", vector_range(span.width()), names_[id].name,
+                       select_bits(shared.name, shared.declared, span.high, span.low), comment("", id));
 }
 
 void Body::write_registers(int boundary) {
@@ -243,14 +319,20 @@ void Body::write_registers(int boundary) {
 void Body::write_stage(int stage) {
   text_ += fmt::format("\n  // Stage {}.\n", stage);
   for (NodeId id = 0; id < graph_.size(); ++id) {
-    if (!is_root(graph_[id].op) || graph_[id].op == Op::input || schedule_.slots[id].stage != stage) continue;
-    if (is_pipelined_multiplier(id)) {
-      write_multiplier(id);
-    } else if (graph_[id].op == Op::call) {
-      write_unit(id);
-    } else {
-      write_value(id);
+    const Node& n = graph_[id];
+    if (!is_root(n.op) || n.op == Op::input || written_in(id) != stage) continue;
+    if (options_.binding.shares(id)) {
+      write_shared_result(id);
+      continue;
     }
+    const BitSpan span = declared(id);
+    std::string what;
+    if (is_pipelined_multiplier(id)) what = fmt::format("bits {}:{}, ", span.high, span.low);
+    if (is_pipelined_multiplier(id) || n.op == Op::call)
+      what += fmt::format("there in stage {}", schedule_.slots[id].finish);
+    Connected component{id, {}, names_[id].name, span, comment(what, id)};
+    for (const NodeId arg : n.operands()) component.operands.push_back(expression(arg, stage));
+    write_component(component);
   }
   write_registers(stage);
 }
@@ -273,6 +355,11 @@ void Body::write_unused() {
   for (std::size_t i = 0; i < placement_.registers.size(); ++i) {
     const Register& r = placement_.registers[i];
     add(registers_[i], {r.high, r.low}, r.unread);
+  }
+  for (const auto& [instance, shared] : shared_) {
+    std::uint64_t rest = bit_range(shared.declared.high, shared.declared.low);
+    for (const NodeId id : shared.operations) rest &= ~bit_range(declared(id).high, declared(id).low);
+    add(shared.name, shared.declared, rest);
   }
   if (unused.empty()) return;
   text_ +=

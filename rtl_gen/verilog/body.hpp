@@ -1,4 +1,5 @@
-// The inside of a module: the logic of each stage and the registers at its end.
+// The inside of a module: the logic of each stage and the registers at its end. A component that several
+// operations share stands before the stages, and the selection of its operands behind them.
 #pragma once
 
 #include <map>
@@ -20,6 +21,7 @@ struct BodyOptions {
   std::string enable;             ///< lets the registers load; empty: they load in every cycle
   std::set<std::string> taken{};  ///< names that are not free
   bool on_chip = false;           ///< a multiplier is a block of a chip
+  Binding binding{};              ///< with shared components, `phase` says which stages are at work
 };
 
 /// A unit that a body instantiates.
@@ -44,9 +46,33 @@ class Body {
  private:
   void write_stage(int stage);
   void write_registers(int boundary);
-  void write_value(NodeId id);
-  void write_multiplier(NodeId id);
-  void write_unit(NodeId id);
+  /// A component and what it is connected to.
+  struct Connected {
+    NodeId like;                        ///< it carries out operations such as this one
+    std::vector<std::string> operands;  ///< Verilog expressions
+    std::string result;                 ///< the wire that it drives
+    BitSpan declared;                   ///< the bits of that wire
+    std::string comment;                ///< "  // what", or nothing
+  };
+  void write_component(const Connected& c);
+  void write_value(const Connected& c);
+  void write_multiplier(const Connected& c);
+  void write_unit(const Connected& c);
+  /// One that several operations share.
+  struct SharedComponent {
+    std::vector<NodeId> operations;
+    std::string name;                   ///< also of the wire that it drives
+    std::vector<std::string> operands;  ///< registers; a constant that all operations read is none
+    BitSpan declared;                   ///< the bits of that wire: all that any operation declares
+  };
+  [[nodiscard]] SharedComponent written_shared_component(const std::vector<NodeId>& operations);
+  void write_selection(const SharedComponent& shared);
+  /// The operation's bits of what its shared component drives.
+  void write_shared_result(NodeId id);
+  /// The stage in which an operation's result or its own component is declared.
+  [[nodiscard]] int written_in(NodeId id) const;
+  /// Stages inside the component that carries it out; 1: combinational.
+  [[nodiscard]] int stages_inside(NodeId id) const;
   void write_unused();
   /// The first pins of a component with stages, each with a comma behind it.
   [[nodiscard]] std::string clock_pins() const;
@@ -75,6 +101,7 @@ class Body {
   std::map<std::pair<NodeId, int>, std::vector<std::size_t>> registers_at_;
   std::map<MultiplierShape, std::string> multipliers_;
   std::map<std::string, UnitUse> units_;
+  std::map<int, SharedComponent> shared_;  ///< by instance
   std::string text_;
 };
 

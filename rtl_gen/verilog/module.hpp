@@ -28,6 +28,8 @@ struct VerilogOptions {
 /// in_ready falls only while a valid result waits for out_ready. The whole pipeline then stands still.
 /// With FlowControl::none there is no in_ready and no out_ready, and no register has an enable: what is valid
 /// at an edge comes out `latency` edges later, for one cycle.
+/// With an interval of N cycles in_ready, which is then always there, is high in one of N cycles in which the
+/// pipeline moves. A counter of the phase, 0 to N - 1, tells the shared components whose operands they get.
 [[nodiscard]] std::string to_verilog(const Pipeline& pipeline, const Library& library,
                                      const VerilogOptions& options = {});
 

@@ -85,7 +85,7 @@ void add_data(std::vector<Pin>& pins, const std::string& channel, bool is_input,
 }
 
 ModuleInterface unit_interface(const std::string& module, const std::vector<Port>& operands,
-                               const std::vector<Port>& results, FlowControl flow) {
+                               const std::vector<Port>& results, FlowControl flow, int interval) {
   using Role = Pin::Role;
   std::vector<Pin> pins{{"clk", Role::clock, "", true},
                         {"rst", Role::reset, "", true},
@@ -95,10 +95,12 @@ ModuleInterface unit_interface(const std::string& module, const std::vector<Port
                         {"out_valid", Role::valid, results_channel, false},
                         {"out_ready", Role::ready, results_channel, true},
                         {"out_tag", Role::tag, results_channel, false, Pin::tag_width}};
-  if (flow == FlowControl::none) std::erase_if(pins, [](const Pin& pin) { return pin.role == Role::ready; });
+  if (flow == FlowControl::none)
+    std::erase_if(pins,
+                  [&](const Pin& pin) { return pin.role == Role::ready && (pin.is_input || interval == 1); });
   add_data(pins, tests_channel, true, operands);
   add_data(pins, results_channel, false, results);
-  return {module, std::move(pins)};
+  return {module, std::move(pins), interval};
 }
 
 void check_names(const ModuleInterface& wrapper, const ModuleInterface& unit,

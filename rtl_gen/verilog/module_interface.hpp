@@ -17,7 +17,8 @@ namespace hitpipe::rtl {
 /// Whether a pipeline can wait.
 enum class FlowControl {
   stall,  ///< valid and ready on both sides: while a result waits, the whole pipeline stands still
-  none,   ///< valid alone: a test may go in every cycle, and its result comes out `latency` cycles later
+  none,   ///< nothing waits: a test's result comes out `latency` cycles after it. Valid alone, unless the
+          ///< unit takes tests in some cycles only
 };
 /// In the order of the enumeration.
 inline constexpr std::array<std::string_view, 2> flow_control_names{"stall", "none"};
@@ -54,11 +55,12 @@ struct Pin {
 struct ModuleInterface {
   std::string module;
   std::vector<Pin> pins;  ///< in the order of the Verilog
+  int interval = 1;       ///< a test may begin every so many cycles
 
   /// Whether the channel has a ready pin.
   [[nodiscard]] bool has_ready(std::string_view channel) const;
   [[nodiscard]] FlowControl flow_control() const {
-    return has_ready(tests_channel) ? FlowControl::stall : FlowControl::none;
+    return has_ready(results_channel) ? FlowControl::stall : FlowControl::none;
   }
   /// The data pins of a channel: of a unit the operands, and the results.
   [[nodiscard]] std::vector<Port> data(std::string_view channel) const;
@@ -82,9 +84,11 @@ void add_data(std::vector<Pin>& pins, const std::string& channel, bool is_input,
               const std::vector<Port>& ports);
 
 /// The interface of a unit: clk, rst, in_valid, in_ready, in_tag, out_valid, out_ready, out_tag, operands and
-/// results. Without flow control there is no in_ready and no out_ready.
+/// results. Without flow control there is no out_ready, and in_ready only with an interval of more than a
+/// cycle.
 [[nodiscard]] ModuleInterface unit_interface(const std::string& module, const std::vector<Port>& operands,
-                                             const std::vector<Port>& results, FlowControl flow);
+                                             const std::vector<Port>& results, FlowControl flow,
+                                             int interval = 1);
 
 /// Throws std::runtime_error, one line, when a data pin of `unit` has the name of another pin of the wrapper
 /// around it or of one of `inside`, which the wrapper's text declares.

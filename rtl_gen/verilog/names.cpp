@@ -112,6 +112,12 @@ std::vector<ValueName> value_names(const Graph& graph, const Placement& placemen
   return names;
 }
 
+std::string shared_name(const std::vector<std::string>& names) {
+  Words words = words_of(names.front());
+  for (const std::string& name : names) words = shared_words(words, words_of(name));
+  return fmt::format("{}", fmt::join(words, "_"));
+}
+
 namespace {
 
 std::set<std::string> set_of(const char* words) {

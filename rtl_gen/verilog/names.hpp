@@ -32,6 +32,9 @@ struct ValueName {
 [[nodiscard]] std::vector<ValueName> value_names(const Graph& graph, const Placement& placement,
                                                  std::set<std::string> taken);
 
+/// The words that all names share, in the order of the first, joined by underscores; may be empty.
+[[nodiscard]] std::string shared_name(const std::vector<std::string>& names);
+
 /// Of Verilog (IEEE 1364-2001) and of SystemVerilog (IEEE 1800-2012): some tools read every design as
 /// SystemVerilog.
 [[nodiscard]] const std::set<std::string>& verilog_keywords();

@@ -179,7 +179,8 @@ class Tile {
 }  // namespace
 
 double CosimResult::occupancy_pct() const {
-  return unit.cycles == 0 ? 0.0 : 100.0 * static_cast<double>(unit.tests) / static_cast<double>(unit.cycles);
+  if (unit.cycles == 0) return 0.0;
+  return 100.0 * interval * static_cast<double>(unit.tests) / static_cast<double>(unit.cycles);
 }
 
 double CosimResult::extra_box_tests_pct() const {
@@ -256,6 +257,7 @@ CosimResult cosimulate(const VerilatedDesign& verilated, const ref::Scene& scene
     result.loop_seconds += part.loop_seconds;
   }
   result.latency = verilated.latency();
+  result.interval = unit.pipeline.interval();
   return result;
 }
 

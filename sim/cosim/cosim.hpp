@@ -47,6 +47,7 @@ struct CosimResult {
   UnitCounts unit;
   ref::TraceCounts reference;  ///< by software, for the same rays and hierarchy
   int latency = 0;
+  int interval = 1;  ///< a test may begin every so many cycles
   /// Time for the cycles of the Verilog alone, estimated from samples (sim/cosim/sampled_time.hpp). 0 when
   /// there were too few cycles to sample.
   double rtl_seconds = 0;

@@ -131,7 +131,8 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
   // A test is in the pipeline in every cycle, or a ray is written. If no answer comes for longer than these
   // take, the Verilog has lost an answer.
   int silent_cycles = 0;
-  const int longest_silence = options_.verilated->latency() + (writer_ ? 3 : 2);
+  const int longest_silence =
+      options_.verilated->latency() + options_.verilated->unit().pipeline.interval() + (writer_ ? 2 : 1);
   const auto can_send = [&](std::size_t slot) {
     if (writer_) {
       Walk::ask(*rays_, slot, *slots[slot].traversal, operands_.data());
@@ -159,8 +160,6 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
     const bool bit_level = !options_.on_float_unit || sent % bit_level_stride == 0;
     if (sending) {
       Walk::ask(*rays_, sender, *slots[sender].traversal, operands_.data());
-      (bit_level ? options_.evaluate : *options_.on_float_unit)(operands_.data(),
-                                                                slots[sender].expected.data());
       pins.in_valid = true;
       pins.in_tag = static_cast<std::uint16_t>(sender);
     }
@@ -168,6 +167,8 @@ void RayUnit::walk(const Walk& walk, const std::function<std::optional<RayJob>()
     rtl_time_.run([&] { model_.cycle(operands_.data(), pins); });
     ++counts_.cycles;
     if (sending && pins.in_ready) {
+      (bit_level ? options_.evaluate : *options_.on_float_unit)(operands_.data(),
+                                                                slots[sender].expected.data());
       ready.pop();
       slots[sender].waiting = true;
       slots[sender].turn = sent++;

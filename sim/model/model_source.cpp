@@ -56,7 +56,7 @@ MorePins ray_slot_pins(const rtl::RaySlots& slots, const std::vector<rtl::Port>&
 
 std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
                          const std::vector<rtl::Port>& ports, const std::vector<hls::Result>& results,
-                         rtl::FlowControl flow, const MorePins& more) {
+                         rtl::FlowControl flow, int interval, const MorePins& more) {
   const bool stalls = flow == rtl::FlowControl::stall;
   std::string read;
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -93,7 +93,7 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
 )",
                   module, drive_lines(ports, operands, "operands"), results[rtl::place_of_hit(results)].name,
                   read, more.drive, more.read, stalls ? "  top.out_ready = pins->out_ready;\n" : "",
-                  stalls ? "top.in_ready" : "true");
+                  stalls || interval > 1 ? "top.in_ready" : "true");
 }
 
 }  // namespace hitpipe::sim

@@ -31,6 +31,6 @@ struct MorePins {
 [[nodiscard]] std::string model_source(const std::string& module, const std::vector<rtl::Port>& operands,
                                        const std::vector<rtl::Port>& ports,
                                        const std::vector<hls::Result>& results, rtl::FlowControl flow,
-                                       const MorePins& more = {});
+                                       int interval = 1, const MorePins& more = {});
 
 }  // namespace hitpipe::sim

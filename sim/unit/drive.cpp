@@ -27,9 +27,10 @@ class Driver {
   DriveReport operator()() {
     const Traffic& traffic = options_.traffic;
     // A test that is lost would be waited for without end.
-    const auto most_cycles = static_cast<std::uint64_t>(16.0 * static_cast<double>(tests_.size()) /
-                                                        (traffic.offered * traffic.taken)) +
-                             1000;
+    const auto most_cycles =
+        static_cast<std::uint64_t>(16.0 * model_.design().unit().pipeline.interval() *
+                                   static_cast<double>(tests_.size()) / (traffic.offered * traffic.taken)) +
+        1000;
     // So that everything in a pipeline comes out.
     int draining = 2 * model_.design().latency() + 4;
     for (std::uint64_t cycle = 0; draining > 0 && cycle < most_cycles; ++cycle) {
@@ -53,6 +54,19 @@ class Driver {
     return static_cast<double>(random_() >> 11U) < share * static_cast<double>(std::uint64_t{1} << 53U);
   }
 
+  /// Follows the phase of the unit from the first cycle in which it takes tests.
+  void check_ready(const Pins& pins) {
+    const bool moves = pins.out_ready || !pins.out_valid;
+    const int interval = model_.design().unit().pipeline.interval();
+    if (!phase_ && (pins.in_ready || interval == 1)) phase_ = 0;
+    if (pins.in_ready != (moves && phase_ == 0)) fail(report_.wrong_ready, "wrong in_ready: ", pins.out_tag);
+    if (pins.rst) {
+      phase_ = 0;
+    } else if (moves && phase_) {
+      phase_ = (*phase_ + 1) % interval;
+    }
+  }
+
   void run_cycle() {
     const Traffic& traffic = options_.traffic;
     Pins pins{.rst = chance(traffic.reset),
@@ -62,8 +76,7 @@ class Driver {
               .results = results_.data()};
     model_.cycle(all_sent() ? nullptr : tests_.operands(report_.sent).data(), pins);
 
-    if (pins.in_ready != (pins.out_ready || !pins.out_valid))
-      fail(report_.wrong_ready, "wrong in_ready: ", pins.out_tag);
+    check_ready(pins);
     if (before_.out_valid && !before_.out_ready &&
         !(pins.out_valid && results_ == results_before_ && pins.out_tag == before_.out_tag))
       fail(report_.not_held, "not held: ", pins.out_tag);
@@ -137,6 +150,7 @@ class Driver {
   std::mt19937_64 random_;
   std::vector<std::int64_t> results_, results_before_;
   Pins before_;               ///< of the last cycle
+  std::optional<int> phase_;  ///< cycles since the last in which it took tests; nothing: not yet seen
   bool told_answer_ = false;  ///< the first failure is a wrong answer
   DriveReport report_;
 };

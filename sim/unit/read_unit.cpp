@@ -76,7 +76,8 @@ Unit read_unit(const fs::path& place, const rtl::Design& design, const rtl::Libr
     const rtl::Graph traced = design.trace(format);
     rtl::Demands demands = rtl::demands_of_manifest(manifest);
     const rtl::PruneOptions options{.set_up = rtl::set_up_demands(design.ports(format)), .shares = false};
-    rtl::Pipeline pipeline = rtl::make_pipeline(rtl::prune(traced, demands, options).graph, library);
+    rtl::Pipeline pipeline =
+        rtl::make_pipeline(rtl::prune(traced, demands, options).graph, library, std::nullopt, head.interval);
     if (head.latency != pipeline.latency())
       throw std::runtime_error(fmt::format(
           "a latency of {} cycles, but with the library {} it is {}; give the library that it was written "

@@ -15,7 +15,8 @@ namespace {
 
 rtl::ModuleInterface interface_of(const Unit& unit) {
   return rtl::unit_interface(unit.module, rtl::input_ports(unit.pipeline.graph),
-                             rtl::result_ports(unit.design->results(unit.format)), unit.flow_control);
+                             rtl::result_ports(unit.design->results(unit.format)), unit.flow_control,
+                             unit.pipeline.interval());
 }
 
 const rtl::PortDemand* demand_on(const Unit& unit, const std::vector<rtl::Port>& ports,
@@ -36,8 +37,9 @@ const rtl::PortDemand* demand_on(const Unit& unit, const std::vector<rtl::Port>&
 }  // namespace
 
 Unit make_unit(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
-               rtl::FlowControl flow) {
-  return make_unit(design, format, library, rtl::make_pipeline(design.trace(format), library), {}, flow);
+               rtl::FlowControl flow, int interval) {
+  return make_unit(design, format, library,
+                   rtl::make_pipeline(design.trace(format), library, std::nullopt, interval), {}, flow);
 }
 
 Unit make_unit(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,

@@ -35,7 +35,8 @@ struct Unit {
 
 /// The whole design, as read_unit() would read what `hitpipe rtl` writes of it.
 [[nodiscard]] Unit make_unit(const rtl::Design& design, const rtl::Format& format,
-                             const rtl::Library& library, rtl::FlowControl flow = rtl::FlowControl::stall);
+                             const rtl::Library& library, rtl::FlowControl flow = rtl::FlowControl::stall,
+                             int interval = 1);
 
 /// A pipeline that prune() left of the design. The demands say how the set-up rounds and whether rays end.
 [[nodiscard]] Unit make_unit(const rtl::Design& design, const rtl::Format& format,

@@ -11,7 +11,8 @@ namespace {
 ModelSources sources_of(const Unit& unit, const std::vector<hls::Result>& results) {
   const auto wrapper = [&](const std::string& module, const std::vector<rtl::Port>& ports,
                            const MorePins& more) {
-    return model_source(module, unit.ports(), ports, results, unit.flow_control, more);
+    return model_source(module, unit.ports(), ports, results, unit.flow_control, unit.pipeline.interval(),
+                        more);
   };
   if (!unit.ray_slots)
     return {unit.module, unit.verilog, wrapper(unit.module, rtl::input_ports(unit.pipeline.graph), {})};
