@@ -38,6 +38,7 @@ struct CheckCommand {
   std::uint64_t seed = 1;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   bool rtl = false;
+  int interval = 1;
   bool stiff = false;
   std::optional<std::string> replay;
   Format format = Format::text;
@@ -118,7 +119,8 @@ int judge(const CheckCommand& command) {
   std::optional<sim::VerilatedDesign> verilated;
   if (command.rtl) {
     progress.emplace("compiling the Verilog");
-    verilated.emplace(sim::make_unit(design, format, rtl::Library::thesis()));
+    verilated.emplace(
+        sim::make_unit(design, format, rtl::Library::thesis(), rtl::FlowControl::stall, command.interval));
   }
   progress.emplace("judging");
   const sim::MakeBoxTest make = [&] { return sim::make_box_test(design, format); };
@@ -185,7 +187,8 @@ int replay(const CheckCommand& command) {
       {"design", design.name}, {"bits", rtl::to_string(format)}, {"exact", word(meets)}, {"unit", word(hit)}};
   bool rtl_differs = false;
   if (command.rtl) {
-    const sim::VerilatedDesign verilated(sim::make_unit(design, format, rtl::Library::thesis()));
+    const sim::VerilatedDesign verilated(
+        sim::make_unit(design, format, rtl::Library::thesis(), rtl::FlowControl::stall, command.interval));
     sim::Model model(verilated);
     sim::TestBatch one;
     one.add(test->operands(), test->results());
@@ -223,7 +226,9 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
   add_count_option(*command, "--threads", options->threads, {1, 1024},
                    "Number of threads; results do not depend on it")
       ->capture_default_str();
-  command->add_flag("--rtl", options->rtl, "The Verilog answers every test too");
+  CLI::Option* const with_rtl =
+      command->add_flag("--rtl", options->rtl, "The Verilog answers every test too");
+  add_interval_option(*command, options->interval)->needs(with_rtl);
   command->add_option("--replay", options->replay, "Judge the one case that a failed check printed")
       ->type_name("CASE");
   CLI::Option* const is_stiff = command->add_flag(
