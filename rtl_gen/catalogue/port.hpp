@@ -38,6 +38,10 @@ struct Port {
 /// What an operand tells the unit, in words: "lower plane, x; integer, -32767..32767".
 [[nodiscard]] std::string description(const Port& operand);
 [[nodiscard]] std::string description(const hls::Result& result);
+/// 0 for x, 1 for y, 2 for z. The port must have an axis.
+[[nodiscard]] constexpr int axis_of(const Port& port) {
+  return static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
+}
 /// The bits of all ports together.
 [[nodiscard]] int total_width(const std::vector<Port>& ports);
 /// A graph's inputs, in order, without their roles.

@@ -204,12 +204,13 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
     drawn = {vector_seed, at_ports.groups(drawn_vectors)};
   }
   const VectorSet& vectors = options.vectors == nullptr ? drawn : *options.vectors;
-  std::string verilog = to_verilog(pipeline, library,
-                                   {.module_name = name,
-                                    .bits = to_string(format),
-                                    .flow_control = flow,
-                                    .operands = design.ports(format),
-                                    .results = results});
+  std::string verilog = options.verilog != nullptr ? *options.verilog
+                                                   : to_verilog(pipeline, library,
+                                                                {.module_name = name,
+                                                                 .bits = to_string(format),
+                                                                 .flow_control = flow,
+                                                                 .operands = design.ports(format),
+                                                                 .results = results});
   const ModuleInterface unit = unit_interface(name, left, result_ports(results), flow, pipeline.interval());
   const int latency = pipeline.latency();
   Json json = manifest(design, format, unit, pipeline, library);

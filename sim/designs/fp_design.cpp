@@ -10,7 +10,7 @@ using hls::Role;
 
 std::optional<SceneDemand> fp_demand(const rtl::Port& port, const rtl::Format& /*binary32*/,
                                      const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
-  const int axis = static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
+  const int axis = rtl::axis_of(port);
   Range range;
   switch (port.role) {
     case Role::origin:

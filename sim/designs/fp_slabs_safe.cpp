@@ -96,7 +96,7 @@ std::optional<SceneDemand> fp_slabs_safe_demand(const rtl::Port& port, const rtl
                                                 const ref::SceneDemands& scene,
                                                 const ref::CoarseAxes& /*none*/) {
   const auto bits = format.as<FpBits>();
-  const int axis = static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
+  const int axis = rtl::axis_of(port);
   switch (port.role) {
     case hls::Role::backward:
       return SceneDemand{{backward(scene, axis)}};

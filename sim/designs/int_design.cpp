@@ -13,10 +13,6 @@ namespace {
 using hls::IntBits;
 using hls::Role;
 
-int axis_of(const rtl::Port& port) {
-  return static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
-}
-
 std::optional<SceneDemand> demanded(const Range& range, int spare_bits = 0) {
   if (!range) return std::nullopt;
   return SceneDemand{{*range}, spare_bits};

@@ -108,7 +108,7 @@ std::optional<SceneDemand> major_demand(const rtl::Port& port, const rtl::Format
   const auto bits = format.as<MajorBits>();
   if (port.role == hls::Role::plane_low || port.role == hls::Role::plane_high) {
     const ref::IntBox box = ref::quantise_box(scene.boxes, bits.coord, bits.finer);
-    const auto axis = static_cast<std::size_t>(port.axis) - static_cast<std::size_t>(hls::Axis::x);
+    const auto axis = static_cast<std::size_t>(rtl::axis_of(port));
     return SceneDemand{{{box.min[axis], box.max[axis]}}, spare};
   }
   const auto range_of = [&](const Slotted& ray) -> Range {
@@ -123,7 +123,7 @@ std::optional<SceneDemand> major_demand(const rtl::Port& port, const rtl::Format
         return rtl::Interval{ray.family->direction.max[axis] < 0.0F ? 1 : 0,
                              ray.family->direction.min[axis] < 0.0F ? 1 : 0};
       case hls::Role::major: {
-        const bool is = ray.axes[0] == static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
+        const bool is = ray.axes[0] == rtl::axis_of(port);
         return rtl::Interval{is ? 1 : 0, is ? 1 : 0};
       }
       default:

@@ -1,8 +1,6 @@
 // Sends tests through a unit's Verilog, with gaps, stalls and resets if wanted, and checks what a unit around
 // it relies on: every answer is the C++ datapath's, comes once, in order, with its tag, and is held until it
 // is taken.
-// A unit's Verilog against the C++ of the whole design: random operands as demanded, offered with gaps and
-// taken with stalls; all results and the tag are compared.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@ namespace {
 
 TEST_F(WrongUseOf, TheCommandLine) {
   rejected({{"rtl int_slabs --colour 3 --out OUT", "--colour: no such option; the nearest is --out;"},
-            {"rtl int_slabs 3 --ii", "--ii: no such option; the nearest is --bits;"},
+            {"rtl int_slabs 3 --bit", "--bit: no such option; the nearest is --bits;"},
             {"rtl int_slabs 3 4 --out OUT", "3: a word too many;"},
             {"cosim int_slabs --sceen spheres", "--sceen: no such option; the nearest is --scene;"},
             {"cosim int_slabs --rays=3", "--rays=3: no such option; the nearest is --rays-in-flight;"},

@@ -69,7 +69,7 @@ class BlockSetup {
 std::optional<SceneDemand> block_demand(const rtl::Port& port, const rtl::Format& format,
                                         const ref::SceneDemands& scene, const ref::CoarseAxes& /*none*/) {
   const int n = block_grid(format).coord;
-  const int axis = static_cast<int>(port.axis) - static_cast<int>(hls::Axis::x);
+  const int axis = rtl::axis_of(port);
   if (port.role == hls::Role::origin) {
     if (const Range range = int_origin(scene, axis, n)) return SceneDemand{{*range}, 1};
   }
