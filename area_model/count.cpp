@@ -61,13 +61,15 @@ class Tally {
   std::map<std::pair<int, Part>, int> counts_;
 };
 
-/// One node for each component: a magnitude comparator counts once, by the first of its two orders.
-std::vector<NodeId> components_of(const Graph& graph, const rtl::Schedule& schedule) {
+/// One node for each component that no other operation uses: a magnitude comparator counts once, by the first
+/// of its two orders.
+std::vector<NodeId> components_of(const Graph& graph, const rtl::Schedule& schedule,
+                                  const rtl::Binding& binding = {}) {
   std::vector<NodeId> nodes;
   std::set<std::tuple<int, NodeId, NodeId, bool>> compared;
   for (NodeId id = 0; id < graph.size(); ++id) {
     const rtl::Node& n = graph[id];
-    if (!is_component(n.op)) continue;
+    if (!is_component(n.op) || binding.shares(id)) continue;
     if (n.op == Op::less) {
       const auto [first, second] = std::minmax(n.args[0], n.args[1]);
       if (!compared.insert({schedule.slots[id].stage, first, second, n.is_signed}).second) continue;
@@ -85,17 +87,40 @@ int narrower_operand(const Graph& graph, NodeId id) {
   return narrower == wider ? 0 : narrower;
 }
 
+Part component_part(const Graph& graph, NodeId id) {
+  const rtl::ComponentUse use = component_of(graph, id);
+  return {use.component, use.bits, Purpose::datapath, narrower_operand(graph, id)};
+}
+
+/// Components that operations share, with the multiplexers and latches of their operands, in the stage of the
+/// first operation; and the counter of phases.
+void add_shared(Tally& tally, const Graph& graph, const rtl::Schedule& schedule, const rtl::Binding& binding,
+                Component latch) {
+  for (const auto& [instance, operations] : binding.instances()) {
+    int stage = schedule.stages;
+    for (const NodeId id : operations) stage = std::min(stage, schedule.slots[id].stage);
+    const NodeId first = operations.front();
+    tally.add(stage, component_part(graph, first));
+    for (std::size_t place = 0; place < graph[first].operands().size(); ++place) {
+      if (!is_selected(graph, operations, place)) continue;
+      const int bits = graph[graph[first].args[place]].width;
+      tally.add(stage, {latch, bits});
+      for (std::size_t i = 1; i < operations.size(); ++i) tally.add(stage, {Component::mux2, bits});
+    }
+  }
+  if (const int bits = rtl::phase_bits(binding.interval)) tally.add(0, {latch, bits, Purpose::phase});
+}
+
 void add_logic(Tally& tally, const Graph& graph, const rtl::Schedule& schedule,
-               const rtl::Placement& placement, Component latch, Gates gates) {
+               const rtl::Placement& placement, Component latch, Gates gates,
+               const rtl::Binding& binding = {}) {
   for (const rtl::Register& r : placement.registers) {
     const Purpose purpose = r.in_block ? Purpose::block : Purpose::datapath;
     tally.add(r.boundary, {latch, r.width(), purpose});
   }
-  for (const NodeId id : components_of(graph, schedule)) {
-    const rtl::ComponentUse use = component_of(graph, id);
-    tally.add(schedule.slots[id].stage,
-              {use.component, use.bits, Purpose::datapath, narrower_operand(graph, id)});
-  }
+  for (const NodeId id : components_of(graph, schedule, binding))
+    tally.add(schedule.slots[id].stage, component_part(graph, id));
+  add_shared(tally, graph, schedule, binding, latch);
   if (gates == Gates::left_out) return;
   for (NodeId id = 0; id < graph.size(); ++id) {
     const rtl::Node& n = graph[id];
@@ -116,6 +141,8 @@ std::string part_name(const Part& part) {
       return fmt::format("valid_{}", part.bits);
     case Purpose::tag:
       return fmt::format("tag_{}", part.bits);
+    case Purpose::phase:
+      return fmt::format("phase_{}", part.bits);
     case Purpose::block:
       return fmt::format("block_latch_{}", part.bits);
     case Purpose::datapath:
@@ -152,7 +179,7 @@ rtl::Component register_of(rtl::FlowControl flow, const rtl::Library& library) {
 
 std::vector<Count> count_built(const rtl::Pipeline& pipeline, Component latch, Gates gates) {
   Tally tally;
-  add_logic(tally, pipeline.graph, pipeline.schedule, pipeline.placement, latch, gates);
+  add_logic(tally, pipeline.graph, pipeline.schedule, pipeline.placement, latch, gates, pipeline.binding);
   for (int boundary = 0; boundary <= pipeline.schedule.stages; ++boundary) {
     tally.add(boundary, {latch, 1, Purpose::valid});
     tally.add(boundary, {latch, tag_bits, Purpose::tag});

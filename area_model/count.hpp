@@ -27,6 +27,7 @@ enum class Purpose {
   datapath,
   valid,  ///< one bit at each boundary: there is a ray-box pair
   tag,    ///< the tag at each boundary
+  phase,  ///< the counter of a unit that takes a test every N cycles
   block,  ///< a latch that is one of the registers of a chip's multiplier block, so it costs nothing more
 };
 
@@ -41,8 +42,8 @@ struct Part {
   friend std::strong_ordering operator<=>(const Part& a, const Part& b);
 };
 
-/// "latch_24"; "valid_1" and "tag_16" for valid and tag bits; "block_latch_24"; "int_multiply_24x18" for
-/// operands of two widths.
+/// "latch_24"; "valid_1" and "tag_16" for valid and tag bits; "phase_2"; "block_latch_24";
+/// "int_multiply_24x18" for operands of two widths.
 [[nodiscard]] std::string part_name(const Part& part);
 
 /// Width of the tag, unless a user of the Verilog sets TAG_BITS.
@@ -62,7 +63,9 @@ enum class Gates { left_out, counted };
 /// library tells it from a latch.
 [[nodiscard]] rtl::Component register_of(rtl::FlowControl flow, const rtl::Library& library);
 
-/// By stage, then by part. Every register is a `latch`, as register_of() says.
+/// By stage, then by part. Every register is a `latch`, as register_of() says. A component that several
+/// operations share counts once, in the stage in which the first of them starts, with the 2:1 multiplexers
+/// and the latches before it.
 [[nodiscard]] std::vector<Count> count_built(const rtl::Pipeline& pipeline,
                                              rtl::Component latch = rtl::Component::latch,
                                              Gates gates = Gates::left_out);

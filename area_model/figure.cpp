@@ -29,6 +29,10 @@ std::string adp_mm2_ns(const Price& price) {
   return decimal(price.area_delay_per_box(), 1'000'000'000, 3);
 }
 
+std::string megaboxes_per_second(const Price& price) {
+  return decimal(price.boxes_per_second(), 1'000'000, 1);
+}
+
 std::string percent(std::int64_t part, std::int64_t whole) {
   return decimal(100 * part, whole, 0);
 }

@@ -16,6 +16,8 @@ namespace hitpipe::area {
 [[nodiscard]] std::string clock_mhz(const Price& price);
 /// For each box of a test.
 [[nodiscard]] std::string adp_mm2_ns(const Price& price);
+/// In millions.
+[[nodiscard]] std::string megaboxes_per_second(const Price& price);
 /// The part in percent of the whole, without decimals.
 [[nodiscard]] std::string percent(std::int64_t part, std::int64_t whole);
 

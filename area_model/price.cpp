@@ -70,6 +70,7 @@ Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, co
   Price price{.design = design.name,
               .format = format,
               .boxes = design.kind.objects,
+              .interval = pipeline.interval(),
               .lines = {},
               .by_stage = std::vector<StagePrice>(static_cast<std::size_t>(pipeline.schedule.stages) + 1),
               .stages = pipeline.schedule.stages,
@@ -103,7 +104,7 @@ Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl:
 }
 
 Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
-            Account account, rtl::FlowControl flow) {
+            Account account, rtl::FlowControl flow, int interval) {
   if (account == Account::printed && design.printed.rows.empty())
     throw std::runtime_error(
         fmt::format("design {}: not in Table 7.2, so there is no printed account of it, only the built one",
@@ -112,7 +113,11 @@ Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Lib
     throw std::runtime_error(fmt::format(
         "library {}: it is a chip's and has no areas, so there is no printed account, only the built one",
         library.name()));
-  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
+  if (account == Account::printed && interval != 1)
+    throw std::runtime_error(fmt::format(
+        "--ii {}: the thesis's units take a test in each cycle, so only the built account has others",
+        interval));
+  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, std::nullopt, interval);
   if (account == Account::built) return price(pipeline, design, format, library, flow);
   Price price = priced(pipeline, count_printed(pipeline, format, design.printed), design, format, library);
   for (const Line& line : price.lines) price.area_um2 += as_printed(line.area_um2);

@@ -37,7 +37,8 @@ struct StagePrice {
 struct Price {
   std::string_view design;
   rtl::Format format;
-  int boxes = 1;                     ///< that one test answers for; a test begins in every cycle
+  int boxes = 1;                     ///< that one test answers for
+  int interval = 1;                  ///< a test begins every so many cycles
   std::vector<Line> lines;           ///< in the order of Table 7.1
   std::vector<StagePrice> by_stage;  ///< every stage from 0 on
   std::int64_t area_um2 = 0;         ///< built: exact; printed: of rows rounded to 0.0001 mm2 as in Table 7.2
@@ -48,8 +49,14 @@ struct Price {
   [[nodiscard]] std::int64_t latency_ps() const { return std::int64_t{stages} * stage_delay_ps; }
   /// Area for each box, rounded to um2.
   [[nodiscard]] std::int64_t area_per_box_um2() const { return per_box(area_um2); }
-  /// Area for each box times stage delay, "ADP", rounded to um2 ps.
-  [[nodiscard]] std::int64_t area_delay_per_box() const { return per_box(area_um2 * stage_delay_ps); }
+  /// Area for each box times the time from one test to the next, "ADP", rounded to um2 ps.
+  [[nodiscard]] std::int64_t area_delay_per_box() const { return per_box(area_um2 * test_ps()); }
+  /// From one test to the next.
+  [[nodiscard]] std::int64_t test_ps() const { return std::int64_t{interval} * stage_delay_ps; }
+  /// Rounded down.
+  [[nodiscard]] std::int64_t boxes_per_second() const {
+    return boxes * std::int64_t{1'000'000'000'000} / test_ps();
+  }
 
  private:
   [[nodiscard]] std::int64_t per_box(std::int64_t whole) const { return (whole + boxes / 2) / boxes; }
@@ -61,10 +68,12 @@ struct Entry {
   rtl::Format format;
 };
 
-/// Throws as rtl::Design::trace, rtl::Library::cell do; of the printed account also std::runtime_error, one
-/// line, for a design that the thesis does not have and for a library that is a chip's.
+/// `interval` is 1..64 cycles; rtl::make_pipeline() shares components accordingly. Throws as
+/// rtl::Design::trace, rtl::Library::cell do; of the printed account also std::runtime_error, one line, for a
+/// design that the thesis does not have, for a library that is a chip's, and for an interval of several
+/// cycles.
 [[nodiscard]] Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library,
-                          Account account, rtl::FlowControl flow = rtl::FlowControl::stall);
+                          Account account, rtl::FlowControl flow = rtl::FlowControl::stall, int interval = 1);
 
 /// The built account of any pipeline; `design` is the one that it comes from. A multiplier of m x n
 /// bits, m > n, has n/m of the area of one of m x m bits, as it has n/m of its partial products. That area is

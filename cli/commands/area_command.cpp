@@ -8,6 +8,7 @@
 
 #include "area_model/figure.hpp"
 #include "area_model/price.hpp"
+#include "area_model/triangle_unit.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
@@ -30,17 +31,29 @@ struct AreaOptions {
   std::string library{rtl::default_library};
   Format format = Format::text;
   bool by_stage = false;
+  std::vector<int> intervals;
+  bool triangle = false;
 };
 
-/// The units of Table 7.2, unless the user names designs.
-std::vector<area::Entry> chosen(const AreaOptions& options) {
-  if (options.units.names.empty()) return area::table_7_2();
-  const auto any = [](const rtl::Design&) { return std::string(); };
-  const auto own = [](const rtl::Design& design) { return std::vector{design.default_format}; };
-  std::vector<area::Entry> entries;
-  for (const sim::DesignFormats& each : options.units.formats(options.units.designs(any), own))
-    for (const rtl::Format& format : each.formats) entries.push_back({each.design->name, format});
-  return entries;
+struct Unit {
+  const rtl::Design* design;
+  rtl::Format format;
+};
+
+/// The units of Table 7.2, unless the user names units.
+std::vector<Unit> chosen(const AreaOptions& options) {
+  std::vector<Unit> units;
+  if (!options.units.names.empty()) {
+    const auto any = [](const rtl::Design&) { return std::string(); };
+    const auto own = [](const rtl::Design& design) { return std::vector{design.default_format}; };
+    for (const sim::DesignFormats& each : options.units.formats(options.units.designs(any), own))
+      for (const rtl::Format& format : each.formats) units.push_back({each.design, format});
+  } else if (!options.triangle) {
+    for (const area::Entry& entry : area::table_7_2())
+      units.push_back({&rtl::find_design(entry.design), entry.format});
+  }
+  if (options.triangle) units.push_back({&area::triangle_unit(), area::triangle_unit().default_format});
+  return units;
 }
 
 std::set<area::Part> parts_of(const std::vector<Price>& prices) {
@@ -166,14 +179,58 @@ std::string chip_prices(const std::vector<Price>& prices, const rtl::Library& li
              : table_text(chip_rows(prices, library, options.format), options.format);
 }
 
+std::vector<Row> rate_rows(const std::vector<RatedPrice>& units, const rtl::Library& library, Format format) {
+  std::set<area::Part> parts;
+  for (const RatedPrice& unit : units) parts.merge(parts_of({unit.price}));
+  std::vector<Row> rows;
+  for (const auto& [p, every_cycle] : units) {
+    Row row = unit_row(p, format);
+    row["ii"] = p.interval;
+    row["boxes_per_test"] = p.boxes;
+    row["boxes_per_second"] = p.boxes_per_second();
+    if (library.chip() != nullptr) {
+      append_cells(row, p.taken, *library.chip());
+      row["lut_of_ii_1_pct"] = figure(area::percent(p.taken.luts, every_cycle.taken.luts), format);
+    } else {
+      row["area_mm2"] = figure(area::area_mm2(p.area_um2), format);
+      row["area_per_box_mm2"] = figure(area::area_mm2(p.area_per_box_um2()), format);
+      row["area_of_ii_1_pct"] =
+          figure(area::percent(p.area_per_box_um2(), every_cycle.area_per_box_um2()), format);
+      row["adp_mm2_ns"] = figure(area::adp_mm2_ns(p), format);
+    }
+    append_parts(row, p.lines, parts);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Area against rate.
+void print_rates(const AreaOptions& options, const rtl::Library& library) {
+  std::vector<RatedPrice> units;
+  for (const Unit& unit : chosen(options)) {
+    const auto price_at = [&](int interval) {
+      return area::price(*unit.design, unit.format, library, options.account, options.flow_control, interval);
+    };
+    const Price every_cycle = price_at(1);
+    for (const int interval : options.intervals)
+      units.push_back({interval == 1 ? every_cycle : price_at(interval), every_cycle});
+  }
+  fmt::print("{}", options.format == Format::text
+                       ? rates_text(units, library)
+                       : table_text(rate_rows(units, library, options.format), options.format));
+}
+
 void print_prices(const AreaOptions& options) {
   const rtl::Library library = rtl::library_called(options.library);
-  const auto priced = [&](const area::Entry& entry) {
-    return area::price(rtl::find_design(entry.design), entry.format, library, options.account,
-                       options.flow_control);
+  if (!options.intervals.empty()) {
+    print_rates(options, library);
+    return;
+  }
+  const auto priced = [&](const rtl::Design& design, const rtl::Format& format) {
+    return area::price(design, format, library, options.account, options.flow_control);
   };
   std::vector<Price> prices;
-  for (const area::Entry& entry : chosen(options)) prices.push_back(priced(entry));
+  for (const Unit& unit : chosen(options)) prices.push_back(priced(*unit.design, unit.format));
   if (library.chip() != nullptr) {
     fmt::print("{}", chip_prices(prices, library, options));
     return;
@@ -185,7 +242,10 @@ void print_prices(const AreaOptions& options) {
     return;
   }
   std::optional<Price> baseline;
-  if (area::can_price_baseline(library)) baseline = priced(area::baseline_design());
+  if (area::can_price_baseline(library)) {
+    const area::Entry& entry = area::baseline_design();
+    baseline = priced(rtl::find_design(entry.design), entry.format);
+  }
   fmt::print("{}", options.format == Format::text
                        ? area_text(prices, baseline)
                        : table_text(design_rows(prices, baseline, options.format), options.format));
@@ -207,7 +267,13 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
       add_flow_control_option(*command, options->flow_control,
                               ". Registers with an enable cost more where the library has latch_enable");
   add_format_option(*command, options->format);
-  command->add_flag("--by-stage", options->by_stage, "Components and area of every pipeline stage");
+  CLI::Option* const by_stage =
+      command->add_flag("--by-stage", options->by_stage, "Components and area of every pipeline stage");
+  add_intervals_option(*command, options->intervals,
+                       "area against rate, for units that take a test every N cycles and share components")
+      ->excludes(by_stage);
+  command->add_flag("--triangle", options->triangle,
+                    "Price a float triangle test too, which hitpipe does not emit");
   command->callback([options, flow] {
     if (flow->count() > 0 && options->account == Account::printed)
       throw std::runtime_error(

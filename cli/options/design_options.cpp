@@ -150,6 +150,12 @@ CLI::Option* add_interval_option(CLI::App& command, int& value, const std::strin
       ->capture_default_str();
 }
 
+CLI::Option* add_intervals_option(CLI::App& command, std::vector<int>& values, const std::string& what) {
+  return add_list_option(command, "--ii", values,
+                         fmt::format("Initiation intervals: {} (1 to {})", what, rtl::most_interval), "N")
+      ->transform(number_from(1, rtl::most_interval));
+}
+
 CLI::Option* add_flow_control_option(CLI::App& command, rtl::FlowControl& value, const std::string& more) {
   Choices<rtl::FlowControl> choices;
   for (const auto flow : {rtl::FlowControl::stall, rtl::FlowControl::none})

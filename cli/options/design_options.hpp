@@ -65,6 +65,9 @@ void add_library_option(CLI::App& command, std::string& library);
 /// Adds --ii, of commands that make a unit. `more` ends its help.
 CLI::Option* add_interval_option(CLI::App& command, int& value, const std::string& more = "");
 
+/// The same for a command that compares units of several intervals.
+CLI::Option* add_intervals_option(CLI::App& command, std::vector<int>& values, const std::string& what);
+
 /// Adds --flow-control, of commands that make a unit or price one. `more` ends its help.
 CLI::Option* add_flow_control_option(CLI::App& command, rtl::FlowControl& value,
                                      const std::string& more = "");

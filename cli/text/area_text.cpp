@@ -85,11 +85,14 @@ std::string summary_of_boxes(const std::vector<Price>& prices, const std::option
   return aligned(rows, 2, width <= page_width ? usual_gap : 1) + note;
 }
 
-/// For example "int", "plucker", "24/24": three short lines as the head of a column.
-Cells column_head(const Price& price) {
+/// For example "int", "plucker", "24/24": three short lines as the head of a column, and the interval.
+Cells column_head(const Price& price, bool with_interval) {
   const std::string name(price.design);
   const std::size_t split = std::min(name.find('_'), name.size());
-  return {name.substr(0, split), name.substr(std::min(split + 1, name.size())), rtl::to_string(price.format)};
+  Cells head{name.substr(0, split), name.substr(std::min(split + 1, name.size())),
+             rtl::to_string(price.format)};
+  if (with_interval) head.push_back(fmt::format("II {}", price.interval));
+  return head;
 }
 
 using Show = std::function<std::string(const Line&)>;
@@ -107,14 +110,17 @@ std::string part_columns(const std::string& title, std::span<const Price> prices
       names[line.part] = area::part_name(line.part) + (line.estimated ? " est." : "");
     }
   }
-  std::vector<Cells> rows{{""}, {""}, {title}};
+  const bool with_interval =
+      std::any_of(prices.begin(), prices.end(), [](const Price& p) { return p.interval > 1; });
+  std::vector<Cells> rows(with_interval ? 3 : 2, Cells{""});
+  rows.push_back({title});
   for (const auto& [part, cells] : parts) rows.push_back({names[part]});
   if (total) rows.push_back({"total"});
 
   std::size_t width = column_width(rows, 0);
   std::size_t taken = 0;
   for (const Price& price : prices) {
-    Cells column = column_head(price);
+    Cells column = column_head(price, with_interval);
     for (const auto& [part, cells] : parts) column.push_back(cells.contains(&price) ? cells.at(&price) : "-");
     if (total) column.push_back(total(price));
     std::size_t needed = 0;
@@ -233,6 +239,41 @@ std::string chip_by_stage_text(const std::vector<Price>& prices, const rtl::Chip
   return stages_text(prices, {.heading = fmt::format("  LUT     FF  {}", name),
                               .row = [&](const area::StagePrice& stage) { return columns(stage.taken); },
                               .total = [&](const Price& price) { return columns(price.taken); }});
+}
+
+std::string rates_text(const std::vector<RatedPrice>& units, const rtl::Library& library) {
+  const rtl::Chip* const chip = library.chip();
+  std::vector<Cells> rows{{"design", "bits", "II", "stages", "clock"}, {"", "", "", "", "MHz"}};
+  const auto add = [](Cells& row, const Cells& more) { row.insert(row.end(), more.begin(), more.end()); };
+  if (chip != nullptr) {
+    add(rows[0], {"LUT", "", "FF", block_name(*chip), "boxes"});
+    add(rows[1], {"", "of II 1", "", "", "M/s"});
+  } else {
+    add(rows[0], {"area a box", "", "boxes", "area x time"});
+    add(rows[1], {"mm2", "of II 1", "M/s", "mm2 ns"});
+  }
+  const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
+  std::vector<Price> prices;
+  for (const auto& [p, every_cycle] : units) {
+    rows.push_back({std::string(p.design), rtl::to_string(p.format), count(p.interval), count(p.stages),
+                    area::clock_mhz(p)});
+    const std::string rate = area::megaboxes_per_second(p);
+    if (chip != nullptr) {
+      add(rows.back(), {count(p.taken.luts), area::percent(p.taken.luts, every_cycle.taken.luts) + "%",
+                        count(p.taken.registers), count(p.taken.blocks), rate});
+    } else {
+      add(rows.back(), {area::area_mm2(p.area_per_box_um2()),
+                        area::percent(p.area_per_box_um2(), every_cycle.area_per_box_um2()) + "%", rate,
+                        area::adp_mm2_ns(p)});
+    }
+    prices.push_back(p);
+  }
+  std::string text = aligned(rows, 2);
+  if (chip != nullptr)
+    text += fmt::format("On {}.{}\n", chip->device, chip->estimated ? " Delays are estimated." : "");
+  else
+    text += "Area x time is for each box: its area times the time from one box to the next.\n";
+  return text + part_columns("count", prices, [&](const Line& line) { return count(line.n); });
 }
 
 }  // namespace hitpipe::cli

@@ -21,4 +21,14 @@ namespace hitpipe::cli {
 [[nodiscard]] std::string chip_text(const std::vector<area::Price>& prices, const rtl::Library& library);
 [[nodiscard]] std::string chip_by_stage_text(const std::vector<area::Price>& prices, const rtl::Chip& chip);
 
+/// A unit beside the same unit with a test in every cycle.
+struct RatedPrice {
+  area::Price price;
+  area::Price every_cycle;
+};
+
+/// Area against rate: a line for each unit and interval, then a column for each. Of a chip lookup tables,
+/// registers and blocks in place of areas.
+[[nodiscard]] std::string rates_text(const std::vector<RatedPrice>& units, const rtl::Library& library);
+
 }  // namespace hitpipe::cli

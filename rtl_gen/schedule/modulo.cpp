@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -188,7 +187,7 @@ bool is_selected(const Graph& graph, const std::vector<NodeId>& operations, std:
 }
 
 int selection_ps(const Library& library, int interval) {
-  const int levels = static_cast<int>(std::bit_width(static_cast<unsigned>(interval - 1)));
+  const int levels = phase_bits(interval);
   return levels * library.timing(Component::mux2, 1).delay_ps;
 }
 

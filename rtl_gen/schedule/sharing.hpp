@@ -14,6 +14,7 @@
 // An instance has stages of its own where the library says so; it takes operands in every cycle.
 #pragma once
 
+#include <bit>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,6 +25,11 @@
 namespace hitpipe::rtl {
 
 inline constexpr int most_interval = 64;
+
+/// Width of the counter that says which cycle of the interval it is; 0 if a test can begin in every cycle.
+[[nodiscard]] constexpr int phase_bits(int interval) {
+  return static_cast<int>(std::bit_width(static_cast<unsigned>(interval - 1)));
+}
 
 /// Operations, by their nodes, and on how many components they run.
 struct SharingGroup {

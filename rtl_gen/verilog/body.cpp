@@ -272,7 +272,7 @@ Body::SharedComponent Body::written_shared_component(const std::vector<NodeId>& 
 
 void Body::write_selection(const SharedComponent& shared) {
   const int interval = options_.binding.interval;
-  const auto width = std::bit_width(static_cast<unsigned>(interval - 1));
+  const int width = phase_bits(interval);
   const std::string indent = options_.enable.empty() ? "" : "  ";
   std::string cases;
   for (const NodeId id : shared.operations) {

@@ -1,6 +1,5 @@
 #include "rtl_gen/verilog/module.hpp"
 
-#include <bit>
 #include <map>
 #include <set>
 
@@ -94,7 +93,7 @@ std::string unit_module(const UnitUse& use, const std::string& name, FlowControl
 
 /// With an interval of one cycle there is none.
 std::string phase_counter(int interval, bool stalls) {
-  const auto width = std::bit_width(static_cast<unsigned>(interval - 1));
+  const int width = phase_bits(interval);
   return fmt::format(
       R"(  // Stage s has a test in phase s mod {0} alone. Tests are taken in phase 0.
   reg {1}phase;
@@ -110,8 +109,7 @@ std::string phase_counter(int interval, bool stalls) {
 std::string control(int last, FlowControl flow, int interval) {
   const bool stalls = flow == FlowControl::stall;
   const bool counts = interval > 1;
-  const std::string ready =
-      counts ? fmt::format("(phase == {}'d0)", std::bit_width(static_cast<unsigned>(interval - 1))) : "";
+  const std::string ready = counts ? fmt::format("(phase == {}'d0)", phase_bits(interval)) : "";
   std::string text = fmt::format(
       "  reg [{0}:0] valid;  // by boundary: 0 the input latches, {0} the result\n"
       "  assign out_valid = valid[{0}];\n",
