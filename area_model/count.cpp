@@ -182,7 +182,7 @@ std::vector<Count> count_built(const rtl::Pipeline& pipeline, Component latch, G
   add_logic(tally, pipeline.graph, pipeline.schedule, pipeline.placement, latch, gates, pipeline.binding);
   for (int boundary = 0; boundary <= pipeline.schedule.stages; ++boundary) {
     tally.add(boundary, {latch, 1, Purpose::valid});
-    tally.add(boundary, {latch, tag_bits, Purpose::tag});
+    if (boundary % pipeline.interval() == 0) tally.add(boundary, {latch, tag_bits, Purpose::tag});
   }
   return tally.counts();
 }

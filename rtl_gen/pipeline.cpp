@@ -22,7 +22,7 @@ Pipeline make_pipeline(const Graph& traced, const Library& library, std::optiona
                        int interval) {
   Graph graph = with_products_planned(canonical(traced), library);
   SharedSchedule shared = shared_schedule(graph, library, clock_ps, interval);
-  Placement placement = place_registers(graph, shared.schedule, Ports::latched);
+  Placement placement = place_registers(graph, shared.schedule, Ports::latched, interval);
   use_block_registers(placement, graph, shared.schedule, library, shared.binding);
   return {std::move(graph), std::move(shared.schedule), std::move(placement), std::move(shared.binding)};
 }

@@ -84,9 +84,11 @@ std::int64_t area_of(const Graph& graph, const SharedSchedule& shared, const Sha
     if (is_component(graph[id].op) && !binding.shares(id)) area += prices.operation(id);
   for (const auto& [instance, operations] : binding.instances())
     area += prices.operation(operations.front()) + selection_price(graph, operations, prices);
-  for (const Register& r : place_registers(graph, schedule, Ports::latched).registers)
+  for (const Register& r : place_registers(graph, schedule, Ports::latched, binding.interval).registers)
     area += prices.part(Component::latch, r.width());
-  return area + (schedule.stages + 1) * prices.part(Component::latch, prices.control_bits);
+  const int tags = schedule.stages / binding.interval + 1;
+  return area + (schedule.stages + 1) * prices.part(Component::latch, 1) +
+         tags * prices.part(Component::latch, prices.tag_bits);
 }
 
 SharedSchedule share_for_least_area(const Graph& graph, const Library& library, int interval,
@@ -115,9 +117,9 @@ SharedSchedule share_for_least_area(const Graph& graph, const Library& library, 
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
       const std::vector<NodeId>& all = kinds[kind].operations;
       const auto count = static_cast<int>(all.size());
-      const int enough = (count + interval - 1) / interval;
-      for (int instances = 0; instances <= enough; ++instances) {
-        // Operations that find no place in the shared instances keep their own.
+      for (int instances = 0; 2 * instances <= count; ++instances) {
+        // Operations that find no place in the shared instances keep their own. More instances than these
+        // need can be smaller too: operations wait for less time, so fewer values are latched.
         const int sharing = std::min(count, instances * interval);
         if (sharing == 1) continue;
         std::vector<SharingGroup> groups = chosen;

@@ -14,7 +14,7 @@ namespace hitpipe::rtl {
 struct SharingPrices {
   std::function<std::int64_t(Component, int bits)> part;
   std::function<std::int64_t(NodeId)> operation;  ///< of the component that carries it out
-  int control_bits = 17;                          ///< latched in each stage: valid and the tag
+  int tag_bits = 16;                              ///< latched every `interval` stages
 };
 
 [[nodiscard]] SharingPrices sharing_prices(const Graph& graph, const Library& library, int clock_ps);

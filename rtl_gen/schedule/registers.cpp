@@ -7,19 +7,25 @@
 
 namespace hitpipe::rtl {
 
-Placement place_registers(const Graph& graph, const Schedule& schedule, Ports ports) {
+Placement place_registers(const Graph& graph, const Schedule& schedule, Ports ports, int interval) {
   const int output_stage = ports == Ports::latched ? schedule.stages + 1 : schedule.stages;
   const auto first_boundary = [&](NodeId id) {
     return graph[id].op == Op::input ? (ports == Ports::latched ? 0 : 1) : schedule.slots[id].finish;
   };
   const auto boundaries = static_cast<std::size_t>(schedule.stages) + 1;
-  std::vector<std::vector<std::uint64_t>> live(boundaries, std::vector<std::uint64_t>(graph.size(), 0));
+  using BitsByBoundary = std::vector<std::vector<std::uint64_t>>;  // and by value
+  BitsByBoundary live(boundaries, std::vector<std::uint64_t>(graph.size(), 0));
+  BitsByBoundary held = live;
   Placement placed;
   placed.used_bits.assign(graph.size(), 0);
 
   const auto read = [&](NodeId value, std::uint64_t bits, int stage) {
     placed.used_bits[value] |= bits;
-    for (int b = first_boundary(value); b < stage; ++b) live[static_cast<std::size_t>(b)][value] |= bits;
+    for (int b = first_boundary(value); b < stage; b += interval) {
+      const auto boundary = static_cast<std::size_t>(b);
+      live[boundary][value] |= bits;
+      if (interval > 1 && stage > b + 1) held[boundary][value] |= bits;
+    }
   };
   // canonical() removed the nodes on which no output depends, so every reader counts.
   for (NodeId id = 0; id < graph.size(); ++id) {
@@ -38,7 +44,11 @@ Placement place_registers(const Graph& graph, const Schedule& schedule, Ports po
       while (rest != 0) {
         const int low = std::countr_zero(rest);
         const int high = low + std::countr_one(rest >> low) - 1;
-        placed.registers.push_back({.value = id, .boundary = static_cast<int>(b), .high = high, .low = low});
+        placed.registers.push_back({.value = id,
+                                    .boundary = static_cast<int>(b),
+                                    .high = high,
+                                    .low = low,
+                                    .holds = (held[b][id] & bit_range(high, low)) != 0});
         rest &= ~bit_range(high, low);
       }
     }
@@ -92,6 +102,7 @@ void widen_product_registers(Placement& placement, const Graph& graph, const Sch
       widened.push_back(
           {.value = r.value, .boundary = r.boundary, .high = r.high, .low = 0, .in_block = true});
     Register& whole = widened.back();
+    whole.holds |= r.holds;
     whole.unread |= bit_range(r.high, first ? 0 : whole.high + 1) & ~bit_range(r.high, r.low);
     whole.high = r.high;
     placement.used_bits[r.value] |= whole.unread;

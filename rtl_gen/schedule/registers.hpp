@@ -1,6 +1,8 @@
 // Where values are latched. At every stage boundary that a value crosses, exactly the bits that are read
-// later are latched. A wire is never latched: its reader takes it from its source (so a sign bit is not
-// latched beside its word). On a chip some registers lie in multiplier blocks, as Yosys puts them there.
+// later are latched. In a unit that takes a test every N cycles a register can hold a value while the test
+// passes N stages, so only every N-th boundary latches the value. A wire is never latched: its reader takes
+// it from its source (so a sign bit is not latched beside its word). On a chip some registers lie in
+// multiplier blocks, as Yosys puts them there.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +24,8 @@ struct Register {
   bool in_block = false;  ///< it is one of the registers of a chip's multiplier block
   std::uint64_t unread =
       0;  ///< bits, numbered as the value's, that are there only because the block has them
+  bool holds =
+      false;  ///< it loads in phase `boundary` mod N alone, because a later stage than the next reads it
 
   [[nodiscard]] int width() const { return high - low + 1; }
 };
@@ -36,7 +40,9 @@ struct Placement {
   std::vector<std::uint64_t> used_bits;  ///< by node: the bits of its value that anything reads
 };
 
-[[nodiscard]] Placement place_registers(const Graph& graph, const Schedule& schedule, Ports ports);
+/// `interval`: a test begins every so many cycles.
+[[nodiscard]] Placement place_registers(const Graph& graph, const Schedule& schedule, Ports ports,
+                                        int interval = 1);
 
 /// Marks the registers that only blocks read, and those behind a block. A block has no register for some bits
 /// of its product alone, so a register behind it begins at bit 0; nothing reads the bits that are added.

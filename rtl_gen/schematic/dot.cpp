@@ -81,6 +81,7 @@ class Drawing {
       : graph_(pipeline.graph),
         schedule_(pipeline.schedule),
         placement_(pipeline.placement),
+        interval_(pipeline.interval()),
         names_(value_names(graph_, placement_, {})),
         places_(axis_order(graph_, ports)),
         entry_(range.first - 1) {
@@ -273,9 +274,11 @@ class Drawing {
   /// The drawn node that holds these bits of a value: a latch at the boundary, the node that makes the value,
   /// or its name.
   std::string source_of(NodeId value, int high, int low, int boundary) {
-    if (boundary == entry_ && schedule_.slots[value].finish <= entry_) return entry(names_[value].name);
-    for (const Register& r : placement_.registers)
-      if (r.value == value && r.boundary == boundary && r.low <= low && r.high >= high) return node_of(r);
+    // A register holds its value for as many stages as the interval has cycles.
+    for (int b = boundary; b > std::max(entry_, boundary - interval_); --b)
+      for (const Register& r : placement_.registers)
+        if (r.value == value && r.boundary == b && r.low <= low && r.high >= high) return node_of(r);
+    if (schedule_.slots[value].finish <= entry_) return entry(names_[value].name);
     return fmt::format("v{}", value);
   }
 
@@ -301,6 +304,7 @@ class Drawing {
   const Graph& graph_;
   const Schedule& schedule_;
   const Placement& placement_;
+  int interval_;
   std::vector<ValueName> names_;
   std::vector<double> places_;  ///< by node, from the top
   int entry_;                   ///< the boundary before the first stage

@@ -113,8 +113,9 @@ std::string Body::wished_name(const Register& r) const {
 }
 
 std::string Body::bits_of(NodeId root, int high, int low, int stage) const {
-  const auto found = registers_at_.find({root, stage - 1});
-  if (found != registers_at_.end()) {
+  for (int boundary = stage - 1; boundary >= std::max(0, stage - options_.binding.interval); --boundary) {
+    const auto found = registers_at_.find({root, boundary});
+    if (found == registers_at_.end()) continue;
     for (const std::size_t i : found->second) {
       const Register& r = placement_.registers[i];
       if (r.low <= low && r.high >= high) return select_bits(registers_[i], {r.high, r.low}, high, low);
@@ -300,20 +301,30 @@ void Body::write_shared_result(NodeId id) {
                        select_bits(shared.name, shared.declared, span.high, span.low), comment("", id));
 }
 
+std::string Body::loaded(const std::string& assignments, const std::string& condition) const {
+  if (assignments.empty()) return "";
+  const std::string body =
+      condition.empty() ? assignments : fmt::format("    if ({}) begin\n{}    end\n", condition, assignments);
+  return fmt::format("  always @(posedge clk) begin\n{}  end\n", body);
+}
+
 void Body::write_registers(int boundary) {
-  std::string load;
+  const int interval = options_.binding.interval;
+  const std::string& enable = options_.enable;
+  const std::string phase = fmt::format("phase == {}'d{}", phase_bits(interval), boundary % interval);
+  std::string each_cycle, in_phase;
   for (std::size_t i = 0; i < placement_.registers.size(); ++i) {
     const Register& r = placement_.registers[i];
     if (r.boundary != boundary) continue;
     const std::string& name = registers_[i];
     text_ += fmt::format("  reg {}{};{}\n", vector_range(r.width()), name,
                          comment(fmt::format("stage {}", boundary), r.value));
-    load += fmt::format("{}{} <= {};\n", options_.enable.empty() ? "    " : "      ", name,
-                        bits_of(r.value, r.high, r.low, boundary));
+    (r.holds ? in_phase : each_cycle) +=
+        fmt::format("{}{} <= {};\n", enable.empty() && !r.holds ? "    " : "      ", name,
+                    bits_of(r.value, r.high, r.low, boundary));
   }
-  if (load.empty()) return;
-  if (!options_.enable.empty()) load = fmt::format("    if ({}) begin\n{}    end\n", options_.enable, load);
-  text_ += fmt::format("  always @(posedge clk) begin\n{}  end\n", load);
+  text_ += loaded(each_cycle, enable);
+  text_ += loaded(in_phase, enable.empty() ? phase : fmt::format("{} && {}", enable, phase));
 }
 
 void Body::write_stage(int stage) {

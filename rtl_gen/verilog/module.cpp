@@ -128,13 +128,16 @@ std::string control(int last, FlowControl flow, int interval) {
       "    else {2}valid <= {{valid[{1}:0], in_valid{3}}};\n"
       "  end\n",
       last + 1, last - 1, stalls ? "if (advance) " : "", counts ? " & in_ready" : "");
-  for (int b = 0; b <= last; ++b) text += fmt::format("  reg {} tag_s{};\n", tag_range, b);
-  const char* const indent = stalls ? "      " : "    ";
+  // A register holds a tag while the test passes as many stages as the interval has cycles.
+  for (int b = 0; b <= last; b += interval) text += fmt::format("  reg {} tag_s{};\n", tag_range, b);
+  const char* const indent = stalls || counts ? "      " : "    ";
   std::string moves = fmt::format("{}tag_s0 <= in_tag;\n", indent);
-  for (int b = 1; b <= last; ++b) moves += fmt::format("{}tag_s{} <= tag_s{};\n", indent, b, b - 1);
-  if (stalls) moves = fmt::format("    if (advance) begin\n{}    end\n", moves);
-  return text +
-         fmt::format("  always @(posedge clk) begin\n{}  end\n  assign out_tag = tag_s{};\n", moves, last);
+  for (int b = interval; b <= last; b += interval)
+    moves += fmt::format("{}tag_s{} <= tag_s{};\n", indent, b, b - interval);
+  if (stalls || counts)
+    moves = fmt::format("    if ({}) begin\n{}    end\n", counts ? "in_ready" : "advance", moves);
+  return text + fmt::format("  always @(posedge clk) begin\n{}  end\n  assign out_tag = tag_s{};\n", moves,
+                            last / interval * interval);
 }
 
 }  // namespace
