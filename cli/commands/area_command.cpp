@@ -269,9 +269,10 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
   add_format_option(*command, options->format);
   CLI::Option* const by_stage =
       command->add_flag("--by-stage", options->by_stage, "Components and area of every pipeline stage");
-  add_intervals_option(*command, options->intervals,
-                       "area against rate, for units that take a test every N cycles and share components")
-      ->excludes(by_stage);
+  exclude(add_intervals_option(
+              *command, options->intervals,
+              "area against rate, for units that take a test every N cycles and share components"),
+          by_stage, "a shared component works in several stages");
   command->add_flag("--triangle", options->triangle,
                     "Price a float triangle test too, which hitpipe does not emit");
   command->callback([options, flow] {

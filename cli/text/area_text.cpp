@@ -249,7 +249,7 @@ std::string rates_text(const std::vector<RatedPrice>& units, const rtl::Library&
     add(rows[0], {"LUT", "", "FF", block_name(*chip), "boxes"});
     add(rows[1], {"", "of II 1", "", "", "M/s"});
   } else {
-    add(rows[0], {"area a box", "", "boxes", "area x time"});
+    add(rows[0], {"area", "", "boxes", "x time"});
     add(rows[1], {"mm2", "of II 1", "M/s", "mm2 ns"});
   }
   const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
@@ -272,7 +272,7 @@ std::string rates_text(const std::vector<RatedPrice>& units, const rtl::Library&
   if (chip != nullptr)
     text += fmt::format("On {}.{}\n", chip->device, chip->estimated ? " Delays are estimated." : "");
   else
-    text += "Area x time is for each box: its area times the time from one box to the next.\n";
+    text += "Area is for each box; x time: times the time from one box to the next.\n";
   return text + part_columns("count", prices, [&](const Line& line) { return count(line.n); });
 }
 

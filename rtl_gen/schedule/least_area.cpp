@@ -93,8 +93,12 @@ std::int64_t area_of(const Graph& graph, const SharedSchedule& shared, const Sha
 
 SharedSchedule share_for_least_area(const Graph& graph, const Library& library, int interval,
                                     const SharingPrices& prices, std::optional<int> clock_ps) {
-  SharingProblem problem{
-      .graph = graph, .library = library, .interval = interval, .groups = {}, .clock_ps = clock_ps};
+  SharingProblem problem{.graph = graph,
+                         .library = library,
+                         .interval = interval,
+                         .groups = {},
+                         .clock_ps = clock_ps,
+                         .earliest = std::vector<int>(graph.size(), 0)};
   const auto tried = [&](std::vector<SharingGroup> groups) {
     std::erase_if(groups, [](const SharingGroup& group) { return group.operations.empty(); });
     problem.groups = std::move(groups);
@@ -111,6 +115,9 @@ SharedSchedule share_for_least_area(const Graph& graph, const Library& library, 
   };
   std::stable_sort(kinds.begin(), kinds.end(),
                    [&](const SharingGroup& a, const SharingGroup& b) { return worth(a) > worth(b); });
+  const auto selects_too_slowly = [&, clock = best.shared.schedule.clock_ps](const SharingGroup& group) {
+    return selection_ps(library, most_operations(group, interval)) + library.latch_delay_ps() > clock;
+  };
   std::vector<SharingGroup> chosen(kinds.size());
   for (bool changed = true; changed;) {
     changed = false;
@@ -124,11 +131,28 @@ SharedSchedule share_for_least_area(const Graph& graph, const Library& library, 
         if (sharing == 1) continue;
         std::vector<SharingGroup> groups = chosen;
         groups[kind] = {{all.begin(), all.begin() + sharing}, instances};
+        if (instances > 0 && selects_too_slowly(groups[kind])) continue;
         TriedSharing next = tried(groups);
         if (next.area >= best.area) continue;
         best = std::move(next);
         chosen = std::move(groups);
         changed = true;
+      }
+    }
+  }
+  // An operation may wait for as long as that leaves fewer bits in registers.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (NodeId id = 0; id < graph.size(); ++id) {
+      if (!is_component(graph[id].op)) continue;
+      const int before = problem.earliest[id];
+      problem.earliest[id] = best.shared.schedule.slots[id].stage + 1;
+      TriedSharing next = tried(chosen);
+      if (next.area < best.area) {
+        best = std::move(next);
+        changed = true;
+      } else {
+        problem.earliest[id] = before;
       }
     }
   }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -65,9 +66,11 @@ class ModuloList {
   explicit ModuloList(const SharingProblem& problem)
       : graph_(problem.graph),
         library_(problem.library),
+        earliest_(problem.earliest),
         made_{schedule_asap(problem.graph, problem.library, problem.clock_ps), {problem.interval, {}}},
         timing_(graph_, library_, made_.schedule.clock_ps),
-        selection_ps_(selection_ps(library_, problem.interval)),
+        selected_(selected(problem)),
+        selection_ps_(selection_ps(library_, selected_)),
         group_of_(graph_.size(), -1) {
     for (const SharingGroup& group : problem.groups) {
       for (const NodeId id : group.operations) group_of_[id] = static_cast<int>(first_instance_.size());
@@ -77,16 +80,23 @@ class ModuloList {
     first_instance_.push_back(static_cast<int>(phases_.size()));
     if (!phases_.empty() && selection_ps_ + made_.schedule.latch_ps > made_.schedule.clock_ps)
       refuse_sharing(
-          graph_,
-          fmt::format("a clock of {} ps is too short to select among {} operands; the smallest "
-                      "that can be met is {} ps",
-                      made_.schedule.clock_ps, problem.interval, selection_ps_ + made_.schedule.latch_ps));
+          graph_, fmt::format("a clock of {} ps is too short to select among {} operands; the smallest "
+                              "that can be met is {} ps",
+                              made_.schedule.clock_ps, selected_, selection_ps_ + made_.schedule.latch_ps));
     place_all();
     made_.schedule.stages = last_stage(graph_, made_.schedule);
   }
   [[nodiscard]] SharedSchedule take() { return std::move(made_); }
 
  private:
+  /// The most operations of any instance.
+  static int selected(const SharingProblem& problem) {
+    int most = 1;
+    for (const SharingGroup& group : problem.groups)
+      most = std::max(most, most_operations(group, problem.interval));
+    return most;
+  }
+
   void place_all() {
     std::vector<int> waits(graph_.size(), 0);
     std::vector<std::vector<NodeId>> readers(graph_.size());
@@ -101,9 +111,7 @@ class ModuloList {
     }
     const std::vector<int> height = heights(graph_);
     std::set<std::tuple<int, int, NodeId>> ready;
-    const auto add = [&](NodeId id) {
-      ready.insert({earliest_start(graph_, made_.schedule, id).stage, -height[id], id});
-    };
+    const auto add = [&](NodeId id) { ready.insert({start_of(id).stage, -height[id], id}); };
     for (NodeId id = 0; id < graph_.size(); ++id)
       if (works(id) && waits[id] == 0) add(id);
     while (!ready.empty()) {
@@ -115,8 +123,14 @@ class ModuloList {
     }
   }
 
+  [[nodiscard]] Start start_of(NodeId id) const {
+    Start start = earliest_start(graph_, made_.schedule, id);
+    if (!earliest_.empty() && earliest_[id] > start.stage) start = {.stage = earliest_[id], .time_ps = 0};
+    return start;
+  }
+
   void place(NodeId id) {
-    auto [stage, time_ps] = earliest_start(graph_, made_.schedule, id);
+    auto [stage, time_ps] = start_of(id);
     const Cell cell = timing_(id);
     const bool shares = group_of_[id] >= 0;
     const int first_ps = shares ? selection_ps_ : cell.delay_ps;
@@ -151,8 +165,10 @@ class ModuloList {
 
   const Graph& graph_;
   const Library& library_;
+  const std::vector<int>& earliest_;
   SharedSchedule made_;
   NodeTiming timing_;
+  int selected_;
   int selection_ps_;
   std::vector<int> group_of_;          ///< by node; -1: it does not share
   std::vector<int> first_instance_;    ///< by group
@@ -186,9 +202,14 @@ bool is_selected(const Graph& graph, const std::vector<NodeId>& operations, std:
                       [&](NodeId id) { return graph[id].args[place] == first; });
 }
 
-int selection_ps(const Library& library, int interval) {
-  const int levels = phase_bits(interval);
-  return levels * library.timing(Component::mux2, 1).delay_ps;
+int selection_ps(const Library& library, int operations) {
+  const auto levels = std::bit_width(static_cast<unsigned>(operations - 1));
+  return static_cast<int>(levels) * library.timing(Component::mux2, 1).delay_ps;
+}
+
+int most_operations(const SharingGroup& group, int interval) {
+  // Each instance has one of them at least.
+  return std::min(interval, static_cast<int>(group.operations.size()) - group.instances + 1);
 }
 
 SharedSchedule schedule_modulo(const SharingProblem& problem) {

@@ -43,6 +43,7 @@ struct SharingProblem {
   int interval = 1;
   std::vector<SharingGroup> groups{};  ///< an operation is in one group at most; in none: it does not share
   std::optional<int> clock_ps{};       ///< nothing: the period of schedule_asap()
+  std::vector<int> earliest{};         ///< by node: the first stage in which it may start; empty: any
 };
 
 struct Binding {
@@ -68,9 +69,11 @@ struct SharedSchedule {
 /// operations. `instances` is the number of operations.
 [[nodiscard]] std::vector<SharingGroup> kinds_of(const Graph& graph);
 
-/// The delay of the multiplexer before an instance: it selects among as many operands as the interval has
-/// cycles.
-[[nodiscard]] int selection_ps(const Library& library, int interval);
+/// The delay of the multiplexer before an instance that carries out so many operations.
+[[nodiscard]] int selection_ps(const Library& library, int operations);
+
+/// The most operations that one instance of the group may carry out.
+[[nodiscard]] int most_operations(const SharingGroup& group, int interval);
 
 /// Throws std::invalid_argument, one line, for an interval that is not 1 to 64, for a group whose operations
 /// are more than its instances carry out in an interval, are of several kinds or in two groups, and for a

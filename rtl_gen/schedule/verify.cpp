@@ -118,9 +118,11 @@ std::vector<std::string> verify(const Graph& graph, const Library& library, cons
 std::vector<std::string> verify(const Graph& graph, const Library& library, const Schedule& schedule,
                                 const Binding& binding) {
   if (binding.interval < 1) return {fmt::format("an interval of {} cycles", binding.interval)};
+  std::size_t most = 1;
+  for (const auto& [instance, operations] : binding.instances()) most = std::max(most, operations.size());
   std::vector<std::string> broken =
       broken_rules(graph, schedule, NodeTiming(graph, library, schedule.clock_ps), library.latch_delay_ps(),
-                   {&binding, selection_ps(library, binding.interval)});
+                   {&binding, selection_ps(library, static_cast<int>(most))});
   if (schedule.slots.size() != graph.size()) return broken;
   std::map<std::pair<int, int>, NodeId> taken;  // by instance and phase
   std::map<int, NodeId> first;                  // by instance

@@ -258,9 +258,10 @@ TEST(Decimal, RoundsHalvesUp) {
     EXPECT_EQ(decimal(dividend, divisor, digits), text);
 }
 
-int bits_found_by_yosys(const rtl::Design& design, rtl::Format format) {
+int bits_found_by_yosys(const rtl::Design& design, rtl::Format format, int interval) {
   const host::ScratchFolder folder;
-  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), rtl::Library::thesis());
+  const rtl::Pipeline pipeline =
+      rtl::make_pipeline(design.trace(format), rtl::Library::thesis(), std::nullopt, interval);
   rtl::write_text(folder / "design.v", rtl::to_verilog(pipeline, rtl::Library::thesis()));
   const std::string name(design.name);
   const rtl::ToolResult yosys = rtl::run_tool(folder.path(), "yosys", "yosys",
@@ -275,19 +276,51 @@ int bits_found_by_yosys(const rtl::Design& design, rtl::Format format) {
   return bits;
 }
 
+void expect_the_bits_of_yosys(const rtl::Design& design, const rtl::Format& format, int interval) {
+  const Price built =
+      price(design, format, rtl::Library::thesis(), Account::built, rtl::FlowControl::stall, interval);
+  int bits = 0;
+  for (const Line& line : built.lines)
+    if (line.part.component == rtl::Component::latch) bits += line.n * line.part.bits;
+  EXPECT_EQ(bits_found_by_yosys(design, format, interval), bits)
+      << design.name << ' ' << to_string(format) << " every " << interval << " cycles";
+}
+
 TEST(BuiltAccount, HasTheRegisterBitsThatYosysFinds) {
-  int designs = 0;
-  for (const Entry& entry : table_7_2()) {
-    const rtl::Design& design = rtl::find_design(entry.design);
-    const Price built = price(design, entry.format, rtl::Library::thesis(), Account::built);
-    int bits = 0;
+  EXPECT_EQ(table_7_2().size(), 6U);
+  for (const Entry& entry : table_7_2())
+    expect_the_bits_of_yosys(rtl::find_design(entry.design), entry.format, 1);
+}
+
+TEST_P(EveryDesign, HasTheRegisterBitsOfEveryIntervalThatYosysFinds) {
+  for (const int interval : {3, 6})
+    expect_the_bits_of_yosys(GetParam().found(), GetParam().parsed(), interval);
+}
+
+TEST(Interval, OfAShareableUnitCountsEachComponentOnce) {
+  const rtl::Design& design = rtl::find_design("int_slabs");
+  const hls::IntBits bits{16, 16};
+  const rtl::Library& library = rtl::Library::thesis();
+  for (const auto& [interval, products] : {std::pair{1, 6}, {2, 3}, {3, 2}, {6, 1}}) {
+    const Price built = price(design, bits, library, Account::built, rtl::FlowControl::stall, interval);
+    EXPECT_EQ(built.interval, interval);
+    int counted = 0;
     for (const Line& line : built.lines)
-      if (line.part.component == rtl::Component::latch) bits += line.n * line.part.bits;
-    EXPECT_EQ(bits_found_by_yosys(design, entry.format), bits)
-        << entry.design << ' ' << to_string(entry.format);
-    ++designs;
+      counted += line.part.component == rtl::Component::int_multiply ? line.n : 0;
+    EXPECT_EQ(counted, products) << interval;
+    EXPECT_EQ(built.test_ps(), std::int64_t{interval} * built.stage_delay_ps);
+    EXPECT_EQ(built.boxes_per_second(), 1'000'000'000'000 / built.test_ps());
+    EXPECT_EQ(built.area_delay_per_box(), built.area_um2 * built.test_ps());
   }
-  EXPECT_EQ(designs, 6);
+}
+
+/// The thesis's account knows no other interval.
+TEST(Interval, HasNoPrintedAccount) {
+  EXPECT_EQ(message_of([] {
+              static_cast<void>(price(rtl::find_design("int_slabs"), hls::IntBits{20, 24},
+                                      rtl::Library::thesis(), Account::printed, rtl::FlowControl::stall, 2));
+            }),
+            "--ii 2: the thesis's units take a test in each cycle, so only the built account has others");
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <tuple>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -257,6 +259,59 @@ TEST(AreaOnAChip, PrintsTheSameFiguresInEveryFormat) {
     }
   }
   EXPECT_EQ(list[0].at("dsp"), 6);
+}
+
+/// Six products, then three, two and one.
+TEST(AreaAgainstRate, PrintsALineForEachInterval) {
+  const std::vector<std::string> intervals{"int_slabs", "--bits",    "16/16", "--ii",
+                                           "1,2,3,6",   "--library", "xc7"};
+  const Json rows = Json::parse(printed(with(intervals, {"--format", "json"})));
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0]["lut_of_ii_1_pct"], 100);
+  const std::vector<std::string> text = lines_of(printed(intervals));
+  for (const auto& [row, interval, blocks] : {std::tuple{0U, 1, 6}, {1U, 2, 3}, {2U, 3, 2}, {3U, 6, 1}}) {
+    EXPECT_EQ(rows[row]["ii"], interval);
+    EXPECT_EQ(rows[row]["dsp"], blocks);
+    EXPECT_EQ(rows[row]["int_multiply_16"], blocks);
+    EXPECT_NEAR(rows[row]["boxes_per_second"].get<double>() * interval,
+                1e9 / rows[row]["stage_delay_ns"].get<double>(), 10.0);
+    EXPECT_THAT(text[row + 2], HasSubstr(fmt::format("16/16   {}  ", interval)));
+  }
+  EXPECT_EQ(lines_of(printed(with(intervals, {"--format", "csv"}))).size(), 5U);
+}
+
+TEST(AreaAgainstRate, FloatSlabsOfAThirdOfTheRateTakeLessThanAHalf) {
+  const Json rows = Json::parse(printed({"fp_slabs", "--ii", "1,3,6", "--format", "json"}));
+  EXPECT_EQ(rows[0]["area_of_ii_1_pct"], 100);
+  EXPECT_LT(rows[1]["area_of_ii_1_pct"], 50);
+  EXPECT_LE(rows[2]["area_of_ii_1_pct"], 30);
+  EXPECT_EQ(rows[2]["fp_multiply_32"], 1);
+}
+
+TEST(AreaAgainstRate, PricesTheFloatTriangle) {
+  const Json rows = Json::parse(printed({"--triangle", "--ii", "1,4,8,16", "--format", "json"}));
+  ASSERT_EQ(rows.size(), 4U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i]["design"], "float_triangle");
+    if (i > 0) EXPECT_LT(rows[i]["area_mm2"].get<double>(), rows[i - 1]["area_mm2"].get<double>());
+  }
+}
+
+TEST(AreaAgainstRate, TextFitsEightyColumns) {
+  for (const std::string& library : {"thesis_250nm", "ecp5"})
+    for (const std::string& line :
+         lines_of(printed({"fp_plucker_direct", "int_major_pair", "--ii", "1,2,64", "--library", library})))
+      EXPECT_LE(line.size(), 80U) << line;
+}
+
+TEST(AreaAgainstRate, WrongIntervalsRejected) {
+  for (const char* const wrong : {"0", "65", "x", "1.5"})
+    rejected({"int_slabs", "--ii", wrong},
+             fmt::format("--ii: Value {} not in range 1 to 64; see hitpipe area --help", wrong));
+  rejected({"--ii", "2", "--by-stage"},
+           "--ii excludes --by-stage: a shared component works in several stages; see hitpipe area --help");
+  rejected({"--ii", "2", "--account", "printed"},
+           "--ii 2: the thesis's units take a test in each cycle, so only the built account has others");
 }
 
 }  // namespace

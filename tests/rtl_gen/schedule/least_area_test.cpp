@@ -45,15 +45,15 @@ TEST(LeastArea, AnAreaIsTheSumOfItsParts) {
   const Graph g = products(2);
   const SharingPrices prices = sharing_prices(g, library, 11);
   const SharedSchedule apart = schedule_modulo({.graph = g, .library = library, .interval = 2});
-  // Two products of 144; 48 bits of operands and 8 of results; 4 boundaries of 17 bits.
-  EXPECT_EQ(area_of(g, apart, prices), 2 * 144 + 48 + 8 + 4 * 17);
+  // Two products of 144; 48 bits of operands and 8 of results; a valid bit at 4 boundaries, the tag at 2.
+  EXPECT_EQ(area_of(g, apart, prices), 2 * 144 + 48 + 8 + 4 + 2 * 16);
   std::vector<SharingGroup> groups = kinds_of(g);
   groups.front().instances = 1;
   const SharedSchedule together =
       schedule_modulo({.graph = g, .library = library, .interval = 2, .groups = groups});
-  // One product; 24 bits of latches and of multiplexers before it; 48 bits of operands, of which 24 wait for
-  // a stage; 8 bits of results, of which 4 wait for a stage; 6 boundaries.
-  EXPECT_EQ(area_of(g, together, prices), 144 + 24 + 24 + 48 + 24 + 8 + 4 + 6 * 17);
+  // One product; 24 bits of latches and of multiplexers before it; 48 bits of operands and 8 of results, of
+  // which a half is held for a stage more; a valid bit at 6 boundaries, the tag at 3.
+  EXPECT_EQ(area_of(g, together, prices), 144 + 24 + 24 + 48 + 8 + 6 + 3 * 16);
 }
 
 TEST(LeastArea, AConstantThatAllReadIsNotSelected) {
@@ -65,9 +65,9 @@ TEST(LeastArea, AConstantThatAllReadIsNotSelected) {
   std::vector<SharingGroup> groups = kinds_of(g);
   groups.front().instances = 1;
   const SharedSchedule s = schedule_modulo({.graph = g, .library = library, .interval = 2, .groups = groups});
-  // One product with 12 bits of latches and of multiplexers; 24 bits of operands, of which 12 wait; 8 bits of
-  // results, of which 4 wait; 6 boundaries.
-  EXPECT_EQ(area_of(g, s, sharing_prices(g, library, 11)), 144 + 12 + 12 + 24 + 12 + 8 + 4 + 6 * 17);
+  // One product with 12 bits of latches and of multiplexers; 24 bits of operands and 8 of results, of which a
+  // half is held for a stage more; a valid bit at 6 boundaries, the tag at 3.
+  EXPECT_EQ(area_of(g, s, sharing_prices(g, library, 11)), 144 + 12 + 12 + 24 + 8 + 6 + 3 * 16);
 }
 
 TEST(LeastArea, AProductIsSharedAndAMultiplexerIsNot) {
@@ -94,6 +94,15 @@ TEST(LeastArea, AProductThatIsLeftOverKeepsItsOwn) {
   const SharedSchedule s = shared(g, library, 2);
   EXPECT_EQ(components(g, s.binding, Op::mul), 2);
   EXPECT_EQ(s.binding.instance_of.size(), 2) << "a component for one operation needs no selection";
+}
+
+/// With a clock of 11 ps a multiplexer can select among 32 operands.
+TEST(LeastArea, AnInstanceHasNoMoreOperationsThanTheClockCanSelect) {
+  const Library library = unit_library();
+  const Graph g = products(40);
+  const SharedSchedule s = shared(g, library, 64);
+  ASSERT_FALSE(s.binding.instance_of.empty());
+  for (const auto& [instance, operations] : s.binding.instances()) EXPECT_LE(operations.size(), 32U);
 }
 
 TEST(LeastArea, IntSlabsTakesSixThreeTwoAndOneProduct) {
@@ -206,11 +215,11 @@ TEST(LeastArea, IsNearTheLeastOfAllSchedulesAndBindings) {
     ASSERT_GT(all.legal(), 0) << seed;
     const std::int64_t area = area_of(g, found, prices);
     EXPECT_GE(area, all.least()) << seed;
-    EXPECT_LE(area * 100, all.least() * 111) << seed;
+    EXPECT_LE(area * 100, all.least() * 104) << seed;
     least += area == all.least() ? 1 : 0;
     ++graphs;
   }
-  EXPECT_GE(least, 5) << "of " << graphs << " graphs";
+  EXPECT_GE(least, 7) << "of " << graphs << " graphs";
 }
 
 }  // namespace

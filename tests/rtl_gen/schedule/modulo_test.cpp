@@ -126,14 +126,17 @@ TEST(Modulo, VerifyFindsASelectionThatIsTooSlow) {
   const Library library = unit_library();
   Graph g("slow");
   const NodeId a = g.input("a", 8, true);
-  const NodeId d = g.binary(Op::sub, a, g.input("b", 8, true));
-  const NodeId p = g.binary(Op::mul, d, a, true);
+  const NodeId b = g.input("b", 8, true);
+  const NodeId p = g.binary(Op::mul, g.binary(Op::sub, a, b), a, true);
   g.annotate(p, "p", {});
+  const NodeId q = g.binary(Op::mul, a, b, true);
   g.output("o", p);
+  g.output("q", q);
   Schedule s = schedule_asap(g, library);
-  const Binding binding{.interval = 2, .instance_of = {{p, 0}}};
+  const Binding binding{.interval = 2, .instance_of = {{p, 0}, {q, 0}}};
   s.slots[p] = {.stage = 1, .finish = 3, .ready_ps = 0, .latched = true};
-  s.stages = 3;
+  s.slots[q] = {.stage = 2, .finish = 4, .ready_ps = 0, .latched = true};
+  s.stages = 4;
   EXPECT_EQ(
       verify(g, library, s, binding),
       Broken{"p: 12 ps of logic before its latched operands and a 1 ps latch exceed the clock of 11 ps"});
@@ -154,8 +157,16 @@ TEST(Modulo, WrongProblemsRejected) {
   SharingProblem kinds = t.problem(4, 1);
   kinds.groups.front().operations.push_back(t.a);
   EXPECT_EQ(message(kinds), "three: operation %0 is not of the kind of its group");
-  EXPECT_EQ(message(t.problem(64, 1)),
-            "three: a clock of 11 ps is too short to select among 64 operands; the smallest that can be met "
+  Graph many("many");
+  SharingGroup group;
+  for (int i = 0; i < 33; ++i) {
+    const std::string number = std::to_string(i);
+    const NodeId a = many.input("a" + number, 8, true);
+    group.operations.push_back(many.binary(Op::mul, a, many.input("b" + number, 8, true), true));
+    many.output("o" + number, group.operations.back());
+  }
+  EXPECT_EQ(message({.graph = many, .library = t.library, .interval = 64, .groups = {group}}),
+            "many: a clock of 11 ps is too short to select among 33 operands; the smallest that can be met "
             "is 13 ps");
 }
 
