@@ -50,10 +50,9 @@ struct CosimCommand {
 /// Made here, or read from a folder.
 sim::Unit unit_of(const CosimCommand& command, const rtl::Library& library) {
   const rtl::Design& design = command.choice.design();
-  sim::Unit unit = command.unit.empty() ? sim::make_unit(design, command.choice.format(), library,
-                                                         command.flow_control, command.interval)
-                                        : sim::read_unit(command.unit, design, library);
-  return command.ray_slots ? sim::behind_ray_slots(std::move(unit), *command.ray_slots) : unit;
+  return command.unit.empty() ? sim::make_unit(design, command.choice.format(), library,
+                                               command.flow_control, command.interval)
+                              : sim::read_unit(command.unit, design, library);
 }
 
 Row record(const CosimCommand& command, const sim::Unit& unit, const ref::Scene& scene,

@@ -64,6 +64,13 @@ std::string summary(const std::vector<Price>& prices, const std::optional<Price>
   return aligned(rows, 2);
 }
 
+/// With a narrower gap where the usual one would exceed the page.
+std::string fitted(const std::vector<Cells>& rows) {
+  std::size_t width = (rows.front().size() - 1) * usual_gap;
+  for (std::size_t column = 0; column < rows.front().size(); ++column) width += column_width(rows, column);
+  return aligned(rows, 2, width <= page_width ? usual_gap : 1);
+}
+
 /// For designs of which one answers for several boxes in a test. The clock is left out, because the delay
 /// says the same and the page is narrow.
 std::string summary_of_boxes(const std::vector<Price>& prices, const std::optional<Price>& baseline) {
@@ -80,9 +87,7 @@ std::string summary_of_boxes(const std::vector<Price>& prices, const std::option
   const std::string note =
       fmt::format("ADP{} for each box that a test answers for.\n",
                   baseline ? fmt::format(" and percent of {} are", baseline->design) : " is");
-  std::size_t width = (rows.front().size() - 1) * usual_gap;
-  for (std::size_t column = 0; column < rows.front().size(); ++column) width += column_width(rows, column);
-  return aligned(rows, 2, width <= page_width ? usual_gap : 1) + note;
+  return fitted(rows) + note;
 }
 
 /// For example "int", "plucker", "24/24": three short lines as the head of a column, and the interval.
@@ -246,7 +251,7 @@ std::string rates_text(const std::vector<RatedPrice>& units, const rtl::Library&
   std::vector<Cells> rows{{"design", "bits", "II", "stages", "clock"}, {"", "", "", "", "MHz"}};
   const auto add = [](Cells& row, const Cells& more) { row.insert(row.end(), more.begin(), more.end()); };
   if (chip != nullptr) {
-    add(rows[0], {"LUT", "", "FF", block_name(*chip), "boxes"});
+    add(rows[0], {"LUT", "", "FF", "blocks", "boxes"});
     add(rows[1], {"", "of II 1", "", "", "M/s"});
   } else {
     add(rows[0], {"area", "", "boxes", "x time"});
@@ -268,9 +273,11 @@ std::string rates_text(const std::vector<RatedPrice>& units, const rtl::Library&
     }
     prices.push_back(p);
   }
-  std::string text = aligned(rows, 2);
+  std::string text = fitted(rows);
   if (chip != nullptr)
-    text += fmt::format("On {}.{}\n", chip->device, chip->estimated ? " Delays are estimated." : "");
+    text += fmt::format("On {}.{}{}\n", chip->device,
+                        chip->block ? fmt::format(" Blocks are {}.", chip->block->name) : "",
+                        chip->estimated ? " Delays are estimated." : "");
   else
     text += "Area is for each box; x time: times the time from one box to the next.\n";
   return text + part_columns("count", prices, [&](const Line& line) { return count(line.n); });
