@@ -12,34 +12,46 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include "hls/box/fp_format.hpp"
+#include "hls/num/domain.hpp"
+#include "hls/num/fp_logic.hpp"
 #include "rtl_gen/catalogue/host_float.hpp"
 #include "tests/hls/num/float_corners.hpp"
-#include "tests/hls/num/float_operators.hpp"
 
 namespace {
 
 namespace exact = hitpipe::hls::exact;
+namespace fp_logic = hitpipe::hls::fp_logic;
+using hitpipe::hls::Fp32;
+using hitpipe::hls::Native;
+using Bits = hitpipe::hls::ap_uint<32>;
 
 constexpr std::uint64_t seed = 2005;
 constexpr std::size_t checked_pairs = 100'000'000;
 constexpr std::size_t timed_pairs = 4096;
 
-using Number = hitpipe::hls::Fp<hitpipe::rtl::HostFloat, hitpipe::hls::Fp32>;
+using Number = hitpipe::hls::Fp<hitpipe::rtl::HostFloat, Fp32>;
 
 Number number(std::uint32_t pattern) {
   return {{pattern}, {}};
 }
 
 struct Subtract {
-  static std::uint64_t ours(std::uint32_t a, std::uint32_t b) { return exact::subtract_bits<8, 23>(a, b); }
+  static std::uint64_t ours(std::uint32_t a, std::uint32_t b) {
+    return fp_logic::subtract<Native>(Fp32(), Bits(a), Bits(b)).to_uint64();
+  }
   static std::uint64_t host(const Number& a, const Number& b) { return fp_sub(a, b).bits.to_uint64(); }
 };
 struct Multiply {
-  static std::uint64_t ours(std::uint32_t a, std::uint32_t b) { return exact::multiply_bits<8, 23>(a, b); }
+  static std::uint64_t ours(std::uint32_t a, std::uint32_t b) {
+    return fp_logic::multiply<Native>(Fp32(), Bits(a), Bits(b)).to_uint64();
+  }
   static std::uint64_t host(const Number& a, const Number& b) { return fp_mul(a, b).bits.to_uint64(); }
 };
 struct Compare {
-  static std::uint64_t ours(std::uint32_t a, std::uint32_t b) { return exact::compare_bits<8, 23>(a, b); }
+  static std::uint64_t ours(std::uint32_t a, std::uint32_t b) {
+    return fp_logic::compare<Native>(Fp32(), Bits(a), Bits(b)).to_uint64();
+  }
   static std::uint64_t host(const Number& a, const Number& b) {
     const auto order = fp_compare(a, b);
     return order.greater.to_uint64() << 1 | order.less.to_uint64();
