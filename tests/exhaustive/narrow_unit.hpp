@@ -39,12 +39,12 @@ struct NarrowUnit {
 
   /// For the names of tests: int_slabs_4_4.
   friend void PrintTo(const NarrowUnit& unit, std::ostream* out) {
-    std::string format = to_string(unit.format);
-    for (char& letter : format) {
+    std::string name = to_string(unit.format);
+    for (char& letter : name) {
       if (letter == '/' || letter == '+') letter = '_';
       if (letter == '-') letter = 'm';
     }
-    *out << unit.design.name << '_' << format;
+    *out << unit.design.name << '_' << name;
   }
 };
 
