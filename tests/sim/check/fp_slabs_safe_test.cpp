@@ -104,7 +104,7 @@ bool some_false_miss(const FpBits& bits, const Change& change) {
 }
 
 TEST(FpSlabsSafeSetup, ZerosOfTheWrongSignMiss) {
-  const FpBits bits(8, 15);
+  const FpBits bits{8, 15};
   const Case c{{glm::vec3(-0.0F, 0.0F, 0.0F), glm::vec3(-1.0F, 0.5F, 0.0F), ref::Ray::infinite},
                {glm::vec3(0.0F), glm::vec3(0.0F)}};
   EXPECT_TRUE(hit_with(bits, c, no_change));
@@ -114,7 +114,7 @@ TEST(FpSlabsSafeSetup, ZerosOfTheWrongSignMiss) {
 }
 
 TEST(FpSlabsSafeSetup, EachStepIsNeeded) {
-  const FpBits bits(8, 15);
+  const FpBits bits{8, 15};
   EXPECT_FALSE(some_false_miss(bits, no_change));
   using hls::Role;
   EXPECT_TRUE(some_false_miss(bits, [&](const rtl::Port& port, std::int64_t& operand) {

@@ -165,7 +165,7 @@ TEST(FloatRanges, HoldRandomRaysAndBoxesThroughTheSetUp) {
 }
 
 TEST(FloatRanges, OfOneNumberOrOneSignAreOneInterval) {
-  const hls::FpBits bits(5, 10);
+  const hls::FpBits bits{5, 10};
   const auto within = [&](float low, float high) {
     FloatRange range(bits);
     range.add(low, high);
