@@ -14,8 +14,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 # These need headers that packages.txt does not bring, or headers of a Verilated unit.
-NEEDS_OTHERS = {"bench/embree_tracer.hpp", "hls/num/vendor.hpp", "tests/hls/num/vendor_domain_test.cpp",
-                "tests/hls/num/vendor_fp_test.cpp", "examples/verilated_unit/main.cpp"}
+NEEDS_OTHERS = {"bench/embree_tracer.hpp", "hls/num/ac_types.hpp", "hls/num/vendor.hpp",
+                "tests/hls/num/vendor_domain_test.cpp", "tests/hls/num/vendor_fp_test.cpp", "examples/verilated_unit/main.cpp"}
 
 SLOW = re.compile(r"^#include <((?:gmock/gmock|gtest/gtest|CLI/CLI|nlohmann/json)\.h(?:pp)?)>", re.M)
 
