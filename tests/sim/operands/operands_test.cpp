@@ -231,8 +231,8 @@ TEST_F(Operands, TwoBoxesAreTestedAsChildrenOfOneParent) {
     if (of_parent) {
       ASSERT_FALSE(hit[0] || hit[1]) << i;
       // hit_0, hit_1, near_0, far_0, near_1, far_1, second_first
-      for (const std::size_t of_second : {1, 4, 5, 6}) ASSERT_EQ(all[results + of_second], nothing) << i;
-      for (const std::size_t of_first : {0, 2, 3}) ASSERT_NE(all[results + of_first], nothing) << i;
+      for (const std::size_t of_second : {1U, 4U, 5U, 6U}) ASSERT_EQ(all[results + of_second], nothing) << i;
+      for (const std::size_t of_first : {0U, 2U, 3U}) ASSERT_NE(all[results + of_first], nothing) << i;
     } else {
       ASSERT_EQ(all[results] != 0, hit[0]) << i;
       ASSERT_EQ(all[results + 1] != 0, hit[1]) << i;

@@ -70,15 +70,16 @@ TEST(PairNodes, HoldTheBoxesAndTrianglesOfAllNodes) {
         const PairNodes records(bvh, n, g);
         std::size_t nodes = 0;
         EXPECT_EQ(records.split_axis(0), 0);
-        each_child(bvh, records,
-                   [&](std::uint32_t record, unsigned which, const BvhNode& node, const IntBox& box) {
-                     ++nodes;
-                     const PairChild child = records.child(record, which);
-                     ASSERT_EQ(box, quantise_box(node.box, n, g));
-                     ASSERT_EQ(child.count, node.is_leaf() ? node.count : PairChild::branch);
-                     ASSERT_TRUE(node.is_leaf() ? child.first == node.first
-                                                : records.split_axis(child.first) == node.split_axis());
-                   });
+        each_child(
+            bvh, records,
+            [&, n = n, g = g](std::uint32_t record, unsigned which, const BvhNode& node, const IntBox& box) {
+              ++nodes;
+              const PairChild child = records.child(record, which);
+              ASSERT_EQ(box, quantise_box(node.box, n, g));
+              ASSERT_EQ(child.count, node.is_leaf() ? node.count : PairChild::branch);
+              ASSERT_TRUE(node.is_leaf() ? child.first == node.first
+                                         : records.split_axis(child.first) == node.split_axis());
+            });
         EXPECT_EQ(nodes, bvh.nodes.size());
         EXPECT_EQ(records.size(), (bvh.nodes.size() + 1) / 2);
       }
