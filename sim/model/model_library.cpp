@@ -15,7 +15,8 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#ifdef __SANITIZE_ADDRESS__
+#include "host/address_sanitizer.hpp"
+#ifdef HITPIPE_ADDRESS_SANITIZER
 #include <sanitizer/lsan_interface.h>
 #endif
 
@@ -273,7 +274,7 @@ ModelLibrary::~ModelLibrary() {
 
 void* ModelLibrary::create() const {
   // Verilator's runtime keeps a buffer for the names of submodules in each thread, and never frees it.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HITPIPE_ADDRESS_SANITIZER
   const __lsan::ScopedDisabler disabler;
 #endif
   return create_();

@@ -3,6 +3,7 @@
 
 #include <sys/wait.h>
 
+#include "host/address_sanitizer.hpp"
 #include "tests/cli/wrong_use.hpp"
 
 namespace hitpipe::cli::wrong_files_test {
@@ -93,7 +94,7 @@ TEST_F(WrongFiles, Tools) {
   EXPECT_EQ(run_hitpipe(cosim, {{"TMPDIR", "/nonexistent"}}).exit_code, 0);
 }
 
-#ifndef __SANITIZE_ADDRESS__  // it needs more address space than this test leaves
+#ifndef HITPIPE_ADDRESS_SANITIZER  // it needs more address space than this test leaves
 /// A picture that does not fit into memory gives one line in our own words.
 TEST_F(WrongFiles, MoreThanMemoryHolds) {
   const fs::path err = folder_.path() / "err";
