@@ -63,15 +63,13 @@ Row record(const ImplementCommand& command, const sim::Target& target, const sim
   const auto [share, share_of] = largest_share(unit);
   const bool placed = unit.placed && !unit.placed->seeds.empty();
   const std::optional<double> fmax = unit.fmax_mhz();
-  Row row{{"design", design.name},
-          {"bits", rtl::to_string(command.choice.format())},
-          {"target", target.name},
-          {"chip", target.chip},
-          {"library", unit.library},
-          {"flow_control", rtl::flow_control_name(command.options.flow_control)},
-          {"module", unit.module},
-          {"latency", unit.latency},
-          {"cells", unit.synthesis.cell_count()}};
+  const int interval = command.options.interval;
+  Row row{{"design", design.name},   {"bits", rtl::to_string(command.choice.format())},
+          {"target", target.name},   {"chip", target.chip},
+          {"library", unit.library}, {"flow_control", rtl::flow_control_name(command.options.flow_control)},
+          {"module", unit.module},   {"latency", unit.latency}};
+  if (interval > 1) row["ii"] = interval;
+  row["cells"] = unit.synthesis.cell_count();
   for (const std::string_view resource : sim::resource_names)
     row[std::string(resource)] = count_row(unit, resource);
   row.update(
@@ -86,7 +84,7 @@ Row record(const ImplementCommand& command, const sim::Target& target, const sim
        {"critical_to", placed ? Row(unit.placed->median().critical.to) : Row(nullptr)},
        {"latency_ns", unit.critical_path_ns ? rounded(unit.latency * *unit.critical_path_ns) : Row(nullptr)},
        {"boxes_per_test", design.kind.objects},
-       {"million_hits_per_s", fmax ? rounded(*fmax * design.kind.objects) : Row(nullptr)},
+       {"million_hits_per_s", fmax ? rounded(*fmax * design.kind.objects / interval) : Row(nullptr)},
        {"netlist", unit.simulated ? Row(unit.simulated->said) : Row(nullptr)},
        {"not_placed", target.placement ? Row(nullptr) : Row(target.not_placed)},
        {"tools", fmt::format("{}", fmt::join(unit.tools, "; "))}});
@@ -227,6 +225,8 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
   command->add_option("--name", how.module, "Name of the Verilog module. Default: as `hitpipe rtl` names it")
       ->type_name("MODULE");
   add_flow_control_option(*command, how.flow_control);
+  exclude(add_interval_option(*command, how.interval), board,
+          "the unit behind the serial line takes a test in every cycle");
   add_count_option(
       *command, "--seeds", how.seeds, {0, 100},
       "Place with seeds 1 to N; prints the clock of the median and of the best seed. With 0 the unit is "

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
@@ -27,6 +28,7 @@ struct SweepCommand {
   SceneChoice scene;
   DesignsChoice units;
   std::vector<int> rays_in_flight{32};
+  std::vector<int> intervals;  ///< empty: a test in every cycle
   ref::WhittedOptions light;
   CostChoice cost;
   std::vector<std::string> rows;  ///< files with rows that were measured elsewhere
@@ -37,13 +39,14 @@ struct SweepCommand {
 std::vector<sim::SweepPoint> plan(const SweepCommand& command, const rtl::Library& library) {
   const std::vector<const rtl::Design*> designs =
       priced_by(library, command.units.designs(sim::why_not_traced), !command.units.names.empty());
-  return sim::plan_sweep(command.units.formats(designs, sim::sweep_formats), command.rays_in_flight);
+  return sim::plan_sweep(command.units.formats(designs, sim::sweep_formats), command.rays_in_flight,
+                         command.intervals.empty() ? std::vector{1} : command.intervals);
 }
 
 /// Cells as in the file. In JSON, numbers are numbers.
-Row record(const sim::SweepRow& row) {
+Row record(const sim::SweepRow& row, std::span<const sim::SweepColumn> columns) {
   Row record;
-  for (const sim::SweepColumn& column : sim::sweep_columns) {
+  for (const sim::SweepColumn& column : columns) {
     const std::string cell = column.cell(row);
     record[std::string(column.name)] = column.is_text() ? Row(cell) : Row::parse(cell);
   }
@@ -61,22 +64,26 @@ std::string text_of(const std::vector<sim::SweepRow>& rows) {
   std::size_t name = 11;
   std::size_t bits = 5;
   bool several_boxes = false;
+  bool intervals = false;
   for (const sim::SweepRow& row : rows) {
     name = std::max(name, row.design.size());
     bits = std::max(bits, row.bits.size());
     several_boxes = several_boxes || row.boxes_per_test > 1;
+    intervals = intervals || row.interval > 1;
   }
   std::string text = fmt::format(
-      "{:<{}} {:<{}}  rays  area extra % extra %     time area*time bytes/\n"
-      "{:<{}} {:<{}}         {}   boxes  triang ms whole    whole    ray\n",
-      "design", name, "bits", bits, "", name, "", bits, rows.front().on_chip() ? "LUT" : "mm2");
+      "{:<{}} {:<{}}{}  rays  area extra % extra %     time area*time bytes/\n"
+      "{:<{}} {:<{}}{}         {}   boxes  triang ms whole    whole    ray\n",
+      "design", name, "bits", bits, intervals ? " II" : "", "", name, "", bits, intervals ? "   " : "",
+      rows.front().on_chip() ? "LUT" : "mm2");
   for (const sim::SweepRow& row : rows) {
     const std::string area = row.on_chip() ? fmt::format("{:.0f}", row.area_per_box_lut())
                                            : fmt::format("{:.2f}", row.area_per_box_mm2());
-    text += fmt::format("{:<{}} {:<{}} {:>5} {:>5} {:>7} {:>7} {:>8.4g} {:>8.4g} {:>6.0f}\n", row.design,
-                        name, row.bits, bits, row.rays_in_flight, area,
-                        percent_text(row.extra_box_tests_pct()), percent_text(row.extra_triangle_tests_pct()),
-                        row.whole_run_time_ms(), row.whole_area_run_time(), row.bytes_per_ray());
+    text += fmt::format("{:<{}} {:<{}}{} {:>5} {:>5} {:>7} {:>7} {:>8.4g} {:>8.4g} {:>6.0f}\n", row.design,
+                        name, row.bits, bits, intervals ? fmt::format(" {:>2}", row.interval) : "",
+                        row.rays_in_flight, area, percent_text(row.extra_box_tests_pct()),
+                        percent_text(row.extra_triangle_tests_pct()), row.whole_run_time_ms(),
+                        row.whole_area_run_time(), row.bytes_per_ray());
   }
   if (several_boxes) text += "area: for each box that a test answers for; area*time: of the whole unit\n";
   std::vector<std::string> below = recommendation(rows);
@@ -91,7 +98,7 @@ int report(const sim::RowsFile& rows, Format format) {
     fmt::print("{}", sim::to_csv(rows.rows));
   } else if (format == Format::json) {
     std::vector<Row> records;
-    for (const sim::SweepRow& row : rows.rows) records.push_back(record(row));
+    for (const sim::SweepRow& row : rows.rows) records.push_back(record(row, sim::columns_of(rows.rows)));
     fmt::print("{}", table_text(records, format));
   } else {
     fmt::print("{}", text_of(rows.rows));
@@ -148,6 +155,8 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
   add_list_option(*command, "--rays-in-flight", options->rays_in_flight,
                   "Rays that share one pipeline; one row for each number (1 to 65536; default: 32)", "K")
       ->transform(number_from(1, sim::RayUnit::most_rays_in_flight));
+  add_intervals_option(*command, options->intervals,
+                       "a test may begin every N cycles; one row for each number");
   add_bounces_option(*command, options->light);
   add_cost_options(*command, options->cost);
   as_input(add_list_option(

@@ -74,14 +74,19 @@ std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows) {
   std::vector<sim::SweepRow> usual;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(usual),
                [&](const sim::SweepRow& row) { return row.rays_in_flight == rays; });
+  const bool on_chip = rows.front().on_chip();
   std::vector<Drawing> drawings;
-  for (const Diagram& diagram : diagrams(rows.front().on_chip())) {
+  const auto draw = [&](std::span<const sim::SweepRow> units, const Diagram& diagram,
+                        const std::string& more = "") {
     drawings.push_back({fmt::format("{}.svg", diagram.name),
-                        run_gnuplot("report", diagram_script(scene, usual, diagram)),
+                        run_gnuplot("report", diagram_script(scene, units, diagram)),
                         fmt::format("{}: {}", scene, diagram.title),
-                        fmt::format("{} rays in flight. Columns {} and {} of rows.csv.", rays, diagram.cost,
-                                    diagram.error)});
-  }
+                        fmt::format("{} rays in flight. Columns {} and {} of rows.csv.{}", rays, diagram.cost,
+                                    diagram.error, more)});
+  };
+  for (const Diagram& diagram : diagrams(on_chip)) draw(usual, diagram);
+  if (std::ranges::any_of(usual, [](const sim::SweepRow& row) { return row.interval > 1; }))
+    draw(usual, rate_diagram(on_chip), " II is the interval between two tests in cycles.");
   if (const std::string script = occupancy_script(scene, rows); !script.empty()) {
     drawings.push_back({"occupancy.svg", run_gnuplot("report", script),
                         "Occupancy of each pipeline on " + scene + " against the number of rays in flight",

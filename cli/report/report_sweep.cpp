@@ -51,25 +51,35 @@ sim::RowsFile take_rows(const std::filesystem::path& file, const std::string& ab
 
 std::vector<std::string> sweep_commands(std::span<const sim::SweepRow> rows,
                                         const std::string& scene_options) {
-  // Units that were measured with the same numbers of rays belong to one sweep command.
-  std::map<std::pair<std::string, std::string>, std::set<int>> rays_of;
-  for (const sim::SweepRow& row : rows) rays_of[{row.design, row.bits}].insert(row.rays_in_flight);
+  // Units that were measured with the same numbers of rays at the same intervals belong to one sweep command.
+  using IntervalsAndRays = std::set<std::pair<int, int>>;  // intervals and rays
+  std::map<std::pair<std::string, std::string>, IntervalsAndRays> measured;
+  for (const sim::SweepRow& row : rows)
+    measured[{row.design, row.bits}].insert({row.interval, row.rays_in_flight});
   struct Sweep {
     std::vector<std::string> designs;
     std::vector<std::string> bits;
   };
-  std::map<std::set<int>, Sweep> sweeps;
+  std::map<IntervalsAndRays, Sweep> sweeps;
   for (const sim::SweepRow& row : rows) {
-    Sweep& sweep = sweeps[rays_of[{row.design, row.bits}]];
+    Sweep& sweep = sweeps[measured[{row.design, row.bits}]];
     append_once(sweep.designs, row.design);
     const rtl::Design& design = rtl::find_design(row.design);
     if (!design.default_format.family().single) append_once(sweep.bits, row.bits);
   }
   std::vector<std::string> commands;
-  for (const auto& [rays, sweep] : sweeps) {
+  for (const auto& [pairs, sweep] : sweeps) {
+    std::set<int> rays;
+    std::set<int> intervals;
+    for (const auto& [interval, number] : pairs) {
+      intervals.insert(interval);
+      rays.insert(number);
+    }
+    const std::string ii = intervals == std::set{1} ? "" : fmt::format(" --ii {}", fmt::join(intervals, ","));
     const std::string bits = sweep.bits.empty() ? "" : fmt::format(" --bits {}", fmt::join(sweep.bits, ","));
-    commands.push_back(fmt::format("hitpipe sweep {} {}{} --rays-in-flight {} --out rows.csv", scene_options,
-                                   fmt::join(sweep.designs, ","), bits, fmt::join(rays, ",")));
+    commands.push_back(fmt::format("hitpipe sweep {} {}{} --rays-in-flight {}{} --out rows.csv",
+                                   scene_options, fmt::join(sweep.designs, ","), bits, fmt::join(rays, ","),
+                                   ii));
   }
   return commands;
 }

@@ -178,6 +178,15 @@ std::span<const Diagram> diagrams(bool on_chip) {
   return on_chip ? diagrams_of_chips : diagrams_of_cells;
 }
 
+Diagram rate_diagram(bool on_chip) {
+  return {"area_rate",
+          "area and tests a second",
+          "box_time_ns",
+          "ns for each box when the unit is full (1 ns: 1000 million boxes a second)",
+          on_chip ? "luts" : "area_mm2",
+          on_chip ? "lookup tables of the unit" : "area of the unit, mm²"};
+}
+
 std::string diagram_script(const std::string& scene, std::span<const sim::SweepRow> units,
                            const Diagram& diagram) {
   const std::vector<double> costs = column(units, diagram.cost);

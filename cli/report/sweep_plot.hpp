@@ -46,6 +46,9 @@ struct Diagram {
 /// With areas in lookup tables on a chip, in mm² elsewhere.
 [[nodiscard]] std::span<const Diagram> diagrams(bool on_chip);
 
+/// Of rows with several intervals: area of the unit against the time of a box.
+[[nodiscard]] Diagram rate_diagram(bool on_chip);
+
 /// The gnuplot programs; the same text for the same numbers. All `units` have the same number of rays in
 /// flight.
 [[nodiscard]] std::string diagram_script(const std::string& scene, std::span<const sim::SweepRow> units,

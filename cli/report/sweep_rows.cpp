@@ -28,10 +28,12 @@ std::optional<std::size_t> least(Rows rows, int rays_in_flight, double most_extr
 
 std::string unit_name(const sim::SweepRow& row) {
   const rtl::Design& design = rtl::find_design(row.design);
-  return design.name_at(design.parse_format(row.bits));
+  const std::string name = design.name_at(design.parse_format(row.bits));
+  return row.interval == 1 ? name : fmt::format("{} II {}", name, row.interval);
 }
 
 bool is_thesis_unit(const sim::SweepRow& row) {
+  if (row.interval != 1) return false;
   const auto& six = area::table_7_2();
   return std::any_of(six.begin(), six.end(), [&](const area::Entry& entry) {
     return entry.design == row.design && rtl::to_string(entry.format) == row.bits;

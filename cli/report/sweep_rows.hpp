@@ -15,7 +15,8 @@
 
 namespace hitpipe::cli {
 
-/// A design with its format, or its name alone where it has one format only.
+/// A design with its format, or its name alone where it has one format only; "int_slabs 20/24 II 3" at an
+/// interval of 3 cycles.
 [[nodiscard]] std::string unit_name(const sim::SweepRow& row);
 
 /// The unit is one of the six in Table 7.2.

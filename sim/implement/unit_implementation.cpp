@@ -90,7 +90,8 @@ Implementation implement_unit(const rtl::Design& design, const rtl::Format& form
   const Workbench bench(options.folder / target.name);
 
   options.progress("writing the unit");
-  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library, options.clock_ps);
+  const rtl::Pipeline pipeline =
+      rtl::make_pipeline(design.trace(format), library, options.clock_ps, options.interval);
   const rtl::VectorSet vectors = design_vectors(
       design, format, static_cast<std::size_t>(options.simulate.value_or(usual_vectors)), options.seed);
   const rtl::EmittedDesign emitted =

@@ -22,6 +22,7 @@ struct ImplementOptions {
   std::string module{};   ///< empty: the design's own name
   std::string library{};  ///< empty: the target's
   std::optional<int> clock_ps{};
+  int interval = 1;  ///< a test may begin every so many cycles
   /// Of the unit. A net that stops every register of a chip costs clock and cells.
   rtl::FlowControl flow_control = rtl::FlowControl::none;
   int seeds = 5;                  ///< of the placement; 0: the unit is not placed

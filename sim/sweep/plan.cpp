@@ -12,14 +12,16 @@ std::vector<rtl::Format> sweep_formats(const rtl::Design& design) {
 }
 
 std::vector<SweepPoint> plan_sweep(std::span<const DesignFormats> designs,
-                                   std::span<const int> rays_in_flight) {
+                                   std::span<const int> rays_in_flight, std::span<const int> intervals) {
   std::map<RowKey, SweepPoint> points;
   for (const DesignFormats& each : designs) {
     for (const rtl::Format& format : each.formats) {
       static_cast<void>(each.design->evaluate(format));  // throws if the design has no such format
       for (const int rays : rays_in_flight) {
-        const SweepPoint point{each.design, format, rays};
-        points.emplace(key_of(point), point);
+        for (const int interval : intervals) {
+          const SweepPoint point{each.design, format, rays, interval};
+          points.emplace(key_of(point), point);
+        }
       }
     }
   }
@@ -29,12 +31,12 @@ std::vector<SweepPoint> plan_sweep(std::span<const DesignFormats> designs,
 }
 
 RowKey key_of(const SweepPoint& point) {
-  return {rtl::place_of(*point.design).value(), point.format.numbers(), point.rays_in_flight};
+  return {rtl::place_of(*point.design).value(), point.format.numbers(), point.rays_in_flight, point.interval};
 }
 
-RowKey key_of(const std::string& design, const std::string& bits, int rays_in_flight) {
+RowKey key_of(const std::string& design, const std::string& bits, int rays_in_flight, int interval) {
   const rtl::Design& found = rtl::find_design(design);
-  return key_of({&found, found.parse_format(bits), rays_in_flight});
+  return key_of({&found, found.parse_format(bits), rays_in_flight, interval});
 }
 
 }  // namespace hitpipe::sim

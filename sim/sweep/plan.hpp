@@ -1,6 +1,8 @@
-// The rows of a sweep: designs, number formats and rays in flight, in the order of the file.
+// The rows of a sweep: designs, number formats, rays in flight and initiation intervals, in the order of the
+// file.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <span>
 #include <string>
@@ -14,6 +16,7 @@ struct SweepPoint {
   const rtl::Design* design;
   rtl::Format format;
   int rays_in_flight;
+  int interval = 1;  ///< a test may begin every so many cycles
 };
 
 /// A design and the formats that are asked for.
@@ -24,22 +27,27 @@ struct DesignFormats {
 /// The formats in which a design is swept without --bits. The default format if the design states none.
 [[nodiscard]] std::vector<rtl::Format> sweep_formats(const rtl::Design& design);
 
-/// Every design in each of its formats with each number of rays in flight, each combination once. Throws
-/// std::runtime_error, one line, for a format that a design does not have.
-[[nodiscard]] std::vector<SweepPoint> plan_sweep(std::span<const DesignFormats> designs,
-                                                 std::span<const int> rays_in_flight);
+inline constexpr std::array every_cycle{1};
 
-/// The place of a row in the file: place of the design in the catalogue, format, rays in flight.
+/// Every design in each of its formats with each number of rays in flight at each interval, each combination
+/// once. Throws std::runtime_error, one line, for a format that a design does not have.
+[[nodiscard]] std::vector<SweepPoint> plan_sweep(std::span<const DesignFormats> designs,
+                                                 std::span<const int> rays_in_flight,
+                                                 std::span<const int> intervals = every_cycle);
+
+/// The place of a row in the file: place of the design in the catalogue, format, rays in flight, interval.
 struct RowKey {
   std::size_t design;
   rtl::FormatNumbers format;
   int rays_in_flight;
+  int interval;
 
   friend auto operator<=>(const RowKey&, const RowKey&) = default;
 };
 
 [[nodiscard]] RowKey key_of(const SweepPoint& point);
 /// The key of a row by its cells. Throws what rtl::find_design() and rtl::Design::parse_format() throw.
-[[nodiscard]] RowKey key_of(const std::string& design, const std::string& bits, int rays_in_flight);
+[[nodiscard]] RowKey key_of(const std::string& design, const std::string& bits, int rays_in_flight,
+                            int interval = 1);
 
 }  // namespace hitpipe::sim

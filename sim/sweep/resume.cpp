@@ -48,7 +48,8 @@ class KeptRows {
   /// A copy that broke off may have cut the file. What its last line would say is measured again.
   [[nodiscard]] RowsFile own_rows() const {
     const std::string text = host::read_file(file_, "cannot read the rows");
-    if (to_text({about_, {}}).starts_with(text)) return {};
+    for (const bool intervals : {false, true})
+      if (head_text(about_, intervals).starts_with(text)) return {};
     const std::size_t end = text.rfind('\n');
     const std::string whole = end == std::string::npos ? text : text.substr(0, end + 1);
     return required_about(parse_rows(whole, file_.string()), file_, about_);
@@ -60,7 +61,7 @@ class KeptRows {
     }
   }
   void keep(const SweepRow& row) {
-    rows_.insert_or_assign(key_of(row.design, row.bits, row.rays_in_flight), row);
+    rows_.insert_or_assign(key_of(row.design, row.bits, row.rays_in_flight, row.interval), row);
   }
 
   std::filesystem::path file_;

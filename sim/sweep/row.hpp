@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -30,6 +31,7 @@ struct SweepRow {
   int width = 0;
   int height = 0;
   int rays_in_flight = 0;
+  int interval = 1;     ///< a test may begin every so many cycles
   std::string library;  ///< of components
   std::string design;
   std::string bits;        ///< "20/24" or "fp32"
@@ -65,7 +67,7 @@ struct SweepRow {
       0;  ///< measured: time of the design's software traversal, over the baseline design's
 
   [[nodiscard]] std::uint64_t rays_traced() const;
-  [[nodiscard]] double occupancy_pct() const;
+  [[nodiscard]] double occupancy_pct() const;           ///< 100: a test begins whenever one may
   [[nodiscard]] double false_hits_per_million() const;  ///< per million box tests
   [[nodiscard]] double extra_box_tests_per_ray() const;
   [[nodiscard]] double extra_triangle_tests_per_ray() const;
@@ -75,7 +77,8 @@ struct SweepRow {
   [[nodiscard]] double run_time_ms() const;  ///< of the box tests alone, as in the thesis
   [[nodiscard]] bool on_chip() const { return luts > 0; }
   [[nodiscard]] double area_per_box_mm2() const;
-  [[nodiscard]] double area_delay_mm2_ns() const;  ///< with the area for each box
+  [[nodiscard]] double box_time_ns() const;        ///< of the unit when it is full
+  [[nodiscard]] double area_delay_mm2_ns() const;  ///< area times that time
   /// With the whole area: the cycles already count a test of several boxes once.
   [[nodiscard]] double area_run_time_mm2_ms() const;
 
@@ -190,14 +193,28 @@ inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
 });
 inline constexpr std::size_t sweep_time_columns = 2;
 
+/// Columns of a file that has rows with an interval of more than a cycle, behind rays_in_flight.
+inline constexpr auto interval_columns = std::to_array<SweepColumn>({
+    {"ii", &SweepRow::interval},
+    {"box_time_ns", &SweepRow::box_time_ns},
+});
+
+/// The columns of a file, with those of intervals or without.
+[[nodiscard]] std::span<const SweepColumn> columns_with(bool intervals);
+/// Of the file that holds these rows.
+[[nodiscard]] std::span<const SweepColumn> columns_of(std::span<const SweepRow> rows);
+
 /// Throws std::out_of_range for a name that is none.
 [[nodiscard]] const SweepColumn& sweep_column(std::string_view name);
 
 /// One cell for each column; from_cells() gives the same row.
-[[nodiscard]] std::vector<std::string> to_cells(const SweepRow& row);
+[[nodiscard]] std::vector<std::string> to_cells(const SweepRow& row,
+                                                std::span<const SweepColumn> columns = sweep_columns);
 
 /// Throws std::runtime_error, one line, for a wrong number of cells, a cell that is not a number of its type,
-/// a figure that does not follow from the counts, or more box tests than the tests can have answered.
-[[nodiscard]] SweepRow from_cells(const std::vector<std::string>& cells);
+/// a figure that does not follow from the counts, more box tests than the tests can have answered, or an
+/// interval that no unit has.
+[[nodiscard]] SweepRow from_cells(const std::vector<std::string>& cells,
+                                  std::span<const SweepColumn> columns = sweep_columns);
 
 }  // namespace hitpipe::sim

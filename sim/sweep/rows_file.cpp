@@ -12,9 +12,9 @@ namespace hitpipe::sim {
 
 namespace {
 
-std::string header() {
+std::string header(std::span<const SweepColumn> columns) {
   std::vector<std::string> names;
-  for (const SweepColumn& column : sweep_columns) names.emplace_back(column.name);
+  for (const SweepColumn& column : columns) names.emplace_back(column.name);
   return host::csv_line(names);
 }
 
@@ -27,9 +27,14 @@ std::string printable(std::string text) {
   return text;
 }
 
+std::string head_text(const std::string& about, bool intervals) {
+  return fmt::format("# {}\n{}", about, header(columns_with(intervals)));
+}
+
 std::string to_csv(std::span<const SweepRow> rows) {
-  std::string text = header();
-  for (const SweepRow& row : rows) text += host::csv_line(to_cells(row));
+  const std::span<const SweepColumn> columns = columns_of(rows);
+  std::string text = header(columns);
+  for (const SweepRow& row : rows) text += host::csv_line(to_cells(row, columns));
   return text;
 }
 
@@ -47,14 +52,17 @@ RowsFile parse_rows(const std::string& text, const std::string& source) {
   std::string line;
   if (!std::getline(in, line) || !line.starts_with("# ")) reject("line 1 does not say what was measured");
   rows.about = line.substr(2);
-  if (!std::getline(in, line) || line + '\n' != header())
+  const bool has_header = static_cast<bool>(std::getline(in, line));
+  const bool intervals = has_header && line + '\n' == header(columns_with(true));
+  const std::span<const SweepColumn> columns = columns_with(intervals);
+  if (!has_header || line + '\n' != header(columns))
     throw std::runtime_error(
         fmt::format("{}: line 2 is not the header of a sweep by this version, so its rows must be measured "
                     "again; give another file or remove it",
                     source));
   for (int number = 3; std::getline(in, line); ++number) {
     try {
-      rows.rows.push_back(from_cells(host::csv_cells(line)));
+      rows.rows.push_back(from_cells(host::csv_cells(line), columns));
     } catch (const std::runtime_error& error) {
       reject(fmt::format("line {}: {}", number, error.what()));
     }

@@ -20,6 +20,9 @@ struct RowsFile {
 /// from a file name, which may hold any.
 [[nodiscard]] std::string printable(std::string text);
 
+/// What a file begins with: the comment and the header, with the columns of intervals or without.
+[[nodiscard]] std::string head_text(const std::string& about, bool intervals);
+
 /// The header and a line for each row.
 [[nodiscard]] std::string to_csv(std::span<const SweepRow> rows);
 

@@ -27,7 +27,7 @@ namespace hitpipe::sim {
 
 namespace {
 
-/// A design in one format. It is built once for all numbers of rays in flight.
+/// A design in one format at one interval. It is built once for all numbers of rays in flight.
 struct MeasuredUnit {
   std::mutex making;
   std::optional<VerilatedDesign> verilated;
@@ -129,9 +129,11 @@ class Run {
     const std::scoped_lock lock(unit.making);
     if (!unit.verilated) {
       const rtl::Library& library = *options_.library;
-      unit.price = area::price(*point.design, point.format, library, area::Account::built);
+      unit.price = area::price(*point.design, point.format, library, area::Account::built,
+                               rtl::FlowControl::stall, point.interval);
       unit.software_ratio = reference_.software.ratio(*point.design, point.format);
-      unit.verilated.emplace(make_unit(*point.design, point.format, library));
+      unit.verilated.emplace(
+          make_unit(*point.design, point.format, library, rtl::FlowControl::stall, point.interval));
     }
     return unit;
   }
@@ -209,6 +211,7 @@ SweepRow priced_row(const rtl::Design& design, const rtl::Format& format, const 
   SweepRow row;
   row.design = design.name;
   row.bits = rtl::to_string(format);
+  row.interval = price.interval;
   row.boxes_per_test = price.boxes;
   row.stages = price.stages;
   row.stage_delay_ps = price.stage_delay_ps;

@@ -55,6 +55,8 @@ TEST_F(WrongUseOf, OptionsThatExcludeEachOther) {
         "--simulate excludes --board: the vectors are for the unit alone, and on a board it stands "
         "behind a "
         "serial line;"},
+       {"implement --board icebreaker --ii 3 --out OUT",
+        "--ii excludes --board: the unit behind the serial line takes a test in every cycle;"},
        {"check int_slabs --stiff --rtl",
         "--stiff excludes --rtl: stiff rays have cases of their own, and the C++ answers;"},
        {"render --rescale --scene spheres --out OUT",

@@ -51,6 +51,19 @@ TEST_F(ImplementCommand, PrintsTheSameAsJsonAndKeepsIt) {
   EXPECT_THAT(contents_of(out_ / "ice40_hx" / "box_test.v"), HasSubstr("module box_test"));
 }
 
+TEST_F(ImplementCommand, AnIntervalDividesTheBoxesASecond) {
+  for (const int interval : {1, 3}) {
+    const Outcome outcome =
+        run({"--target", "osu018", "--ii", std::to_string(interval), "--simulate", "50", "--format", "json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto object = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(object["netlist"], "PASS 50 vectors");
+    EXPECT_EQ(object.contains("ii"), interval == 3);
+    EXPECT_NEAR(object["million_hits_per_s"].get<double>() * interval, object["fmax_mhz"].get<double>(),
+                0.02);
+  }
+}
+
 TEST_F(ImplementCommand, UnitThatDoesNotFitIsAResult) {
   // The chip has no more than what the test needs.
   const std::filesystem::path file = folder_.write("tiny.json", R"({

@@ -85,6 +85,34 @@ std::string untimed(const fs::path& file) {
   return text;
 }
 
+/// The rows of a test in every cycle stay, and those of a test every three cycles are added.
+TEST_F(SweepCommand, AddsTheRowsOfAnInterval) {
+  const fs::path rows = copy();
+  const std::vector<std::string> more{"--ii", "1,3", "--threads", "2"};
+  const Outcome outcome = run_hitpipe(sweep(rows, more));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_LE(widest_line(outcome.out), 80U) << outcome.out;
+  EXPECT_THAT(lines_of(outcome.out).at(0), testing::ContainsRegex("^design +bits +II +rays"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("\nint_slabs +6/6 +3 +8 "));
+  const std::vector<sim::SweepRow> all = sim::read_rows(rows).rows;
+  ASSERT_EQ(all.size(), 2 * all_rows);
+  std::vector<sim::SweepRow> in_every_cycle;
+  for (const sim::SweepRow& row : all) {
+    if (row.interval == 1) in_every_cycle.push_back(row);
+    EXPECT_EQ(row.rtl_mismatches, 0U);
+  }
+  EXPECT_EQ(in_every_cycle, sim::read_rows(whole()).rows);
+  const json records = json::parse(run_hitpipe(with(sweep(rows, more), {"--format", "json"})).out);
+  EXPECT_EQ(records.at(1).at("ii"), 3);
+  for (const char* const bad : {"0", "65", "x", ""}) {
+    const Outcome refused = run_hitpipe(sweep(file("none.csv"), {"--ii", bad}));
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_EQ(refused.err,
+              fmt::format("hitpipe: --ii: Value {} not in range 1 to 64; see hitpipe sweep --help\n", bad));
+    EXPECT_FALSE(fs::exists(file("none.csv")));
+  }
+}
+
 TEST_F(SweepCommand, FileDoesNotDependOnThreadsPartsOrOrder) {
   const std::string one = untimed(whole());
   EXPECT_EQ(sim::read_rows(whole()).rows.size(), all_rows);

@@ -62,6 +62,26 @@ const Diagram& diagram(std::string_view name) {
   return *std::ranges::find(diagrams(false), name, &Diagram::name);
 }
 
+TEST(Diagrams, OfRatesHaveAMarkForEachInterval) {
+  std::vector<sim::SweepRow> rows{row("int_slabs", "24/24", 1000), row("int_slabs", "24/24", 1000),
+                                  row("fp_slabs", "fp32", 1000), row("fp_slabs", "fp32", 1000)};
+  rows[1].interval = 3;
+  rows[1].area_um2 = 1'000'000;
+  rows[2].area_um2 = 4'000'000;
+  rows[3].interval = 6;
+  rows[3].area_um2 = 1'500'000;
+  for (const bool on_chip : {false, true}) {
+    const Diagram rates = rate_diagram(on_chip);
+    for (const std::string_view column : {rates.cost, rates.error})
+      EXPECT_FALSE(sim::sweep_column(column).is_text());
+  }
+  const std::string script = diagram_script("a", rows, rate_diagram(false));
+  EXPECT_THAT(script, HasSubstr("$front << END\n3 2\n9 1\nEND\n"));
+  for (const char* const name : {"'24/24'", "'24/24 II 3'", "'fp_slabs'", "'fp_slabs II 6'"})
+    EXPECT_THAT(script, HasSubstr(std::string("set label ") + name));
+  EXPECT_EQ(unit_name(rows[1]), "int_slabs 24/24 II 3");
+}
+
 TEST(Diagrams, ShowColumnsOfTheRowsFile) {
   for (const bool on_chip : {false, true}) {
     for (const Diagram& each : diagrams(on_chip)) {

@@ -107,6 +107,17 @@ TEST(Implementation, PlacesTheNetlistThatItCounts) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "ice40_up5k" / name)) << name;
 }
 
+/// Six products on two blocks, in turn.
+TEST(Implementation, ATestEveryThreeCyclesTakesAThirdOfTheBlocks) {
+  const rtl::Design& design = rtl::find_design("int_slabs");
+  const TemporaryFolder folder;
+  const Implementation unit =
+      implement_unit(design, design.parse_format("8/8"), target_called("ice40_up5k"),
+                     {.folder = folder.path(), .interval = 3, .seeds = 0, .simulate = 1000});
+  EXPECT_EQ(unit.count_of("dsps")->used, 2);
+  EXPECT_EQ(unit.simulated->said, "PASS 1000 vectors");
+}
+
 TEST(Implementation, UnitThatDoesNotFitKeepsItsCounts) {
   Target small = target_called("ice40_up5k");
   for (Resource& resource : small.resources)

@@ -43,6 +43,17 @@ TEST(SweepPlan, IsSortedAndHasEachRowOnce) {
             "int_plucker 6/6 1\nint_plucker 6/6 8\nint_plucker 24/24 1\nint_plucker 24/24 8\n");
 }
 
+TEST(SweepPlan, HasEachIntervalBehindItsRaysInFlight) {
+  const std::vector<DesignFormats> designs{{&rtl::find_design("int_slabs"), {hls::IntBits{6, 6}}}};
+  const std::vector<SweepPoint> points =
+      plan_sweep(designs, std::vector<int>{8, 1}, std::vector<int>{3, 1, 3});
+  std::string text;
+  for (const SweepPoint& p : points) text += fmt::format("{} {}, ", p.rays_in_flight, p.interval);
+  EXPECT_EQ(text, "1 1, 1 3, 8 1, 8 3, ");
+  EXPECT_LT(key_of(points[0]), key_of(points[1]));
+  EXPECT_EQ(key_of(points[3]), key_of("int_slabs", "6/6", 8, 3));
+}
+
 TEST(SweepPlan, FindsThePlaceOfADesignByItsName) {
   const rtl::Design copied = rtl::find_design("int_slabs");
   EXPECT_EQ(key_of({&copied, hls::IntBits{6, 6}, 8}), key_of("int_slabs", "6/6", 8));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/files.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/small_scene.hpp"
@@ -58,6 +59,39 @@ TEST_F(Resume, MeasuresOnlyWhatIsMissing) {
   ASSERT_EQ(again.rows.size(), 2U);
   EXPECT_EQ(again.rows[0], whole.rows[0]);
   EXPECT_EQ(again.rows[1].cycles, whole.rows[1].cycles);
+}
+
+/// A row at one interval is none at another.
+TEST_F(Resume, TellsIntervalsApart) {
+  ResumableSweep at_one = sweep();
+  at_one.points.pop_back();
+  ResumableSweep both = at_one;
+  both.points.push_back(both.points.front());
+  both.points.back().interval = 3;
+  const RowsFile first = resume(at_one);
+  const std::string without = text();
+  {
+    const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
+    EXPECT_THROW((void)resume(both), std::runtime_error);
+    EXPECT_EQ(text(), without);
+  }
+  const RowsFile rows = resume(both);
+  ASSERT_EQ(rows.rows.size(), 2U);
+  EXPECT_EQ(rows.rows[0], first.rows[0]);
+  EXPECT_EQ(rows.rows[1].interval, 3);
+  EXPECT_EQ(rows.rows[1].hits, rows.rows[0].hits);
+  EXPECT_EQ(rows.rows[1].rtl_mismatches, 0U);
+  EXPECT_GT(rows.rows[1].cycles, rows.rows[0].cycles);
+  EXPECT_LT(rows.rows[1].area_um2, rows.rows[0].area_um2);
+  const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
+  EXPECT_EQ(to_text(resume(both)), text());
+  ResumableSweep joined = both;
+  joined.file = folder_.path() / "joined.csv";
+  joined.more = {both.file};
+  EXPECT_EQ(to_text(resume(joined)), text());
+  // Cut within the header: nothing is there yet.
+  host::write_file(joined.file, text().substr(0, text().find(",ii,") + 4));
+  EXPECT_EQ(to_text(resume(joined)), text());
 }
 
 /// Two sweeps, perhaps on two machines, and one that joins their files and measures nothing.

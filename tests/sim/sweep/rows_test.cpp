@@ -64,6 +64,44 @@ TEST(SweepRowFigures, OfAPairAreForEachBox) {
   EXPECT_DOUBLE_EQ(row.area_run_time_mm2_ms(), 1.234567 * 1.588 / 2);
 }
 
+/// A test every three cycles, in three times the cycles.
+SweepRow a_third() {
+  SweepRow row = a_row();
+  row.interval = 3;
+  row.cycles *= 3;
+  return row;
+}
+
+TEST(SweepRowFigures, OfAnIntervalCountWhatTheUnitMayTake) {
+  const SweepRow row = a_third();
+  EXPECT_DOUBLE_EQ(row.occupancy_pct(), 80.0);
+  EXPECT_DOUBLE_EQ(a_row().box_time_ns(), 3.176);
+  EXPECT_DOUBLE_EQ(row.box_time_ns(), 3 * 3.176);
+  EXPECT_DOUBLE_EQ(a_pair().box_time_ns(), 3.176 / 2);
+  EXPECT_DOUBLE_EQ(row.area_delay_mm2_ns(), 1.234567 * 3 * 3.176);
+  EXPECT_DOUBLE_EQ(row.run_time_ms(), 3 * 1.588);
+}
+
+TEST(RowsFile, HasColumnsOfIntervalsOnlyWhereARowHasOne) {
+  const std::string plain = to_csv(std::vector{a_row(), a_row()});
+  EXPECT_THAT(plain, HasSubstr(",rays_in_flight,library,"));
+  const RowsFile rows{"a sweep", {a_row(), a_third()}};
+  const std::string text = to_text(rows);
+  EXPECT_THAT(text, StartsWith(head_text("a sweep", true)));
+  EXPECT_THAT(text, HasSubstr(",rays_in_flight,ii,box_time_ns,library,"));
+  EXPECT_THAT(text, HasSubstr(",32,1,3.176,thesis_250nm,"));
+  EXPECT_THAT(text, HasSubstr(",32,3,9.528,thesis_250nm,"));
+  EXPECT_EQ(parse_rows(text, "rows.csv").rows, rows.rows);
+  EXPECT_EQ(parse_rows(to_text({"a sweep", {a_row()}}), "rows.csv").rows, (std::vector{a_row()}));
+  for (const int wrong : {0, 65}) {
+    SweepRow bad = a_third();
+    bad.interval = wrong;
+    const std::span<const SweepColumn> columns = columns_with(true);
+    EXPECT_EQ(message_of<std::runtime_error>([&] { return from_cells(to_cells(bad, columns), columns); }),
+              fmt::format("{} of ii is not in 1 to 64", wrong));
+  }
+}
+
 TEST(SweepRowFigures, OfNothingAreZero) {
   const SweepRow row;
   for (const double figure :

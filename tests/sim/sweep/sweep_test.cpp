@@ -114,6 +114,29 @@ TEST(Sweep, APairAnswersForTwoBoxesInACycle) {
   for (const SweepRow& row : rows) EXPECT_TRUE(row.verified(true));
 }
 
+/// The same tests, one in three cycles.
+TEST(Sweep, AnIntervalTakesAreaAndTime) {
+  const ref::Scene scene = hills();
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const std::vector<DesignFormats> designs{{&rtl::find_design("int_slabs"), {hls::IntBits{12, 12}}}};
+  const std::vector<SweepPoint> points = plan_sweep(designs, std::vector<int>{32}, std::vector<int>{1, 3});
+  std::vector<SweepRow> rows;
+  run_sweep(scene, bvh, points, {.width = 24, .height = 16},
+            [&](const SweepRow& row) { rows.push_back(row); });
+  ASSERT_EQ(rows.size(), 2U);
+  std::ranges::sort(rows, {}, &SweepRow::interval);
+  const SweepRow& every = rows[0];
+  const SweepRow& third = rows[1];
+  EXPECT_EQ(third.interval, 3);
+  EXPECT_EQ(third.hits, every.hits);
+  EXPECT_EQ(third.unit_tests, every.unit_tests);
+  EXPECT_GE(third.cycles, 3 * third.unit_tests);
+  EXPECT_GT(third.occupancy_pct(), 90.0);
+  EXPECT_LE(third.occupancy_pct(), 100.0);
+  EXPECT_LT(third.area_um2, every.area_um2);
+  for (const SweepRow& row : rows) EXPECT_TRUE(row.verified(true));
+}
+
 TEST(Sweep, RowsDoNotDependOnThreads) {
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
