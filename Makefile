@@ -18,7 +18,7 @@ help:
 	@echo 'make lint      formatting and clang-tidy; make format mends the first'
 	@echo 'make sanitize  all tests under ASan and UBSan'
 	@echo 'make fuzz      libFuzzer, SECONDS=60 in all: loaders, command line, what is printed'
-	@echo 'make prove     the Verilog equals its combinational form: yosys and z3; DESIGN=x BITS=y proves one unit'
+	@echo 'make prove     the Verilog equals its combinational form: yosys and z3; DESIGN=x BITS=y II=N proves one unit'
 	@echo 'make prove-all-widths  int_major never misses, for all widths: Coq'
 	@echo 'make netlists  the netlists in chip cells and standard cells equal the C++ for 10^5 vectors a design'
 	@echo 'make hls-check  C++14 tops with the integers in HITPIPE_VENDOR_AP_INT=DIR or HITPIPE_AC_TYPES=DIR'
@@ -63,14 +63,14 @@ bench: build
 	@cmake --build --preset release -j $(JOBS) --target benchmarks
 	@bench/run.sh
 
-# With DESIGN that unit alone; BITS is its format, unless it is the default.
+# With DESIGN that unit alone; BITS is its format, unless it is the default. With II it takes a test every II cycles.
 ifdef DESIGN
 prove: build
 	@cmake --build --preset release -j $(JOBS) --target emit_formal emit_lemmas >build.log 2>&1 || { cat build.log; exit 1; }
-	@tests/formal/prove.sh build/tests/formal/emit_formal build/tests/formal/emit_lemmas build/tests/formal/one '$(DESIGN)' '$(BITS)'
+	@tests/formal/prove.sh build/tests/formal/emit_formal build/tests/formal/emit_lemmas build/tests/formal/one '$(DESIGN)' '$(BITS)' $(II)
 else
 prove: build
-	$(if $(BITS),@echo 'make prove: BITS without DESIGN' >&2; exit 1,@cmake --build --preset release -j $(JOBS) --target prove)
+	$(if $(BITS)$(II),@echo 'make prove: BITS or II without DESIGN' >&2; exit 1,@cmake --build --preset release -j $(JOBS) --target prove)
 endif
 
 # Coq takes 490 MB and serves nothing else, so packages.txt does not name it.

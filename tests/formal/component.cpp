@@ -146,7 +146,7 @@ std::vector<Component> components(const rtl::Pipeline& pipeline, const std::stri
                                   rtl::FlowControl flow) {
   const bool stalls = flow == rtl::FlowControl::stall;
   const rtl::Body body(pipeline.graph, pipeline.schedule, pipeline.placement,
-                       {.prefix = design, .enable = stalls ? "advance" : ""});
+                       {.prefix = design, .enable = stalls ? "advance" : "", .binding = pipeline.binding});
   std::vector<Component> found;
   for (const auto& [shape, module] : body.multipliers())
     found.push_back(multiplier_component(shape, module, stalls));

@@ -1,6 +1,7 @@
-// Writes what the proofs of one design in one format read: emit_formal DESIGN FORMAT FOLDER [SET]. An empty
-// FORMAT is the design's default. With SET, the number of a demand set or a manifest, the design is the
-// fitted one. With "none" as SET the whole design has no flow control.
+// Writes what the proofs of one design in one format read: emit_formal DESIGN FORMAT FOLDER [SET [INTERVAL]].
+// An empty FORMAT is the design's default. With SET, the number of a demand set or a manifest, the design is
+// the fitted one. With "none" as SET the whole design has no flow control, with "stall" it has. It takes a
+// test every INTERVAL cycles.
 #include <algorithm>
 #include <exception>
 #include <iostream>
@@ -28,15 +29,18 @@ rtl::Graph fitted(const rtl::Design& design, rtl::Format format, const std::stri
       .graph;
 }
 
-std::vector<rtl::File> files_of(const std::string& name, const std::string& given, const std::string& set) {
+std::vector<rtl::File> files_of(const std::string& name, const std::string& given, const std::string& set,
+                                int interval) {
   const rtl::Design& design = rtl::find_design(name);
   const rtl::Format bits = given.empty() ? design.default_format : design.parse_format(given);
   const std::string format = to_string(bits);
+  const bool whole =
+      set.empty() || std::count(rtl::flow_control_names.begin(), rtl::flow_control_names.end(), set) > 0;
   const auto flow = set == rtl::flow_control_name(rtl::FlowControl::none) ? rtl::FlowControl::none
                                                                           : rtl::FlowControl::stall;
   const bool stalls = flow == rtl::FlowControl::stall;
-  const rtl::Graph traced = set.empty() || !stalls ? design.trace(bits) : fitted(design, bits, set);
-  const rtl::Pipeline pipeline = rtl::make_pipeline(traced, rtl::Library::thesis());
+  const rtl::Graph traced = whole ? design.trace(bits) : fitted(design, bits, set);
+  const rtl::Pipeline pipeline = rtl::make_pipeline(traced, rtl::Library::thesis(), std::nullopt, interval);
   const std::vector<formal::Component> parts = formal::components(pipeline, name, flow);
 
   std::string results;
@@ -61,7 +65,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& give
     if (std::count(sent.begin(), sent.end(), rtl::SentWith::line) > 0)
       files.push_back({"slots.v", formal::slots_proof(name, ports)});
   } else {
-    files.push_back({"fifo.v", formal::fifo_proof(name, design.ports(bits), pipeline.latency())});
+    files.push_back({"fifo.v", formal::fifo_proof(name, design.ports(bits), pipeline.latency(), interval)});
   }
   for (const formal::Component& part : parts) {
     symbols.insert(part.symbol);
@@ -95,8 +99,10 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& give
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 4 && argc != 5) throw std::runtime_error("usage: emit_formal DESIGN FORMAT FOLDER [SET]");
-    host::write_files(argv[3], files_of(argv[1], argv[2], argc == 5 ? argv[4] : ""));
+    if (argc < 4 || argc > 6)
+      throw std::runtime_error("usage: emit_formal DESIGN FORMAT FOLDER [SET [INTERVAL]]");
+    host::write_files(argv[3],
+                      files_of(argv[1], argv[2], argc > 4 ? argv[4] : "", argc > 5 ? std::stoi(argv[5]) : 1));
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -19,7 +19,8 @@ void insert_behind(std::string& text, const std::string& place, const std::strin
 
 }  // namespace
 
-std::string fifo_proof(const std::string& unit, const std::vector<rtl::Port>& operands, int latency) {
+std::string fifo_proof(const std::string& unit, const std::vector<rtl::Port>& operands, int latency,
+                       int interval) {
   const int test_bits = tag_bits + 1;
   std::string inputs;
   std::vector<std::string> names;
@@ -29,19 +30,20 @@ std::string fifo_proof(const std::string& unit, const std::vector<rtl::Port>& op
   }
   const std::string word = fmt::format("{{{}}}", fmt::join(names, ", "));
   const int places = rtl::fifo_places(latency);
+  const bool waits = interval > 1;
   const std::string stand_in = fmt::format(
       R"(module {unit} #(
   parameter TAG_BITS = 16
 ) (
 {inputs}  input wire clk, rst, in_valid,
-  input wire [TAG_BITS-1:0] in_tag,
+{ready_port}  input wire [TAG_BITS-1:0] in_tag,
   output wire out_valid,
   output wire [TAG_BITS-1:0] out_tag,
   output wire seen,
   output reg [{last}:0] is_test,
   output reg [{all_high}:0] tests
 );
-  wire asked = {word} >> in_tag;
+{ready}  wire asked = {word} >> in_tag;
   always @(posedge clk) begin
     if (rst) is_test <= 0;
     else is_test <= {{is_test, in_valid}};
@@ -52,7 +54,9 @@ std::string fifo_proof(const std::string& unit, const std::vector<rtl::Port>& op
 endmodule
 )",
       fmt::arg("unit", unit), fmt::arg("last", latency), fmt::arg("all_high", test_bits * (latency + 1) - 1),
-      fmt::arg("inputs", inputs), fmt::arg("word", word));
+      fmt::arg("inputs", inputs), fmt::arg("word", word),
+      fmt::arg("ready_port", waits ? "  output wire in_ready,\n" : ""),
+      fmt::arg("ready", waits ? "  (* anyseq *) reg likes;\n  assign in_ready = likes;\n" : ""));
 
   std::string held;
   for (int bit = 0; bit < test_bits; ++bit)
@@ -103,7 +107,7 @@ endmodule
       assert (waiting <= {places});
       assert (used == flying + waiting);
       if (arrives & ~given) assert (waiting < {places});
-      if (was_ready) assert (in_ready);
+      if (was_ready{and_unit_ready}) assert (in_ready);
       if (was_held) assert (out_valid && shown == was_shown);
       if (always_ready) assert (~waits);
       if (out_valid) assert (used != 0);
@@ -128,9 +132,10 @@ endmodule
 )",
       fmt::arg("last", latency), fmt::arg("test_high", test_bits - 1), fmt::arg("word", word),
       fmt::arg("place_bits", std::bit_width(static_cast<unsigned>(places - 1))), fmt::arg("places", places),
-      fmt::arg("test_bits", test_bits), fmt::arg("held", held));
+      fmt::arg("test_bits", test_bits), fmt::arg("held", held),
+      fmt::arg("and_unit_ready", waits ? " & unit_ready" : ""));
   std::string wrapper = rtl::result_fifo(
-      rtl::unit_interface(unit, operands, {{"seen", 1, false}}, rtl::FlowControl::none), latency);
+      rtl::unit_interface(unit, operands, {{"seen", 1, false}}, rtl::FlowControl::none, interval), latency);
   insert_behind(
       wrapper, fmt::format("  wire {} unit_tag;\n", rtl::tag_range),
       fmt::format("  wire [{}:0] is_test;\n  wire [{}:0] tests;\n", latency, test_bits * (latency + 1) - 1));

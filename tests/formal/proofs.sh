@@ -144,8 +144,8 @@ END
     covers fifo $(($(cat latency) * 2 + 8)) "${bits[@]}"
 }
 
-# One step of the whole design with in_ready and rst low, its arithmetic cut out: no register of it or of its components
-# changes.
+# One step of the whole design in which a result waits and rst is low, its arithmetic cut out: no register of it or of
+# its components changes.
 prove_hold() {
   to_smt2 hold <<END || return
 read_verilog design.v
@@ -164,7 +164,8 @@ END
     END {
       print "(declare-const now |" d "_s|) (declare-const next |" d "_s|)"
       print "(assert (|" d "_h| now)) (assert (|" d "_h| next)) (assert (|" d "_t| now next))"
-      print "(assert (not (|" d "_n in_ready| now))) (assert (not (|" d "_n rst| now)))"
+      print "(assert (|" d "_n out_valid| now)) (assert (not (|" d "_n out_ready| now)))"
+      print "(assert (not (|" d "_n rst| now)))"
       print "(check-sat)\n(assert (not (and"
       for (i = 1; i <= n; ++i) print "(= (|" d "_n " same[i] "| now) (|" d "_n " same[i] "| next))"
       print ")))\n(check-sat)\n(echo \"" n " registers\")"

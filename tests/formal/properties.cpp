@@ -41,8 +41,10 @@ std::string results_in(const rtl::Graph& graph, const std::string& net) {
 
 /// A design and its reference on the same operands. `found` are the results; `expected` are those for the
 /// operands at the ports.
-std::string instances(const rtl::Graph& graph, const std::string& design, rtl::FlowControl flow) {
+std::string instances(const rtl::Pipeline& pipeline, const std::string& design, rtl::FlowControl flow) {
+  const rtl::Graph& graph = pipeline.graph;
   const bool stalls = flow == rtl::FlowControl::stall;
+  const bool waits = stalls || pipeline.interval() > 1;
   const std::vector<rtl::Port> ports = rtl::input_ports(graph);
   return fmt::format(
       "  wire {5}out_valid;\n  wire [{4}:0] found, expected;\n  wire [3:0] out_tag;\n"
@@ -51,7 +53,7 @@ std::string instances(const rtl::Graph& graph, const std::string& design, rtl::F
       "{1}{2});\n"
       "  {0}_reference same (\n    {1}{3});\n",
       design, connections(ports), results_in(graph, "found"), results_in(graph, "expected"),
-      result_bits(graph) - 1, stalls ? "in_ready, " : "", stalls ? ".in_ready(in_ready), " : "",
+      result_bits(graph) - 1, waits ? "in_ready, " : "", waits ? ".in_ready(in_ready), " : "",
       stalls ? ".out_ready(out_ready), " : "");
 }
 
@@ -97,7 +99,9 @@ std::string component_flow(const Component& c) {
 
 std::string design_flow(const rtl::Pipeline& pipeline, const std::string& design, rtl::FlowControl flow) {
   const std::vector<rtl::Port> ports = rtl::input_ports(pipeline.graph);
-  return head("flow", ports) + instances(pipeline.graph, design, flow) +
+  const std::string moves = flow == rtl::FlowControl::stall ? "(out_ready || !out_valid) && " : "";
+  const std::string taken = pipeline.interval() > 1 ? "(edges != 0 || in_ready) && " : "";
+  return head("flow", ports) + instances(pipeline, design, flow) +
          fmt::format(
              "  reg [7:0] edges = 0;\n  reg [{1}:0] first;\n  reg [3:0] first_tag;\n"
              "  always @(posedge clk) begin\n    edges <= edges + 8'd1;\n"
@@ -107,11 +111,12 @@ std::string design_flow(const rtl::Pipeline& pipeline, const std::string& design
              "{2}      assert (out_tag == first_tag);\n"
              "      cover (found[0]);\n      cover (!found[0]);\n    end\n  end\nendmodule\n",
              pipeline.latency() + 1, result_bits(pipeline.graph) - 1, each_result_is(pipeline.graph),
-             flow == rtl::FlowControl::stall ? "in_ready && " : "");
+             moves + taken);
 }
 
 std::string control_properties(const rtl::Pipeline& pipeline, rtl::FlowControl flow) {
   const bool stalls = flow == rtl::FlowControl::stall;
+  const int interval = pipeline.interval();
   const int last = pipeline.schedule.stages;
   std::string shift;
   std::string equal;
@@ -121,38 +126,53 @@ std::string control_properties(const rtl::Pipeline& pipeline, rtl::FlowControl f
     shift += b == 0 ? std::string("      was_tag_0 <= in_tag;\n")
                     : fmt::format("      was_tag_{} <= was_tag_{};\n", b, b - 1);
     equal += fmt::format("      if (taken[{0}]) assert (tag_s{0} == was_tag_{0});\n", b);
+    if (interval > 1)
+      equal += fmt::format("      if (taken[{}]) assert (phase == {});\n", b, (b + 1) % interval);
+  }
+  std::string ready = "move";
+  std::string counter;  // of the moves since the reset, modulo the interval
+  if (interval > 1) {
+    ready = "move && moves == 0";
+    counter = fmt::format(
+        "  reg [7:0] moves;\n  always @(posedge clk)\n    if (rst) moves <= 0;\n"
+        "    else if (move) moves <= (moves + 1) % {};\n",
+        interval);
+    equal += fmt::format("      assert (moves < {} && phase == moves);\n", interval);
   }
   return fmt::format(
-      "  reg was_reset = 0;\n  reg [{0}:0] taken;\n{1}  wire move = {5};\n"
+      "  reg was_reset = 0;\n  reg [{0}:0] taken;\n{1}  wire move = {5};\n{8}"
       "  always @(posedge clk) begin\n    was_reset <= was_reset | rst;\n    if (rst) taken <= 0;\n"
-      "    else if (move) taken <= {{taken[{2}:0], in_valid}};\n    if (move) begin\n{3}    end\n  end\n"
+      "    else if (move) taken <= {{taken[{2}:0], in_valid{9}}};\n    if (move) begin\n{3}    end\n  end\n"
       "  always @* begin\n    if (was_reset) begin\n      assert (valid == taken);\n"
       "{6}      assert (out_valid == taken[{0}]);\n"
       "      assert (!out_valid || out_tag == was_tag_{0});\n{4}"
-      "      cover (out_valid && {7}taken[0]);\n    end\n  end\n",
+      "      cover (out_valid && {7}taken[{10}]);\n    end\n  end\n",
       last, declare, last - 1, shift, equal, stalls ? fmt::format("out_ready | ~taken[{}]", last) : "1'b1",
-      stalls ? "      assert (in_ready == move);\n" : "", stalls ? "!out_ready && " : "");
+      stalls || interval > 1 ? fmt::format("      assert (in_ready == ({}));\n", ready) : "",
+      stalls ? "!out_ready && " : "", counter, interval > 1 ? " && moves == 0" : "", last % interval);
 }
 
 std::string stalled_design(const rtl::Pipeline& pipeline, const std::string& design) {
   const std::vector<rtl::Port> ports = rtl::input_ports(pipeline.graph);
-  return head("stalled", ports) + instances(pipeline.graph, design, rtl::FlowControl::stall) +
+  return head("stalled", ports) + instances(pipeline, design, rtl::FlowControl::stall) +
          fmt::format(
              "  reg first_step = 1, given = 0;\n  reg [{1}:0] first;\n  reg [3:0] expected_tag;\n"
-             "  reg [7:0] moves = 0, stalls = 0;\n  wire due = !first_step && moves == {0} && !given;\n"
+             "  reg [7:0] moves = 0, stalls = 0;\n  wire move = out_ready || !out_valid;\n"
+             "  wire due = !first_step && moves == {0} && !given;\n"
              "  always @(posedge clk) begin\n    first_step <= 0;\n    if (first_step) begin\n"
              "      first <= expected;\n      expected_tag <= in_tag;\n    end else begin\n"
-             "      moves <= moves + {{7'd0, in_ready && !given}};\n      stalls <= stalls + {{7'd0, "
-             "!in_ready}};\n"
+             "      moves <= moves + {{7'd0, move && !given}};\n      stalls <= stalls + {{7'd0, "
+             "!move}};\n"
              "      given <= given || (due && out_ready);\n    end\n  end\n"
              "  always @* begin\n    assume (!rst && stalls <= 2);\n    if (first_step) assume (in_valid && "
              "in_ready);\n"
-             "    assert (in_ready == (out_ready || !out_valid));\n"
+             "    assert ({3});\n"
              "    if (due) begin\n      assert (out_valid);\n{2}"
              "      assert (out_tag == expected_tag);\n    end\n"
              "    cover (due && found[0] && stalls >= 2);\n    cover (due && !found[0] && stalls >= 2);\n  "
              "end\nendmodule\n",
-             pipeline.latency(), result_bits(pipeline.graph) - 1, each_result_is(pipeline.graph));
+             pipeline.latency(), result_bits(pipeline.graph) - 1, each_result_is(pipeline.graph),
+             pipeline.interval() > 1 ? "move || !in_ready" : "in_ready == move");
 }
 
 }  // namespace hitpipe::formal

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Proves the emitted Verilog with yosys and z3: prove.sh EMIT_FORMAL EMIT_LEMMAS FOLDER [short | DESIGN FORMAT]
-# With a design and a format, it proves that unit alone; an empty format is the design's default.
+# Proves the emitted Verilog with yosys and z3: prove.sh EMIT_FORMAL EMIT_LEMMAS FOLDER [short | DESIGN FORMAT [N]]
+# With a design and a format, it proves that unit alone; an empty format is the design's default. With N, the unit takes
+# a test every N cycles.
 # Prints a table of proof, width, result, seconds; false when anything was not proved. docs/formal.md explains.
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/proofs.sh"
@@ -10,6 +11,7 @@ mkdir -p "$3"
 work=$(realpath "$3")
 short=$([[ ${4:-} == short ]] && echo short)
 failed=0
+declare -A seen  # components, by their text
 
 report() {
   printf '%-44s %-9s %-10s %6s\n' "$@"
@@ -29,11 +31,12 @@ lemmas() {
   "$emit_lemmas" "$@" >"$work/lemma_$1${2:-}.smt2" && prove_lemmas "$work/lemma_$1${2:-}.smt2"
 }
 
-# enter DESIGN FORMAT [none]: goes to a folder with all that the proofs read. With none, the design has no flow control.
+# enter DESIGN FORMAT [stall|none [N]]: goes to a folder with all that the proofs read. With none, the design has no flow
+# control. It takes a test every N cycles.
 enter() {
-  local folder=$work/$1-${2/\//_}${3:+-$3}
+  local folder=$work/$1-${2/\//_}-${3:-stall}-${4:-1}
   rm -rf "$folder"
-  "$emit_formal" "$1" "$2" "$folder" ${3:+"$3"} && cd "$folder" || exit 1
+  "$emit_formal" "$1" "$2" "$folder" "${3:-stall}" "${4:-1}" && cd "$folder" || exit 1
 }
 
 finish() {
@@ -52,9 +55,13 @@ all_of() {
   components_of "$1" "$2"
 }
 
+# One that is the same as in an earlier design is proved there.
 components_of() {
-  local module
+  local module key
   while read -r module _; do
+    key=$(awk -v m="$module" '$1 == "module" { on = index($2, m) == 1 } on' design.v | cat - "$module.v" | sha256sum)
+    [[ -n ${seen[$key]:-} ]] && continue
+    seen[$key]=1
     row "  ${module#"$1"_}" "$2" proved prove_component "$1" "$module"
   done <components
 }
@@ -68,12 +75,30 @@ all_without_flow_control() {
   components_of "$1" "$2"
 }
 
+# all_every N DESIGN FORMAT: the same proofs for the design that takes a test every N cycles, with and without flow
+# control. Ray slots are proved before a unit that is ready when it likes.
+all_every() {
+  local interval=$1 flow
+  shift
+  for flow in stall none; do
+    enter "$1" "$2" $flow "$interval"
+    local said="$1 every $interval cycles"
+    [[ $flow == stall ]] || said="  no flow control"
+    [[ $flow == none ]] || row "$said: stands still" "$2" proved prove_hold "$1"
+    row "$said: valid, tags, phase" "$2" proved prove_control "$1"
+    row "$said: HIT and tag" "$2" proved prove_flow "$1"
+    [[ $flow == stall ]] || row "$said: its FIFO loses nothing" "$2" proved prove_fifo "$1"
+    components_of "$1" "$2"
+  done
+}
+
 # damage DESIGN FORMAT WHAT SED PROOF...: the proof must fail of a copy that sed has changed, by a
-# counterexample. The copy is of design.v, or of $file. With $flow none, the design has no flow control.
+# counterexample. The copy is of design.v, or of $file. With $flow none, the design has no flow control; with $every N, it takes a
+# test every N cycles.
 damage() {
   local name=$1 format=$2 what=$3 sed=$4 verilog=${file:-design.v}
   shift 4
-  enter "$name" "$format" ${flow:+"$flow"}
+  enter "$name" "$format" "${flow:-stall}" "${every:-1}"
   sed "$sed" "$verilog" >damaged.v
   cmp -s "$verilog" damaged.v && { echo "no damage done: $what" >&2; failed=1; return; }
   mv damaged.v "$verilog"
@@ -89,8 +114,12 @@ refuted_not() {
 if [[ -n ${4:-} && -z $short ]]; then
   bits=$(enter "$4" "${5:-}" && cat format) || exit 1
   report proof width result seconds
-  all_of "$4" "$bits"
-  all_without_flow_control "$4" "$bits"
+  if [[ -n ${6:-} ]]; then
+    all_every "$6" "$4" "$bits"
+  else
+    all_of "$4" "$bits"
+    all_without_flow_control "$4" "$bits"
+  fi
   finish
 fi
 report proof width result seconds
@@ -113,13 +142,22 @@ if [[ -z $short ]]; then
   for name in int_major int_major_pair; do all_without_flow_control "$name" 20+1/13; done
   for name in fp_slabs fp_plucker; do all_without_flow_control "$name" fp32; done
   all_without_flow_control fp_slabs_safe e5m10
+  for interval in 2 3; do
+    for name in int_slabs int_plucker; do all_every $interval "$name" 20/24; done
+    for name in int_major int_major_pair; do all_every $interval "$name" 20+1/13; done
+    for name in fp_slabs fp_plucker fp_plucker_direct; do all_every $interval "$name" fp32; done
+    all_every $interval fp_slabs_safe e5m10
+  done
   enter int_slabs 6/6
   row 'int_slabs: standing still twice, wherever' 6/6 proved prove_stalled int_slabs
+  enter int_slabs 6/6 stall 2
+  row '  every 2 cycles' 6/6 proved prove_stalled int_slabs
   enter int_slabs 6/11
   row '  mul_6x6s_to_10_0, bit for bit' 6/11 proved prove_bits int_slabs int_slabs_mul_6x6s_to_10_0
 else
   all_of int_slabs 20/24
   all_without_flow_control int_slabs 20/24
+  all_every 2 int_slabs 6/6
 fi
 damage int_slabs 20/24 'a register less' 's/irlen_s2 <= irlen_s1/irlen_s2 <= irlen_s0/' prove_flow
 damage int_slabs 20/24 'swapped operands' 's/izmin_s0 - irz_s0/irz_s0 - izmin_s0/' prove_flow
@@ -138,7 +176,19 @@ flow=none file=fifo.v damage int_slabs 20/24 'a credit too many' "s/used != 3'd6
 flow=none file=fifo.v damage int_slabs 20/24 'a credit too few' "s/used != 3'd6/used != 3'd5/" prove_fifo int_slabs
 flow=none file=fifo.v damage int_slabs 20/24 'the newest result overtakes' 's/held\[oldest\[2:0\]\]/held[0]/' prove_fifo int_slabs
 flow=none file=fifo.v damage int_slabs 20/24 'a result is lost' 's/if (arrives) held/if (arrives \& ~taken) held/' prove_fifo int_slabs
+every=2 damage int_slabs 6/6 'a phase counter that stands still' "s/phase + 1'd1/phase/" prove_control int_slabs
+every=2 damage int_slabs 6/6 'swapped operand multiplexer' "s/1'd1: begin/1'd0: begin/;s/default: begin/1'd1: begin/" prove_flow
 if [[ -z $short ]]; then
+  for flow in stall none; do
+    every=3 damage int_slabs 6/6 'a phase too few' "s/phase == 2'd2/phase == 2'd1/" prove_control int_slabs
+    every=3 damage int_slabs 6/6 'the phase survives a reset' "s/if (rst) phase <= 2'd0/if (1'b0) phase <= 2'd0/" \
+      prove_control int_slabs
+    every=3 damage int_slabs 6/6 'an operation in another phase' "s/2'd2: begin/2'd3: begin/" prove_flow
+  done
+  flow=
+  every=3 damage int_slabs 6/6 'the phase goes on in a stall' 's/else if (advance) phase/else phase/' \
+    prove_control int_slabs
+  every=3 damage int_slabs 6/6 'the phase goes on in a stall' 's/else if (advance) phase/else phase/' prove_hold int_slabs
   damage fp_slabs fp32 'a stage less in an operator' 's/larger_s3 <= larger_s2;/larger_s3 <= larger_s1;/' \
     prove_component fp_slabs fp_slabs_fp_subtract_8_23
 fi

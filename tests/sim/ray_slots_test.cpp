@@ -87,6 +87,17 @@ TEST_P(RaySlotsOf, TraceScenesWithRaysWrittenBesideTests) {
 INSTANTIATE_TEST_SUITE_P(Units, RaySlotsOf, testing::Values(slabs, pair),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
+TEST(RaySlots, BeforeAUnitThatTakesATestEveryFewCycles) {
+  const VerilatedDesign design(
+      behind_ray_slots(make_unit(slabs.design(), slabs.format, rtl::Library::thesis(),
+                                 rtl::FlowControl::stall, /*interval=*/3),
+                       few_slots));
+  const SlotReport report = driven(slabs, design, 5000);
+  EXPECT_EQ(report.received, 5000U);
+  EXPECT_EQ(report.faults(), 0U);
+  EXPECT_GT(report.under_way, 500U);
+}
+
 /// Each answer is waited for, and each write takes one cycle more.
 TEST(RaySlots, OneRayInFlightWaitsForItsWrites) {
   const VerilatedDesign design = behind_slots(slabs, few_slots);

@@ -1,20 +1,25 @@
 // Units that take a test every few cycles: lint-clean, they pass their testbench, and it finds damage of the
-// phase counter and of the selection of operands.
+// phase counter and of the selection of operands. The stream and the FIFO around them lose nothing.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "host/files.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
+#include "tests/rtl_gen/emit/axi_stream_bench.hpp"
 #include "tests/rtl_gen/text.hpp"
 #include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::rtl::interval_test {
 namespace {
 
-EmittedDesign emitted(const DesignFormat& d, int interval, FlowControl flow) {
+EmittedDesign emitted(const DesignFormat& d, int interval, const EmitOptions& options) {
   return emit(d.found(), d.parsed(), Library::thesis(),
-              make_pipeline(d.found().trace(d.parsed()), Library::thesis(), std::nullopt, interval),
-              {.module = "unit", .flow_control = flow});
+              make_pipeline(d.found().trace(d.parsed()), Library::thesis(), std::nullopt, interval), options);
+}
+EmittedDesign emitted(const DesignFormat& d, int interval, FlowControl flow) {
+  return emitted(d, interval, {.module = "unit", .flow_control = flow});
 }
 
 ToolResult replayed(const EmittedDesign& unit) {
@@ -34,6 +39,22 @@ TEST_P(EveryFewCycles, IsLintCleanAndPasses) {
       expect_silent_tools(folder.path(), {{"unit"}});
       EXPECT_EQ(replayed(unit).output, "PASS 1000 vectors\n") << interval << flow_control_name(flow);
     }
+  }
+}
+
+TEST_P(EveryFewCycles, TheStreamAnswersUnderEveryPatternOfStalls) {
+  constexpr int interval = 3;
+  for (const FlowControl flow : {FlowControl::stall, FlowControl::none}) {
+    const EmittedDesign unit = emitted(GetParam(), interval, {.flow_control = flow, .axi_stream = true});
+    const ScratchFolder folder;
+    host::write_files(folder.path(), unit.files());
+    std::vector<std::string> modules{unit.module + "_axis", unit.module};
+    if (unit.fifo) modules.push_back(unit.module + "_fifo");
+    expect_silent_tools(folder.path(), {modules});
+    const StreamBench bench(folder.path(), GetParam().found(), GetParam().parsed());
+    for (const int mode : {1, 2, 3, 5}) EXPECT_THAT(bench.run(mode), testing::StartsWith(all_passed)) << mode;
+    EXPECT_LE(bench.cycles(0), interval * beat_count + unit.manifest->at("latency").get<int>() + 1)
+        << "a beat every " << interval << " cycles";
   }
 }
 
