@@ -29,6 +29,7 @@ struct ReportCommand {
   SceneChoice scene;
   DesignChoice image;
   DesignsChoice swept;
+  std::vector<int> intervals;  ///< empty: a test in every cycle
   CostChoice cost;
   std::string rows;
   std::uint64_t tests = 20'000;
@@ -57,7 +58,7 @@ std::string options_given(const CLI::App& command, Given which) {
   std::string text;
   for (const CLI::Option* const option : command.get_options()) {
     const std::string name = option->get_name();
-    const bool of_scene = name != "--out" && name != "--rows" && name != "--bits" &&
+    const bool of_scene = name != "--out" && name != "--rows" && name != "--bits" && name != "--ii" &&
                           !name.starts_with("--image-") && name != "--tests" && name != "--seed" &&
                           name != "--threads" && name != "--format";
     const bool of_cost = name == "--library" || name.starts_with("--triangle-");
@@ -116,7 +117,8 @@ int report(const ReportCommand& command, const CLI::App& options) {
   if (command.rows.empty()) {
     const std::vector<const rtl::Design*> designs =
         priced_by(library, command.swept.designs(sim::why_not_traced), false);
-    points = report_points(command.swept.formats(designs, sim::sweep_formats), library);
+    points = report_points(command.swept.formats(designs, sim::sweep_formats),
+                           command.intervals.empty() ? std::vector{1} : command.intervals, library);
   }
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
@@ -240,6 +242,10 @@ CLI::App* add_report_command(CLI::App& program, int& exit_code) {
           ->type_name("FILE");
   exclude(add_bits_option(*command, options->swept, "as hitpipe sweep"), rows,
           "the rows of the file have their formats");
+  exclude(add_intervals_option(*command, options->intervals,
+                               "a test may begin every N cycles; the report has a row for each number and "
+                               "shows area against rate"),
+          rows, "the rows of the file have their intervals");
   add_cost_options(*command, options->cost);
   options->image.name = image_design();
   command

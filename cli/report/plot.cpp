@@ -89,19 +89,11 @@ struct Cluster {
   }
 };
 
-/// Its format, or its name where the design has one format only; and its interval if that is more than a
-/// cycle.
-std::string mark_text(const sim::SweepRow& unit) {
-  const bool single = rtl::find_design(unit.design).default_format.family().single;
-  const std::string& text = single ? unit.design : unit.bits;
-  return unit.interval == 1 ? text : fmt::format("{} II {}", text, unit.interval);
-}
-
 /// Joins marks of one design that would cover one another, until none would.
 std::vector<Cluster> clusters_of(std::span<const sim::SweepRow> units, std::span<const Mark> places) {
   std::vector<Cluster> clusters;
   for (std::size_t i = 0; i < units.size(); ++i)
-    clusters.push_back({units[i].design, {mark_text(units[i])}, places[i], 1});
+    clusters.push_back({units[i].design, {units[i].bits}, places[i], 1});
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     for (std::size_t j = i + 1; j < clusters.size(); ++j) {
       if (clusters[i].design != clusters[j].design || !cover(clusters[i].middle(), clusters[j].middle()))
@@ -292,9 +284,13 @@ std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<cons
 }
 
 std::vector<UnitMark> unit_marks(std::span<const sim::SweepRow> units, std::span<const Mark> places) {
+  std::map<std::string, bool> single;
+  for (const sim::SweepRow& unit : units)
+    single[unit.design] = rtl::find_design(unit.design).default_format.family().single;
   std::vector<UnitMark> marks;
   for (const Cluster& cluster : clusters_of(units, places))
-    marks.push_back({cluster.design, joined(cluster.formats), cluster.middle()});
+    marks.push_back({cluster.design, single[cluster.design] ? cluster.design : joined(cluster.formats),
+                     cluster.middle()});
   stand_side_by_side(marks);
   return marks;
 }

@@ -74,19 +74,25 @@ std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows) {
   std::vector<sim::SweepRow> usual;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(usual),
                [&](const sim::SweepRow& row) { return row.rays_in_flight == rays; });
-  const bool on_chip = rows.front().on_chip();
+  std::vector<sim::SweepRow> soonest;  // an error does not depend on the interval
+  const int interval = std::ranges::min_element(usual, {}, &sim::SweepRow::interval)->interval;
+  std::copy_if(usual.begin(), usual.end(), std::back_inserter(soonest),
+               [&](const sim::SweepRow& row) { return row.interval == interval; });
   std::vector<Drawing> drawings;
-  const auto draw = [&](std::span<const sim::SweepRow> units, const Diagram& diagram,
-                        const std::string& more = "") {
+  for (const Diagram& diagram : diagrams(rows.front().on_chip())) {
     drawings.push_back({fmt::format("{}.svg", diagram.name),
-                        run_gnuplot("report", diagram_script(scene, units, diagram)),
+                        run_gnuplot("report", diagram_script(scene, soonest, diagram)),
                         fmt::format("{}: {}", scene, diagram.title),
-                        fmt::format("{} rays in flight. Columns {} and {} of rows.csv.{}", rays, diagram.cost,
-                                    diagram.error, more)});
-  };
-  for (const Diagram& diagram : diagrams(on_chip)) draw(usual, diagram);
-  if (std::ranges::any_of(usual, [](const sim::SweepRow& row) { return row.interval > 1; }))
-    draw(usual, rate_diagram(on_chip), " II is the interval between two tests in cycles.");
+                        fmt::format("{} rays in flight. Columns {} and {} of rows.csv.", rays, diagram.cost,
+                                    diagram.error)});
+  }
+  if (const std::string script = rate_script(scene, usual); !script.empty()) {
+    drawings.push_back(
+        {"area_rate.svg", run_gnuplot("report", script),
+         "Area of each unit against the boxes that it takes in a second",
+         "A number at a mark is the interval between two tests in cycles. Columns box_time_ns and "
+         "area_mm2 of rows.csv, on a chip luts."});
+  }
   if (const std::string script = occupancy_script(scene, rows); !script.empty()) {
     drawings.push_back({"occupancy.svg", run_gnuplot("report", script),
                         "Occupancy of each pipeline on " + scene + " against the number of rays in flight",

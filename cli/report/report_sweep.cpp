@@ -27,12 +27,12 @@ void append_once(std::vector<Value>& values, const Value& value) {
 }  // namespace
 
 std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats,
-                                           const rtl::Library& library) {
+                                           const std::vector<int>& intervals, const rtl::Library& library) {
   std::map<sim::RowKey, sim::SweepPoint> points;
   const auto add = [&](const std::vector<sim::SweepPoint>& more) {
     for (const sim::SweepPoint& point : more) points.emplace(sim::key_of(point), point);
   };
-  add(sim::plan_sweep(formats, usual_rays));
+  add(sim::plan_sweep(formats, usual_rays, intervals));
   for (const area::Entry& entry : area::table_7_2()) {
     const sim::DesignFormats unit{&rtl::find_design(entry.design), {entry.format}};
     if (!sim::why_not_priced(*unit.design, entry.format, library).empty()) continue;

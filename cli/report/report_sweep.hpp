@@ -10,8 +10,10 @@
 
 namespace hitpipe::cli {
 
-/// Every design in its formats with 32 rays in flight, and the thesis's six units with 1, 2, 4 .. 256.
+/// Every design in its formats at each interval with 32 rays in flight, and the thesis's six units with
+/// 1, 2, 4 .. 256.
 [[nodiscard]] std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats,
+                                                         const std::vector<int>& intervals,
                                                          const rtl::Library& library);
 
 /// The rows of `file`. Throws what sim::read_rows_about() throws, and throws when there are no rows.

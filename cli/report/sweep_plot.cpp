@@ -154,6 +154,31 @@ std::vector<OccupancyLine> occupancy_lines(std::span<const sim::SweepRow> units)
   return lines;
 }
 
+/// One unit of a design at its intervals.
+struct RateLine {
+  rtl::Format format;
+  std::vector<sim::SweepRow> rows;
+};
+
+std::vector<RateLine> rate_lines(std::span<const sim::SweepRow> units) {
+  std::map<std::size_t, RateLine> by_design;  // by the place in the catalogue
+  std::map<std::pair<std::string, std::string>, std::vector<sim::SweepRow>> all;
+  for (const sim::SweepRow& unit : units) all[{unit.design, unit.bits}].push_back(unit);
+  for (const auto& [name, rows] : all) {
+    if (rows.size() < 2) continue;
+    const rtl::Design& design = rtl::find_design(name.first);
+    const rtl::Format format = design.parse_format(name.second);
+    const auto [line, first] = by_design.try_emplace(rtl::place_of(design).value(), RateLine{format, rows});
+    const rtl::Format& shown = line->second.format;
+    if (!first && shown != design.default_format &&
+        (format == design.default_format || shown.numbers() < format.numbers()))
+      line->second = {format, rows};
+  }
+  std::vector<RateLine> lines;
+  for (auto& [place, line] : by_design) lines.push_back(std::move(line));
+  return lines;
+}
+
 }  // namespace
 
 DesignStyle design_style(std::size_t place) {
@@ -176,15 +201,6 @@ std::vector<CostAndError> pareto_front(std::vector<CostAndError> units) {
 
 std::span<const Diagram> diagrams(bool on_chip) {
   return on_chip ? diagrams_of_chips : diagrams_of_cells;
-}
-
-Diagram rate_diagram(bool on_chip) {
-  return {"area_rate",
-          "area and tests a second",
-          "box_time_ns",
-          "ns for each box when the unit is full (1 ns: 1000 million boxes a second)",
-          on_chip ? "luts" : "area_mm2",
-          on_chip ? "lookup tables of the unit" : "area of the unit, mm²"};
 }
 
 std::string diagram_script(const std::string& scene, std::span<const sim::SweepRow> units,
@@ -226,6 +242,57 @@ std::string diagram_script(const std::string& scene, std::span<const sim::SweepR
                         style.colour, style.shape, style.size, gnuplot_string(designs[i]));
   }
   return text + plot + "\n";
+}
+
+std::string rate_script(const std::string& scene, std::span<const sim::SweepRow> units) {
+  const std::vector<RateLine> lines = rate_lines(units);
+  if (lines.empty()) return "";
+  const bool on_chip = units.front().on_chip();
+  const auto area = [&](const sim::SweepRow& row) {
+    return sim::sweep_column(on_chip ? "luts" : "area_mm2").number(row);
+  };
+  const auto rate = [](const sim::SweepRow& row) { return 1000 / row.box_time_ns(); };
+  std::vector<double> rates;
+  std::vector<double> areas;
+  for (const RateLine& line : lines)
+    for (const sim::SweepRow& row : line.rows) {
+      rates.push_back(rate(row));
+      areas.push_back(area(row));
+    }
+  const LogAxis x(rates);
+  const LogAxis y(areas);
+  const Mark size{picture_width * (plot_right - plot_left), plot_height};
+  constexpr std::size_t other_key_entries = 1;  // the front
+  std::string text = head(scene + ": area and boxes a second", lines.size() + other_key_entries);
+  text += fmt::format(
+      "set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset xtics ({})\nset ytics "
+      "({})\n"
+      "set xlabel 'boxes a second of a full unit, millions'\nset ylabel {}\n",
+      x.least(), x.most(), y.least(), y.most(), x.tics(), y.tics(),
+      gnuplot_string(on_chip ? "lookup tables of the unit" : "area of the unit, mm²"));
+  std::vector<CostAndError> all;
+  std::vector<UnitMark> marks;
+  std::string plot = "plot $front using 1:2 with steps lc rgb '#888888' lw 1.5 dt 2 title 'Pareto front'";
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::string points;
+    for (const sim::SweepRow& row : lines[i].rows) {
+      all.push_back({row.box_time_ns(), area(row)});
+      points += fmt::format("{:.6g} {:.6g}\n", rate(row), area(row));
+      marks.push_back({row.design,
+                       fmt::format("{}", row.interval),
+                       {x.share(rate(row)) * size.x, y.share(area(row)) * size.y}});
+    }
+    const sim::SweepRow& first = lines[i].rows.front();
+    const DesignStyle style = style_of(first.design);
+    text += block(fmt::format("unit{}", i), points);
+    plot += fmt::format(", $unit{} using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 title {}", i,
+                        style.colour, style.shape, style.size,
+                        gnuplot_string(rtl::find_design(first.design).name_at(lines[i].format)));
+  }
+  std::string front;
+  for (const CostAndError& at : pareto_front(all))
+    front += fmt::format("{:.6g} {:.6g}\n", 1000 / at.cost, at.error);
+  return text + labels(marks, size) + block("front", front) + plot + "\n";
 }
 
 std::string occupancy_script(const std::string& scene, std::span<const sim::SweepRow> units) {

@@ -46,13 +46,14 @@ struct Diagram {
 /// With areas in lookup tables on a chip, in mm² elsewhere.
 [[nodiscard]] std::span<const Diagram> diagrams(bool on_chip);
 
-/// Of rows with several intervals: area of the unit against the time of a box.
-[[nodiscard]] Diagram rate_diagram(bool on_chip);
-
 /// The gnuplot programs; the same text for the same numbers. All `units` have the same number of rays in
 /// flight.
 [[nodiscard]] std::string diagram_script(const std::string& scene, std::span<const sim::SweepRow> units,
                                          const Diagram& diagram);
+/// A line for each design that was swept at several intervals, in its default format or else its last one:
+/// the unit's area against the boxes a second of a full unit. A mark names its interval. Empty when there is
+/// none.
+[[nodiscard]] std::string rate_script(const std::string& scene, std::span<const sim::SweepRow> units);
 /// A line for the thesis's units that were swept with several numbers of rays in flight. Units that cannot be
 /// told apart share one. Empty when there is none.
 [[nodiscard]] std::string occupancy_script(const std::string& scene, std::span<const sim::SweepRow> units);

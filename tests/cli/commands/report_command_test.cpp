@@ -167,6 +167,19 @@ TEST_F(ReportCommand, TakesAnotherCostOfATriangleTest) {
   EXPECT_THAT(contents_of(again / "index.html"), HasSubstr("is taken as 4 ns of a unit of 2.5 mm²"));
 }
 
+/// An error does not depend on the interval, so these diagrams stay; one of rates is added.
+TEST_F(ReportCommand, ShowsAreaAgainstRate) {
+  const fs::path rates = folder_->path() / "rates";
+  const Outcome outcome = run_hitpipe(report(rates, {"--bits", "6/6,12+1/10,e5m10", "--ii", "1,3"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(contents_of(rates / "error_area.svg"), contents_of(out() / "error_area.svg"));
+  EXPECT_FALSE(fs::exists(out() / "area_rate.svg"));
+  EXPECT_TRUE(fs::exists(rates / "area_rate.svg"));
+  const std::string page = contents_of(rates / "index.html");
+  EXPECT_THAT(page, HasSubstr("<td>int_slabs 6/6 II 3</td>"));
+  EXPECT_THAT(page, HasSubstr(" --ii 1,3 --out rows.csv"));
+}
+
 TEST_F(ReportCommand, ComparesAreasForEachBox) {
   EXPECT_THAT(page_, HasSubstr("area for each box tested in a cycle, mm²"));
   EXPECT_THAT(page_, HasSubstr("is compared as two units: its area per box is half of its area."));

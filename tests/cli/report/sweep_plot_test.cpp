@@ -62,24 +62,29 @@ const Diagram& diagram(std::string_view name) {
   return *std::ranges::find(diagrams(false), name, &Diagram::name);
 }
 
-TEST(Diagrams, OfRatesHaveAMarkForEachInterval) {
-  std::vector<sim::SweepRow> rows{row("int_slabs", "24/24", 1000), row("int_slabs", "24/24", 1000),
-                                  row("fp_slabs", "fp32", 1000), row("fp_slabs", "fp32", 1000)};
-  rows[1].interval = 3;
-  rows[1].area_um2 = 1'000'000;
-  rows[2].area_um2 = 4'000'000;
-  rows[3].interval = 6;
-  rows[3].area_um2 = 1'500'000;
-  for (const bool on_chip : {false, true}) {
-    const Diagram rates = rate_diagram(on_chip);
-    for (const std::string_view column : {rates.cost, rates.error})
-      EXPECT_FALSE(sim::sweep_column(column).is_text());
+/// One format of each design: its default, or else the last.
+TEST(Rates, AreaAgainstRateHasAMarkForEachInterval) {
+  std::vector<sim::SweepRow> rows{row("int_slabs", "6/6", 1000),   row("int_slabs", "6/6", 1000),
+                                  row("int_slabs", "24/24", 1000), row("int_slabs", "24/24", 1000),
+                                  row("fp_slabs", "fp32", 1000),   row("fp_slabs", "fp32", 1000)};
+  EXPECT_EQ(rate_script("a", std::vector{rows[0], rows[2], rows[4]}), "") << "one interval each";
+  const std::array<std::int64_t, 6> areas{500'000, 250'000, 2'000'000, 1'000'000, 4'000'000, 1'500'000};
+  const std::array intervals{1, 3, 1, 3, 1, 6};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].stage_delay_ps = 2500;
+    rows[i].interval = intervals[i];
+    rows[i].area_um2 = areas[i];
   }
-  const std::string script = diagram_script("a", rows, rate_diagram(false));
-  EXPECT_THAT(script, HasSubstr("$front << END\n3 2\n9 1\nEND\n"));
-  for (const char* const name : {"'24/24'", "'24/24 II 3'", "'fp_slabs'", "'fp_slabs II 6'"})
+  const std::string script = rate_script("a", rows);
+  EXPECT_THAT(script, HasSubstr("$unit0 << END\n400 4\n66.6667 1.5\nEND\n"));
+  EXPECT_THAT(script, HasSubstr("$unit1 << END\n400 2\n133.333 1\nEND\n"));
+  EXPECT_THAT(script, HasSubstr("$front << END\n400 2\n133.333 1\nEND\n"));
+  EXPECT_THAT(script, HasSubstr("title 'int_slabs 24/24'"));
+  for (const char* const name : {"'1'", "'3'", "'6'"})
     EXPECT_THAT(script, HasSubstr(std::string("set label ") + name));
-  EXPECT_EQ(unit_name(rows[1]), "int_slabs 24/24 II 3");
+  rows[1].bits = rows[0].bits = "20/24";
+  EXPECT_THAT(rate_script("a", rows), HasSubstr("title 'int_slabs 20/24'")) << "the default format";
+  EXPECT_EQ(unit_name(rows[1]), "int_slabs 20/24 II 3");
 }
 
 TEST(Diagrams, ShowColumnsOfTheRowsFile) {
