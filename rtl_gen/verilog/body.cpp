@@ -324,7 +324,7 @@ void Body::write_registers(int boundary) {
                     bits_of(r.value, r.high, r.low, boundary));
   }
   text_ += loaded(each_cycle, enable);
-  text_ += loaded(in_phase, enable.empty() ? phase : fmt::format("{} && {}", enable, phase));
+  text_ += loaded(in_phase, enable.empty() ? phase : fmt::format("{} & ({})", enable, phase));
 }
 
 void Body::write_stage(int stage) {

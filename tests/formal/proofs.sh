@@ -106,8 +106,9 @@ proc
 opt_clean -purge
 write_smt2 -wires control.raw.smt2
 END
-  yosys-smtbmc --noprogress -s z3 -i -t 3 control.smt2 >>control.log 2>&1 &&
-    yosys-smtbmc --noprogress -s z3 -t 3 control.smt2 >>control.log 2>&1 && covers control $(($(cat latency) + 4))
+  yosys-smtbmc --noprogress -s z3 "${symbolic[@]}" -i -t 3 control.smt2 >>control.log 2>&1 &&
+    yosys-smtbmc --noprogress -s z3 "${symbolic[@]}" -t 3 control.smt2 >>control.log 2>&1 &&
+    covers control $(($(cat latency) + 4)) "${symbolic[@]}"
 }
 
 # A memory of rays before the unit, whose stand-in shows what it is given.

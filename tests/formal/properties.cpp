@@ -125,19 +125,19 @@ std::string control_properties(const rtl::Pipeline& pipeline, rtl::FlowControl f
     declare += fmt::format("  reg {} was_tag_{};\n", rtl::tag_range, b);
     shift += b == 0 ? std::string("      was_tag_0 <= in_tag;\n")
                     : fmt::format("      was_tag_{} <= was_tag_{};\n", b, b - 1);
-    equal += fmt::format("      if (taken[{0}]) assert (tag_s{0} == was_tag_{0});\n", b);
+    equal += fmt::format("      if (taken[{0}]) assert (tag_s{1} == was_tag_{0});\n", b, b - b % interval);
     if (interval > 1)
       equal += fmt::format("      if (taken[{}]) assert (phase == {});\n", b, (b + 1) % interval);
   }
   std::string ready = "move";
-  std::string counter;  // of the moves since the reset, modulo the interval
+  std::string ring;  // its bit i is set after i moves since the reset, modulo the interval
   if (interval > 1) {
-    ready = "move && moves == 0";
-    counter = fmt::format(
-        "  reg [7:0] moves;\n  always @(posedge clk)\n    if (rst) moves <= 0;\n"
-        "    else if (move) moves <= (moves + 1) % {};\n",
-        interval);
-    equal += fmt::format("      assert (moves < {} && phase == moves);\n", interval);
+    ready = "move && turn[0]";
+    ring = fmt::format(
+        "  reg [{0}:0] turn;\n  always @(posedge clk)\n    if (rst) turn <= 1;\n"
+        "    else if (move) turn <= {{turn[{1}:0], turn[{0}]}};\n",
+        interval - 1, interval - 2);
+    equal += fmt::format("      assert (phase < {0} && turn == ({0}'d1 << phase));\n", interval);
   }
   return fmt::format(
       "  reg was_reset = 0;\n  reg [{0}:0] taken;\n{1}  wire move = {5};\n{8}"
@@ -149,7 +149,7 @@ std::string control_properties(const rtl::Pipeline& pipeline, rtl::FlowControl f
       "      cover (out_valid && {7}taken[{10}]);\n    end\n  end\n",
       last, declare, last - 1, shift, equal, stalls ? fmt::format("out_ready | ~taken[{}]", last) : "1'b1",
       stalls || interval > 1 ? fmt::format("      assert (in_ready == ({}));\n", ready) : "",
-      stalls ? "!out_ready && " : "", counter, interval > 1 ? " && moves == 0" : "", last % interval);
+      stalls ? "!out_ready && " : "", ring, interval > 1 ? " && turn[0]" : "", last % interval);
 }
 
 std::string stalled_design(const rtl::Pipeline& pipeline, const std::string& design) {
