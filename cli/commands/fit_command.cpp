@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -33,6 +34,9 @@ struct FitCommand {
   std::optional<double> overhead_pct;  ///< without it, the least whole cost decides
   CostChoice cost;
   bool keep_bits = false;
+  int interval = 1;
+  std::optional<double> rate_boxes;  ///< a second
+  std::optional<double> rate_rays;
   std::uint64_t vectors = 1'000'000;
   std::string out;
   Format format = Format::text;
@@ -82,14 +86,14 @@ Row kept_whole(const sim::FittedUnit& unit) {
   return names;
 }
 
-/// The unit of a step of the search. Tests follow one another without a gap.
+/// The unit of a step of the search. A test begins whenever one may.
 double whole_cost(const sim::PricedTests& unit, const sim::TriangleCost& triangle) {
   sim::SweepRow row = sim::priced_row(*unit.design, unit.format, unit.price);
   row.triangle = triangle;
   const auto boxes = static_cast<std::uint64_t>(row.boxes_per_test);
   row.box_tests = unit.tests.box_tests;
   row.unit_tests = (row.box_tests + boxes - 1) / boxes;
-  row.cycles = row.unit_tests;
+  row.cycles = row.unit_tests * static_cast<std::uint64_t>(unit.price.interval);
   row.triangle_tests = unit.tests.triangle_tests;
   return row.whole_area_run_time();
 }
@@ -103,15 +107,16 @@ sim::SweepRow measured(const sim::FitResult& fitted, const sim::TriangleCost& tr
   return row;
 }
 
-Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std::string& scene) {
-  const auto& [unit, vectors, result, drawn] = fitted;
+/// With `rated`, also how often the unit takes a test.
+Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std::string& scene, bool rated) {
+  const auto& [unit, vectors, result, rays_per_second, drawn] = fitted;
   Row left_out = Row::array();
   for (const sim::LeftOut& left : unit.left_out)
     left_out.push_back(fmt::format("{} ({}): {:.2f} % of the area", left.what, left.why,
                                    percent_of(left.area_um2, unit.price_before.area_um2)));
   Row demands = Row::array();
   for (std::size_t i = 0; i < unit.demands.count(); ++i) demands.push_back(rtl::demand_text(unit.demands, i));
-  return {{"design", unit.design->name},
+  Row row{{"design", unit.design->name},
           {"bits", rtl::to_string(unit.format)},
           {"bits_before", rtl::to_string(unit.before)},
           {"dropped_bits", unit.coarse.dropped},
@@ -147,6 +152,11 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std
           {"demands", demands},
           {"kept_whole", kept_whole(unit)},
           {"left_out", left_out}};
+  if (rated)
+    row.update({{"ii", unit.price.interval},
+                {"boxes_per_second", unit.price.boxes_per_second()},
+                {"rays_per_second", std::floor(rays_per_second)}});
+  return row;
 }
 
 std::string reports_text(const std::vector<FitReport>& reports, const std::vector<sim::SweepRow>& counted,
@@ -192,6 +202,8 @@ int fit(const FitCommand& command) {
       .threads = command.scene.threads,
       .light = command.light,
       .keep_bits = command.keep_bits,
+      .rate = {.interval = command.interval, .boxes_per_second = command.rate_boxes.value_or(0)},
+      .rays_per_second = command.rate_rays.value_or(0),
       .vectors = command.vectors,
       .folder = command.out,
       .progress = [&](const std::string& step, double share) { steps.show(step, share); }};
@@ -209,11 +221,12 @@ int fit(const FitCommand& command) {
   std::vector<FitReport> reports;
   std::vector<sim::SweepRow> counted;
   bool drawn = true;
+  const bool rated = command.interval > 1 || command.rate_boxes || command.rate_rays;
   for (const Wanted& wanted : designs) {
     const sim::FitResult fitted = sim::fit_to_scene(*wanted.design, wanted.before, scene, options, library);
     drawn = drawn && fitted.drawn;
     counted.push_back(measured(fitted, triangle));
-    reports.push_back({record(fitted, counted.back(), scene.scene.name), fitted.unit.left_out,
+    reports.push_back({record(fitted, counted.back(), scene.scene.name, rated), fitted.unit.left_out,
                        cost_text(counted.back()), fitted.vectors.first_mismatch});
   }
   steps.end();
@@ -248,6 +261,21 @@ CLI::App* add_fit_command(CLI::App& program, int& exit_code) {
   add_triangle_options(*command, options->cost);
   add_bits_option(*command, options->units, "24/24 for n/t designs. The fit starts from these formats");
   command->add_flag("--keep-bits", options->keep_bits, "Keep the number format");
+  CLI::Option* const interval = add_interval_option(*command, options->interval);
+  const auto add_rate = [&](const char* name, std::optional<double>& rate, const char* of) {
+    return command
+        ->add_option(
+            name, rate,
+            fmt::format(
+                "Make the smallest unit that takes R {} a second at the schedule's clock (1 to 10^12)", of))
+        ->transform(number_from(1.0, 1e12))
+        ->type_name("R");
+  };
+  CLI::Option* const boxes = add_rate("--rate-boxes", options->rate_boxes, "boxes");
+  CLI::Option* const rays = add_rate("--rate-rays", options->rate_rays, "rays of the image");
+  exclude(boxes, interval, "the rate decides the interval");
+  exclude(rays, interval, "the rate decides the interval");
+  exclude(rays, boxes, "one rate decides the interval");
   add_large_count_option(*command, "--vectors", options->vectors, 0, 1'000'000'000,
                          "Random vectors, within the demands, that go through the Verilog (0 to 10^9)");
   add_folder_option(*command, options->out, "Folder for each design's Verilog, manifest and testbench")

@@ -80,6 +80,13 @@ std::string design_text(const FitReport& report) {
                                        number_of(row, "endless_extra_box_tests_pct")),
                            4, 2);
   text += "  " + wrapped("whole cost " + report.cost, 4, 2);
+  if (row.contains("ii"))
+    text +=
+        "  " + wrapped(fmt::format(
+                           "takes {:.4g} million boxes a second, and traces {:.4g} million rays of the image "
+                           "a second",
+                           number_of(row, "boxes_per_second") / 1e6, number_of(row, "rays_per_second") / 1e6),
+                       4, 2);
   const auto kept = row.at("kept_whole").get<std::vector<std::string>>();
   text += "  " + wrapped(fmt::format("ports kept whole: {}", fmt::join(kept, ", ")), 4, 2);
   text += "  " +

@@ -21,14 +21,36 @@ struct Cutter {
   const rtl::Library& library;
   rtl::Graph traced;
   rtl::Demands set_up;
+  FitRate rate;
 
   [[nodiscard]] rtl::Pruned pruned(const rtl::Demands& demands) const {
     return rtl::prune(traced, demands, {.set_up = set_up, .shares = false});
   }
-  [[nodiscard]] area::Price price(const rtl::Demands& demands) const {
-    return area::price(rtl::make_pipeline(pruned(demands).graph, library), design, format, library);
+  [[nodiscard]] rtl::Pipeline pipeline(const rtl::Graph& graph, int interval) const {
+    return rtl::make_pipeline(graph, library, std::nullopt, interval);
+  }
+  [[nodiscard]] area::Price price(const rtl::Pipeline& pipeline) const {
+    return area::price(pipeline, design, format, library);
+  }
+  [[nodiscard]] bool is_reached_by(const area::Price& price) const {
+    return static_cast<double>(price.boxes_per_second()) >= rate.boxes_per_second;
+  }
+  /// The smallest unit that reaches the rate, or a test in each cycle. A longer interval may be larger.
+  [[nodiscard]] area::Price smallest(const rtl::Graph& graph) const {
+    if (rate.boxes_per_second <= 0) return price(pipeline(graph, rate.interval));
+    area::Price best = price(pipeline(graph, 1));
+    for (int interval = 2; interval <= rtl::most_interval; ++interval) {
+      area::Price next = price(pipeline(graph, interval));
+      if (!is_reached_by(next)) break;
+      if (next.area_um2 < best.area_um2) best = std::move(next);
+    }
+    return best;
   }
 };
+
+std::string millions(double per_second) {
+  return fmt::format("{:.4g}", per_second / 1e6);
+}
 
 /// "the sign and 2 bits after it": the bits of a float that a demand fixes.
 std::string fixed_text(const rtl::Facts& facts) {
@@ -73,19 +95,65 @@ std::string what_text(const DemandGroup& group, const std::vector<rtl::Port>& po
   return fmt::format("numbers of {} that never come", fmt::join(names, ", "));
 }
 
+/// The groups that make the unit smaller. In a test in each cycle all do. Components of fewer bits cost less,
+/// but a component is shared by operations of one width alone.
+std::vector<DemandGroup> worth_using(const std::vector<DemandGroup>& groups, const Cutter& cutter,
+                                     int interval) {
+  if (interval == 1) return groups;
+  struct Choice {
+    std::vector<DemandGroup> groups;
+    std::int64_t area_um2;
+  };
+  const auto chosen = [&](const std::vector<bool>& used) {
+    Choice choice;
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      if (used[i]) choice.groups.push_back(groups[i]);
+    const rtl::Graph graph = cutter.pruned(all_of(choice.groups)).graph;
+    choice.area_um2 = cutter.price(cutter.pipeline(graph, interval)).area_um2;
+    return choice;
+  };
+  // One group after another, as long as that makes the unit smaller.
+  const auto improved = [&](std::vector<bool> used) {
+    Choice best = chosen(used);
+    for (std::size_t unchanged = 0, i = 0; unchanged < groups.size(); i = (i + 1) % groups.size()) {
+      used[i] = !used[i];
+      Choice other = chosen(used);
+      if (other.area_um2 < best.area_um2) {
+        best = std::move(other);
+        unchanged = 0;
+      } else {
+        used[i] = !used[i];
+        ++unchanged;
+      }
+    }
+    return best;
+  };
+  Choice from_all = improved(std::vector<bool>(groups.size(), true));
+  Choice from_none = improved(std::vector<bool>(groups.size(), false));
+  return from_none.area_um2 < from_all.area_um2 ? from_none.groups : from_all.groups;
+}
+
 }  // namespace
 
 FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
                const std::optional<Precision>& precision, const ref::SceneDemands& scene,
-               const rtl::Library& library) {
+               const rtl::Library& library, const FitRate& rate) {
   const rtl::Format format = precision ? precision->format : before;
-  const std::vector<DemandGroup> groups = port_demands(design, format, scene, precision);
-  const Cutter cutter{design, format, library, design.trace(format),
-                      rtl::set_up_demands(design.ports(format))};
+  const Cutter cutter{
+      design, format, library, design.trace(format), rtl::set_up_demands(design.ports(format)), rate};
+  const std::vector<DemandGroup> all = port_demands(design, format, scene, precision);
+  const std::vector<DemandGroup> groups =
+      worth_using(all, cutter, cutter.smallest(cutter.pruned(all_of(all)).graph).interval);
   const rtl::Demands demands = all_of(groups);
   rtl::Pruned pruned = cutter.pruned(demands);
-  rtl::Pipeline pipeline = rtl::make_pipeline(pruned.graph, library);
-  area::Price price = area::price(pipeline, design, format, library);
+  area::Price price = cutter.smallest(pruned.graph);
+  const int interval = price.interval;
+  if (!cutter.is_reached_by(price))
+    throw std::runtime_error(
+        fmt::format("{} {}: {} million boxes a second are asked for; it takes {} million at most",
+                    design.name, rtl::to_string(format), millions(rate.boxes_per_second),
+                    millions(static_cast<double>(price.boxes_per_second()))));
+  rtl::Pipeline pipeline = cutter.pipeline(pruned.graph, interval);
   FittedUnit unit{make_unit(design, format, library, std::move(pipeline), demands),
                   before,
                   precision,
@@ -104,18 +172,31 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
          unit.price_before.area_um2 - whole.area_um2});
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    unit.left_out.push_back({what_text(groups[i], unit.ports()), groups[i].why,
-                             cutter.price(all_without(groups, i)).area_um2 - unit.price.area_um2});
+    const rtl::Graph without = cutter.pruned(all_without(groups, i)).graph;
+    unit.left_out.push_back(
+        {what_text(groups[i], unit.ports()), groups[i].why,
+         cutter.price(cutter.pipeline(without, interval)).area_um2 - unit.price.area_um2});
+  }
+  if (interval > 1) {
+    const area::Price every_cycle = cutter.price(cutter.pipeline(pruned.graph, 1));
+    const std::string asked = rate.boxes_per_second > 0
+                                  ? millions(rate.boxes_per_second) + " million boxes a second are asked for"
+                                  : "no more is asked for";
+    unit.left_out.push_back({fmt::format("rate: a test every {} cycles", interval), asked,
+                             every_cycle.area_um2 - unit.price.area_um2});
   }
   return unit;
 }
 
-area::Price price_of_fit(const rtl::Design& design, const Precision& precision,
-                         const ref::SceneDemands& scene, const rtl::Library& library) {
+std::optional<area::Price> price_of_fit(const rtl::Design& design, const Precision& precision,
+                                        const ref::SceneDemands& scene, const rtl::Library& library,
+                                        const FitRate& rate) {
   const rtl::Format& format = precision.format;
-  const Cutter cutter{design, format, library, design.trace(format),
-                      rtl::set_up_demands(design.ports(format))};
-  return cutter.price(all_of(port_demands(design, format, scene, precision)));
+  const Cutter cutter{
+      design, format, library, design.trace(format), rtl::set_up_demands(design.ports(format)), rate};
+  const rtl::Graph graph = cutter.pruned(all_of(port_demands(design, format, scene, precision))).graph;
+  const area::Price price = cutter.smallest(graph);
+  return cutter.is_reached_by(price) ? std::optional(price) : std::nullopt;
 }
 
 rtl::EmittedDesign fitted_files(const FittedUnit& unit, const rtl::Library& library) {

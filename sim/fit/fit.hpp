@@ -22,6 +22,13 @@ struct LeftOut {
   std::int64_t area_um2 = 0;
 };
 
+/// How often a fitted unit takes a test.
+struct FitRate {
+  int interval = 1;  ///< it may begin a test every so many cycles
+  /// If positive, the interval is that of the smallest unit that takes so many boxes a second.
+  double boxes_per_second = 0;
+};
+
 /// A unit without demands is the whole design at another format.
 struct FittedUnit : Unit {
   rtl::Format before;
@@ -34,14 +41,16 @@ struct FittedUnit : Unit {
   [[nodiscard]] std::int64_t saved_um2() const { return price_before.area_um2 - price.area_um2; }
 };
 
-/// Made at the format of `precision`, or at `before` if there is no precision.
+/// Made at the format of `precision`, or at `before` if there is no precision. Throws std::runtime_error, one
+/// line, for a rate that a unit with a test in each cycle does not reach.
 [[nodiscard]] FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
                              const std::optional<Precision>& precision, const ref::SceneDemands& scene,
-                             const rtl::Library& library);
+                             const rtl::Library& library, const FitRate& rate = {});
 
-/// The price of the unit that fit() makes.
-[[nodiscard]] area::Price price_of_fit(const rtl::Design& design, const Precision& precision,
-                                       const ref::SceneDemands& scene, const rtl::Library& library);
+/// The price of the unit that fit() makes. Nothing when no unit reaches the rate.
+[[nodiscard]] std::optional<area::Price> price_of_fit(const rtl::Design& design, const Precision& precision,
+                                                      const ref::SceneDemands& scene,
+                                                      const rtl::Library& library, const FitRate& rate = {});
 
 /// The files of the fitted unit: Verilog with a check block, a module that checks the set-up's operands, a
 /// manifest that lists the demands, and vectors that meet them. A unit without demands gets the files of the

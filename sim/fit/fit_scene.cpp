@@ -1,6 +1,8 @@
 #include "sim/fit/fit_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -27,28 +29,81 @@ std::function<void(double)> start_step(const FitOptions& options, const std::str
   return [&options, step](double share) { options.progress(step, share); };
 }
 
+PrecisionSearch search_of(const rtl::Design& design, const rtl::Format& before, const FitScene& scene,
+                          const FitOptions& options) {
+  return {.design = &design,
+          .scene = &scene.scene,
+          .bvh = &scene.bvh,
+          .demands = &scene.demands,
+          .rays = &scene.rays,
+          .most = before,
+          .overhead_pct = options.overhead_pct,
+          .threads = options.threads};
+}
+
+/// Of a unit that makes so many box tests on the scene's rays.
+FitRate rate_of(const FitOptions& options, const FitScene& scene, double box_tests) {
+  FitRate rate = options.rate;
+  if (options.rays_per_second > 0)
+    rate.boxes_per_second = options.rays_per_second * box_tests / static_cast<double>(scene.rays.count());
+  return rate;
+}
+
 std::optional<Precision> precision_of(const rtl::Design& design, const rtl::Format& before,
                                       const FitScene& scene, const FitOptions& options,
                                       const rtl::Library& library) {
   if (options.keep_bits) return std::nullopt;
-  PrecisionCost cost;
+  PrecisionSearch search = search_of(design, before, scene, options);
   if (options.cost) {
-    cost = [&](const Precision& precision, const ref::TraceCounts& tests) {
-      return options.cost({.design = &design,
-                           .format = precision.format,
-                           .price = price_of_fit(design, precision, scene.demands, library),
-                           .tests = tests});
+    search.cost = [&](const Precision& precision, const ref::TraceCounts& tests) {
+      std::optional<area::Price> price =
+          price_of_fit(design, precision, scene.demands, library,
+                       rate_of(options, scene, static_cast<double>(tests.box_tests)));
+      if (!price) return std::numeric_limits<double>::infinity();
+      return options.cost(
+          {.design = &design, .format = precision.format, .price = std::move(*price), .tests = tests});
     };
   }
-  return fewest_bits({.design = &design,
-                      .scene = &scene.scene,
-                      .bvh = &scene.bvh,
-                      .demands = &scene.demands,
-                      .rays = &scene.rays,
-                      .most = before,
-                      .overhead_pct = options.overhead_pct,
-                      .cost = std::move(cost),
-                      .threads = options.threads});
+  return fewest_bits(search);
+}
+
+FitRate rate_of(const rtl::Design& design, const rtl::Format& before, const FitScene& scene,
+                const FitOptions& options, const std::optional<Precision>& precision) {
+  if (options.rays_per_second <= 0) return options.rate;
+  const Precision found = precision.value_or(Precision{.format = before});
+  const double extra =
+      extra_box_tests_pct(search_of(design, before, scene, options), found.format, found.coarse, found.ends);
+  const auto reference = static_cast<double>(scene.rays.reference.total().box_tests);
+  return rate_of(options, scene, reference * (1 + extra / 100));
+}
+
+/// Makes the unit at that rate and checks it.
+FitResult fit_at(const rtl::Design& design, const rtl::Format& before,
+                 const std::optional<Precision>& precision, const FitScene& scene, const FitOptions& options,
+                 const rtl::Library& library, const FitRate& rate) {
+  const std::string name(design.name);
+  FittedUnit unit = fit(design, before, precision, scene.demands, library, rate);
+  std::stable_sort(unit.left_out.begin(), unit.left_out.end(),
+                   [](const LeftOut& a, const LeftOut& b) { return a.area_um2 > b.area_um2; });
+  const rtl::EmittedDesign emitted = fitted_files(unit, library);
+  start_step(options, name + ": compiling the Verilog");
+  const VerilatedDesign verilated(unit);
+  const bool drawn = options.folder.empty() || rtl::write_unit(options.folder / name, emitted).drawn;
+  const VectorResult vectors = check_vectors({.verilated = &verilated,
+                                              .vectors = options.vectors,
+                                              .progress = start_step(options, name + ": sending vectors")});
+  CosimResult image = cosimulate(verilated, scene.scene, scene.bvh,
+                                 {.width = options.width,
+                                  .height = options.height,
+                                  .threads = options.threads,
+                                  .referee = design.conservative,
+                                  .light = options.light,
+                                  .scene_demands = &scene.demands,
+                                  .progress = start_step(options, name + ": co-simulating")});
+  const auto rays =
+      static_cast<double>(image.rays_primary + image.rays_secondary + image.rays_shadow - image.rejected);
+  const double seconds = static_cast<double>(image.unit.cycles) * unit.price.stage_delay_ps * 1e-12;
+  return {std::move(unit), vectors, std::move(image), rays / seconds, drawn};
 }
 
 }  // namespace
@@ -86,28 +141,17 @@ bool FitResult::verified() const {
 
 FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, const FitScene& scene,
                        const FitOptions& options, const rtl::Library& library) {
-  const std::string name(design.name);
-  start_step(options, name + ": looking for the fewest bits");
-  FittedUnit unit =
-      fit(design, before, precision_of(design, before, scene, options, library), scene.demands, library);
-  std::stable_sort(unit.left_out.begin(), unit.left_out.end(),
-                   [](const LeftOut& a, const LeftOut& b) { return a.area_um2 > b.area_um2; });
-  const rtl::EmittedDesign emitted = fitted_files(unit, library);
-  start_step(options, name + ": compiling the Verilog");
-  const VerilatedDesign verilated(unit);
-  const bool drawn = options.folder.empty() || rtl::write_unit(options.folder / name, emitted).drawn;
-  const VectorResult vectors = check_vectors({.verilated = &verilated,
-                                              .vectors = options.vectors,
-                                              .progress = start_step(options, name + ": sending vectors")});
-  CosimResult image = cosimulate(verilated, scene.scene, scene.bvh,
-                                 {.width = options.width,
-                                  .height = options.height,
-                                  .threads = options.threads,
-                                  .referee = design.conservative,
-                                  .light = options.light,
-                                  .scene_demands = &scene.demands,
-                                  .progress = start_step(options, name + ": co-simulating")});
-  return {std::move(unit), vectors, std::move(image), drawn};
+  start_step(options, std::string(design.name) + ": looking for the fewest bits");
+  const std::optional<Precision> precision = precision_of(design, before, scene, options, library);
+  FitRate rate = rate_of(design, before, scene, options, precision);
+  while (true) {
+    FitResult result = fit_at(design, before, precision, scene, options, library, rate);
+    if (result.rays_per_second >= options.rays_per_second) return result;
+    // A unit is not full all the time, when rays begin and end. It needs so much more.
+    rate.boxes_per_second = std::max(rate.boxes_per_second * options.rays_per_second / result.rays_per_second,
+                                     std::nextafter(static_cast<double>(result.unit.price.boxes_per_second()),
+                                                    std::numeric_limits<double>::infinity()));
+  }
 }
 
 }  // namespace hitpipe::sim

@@ -32,6 +32,9 @@ struct FitOptions {
   /// begins.
   std::function<double(const PricedTests&)> cost{};
   bool keep_bits = false;  ///< the format stays as it is
+  FitRate rate{};
+  /// If positive, of which `rate` is: so many of the scene's rays are to be traced in a second.
+  double rays_per_second = 0;
   std::uint64_t vectors = 1'000'000;
   /// Each design's files go to a subfolder with its name. Empty: no files are written.
   std::filesystem::path folder;
@@ -60,8 +63,9 @@ struct FitScene {
 struct FitResult {
   FittedUnit unit;  ///< what is left out is sorted by area, largest first
   VectorResult vectors;
-  CosimResult image;  ///< the referee judges it if the design is conservative
-  bool drawn = true;  ///< false: the schematics are not drawn, because Graphviz is not installed
+  CosimResult image;           ///< the referee judges it if the design is conservative
+  double rays_per_second = 0;  ///< of the image, at the schedule's clock
+  bool drawn = true;           ///< false: the schematics are not drawn, because Graphviz is not installed
 
   [[nodiscard]] bool verified() const;
 };

@@ -90,6 +90,25 @@ TEST_F(FitCommand, KeepsEveryByteOfADesignThatIsNeededWhole) {
 }
 
 /// The text of a scene that needs everything: what is kept, why, what it costs, and a unit of fewer bits.
+TEST_F(FitCommand, LeavesOutARateThatIsNotAskedFor) {
+  const std::vector<std::string> bits{"--keep-bits", "--bits", "12/12"};
+  const Outcome text = fit(with(bits, {"--rate-boxes", "60e6"}));
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_LE(widest_line(text.out), 80U) << text.out;
+  EXPECT_THAT(text.out,
+              testing::ContainsRegex("rate: a test every [0-9]+ cycles\n +60 million boxes a second"));
+  EXPECT_THAT(text.out, HasSubstr("  takes "));
+  const Outcome every_third = fit(with(bits, {"--ii", "3", "--format", "json"}));
+  const json row = json::parse(every_third.out).at(0);
+  EXPECT_EQ(row.at("ii"), 3);
+  EXPECT_EQ(row.at("rtl_mismatches"), 0);
+  EXPECT_GT(row.at("boxes_per_second"), row.at("rays_per_second"));
+  const Outcome too_fast = fit(with(bits, {"--rate-rays", "1e9"}));
+  EXPECT_EQ(too_fast.exit_code, 2);
+  EXPECT_THAT(too_fast.err,
+              testing::MatchesRegex("hitpipe: int_slabs 12/12: .* asked for; it takes .* at most\n"));
+}
+
 TEST_F(FitCommand, SaysWhatIsKeptWhyAndWhatItCosts) {
   const Outcome whole = fit({"int_slabs", "--keep-bits", "--bits", "12/12"});
   EXPECT_EQ(whole.exit_code, 0) << whole.err;

@@ -62,6 +62,32 @@ TEST_F(FitToScene, ProvesTheUnitAndWritesItsFiles) {
                                               "int_slabs: sending vectors", "int_slabs: co-simulating"}));
 }
 
+/// The longest interval whose unit traces so many rays, and it is verified as any other.
+TEST_F(FitToScene, MakesTheSmallestUnitThatTracesSoManyRays) {
+  const rtl::Library& library = rtl::Library::thesis();
+  const rtl::Design& design = rtl::find_design("int_slabs");
+  FitOptions asked = options();
+  const FitScene scene = prepare_fit(hills(), asked);
+  const FitResult fastest = fit_to_scene(design, hls::IntBits{12, 12}, scene, asked, library);
+  asked.rays_per_second = fastest.rays_per_second / 3.5;
+  const FitResult result = fit_to_scene(design, hls::IntBits{12, 12}, scene, asked, library);
+  EXPECT_EQ(result.unit.price.interval, 3);
+  EXPECT_GE(result.rays_per_second, asked.rays_per_second);
+  EXPECT_TRUE(result.verified());
+  EXPECT_EQ(result.image.unit.hits, fastest.image.unit.hits);
+  EXPECT_LT(result.unit.price.area_um2, fastest.unit.price.area_um2);
+  const auto rate = std::ranges::find(result.unit.left_out, "rate: a test every 3 cycles", &LeftOut::what);
+  ASSERT_NE(rate, result.unit.left_out.end());
+  EXPECT_GT(rate->area_um2, 0);
+  EXPECT_EQ(read_unit(folder_.path() / "int_slabs", design, library).pipeline.interval(), 3);
+  asked.rays_per_second = 2 * fastest.rays_per_second;
+  EXPECT_THAT(message_of([&] {
+                (void)fit_to_scene(design, hls::IntBits{12, 12}, scene, asked, library);
+              }),
+              testing::MatchesRegex("int_slabs 12/12: .* million boxes a second are asked for; it takes .* "
+                                    "million at most"));
+}
+
 TEST_F(FitToScene, WritesNothingWithoutAFolderAndIsVerified) {
   FitOptions nowhere = options();
   nowhere.folder.clear();

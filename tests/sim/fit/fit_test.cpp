@@ -66,6 +66,43 @@ void PrintTo(const Case& c, std::ostream* out) {
   *out << c.design;
 }
 
+/// A demand that makes two operations unlike keeps them from sharing a component.
+TEST(FittedRate, UsesNoDemandThatMakesTheUnitLarger) {
+  const World world(hills());
+  const rtl::Design& design = rtl::find_design("int_slabs");
+  const hls::IntBits format{12, 12};
+  for (const int interval : {2, 3, 6}) {
+    const FittedUnit unit =
+        fit(design, format, std::nullopt, world.demands, library(), {.interval = interval});
+    EXPECT_EQ(unit.price.interval, interval);
+    EXPECT_LE(unit.price.area_um2,
+              area::price(design, format, library(), area::Account::built, rtl::FlowControl::stall, interval)
+                  .area_um2);
+    for (const LeftOut& left : unit.left_out) EXPECT_GE(left.area_um2, 0) << left.what;
+    const CosimResult image = run(unit, world, world);
+    EXPECT_EQ(image.unit.rtl_mismatches, 0U);
+    EXPECT_EQ(image.unit.false_misses, 0U);
+  }
+}
+
+TEST(FittedRate, TakesTheSmallestUnitThatReachesIt) {
+  const World world(hills());
+  const rtl::Design& design = rtl::find_design("int_slabs");
+  const hls::IntBits format{12, 12};
+  const auto at = [&](FitRate rate) {
+    return fit(design, format, std::nullopt, world.demands, library(), rate);
+  };
+  const auto full = static_cast<double>(at({}).price.boxes_per_second());
+  EXPECT_EQ(at({.boxes_per_second = full}).price.interval, 1);
+  const FittedUnit sixth = at({.boxes_per_second = full / 6.5});
+  EXPECT_GE(static_cast<double>(sixth.price.boxes_per_second()), full / 6.5);
+  for (const int interval : {1, 2, 3, 4, 5, 6})
+    EXPECT_LE(sixth.price.area_um2, at({.interval = interval}).price.area_um2) << interval;
+  const Precision coarse{.format = format};
+  EXPECT_FALSE(price_of_fit(design, coarse, world.demands, library(), {.boxes_per_second = 2 * full}));
+  EXPECT_TRUE(price_of_fit(design, coarse, world.demands, library(), {.boxes_per_second = full / 2}));
+}
+
 class Fitted : public testing::TestWithParam<Case> {};
 
 TEST_P(Fitted, IsSmallerAndMissesNothing) {
