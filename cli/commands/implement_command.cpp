@@ -225,8 +225,7 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
   command->add_option("--name", how.module, "Name of the Verilog module. Default: as `hitpipe rtl` names it")
       ->type_name("MODULE");
   add_flow_control_option(*command, how.flow_control);
-  exclude(add_interval_option(*command, how.interval), board,
-          "the unit behind the serial line takes a test in every cycle");
+  add_interval_option(*command, how.interval);
   add_count_option(
       *command, "--seeds", how.seeds, {0, 100},
       "Place with seeds 1 to N; prints the clock of the median and of the best seed. With 0 the unit is "

@@ -93,7 +93,7 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   add_library_option(*command, options->library);
   add_count_option(*command, "--clock-ps", options->clock_ps, {1, 1'000'000'000},
                    "Clock period in picoseconds; by default what the slowest component needs");
-  const CLI::Option* const interval = add_interval_option(*command, options->interval);
+  add_interval_option(*command, options->interval);
   command
       ->add_option("--name", options->name,
                    "Name of the Verilog module, which also begins the names of all files. Default: the "
@@ -115,11 +115,9 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   for (const char* const other : {"--axi-stream", "--fifo"})
     exclude(slots, command->get_option(other),
             "both wrap the unit itself, and no wrapper goes around another");
-  CLI::Option* const hls =
-      command->add_flag("--hls", options->hls,
-                        "Also write hls/: the design as a C++ top function for high-level synthesis, with "
-                        "scripts for Vitis HLS and Catapult");
-  exclude(hls, interval, "the top function takes a test a cycle; leave out --ii and set II in its source");
+  command->add_flag("--hls", options->hls,
+                    "Also write hls/: the design as a C++ top function for high-level synthesis, with "
+                    "scripts for Vitis HLS and Catapult");
   add_count_option(*command, "--vectors", options->vectors, {1, 10'000'000}, "Vectors of the testbench")
       ->capture_default_str();
   add_seed_option(*command, options->seed);

@@ -167,9 +167,7 @@ constexpr const char* receiving = R"(
   wire sound = byte_valid & flag & ~escaped & (check_in == 16'hf0b8);
   wire test = sound & is_test & (count == {3});
   wire who = sound & is_who & (count == {4});
-  wire free = ~waiting & ~sending;
-  wire taken = test & free & in_ready;
-  wire asked = who & free;
+{10}  wire asked = who & free;
   always @(posedge clk) begin
     if (rst) begin
       escaped <= 1'b0;
@@ -192,6 +190,22 @@ constexpr const char* receiving = R"(
         else if (count < {8}) operands <= {9};
       end
     end
+  end
+)";
+
+constexpr const char* taking = R"(  wire free = ~waiting & ~sending;
+  wire taken = test & free & in_ready;
+)";
+
+/// The next frame changes tag and operands two bytes later at the earliest, after more cycles than any
+/// interval has.
+constexpr const char* taking_later = R"(  reg offered;  // until the unit is ready
+  wire free = ~waiting & ~sending & ~offered;
+  wire taken = offered & in_ready;
+  always @(posedge clk) begin
+    if (rst) offered <= 1'b0;
+    else if (test & free) offered <= 1'b1;
+    else if (in_ready) offered <= 1'b0;
   end
 )";
 
@@ -266,7 +280,7 @@ BoardUnit board_unit(const Design& design, const Format& format, const std::stri
                      const Pipeline& pipeline) {
   return {unit_interface(module, input_ports(pipeline.graph), result_ports(design.results(format)),
                          FlowControl::stall),
-          board_identity(design, format)};
+          board_identity(design, format), pipeline.interval()};
 }
 
 int packed_bytes(const std::vector<Port>& ports) {
@@ -294,7 +308,7 @@ std::string board_top(const BoardUnit& board, int clocks_per_bit) {
   const std::string receive =
       fmt::format(receiving, serial, count_bits - 1, 8 * operand_bytes - 1, number(whole_test), number(4),
                   number(0), number(whole_test + 1), number(1), number(operand_bytes + 2),
-                  shifted("operands", operand_bytes, "plain"));
+                  shifted("operands", operand_bytes, "plain"), board.interval == 1 ? taking : taking_later);
 
   // Flag, kind and tag, the longer of both bodies, check sequence and flag.
   const int place_bits = bits_for(3 + std::max(text_bytes, result_bytes) + 3);
@@ -382,14 +396,14 @@ module {1} #(
       damaged <= 1'b0;
     end else begin
       if (sending) answered <= 1'b1;
-      if (byte_valid & flag & (count != {1}) & ~taken & ~asked) damaged <= 1'b1;
+      if (byte_valid & flag & (count != {1}) & ~{3} & ~asked) damaged <= 1'b1;
     end
   end
   assign led_green_n = ~answered;
   assign led_red_n = ~damaged;
 {2}endmodule
 )",
-                     instance, number(0), unused) +
+                     instance, number(0), unused, board.interval == 1 ? "taken" : "(test & free)") +
          serial_line(serial);
 }
 

@@ -33,6 +33,7 @@ inline constexpr std::array<std::string_view, 6> top_ports{"clk",      "rx",    
 struct BoardUnit {
   ModuleInterface unit;
   std::string identity;  ///< what it answers to the question who it is, in ASCII
+  int interval = 1;      ///< it takes a test every so many cycles
 };
 
 /// Of the whole unit of that name, made from the design at the format.

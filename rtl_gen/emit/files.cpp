@@ -255,7 +255,7 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
   if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(unit)};
   if (slots) emitted.ray_slots = {slots->module() + ".v", to_verilog(*slots)};
   if (options.hls) {
-    emitted.hls = hls_top(design, format, name).files();
+    emitted.hls = hls_top(design, format, name, pipeline.interval()).files();
     for (File& file : emitted.hls) file.name.insert(0, "hls/");
   }
   return emitted;

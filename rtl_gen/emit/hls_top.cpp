@@ -73,7 +73,7 @@ tb.cflags=-std=c++14 -IHITPIPE -DHITPIPE_VENDOR
       title, module);
 }
 
-std::string catapult_tcl(const std::string& title, const std::string& module) {
+std::string catapult_tcl(const std::string& title, const std::string& module, int interval) {
   return fmt::format(
              R"(# {} through Catapult. Settings come from the environment.
 #   INCLUDE=/path/to/hitpipe catapult -shell -file {}_catapult.tcl
@@ -101,16 +101,14 @@ eval [concat solution library add $library]
 go libraries
 directive set -CLOCKS [list clk [list -CLOCK_PERIOD [setting CLOCK 2]]]
 go assembly
-directive set /hitpipe_$module/core/main -PIPELINE_INIT_INTERVAL 1
-go architect
-go extract
-)";
+directive set /hitpipe_$module/core/main -PIPELINE_INIT_INTERVAL )" +
+         fmt::format("{}\ngo architect\ngo extract\n", interval);
 }
 
-std::vector<host::File> hls_scripts(const std::string& title, const std::string& module) {
+std::vector<host::File> hls_scripts(const std::string& title, const std::string& module, int interval) {
   return {{module + "_vitis_hls.tcl", vitis_tcl(title, module)},
           {module + "_hls.cfg", vitis_cfg(title, module)},
-          {module + "_catapult.tcl", catapult_tcl(title, module)}};
+          {module + "_catapult.tcl", catapult_tcl(title, module, interval)}};
 }
 
 constexpr std::size_t columns = 110;  // as .clang-format has it
@@ -120,9 +118,10 @@ std::string top_type(int width, bool is_signed) {
   return fmt::format("{}<{}>", is_signed ? "Integer" : "Pattern", width);
 }
 
-/// " --name N", or nothing for the name that the unit has by itself.
-std::string name_option(const Design& design, const Format& format, const std::string& module) {
-  return module == design.module_at(format) ? "" : " --name " + module;
+/// " --name N --ii N", without what the unit has by itself.
+std::string options_of(const Design& design, const Format& format, const std::string& module, int interval) {
+  return (module == design.module_at(format) ? "" : " --name " + module) +
+         (interval == 1 ? "" : fmt::format(" --ii {}", interval));
 }
 
 /// The function with its arguments, then `end`, wrapped as clang-format does. `types` is the prefix of its
@@ -153,7 +152,7 @@ std::string signature(const Design& design, const Format& format, const std::str
   return text + end;
 }
 
-std::string header(const Design& design, const Format& format, const std::string& module) {
+std::string header(const Design& design, const Format& format, const std::string& module, int interval) {
   return fmt::format(R"(// Top function of {} for high-level synthesis: {}.
 // Written by `hitpipe rtl {}{}{} --hls`.
 #pragma once
@@ -163,11 +162,11 @@ std::string header(const Design& design, const Format& format, const std::string
 {}
 )",
                      design.name_at(format), design.summary, design.name, design.bits_option(format),
-                     name_option(design, format, module),
+                     options_of(design, format, module, interval),
                      signature(design, format, module, "hitpipe::hls::top::", ");"));
 }
 
-std::string source(const Design& design, const Format& format, const std::string& module) {
+std::string source(const Design& design, const Format& format, const std::string& module, int interval) {
   std::string interfaces, operands, results;
   for (const Port& port : design.ports(format)) {
     interfaces += fmt::format("#pragma HLS INTERFACE mode = ap_none port = {}\n", port.name);
@@ -179,7 +178,7 @@ std::string source(const Design& design, const Format& format, const std::string
     results += fmt::format("  {} = out.{};\n", result.name, result.name);
   }
   return fmt::format(
-      R"(// One test a cycle: operands are plain ports, taken when the block starts; a result comes with a valid bit.
+      R"(// {rate}: operands are plain ports, taken when the block starts; a result comes with a valid bit.
 #include "{name}.hpp"
 
 #include "{header}"
@@ -188,14 +187,15 @@ using namespace hitpipe::hls;
 
 {signature}
 #if defined(__SYNTHESIS__) && !defined(HITPIPE_AC_TYPES)
-#pragma HLS PIPELINE II = 1
+#pragma HLS PIPELINE II = {interval}
 {interfaces}#endif
   using Format = {format};
   {pipeline}::Operands<top::Domain, Format> in;
 {operands}  const auto out = {pipeline}::test<top::Domain>(Format(), in);
 {results}}}
 )",
-      fmt::arg("name", module), fmt::arg("header", design.source.header),
+      fmt::arg("rate", interval == 1 ? "One test a cycle" : fmt::format("A test every {} cycles", interval)),
+      fmt::arg("interval", interval), fmt::arg("name", module), fmt::arg("header", design.source.header),
       fmt::arg("signature", signature(design, format, module, "top::", ") {")),
       fmt::arg("interfaces", interfaces), fmt::arg("format", format.type()),
       fmt::arg("pipeline", design.source.pipeline), fmt::arg("operands", operands),
@@ -226,15 +226,15 @@ std::vector<host::File> HlsTop::files() const {
   return all;
 }
 
-HlsTop hls_top(const Design& design, const Format& format, const std::string& module) {
+HlsTop hls_top(const Design& design, const Format& format, const std::string& module, int interval) {
   if (design.source.pipeline.empty())
     throw std::runtime_error(
         fmt::format("{}: no top function for high-level synthesis; the design does not say where its C++ is",
                     design.name));
-  return {.header = {module + ".hpp", header(design, format, module)},
-          .source = {module + ".cpp", source(design, format, module)},
+  return {.header = {module + ".hpp", header(design, format, module, interval)},
+          .source = {module + ".cpp", source(design, format, module, interval)},
           .csim = {module + "_csim.cpp", csim(design, format, module)},
-          .scripts = hls_scripts(design.name_at(format), module)};
+          .scripts = hls_scripts(design.name_at(format), module, interval)};
 }
 
 std::string hls_function(const std::string& module) {

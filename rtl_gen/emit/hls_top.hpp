@@ -19,8 +19,10 @@ struct HlsTop {
   [[nodiscard]] std::vector<host::File> files() const;
 };
 
-/// Throws std::runtime_error, one line, when the design does not say where its C++ is.
-[[nodiscard]] HlsTop hls_top(const Design& design, const Format& format, const std::string& module);
+/// The tools are told that a test may begin every `interval` cycles, 1 to 64. Throws std::runtime_error, one
+/// line, when the design does not say where its C++ is.
+[[nodiscard]] HlsTop hls_top(const Design& design, const Format& format, const std::string& module,
+                             int interval = 1);
 /// "hitpipe_int_slabs"
 [[nodiscard]] std::string hls_function(const std::string& module);
 

@@ -42,8 +42,8 @@ BoardImplementation implement_board(const rtl::Design& design, const rtl::Format
   const Workbench bench(options.folder / target.name);
 
   options.progress("writing the unit");
-  const rtl::Pipeline pipeline =
-      rtl::make_pipeline(design.trace(format), library, options.clock_ps.value_or(board.unit_clock_ps()));
+  const rtl::Pipeline pipeline = rtl::make_pipeline(
+      design.trace(format), library, options.clock_ps.value_or(board.unit_clock_ps()), options.interval);
   const rtl::VectorSet vectors = design_vectors(design, format, usual_vectors, options.seed);
   const rtl::EmittedDesign emitted =
       rtl::emit(design, format, library, pipeline, {.module = options.module, .vectors = &vectors});

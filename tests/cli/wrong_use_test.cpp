@@ -55,8 +55,6 @@ TEST_F(WrongUseOf, OptionsThatExcludeEachOther) {
         "--simulate excludes --board: the vectors are for the unit alone, and on a board it stands "
         "behind a "
         "serial line;"},
-       {"implement --board icebreaker --ii 3 --out OUT",
-        "--ii excludes --board: the unit behind the serial line takes a test in every cycle;"},
        {"fit --scene spheres --out OUT --rate-rays 1e6 --ii 2",
         "--rate-rays excludes --ii: the rate decides the interval;"},
        {"check int_slabs --stiff --rtl",

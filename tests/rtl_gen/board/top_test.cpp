@@ -17,19 +17,23 @@ TEST(BoardTop, LintIsSilent) {
   for (const DesignFormat& d :
        {DesignFormat{"int_slabs", "16/16"}, DesignFormat{"int_slabs", "12/12"},
         DesignFormat{"int_major", "20+1/13"}, DesignFormat{"int_major_pair", "16+0/8"}}) {
-    SCOPED_TRACE(testing::PrintToString(d));
-    const Pipeline pipeline = d.pipeline();
-    const ScratchFolder folder;
-    write_text(folder / "unit.v",
-               to_verilog(pipeline, Library::thesis(), {.module_name = d.module(), .bits = d.format}));
-    write_text(folder / "top.v", board_top(board_unit(d.found(), d.parsed(), d.module(), pipeline), 12));
-    const std::string top = board_module(d.module());
-    expect_silence(folder.path(), "verilator",
-                   fmt::format("--lint-only -Wall --top-module {} -Wno-DECLFILENAME top.v unit.v", top));
-    expect_silence(
-        folder.path(), "yosys",
-        fmt::format("-q -p 'read_verilog top.v unit.v; hierarchy -check -top {}; proc; check -assert'", top));
-    expect_silence(folder.path(), "iverilog", "-g2001 -Wall -o design top.v unit.v");
+    for (const int interval : {1, 3}) {
+      SCOPED_TRACE(testing::PrintToString(d) + fmt::format(" every {}", interval));
+      const Pipeline pipeline =
+          make_pipeline(d.found().trace(d.parsed()), Library::thesis(), std::nullopt, interval);
+      const ScratchFolder folder;
+      write_text(folder / "unit.v",
+                 to_verilog(pipeline, Library::thesis(), {.module_name = d.module(), .bits = d.format}));
+      write_text(folder / "top.v", board_top(board_unit(d.found(), d.parsed(), d.module(), pipeline), 12));
+      const std::string top = board_module(d.module());
+      expect_silence(folder.path(), "verilator",
+                     fmt::format("--lint-only -Wall --top-module {} -Wno-DECLFILENAME top.v unit.v", top));
+      expect_silence(
+          folder.path(), "yosys",
+          fmt::format("-q -p 'read_verilog top.v unit.v; hierarchy -check -top {}; proc; check -assert'",
+                      top));
+      expect_silence(folder.path(), "iverilog", "-g2001 -Wall -o design top.v unit.v");
+    }
   }
 }
 

@@ -105,6 +105,17 @@ TEST(HlsTop, SourceSetsOperandsAndReturnsResults) {
                      "  hit = out.hit;\n}\n")));
 }
 
+TEST(HlsTop, TellsTheToolsTheInterval) {
+  const Design& design = find_design("int_plucker");
+  const HlsTop top = hls_top(design, design.default_format, "int_plucker", 3);
+  EXPECT_THAT(top.header.contents,
+              HasSubstr("// Written by `hitpipe rtl int_plucker --bits 20/24 --ii 3 --hls`."));
+  EXPECT_THAT(top.source.contents, StartsWith("// A test every 3 cycles: operands are plain ports"));
+  EXPECT_THAT(top.source.contents, HasSubstr("\n#pragma HLS PIPELINE II = 3\n"));
+  EXPECT_THAT(top.scripts.at(2).contents,
+              HasSubstr("\ndirective set /hitpipe_int_plucker/core/main -PIPELINE_INIT_INTERVAL 3\n"));
+}
+
 TEST(HlsTop, CsimReplaysVectorsThroughTheTop) {
   EXPECT_EQ(
       top_of("int_plucker", "12/12").csim.contents,

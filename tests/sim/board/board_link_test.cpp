@@ -98,6 +98,16 @@ TEST(SimulatedBoard, AnswersForTwoBoxesToo) {
   EXPECT_EQ(counts.mismatches, 0U);
 }
 
+TEST(SimulatedBoard, WaitsForAUnitThatTakesATestEveryFewCycles) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
+  for (const int interval : {3, 64}) {
+    const BoardCounts counts = counts_of(ServedBoard({.interval = interval}));
+    EXPECT_EQ(counts.tests, test_count);
+    EXPECT_EQ(counts.mismatches, 0U);
+    EXPECT_EQ(counts.resent, 0U);
+  }
+}
+
 TEST(SimulatedBoard, LostBytesCostTestsSentAgain) {
   SKIP_WITHOUT_PSEUDO_TERMINAL();
   const auto every_150th = [](std::uint64_t byte) { return byte % 150 == 149; };

@@ -15,6 +15,7 @@ namespace hitpipe::sim {
 struct BoardUnderTest {
   std::string design = "int_slabs";
   std::string bits = "6/6";
+  int interval = 1;
   /// Replaced in the Verilog, once.
   std::string good{}, bad{};
   std::function<bool(std::uint64_t)> loses = [](std::uint64_t) { return false; };
@@ -23,7 +24,8 @@ struct BoardUnderTest {
 inline SimulatedBoard::Options setup_of(const BoardUnderTest& board) {
   const rtl::Design& design = rtl::find_design(board.design);
   const rtl::Format format = design.parse_format(board.bits);
-  const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), rtl::Library::thesis());
+  const rtl::Pipeline pipeline =
+      rtl::make_pipeline(design.trace(format), rtl::Library::thesis(), std::nullopt, board.interval);
   const std::string unit = design.module_at(format);
   std::string verilog =
       rtl::to_verilog(pipeline, rtl::Library::thesis(), {.module_name = unit, .bits = board.bits}) +
