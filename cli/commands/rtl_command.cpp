@@ -108,13 +108,9 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
       "--fifo", options->fifo,
       "Also write <module>_fifo.v: valid and ready around a design without flow control, by a FIFO "
       "for its results and a count of the places in it");
-  CLI::Option* const slots = add_count_option(
-      *command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
-      "Also write <module>_slots.v, the design behind a memory of N rays: a ray is sent once, "
-      "and its tests name its slot; N is rounded up to a power of two");
-  for (const char* const other : {"--axi-stream", "--fifo"})
-    exclude(slots, command->get_option(other),
-            "both wrap the unit itself, and no wrapper goes around another");
+  add_count_option(*command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
+                   "Also write <module>_slots.v, the design behind a memory of N rays: a ray is sent once, "
+                   "and its tests name its slot; N is rounded up to a power of two");
   command->add_flag("--hls", options->hls,
                     "Also write hls/: the design as a C++ top function for high-level synthesis, with "
                     "scripts for Vitis HLS and Catapult");

@@ -14,27 +14,25 @@ int whole_bytes(int bits) {
   return (bits + 7) / 8 * 8;
 }
 
-std::string bits_of(int high, int low) {
-  return high == low ? fmt::format("s_axis_tdata[{}]", low) : fmt::format("s_axis_tdata[{}:{}]", high, low);
+std::string bits_of(const std::string& word, int high, int low) {
+  return high == low ? fmt::format("{}[{}]", word, low) : fmt::format("{}[{}:{}]", word, high, low);
 }
 
-/// What the wrapper's text has for each operand.
+/// What the wrapper's text has for each operand of a channel, whose beat is `word`.
 struct OperandText {
-  explicit OperandText(const std::vector<Port>& ports) {
-    std::vector<std::string> padding;
+  OperandText(const std::vector<Port>& ports, const std::string& word) {
     for (const StreamField& field : stream_fields(ports)) {
       const int high = field.offset + field.width - 1;
       const int end = field.offset + whole_bytes(field.width) - 1;
       layout += fmt::format("//   {:>4}:{:<4} {}\n", high, field.offset, field.name);
-      bits.push_back(bits_of(high, field.offset));
-      if (end > high) padding.push_back(bits_of(end, high + 1));
+      bits.push_back(bits_of(word, high, field.offset));
+      if (end > high) padding.push_back(bits_of(word, end, high + 1));
     }
-    if (!padding.empty())
-      unused = fmt::format("\n  // Padding.\n  wire unused = &{{1'b0, {}}};\n", fmt::join(padding, ", "));
   }
 
-  std::string layout, unused;
-  std::vector<std::string> bits;  ///< of tdata
+  std::string layout;
+  std::vector<std::string> bits;  ///< of the beat
+  std::vector<std::string> padding;
 };
 
 /// What the wrapper's text has for each result.
@@ -65,24 +63,79 @@ struct StreamText {
   std::string data, data_with_spare;  ///< high fields first; of the unit, or of the spare latches if full
 };
 
-/// The module inside, which has ready. `wire` connects its results.
-std::string instance(const ModuleInterface& inside, const OperandText& operands,
-                     const ModuleInterface::Wire& wire) {
-  std::size_t next = 0;
-  return inside.instance("design_i", "TAG_BITS", [&](const Pin& pin) -> std::string {
-    if (pin.channel == results_channel) return wire(pin);
-    switch (pin.role) {
-      case Pin::Role::clock:
-        return "aclk";
-      case Pin::Role::reset:
-        return "~aresetn";
-      case Pin::Role::data:
-        return operands.bits[next++];
-      default:
+/// The channel of rays that are written to slots.
+constexpr const char* ray_channel = "ray";
+
+/// The wrapper as text. `inside` is the module that it contains, which has valid and ready.
+struct Wrapper {
+  Wrapper(const ModuleInterface& contained, bool stalls_inside)
+      : inside(contained),
+        result(inside.results()),
+        has_rays(inside.has_ready(ray_channel)),
+        stalls(stalls_inside),
+        tests(inside.operands(), has_rays ? "test" : "s_axis_tdata"),
+        rays(inside.data(ray_channel), "s_axis_ray_tdata") {}
+
+  /// Each result NAME has a wire out_NAME and, behind a unit that stalls, a latch spare_NAME.
+  [[nodiscard]] std::string instance() const {
+    std::size_t next_test = 0;
+    std::size_t next_ray = 0;
+    return inside.instance("design_i", "TAG_BITS", [&](const Pin& pin) -> std::string {
+      if (pin.role == Pin::Role::clock) return "aclk";
+      if (pin.role == Pin::Role::reset) return "~aresetn";
+      if (pin.channel == ray_channel) return pin.role == Pin::Role::data ? rays.bits[next_ray++] : pin.name;
+      if (pin.channel == tests_channel) {
+        if (pin.role == Pin::Role::data) return tests.bits[next_test++];
+        if (has_rays) return pin.role == Pin::Role::tag ? "test_tag" : pin.name;
         return pin.role == Pin::Role::tag ? "s_axis_tid" : "s_axis_t" + pin.name.substr(3);
-    }
-  });
-}
+      }
+      if (pin.role == Pin::Role::data) return "out_" + pin.name;
+      if (stalls) return pin.role == Pin::Role::ready ? "~spare_valid" : pin.name;
+      return pin.role == Pin::Role::tag ? "m_axis_tid" : "m_axis_t" + pin.name.substr(4);
+    });
+  }
+
+  [[nodiscard]] std::string unused() const {
+    std::vector<std::string> padding = tests.padding;
+    padding.insert(padding.end(), rays.padding.begin(), rays.padding.end());
+    return padding.empty()
+               ? ""
+               : fmt::format("\n  // Padding.\n  wire unused = &{{1'b0, {}}};\n", fmt::join(padding, ", "));
+  }
+
+  ModuleInterface inside;
+  StreamText result;
+  bool has_rays;
+  bool stalls;
+  OperandText tests, rays;
+};
+
+/// A test waits for a write to its slot, which is known within the cycle. Here s_axis_tready follows from a
+/// register. While a test is held, writes wait, so that it reads what was written before it.
+constexpr const char* holding_a_test =
+    R"(  // Holds a test that has to wait. Writes wait with it, so that it does not see later ones.
+  reg held_valid;
+  reg [{0}:0] held;
+  reg {1} held_tag;
+  wire in_ready;
+  wire in_valid = held_valid | s_axis_tvalid;
+  wire [{0}:0] test = held_valid ? held : s_axis_tdata;
+  wire {1} test_tag = held_valid ? held_tag : s_axis_tid;
+  wire ray_ready;
+  wire ray_valid = s_axis_ray_tvalid & ~held_valid;
+  assign s_axis_tready = ~held_valid;
+  assign s_axis_ray_tready = ray_ready & ~held_valid;
+  always @(posedge aclk) begin
+    if (~aresetn) held_valid <= 1'b0;
+    else held_valid <= in_valid & ~in_ready;
+  end
+  always @(posedge aclk) begin
+    if (~held_valid) begin
+      held <= s_axis_tdata;
+      held_tag <= s_axis_tid;
+    end
+  end
+)";
 
 /// The fields of tdata, in port order from bit 0.
 Json stream_side(const std::vector<Port>& ports) {
@@ -114,47 +167,48 @@ std::string stream_module(const std::string& module) {
   return module + "_axis";
 }
 
-ModuleInterface stream_interface(const ModuleInterface& unit) {
+ModuleInterface stream_interface(const ModuleInterface& unit, const RaySlots* slots) {
   using Role = Pin::Role;
   ModuleInterface stream{stream_module(unit.module),
-                         {{"aclk", Role::clock, "", true}, {"aresetn", Role::reset, "", true}}};
-  const auto add = [&](const std::string& channel, bool is_input, const std::vector<Port>& data) {
+                         {{"aclk", Role::clock, "", true}, {"aresetn", Role::reset, "", true}},
+                         unit.interval};
+  const auto add = [&](const std::string& channel, bool is_input, const std::vector<Port>& data,
+                       bool has_tag) {
     stream.pins.push_back({channel + "_tvalid", Role::valid, channel, is_input});
     stream.pins.push_back({channel + "_tready", Role::ready, channel, !is_input});
     stream.pins.push_back({channel + "_tdata", Role::data, channel, is_input, stream_bits(data)});
-    stream.pins.push_back({channel + "_tid", Role::tag, channel, is_input, Pin::tag_width});
+    if (has_tag) stream.pins.push_back({channel + "_tid", Role::tag, channel, is_input, Pin::tag_width});
   };
-  add("s_axis", true, unit.operands());
-  add("m_axis", false, unit.results());
+  if (slots != nullptr) add("s_axis_ray", true, slots->interface.data(ray_channel), false);
+  add("s_axis", true, slots != nullptr ? slots->interface.operands() : unit.operands(), true);
+  add("m_axis", false, unit.results(), true);
   return stream;
 }
 
-std::string axi_stream(const ModuleInterface& unit) {
-  const ModuleInterface stream = stream_interface(unit);
-  const OperandText operands(unit.operands());
-  const StreamText result(unit.results());
-  // Each result NAME has a wire out_NAME and, in front of a unit that stalls, a latch spare_NAME.
+std::string axi_stream(const ModuleInterface& unit, const RaySlots* slots) {
+  const ModuleInterface stream = stream_interface(unit, slots);
+  const bool stalls = unit.flow_control() == FlowControl::stall;
+  const Wrapper wrapper(slots != nullptr ? slots->interface : stalls ? unit : fifo_interface(unit), stalls);
+  const StreamText& result = wrapper.result;
   ModuleInterface results{unit.module, {}};
   add_data(results.pins, results_channel, false, unit.results());
   check_names(stream, results, {"valid", "tag"});
-  const std::string head = fmt::format(
-      R"(// {} behind AXI4-Stream, the tag as tid. m_axis_tdata: {}. s_axis_tdata:
+  const std::string rays =
+      wrapper.has_rays
+          ? fmt::format("s_axis_ray_tdata, which is written to a slot:\n{}// ", wrapper.rays.layout)
+          : "";
+  std::string text = fmt::format(
+      R"(// {} behind AXI4-Stream, the tag as tid. m_axis_tdata: {}. {}s_axis_tdata:
 {}// Generated by hitpipe; do not edit.
 {})",
-      unit.module, fmt::join(result.layout, ", "), operands.layout, stream.head());
-  if (unit.flow_control() == FlowControl::none) {
-    const std::string inside = instance(fifo_interface(unit), operands, [](const Pin& pin) {
-      if (pin.role == Pin::Role::data) return "out_" + pin.name;
-      return pin.role == Pin::Role::tag ? "m_axis_tid" : "m_axis_t" + pin.name.substr(4);
-    });
-    return head + fmt::format("{}{}  assign m_axis_tdata = {{{}}};\n{}endmodule\n", result.wires, inside,
-                              result.data, operands.unused);
-  }
-  const std::string inside = instance(unit, operands, [](const Pin& pin) {
-    if (pin.role == Pin::Role::data) return "out_" + pin.name;
-    return pin.role == Pin::Role::ready ? "~spare_valid" : pin.name;
-  });
-  return head +
+      slots != nullptr ? slots->module() : unit.module, fmt::join(result.layout, ", "), rays,
+      wrapper.tests.layout, stream.head());
+  if (wrapper.has_rays)
+    text += fmt::format(holding_a_test, stream_bits(wrapper.inside.operands()) - 1, tag_range);
+  if (!stalls)
+    return text + fmt::format("{}{}  assign m_axis_tdata = {{{}}};\n{}endmodule\n", result.wires,
+                              wrapper.instance(), result.data, wrapper.unused());
+  return text +
          fmt::format(
              R"(  // Holds a result when m_axis_tready falls; the pipeline stands still until it is taken.
   reg spare_valid;
@@ -177,19 +231,21 @@ std::string axi_stream(const ModuleInterface& unit) {
   assign m_axis_tid = spare_valid ? spare_tag : out_tag;
 {1}endmodule
 )",
-             inside, operands.unused, result.wires, result.spares, result.moves, result.data_with_spare,
-             tag_range);
+             wrapper.instance(), wrapper.unused(), result.wires, result.spares, result.moves,
+             result.data_with_spare, tag_range);
 }
 
-Json stream_json(const ModuleInterface& unit) {
+Json stream_json(const ModuleInterface& unit, const RaySlots* slots) {
   const std::string module = stream_module(unit.module);
-  return {{"module", module},
-          {"file", module + ".v"},
-          {"clock", "aclk, rising edge"},
-          {"reset", "aresetn, synchronous, active low"},
-          {"tid", "the tag, TAG_BITS"},
-          {"s_axis", stream_side(unit.operands())},
-          {"m_axis", stream_side(unit.results())}};
+  Json json{{"module", module},
+            {"file", module + ".v"},
+            {"clock", "aclk, rising edge"},
+            {"reset", "aresetn, synchronous, active low"},
+            {"tid", "the tag, TAG_BITS"}};
+  if (slots != nullptr) json["s_axis_ray"] = stream_side(slots->interface.data(ray_channel));
+  json["s_axis"] = stream_side(slots != nullptr ? slots->interface.operands() : unit.operands());
+  json["m_axis"] = stream_side(unit.results());
+  return json;
 }
 
 }  // namespace hitpipe::rtl

@@ -29,14 +29,9 @@ constexpr std::size_t drawn_vectors = 1000;
 constexpr std::uint64_t vector_seed = 1;
 
 void check_together(const EmitOptions& options) {
-  if (options.axi_stream && options.ray_slots)
-    throw std::invalid_argument("AXI4-Stream and ray slots: a unit has one wrapper or the other");
-  if (options.fifo && options.ray_slots)
-    throw std::invalid_argument("result FIFO and ray slots: a unit has one wrapper or the other");
   if (options.fifo && options.flow_control == FlowControl::stall)
     throw std::invalid_argument(
         "result FIFO: flow control stall; allowed is none, because a unit that stalls holds its results");
-  if (options.ray_slots) check_ray_slots(options.flow_control);
 }
 
 /// Nothing when dot is not installed.
@@ -72,9 +67,9 @@ std::vector<File> stage_schematics(const Pipeline& pipeline, const std::vector<P
 }
 
 struct CoreParts {
-  bool axi_stream = false;  ///< a fileset axis; the wrapper is the top of default, lint and synth
-  bool fifo = false;        ///< a fileset fifo; that wrapper is the top of the same, if there is no axis
-  std::string slots{};      ///< module of the wrapper with ray slots: a fileset slots, top of the same
+  bool axi_stream = false;  ///< a fileset axis
+  bool fifo = false;        ///< a fileset fifo
+  std::string slots{};      ///< module of the wrapper with ray slots: a fileset slots
   bool check = false;  ///< for a fitted unit: fileset and target check (lint); simulations check operands
 };
 
@@ -91,18 +86,21 @@ constexpr const char* check_target = R"(  check:
 std::string core_file(const Design& design, Format format, const std::string& module,
                       const CoreParts& parts) {
   const bool slots = !parts.slots.empty();
-  const std::string top = slots              ? parts.slots
-                          : parts.axi_stream ? stream_module(module)
-                          : parts.fifo       ? fifo_module(module)
-                                             : module;
-  const std::string filesets = fmt::format("[rtl{}{}{}]", slots ? ", slots" : "", parts.fifo ? ", fifo" : "",
-                                           parts.axi_stream ? ", axis" : "");
+  // The outermost, for default, lint and synth.
+  const std::string top = parts.axi_stream ? stream_module(module)
+                          : slots          ? parts.slots
+                          : parts.fifo     ? fifo_module(module)
+                                           : module;
+  const std::string sources = fmt::format("rtl{}{}{}", slots ? ", slots" : "", parts.fifo ? ", fifo" : "",
+                                          parts.axi_stream ? ", axis" : "");
+  const std::string filesets = fmt::format("[{}]", sources);
   const auto fileset = [](bool there, const std::string& name, const std::string& top_module) {
     return there ? fmt::format("  {}:\n    files: [{}.v]\n    file_type: verilogSource\n", name, top_module)
                  : "";
   };
   const std::string more = fileset(parts.fifo, "fifo", fifo_module(module)) +
-                           fileset(parts.axi_stream, "axis", top) + fileset(slots, "slots", top) +
+                           fileset(parts.axi_stream, "axis", stream_module(module)) +
+                           fileset(slots, "slots", parts.slots) +
                            fileset(parts.check, "check", module + "_check");
   // A simulator runs in the work root, where the testbench looks for its vectors: they are copied there.
   return fmt::format(R"(CAPI=2:
@@ -116,7 +114,7 @@ filesets:
     file_type: verilogSource
 {3}  tb:
     files:
-      - tb/{0}_tb.sv: {{file_type: systemVerilogSource}}
+      - tb/{5}_tb.sv: {{file_type: systemVerilogSource}}
       - tb/{0}_vectors.hex: {{file_type: user, copyto: {0}_vectors.hex}}
   harness:
     files:
@@ -135,13 +133,13 @@ targets:
   sim:
     flow: sim
     flow_options: {{tool: icarus, iverilog_options: [-g2012, -Wall{6}]}}
-    filesets: [rtl, tb]
-    toplevel: {0}_tb
+    filesets: [{10}, tb]
+    toplevel: {5}_tb
   sim_verilator:
     flow: sim
     flow_options: {{tool: verilator, mode: binary, verilator_options: [-Wall{6}]}}
-    filesets: [rtl, tb]
-    toplevel: {0}_tb
+    filesets: [{10}, tb]
+    toplevel: {5}_tb
   harness:
     flow: sim
     flow_options: {{tool: verilator, mode: cc, verilator_options: [-Wall{6}]}}
@@ -160,13 +158,14 @@ targets:
 {8})",
                      module, design.summary, to_string(format), more, filesets, top,
                      parts.check ? ", -DHITPIPE_CHECK" : "", parts.check ? ", fitted" : "",
-                     parts.check ? fmt::format(check_target, module) : "", HITPIPE_VERSION);
+                     parts.check ? fmt::format(check_target, module) : "", HITPIPE_VERSION, sources);
 }
 
 }  // namespace
 
 std::vector<File> EmittedDesign::files(const std::vector<File>& drawings) const {
   std::vector<File> all{verilog, {module + ".json", ""}, core, testbench, harness, makefile, vectors};
+  all.insert(all.end(), more_testbenches.begin(), more_testbenches.end());
   if (check_module) all.push_back(*check_module);
   if (fifo) all.push_back(*fifo);
   if (axi_stream) all.push_back(*axi_stream);
@@ -213,20 +212,19 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
                                                                  .results = results});
   const ModuleInterface unit = unit_interface(name, left, result_ports(results), flow, pipeline.interval());
   const int latency = pipeline.latency();
+  const bool fifo = options.fifo || (options.axi_stream && flow == FlowControl::none);
+  std::optional<RaySlots> slots;
+  if (options.ray_slots) slots = ray_slots(unit, design.ports(format), *options.ray_slots, fifo);
+  const RaySlots* const before = slots ? &*slots : nullptr;
   Json json = manifest(design, format, unit, pipeline, library);
-  if (options.axi_stream) json["axi_stream"] = stream_json(unit);
+  if (options.axi_stream) json["axi_stream"] = stream_json(unit, before);
   if (from != nullptr) {
     if (options.verilog == nullptr)
       verilog = with_check_block(verilog, check_block(unit, from->demands, from->ports));
     add_demands(json, from->demands, from->report);
   }
   const int count = static_cast<int>(vectors.size());
-  std::optional<RaySlots> slots;
-  if (options.ray_slots) {
-    slots = ray_slots(unit, design.ports(format), *options.ray_slots);
-    json["ray_slots"] = ray_slots_json(*slots, latency);
-  }
-  const bool fifo = options.fifo || (options.axi_stream && flow == FlowControl::none);
+  if (slots) json["ray_slots"] = ray_slots_json(*slots, latency);
   if (fifo) json["result_fifo"] = fifo_json(unit, latency);
   const CoreParts parts{.axi_stream = options.axi_stream,
                         .fifo = fifo,
@@ -237,6 +235,7 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
       .verilog = {name + ".v", std::move(verilog)},
       .core = {name + ".core", core_file(design, format, name, parts)},
       .testbench = {"tb/" + name + "_tb.sv", testbench(unit, count, latency)},
+      .more_testbenches = {},
       .harness = {"tb/" + name + "_harness.cpp", harness(unit, count, latency)},
       .makefile = {"tb/Makefile", testbench_makefile()},
       .vectors = {"tb/" + name + "_vectors.hex",
@@ -251,8 +250,15 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
       .manifest = std::make_shared<const Json>(std::move(json))};
   if (from != nullptr)
     emitted.check_module = {name + "_check.v", check_module(name + "_check", from->demands, from->ports)};
+  const auto add_testbench = [&](const std::string& top, const Wrappers& around) {
+    emitted.more_testbenches.push_back({"tb/" + top + "_tb.sv", testbench(unit, count, latency, around)});
+  };
+  if (fifo) add_testbench(fifo_module(name), {.fifo = true});
+  if (slots) add_testbench(slots->module(), {.fifo = fifo, .slots = before});
+  if (options.axi_stream)
+    add_testbench(stream_module(name), {.fifo = fifo, .slots = before, .axi_stream = true});
   if (fifo) emitted.fifo = {fifo_module(name) + ".v", result_fifo(unit, latency)};
-  if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(unit)};
+  if (options.axi_stream) emitted.axi_stream = {stream_module(name) + ".v", axi_stream(unit, before)};
   if (slots) emitted.ray_slots = {slots->module() + ".v", to_verilog(*slots)};
   if (options.hls) {
     emitted.hls = hls_top(design, format, name, pipeline.interval()).files();

@@ -31,8 +31,8 @@ struct EmitOptions {
   FlowControl flow_control = FlowControl::stall;
   bool axi_stream = false;  ///< adds the AXI4-Stream wrapper; core and manifest name it
   bool fifo = false;        ///< adds the result FIFO, only with FlowControl::none; core and manifest name it
-  /// Adds the wrapper with as many ray slots, rounded up to a power of two; core and manifest name it. Not
-  /// together with another wrapper, and only with FlowControl::stall.
+  /// Adds the wrapper with as many ray slots, rounded up to a power of two; core and manifest name it. A FIFO
+  /// is inside it, and an AXI4-Stream wrapper is around it.
   std::optional<int> ray_slots{};
   bool hls = false;  ///< adds the top function for high-level synthesis
   /// Set for a fitted unit. It adds the check module, a check block in the Verilog and the demands in the
@@ -46,19 +46,20 @@ struct EmitOptions {
 
 /// The files of a design, each by what it is.
 struct EmittedDesign {
-  std::string module;                ///< the unit's; it begins the name of every other module and file
-  File verilog;                      ///< <module>.v
-  File core;                         ///< <module>.core, for FuseSoC
-  File testbench;                    ///< tb/<module>_tb.sv
-  File harness;                      ///< tb/<module>_harness.cpp
-  File makefile;                     ///< tb/Makefile, the same for all
-  File vectors;                      ///< tb/<module>_vectors.hex
-  std::optional<File> check_module;  ///< <module>_check.v, of a fitted unit
-  std::optional<File> fifo;          ///< <module>_fifo.v, if asked for or needed by the AXI4-Stream wrapper
-  std::optional<File> axi_stream;    ///< <module>_axis.v, if asked for
-  std::optional<File> ray_slots{};   ///< <module>_slots.v, if asked for
-  std::vector<File> schematics{};    ///< a .dot for each group of stages, from the first on
-  std::vector<File> hls{};           ///< hls/: the top function and its script, if asked for
+  std::string module;                  ///< the unit's; it begins the name of every other module and file
+  File verilog;                        ///< <module>.v
+  File core;                           ///< <module>.core, for FuseSoC
+  File testbench;                      ///< tb/<module>_tb.sv
+  std::vector<File> more_testbenches;  ///< tb/<module>_fifo_tb.sv and so on, for each wrapper
+  File harness;                        ///< tb/<module>_harness.cpp
+  File makefile;                       ///< tb/Makefile, the same for all
+  File vectors;                        ///< tb/<module>_vectors.hex
+  std::optional<File> check_module;    ///< <module>_check.v, of a fitted unit
+  std::optional<File> fifo;            ///< <module>_fifo.v, if asked for or needed by the AXI4-Stream wrapper
+  std::optional<File> axi_stream;      ///< <module>_axis.v, if asked for
+  std::optional<File> ray_slots{};     ///< <module>_slots.v, if asked for
+  std::vector<File> schematics{};      ///< a .dot for each group of stages, from the first on
+  std::vector<File> hls{};             ///< hls/: the top function and its script, if asked for
   std::shared_ptr<const Json> manifest;  ///< without the list of files
 
   /// All of them and these drawings. <module>.json is the second; it lists all.

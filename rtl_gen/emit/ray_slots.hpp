@@ -30,6 +30,7 @@ struct RaySlots {
   static constexpr int most = 65'536;
 
   ModuleInterface unit;
+  ModuleInterface inside;  ///< what stands behind the memory: the unit, or the wrapper with its result FIFO
   ModuleInterface interface;  ///< of the wrapper
   int slot_bits = 0;
   std::vector<Port> line, end, test;                 ///< the unit's operands, in port order
@@ -43,20 +44,20 @@ struct RaySlots {
   [[nodiscard]] int bits_of_test() const;
   [[nodiscard]] int bits_of_ray() const;
   [[nodiscard]] int bits_of_end() const;
+  /// Of the wrapper. Without flow control a test that is read stands before the unit until it takes the next.
+  [[nodiscard]] int latency(int unit_latency) const;
 };
 
 /// The slots of a memory with at least as many: a power of two. Throws std::runtime_error, one line, for a
 /// number that is not allowed.
 [[nodiscard]] int slot_count(int least);
 
-/// Throws std::invalid_argument, one line, for a unit without flow control: a slot write must be able to
-/// stall a test.
-void check_ray_slots(FlowControl flow);
-
-/// With slot_count(least) slots. The operands of the unit are some of `operands`, which have the roles.
-/// Throws as slot_count() and check_names() do, and std::runtime_error, one line, for a unit without operands
-/// of a ray.
-[[nodiscard]] RaySlots ray_slots(const ModuleInterface& unit, const std::vector<Port>& operands, int least);
+/// With slot_count(least) slots, before the unit or, with `fifo`, before the wrapper with its result FIFO.
+/// Without flow control a test waits for a write to its slot, and its result comes latency() cycles after it
+/// was taken. The operands of the unit are some of `operands`, which have the roles. Throws as slot_count()
+/// and check_names() do, and std::runtime_error, one line, for a unit without operands of a ray.
+[[nodiscard]] RaySlots ray_slots(const ModuleInterface& unit, const std::vector<Port>& operands, int least,
+                                 bool fifo = false);
 
 /// The wrapper in Verilog-2001, without the module of the unit.
 [[nodiscard]] std::string to_verilog(const RaySlots& slots);

@@ -1,19 +1,25 @@
 #include "rtl_gen/emit/testbench.hpp"
 
+#include <algorithm>
+#include <map>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "rtl_gen/emit/axi_stream.hpp"
+#include "rtl_gen/emit/result_fifo.hpp"
 
 namespace hitpipe::rtl {
 
 namespace {
 
 /// The bits of a word, or its only bit.
-std::string part_of(const char* word, int high, int low) {
+std::string part_of(const std::string& word, int high, int low) {
   return high == low ? fmt::format("{}[{}]", word, low) : fmt::format("{}[{}:{}]", word, high, low);
 }
 
 /// The bits of each port in a word that holds them all, the last port lowest.
-std::vector<std::string> fields(const char* word, const std::vector<Port>& ports, int width) {
+std::vector<std::string> fields(const std::string& word, const std::vector<Port>& ports, int width) {
   std::vector<std::string> all;
   for (const Port& port : ports) {
     all.push_back(part_of(word, width - 1, width - port.width));
@@ -47,9 +53,12 @@ struct ResultText {
 
 /// What differs between a unit that takes part in a handshake and one whose latency is fixed.
 struct FlowText {
-  FlowText(const ModuleInterface& unit, int latency)
-      : ready(unit.flow_control() == FlowControl::stall), waits(unit.has_ready(tests_channel)) {
-    if (ready) return;
+  FlowText(bool has_ready, bool tests_wait, bool has_rays, bool is_stream, int latency)
+      : ready(has_ready), waits(tests_wait), rays(has_rays), stream(is_stream) {
+    if (ready) {
+      if (rays || stream) more = "\n  reg taken;";
+      return;
+    }
     // Long enough to show what comes that was never sent.
     constants = fmt::format(
         "  // Edges from the one that takes the operands to the one that latches the results.\n"
@@ -68,15 +77,21 @@ struct FlowText {
       if (out_valid && out_ready) begin
 {}        received = received + 1;
       end
-      if (in_valid && in_ready) begin
-        @(posedge clk);
-        #1 sent = sent + 1;
-      end
-      @(negedge clk);
+{}      @(negedge clk);
       cycles = cycles + 1;
     end
 )",
-                         compare);
+                         compare,
+                         rays || stream
+                             ? fmt::format("      taken = in_valid && in_ready;\n{}      @(posedge clk);\n"
+                                           "      #1 if (taken) sent = sent + 1;\n{}",
+                                           rays ? "      wrote = ray_valid && ray_ready;\n" : "",
+                                           rays ? "      if (wrote) next_write;\n" : "")
+                             : R"(      if (in_valid && in_ready) begin
+        @(posedge clk);
+        #1 sent = sent + 1;
+      end
+)");
     return fmt::format(R"(      #1;
       if (due[LATENCY] && out_valid !== 1'b1) begin
         $display("FAIL vector %0d (%h): no result %0d cycles after its operands", received, vectors[received],
@@ -94,35 +109,160 @@ struct FlowText {
 {}      @(posedge clk);
       due = {{due[LATENCY-1:0], {}}};
       #1 if ({}) sent = sent + 1;
-      @(negedge clk);
+{}      @(negedge clk);
       cycles = cycles + 1;
       if (received == COUNT) idle = idle + 1;
     end
 )",
-                       compare, waits ? "      taken = in_valid && in_ready;\n" : "",
-                       waits ? "taken" : "in_valid", waits ? "taken" : "in_valid");
+                       compare,
+                       std::string(waits ? "      taken = in_valid && in_ready;\n" : "") +
+                           (rays ? "      wrote = ray_valid && ray_ready;\n" : ""),
+                       waits ? "taken" : "in_valid", waits ? "taken" : "in_valid",
+                       rays ? "      if (wrote) next_write;\n" : "");
   }
 
-  bool ready;  ///< on both sides
-  bool waits;  ///< tests wait for in_ready
+  bool ready;   ///< on both sides
+  bool waits;   ///< tests wait for in_ready
+  bool rays;    ///< rays are written to slots
+  bool stream;  ///< what is offered stays until it is taken
   std::string constants, more;
 };
 
+/// Port names with what they are connected to.
+using Wires = std::map<std::string, std::string>;
+
+/// What stands behind ".": the pins of the outermost module, each with its wire.
+struct Tested {
+  std::string module;
+  std::string test_pins, result_pins, data_pins;
+  std::string wires;  ///< declarations beyond those of a unit
+};
+
+/// A beat of a stream: each port on a byte boundary, the first one lowest. Padding is 1, because nothing may
+/// read it.
+std::string beat(const std::vector<Port>& ports, const Wires& wires) {
+  std::vector<std::string> parts;  // highest first
+  for (const Port& port : ports) {
+    parts.insert(parts.begin(), wires.at(port.name));
+    const int padding = (8 - port.width % 8) % 8;
+    if (padding > 0) parts.insert(parts.begin(), fmt::format("{{{}{{1'b1}}}}", padding));
+  }
+  return fmt::format("{{{}}}", fmt::join(parts, ", "));
+}
+
+/// `wires` are those of the operands, of slots and of ray_end_only.
+Tested tested(const ModuleInterface& unit, const Wrappers& around, const Wires& wires) {
+  const ModuleInterface inner = around.slots != nullptr ? around.slots->interface
+                                : around.fifo           ? fifo_interface(unit)
+                                                        : unit;
+  const auto wire = [&](const Pin& pin) {
+    if (pin.channel == tests_channel && pin.role == Pin::Role::tag) return std::string("sent[15:0]");
+    const auto found = wires.find(pin.name);
+    return found == wires.end() ? pin.name : found->second;
+  };
+  if (!around.axi_stream) {
+    return {inner.module,
+            around.slots != nullptr ? inner.control_connections({"", "ray", tests_channel}, wire)
+                                    : inner.control_connections({"", tests_channel}, wire),
+            inner.control_connections({results_channel}, wire), inner.data_connections(wire), ""};
+  }
+  const ModuleInterface stream = stream_interface(unit, around.slots);
+  std::vector<std::string> unused;
+  std::string results = fmt::format("  wire [{}:0] result_beat;\n", stream_bits(unit.results()) - 1);
+  for (const StreamField& field : stream_fields(unit.results())) {
+    const int high = field.offset + field.width - 1;
+    results += fmt::format("  assign {} = {};\n", field.name, part_of("result_beat", high, field.offset));
+    if ((high + 1) % 8 != 0) unused.push_back(part_of("result_beat", (high / 8 + 1) * 8 - 1, high + 1));
+  }
+  if (!unused.empty())
+    results += fmt::format("  wire unused = &{{1'b0, {}}};  // padding\n", fmt::join(unused, ", "));
+  const auto stream_wire = [&](const Pin& pin) -> std::string {
+    if (pin.role == Pin::Role::clock) return "clk";
+    if (pin.role == Pin::Role::reset) return "~rst";
+    if (pin.channel == "m_axis")
+      return pin.role == Pin::Role::data  ? "result_beat"
+             : pin.role == Pin::Role::tag ? "out_tag"
+                                          : "out_" + pin.name.substr(sizeof("m_axis_t") - 1);
+    const bool of_ray = pin.channel == "s_axis_ray";
+    if (pin.role == Pin::Role::data) return beat(inner.data(of_ray ? "ray" : tests_channel), wires);
+    if (pin.role == Pin::Role::tag) return "sent[15:0]";
+    return (of_ray ? "ray_" : "in_") + pin.name.substr(pin.channel.size() + 2);
+  };
+  return {stream.module,
+          around.slots != nullptr ? stream.control_connections({"", "s_axis_ray", "s_axis"}, stream_wire)
+                                  : stream.control_connections({"", "s_axis"}, stream_wire),
+          stream.control_connections({"m_axis"}, stream_wire), stream.data_connections(stream_wire), results};
+}
+
+/// What writes the ray of each vector to a slot, before its test goes in or at the same edge. Where rays have
+/// ends of their own, some rays are first written with another end, and then their end alone.
+std::string ray_writer(const RaySlots& slots, int width) {
+  const bool ends = !slots.end.empty();
+  return fmt::format(
+      R"(  // The ray of vector n is written to slot n modulo SLOTS, after the test that used the slot has gone in.
+  localparam integer SLOTS = {0};
+  integer written;
+  reg ray_valid, wrote;
+{1}  wire ray_ready;
+  wire [BITS-1:RESULT_BITS] ray = vectors[written < COUNT ? written : 0][{2}:RESULT_BITS];
+
+  task next_write;
+    begin
+{3}    end
+  endtask
+
+)",
+      slots.slots(),
+      ends ? "  reg partial, end_only;  // the end is not yet right; it alone is written\n" : "", width - 1,
+      ends ? R"(      end_only = partial;
+      if (!partial) written = written + 1;
+      partial = !partial && random[21:20] == 2'd0;
+)"
+           : "      written = written + 1;\n");
+}
+
 }  // namespace
 
-std::string testbench(const ModuleInterface& unit, int count, int latency) {
+std::string testbench(const ModuleInterface& unit, int count, int latency, const Wrappers& around) {
+  const RaySlots* const slots = around.slots;
   const std::vector<Port> ports = unit.operands();
   const int result_width = total_width(unit.results());
   const int width = total_width(ports) + result_width;
-  const std::vector<std::string> operands = fields("operands", ports, width);
   const ResultText result(unit.results(), "expected");
-  const FlowText flow(unit, latency);
+  const bool ready = unit.flow_control() == FlowControl::stall || around.fifo || around.axi_stream;
+  const FlowText flow(ready, ready || unit.interval > 1 || slots != nullptr, slots != nullptr,
+                      around.axi_stream, slots != nullptr ? slots->latency(latency) : latency);
   const std::string in_time = fmt::format("cycles < {} * COUNT + 1000", 16 * unit.interval);
-  std::size_t next = 0;
-  const auto wire = [&](const Pin& pin) {
-    if (pin.channel == tests_channel && pin.role == Pin::Role::tag) return std::string("sent[15:0]");
-    return pin.channel == tests_channel && pin.role == Pin::Role::data ? operands[next++] : pin.name;
-  };
+  Wires wires;
+  const std::vector<std::string> operands = fields("operands", ports, width);
+  for (std::size_t i = 0; i < ports.size(); ++i) wires[ports[i].name] = operands[i];
+  if (slots != nullptr) {
+    const std::vector<std::string> of_ray = fields("ray", ports, width);
+    const auto among = [](const std::vector<Port>& some, const std::string& name) {
+      return std::any_of(some.begin(), some.end(), [&](const Port& port) { return port.name == name; });
+    };
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+      if (among(slots->line, ports[i].name))
+        wires[ports[i].name] = slots->end.empty()
+                                   ? of_ray[i]
+                                   : fmt::format("{} ^ {{{}{{end_only}}}}", of_ray[i], ports[i].width);
+      if (among(slots->end, ports[i].name))
+        wires[ports[i].name] = fmt::format("{} ^ {{{}{{partial}}}}", of_ray[i], ports[i].width);
+    }
+    wires["ray_end_only"] = "end_only";
+    wires["ray_slot"] = fmt::format("written[{}:0]", slots->slot_bits - 1);
+    wires["in_slot"] = fmt::format("sent[{}:0]", slots->slot_bits - 1);
+  }
+  const Tested top = tested(unit, around, wires);
+  std::string sendable = "COUNT";
+  std::string ray_valid;
+  if (slots != nullptr) {
+    // A test may come at the edge at which its ray is written; then it waits for a cycle.
+    sendable = fmt::format("written + {{31'd0, ray_valid{}}}", slots->end.empty() ? "" : " && !partial");
+    ray_valid = fmt::format(
+        "      ray_valid = {}written != COUNT && written - sent < SLOTS && random[15:12] != 4'd0;\n",
+        around.axi_stream ? "(ray_valid && !wrote) || " : "");
+  }
   const std::string compare = fmt::format(
       R"(        if ({} || out_tag !== received[15:0]) begin
           $display("FAIL vector %0d (%h): {}tag %0d", received, vectors[received],
@@ -132,13 +272,13 @@ std::string testbench(const ModuleInterface& unit, int count, int latency) {
 )",
       fmt::join(result.differences, " || "), result.formats, result.values);
   return fmt::format(
-      R"(// Replays {module}_vectors.hex against {module}.v with random gaps{stalls}. Compares every result and
+      R"(// Replays {module}_vectors.hex against {top}.v with random gaps{stalls}. Compares every result and
 // every tag. Prints PASS, or FAIL with the reason; $fatal then makes the exit code of the simulator non-zero.
 //   make icarus, make verilator or make waves; without make,
-//   in Icarus Verilog: iverilog -g2012 -o tb {module}_tb.sv ../{module}.v && vvp -n tb
-//   in Verilator: verilator --binary -Wall {module}_tb.sv ../{module}.v && obj_dir/V{module}_tb
+//   in Icarus Verilog: iverilog -g2012 -o tb {library}{top}_tb.sv ../{top}.v && vvp -n tb
+//   in Verilator: verilator --binary -Wall {library}{top}_tb.sv ../{top}.v && obj_dir/V{top}_tb
 // +waves=FILE writes the waves of all signals (Verilator needs --trace too).
-module {module}_tb;
+module {top}_tb;
   localparam integer COUNT = {count};
   // A vector is a line of hexadecimal digits: the operands in port order, then the results.
   localparam integer BITS = {width};
@@ -155,7 +295,7 @@ module {module}_tb;
   wire [BITS-1:RESULT_BITS] operands = vectors[sent][BITS-1:RESULT_BITS];
   wire [RESULT_BITS-1:0] expected = vectors[received][RESULT_BITS-1:0];
 
-  {module} #(.TAG_BITS(16)) dut (
+{ray_writer}  {top} #(.TAG_BITS(16)) dut (
     {test_pins},
     {result_pins},
 {data_pins}
@@ -213,10 +353,10 @@ module {module}_tb;
   initial begin
     if ($value$plusargs("waves=%s", waves)) begin
       $dumpfile(waves);
-      $dumpvars(0, {module}_tb);
+      $dumpvars(0, {top}_tb);
     end
     rst = 1'b1; in_valid = 1'b0;{no_out_ready}
-    sent = 0; received = 0; cycles = 0; random = 32'd1;{nothing_due}
+    sent = 0; received = 0; cycles = 0; random = 32'd1;{nothing_due}{nothing_written}
     read_vectors;
     repeat (4) @(negedge clk);
     rst = 1'b0;
@@ -225,7 +365,7 @@ module {module}_tb;
       random = random ^ (random << 13);
       random = random ^ (random >> 17);
       random = random ^ (random << 5);
-      in_valid = sent != COUNT && random[9:8] != 2'd0;
+{ray_valid}      in_valid = {held}sent != {sendable} && random[9:8] != 2'd0;
 {drive}    if (received != COUNT) begin
       $display("FAIL %0d of %0d vectors came back", received, COUNT);
       $fatal(1);
@@ -235,12 +375,18 @@ module {module}_tb;
   end
 endmodule
 )",
-      fmt::arg("module", unit.module), fmt::arg("count", count), fmt::arg("width", width),
+      fmt::arg("module", unit.module), fmt::arg("top", top.module),
+      fmt::arg("library", top.module == unit.module ? "" : "-y .. "),
+      fmt::arg("ray_writer", slots != nullptr ? ray_writer(*slots, width) : ""),
+      fmt::arg("nothing_written", slots == nullptr ? ""
+                                  : slots->end.empty()
+                                      ? " ray_valid = 1'b0; written = 0;"
+                                      : " ray_valid = 1'b0; partial = 1'b0; end_only = 1'b0; written = 0;"),
+      fmt::arg("held", around.axi_stream ? "(in_valid && !taken) || " : ""), fmt::arg("sendable", sendable),
+      fmt::arg("ray_valid", ray_valid), fmt::arg("count", count), fmt::arg("width", width),
       fmt::arg("result_width", result_width), fmt::arg("result_bits", result.bits),
-      fmt::arg("result_wires", result.wires),
-      fmt::arg("test_pins", unit.control_connections({"", tests_channel}, wire)),
-      fmt::arg("result_pins", unit.control_connections({results_channel}, wire)),
-      fmt::arg("data_pins", unit.data_connections(wire)),
+      fmt::arg("result_wires", result.wires + top.wires), fmt::arg("test_pins", top.test_pins),
+      fmt::arg("result_pins", top.result_pins), fmt::arg("data_pins", top.data_pins),
       fmt::arg("stalls", flow.only_with_ready(" and stalls")), fmt::arg("constants", flow.constants),
       fmt::arg("more", flow.more), fmt::arg("out_ready", flow.only_with_ready(", out_ready")),
       fmt::arg("in_ready", flow.waits ? "in_ready, " : ""),
@@ -260,8 +406,10 @@ std::string testbench_makefile() {
 #   make harness      the C++ program that drives the unit as Verilator compiles it
 #   make waves        the testbench in Icarus Verilog; writes UNIT.vcd
 #   make clean        removes all that these have written
+# A unit in a wrapper has a testbench for each wrapper too; the C++ program drives the unit itself.
 # With WAVES=vcd or WAVES=fst each of them writes waves in that format. UNITS=NAME takes one unit of several.
 UNITS := $(patsubst %_tb.sv,%,$(wildcard *_tb.sv))
+BARE := $(filter $(UNITS),$(patsubst %_harness.cpp,%,$(wildcard *_harness.cpp)))
 IVERILOG := iverilog
 VVP := vvp
 VERILATOR := verilator
@@ -278,7 +426,7 @@ TRACE := $(TRACE_$(WAVES))
 .PHONY: icarus verilator harness waves clean
 icarus: $(UNITS:%=icarus-%)
 verilator: $(UNITS:%=verilator-%)
-harness: $(UNITS:%=harness-%)
+harness: $(BARE:%=harness-%)
 waves:
 	$(MAKE) icarus WAVES=$(or $(WAVES),vcd)
 
@@ -289,18 +437,18 @@ BUILD = $(ROOM)/$(1)_$*$(WAVES:%=_%)
 RUN_WAVES = $(if $(WAVES),+waves=$*.$(WAVES))
 COMPILE = $(VERILATOR) -Wall $(TRACE) $(DEFINES) -j 0 -MAKEFLAGS -s -Mdir
 
-.PHONY: $(UNITS:%=icarus-%) $(UNITS:%=verilator-%) $(UNITS:%=harness-%)
+.PHONY: $(UNITS:%=icarus-%) $(UNITS:%=verilator-%) $(BARE:%=harness-%)
 $(UNITS:%=icarus-%): icarus-%:
 	@mkdir -p $(ROOM)
-	$(IVERILOG) -g2012 -Wall $(DEFINES) -s $*_tb -o $(call BUILD,icarus) $*_tb.sv ../$*.v
+	$(IVERILOG) -g2012 -Wall $(DEFINES) -s $*_tb -y .. -o $(call BUILD,icarus) $*_tb.sv ../$*.v
 	$(VVP) -n $(call BUILD,icarus) $(if $(WAVES),-$(WAVES)) $(RUN_WAVES)
 
 $(UNITS:%=verilator-%): verilator-%:
 	@mkdir -p $(ROOM)
-	$(COMPILE) $(call BUILD,tb) --binary --top-module $*_tb $*_tb.sv ../$*.v
+	$(COMPILE) $(call BUILD,tb) --binary --top-module $*_tb -y .. $*_tb.sv ../$*.v
 	$(call BUILD,tb)/V$*_tb $(RUN_WAVES)
 
-$(UNITS:%=harness-%): harness-%:
+$(BARE:%=harness-%): harness-%:
 	@mkdir -p $(call BUILD,harness)
 	@cp $*_harness.cpp $(call BUILD,harness)
 	$(COMPILE) $(call BUILD,harness) --cc --exe --build --top-module $* ../$*.v $*_harness.cpp

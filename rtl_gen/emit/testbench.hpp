@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
 
 namespace hitpipe::rtl {
@@ -13,7 +14,16 @@ namespace hitpipe::rtl {
 /// the first mismatch or what is wrong with the file, and ends with $fatal. For a unit
 /// without flow control there are gaps and no stalls, and in every cycle a result must be there exactly when
 /// it is due, `latency` edges after its operands.
-[[nodiscard]] std::string testbench(const ModuleInterface& unit, int count, int latency);
+///
+/// `around` are the wrappers of the unit; the testbench then is that of the outermost and replays the unit's
+/// vectors through it. Before a test goes in, its ray is written to a slot.
+struct Wrappers {
+  bool fifo = false;
+  const RaySlots* slots = nullptr;
+  bool axi_stream = false;
+};
+[[nodiscard]] std::string testbench(const ModuleInterface& unit, int count, int latency,
+                                    const Wrappers& around = {});
 /// tb/Makefile: icarus, verilator, harness and waves, for all units in the folder. It names none of them.
 [[nodiscard]] std::string testbench_makefile();
 

@@ -25,6 +25,14 @@ bool ModuleInterface::has_ready(std::string_view channel) const {
                      [&](const Pin& pin) { return pin.role == Pin::Role::ready && pin.channel == channel; });
 }
 
+std::vector<std::string> ModuleInterface::more_channels() const {
+  std::vector<std::string> channels;
+  for (const Pin& pin : pins)
+    if (pin.role == Pin::Role::valid && pin.channel != tests_channel && pin.channel != results_channel)
+      channels.push_back(pin.channel);
+  return channels;
+}
+
 std::vector<Port> ModuleInterface::data(std::string_view channel) const {
   std::vector<Port> ports;
   for (const Pin& pin : pins)
@@ -69,6 +77,8 @@ std::string ModuleInterface::instance(const std::string& name, const std::string
                                       const Wire& wire) const {
   std::string text = fmt::format("  {} #(.TAG_BITS({})) {} (\n    {},\n", module, tag_bits, name,
                                  control_connections({""}, wire));
+  for (const std::string& channel : more_channels())
+    text += fmt::format("    {},\n", control_connections({channel}, wire));
   if (has_ready(tests_channel)) {
     text += fmt::format("    {},\n    {},\n", control_connections({tests_channel}, wire),
                         control_connections({results_channel}, wire));

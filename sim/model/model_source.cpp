@@ -93,7 +93,7 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
 )",
                   module, drive_lines(ports, operands, "operands"), results[rtl::place_of_hit(results)].name,
                   read, more.drive, more.read, stalls ? "  top.out_ready = pins->out_ready;\n" : "",
-                  stalls || interval > 1 ? "top.in_ready" : "true");
+                  stalls || interval > 1 || !more.read.empty() ? "top.in_ready" : "true");
 }
 
 }  // namespace hitpipe::sim

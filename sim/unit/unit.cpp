@@ -72,7 +72,6 @@ Unit make_unit(const rtl::Design& design, const rtl::Format& format, const rtl::
 }
 
 Unit behind_ray_slots(Unit unit, int slots) {
-  rtl::check_ray_slots(unit.flow_control);
   unit.ray_slots = rtl::ray_slots(interface_of(unit), unit.ports(), slots);
   unit.verilog += rtl::to_verilog(*unit.ray_slots);
   return unit;

@@ -34,7 +34,7 @@ struct VerilatedDesign::Loaded {
 
 VerilatedDesign::VerilatedDesign(Unit unit, const std::filesystem::path& cache)
     : results_(unit.design->results(unit.format)),
-      latency_(unit.pipeline.latency() + (unit.ray_slots ? 1 : 0)),
+      latency_(unit.ray_slots ? unit.ray_slots->latency(unit.pipeline.latency()) : unit.pipeline.latency()),
       operand_count_(unit.ports().size()) {
   loaded_ = std::make_shared<Loaded>(std::move(unit), results_, cache);
 }

@@ -106,6 +106,8 @@ TEST_F(RtlCommand, WritesTheRaySlotsOnlyWhenAsked) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   std::vector<std::string> expected = all_files;
   expected.insert(std::find(expected.begin(), expected.end(), "int_slabs_stage_1.dot"), "int_slabs_slots.v");
+  expected.insert(std::find(expected.begin(), expected.end(), "tb/int_slabs_tb.sv"),
+                  "tb/int_slabs_slots_tb.sv");
   EXPECT_EQ(files_below(out_), expected);
   EXPECT_THAT(outcome.out, HasSubstr((out_ / "int_slabs_slots.v").string() + "\n"));
   EXPECT_THAT(contents_of(out_ / "int_slabs_slots.v"), HasSubstr("behind a memory of 64 rays"));

@@ -60,7 +60,7 @@ inline constexpr int beat_count = 250;
 inline const std::string all_passed = fmt::format("PASS {} beats", beat_count);
 
 /// Of the module <module>_axis.
-inline std::string stream_bench(const Design& design, Format format, int count) {
+inline std::string stream_bench(const Design& design, Format format, int count, int interval) {
   return fmt::format(R"(module axis_bench;
   localparam COUNT = {2};
   localparam BITS = {1};
@@ -137,12 +137,12 @@ inline std::string stream_bench(const Design& design, Format format, int count) 
     if (errors == 0 && received != COUNT) fail("beats missing");
     // A full pipeline, stalled; then a reset.
     s_valid = 1'b1; m_ready = 1'b0; sent = 16'd0;
-    repeat (60) @(negedge aclk);
+    repeat ({4}) @(negedge aclk);
     if (m_valid !== 1'b1 || s_ready !== 1'b0) fail("not full");
     s_valid = 1'b0; aresetn = 1'b0;
     @(negedge aclk);
     aresetn = 1'b1;
-    repeat (60) begin
+    repeat ({4}) begin
       if (m_valid !== 1'b0) fail("not emptied by reset");
       @(negedge aclk);
     end
@@ -152,15 +152,16 @@ inline std::string stream_bench(const Design& design, Format format, int count) 
 endmodule
 )",
                      design.module_at(format), stream_bits(design.ports(format)), count,
-                     stream_bits(result_ports(design.results(format))));
+                     stream_bits(result_ports(design.results(format))), 60 * interval);
 }
 
 /// The bench around the wrapper in a folder, compiled once for all modes.
 class StreamBench {
  public:
-  StreamBench(const std::filesystem::path& folder, const Design& design, Format format) : folder_(folder) {
+  StreamBench(const std::filesystem::path& folder, const Design& design, Format format, int interval = 1)
+      : folder_(folder) {
     write_text(folder / "beats.hex", stream_beats(design, format, beat_count, beat_seed));
-    write_text(folder / "bench.v", stream_bench(design, format, beat_count));
+    write_text(folder / "bench.v", stream_bench(design, format, beat_count, interval));
     expect_silence(
         folder, "iverilog",
         fmt::format(

@@ -172,10 +172,6 @@ TEST(FlowControlOptions, ThatDoNotGoTogetherRejected) {
   };
   EXPECT_EQ(refusal({.fifo = true}),
             "result FIFO: flow control stall; allowed is none, because a unit that stalls holds its results");
-  EXPECT_EQ(refusal({.flow_control = FlowControl::none, .ray_slots = 4}),
-            "ray slots: flow control none; allowed is stall");
-  EXPECT_EQ(refusal({.flow_control = FlowControl::none, .fifo = true, .ray_slots = 4}),
-            "result FIFO and ray slots: a unit has one wrapper or the other");
 }
 
 TEST(FlowControlOfAManifest, UnknownOneRejected) {

@@ -113,7 +113,7 @@ TEST(HlsTop, TellsTheToolsTheInterval) {
   EXPECT_THAT(top.source.contents, StartsWith("// A test every 3 cycles: operands are plain ports"));
   EXPECT_THAT(top.source.contents, HasSubstr("\n#pragma HLS PIPELINE II = 3\n"));
   EXPECT_THAT(top.scripts.at(2).contents,
-              HasSubstr("\ndirective set /hitpipe_int_plucker/core/main -PIPELINE_INIT_INTERVAL 3\n"));
+              HasSubstr("\ndirective set /hitpipe_$module/core/main -PIPELINE_INIT_INTERVAL 3\n"));
 }
 
 TEST(HlsTop, CsimReplaysVectorsThroughTheTop) {

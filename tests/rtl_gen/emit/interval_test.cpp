@@ -51,7 +51,7 @@ TEST_P(EveryFewCycles, TheStreamAnswersUnderEveryPatternOfStalls) {
     std::vector<std::string> modules{unit.module + "_axis", unit.module};
     if (unit.fifo) modules.push_back(unit.module + "_fifo");
     expect_silent_tools(folder.path(), {modules});
-    const StreamBench bench(folder.path(), GetParam().found(), GetParam().parsed());
+    const StreamBench bench(folder.path(), GetParam().found(), GetParam().parsed(), interval);
     for (const int mode : {1, 2, 3, 5}) EXPECT_THAT(bench.run(mode), testing::StartsWith(all_passed)) << mode;
     EXPECT_LE(bench.cycles(0), interval * beat_count + unit.manifest->at("latency").get<int>() + 1)
         << "a beat every " << interval << " cycles";

@@ -100,13 +100,6 @@ TEST(RaySlotsRefusals, SayWhatIsMissingOrTaken) {
   EXPECT_EQ(four_slots({origin, renamed}).slots(), 4);
 }
 
-TEST(RaySlotsRefusals, TwoWrappersAtOnce) {
-  const DesignFormat d{"int_slabs", "6/6"};
-  EXPECT_EQ(
-      message_of<std::invalid_argument>([&] { return d.emitted({.axi_stream = true, .ray_slots = 4}); }),
-      "AXI4-Stream and ray slots: a unit has one wrapper or the other");
-}
-
 TEST(RaySlotsLint, IsSilent) {
   for (const int slots : {2, 64}) {
     const ScratchFolder folder;

@@ -11,13 +11,14 @@
 
 namespace hitpipe::rtl {
 
-/// `with` is `bare`, one more Verilog file "<module><suffix>.v", one more object in the manifest, and more in
+/// `with` is `bare`, one more Verilog file "<module><suffix>.v" with its testbench, one more object in the manifest, and more in
 /// the core.
 inline void expect_only_wrapper_added(const EmittedDesign& bare, const EmittedDesign& with,
                                       const std::string& suffix, const char* object) {
   std::map<std::string, std::string> files;
   for (const File& file : with.files()) files[file.name] = file.contents;
   EXPECT_EQ(files.erase(bare.module + suffix + ".v"), 1U);
+  EXPECT_EQ(files.erase("tb/" + bare.module + suffix + "_tb.sv"), 1U);
   for (const File& file : bare.files()) {
     const bool speaks_of_it = file.name == bare.core.name || file.name == bare.manifest_file().name;
     EXPECT_EQ(files.at(file.name) == file.contents, !speaks_of_it) << file.name;
