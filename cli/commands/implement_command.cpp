@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/implement/board_implementation.hpp"
+#include "sim/implement/clocks.hpp"
 #include "sim/implement/unit_implementation.hpp"
 
 namespace hitpipe::cli {
@@ -24,11 +26,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The value of --clock-ps that tries several.
+constexpr const char* automatic = "auto";
+
 struct ImplementCommand {
   DesignChoice choice;
   std::string target;
   BoardChoice board;
   sim::ImplementOptions options;
+  bool tries_clocks = false;
   std::string out;
   Format format = Format::text;
 };
@@ -104,11 +110,78 @@ std::string wrong(const sim::Target& target, const sim::Implementation& unit) {
   if (unit.simulated && !unit.simulated->agrees)
     return fmt::format("its netlist is wrong: {}", unit.simulated->said);
   if (const std::string excess = unit.excess(); !excess.empty())
-    return fmt::format("does not fit {}: {}", target.chip, excess);
+    return fmt::format(
+        "does not fit {}: {}; fewer stages (--clock-ps auto) or a test every few cycles (--ii N) may",
+        target.chip, excess);
   if (unit.placed && !unit.placed->why_not.empty())
     return fmt::format("fits {}, but not with the shift registers around it: {}", target.chip,
                        unit.placed->why_not);
   return "";
+}
+
+/// A schedule that was tried.
+struct TriedClock {
+  int clock_ps;
+  std::string folder;
+  sim::Implementation unit;
+  std::string wrong;
+
+  /// Whether it is the better choice.
+  [[nodiscard]] bool beats(const TriedClock& other) const {
+    if (wrong.empty() != other.wrong.empty()) return wrong.empty();
+    if (unit.fmax_mhz() && other.unit.fmax_mhz()) return *unit.fmax_mhz() > *other.unit.fmax_mhz();
+    return unit.synthesis.cell_count() < other.unit.synthesis.cell_count();
+  }
+};
+
+constexpr std::size_t most_clocks = 6;
+
+std::vector<TriedClock> try_clocks(const ImplementCommand& command, const sim::Target& target,
+                                   const sim::ImplementOptions& given) {
+  const rtl::Design& design = command.choice.design();
+  const rtl::Format format = command.choice.format();
+  const rtl::Library library = rtl::library_called(given.library.empty() ? target.library : given.library);
+  std::vector<TriedClock> tried;
+  for (const int clock_ps : sim::clocks_to_try(design.trace(format), library, most_clocks)) {
+    sim::ImplementOptions options = given;
+    options.clock_ps = clock_ps;
+    options.folder = fs::path(command.out) / fmt::format("{}ps", clock_ps);
+    options.progress = [&](const std::string& step) {
+      given.progress(fmt::format("{} ps: {}", clock_ps, step));
+    };
+    sim::Implementation unit = sim::implement_unit(design, format, target, options);
+    std::string why = wrong(target, unit);
+    tried.push_back({clock_ps, options.folder.string(), std::move(unit), std::move(why)});
+  }
+  return tried;
+}
+
+/// A row for each schedule.
+std::vector<Row> clock_rows(const std::vector<TriedClock>& tried) {
+  std::vector<Row> rows;
+  for (const TriedClock& each : tried) {
+    Row row{{"clock_ps", each.clock_ps}, {"latency", each.unit.latency}};
+    for (const sim::ResourceCount& count : each.unit.counts) row[count.name] = count.used;
+    row["cells"] = each.unit.synthesis.cell_count();
+    row["fmax_mhz"] = rounded(each.unit.fmax_mhz());
+    row["wrong"] = each.wrong.empty() ? Row(nullptr) : Row(each.wrong);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Columns of figures alone; what is wrong stands below.
+std::string clock_table(const std::vector<TriedClock>& tried) {
+  std::vector<Row> rows = clock_rows(tried);
+  std::string below;
+  for (Row& row : rows) {
+    if (!row["wrong"].is_null())
+      below +=
+          wrapped(fmt::format("{} ps: {}", row["clock_ps"].get<int>(), row["wrong"].get<std::string>()), 2);
+    row.erase("wrong");
+    if (row["fmax_mhz"].is_null()) row["fmax_mhz"] = "-";
+  }
+  return table_text(rows, Format::text) + below + "\n";
 }
 
 /// Why there is no bitstream.
@@ -161,6 +234,10 @@ int implement(const ImplementCommand& command) {
     sim::ImplementOptions options = command.options;
     options.folder = command.out;
     const std::string target = command.board.board().target;
+    if (command.tries_clocks)
+      throw std::runtime_error(
+          fmt::format("--clock-ps {}: {} has a clock of its own; leave the option out or give a number",
+                      automatic, command.board.name));
     if (!command.target.empty() && command.target != target)
       throw std::runtime_error(
           fmt::format("--target {}: the chip on {} is {}", command.target, command.board.name, target));
@@ -175,13 +252,24 @@ int implement(const ImplementCommand& command) {
   options.folder = command.out;
   std::optional<Progress> progress;
   options.progress = [&](const std::string& step) { progress.emplace(step); };
-  const sim::Implementation unit = sim::implement_unit(design, format, target, options);
+  std::vector<TriedClock> tried;
+  if (command.tries_clocks) tried = try_clocks(command, target, options);
+  const auto best = std::max_element(tried.begin(), tried.end(),
+                                     [](const TriedClock& a, const TriedClock& b) { return b.beats(a); });
+  const sim::Implementation unit =
+      tried.empty() ? sim::implement_unit(design, format, target, options) : best->unit;
   progress.reset();
 
   Row row = record(command, target, unit);
-  const fs::path folder = fs::path(command.out) / target.name;
+  const fs::path folder = fs::path(tried.empty() ? command.out : best->folder) / target.name;
+  if (!tried.empty()) {
+    row["clock_ps"] = best->clock_ps;
+    row["tried"] = clock_rows(tried);
+    if (command.format == Format::text) fmt::print("{}", clock_table(tried));
+  }
   host::write_file(folder / (unit.module + "_implementation.json"), record_text(row, Format::json));
   row["files"] = folder.string();
+  if (command.format == Format::text) row.erase("tried");
   fmt::print("{}", record_text(command.format == Format::text ? without_nothing(row) : row, command.format));
   if (!unit.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
   const std::string what = wrong(target, unit);
@@ -218,10 +306,24 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
                            "NAME.json. Default: the target's",
                            fmt::join(rtl::built_in_names(), ", "))))
       ->type_name("NAME|FILE");
-  add_count_option(
-      *command, "--clock-ps", how.clock_ps, {1, 1'000'000'000},
-      "Clock period in picoseconds for the schedule; by default what the slowest component needs, on a board "
-      "half of its clock");
+  command
+      ->add_option_function<std::string>(
+          "--clock-ps",
+          [options](const std::string& text) {
+            options->tries_clocks = text == automatic;
+            if (!options->tries_clocks) options->options.clock_ps = std::stoi(text);
+          },
+          fmt::format(
+              "Clock period in picoseconds for the schedule (1 to 1000000000); by default what the slowest "
+              "component needs, on a board half of its clock. With `{}` up to {} schedules are tried, "
+              "each in a folder of its own, and the fastest that fits is the result",
+              automatic, most_clocks))
+      ->transform(CLI::Validator(
+          [](std::string& text) {
+            return text == automatic ? std::string() : number_from(1, 1'000'000'000)(text);
+          },
+          ""))
+      ->type_name("PS|auto");
   command->add_option("--name", how.module, "Name of the Verilog module. Default: as `hitpipe rtl` names it")
       ->type_name("MODULE");
   add_flow_control_option(*command, how.flow_control);

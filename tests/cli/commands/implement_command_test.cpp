@@ -64,6 +64,35 @@ TEST_F(ImplementCommand, AnIntervalDividesTheBoxesASecond) {
   }
 }
 
+/// Fewer stages take fewer registers. The files of each schedule stay.
+TEST_F(ImplementCommand, TriesSeveralClocksAndTakesTheBest) {
+  const Outcome text = run({"--target", "ice40_hx", "--seeds", "0", "--clock-ps", "auto"});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_LE(widest_line(text.out.substr(0, text.out.find("\n\n"))), 80U) << text.out;
+  EXPECT_THAT(lines_of(text.out).at(0), testing::ContainsRegex("^clock_ps  latency  luts .* fmax_mhz$"));
+  const Outcome outcome =
+      run({"--target", "ice40_hx", "--seeds", "0", "--clock-ps", "auto", "--format", "json"});
+  const auto object = nlohmann::json::parse(outcome.out);
+  const auto& tried = object.at("tried");
+  ASSERT_GT(tried.size(), 2U);
+  for (std::size_t i = 1; i < tried.size(); ++i) {
+    EXPECT_GT(tried[i].at("clock_ps"), tried[i - 1].at("clock_ps"));
+    EXPECT_LT(tried[i].at("latency"), tried[i - 1].at("latency"));
+    EXPECT_LT(tried[i].at("registers"), tried[i - 1].at("registers"));
+  }
+  // Without a placement the fewest cells decide.
+  const int cells = object.at("cells");
+  for (const auto& row : tried) EXPECT_LE(cells, row.at("cells").get<int>());
+  EXPECT_TRUE(std::filesystem::exists(out_ / fmt::format("{}ps", object.at("clock_ps").get<int>()) /
+                                      "ice40_hx" / "int_slabs_6_6.v"));
+  const Outcome on_board = run_hitpipe(
+      {"implement", "--board", "icebreaker", "--clock-ps", "auto", "--out", (folder_.path() / "b").string()});
+  EXPECT_EQ(on_board.exit_code, 2);
+  EXPECT_EQ(
+      on_board.err,
+      "hitpipe: --clock-ps auto: icebreaker has a clock of its own; leave the option out or give a number\n");
+}
+
 TEST_F(ImplementCommand, UnitThatDoesNotFitIsAResult) {
   // The chip has no more than what the test needs.
   const std::filesystem::path file = folder_.write("tiny.json", R"({
@@ -75,7 +104,8 @@ TEST_F(ImplementCommand, UnitThatDoesNotFitIsAResult) {
   EXPECT_EQ(outcome.exit_code, 1);
   const auto luts = nlohmann::json::parse(outcome.out)["luts"].get<int>();
   EXPECT_EQ(outcome.err,
-            "hitpipe: int_slabs 6/6 does not fit Tiny: " + std::to_string(luts) + " of 10 luts\n");
+            "hitpipe: int_slabs 6/6 does not fit Tiny: " + std::to_string(luts) +
+                " of 10 luts; fewer stages (--clock-ps auto) or a test every few cycles (--ii N) may\n");
 }
 
 TEST_F(ImplementCommand, MissingToolNamesItsPackage) {

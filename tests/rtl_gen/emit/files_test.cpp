@@ -46,8 +46,8 @@ TEST(Emit, FilesAreAllPartsEachOnce) {
   EXPECT_EQ(names_of(DesignFormat{"int_slabs", "20/24"}.emitted({.axi_stream = true}).files()),
             (std::vector<std::string>{"int_slabs.v", "int_slabs.json", "int_slabs.core", "tb/int_slabs_tb.sv",
                                       "tb/int_slabs_harness.cpp", "tb/Makefile", "tb/int_slabs_vectors.hex",
-                                      "int_slabs_axis.v", "int_slabs_stage_1.dot", "int_slabs_stages_2-3.dot",
-                                      "int_slabs_stage_4.dot"}));
+                                      "tb/int_slabs_axis_tb.sv", "int_slabs_axis.v", "int_slabs_stage_1.dot",
+                                      "int_slabs_stages_2-3.dot", "int_slabs_stage_4.dot"}));
 }
 
 TEST(Emit, AddsTheTopFunctionOnlyWhenAsked) {
