@@ -50,8 +50,8 @@ struct CosimCommand {
 /// Made here, or read from a folder.
 sim::Unit unit_of(const CosimCommand& command, const rtl::Library& library) {
   const rtl::Design& design = command.choice.design();
-  return command.unit.empty() ? sim::make_unit(design, command.choice.format(), library,
-                                               command.flow_control, command.interval)
+  return command.unit.empty() ? sim::make_unit(design, command.choice.format(), library, command.flow_control,
+                                               command.interval)
                               : sim::read_unit(command.unit, design, library);
 }
 

@@ -91,6 +91,10 @@ Row record(const ImplementCommand& command, const sim::Target& target, const sim
        {"latency_ns", unit.critical_path_ns ? rounded(unit.latency * *unit.critical_path_ns) : Row(nullptr)},
        {"boxes_per_test", design.kind.objects},
        {"million_hits_per_s", fmax ? rounded(*fmax * design.kind.objects / interval) : Row(nullptr)},
+       {"energy_pj_per_box",
+        unit.energy ? rounded(unit.energy->pj_per_test / design.kind.objects) : Row(nullptr)},
+       {"energy_sequential_pct", unit.energy ? rounded(unit.energy->sequential_pct) : Row(nullptr)},
+       {"cycles_per_test", unit.energy ? rounded(unit.energy->cycles_per_test) : Row(nullptr)},
        {"netlist", unit.simulated ? Row(unit.simulated->said) : Row(nullptr)},
        {"not_placed", target.placement ? Row(nullptr) : Row(target.not_placed)},
        {"tools", fmt::format("{}", fmt::join(unit.tools, "; "))}});

@@ -10,7 +10,7 @@ std::vector<int> clocks_to_try(const rtl::Graph& graph, const rtl::Library& libr
   int stages = fastest.schedule.stages;
   constexpr int slowest = 4;  // times the fastest
   constexpr int steps = 60;
-  const std::int64_t range = (slowest - 1) * fastest.schedule.clock_ps;
+  const std::int64_t range = std::int64_t{slowest - 1} * fastest.schedule.clock_ps;
   for (int step = 1; step <= steps && stages > 1; ++step) {
     const auto clock = static_cast<int>(fastest.schedule.clock_ps + range * step / steps);
     const int needed = rtl::make_pipeline(graph, library, clock).schedule.stages;

@@ -41,6 +41,13 @@ std::string without_parameters(std::string testbench) {
   return testbench;
 }
 
+/// The testbench dumps all; of a netlist the nets alone are wanted.
+std::string with_nets_dumped(std::string testbench, const std::string& top) {
+  const std::string all = fmt::format("$dumpvars(0, {}_tb)", top);
+  const std::size_t at = testbench.find(all);
+  return testbench.replace(at, all.size(), fmt::format("$dumpvars(1, {}_tb.dut)", top));
+}
+
 /// Verilog that Verilator takes, from the functions in the Liberty file.
 std::vector<std::string> liberty_models(const Target& target, const Tool& yosys, const Workbench& bench) {
   const std::string name = target.name + "_cells.v";
@@ -73,12 +80,18 @@ std::string last_word(const std::string& output) {
   return "";
 }
 
+std::string waves_file(const Synthesis& netlist) {
+  return netlist.top + ".vcd";
+}
+
 NetlistAnswer simulate_netlist(const Target& target, const Synthesis& netlist,
                                const NetlistTestbench& testbench, const SimulatorTools& tools,
                                const Tool& yosys, const Workbench& bench) {
   check_models(target);
   const std::string bench_file = netlist.top + "_netlist_tb.sv";
-  bench.put_and_keep({bench_file, without_parameters(testbench.testbench.contents)});
+  std::string text = without_parameters(testbench.testbench.contents);
+  if (testbench.dumps) text = with_nets_dumped(std::move(text), netlist.top);
+  bench.put_and_keep({bench_file, std::move(text)});
   bench.put({fs::path(testbench.vectors.name).filename().string(), testbench.vectors.contents});
   const bool verilator = tools.simulator == Simulator::verilator;
   std::vector<std::string> files = verilator && !target.liberty.empty() ? liberty_models(target, yosys, bench)
@@ -94,6 +107,7 @@ NetlistAnswer simulate_netlist(const Target& target, const Synthesis& netlist,
   } else {
     build = {"-g2012", "-s", top, "-o", top + ".vvp"};
     run = {"-n", top + ".vvp"};
+    if (testbench.dumps) run.push_back("+waves=" + waves_file(netlist));
   }
   for (const std::string& define : target.models->defines) build.push_back("-D" + define);
   build.insert(build.end(), files.begin(), files.end());

@@ -26,7 +26,10 @@ void check_models(const Target& target);
 struct NetlistTestbench {
   host::File testbench;  ///< as the unit has it; its vectors are read from the folder that it runs in
   host::File vectors;
+  bool dumps = false;  ///< Icarus writes waves_file(): the nets of the netlist, not what is inside its cells
 };
+/// "int_slabs.vcd"
+[[nodiscard]] std::string waves_file(const Synthesis& netlist);
 
 struct NetlistAnswer {
   bool agrees = false;

@@ -111,8 +111,15 @@ Implementation implement_unit(const rtl::Design& design, const rtl::Format& form
   result.counts = result.synthesis.counts;
   if (simulator) {
     options.progress("simulating the netlist");
-    result.simulated = simulate_netlist(target, result.synthesis, {emitted.testbench, emitted.vectors},
+    const bool dumps = tools.sta && simulator->simulator == Simulator::icarus;
+    result.simulated = simulate_netlist(target, result.synthesis, {emitted.testbench, emitted.vectors, dumps},
                                         *simulator, tools.yosys, bench);
+    if (dumps && result.simulated->agrees) {
+      options.progress("counting toggles");
+      result.energy = energy_of(target, result.synthesis,
+                                read_activity(bench.read(waves_file(result.synthesis)), unit_clock),
+                                *options.simulate, unit_clock, *tools.sta, bench);
+    }
   }
   if (tools.nextpnr) {
     result.tools.push_back(tools.nextpnr->release());

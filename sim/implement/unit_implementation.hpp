@@ -10,6 +10,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
+#include "sim/implement/energy.hpp"
 #include "sim/implement/netlist_simulation.hpp"
 #include "sim/implement/place_and_route.hpp"
 #include "sim/implement/target.hpp"
@@ -42,6 +43,7 @@ struct Implementation {
   std::optional<PlacedDesign> placed{};  ///< nothing when the target is not placed, or the unit does not fit
   std::optional<double> critical_path_ns{};  ///< of standard cells, or of the median seed
   std::optional<NetlistAnswer> simulated{};
+  std::optional<Energy> energy{};  ///< of standard cells that Icarus has simulated
   std::vector<std::string> tools;  ///< versions
   bool drawn = true;               ///< false: Graphviz is not installed
 

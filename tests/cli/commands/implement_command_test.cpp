@@ -42,6 +42,7 @@ TEST_F(ImplementCommand, PrintsTheSameAsJsonAndKeepsIt) {
   EXPECT_EQ(object["module"], "box_test");
   EXPECT_EQ(object["flow_control"], "none");
   EXPECT_EQ(object["netlist"], "PASS 50 vectors");
+  EXPECT_TRUE(object["energy_pj_per_box"].is_null()) << "of standard cells alone";
   EXPECT_TRUE(object["fmax_mhz"].is_null());
   EXPECT_GT(object["luts"], 100);
   EXPECT_GE(object["logic_cells"], object["luts"]);
@@ -59,6 +60,11 @@ TEST_F(ImplementCommand, AnIntervalDividesTheBoxesASecond) {
     const auto object = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(object["netlist"], "PASS 50 vectors");
     EXPECT_EQ(object.contains("ii"), interval == 3);
+    // A test takes the energy of its cycles, gaps included.
+    EXPECT_GT(object["energy_pj_per_box"], 10);
+    EXPECT_LT(object["energy_pj_per_box"], 1000);
+    EXPECT_GE(object["cycles_per_test"], interval);
+    EXPECT_THAT(contents_of(out_ / "osu018" / "int_slabs_6_6_power.log"), Not(HasSubstr("no activity")));
     EXPECT_NEAR(object["million_hits_per_s"].get<double>() * interval, object["fmax_mhz"].get<double>(),
                 0.02);
   }

@@ -11,8 +11,8 @@
 
 namespace hitpipe::rtl {
 
-/// `with` is `bare`, one more Verilog file "<module><suffix>.v" with its testbench, one more object in the manifest, and more in
-/// the core.
+/// `with` is `bare`, one more Verilog file "<module><suffix>.v" with its testbench, one more object in the
+/// manifest, and more in the core.
 inline void expect_only_wrapper_added(const EmittedDesign& bare, const EmittedDesign& with,
                                       const std::string& suffix, const char* object) {
   std::map<std::string, std::string> files;
