@@ -1,4 +1,5 @@
 // `hitpipe implement`: what it prints, what it says when tools are missing, and when a unit does not fit.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
