@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "host/files.hpp"
+#include "host/text.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/prune/prune.hpp"
@@ -101,8 +103,9 @@ int main(int argc, char** argv) {
   try {
     if (argc < 4 || argc > 6)
       throw std::runtime_error("usage: emit_formal DESIGN FORMAT FOLDER [SET [INTERVAL]]");
-    host::write_files(argv[3],
-                      files_of(argv[1], argv[2], argc > 4 ? argv[4] : "", argc > 5 ? std::stoi(argv[5]) : 1));
+    const std::optional<int> interval = argc > 5 ? host::number_in<int>(argv[5]) : 1;
+    if (!interval) throw std::runtime_error(std::string(argv[5]) + ": not an interval; allowed is 1 to 64");
+    host::write_files(argv[3], files_of(argv[1], argv[2], argc > 4 ? argv[4] : "", *interval));
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -112,7 +112,7 @@ refuted_not() {
 }
 
 if [[ -n ${4:-} && -z $short ]]; then
-  bits=$(enter "$4" "${5:-}" && cat format) || exit 1
+  bits=$(enter "$4" "${5:-}" stall "${6:-1}" && cat format) || exit 1
   report proof width result seconds
   if [[ -n ${6:-} ]]; then
     all_every "$6" "$4" "$bits"

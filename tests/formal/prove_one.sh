@@ -36,3 +36,5 @@ refused() {
 }
 refused 'no_such_design' no_such_design 6/6
 refused '6/x' int_slabs 6/x
+refused 'x: not an interval' int_slabs 6/6 x
+refused '65' int_slabs 6/6 65
