@@ -291,14 +291,13 @@ TEST(AreaAgainstRate, FloatSlabsOfAThirdOfTheRateTakeLessThanAHalf) {
 TEST(AreaAgainstRate, PricesTheFloatTriangle) {
   const Json rows = Json::parse(printed({"--triangle", "--ii", "1,4,8,16", "--format", "json"}));
   ASSERT_EQ(rows.size(), 4U);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_EQ(rows[i]["design"], "float_triangle");
-    if (i > 0) EXPECT_LT(rows[i]["area_mm2"].get<double>(), rows[i - 1]["area_mm2"].get<double>());
-  }
+  for (const Json& row : rows) EXPECT_EQ(row["design"], "float_triangle");
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    EXPECT_LT(rows[i]["area_mm2"].get<double>(), rows[i - 1]["area_mm2"].get<double>());
 }
 
 TEST(AreaAgainstRate, TextFitsEightyColumns) {
-  for (const std::string& library : {"thesis_250nm", "ecp5"})
+  for (const std::string library : {"thesis_250nm", "ecp5"})
     for (const std::string& line :
          lines_of(printed({"fp_plucker_direct", "int_major_pair", "--ii", "1,2,64", "--library", library})))
       EXPECT_LE(line.size(), 80U) << line;
