@@ -95,7 +95,7 @@ lint: packages
 	@clang-format --dry-run --Werror $(CXX_FILES)
 	@cmake --preset lint >build.log 2>&1 || { cat build.log; exit 1; }
 	@run-clang-tidy -quiet -j $(JOBS) -p build/lint -checks=-bugprone-suspicious-include \
-	  '^$(CURDIR)/(build/lint/)?(host|rtl_gen|area_model|sw_ref|sim|library|cli)/' >build/tidy.log 2>/dev/null \
+	  '^$(CURDIR)/(build/lint/)?(host|rtl_gen|area_model|sw_ref|sim|thesis|library|cli)/' >build/tidy.log 2>/dev/null \
 	  || { grep -E 'warning|error' build/tidy.log; exit 1; }
 	@echo 'lint: clean'
 

@@ -11,29 +11,30 @@
 #include "sw_ref/hierarchy/hierarchical_nodes.hpp"
 #include "sw_ref/hierarchy/int_nodes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
-#include "sw_ref/thesis/variants.hpp"
-#include "sw_ref/thesis/workload.hpp"
 #include "sw_ref/trace/int_plucker.hpp"
 #include "sw_ref/trace/int_slabs.hpp"
+#include "thesis/variants.hpp"
+#include "thesis/workload.hpp"
 
 namespace {
 
 namespace hls = hitpipe::hls;
 namespace ref = hitpipe::ref;
+namespace thesis = hitpipe::thesis;
 
 constexpr std::size_t pairs = 2'000;
 constexpr std::uint64_t seed = 2007;
 
-void run_variant(benchmark::State& state, const ref::BoxTestVariant& variant) {
-  const auto workload = ref::make_box_workload(pairs, static_cast<int>(state.range(0)), seed);
-  const std::unique_ptr<ref::PreparedBoxTests> tests = variant.prepare(workload);
+void run_variant(benchmark::State& state, const thesis::BoxTestVariant& variant) {
+  const auto workload = thesis::make_box_workload(pairs, static_cast<int>(state.range(0)), seed);
+  const std::unique_ptr<thesis::PreparedBoxTests> tests = variant.prepare(workload);
   for (auto _ : state) benchmark::DoNotOptimize(tests->run());
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs));
 }
 
 template <class T>
 void register_variants(const std::string& precision) {
-  for (const ref::BoxTestVariant& variant : ref::box_test_variants<T>()) {
+  for (const thesis::BoxTestVariant& variant : thesis::box_test_variants<T>()) {
     benchmark::RegisterBenchmark((std::string(variant.name) + '/' + precision).c_str(), run_variant, variant)
         ->ArgName("hits")
         ->Arg(0)
@@ -54,7 +55,8 @@ void integer_test(benchmark::State& state) {
   const SetUp set_up(bits);
   std::vector<decltype(set_up(ref::Ray{}))> tests;
   std::vector<ref::IntBox> boxes;
-  for (const ref::BoxPair& pair : ref::make_box_workload(pairs, static_cast<int>(state.range(0)), seed)) {
+  for (const thesis::BoxPair& pair :
+       thesis::make_box_workload(pairs, static_cast<int>(state.range(0)), seed)) {
     tests.push_back(set_up(pair.ray));
     boxes.push_back(ref::quantise_box(pair.box, bits.coord));
   }

@@ -18,6 +18,22 @@ std::string shortened(std::string_view text) {
   return std::string(text.substr(0, end)) + "... (" + std::to_string(text.size()) + " bytes)";
 }
 
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t column, std::size_t width) {
+  std::string lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word; column += word.size()) {
+    if (column > indent && column + 1 + word.size() > width) {
+      lines += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!lines.empty()) {
+      lines += ' ';
+      ++column;
+    }
+    lines += word;
+  }
+  return lines + "\n";
+}
+
 std::vector<std::string> csv_cells(std::string_view line) {
   std::vector<std::string> cells(1);
   bool in_quotes = false;

@@ -18,6 +18,13 @@ namespace hitpipe::host {
 /// The text as a message quotes it: the beginning of a long one, then how many bytes it has.
 [[nodiscard]] std::string shortened(std::string_view text);
 
+inline constexpr std::size_t line_width = 80;
+
+/// Breaks text into lines of at most `width`. The first line starts at `column`; later lines are indented. A
+/// longer word has a line of its own. Ends the last line.
+[[nodiscard]] std::string wrapped(const std::string& text, std::size_t indent, std::size_t column = 0,
+                                  std::size_t width = line_width);
+
 /// The cells of a CSV line, without quotes. A quote that is not closed extends to the end of the line.
 [[nodiscard]] std::vector<std::string> csv_cells(std::string_view line);
 

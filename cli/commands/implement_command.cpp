@@ -14,6 +14,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "host/text.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/implement/board_implementation.hpp"
@@ -180,8 +181,8 @@ std::string clock_table(const std::vector<TriedClock>& tried) {
   std::string below;
   for (Row& row : rows) {
     if (!row["wrong"].is_null())
-      below +=
-          wrapped(fmt::format("{} ps: {}", row["clock_ps"].get<int>(), row["wrong"].get<std::string>()), 2);
+      below += host::wrapped(
+          fmt::format("{} ps: {}", row["clock_ps"].get<int>(), row["wrong"].get<std::string>()), 2);
     row.erase("wrong");
     if (row["fmax_mhz"].is_null()) row["fmax_mhz"] = "-";
   }

@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
+#include "host/text.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "sw_ref/scene/built_in.hpp"
@@ -50,7 +51,7 @@ std::string described(const Row& row) {
   for (const auto& [key, value] : row.items()) {
     if (key == "library" || value.get<std::string>().empty()) continue;
     const std::string head = fmt::format("  {:<8}", key);
-    text += head + wrapped(value.get<std::string>(), head.size(), head.size());
+    text += head + host::wrapped(value.get<std::string>(), head.size(), head.size());
   }
   return text;
 }

@@ -16,6 +16,7 @@
 #include "cli/report/sweep_rows.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "host/text.hpp"
 #include "sim/cosim/ray_unit.hpp"
 #include "sim/software.hpp"
 #include "sim/sweep/resume.hpp"
@@ -88,7 +89,7 @@ std::string text_of(const std::vector<sim::SweepRow>& rows) {
   if (several_boxes) text += "area: for each box that a test answers for; area*time: of the whole unit\n";
   std::vector<std::string> below = recommendation(rows);
   below.push_back(cost_caveat(rows.front()));
-  for (const std::string& line : below) text += wrapped(line, 2);
+  for (const std::string& line : below) text += host::wrapped(line, 2);
   return text;
 }
 

@@ -9,11 +9,11 @@
 #include "cli/commands.hpp"
 #include "cli/options/experiment_options.hpp"
 #include "cli/options/values.hpp"
-#include "cli/report/reproduction_page.hpp"
 #include "cli/text/progress.hpp"
-#include "cli/text/result_text.hpp"
+#include "cli/text/table.hpp"
 #include "host/files.hpp"
-#include "sim/thesis/chapter_7.hpp"
+#include "thesis/reproduction_page.hpp"
+#include "thesis/result_text.hpp"
 
 namespace hitpipe::cli {
 
@@ -22,14 +22,14 @@ namespace {
 struct TableCommand {
   std::vector<std::string> numbers;
   bool judge = false;
-  ref::ExperimentOptions experiment;
+  thesis::ExperimentOptions experiment;
   std::string out;
   Format format = Format::text;
 };
 
-ref::ResultTable table_of(const ref::Experiment& experiment, const TableCommand& command) {
+thesis::ResultTable table_of(const thesis::Experiment& experiment, const TableCommand& command) {
   Progress progress(fmt::format("table {}", experiment.number));
-  ref::ExperimentOptions options = command.experiment;
+  thesis::ExperimentOptions options = command.experiment;
   options.progress = [&](double share) { progress.show(share); };
   return experiment.run(experiment.number, options);
 }
@@ -38,18 +38,21 @@ void print_table(const TableCommand& command) {
   if (command.numbers.size() != 1)
     throw std::runtime_error(
         fmt::format("table: {} tables; allowed is one, or any number with --judge", command.numbers.size()));
-  const ref::Experiment& experiment =
-      ref::find_experiment(command.numbers.front(), sim::experiments_and_proposals());
-  fmt::print("{}", result_text(table_of(experiment, command), command.format));
+  const thesis::Experiment& experiment =
+      thesis::find_experiment(command.numbers.front(), thesis::experiments_and_proposals());
+  const thesis::ResultTable table = table_of(experiment, command);
+  fmt::print("{}", command.format == Format::text  ? thesis::result_text(table)
+                   : command.format == Format::csv ? table_text(thesis::result_rows(table), Format::csv)
+                                                   : record_text(thesis::result_record(table), Format::json));
 }
 
 /// The tables that are asked for, or all of the thesis.
-std::vector<const ref::Experiment*> judged(const TableCommand& command) {
-  std::vector<const ref::Experiment*> experiments;
+std::vector<const thesis::Experiment*> judged(const TableCommand& command) {
+  std::vector<const thesis::Experiment*> experiments;
   for (const std::string& number : command.numbers)
-    experiments.push_back(&ref::find_experiment(number, sim::thesis_experiments()));
+    experiments.push_back(&thesis::find_experiment(number, thesis::experiments()));
   if (experiments.empty())
-    for (const ref::Experiment& experiment : sim::thesis_experiments()) experiments.push_back(&experiment);
+    for (const thesis::Experiment& experiment : thesis::experiments()) experiments.push_back(&experiment);
   return experiments;
 }
 
@@ -64,26 +67,27 @@ void judge(const TableCommand& command) {
   const std::filesystem::path page(command.out);
   if (!command.out.empty() && page.extension() != ".md")
     throw CLI::ValidationError("--out", command.out + " does not end in .md");
-  std::vector<ref::ResultTable> tables;
-  for (const ref::Experiment* const experiment : judged(command))
+  std::vector<thesis::ResultTable> tables;
+  for (const thesis::Experiment* const experiment : judged(command))
     tables.push_back(table_of(*experiment, command));
-  const std::string text = reproduction_page(tables, command_text(command));
+  const std::string text = thesis::reproduction_page(tables, command_text(command));
   if (command.out.empty() || command.format != Format::text)
-    fmt::print("{}",
-               command.format == Format::text ? text : table_text(reproduction_rows(tables), command.format));
+    fmt::print("{}", command.format == Format::text
+                         ? text
+                         : table_text(thesis::reproduction_rows(tables), command.format));
   if (command.out.empty()) return;
   std::filesystem::path figures = page.filename();
   figures.replace_extension(".csv");
   host::write_files(page.has_parent_path() ? page.parent_path() : ".",
                     {{page.filename().string(), text},
-                     {figures.string(), table_text(reproduction_rows(tables), Format::csv)}});
+                     {figures.string(), table_text(thesis::reproduction_rows(tables), Format::csv)}});
 }
 
 }  // namespace
 
 CLI::App* add_table_command(CLI::App& program, int& /*exit_code*/) {
   std::string numbers;
-  for (const ref::Experiment& experiment : sim::experiments_and_proposals())
+  for (const thesis::Experiment& experiment : thesis::experiments_and_proposals())
     numbers += (numbers.empty() ? "" : ", ") + std::string(experiment.number);
   CLI::App* const command =
       program.add_subcommand("table", "Repeat the experiment of a table, or judge all of the thesis");

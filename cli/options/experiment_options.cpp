@@ -11,7 +11,7 @@ namespace hitpipe::cli {
 namespace {
 
 /// For example "Bunny=bunny.ply".
-void add_scene(const std::string& text, ref::ExperimentOptions& options) {
+void add_scene(const std::string& text, thesis::ExperimentOptions& options) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
     throw CLI::ValidationError("--scene",
@@ -22,7 +22,7 @@ void add_scene(const std::string& text, ref::ExperimentOptions& options) {
 
 }  // namespace
 
-void add_experiment_options(CLI::App& command, ref::ExperimentOptions& options) {
+void add_experiment_options(CLI::App& command, thesis::ExperimentOptions& options) {
   command
       .add_option_function<std::vector<std::string>>(
           "--scene",
@@ -47,8 +47,8 @@ void add_experiment_options(CLI::App& command, ref::ExperimentOptions& options) 
       ->capture_default_str();
 }
 
-std::string experiment_options_text(const ref::ExperimentOptions& options) {
-  const ref::ExperimentOptions defaults;
+std::string experiment_options_text(const thesis::ExperimentOptions& options) {
+  const thesis::ExperimentOptions defaults;
   std::string text;
   for (const auto& [name, scene] : options.scenes) text += fmt::format(" --scene {}={}", name, scene);
   if (!options.only.empty()) text += fmt::format(" --only {}", fmt::join(options.only, ","));

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sw_ref/thesis/experiment.hpp"
+#include "thesis/experiment.hpp"
 
 namespace CLI {
 class App;
@@ -13,10 +13,10 @@ namespace hitpipe::cli {
 
 /// Adds --scene, --only, --width, --height, --triangles, --repeats, --threads. The command must keep the
 /// options alive.
-void add_experiment_options(CLI::App& command, ref::ExperimentOptions& options);
+void add_experiment_options(CLI::App& command, thesis::ExperimentOptions& options);
 
 /// What differs from the defaults, as a user would type it, with a blank before each option. Without
 /// --threads.
-[[nodiscard]] std::string experiment_options_text(const ref::ExperimentOptions& options);
+[[nodiscard]] std::string experiment_options_text(const thesis::ExperimentOptions& options);
 
 }  // namespace hitpipe::cli

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/text/table.hpp"
+#include "host/text.hpp"
 
 namespace hitpipe::cli {
 
@@ -57,7 +58,7 @@ std::string evidence_text(const ref::SceneDemands& demands, bool bounds) {
   std::string text;
   for (const ref::Evidence& each : demands.evidence()) {
     if (each.bounds != bounds) continue;
-    text += "  " + wrapped(each.demand, 4, 2) + "    " + wrapped(each.why, 6, 4);
+    text += "  " + host::wrapped(each.demand, 4, 2) + "    " + host::wrapped(each.why, 6, 4);
   }
   return text;
 }
@@ -73,27 +74,28 @@ std::string design_text(const FitReport& report) {
   const double whole_um2 = number_of(row, "area_before_mm2") * 1e6;
   for (const sim::LeftOut& cut : report.left_out) {
     text += fmt::format("  {:6.2f} %  ", 100.0 * static_cast<double>(cut.area_um2) / whole_um2) +
-            wrapped(cut.what, 14, 12) + std::string(12, ' ') + wrapped(cut.why, 14, 12);
+            host::wrapped(cut.what, 14, 12) + std::string(12, ' ') + host::wrapped(cut.why, 14, 12);
   }
   if (row.at("ray_ends").get<bool>() && !row.at("endless_extra_box_tests_pct").is_null())
-    text += "  " + wrapped(fmt::format("ends of rays kept: {:.2f} % extra box tests without them",
-                                       number_of(row, "endless_extra_box_tests_pct")),
-                           4, 2);
-  text += "  " + wrapped("whole cost " + report.cost, 4, 2);
+    text += "  " + host::wrapped(fmt::format("ends of rays kept: {:.2f} % extra box tests without them",
+                                             number_of(row, "endless_extra_box_tests_pct")),
+                                 4, 2);
+  text += "  " + host::wrapped("whole cost " + report.cost, 4, 2);
   if (row.contains("ii"))
-    text +=
-        "  " + wrapped(fmt::format(
+    text += "  " + host::wrapped(
+                       fmt::format(
                            "takes {:.4g} million boxes a second, and traces {:.4g} million rays of the image "
                            "a second",
                            number_of(row, "boxes_per_second") / 1e6, number_of(row, "rays_per_second") / 1e6),
                        4, 2);
   const auto kept = row.at("kept_whole").get<std::vector<std::string>>();
-  text += "  " + wrapped(fmt::format("ports kept whole: {}", fmt::join(kept, ", ")), 4, 2);
-  text += "  " +
-          wrapped(fmt::format("compared with the C++: {} vectors, {} of them hits; {} box tests of {} rays",
-                              count_of(row, "vectors"), count_of(row, "vector_hits"),
-                              count_of(row, "box_tests"), count_of(row, "rays")),
-                  4, 2);
+  text += "  " + host::wrapped(fmt::format("ports kept whole: {}", fmt::join(kept, ", ")), 4, 2);
+  text +=
+      "  " +
+      host::wrapped(fmt::format("compared with the C++: {} vectors, {} of them hits; {} box tests of {} rays",
+                                count_of(row, "vectors"), count_of(row, "vector_hits"),
+                                count_of(row, "box_tests"), count_of(row, "rays")),
+                    4, 2);
   return text;
 }
 
@@ -106,7 +108,7 @@ std::string fit_text(const std::string& scene, const ref::SceneDemands& demands,
   std::vector<Row> table;
   for (const FitReport& report : reports) table.push_back(short_row(report.row));
   text += table_text(table, Format::text) + legend + "\n";
-  for (const std::string& line : advice) text += wrapped(line, 2);
+  for (const std::string& line : advice) text += host::wrapped(line, 2);
   for (const FitReport& report : reports) text += design_text(report);
   return text;
 }

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "cli/text/table.hpp"
+#include "host/text.hpp"
 
 namespace hitpipe::cli {
 
@@ -13,7 +14,7 @@ constexpr std::size_t command_width = 13;
 
 /// Without the last line end, because CLI adds one.
 std::string in_lines(const std::string& text, std::size_t width) {
-  std::string lines = wrapped(text, 0, 0, width);
+  std::string lines = host::wrapped(text, 0, 0, width);
   lines.pop_back();
   return lines;
 }
@@ -28,18 +29,19 @@ HelpFormatter::HelpFormatter() {
 }
 
 std::string HelpFormatter::make_description(const CLI::App* app) const {
-  return wrapped(app->get_description(), 0);
+  return host::wrapped(app->get_description(), 0);
 }
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
   std::ostringstream out;
   CLI::detail::format_help(out, command->get_name(),
-                           in_lines(command->get_description(), line_width - command_width), command_width);
+                           in_lines(command->get_description(), host::line_width - command_width),
+                           command_width);
   return out.str();
 }
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
-  return in_lines(option->get_description(), line_width - name_width);
+  return in_lines(option->get_description(), host::line_width - name_width);
 }
 
 }  // namespace hitpipe::cli

@@ -20,11 +20,4 @@ enum class Format { text, csv, json };
 /// line for each, CSV has one cell with blanks between them.
 [[nodiscard]] std::string record_text(const Row& row, Format format);
 
-inline constexpr std::size_t line_width = 80;
-
-/// Breaks text into lines of at most `width`. The first line starts at `column`; later lines are indented. A
-/// longer word has a line of its own. Ends the last line.
-[[nodiscard]] std::string wrapped(const std::string& text, std::size_t indent, std::size_t column = 0,
-                                  std::size_t width = line_width);
-
 }  // namespace hitpipe::cli
