@@ -102,7 +102,7 @@ inline void exclude(CLI::Option* option, const CLI::Option* other, const std::st
   });
 }
 
-/// Refuses it beside each option of the command but these.
+/// Refuses `option` together with any option of the command that is not in `allowed`.
 inline void exclude_all_but(CLI::App& command, CLI::Option* option, const std::vector<std::string>& allowed,
                             const std::string& why) {
   for (const CLI::Option* const other : command.get_options())

@@ -51,7 +51,7 @@ constexpr IntSlab<Interval> int_slab(const F& format, char axis, const SlabFacto
           as("it_far", axis, as_signed(slice(f.d_far * f.ir_far, high, low)))};
 }
 
-/// Stage 5, figure 7.6: the three intervals and the ray's own [0, irlen] have a point in common.
+/// The last stage, figure 7.6: the three intervals and the ray's own [0, irlen] have a point in common.
 template <class Bit, class Interval>
 constexpr Bit slabs_overlap(const IntSlab<Interval>& x, const IntSlab<Interval>& y,
                             const IntSlab<Interval>& z, const Interval& irlen, const Bit& rinf) {

@@ -115,8 +115,8 @@ std::vector<Vector> ShownBits::new_ones(std::span<const Vector> vectors) {
 
 namespace {
 
-// Of 16 vectors so many are at corners, as many beside a hit at corners, and so many beside any hit. The rest
-// is at the border.
+// Of 16 vectors, four have operands at corners, four have them at corners beside a hit, and one lies beside
+// any hit. The other seven are at the border between hit and miss.
 constexpr std::size_t of_corners = 4;
 constexpr std::size_t of_any = 1;
 

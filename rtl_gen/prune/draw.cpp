@@ -78,8 +78,7 @@ std::int64_t moved(Random& random, const PortDemand& wanted, std::int64_t from) 
   return up ? above(from, step) : beneath(from, step);
 }
 
-/// Ends of what the port can have or the set-up gives, and of what floats can be, with the numbers beside
-/// them.
+/// The least and greatest operands of the port, of the set-up and of floats, with the numbers beside them.
 std::vector<std::int64_t> ends_of(const Port& port, const PortDemand& wanted) {
   std::vector<std::int64_t> candidates;
   const auto add = [&](std::int64_t end) {

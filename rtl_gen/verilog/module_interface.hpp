@@ -62,7 +62,7 @@ struct ModuleInterface {
   [[nodiscard]] FlowControl flow_control() const {
     return has_ready(results_channel) ? FlowControl::stall : FlowControl::none;
   }
-  /// Those beside tests and results.
+  /// The channels that are neither tests nor results.
   [[nodiscard]] std::vector<std::string> more_channels() const;
   /// The data pins of a channel: of a unit the operands, and the results.
   [[nodiscard]] std::vector<Port> data(std::string_view channel) const;

@@ -42,7 +42,7 @@ class TestLayout {
   TestLayout(const rtl::Design& design, const rtl::Format& format, const Placement& placement, TestForm form,
              bool with_input);
 
-  /// Of operands of one's own: without rays and boxes, and nobody judges.
+  /// For operands that the user gives. There is no ray and no box, so no exact answer either.
   TestLayout(const rtl::Design& design, const rtl::Format& format, TestForm form);
 
   /// What stands before the first test.

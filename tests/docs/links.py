@@ -7,7 +7,7 @@ pictures of docs/ that are there. An anchor is made of a heading as GitHub makes
 import pathlib, re, sys
 
 root = pathlib.Path(sys.argv[1]).resolve()
-FOLDERS = 'area_model bench cli designs.cmake docs examples hls host library rtl_gen sim sw_ref tests README.md CONTRIBUTING.md'.split()
+FOLDERS = 'area_model bench cli designs.cmake docs examples hls host library rtl_gen sim sw_ref tests thesis README.md CONTRIBUTING.md'.split()
 TEXT = {'.c', '.cmake', '.cpp', '.h', '.hpp', '.md', '.py', '.sh', '.txt', '.v'}
 
 

@@ -2,9 +2,14 @@
 """pages_are_true.py PROGRAM SOURCE: runs the commands of docs/*.md and compares.
 
 A block ```console holds commands behind "$ " and the lines that they print. All blocks of a page run in one new folder, where
-build/hitpipe is PROGRAM. A block ```cpp behind a line <!-- from PATH --> must stand in SOURCE/PATH, at any indentation.
+build/hitpipe is PROGRAM. A block ```cpp behind a line <!-- from PATH --> must stand in SOURCE/PATH, at any indentation. A sum of
+numbers with its result, such as 31 / 4 = 7.75, is exact.
 """
 import pathlib, re, shutil, subprocess, sys, tempfile
+from fractions import Fraction
+
+NUMBER = r'[−-]?\d[\d,]*(?:\.\d+)?'
+SUM = re.compile(rf'(?<![\w.^=·+/%)(−-])((?:\(?{NUMBER}\)?(?:\s*[·+/−-]\s*|\s*))+?)\s*=\s*({NUMBER})(?![\w.^]|\s*[·/^])')
 
 
 def blocks(text, language):
@@ -17,13 +22,22 @@ def steps(block):
         yield command, printed
 
 
+def sums(text):
+    """Each sum with its printed and its exact result."""
+    for found in SUM.finditer(re.sub(r'^```.*?^```$', '', text, flags=re.M | re.S)):
+        terms = found[1].strip().replace('−', '-').replace('·', '*').replace(',', '')
+        if re.search(r'[-+*/]', terms[1:]):
+            exact = eval(re.sub(r'[\d.]+', r"Fraction('\g<0>')", terms), {'Fraction': Fraction})
+            yield found[0], found[2].replace('−', '-').replace(',', ''), exact
+
+
 def unindented(text):
     return '\n'.join(line.strip() for line in text.strip().splitlines())
 
 
 def main():
     program, source = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
-    ran = wrong = 0
+    ran = wrong = checked = 0
     for page in sorted((source / 'docs').glob('*.md')):
         text = page.read_text()
         folder = pathlib.Path(tempfile.mkdtemp())
@@ -40,14 +54,19 @@ def main():
                         print(f'docs/{page.name}: $ {command}\nprints (exit code {result.returncode})\n{result.stdout}{result.stderr}and the page says\n{expected}')
         finally:
             shutil.rmtree(folder)
+        for whole, printed, exact in sums(text):
+            checked += 1
+            if Fraction(printed) != exact:
+                wrong += 1
+                print(f'docs/{page.name}: {whole}: it is {float(exact)}')
         for block in blocks(text, 'cpp'):
             if block[1] is None: continue
             ran += 1
             if unindented(block[2]) not in unindented((source / block[1]).read_text()):
                 wrong += 1
                 print(f'docs/{page.name}: this is not in {block[1]}:\n{block[2]}')
-    if ran == 0: print('no page has a command')
-    sys.exit(wrong > 0 or ran == 0)
+    if ran == 0 or checked < 5: print(f'the pages have {ran} commands and {checked} sums')
+    sys.exit(wrong > 0 or ran == 0 or checked < 5)
 
 
 main()

@@ -50,7 +50,14 @@ scenes = {row[0]: row for row in table('docs/choosing.md', '| scene | stiff')}
 names = next(line for line in (source / 'docs/choosing.md').read_text().splitlines() if line.startswith('| scene | stiff'))
 names = [name.strip() for name in names.strip('|').split('|')]
 readme = table('README.md', '| unit, format |')
-for unit, _, _, extra, on_up5k, on_artix in readme:
+# Units that fit a UP5K with another clock or rate, with the logic cells and the clock that they then have.
+otherwise, unit, chip = {}, '', ''
+for row in table('docs/chips.md', '| unit | in | N |'):
+    unit, chip = row[0] or unit, row[1] or chip
+    cells, mhz = row[5].replace(',', ''), row[6]
+    if chip == 'UP5K' and mhz:
+        otherwise.setdefault(unit, []).append(f'{100 * int(cells) / 5280:.0f} %, {rounded(mhz)}')
+for unit, _, extra, on_up5k, on_ecp5, on_artix in readme:
     if unit in names:
         both = [scenes[scene][names.index(unit)].split(' / ')[1] for scene in ('spheres', 'statue')]
         kept = [cell.replace('−', '-') for cell in extra.split(' / ')]
@@ -60,9 +67,10 @@ for unit, _, _, extra, on_up5k, on_artix in readme:
     else:
         same('README.md', f'{unit}, extra tests', extra, 'not measured')
     row = chips[unit, 'ice40_up5k']
-    fits = f'{share(row)} %, {row[4]}, {rounded(clock(row))}' if clock(row) else 'does not fit'
-    same('README.md', f'{unit} on UP5K', on_up5k, fits)
-    row = chips[unit, 'xc7']
-    same('README.md', f'{unit} on Artix-7', on_artix, f'{row[2]}, {row[4]}')
+    fits = [f'{share(row)} %, {rounded(clock(row))}'] if clock(row) else otherwise.get(unit, ['does not fit'])
+    if on_up5k.split(' (')[0] not in fits: same('README.md', f'{unit} on UP5K', on_up5k, fits)
+    for chip, kept in (('ecp5', on_ecp5), ('xc7', on_artix)):
+        row = chips[unit, chip]
+        same('README.md', f'{unit} in {chip}', kept, f'{row[2]}, {row[4]}')
 if len(readme) < 5: wrong += 1
 sys.exit(wrong > 0)

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # The steps of "Add a design" in docs/designs.md, as a user takes them in a copy of the tree: the design of this folder under
-# another name, and a copy of int_slabs with one line changed.
-# Usage: add_designs.sh SOURCE_FOLDER WORK_FOLDER C++_COMPILER
+# another name, and a copy of int_slabs. The copy answers wrongly at first, which the referee sees; then all tests pass with both.
+# Usage: add_designs.sh SOURCE_FOLDER WORK_FOLDER
 set -euo pipefail
 source=$1 work=$2 copy=$2/tree
 export HITPIPE_CACHE=$work/models
 rm -rf "$copy"
 mkdir -p "$copy"
-tar -C "$source" --exclude='./build*' --exclude=./.git --exclude=./out -cf - . | tar -C "$copy" -xf -
+tar -C "$source" --exclude='./build*' --exclude=./out -cf - . | tar -C "$copy" -xf -
 cd "$copy"
 
 fail() {
@@ -29,19 +29,25 @@ sed -n '/^## Add a design/,/^## /p' docs/designs.md | sed -n 's/^| `\([^`]*\)` |
   sed -n -e 's|^Files .* and \./\(.*\) differ$|\1|p' -e 's|^Only in \./\{0,1\}\(.*\): \(.*\)$|\1/\2|p' | sort >"$work/added"
 diff "$work/named" "$work/added" || fail 'docs/designs.md names other files (<) than a design needs (>)'
 
-# A copy of int_slabs that takes the ray's end for its opposite.
-for file in hls/box/int_slabs_operands.hpp hls/pipelines/int_slabs.hpp rtl_gen/designs/int_slabs.cpp; do
-  sed 's/int_slabs/my_slabs/g; s/IntSlabs/MySlabs/g' "$file" >"${file/int_slabs/my_slabs}"
-done
-sed -i 's/Bit(irlen < near)/Bit(near < irlen)/' hls/pipelines/my_slabs.hpp
-sed 's/IntSlabsSetup/MySlabsSetup/g; s/int_slabs_\(software\|tracer\|named\)/my_slabs_\1/g' sim/designs/int_slabs.cpp \
-  >sim/designs/my_slabs.cpp
-sed -i 's/^  user_slabs$/&\n  my_slabs/' designs.cmake
+# copy NAME STRUCT: a copy of int_slabs with that name. What the thesis prints is of the original alone.
+copy() {
+  for file in hls/box/int_slabs_operands.hpp hls/pipelines/int_slabs.hpp rtl_gen/designs/int_slabs.cpp; do
+    sed "s/int_slabs/$1/g; s/IntSlabs/$2/g; /The 20.24 row/d; /design.printed/,/};/d" "$file" >"${file/int_slabs/$1}"
+  done
+  sed "s/IntSlabsSetup/$2Setup/g; s/int_slabs_\(software\|tracer\|named\)/$1_\1/g" sim/designs/int_slabs.cpp >"sim/designs/$1.cpp"
+  sed -n '/^### int_slabs/,/^### /p' docs/operands.md | sed "\$d; s/int_slabs/$1/g" >>docs/operands.md
+  sed -i "s/^  user_slabs$/&\n  $1/" designs.cmake
+}
 
-# Without optimisation every inline function of two designs that share a name stays one.
-cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_UNITY_BUILD=ON \
-  -DCMAKE_CXX_COMPILER="$3" -DHITPIPE_TESTS=OFF -DHITPIPE_BENCH=OFF >"$work/configure.log"
-cmake --build build --target hitpipe
+# One that takes the ray's end for its opposite.
+copy my_slabs MySlabs
+sed -i 's/Bit(irlen < near)/Bit(near < irlen)/' hls/pipelines/my_slabs.hpp
+
+cmake --preset release -DHITPIPE_BENCH=OFF >"$work/configure.log"
+build() {
+  cmake --build build -j "$(nproc)" "$@" >"$work/build.log" 2>&1
+}
+build --target hitpipe || { tail -n 40 "$work/build.log" && fail 'the copy does not compile'; }
 hitpipe=build/hitpipe
 
 "$hitpipe" rtl int_slabs --out "$work/rtl"
@@ -59,3 +65,15 @@ grep -E 'false miss' "$work/my_slabs.txt" || fail 'no false miss is reported'
 "$hitpipe" sweep "${small[@]}" fp_slabs,user_slabs --out "$work/rows.csv" >/dev/null
 grep -c ',user_slabs,' "$work/rows.csv" || fail 'the sweep has no row of user_slabs'
 "$hitpipe" check user_slabs --tests 20000 >/dev/null || fail 'user_slabs misses a box'
+
+# As it should be, and with all tests.
+sed -i 's/Bit(near < irlen)/Bit(irlen < near)/' hls/pipelines/my_slabs.hpp
+build || { tail -n 40 "$work/build.log" && fail 'the tests of the copy do not compile'; }
+ctest --preset release -j "$(nproc)" -LE long >"$work/tests.log" || { tail -n 60 "$work/tests.log" && fail 'tests fail with two more designs'; }
+tail -n 3 "$work/tests.log"
+
+# A copy in the namespace of the original would give one of them for both: it does not compile.
+copy same_slabs SameSlabs
+sed -i 's/namespace same_slabs/namespace int_slabs/' hls/pipelines/same_slabs.hpp
+build --target hitpipe_rtl_gen && fail 'a copy in the namespace of the original compiles'
+grep -m 1 'redefinition of .*int_slabs' "$work/build.log" || fail 'the compiler does not name the function that is there twice'

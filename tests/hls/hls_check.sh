@@ -23,7 +23,7 @@ check() {
   (cd "$work/rtl/tb" && "$binary" "$3_vectors.hex")
 }
 
-"$program" designs --format csv | tail -n +2 | cut -d, -f1,2 | while IFS=, read -r design default; do
+"$program" list designs --format csv | tail -n +2 | cut -d, -f1,2 | while IFS=, read -r design default; do
   case $default in
     */*) case $default in *+*) formats="$default 12+1/10 32+3/28" ;; *) formats="$default 24/24 16/16 6/6 32/63" ;; esac ;;
     *) formats=$default ;;
