@@ -98,6 +98,7 @@ TEST_F(WrongFiles, OneFileForTwoOutputs) {
 TEST_F(WrongFiles, OutputsAreRefusedBeforeTheWork) {
   folder_.write("rows.csv", "rows");
   fs::create_directory(folder_.path() / "pictures.csv");
+  fs::create_directory(folder_.path() / "spheres.png");
   const std::string below = ": cannot create the folder: Not a directory";
   const std::string lost = ": is an input, which would be lost; give another file to write";
   const std::string scene = " --scene DIR/none.obj ";
@@ -114,6 +115,8 @@ TEST_F(WrongFiles, OutputsAreRefusedBeforeTheWork) {
             {"render" + scene + "--depth-map DIR/none/a.png",
              "image file \"DIR/none/a.png\": no folder \"DIR/none\"; create it first"},
             {"cosim int_slabs" + scene + "--out DIR/file", "DIR/file" + below},
+            {"cosim int_slabs --scene spheres --bvh DIR/none.bvh --out DIR",
+             "DIR/spheres.png: cannot write the file: Is a directory"},
             {"fit int_slabs" + scene + "--out DIR/file", "DIR/file" + below},
             {"check --stiff" + scene + "--out DIR/file", "DIR/file" + below},
             {"implement int_slabs --target xc7 --out DIR/file", "DIR/file" + below},
