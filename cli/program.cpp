@@ -28,11 +28,24 @@ namespace {
 constexpr int wrong_hardware = 1;
 constexpr int asked_wrongly = 2;
 
+/// Whoever wrote the message. A path may have 4096 bytes.
+std::string without_long_words(const std::string& text) {
+  constexpr std::size_t longest = 4096;
+  std::string kept;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string_view word = std::string_view(text).substr(at, end - at);
+    kept += (at > 0 ? " " : "") + (word.size() > longest ? host::shortened(word) : std::string(word));
+    at = end + 1;
+  }
+  return kept;
+}
+
 /// Messages quote the user's words; control characters become blanks so that each message stays one line.
 void print_error(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
-  fmt::print(stderr, "hitpipe: {}\n", text);
+  fmt::print(stderr, "hitpipe: {}\n", without_long_words(text));
 }
 
 /// How many characters must be put in, taken out or replaced.
@@ -85,9 +98,10 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
   const std::vector<std::string> unknown = program.remaining();
-  return fmt::format("{}; there are: {}; see hitpipe --help",
-                     unknown.empty() ? "a command is needed" : unknown.front() + ": no such command",
-                     fmt::join(names, ", "));
+  return fmt::format(
+      "{}; there are: {}; see hitpipe --help",
+      unknown.empty() ? "a command is needed" : host::shortened(unknown.front()) + ": no such command",
+      fmt::join(names, ", "));
 }
 
 }  // namespace

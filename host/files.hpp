@@ -29,16 +29,12 @@ struct File {
 /// be made or written to.
 void make_folder(const std::filesystem::path& folder);
 
-/// No PendingFile of this process takes the place of this file, whatever name leads to it: it is an input.
-/// "-" is standard input. What is no regular file is ignored.
-void never_replace(const std::string& file);
-
 /// A file that is written piece by piece beside its place, under another name. It takes its place when it is
 /// renamed. Without that nothing of it is left. All functions throw std::runtime_error, naming file and
 /// reason.
 class PendingFile {
  public:
-  /// Makes the folder. Refuses a place that is a folder, a device such as /dev/null or an input.
+  /// Makes the folder. Refuses a place as check_replaceable() does (outputs.hpp).
   explicit PendingFile(std::filesystem::path place);
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
@@ -62,6 +58,11 @@ void write_files(const std::filesystem::path& folder, const std::vector<File>& f
 
 /// Writes one file as write_files() does.
 void write_file(const std::filesystem::path& file, std::string_view contents);
+
+/// Writes behind the end of a file that is there. The bytes are then on the disk. If they do not fit, the
+/// file is as it was; if the run is killed, it may have got some of them. Throws std::runtime_error, naming
+/// file and reason.
+void append_to_file(const std::filesystem::path& file, std::string_view text);
 
 /// A folder for temporary files. Its name begins with `prefix` and is unique. It is removed at the
 /// end with everything in it, unless it was moved elsewhere. If the run is killed, the next folder of this

@@ -35,14 +35,14 @@ struct AreaOptions {
   bool triangle = false;
 };
 
-struct Unit {
+struct ChosenUnit {
   const rtl::Design* design;
   rtl::Format format;
 };
 
 /// The units of Table 7.2, unless the user names units.
-std::vector<Unit> chosen(const AreaOptions& options) {
-  std::vector<Unit> units;
+std::vector<ChosenUnit> chosen(const AreaOptions& options) {
+  std::vector<ChosenUnit> units;
   if (!options.units.names.empty()) {
     const auto any = [](const rtl::Design&) { return std::string(); };
     const auto own = [](const rtl::Design& design) { return std::vector{design.default_format}; };
@@ -207,7 +207,7 @@ std::vector<Row> rate_rows(const std::vector<RatedPrice>& units, const rtl::Libr
 /// Area against rate.
 void print_rates(const AreaOptions& options, const rtl::Library& library) {
   std::vector<RatedPrice> units;
-  for (const Unit& unit : chosen(options)) {
+  for (const ChosenUnit& unit : chosen(options)) {
     const auto price_at = [&](int interval) {
       return area::price(*unit.design, unit.format, library, options.account, options.flow_control, interval);
     };
@@ -230,7 +230,7 @@ void print_prices(const AreaOptions& options) {
     return area::price(design, format, library, options.account, options.flow_control);
   };
   std::vector<Price> prices;
-  for (const Unit& unit : chosen(options)) prices.push_back(priced(*unit.design, unit.format));
+  for (const ChosenUnit& unit : chosen(options)) prices.push_back(priced(*unit.design, unit.format));
   if (library.chip() != nullptr) {
     fmt::print("{}", chip_prices(prices, library, options));
     return;

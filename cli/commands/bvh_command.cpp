@@ -18,6 +18,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "host/text.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/hierarchy/bvh_file.hpp"
 #include "sw_ref/hierarchy/statistics.hpp"
@@ -107,8 +108,8 @@ std::string hex_lines(const sim::NodeRecords& records) {
 bool is_binary(const std::string& file) {
   const std::string extension = std::filesystem::path(file).extension().string();
   if (extension != ".hex" && extension != ".bin")
-    throw std::runtime_error(
-        fmt::format("--records {}: unknown extension \"{}\"; allowed are .hex and .bin", file, extension));
+    throw std::runtime_error(fmt::format("--records {}: unknown extension \"{}\"; allowed are .hex and .bin",
+                                         file, host::shortened(extension)));
   return extension == ".bin";
 }
 
@@ -193,15 +194,12 @@ CLI::App* add_bvh_command(CLI::App& program, int& /*exit_code*/) {
   }
   add_build_options(*command, options->build);
   add_bvh_file_option(*command, options->bvh);
-  command->add_option("--out", options->out, "Write the hierarchy to this file, which --bvh reads")
-      ->type_name("FILE");
-  const CLI::Option* const records =
-      command
-          ->add_option(
-              "--records", options->records,
-              "Write the hierarchy as the design's unit reads it: .hex for $readmemh, a record a line; .bin "
-              "as in memory")
-          ->type_name("FILE");
+  as_output(
+      command->add_option("--out", options->out, "Write the hierarchy to this file, which --bvh reads"));
+  const CLI::Option* const records = as_output(command->add_option(
+      "--records", options->records,
+      "Write the hierarchy as the design's unit reads it: .hex for $readmemh, a record a line; .bin as in "
+      "memory"));
   add_design_options(*command, options->unit);
   command->get_option("design")->required(false)->description(
       "The design of --records. Default: the first that has records of its own");

@@ -16,6 +16,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "hls/num/bits.hpp"
+#include "host/text.hpp"
 #include "sim/check/check.hpp"
 #include "sim/software.hpp"
 #include "sim/unit/drive.hpp"
@@ -59,7 +60,7 @@ std::vector<Category> chosen_categories(const rtl::Design& design, const std::ve
       std::vector<std::string_view> known;
       for (const Category& c : all) known.push_back(c.name);
       throw std::runtime_error(
-          fmt::format("category {}: unknown; there are: {}", name, fmt::join(known, ", ")));
+          fmt::format("category {}: unknown; there are: {}", host::shortened(name), fmt::join(known, ", ")));
     }
     chosen.push_back(*found);
   }

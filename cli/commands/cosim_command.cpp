@@ -17,6 +17,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "host/outputs.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/cosim/cosim.hpp"
@@ -125,10 +126,12 @@ int cosimulate(const CosimCommand& command) {
 
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
+  const fs::path folder = command.out;
+  const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
+  if (!command.out.empty()) host::announce_output("--out", image);
   const ref::LoadedBvh hierarchy = make_hierarchy(command.bvh, scene);
   progress.emplace("compiling the Verilog");
   const sim::VerilatedDesign verilated(unit);
-  const fs::path folder = command.out;
   const bool emits = !command.out.empty() && command.unit.empty();
   // Done before the long run, so that a folder that cannot be written is reported at once.
   if (!command.out.empty()) host::make_folder(folder);
@@ -153,7 +156,6 @@ int cosimulate(const CosimCommand& command) {
 
   Row row = record(command, unit, scene, hierarchy, result);
   if (!command.out.empty()) {
-    const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
     ref::write_image(image, command.scene.width, command.scene.height, result.image);
     row["image"] = image.string();
   }

@@ -18,6 +18,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "host/text.hpp"
 #include "sim/operands/operands.hpp"
 #include "sim/operands/own_operands.hpp"
 
@@ -51,7 +52,7 @@ ref::Bounds parse_bounds(const std::string& text) {
           "--bounds",
           fmt::format("{} is not min_x,min_y,min_z,max_x,max_y,max_z; give six numbers, for example "
                       "-10,-10,0,10,10,5",
-                      text));
+                      host::shortened(text)));
     numbers[i] = *number;
     if (!last) rest.remove_prefix(comma + 1);
   }
@@ -66,7 +67,7 @@ TestForm form_of(const OperandsCommand& command) {
   if (extension == ".hex") return TestForm::hex;
   throw std::runtime_error(fmt::format(
       "--out {}: unknown extension \"{}\"; allowed are .csv, .json, .jsonl and .hex, or give --as",
-      command.out, extension));
+      command.out, host::shortened(extension)));
 }
 
 /// The exit code for these counts.
@@ -154,9 +155,7 @@ CLI::App* add_operands_command(CLI::App& program, int& exit_code) {
                                  "In place of rays and boxes: CSV file of operands of your own, with a "
                                  "column for each. The results of the "
                                  "unit are written behind them");
-  command->add_option("--out", options->out, "File to write; - is standard output")
-      ->required()
-      ->type_name("FILE");
+  as_output(command->add_option("--out", options->out, "File to write; - is standard output"))->required();
   add_choice_option<std::optional<TestForm>>(
       *command, "--as", options->form,
       {{"csv", TestForm::csv}, {"json", TestForm::json}, {"hex", TestForm::hex}},

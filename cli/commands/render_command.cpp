@@ -42,6 +42,11 @@ struct RenderCommand {
   double tolerance = 0.0;
   Format format = Format::text;
 
+  /// Throws if a picture cannot be written.
+  void check_places() const {
+    for (const std::string& file : {out, depth_map, box_map, extra_box_map, triangle_map})
+      if (!file.empty()) ref::check_image_place(file);
+  }
   [[nodiscard]] bool maps() const {
     return !depth_map.empty() || !box_map.empty() || !extra_box_map.empty() || !triangle_map.empty();
   }
@@ -181,7 +186,7 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
   add_bvh_file_option(*command, options->bvh);
   add_trace_options(*command, options->trace);
   const auto file = [&](const char* name, std::string& value, const char* what) {
-    command->add_option(name, value, what)->type_name("FILE");
+    as_output(command->add_option(name, value, what));
   };
   file("--out", options->out, "Image to write: .png or .exr");
   file("--depth-map", options->depth_map,
@@ -217,6 +222,7 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
       throw std::runtime_error(fmt::format("render: {} images; --compare takes two", options->images.size()));
     if (!options->compare && options->scene.name.empty())
       throw std::runtime_error("--scene is required; see hitpipe render --help");
+    options->check_places();
     if (options->compare) {
       exit_code = compare_images(*options);
     } else if (options->moves.asked) {

@@ -17,6 +17,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "host/outputs.hpp"
 #include "sim/software.hpp"
 
 namespace hitpipe::cli {
@@ -110,6 +111,10 @@ int report(const ReportCommand& command, const CLI::App& options) {
         fmt::format("design {}: can miss boxes; give a design that never does", command.image.name));
   if (const std::string why = sim::why_not_traced(command.image.design()); !why.empty())
     throw std::runtime_error(why);
+  // What --rows may name.
+  for (const char* const name :
+       {"rows.csv", "pictures.csv", "pipelines.csv", "stability.csv", "stiffness.csv"})
+    host::announce_output("--out", fs::path(command.out) / name);
   const rtl::Format image_format = command.image.format();
   const rtl::Library library = command.cost.load();
   const sim::TriangleCost triangle = command.cost.triangle(library);

@@ -30,7 +30,7 @@ NamedTransform parse_scale(const std::string& text) {
     throw CLI::ValidationError(
         "--scale",
         fmt::format("{} is not a scale; give a number above 0 or a power of two, for example 0.1 or 2^-10",
-                    text));
+                    host::shortened(text)));
   }
   return {text, {.scale = scale}};
 }
@@ -47,7 +47,8 @@ NamedTransform parse_offset(const std::string& text) {
   }
   if (!good || axis != 3) {
     throw CLI::ValidationError(
-        "--offset", fmt::format("{} is not X,Y,Z; give three numbers, for example 1000,0,-0.5", text));
+        "--offset",
+        fmt::format("{} is not X,Y,Z; give three numbers, for example 1000,0,-0.5", host::shortened(text)));
   }
   return {"+" + text, transform};
 }

@@ -163,11 +163,10 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
   as_input(add_list_option(
       *command, "--rows", options->rows,
       "Also take the rows of these files, which hitpipe sweep wrote for this scene and size", "FILE"));
-  command
-      ->add_option("--out", options->out,
-                   "File for the rows (.csv); rows that it already holds are not measured again")
-      ->required()
-      ->type_name("FILE");
+  as_output(
+      command->add_option("--out", options->out,
+                          "File for the rows (.csv); rows that it already holds are not measured again"))
+      ->required();
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { exit_code = sweep(*options); });
   return command;

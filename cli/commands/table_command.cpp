@@ -12,6 +12,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
+#include "host/outputs.hpp"
 #include "thesis/reproduction_page.hpp"
 #include "thesis/result_text.hpp"
 
@@ -67,6 +68,9 @@ void judge(const TableCommand& command) {
   const std::filesystem::path page(command.out);
   if (!command.out.empty() && page.extension() != ".md")
     throw CLI::ValidationError("--out", command.out + " does not end in .md");
+  std::filesystem::path figures = page;
+  figures.replace_extension(".csv");
+  if (!command.out.empty()) host::announce_output("--out", figures);
   std::vector<thesis::ResultTable> tables;
   for (const thesis::Experiment* const experiment : judged(command))
     tables.push_back(table_of(*experiment, command));
@@ -76,11 +80,10 @@ void judge(const TableCommand& command) {
                          ? text
                          : table_text(thesis::reproduction_rows(tables), command.format));
   if (command.out.empty()) return;
-  std::filesystem::path figures = page.filename();
-  figures.replace_extension(".csv");
-  host::write_files(page.has_parent_path() ? page.parent_path() : ".",
-                    {{page.filename().string(), text},
-                     {figures.string(), table_text(thesis::reproduction_rows(tables), Format::csv)}});
+  host::write_files(
+      page.has_parent_path() ? page.parent_path() : ".",
+      {{page.filename().string(), text},
+       {figures.filename().string(), table_text(thesis::reproduction_rows(tables), Format::csv)}});
 }
 
 }  // namespace
@@ -99,12 +102,11 @@ CLI::App* add_table_command(CLI::App& program, int& /*exit_code*/) {
       "--judge", options->judge,
       "Judge each statement and figure of the thesis, about these tables or about all and the text");
   add_experiment_options(*command, options->experiment);
-  command
-      ->add_option("--out", options->out,
-                   "With --judge: page to write, ending in .md; every figure goes to a .csv beside it. "
-                   "Without it the page goes to standard output")
-      ->needs(judges)
-      ->type_name("FILE");
+  as_output(command->add_option(
+                "--out", options->out,
+                "With --judge: page to write, ending in .md; every figure goes to a .csv beside it. "
+                "Without it the page goes to standard output"))
+      ->needs(judges);
   add_format_option(*command, options->format);
   command->callback([options] { options->judge ? judge(*options) : print_table(*options); });
   return command;

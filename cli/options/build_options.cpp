@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/values.hpp"
+#include "host/text.hpp"
 
 namespace hitpipe::cli {
 
@@ -19,7 +20,8 @@ constexpr double most_padding = 0x1p-10;
 std::string padding_error(const std::string& text) {
   const auto padding = host::number_in<double>(text);
   if (padding && *padding >= 0.0 && *padding <= most_padding) return {};
-  return fmt::format("{} is not a padding; allowed is 0 to 2^-10 = {:.6f}", text, most_padding);
+  return fmt::format("{} is not a padding; allowed is 0 to 2^-10 = {:.6f}", host::shortened(text),
+                     most_padding);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/options/values.hpp"
+#include "host/text.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/schedule/sharing.hpp"
 
@@ -103,13 +104,15 @@ std::vector<sim::DesignFormats> DesignsChoice::formats(const std::vector<const r
     }
     if (taken) continue;
     if (!name.empty())
-      throw std::runtime_error(fmt::format("bits {}: design {} is not among those asked for", text, name));
+      throw std::runtime_error(fmt::format("bits {}: design {} is not among those asked for",
+                                           host::shortened(text), host::shortened(name)));
     const auto same_family = [&](const rtl::Design* design) {
       return &design->default_format.family() == &designs.front()->default_format.family();
     };
     if (std::all_of(designs.begin(), designs.end(), same_family))
       static_cast<void>(designs.front()->parse_format(text));  // throws
-    throw std::runtime_error(fmt::format("bits {}: allowed is {}", text, spellings(designs)));
+    throw std::runtime_error(
+        fmt::format("bits {}: allowed is {}", host::shortened(text), spellings(designs)));
   }
   for (sim::DesignFormats& each : all)
     if (each.formats.empty()) each.formats = otherwise(*each.design);

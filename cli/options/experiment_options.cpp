@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include "cli/options/values.hpp"
+#include "host/outputs.hpp"
+#include "host/text.hpp"
 
 namespace hitpipe::cli {
 
@@ -14,8 +16,9 @@ namespace {
 void add_scene(const std::string& text, thesis::ExperimentOptions& options) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
-    throw CLI::ValidationError("--scene",
-                               fmt::format("{} is not NAME=SCENE; give for example Bunny=bunny.ply", text));
+    throw CLI::ValidationError(
+        "--scene",
+        fmt::format("{} is not NAME=SCENE; give for example Bunny=bunny.ply", host::shortened(text)));
   options.scenes[text.substr(0, equals)] = text.substr(equals + 1);
   host::never_replace(text.substr(equals + 1));
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/values.hpp"
+#include "host/text.hpp"
 #include "sw_ref/scene/built_in.hpp"
 
 namespace hitpipe::cli {
@@ -28,7 +29,8 @@ glm::dvec3 parse_vector(const std::string& option, const std::string& text) {
   }
   if (!good) {
     throw CLI::ValidationError(
-        option, fmt::format("{} is not X,Y,Z; give three numbers, for example 1,0.5,-2", text));
+        option,
+        fmt::format("{} is not X,Y,Z; give three numbers, for example 1,0.5,-2", host::shortened(text)));
   }
   return xyz;
 }

@@ -14,7 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/text/table.hpp"
-#include "host/files.hpp"
+#include "host/outputs.hpp"
 #include "host/text.hpp"
 
 namespace hitpipe::cli {
@@ -26,7 +26,7 @@ CLI::Validator number_from(Number least, Number most) {
   const auto read = [least, most](std::string& text) {
     const auto value = host::number_in<Number>(text);
     if (!value || !(*value >= least && *value <= most))
-      return fmt::format("Value {} not in range {} to {}", text, least, most);
+      return fmt::format("Value {} not in range {} to {}", host::shortened(text), least, most);
     text = fmt::format("{}", *value);
     return std::string();
   };
@@ -78,8 +78,10 @@ CLI::Option* add_list_option(CLI::App& command, const std::string& name, std::ve
 
 /// A folder to write to. The name must not be empty.
 inline CLI::Option* add_folder_option(CLI::App& command, std::string& value, const std::string& what) {
-  const auto named = [](const std::string& folder) {
-    return folder.empty() ? "is empty; give the name of a folder" : std::string();
+  const auto named = [](const std::string& folder) -> std::string {
+    if (folder.empty()) return "is empty; give the name of a folder";
+    host::announce_output_folder(folder);
+    return "";
   };
   return command.add_option("--out", value, what)->check(named)->type_name("FOLDER");
 }
@@ -89,6 +91,15 @@ inline CLI::Option* as_input(CLI::Option* option) {
   return option->check([](const std::string& file) {
     host::never_replace(file);
     return std::string();
+  });
+}
+
+/// A file that the command writes. Whether it can is known before the command begins.
+inline CLI::Option* as_output(CLI::Option* option) {
+  return option->type_name("FILE")->check([option](const std::string& file) -> std::string {
+    if (file.empty()) return "is empty; give the name of a file";
+    host::announce_output(option->get_name(), file);
+    return "";
   });
 }
 
@@ -131,7 +142,8 @@ CLI::Option* add_choice_option(CLI::App& command, const std::string& name, Value
         return;
       }
     }
-    throw CLI::ValidationError(name, fmt::format("{} is none of {}", given, fmt::join(words, ", ")));
+    throw CLI::ValidationError(
+        name, fmt::format("{} is none of {}", host::shortened(given), fmt::join(words, ", ")));
   };
   return command.add_option_function<std::string>(name, choose, what)
       ->type_name(fmt::format("{}", fmt::join(words, "|")))

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "host/text.hpp"
 #include "rtl_gen/board/top.hpp"
 
 namespace hitpipe::rtl {
@@ -83,8 +84,8 @@ Board find_board(std::string_view name) {
   const auto found =
       std::find_if(files.begin(), files.end(), [&](const BoardFile& file) { return file.name == name; });
   if (found == files.end())
-    throw std::runtime_error(
-        fmt::format("board {}: unknown; there are: {}", name, fmt::join(board_names(), ", ")));
+    throw std::runtime_error(fmt::format("board {}: unknown; there are: {}", host::shortened(name),
+                                         fmt::join(board_names(), ", ")));
   return parse_board(*found);
 }
 

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/text.hpp"
+
 namespace hitpipe::rtl {
 
 namespace {
@@ -22,9 +24,9 @@ std::atomic<bool> were_read = false;  ///< designs() was called
 
 [[noreturn]] void no_such_format(const Design& design, std::string_view text) {
   const FormatFamily& family = design.default_format.family();
-  throw std::runtime_error(
-      fmt::format("bits {}: no format of {}; allowed is {}{}", text, design.name, family.allowed(),
-                  family.single ? "" : ", for example " + family.print(family.for_example)));
+  throw std::runtime_error(fmt::format(
+      "bits {}: no format of {}; allowed is {}{}", host::shortened(text), design.name, family.allowed(),
+      family.single ? "" : ", for example " + family.print(family.for_example)));
 }
 
 void check(const Design& design, const Format& format) {
@@ -139,7 +141,8 @@ std::string design_names() {
 const Design& find_design(std::string_view name) {
   for (const Design& d : designs())
     if (d.name == name) return d;
-  throw std::runtime_error(fmt::format("design {}: unknown; there are: {}", name, design_names()));
+  throw std::runtime_error(
+      fmt::format("design {}: unknown; there are: {}", host::shortened(name), design_names()));
 }
 
 std::optional<std::size_t> place_of(const Design& design) {

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/text.hpp"
+
 namespace hitpipe::rtl {
 
 namespace {
@@ -95,8 +97,8 @@ bool FormatFamily::within_limits(const FormatNumbers& numbers) const {
 Format parse_format(const FormatFamily& family, std::string_view text) {
   const auto numbers = family.parse(text);
   if (!numbers || !family.valid(*numbers))
-    throw std::runtime_error(fmt::format("bits {}: allowed is {}, for example {}", text, family.allowed(),
-                                         family.print(family.for_example)));
+    throw std::runtime_error(fmt::format("bits {}: allowed is {}, for example {}", host::shortened(text),
+                                         family.allowed(), family.print(family.for_example)));
   return {family, *numbers};
 }
 

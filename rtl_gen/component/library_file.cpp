@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/files.hpp"
+#include "host/text.hpp"
 #include "rtl_gen/component/library.hpp"
 
 namespace hitpipe::rtl {
@@ -43,7 +44,7 @@ int count_of(const FileJson& object, const std::string& key, std::string_view wh
   if (!value.is_number_integer() || value.get<std::int64_t>() < allowed.least ||
       value.get<std::int64_t>() > allowed.most) {
     // An array may be nested too deep to be printed.
-    const std::string given = value.is_structured() ? value.type_name() : value.dump();
+    const std::string given = value.is_structured() ? value.type_name() : host::shortened(value.dump());
     throw std::runtime_error(fmt::format("{}: \"{}\" is {}, allowed are whole numbers from {} to {}", where,
                                          key, given, allowed.least, allowed.most));
   }
@@ -73,8 +74,8 @@ Law law_of(const FileJson& object, const std::string& key, std::string_view wher
   const std::string law = text_of(object, key, where);
   const auto found = std::find(laws.begin(), laws.end(), law);
   if (found == laws.end()) {
-    throw std::runtime_error(
-        fmt::format("{}: \"{}\" is \"{}\", allowed are {}", where, key, law, fmt::join(laws, ", ")));
+    throw std::runtime_error(fmt::format("{}: \"{}\" is \"{}\", allowed are {}", where, key,
+                                         host::shortened(law), fmt::join(laws, ", ")));
   }
   return static_cast<Law>(found - laws.begin());
 }
@@ -213,8 +214,8 @@ Library library_called(std::string_view name_or_file) {
                                   [&](const BuiltInFile& file) { return file.name == name_or_file; });
   if (found == files.end()) {
     throw std::runtime_error(
-        fmt::format("library {}: unknown; there are {}, and any file whose name ends in .json", name_or_file,
-                    fmt::join(built_in_names(), ", ")));
+        fmt::format("library {}: unknown; there are {}, and any file whose name ends in .json",
+                    host::shortened(name_or_file), fmt::join(built_in_names(), ", ")));
   }
   return Library::from_json(found->json, fmt::format("{}.json", found->name));
 }

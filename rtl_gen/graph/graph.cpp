@@ -59,8 +59,10 @@ NodeId Graph::constant(int width, std::uint64_t value) {
   return record({.op = Op::constant, .width = width, .value = value & low_mask(width)});
 }
 
+// A reference to a node is good until a node is recorded.
+
 NodeId Graph::slice(NodeId a, int high, int low) {
-  const Node n = nodes_[a];
+  const Node& n = nodes_[a];
   const int width = high - low + 1;
   if (low < 0 || width < 1 || high >= n.width) {
     throw std::invalid_argument(
@@ -75,17 +77,20 @@ NodeId Graph::slice(NodeId a, int high, int low) {
     case Op::invert:
       return invert(slice(n.args[0], high, low));
     case Op::concat: {
-      const int split = nodes_[n.args[1]].width;
-      if (high < split) return slice(n.args[1], high, low);
-      if (low >= split) return slice(n.args[0], high - split, low - split);
-      const NodeId lower = slice(n.args[1], split - 1, low);
-      return concat(slice(n.args[0], high - split, 0), lower);
+      const NodeId upper = n.args[0];
+      const NodeId lower = n.args[1];
+      const int split = nodes_[lower].width;
+      if (high < split) return slice(lower, high, low);
+      if (low >= split) return slice(upper, high - split, low - split);
+      const NodeId end = slice(lower, split - 1, low);
+      return concat(slice(upper, high - split, 0), end);
     }
     case Op::extend: {
+      const bool is_signed = n.is_signed;
       const int source = nodes_[n.args[0]].width;
       if (high < source) return slice(n.args[0], high, low);
-      if (low < source) return extend(slice(n.args[0], source - 1, low), width, n.is_signed);
-      if (!n.is_signed) return constant(width, 0);
+      if (low < source) return extend(slice(n.args[0], source - 1, low), width, is_signed);
+      if (!is_signed) return constant(width, 0);
       return extend(slice(n.args[0], source - 1, source - 1), width, true);
     }
     default:
@@ -94,15 +99,15 @@ NodeId Graph::slice(NodeId a, int high, int low) {
 }
 
 NodeId Graph::concat(NodeId high, NodeId low) {
-  const Node h = nodes_[high];
-  const Node l = nodes_[low];
+  const Node& h = nodes_[high];
+  const Node& l = nodes_[low];
   if (h.op == Op::slice && l.op == Op::slice && h.args[0] == l.args[0] && h.low == l.low + l.width)
     return slice(h.args[0], h.low + h.width - 1, l.low);
   return record({.op = Op::concat, .width = h.width + l.width, .args = {high, low, no_node}});
 }
 
 NodeId Graph::extend(NodeId a, int width, bool is_signed) {
-  const Node n = nodes_[a];
+  const Node& n = nodes_[a];
   if (width == n.width) return a;
   if (n.op == Op::constant)
     return constant(width, is_signed ? static_cast<std::uint64_t>(sign_extended(n.value, n.width)) : n.value);
@@ -117,7 +122,7 @@ NodeId Graph::resize(NodeId a, int width, bool is_signed) {
 }
 
 NodeId Graph::invert(NodeId a) {
-  const Node n = nodes_[a];
+  const Node& n = nodes_[a];
   if (n.op == Op::invert) return n.args[0];
   if (n.op == Op::constant) return constant(n.width, ~n.value);
   return record({.op = Op::invert, .width = n.width, .args = {a, no_node, no_node}});

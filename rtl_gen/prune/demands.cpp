@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/text.hpp"
+
 namespace hitpipe::rtl {
 
 namespace {
@@ -15,8 +17,8 @@ const Port& known_port(const std::vector<Port>& ports, const std::string& name) 
   if (const auto index = index_of(ports, name)) return ports[*index];
   std::vector<std::string> names;
   for (const Port& p : ports) names.push_back(p.name);
-  throw std::invalid_argument(
-      fmt::format("demand on {}: no such port; there are: {}", name, fmt::join(names, ", ")));
+  throw std::invalid_argument(fmt::format("demand on {}: no such port; there are: {}", host::shortened(name),
+                                          fmt::join(names, ", ")));
 }
 
 const PortDemand* demand_on(const Demands& demands, const std::string& port) {

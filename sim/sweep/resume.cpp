@@ -1,11 +1,17 @@
 #include "sim/sweep/resume.hpp"
 
+#include <cstdint>
 #include <map>
+#include <span>
 #include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "host/files.hpp"
+#include "host/text.hpp"
 
 namespace hitpipe::sim {
 
@@ -19,7 +25,7 @@ RowsFile required_about(RowsFile rows, const std::filesystem::path& file, const 
                   file.string(), rows.about, what));
 }
 
-/// Rows by their place in the file. Each new row is written at once.
+/// Rows by their place in the file. Each new row is written at once, behind the others if its place is there.
 class KeptRows {
  public:
   /// Takes the rows that the file and `more` files hold. What a triangle test costs is no measurement, so
@@ -30,13 +36,18 @@ class KeptRows {
     if (std::filesystem::exists(file_)) take(own_rows(), triangle);
     for (const std::filesystem::path& each : more) take(read_rows_about(each, about_), triangle);
     // Written before the long run, so that a file that cannot be written is reported at once.
-    write_rows(file_, contents());
+    write_all();
   }
 
   [[nodiscard]] bool has(const SweepPoint& point) const { return rows_.contains(key_of(point)); }
   void add(const SweepRow& row) {
-    keep(row);
-    write_rows(file_, contents());
+    const RowKey key = keep(row);
+    const std::span<const SweepColumn> columns = columns_of(contents().rows);
+    if (key != rows_.rbegin()->first || columns.data() != columns_.data() || was_changed())
+      return write_all();
+    const std::string line = host::csv_line(to_cells(row, columns));
+    host::append_to_file(file_, line);
+    bytes_ += line.size();
   }
   [[nodiscard]] RowsFile contents() const {
     RowsFile file{about_, {}};
@@ -45,7 +56,19 @@ class KeptRows {
   }
 
  private:
-  /// A copy that broke off may have cut the file. What its last line would say is measured again.
+  void write_all() {
+    const RowsFile all = contents();
+    write_rows(file_, all);
+    columns_ = columns_of(all.rows);
+    bytes_ = to_text(all).size();
+  }
+  /// By another run, which may have given it other columns.
+  [[nodiscard]] bool was_changed() const {
+    std::error_code error;
+    return std::filesystem::file_size(file_, error) != bytes_;
+  }
+  /// A run that was killed, or a copy that broke off, may have cut the file. What its last line would say is
+  /// measured again.
   [[nodiscard]] RowsFile own_rows() const {
     const std::string text = host::read_file(file_, "cannot read the rows");
     for (const bool intervals : {false, true})
@@ -60,13 +83,18 @@ class KeptRows {
       keep(row);
     }
   }
-  void keep(const SweepRow& row) {
-    rows_.insert_or_assign(key_of(row.design, row.bits, row.rays_in_flight, row.interval), row);
+  RowKey keep(const SweepRow& row) {
+    const RowKey key = key_of(row.design, row.bits, row.rays_in_flight, row.interval);
+    rows_.insert_or_assign(key, row);
+    return key;
   }
 
   std::filesystem::path file_;
   std::string about_;
   std::map<RowKey, SweepRow> rows_;
+  // Of the file, as this run left it.
+  std::span<const SweepColumn> columns_;
+  std::uintmax_t bytes_ = 0;
 };
 
 }  // namespace

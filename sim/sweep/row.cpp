@@ -55,7 +55,8 @@ constexpr std::int64_t power_of_ten(int digits) {
 void read_cell(const SweepColumn& column, const std::string& cell, SweepRow& row) {
   const auto keep = [&]<class Value>(Value& place, const std::optional<Value>& value) {
     if (!value)
-      throw std::runtime_error(fmt::format("{} of {} is not a number of the right type", cell, column.name));
+      throw std::runtime_error(
+          fmt::format("{} of {} is not a number of the right type", host::shortened(cell), column.name));
     place = *value;
   };
   std::visit(

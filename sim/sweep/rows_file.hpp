@@ -1,5 +1,6 @@
 // The CSV file that holds a sweep's whole state: a comment that says what was measured, the header, and the
-// finished rows. It is always replaced as a whole, so it never holds half a row.
+// finished rows. It is replaced as a whole or grows by a row; only a run that is killed while it writes can
+// leave half a row at the end.
 #pragma once
 
 #include <filesystem>

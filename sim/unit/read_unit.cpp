@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "host/files.hpp"
+#include "host/text.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/prune/demands.hpp"
 #include "rtl_gen/prune/prune.hpp"
@@ -70,8 +71,8 @@ Unit read_unit(const fs::path& place, const rtl::Design& design, const rtl::Libr
   try {
     const rtl::ManifestHead head = rtl::head_of(manifest);
     if (head.design != design.name)
-      throw std::runtime_error(
-          fmt::format("the manifest of {}; allowed is a manifest of {}", head.design, design.name));
+      throw std::runtime_error(fmt::format("the manifest of {}; allowed is a manifest of {}",
+                                           host::shortened(head.design), design.name));
     const rtl::Format format = design.parse_format(head.bits);
     const rtl::Graph traced = design.trace(format);
     rtl::Demands demands = rtl::demands_of_manifest(manifest);

@@ -20,6 +20,7 @@
 
 #include <fmt/format.h>
 
+#include "host/text.hpp"
 #include "sw_ref/reject.hpp"
 #include "sw_ref/scene/triangle_numbers.hpp"
 
@@ -130,11 +131,10 @@ void WordReader::refill() {
 
 /// A word of a file for a message: at most 40 characters, all of them printable.
 std::string quoted(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  std::string text(word.substr(0, longest));
+  std::string text = host::shortened(word);
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
-  return fmt::format("\"{}{}\"", text, word.size() > longest ? "..." : "");
+  return '"' + text + '"';
 }
 
 /// Nodes and triangles of a hierarchy have 31 bits.

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "host/files.hpp"
+#include "host/text.hpp"
 #include "sw_ref/reject.hpp"
 #include "sw_ref/render/colour_map.hpp"
 #include "sw_ref/render/image_codec.hpp"
@@ -32,7 +33,7 @@ std::string format_of(const std::filesystem::path& file) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension != ".png" && extension != ".exr")
-    reject(fmt::format("unknown extension \"{}\"; allowed are .png and .exr", extension));
+    reject(fmt::format("unknown extension \"{}\"; allowed are .png and .exr", host::shortened(extension)));
   return extension.substr(1);
 }
 
@@ -43,6 +44,7 @@ void check_size(int width, int height, std::size_t pixels) {
 }
 
 void check_place(const std::filesystem::path& file) {
+  static_cast<void>(format_of(file));
   const std::filesystem::path folder =
       file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   if (!std::filesystem::is_directory(folder))
@@ -79,6 +81,10 @@ StoredImage read(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+void check_image_place(const std::filesystem::path& file) {
+  naming(file, [&] { check_place(file); });
+}
 
 void write_image(const std::filesystem::path& file, int width, int height,
                  const std::vector<glm::vec3>& linear) {

@@ -16,6 +16,9 @@ namespace hitpipe::ref {
 void write_image(const std::filesystem::path& file, int width, int height,
                  const std::vector<glm::vec3>& linear);
 
+/// Throws as write_image() would for this place. Writes nothing.
+void check_image_place(const std::filesystem::path& file);
+
 /// The values at the two ends of a colour map.
 struct MapScale {
   float low = 0.0F;

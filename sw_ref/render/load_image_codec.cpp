@@ -18,12 +18,19 @@ fs::path module_file() {
   return fs::exists(installed, ignored) ? installed : fs::path(HITPIPE_IMAGES_BUILT);
 }
 
+/// Null says nothing: the last call was good, or another thread asked.
+const char* loader_error() {
+  const char* const error = dlerror();
+  return error != nullptr ? error : "no reason is given";
+}
+
 const ImageCodec* load() {
   const fs::path file = module_file();
   void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (module == nullptr) reject(fmt::format("images need a library that cannot be loaded: {}", dlerror()));
+  if (module == nullptr)
+    reject(fmt::format("images need a library that cannot be loaded: {}", loader_error()));
   const auto entry = reinterpret_cast<decltype(&hitpipe_image_codec)>(dlsym(module, "hitpipe_image_codec"));
-  if (entry == nullptr) reject(fmt::format("images need another {}: {}", file.string(), dlerror()));
+  if (entry == nullptr) reject(fmt::format("images need another {}: {}", file.string(), loader_error()));
   return entry();
 }
 

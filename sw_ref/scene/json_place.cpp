@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/text.hpp"
 #include "sw_ref/reject.hpp"
 
 namespace hitpipe::ref {
@@ -30,7 +31,8 @@ nlohmann::json parse_json(const std::filesystem::path& file) {
     if (event == json::parse_event_t::object_start) keys.emplace_back();
     if (event == json::parse_event_t::object_end) keys.pop_back();
     if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      reject(fmt::format("the key \"{}\" stands twice in one object", value.get<std::string>()));
+      reject(fmt::format("the key \"{}\" stands twice in one object",
+                         host::shortened(value.get<std::string>())));
     return true;
   };
   try {
@@ -51,13 +53,13 @@ void Place::expect_object(std::initializer_list<const char*> keys) const {
   if (!value_->is_object()) fail(fmt::format("must be an object with keys of: {}", fmt::join(keys, ", ")));
   for (const auto& [key, value] : value_->items()) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      fail(fmt::format("unknown key \"{}\"; allowed are: {}", key, fmt::join(keys, ", ")));
+      fail(fmt::format("unknown key \"{}\"; allowed are: {}", host::shortened(key), fmt::join(keys, ", ")));
   }
 }
 
 Place Place::at(const std::string& key) const {
   if (!value_->contains(key)) fail(fmt::format("needs the key \"{}\"", key));
-  return Place(value_->at(key), way_.empty() ? key : way_ + "." + key);
+  return Place(value_->at(key), way_.empty() ? host::shortened(key) : way_ + "." + host::shortened(key));
 }
 
 std::vector<std::pair<std::string, Place>> Place::members() const {

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include <assimp/BaseImporter.h>
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/importerdesc.h>
 #include <assimp/material.h>
@@ -30,6 +31,8 @@
 #include <fmt/format.h>
 #include <glm/mat4x4.hpp>
 
+#include "host/outputs.hpp"
+#include "host/text.hpp"
 #include "sw_ref/reject.hpp"
 #include "sw_ref/scene/obj_material.hpp"
 #include "sw_ref/scene/ply_check.hpp"
@@ -101,7 +104,8 @@ void check_file(const std::filesystem::path& file) {
   const std::string extension = lower_extension(file);
   if (extension != ".obj" && extension != ".ply" && extension != ".stl" && extension != ".gltf" &&
       extension != ".glb")
-    reject(fmt::format("unknown extension \"{}\"; allowed are .obj, .ply, .stl, .gltf and .glb", extension));
+    reject(fmt::format("unknown extension \"{}\"; allowed are .obj, .ply, .stl, .gltf and .glb",
+                       host::shortened(extension)));
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (size == 0 || error) reject("is empty; at least one triangle is needed");
   if (extension == ".ply") check_ply(file);
@@ -213,10 +217,26 @@ void keep_readers_of(Assimp::Importer& importer, const std::string& extension) {
   }
 }
 
+/// Assimp's files. It knows which were opened: a mesh may have others, with materials or vertices.
+class OpenedFiles : public Assimp::DefaultIOSystem {
+ public:
+  explicit OpenedFiles(std::vector<std::string>& names) : names_(&names) {}
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    names_->emplace_back(name);
+    return Assimp::DefaultIOSystem::Open(name, mode);
+  }
+
+ private:
+  std::vector<std::string>* names_;
+};
+
 Mesh import(const std::filesystem::path& file, std::vector<MeshGroup>& groups) {
   Assimp::Importer importer;
+  std::vector<std::string> opened;
+  importer.SetIOHandler(new OpenedFiles(opened));  // which the importer deletes
   keep_readers_of(importer, lower_extension(file).substr(1));
   const aiScene* scene = importer.ReadFile(file.string(), 0);
+  for (const std::string& name : opened) host::never_replace(name);
   if (!scene || !scene->mRootNode) {
     std::string why = importer.GetErrorString();
     if (why.starts_with("No suitable reader")) why = "it does not begin as one";

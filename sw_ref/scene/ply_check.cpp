@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "host/text.hpp"
 #include "sw_ref/reject.hpp"
 
 namespace hitpipe::ref {
@@ -80,7 +81,8 @@ Scalar scalar_named(const std::string& name) {
       std::find_if(scalars.begin(), scalars.end(), [&](const Scalar& s) { return s.name == name; });
   if (found == scalars.end())
     reject(fmt::format(
-        "unknown PLY type \"{}\"; allowed are char, uchar, short, ushort, int, uint, float, double", name));
+        "unknown PLY type \"{}\"; allowed are char, uchar, short, ushort, int, uint, float, double",
+        host::shortened(name)));
   return *found;
 }
 
@@ -91,8 +93,8 @@ Element parse_element(std::istringstream& words) {
   const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
   if (element.name.empty() || error != std::errc{} || end != count.data() + count.size() ||
       element.count > UINT32_MAX)
-    reject(fmt::format("PLY element \"{}\" has the count \"{}\"; allowed are 0 to 4294967295", element.name,
-                       count));
+    reject(fmt::format("PLY element \"{}\" has the count \"{}\"; allowed are 0 to 4294967295",
+                       host::shortened(element.name), host::shortened(count)));
   if (element.name == "tristrips")
     reject("PLY triangle strips are not read; give the triangles as element face");
   return element;
@@ -107,7 +109,8 @@ Property parse_property(std::istringstream& words) {
     words >> count >> type;
     property.count = scalar_named(count);
     if (property.count->kind == Scalar::floating)
-      reject(fmt::format("a PLY list is counted in \"{}\"; allowed are integer types", count));
+      reject(
+          fmt::format("a PLY list is counted in \"{}\"; allowed are integer types", host::shortened(count)));
   }
   property.type = scalar_named(type);
   words >> property.name;
@@ -143,7 +146,7 @@ Header parse_header(std::istream& in) {
       reject(fmt::format(
           "unexpected word \"{}\" in the PLY header; allowed are comment, obj_info, element, property "
           "and end_header",
-          keyword));
+          host::shortened(keyword)));
   }
   return header;
 }
@@ -171,7 +174,8 @@ std::uint64_t check_elements(const Header& header) {
   std::string order;
   std::uint64_t vertices = 0;
   for (const Element& element : header.elements) {
-    if (element.properties.empty()) reject(fmt::format("PLY element \"{}\" has no property", element.name));
+    if (element.properties.empty())
+      reject(fmt::format("PLY element \"{}\" has no property", host::shortened(element.name)));
     if (element.name == "vertex" && has_coordinates(element)) {
       order += "vertex ";
       vertices = element.count;
@@ -249,7 +253,7 @@ class TextBody {
     // later.
     if (stop != word_end || error == std::errc::invalid_argument)
       reject(fmt::format("\"{}\" is not a number",
-                         std::string_view(at_, static_cast<std::size_t>(word_end - at_))));
+                         host::shortened({at_, static_cast<std::size_t>(word_end - at_)})));
     at_ = word_end;
     return true;
   }
@@ -267,8 +271,8 @@ void walk(const Header& header, std::uint64_t vertices, Body body) {
       const auto next = [&](const Scalar& type) {
         double value = 0;
         if (!body.next(type, value))
-          reject(fmt::format("cut short in element {} {}; the header announces {}", element.name, i,
-                             element.count));
+          reject(fmt::format("cut short in element {} {}; the header announces {}",
+                             host::shortened(element.name), i, element.count));
         return value;
       };
       body.begin_row();
@@ -279,8 +283,8 @@ void walk(const Header& header, std::uint64_t vertices, Body body) {
         }
         const double entries = next(*property.count);
         if (!(entries >= 0) || entries != std::floor(entries))
-          reject(fmt::format("element {} {} has a list of {} entries; allowed are 0 and more", element.name,
-                             i, entries));
+          reject(fmt::format("element {} {} has a list of {} entries; allowed are 0 and more",
+                             host::shortened(element.name), i, entries));
         for (double entry = 0; entry < entries; ++entry) {
           const double index = next(property.type);
           if (is_vertex_list(element, property) && !(index >= 0 && index < static_cast<double>(vertices)))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "host/text.hpp"
 #include "sw_ref/reject.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "sw_ref/scene/mesh_file.hpp"
@@ -139,9 +141,10 @@ SceneDescription describe(const std::string& name_or_path, std::optional<std::si
   if (find_built_in(name_or_path)) return make_built_in(name_or_path, triangles);
   const std::filesystem::path path(name_or_path);
   // A bare word is meant as a name. If the word looks like a path, the file reader's message is better.
-  if (!path.has_extension() && !path.has_parent_path() && !std::filesystem::exists(path))
+  std::error_code ignored;
+  if (!path.has_extension() && !path.has_parent_path() && !std::filesystem::exists(path, ignored))
     reject(fmt::format("scene \"{}\": no built-in scene and no file of that name; built-in are: {}",
-                       name_or_path, built_in_names()));
+                       host::shortened(name_or_path), built_in_names()));
   if (is_scene_file(path)) return read_scene_file(path, triangles);
   if (triangles)
     reject(

@@ -13,7 +13,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "host/files.hpp"
+#include "host/outputs.hpp"
+#include "host/text.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "sw_ref/scene/json_place.hpp"
 #include "sw_ref/scene/mesh_file.hpp"
@@ -56,7 +57,8 @@ void read_camera(const Place& place, SceneDescription& scene) {
   const std::string projection = place.at("projection").word();
   if (projection != "perspective" && projection != "orthographic")
     place.at("projection")
-        .fail(fmt::format("\"{}\" is no projection; allowed are perspective and orthographic", projection));
+        .fail(fmt::format("\"{}\" is no projection; allowed are perspective and orthographic",
+                          host::shortened(projection)));
   scene.projection = projection == "orthographic" ? Projection::orthographic : Projection::perspective;
 }
 
@@ -111,8 +113,8 @@ class Surfaces {
     const auto found = numbers_.find(place.word());
     if (found == numbers_.end()) {
       std::vector<std::string> names;
-      for (const auto& [name, number] : numbers_) names.push_back(name);
-      place.fail(fmt::format("there is no material \"{}\"; there are: {}", place.word(),
+      for (const auto& [name, number] : numbers_) names.push_back(host::shortened(name));
+      place.fail(fmt::format("there is no material \"{}\"; there are: {}", host::shortened(place.word()),
                              names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
     }
     return found->second;
@@ -138,13 +140,13 @@ class Surfaces {
     std::set<std::string> known;
     bool found = false;
     for (const MeshGroup& group : *groups_) {
-      if (!(group.*label).empty()) known.insert(group.*label);
+      if (!(group.*label).empty()) known.insert(host::shortened(group.*label));
       if (group.*label != wanted) continue;
       found = true;
       assign(group.first, group.first + group.count, material);
     }
     if (!found)
-      place.fail(fmt::format("the mesh has no \"{}\"; it has: {}", wanted,
+      place.fail(fmt::format("the mesh has no \"{}\"; it has: {}", host::shortened(wanted),
                              known.empty() ? "no names" : fmt::format("{}", fmt::join(known, ", "))));
   }
 
@@ -168,7 +170,8 @@ SceneDescription read_base(const Place& top, const std::filesystem::path& file,
   }
   const Place name = top.at("built_in");
   if (!find_built_in(name.word()))
-    name.fail(fmt::format("there is no scene \"{}\"; there are: {}", name.word(), built_in_names()));
+    name.fail(fmt::format("there is no scene \"{}\"; there are: {}", host::shortened(name.word()),
+                          built_in_names()));
   if (top.has("triangles") && !triangles)
     triangles = top.at("triangles").count(std::numeric_limits<std::uint32_t>::max());
   return make_built_in(name.word(), triangles);

@@ -35,7 +35,7 @@ class MajorPairTracer final : public Tracer {
  private:
   hls::MajorBits bits_;
   PairNodes records_;
-  PairScene<PairNodes> scene_;
+  PairHierarchy<PairNodes> scene_;
 };
 
 }  // namespace

@@ -16,9 +16,9 @@
 
 namespace hitpipe::ref {
 
-/// The mirrored planes of a box. The ray meets the near planes first. The fourth lanes are 0 and 1.
+/// A box whose axes are mirrored so that the ray meets the near planes first. The fourth lanes are 0 and 1.
 template <class T>
-struct NearFar {
+struct MirroredBox {
   Lanes<T> near, far;
 };
 
@@ -30,7 +30,7 @@ class Mirror {
 
   /// The planes of a box. A minus on an axis swaps min and max and changes their signs.
   template <class T>
-  [[nodiscard]] NearFar<T> operator()(const BasicAabb<T>& box) const {
+  [[nodiscard]] MirroredBox<T> operator()(const BasicAabb<T>& box) const {
     static_assert(sizeof box == 6 * sizeof(T), "six coordinates in a row");
     const auto* const at = reinterpret_cast<const std::byte*>(&box);
     LaneMask<T> min;  // and x of max

@@ -48,7 +48,7 @@ class BvhPairs {
 
 /// What a pair traversal is made of; all of it must outlive the traversal and not change.
 template <class Records>
-struct PairScene {
+struct PairHierarchy {
   const Records* records;
   Leaves leaves;
 };
@@ -57,7 +57,7 @@ template <class Records>
 class PairTraversal {
  public:
   /// `length` is the ray's in units of the results.
-  PairTraversal(const PairScene<Records>& scene, const Ray& ray, Query query, std::int64_t length)
+  PairTraversal(const PairHierarchy<Records>& scene, const Ray& ray, Query query, std::int64_t length)
       : scene_(scene),
         ray_(ray),
         length_(ray.length),
@@ -130,7 +130,7 @@ class PairTraversal {
     done_ = true;
   }
 
-  PairScene<Records> scene_;
+  PairHierarchy<Records> scene_;
   Ray ray_;
   Hit hit_;
   float length_;

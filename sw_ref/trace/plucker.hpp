@@ -73,7 +73,7 @@ class Plucker {
     return meets(mirror_(box));
   }
   template <class U>
-  [[nodiscard]] bool meets(const NearFar<U>& box) const {
+  [[nodiscard]] bool meets(const MirroredBox<U>& box) const {
     const Lanes<T> n = Lanes<T>(box.near) - origin_;
     const Lanes<T> f = Lanes<T>(box.far) - origin_;
     const Lanes<T> next_direction = next_axis(direction_);

@@ -58,7 +58,7 @@ class SlabRay {
   }
 
   template <class U>
-  [[nodiscard]] SlabDistances<T> distances(const NearFar<U>& box) const {
+  [[nodiscard]] SlabDistances<T> distances(const MirroredBox<U>& box) const {
     return {(Lanes<T>(box.near) - origin_) * irdvc_, (Lanes<T>(box.far) - origin_) * irdvc_};
   }
 
@@ -98,7 +98,7 @@ class Slabs {
     return meets(mirror()(box));
   }
   template <class U>
-  [[nodiscard]] bool meets(const NearFar<U>& box) const {
+  [[nodiscard]] bool meets(const MirroredBox<U>& box) const {
     return ray_.distances(box).overlap();
   }
   /// Also gives the distance at which the ray enters the box, for the order of children.
@@ -125,7 +125,7 @@ class ConservativeSlabs {
   [[nodiscard]] const Mirror& mirror() const { return ray_.mirror(); }
 
   [[nodiscard]] bool operator()(const Aabb& box) const { return meets(mirror()(box)); }
-  [[nodiscard]] bool meets(const NearFar<float>& box) const { return widened(box).overlap(); }
+  [[nodiscard]] bool meets(const MirroredBox<float>& box) const { return widened(box).overlap(); }
   /// Also gives a distance that is not above that at which the ray enters the box.
   [[nodiscard]] bool enters(const Aabb& box, float& distance) const {
     const SlabDistances<float> t = widened(mirror()(box));
@@ -153,7 +153,7 @@ class ConservativeSlabs {
   /// which is exact, or NaN if o lies in the face, and then the slab is no constraint. Cutting an infinite
   /// length to the largest finite float makes near = +infinity a miss; no finite near exceeds 2^103. For any
   /// other d the slab is no constraint.
-  [[nodiscard]] SlabDistances<float> widened(const NearFar<float>& box) const {
+  [[nodiscard]] SlabDistances<float> widened(const MirroredBox<float>& box) const {
     constexpr float c = 0x1p-20F;
     constexpr float least = std::numeric_limits<float>::min();
     const Lanes<float> less(1 - c, 1 - c, 1 - c, 1);

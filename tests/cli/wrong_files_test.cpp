@@ -27,7 +27,8 @@ TEST_F(WrongFiles, AnInputAsOutput) {
   rejected({{"bvh --scene DIR/triangle.obj --out DIR/triangle.obj", lost("DIR/triangle.obj")},
             {"bvh --scene DIR/link.obj --out DIR/triangle.obj", lost("DIR/triangle.obj")},
             {"bvh --scene DIR/triangle.obj --out DIR/link.obj", lost("DIR/link.obj")},
-            {"bvh --scene DIR/scene.json --out DIR/triangle.obj", lost("DIR/triangle.obj")},
+            {"bvh --scene DIR/scene.json --out DIR/triangle.obj",
+             "scene file \"DIR/scene.json\": " + lost("DIR/triangle.obj")},
             {"operands int_slabs --rays DIR/rays.csv --boxes DIR/boxes.csv --out DIR/rays.csv",
              lost("DIR/rays.csv")},
             {"operands int_slabs --rays DIR/rays.csv --boxes DIR/boxes.csv --out DIR/./boxes.csv",
@@ -39,6 +40,87 @@ TEST_F(WrongFiles, AnInputAsOutput) {
   const fs::path picture = folder_.path() / "a.png";
   ASSERT_EQ(hitpipe("render --scene spheres --width 8 --height 8 --out " + picture.string()).exit_code, 0);
   rejected({{"render --compare DIR/a.png DIR/a.png --out DIR/a.png", lost("DIR/a.png")}});
+}
+
+/// A mesh may have its materials and its vertices in other files.
+TEST_F(WrongFiles, AFileOfTheMeshAsOutput) {
+  folder_.write("m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder_.write("m.mtl", "newmtl a\nKd 1 0 0\n");
+  // Three vertices: each number is 0 or 1.
+  const std::string zero(4, '\0');
+  const std::string one("\0\0\x80\x3f", 4);
+  const std::string vertices = zero + zero + zero + one + zero + zero + zero + one + zero;
+  folder_.write("g.bin", vertices);
+  folder_.write("g.gltf",
+                R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "g.bin", "byteLength": 36}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+"min": [0, 0, 0], "max": [1, 1, 0]}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0})");
+  fs::create_hard_link(folder_.path() / "g.bin", folder_.path() / "same.bin");
+  folder_.write("scene.json", "{\"mesh\": \"m.obj\"}");
+  const auto lost = [](const std::string& mesh, const std::string& file) {
+    return "mesh file \"DIR/" + mesh + "\": " + file +
+           ": is an input, which would be lost; give another file to write";
+  };
+  const std::string materials = contents_of(folder_.path() / "m.mtl");
+  rejected({{"bvh --scene DIR/g.gltf --records DIR/g.bin", lost("g.gltf", "DIR/g.bin")},
+            {"bvh --scene DIR/g.gltf --records DIR/same.bin", lost("g.gltf", "DIR/same.bin")},
+            {"bvh --scene DIR/m.obj --out DIR/m.mtl", lost("m.obj", "DIR/m.mtl")},
+            {"sweep int_slabs --scene DIR/m.obj --out DIR/m.mtl", lost("m.obj", "DIR/m.mtl")},
+            {"bvh --scene DIR/scene.json --out DIR/m.mtl",
+             "scene file \"DIR/scene.json\": " + lost("m.obj", "DIR/m.mtl")}});
+  EXPECT_EQ(contents_of(folder_.path() / "g.bin"), vertices);
+  EXPECT_EQ(contents_of(folder_.path() / "m.mtl"), materials);
+  EXPECT_EQ(hitpipe(filled("bvh --scene DIR/g.gltf --records DIR/new.bin")).exit_code, 0);
+}
+
+/// Whatever names lead to it.
+TEST_F(WrongFiles, OneFileForTwoOutputs) {
+  const auto shared = [](const std::string& file, const std::string& one, const std::string& other) {
+    return file + ": is the file of " + one + " and of " + other + "; give each a file of its own";
+  };
+  folder_.write("a.png", "");
+  fs::create_symlink("a.png", folder_.path() / "link.png");
+  const std::string render = "render --scene spheres --width 8 --height 8 --out DIR/a.png ";
+  rejected(
+      {{render + "--depth-map DIR/a.png", shared("DIR/a.png", "--out", "--depth-map")},
+       {render + "--box-map DIR/./a.png", shared("DIR/./a.png", "--out", "--box-map")},
+       {render + "--triangle-map DIR/link.png", shared("DIR/link.png", "--out", "--triangle-map")},
+       {"render --scene spheres --box-map DIR/b.png --extra-box-map DIR/b.png",
+        shared("DIR/b.png", "--box-map", "--extra-box-map")},
+       {"bvh --scene spheres --out OUT.hex --records OUT.hex", shared("OUT.hex", "--out", "--records")}});
+  EXPECT_EQ(contents_of(folder_.path() / "a.png"), "");
+}
+
+/// A scene that cannot be read shows that nothing was read before.
+TEST_F(WrongFiles, OutputsAreRefusedBeforeTheWork) {
+  folder_.write("rows.csv", "rows");
+  fs::create_directory(folder_.path() / "pictures.csv");
+  fs::create_directory(folder_.path() / "spheres.png");
+  const std::string below = ": cannot create the folder: Not a directory";
+  const std::string lost = ": is an input, which would be lost; give another file to write";
+  const std::string scene = " --scene DIR/none.obj ";
+  rejected({{"report" + scene + "--rows DIR/rows.csv --out DIR", "DIR/rows.csv" + lost},
+            {"report" + scene + "--out DIR", "DIR/pictures.csv: cannot write the file: Is a directory"},
+            {"report" + scene + "--out DIR/file", "DIR/file" + below},
+            {"bvh" + scene + "--out DIR/file/a.bvh", "DIR/file" + below},
+            {"bvh" + scene + "--out DIR", "DIR: cannot write the file: Is a directory"},
+            {"bvh" + scene + "--out ''", "--out: is empty; give the name of a file;"},
+            {"bvh" + scene + "--records /dev/null", "/dev/null: is not a file that can be replaced"},
+            {"sweep" + scene + "--out DIR/file/a.csv", "DIR/file" + below},
+            {"render" + scene + "--out OUT.jpg",
+             "image file \"OUT.jpg\": unknown extension \".jpg\"; allowed are .png and .exr"},
+            {"render" + scene + "--depth-map DIR/none/a.png",
+             "image file \"DIR/none/a.png\": no folder \"DIR/none\"; create it first"},
+            {"cosim int_slabs" + scene + "--out DIR/file", "DIR/file" + below},
+            {"cosim int_slabs --scene spheres --bvh DIR/none.bvh --out DIR",
+             "DIR/spheres.png: cannot write the file: Is a directory"},
+            {"fit int_slabs" + scene + "--out DIR/file", "DIR/file" + below},
+            {"check --stiff" + scene + "--out DIR/file", "DIR/file" + below},
+            {"implement int_slabs --target xc7 --out DIR/file", "DIR/file" + below},
+            {"table --judge --scene Bunny=DIR/none.obj --out DIR/file/a.md", "DIR/file" + below}});
 }
 
 TEST_F(WrongFiles, FilesAndFolders) {

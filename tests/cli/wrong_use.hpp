@@ -61,7 +61,7 @@ class WrongUseOf : public testing::Test {
   /// By the commands that read a scene.
   void scene_rejected(const std::string& options, const std::string& message) const {
     rejected({{"cosim int_slabs --width 8 --height 8 --out OUT --scene " + options, message},
-              {"render --width 8 --height 8 --out OUT/image.png --scene " + options, message}});
+              {"render --width 8 --height 8 --out OUT.png --scene " + options, message}});
   }
   void mesh_rejected(const std::string& name, const std::string& text, const std::string& message) const {
     folder_.write(name, text);

@@ -27,6 +27,80 @@ TEST_F(WrongUseOf, TheCommandLine) {
            "--" + cut.substr(0, 48) + "... (60002 bytes): no such option; the nearest is --axi-stream;");
 }
 
+/// On the command line and in files.
+TEST_F(WrongUseOf, LongWords) {
+  const std::string word(60'000, 'x');
+  const std::string cut = std::string(50, 'x') + "... (60000 bytes)";
+  const auto told = [&](const std::string& words) {
+    std::vector<std::string> arguments;
+    for (std::string each : host::words_of(filled(words))) {
+      if (const std::size_t at = each.find("WORD"); at != std::string::npos) each.replace(at, 4, word);
+      arguments.push_back(each);
+    }
+    const Outcome outcome = run_hitpipe(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << words;
+    return outcome.err;
+  };
+  for (const std::string words : {"WORD",
+                                  "rtl WORD --out OUT",
+                                  "area int_slabs --bits WORD",
+                                  "area int_slabs --library WORD",
+                                  "check int_slabs --category WORD",
+                                  "check int_slabs --seed WORD",
+                                  "check int_slabs --tests WORD",
+                                  "list WORD",
+                                  "list designs --format WORD",
+                                  "implement int_slabs --target WORD --out OUT",
+                                  "board --simulate --board WORD",
+                                  "sweep WORD --out OUT --scene spheres",
+                                  "table WORD",
+                                  "render --scene spheres --eye WORD",
+                                  "render --scene spheres --fov WORD",
+                                  "render --scene WORD",
+                                  "render --scene spheres --padding WORD",
+                                  "render --scene spheres --out OUT.WORD",
+                                  "render --scene spheres --rescale --scale WORD",
+                                  "bvh --scene spheres --records OUT.WORD",
+                                  "render --scene WORD.obj",
+                                  "render --scene WORD.json",
+                                  "bvh --scene spheres --out WORD",
+                                  "rtl int_slabs --out WORD",
+                                  "rtl int_slabs --out OUT --name WORD",
+                                  "table 7.1 --scene WORD",
+                                  "area int_slabs --library WORD.json",
+                                  "operands int_slabs --rays WORD --boxes WORD --out OUT.csv",
+                                  "cosim int_slabs --scene spheres --unit WORD"}) {
+    const std::string line = told(words);
+    EXPECT_LT(line.size(), 1000U) << words;
+    EXPECT_NE(line.find("... (600"), std::string::npos) << words << '\n' << line.substr(0, 1000);
+  }
+  const auto file = [&](const std::string& name, std::string text) {
+    for (std::size_t at = 0; (at = text.find("WORD")) != std::string::npos;) text.replace(at, 4, word);
+    folder_.write(name, text);
+  };
+  file("key.json", R"({"WORD": 1})");
+  file("twice.json", R"({"built_in": "spheres", "WORD": 1, "WORD": 1})");
+  file("scene.json", R"({"built_in": "WORD"})");
+  file("material.json", R"({"built_in": "spheres", "materials": {"WORD": {"albedo": 2}}})");
+  file("none.json", R"({"built_in": "spheres", "materials": {"WORD": {}}, "default_material": "b"})");
+  const std::string begin = "hitpipe: scene file \"" + filled("DIR/");
+  EXPECT_EQ(
+      told("bvh --scene DIR/key.json").substr(0, begin.size() + 100),
+      (begin + "key.json\": unknown key \"" + cut + "\"; allowed are: mesh, built_in, triangles, camera")
+          .substr(0, begin.size() + 100));
+  EXPECT_EQ(told("bvh --scene DIR/twice.json"),
+            begin + "twice.json\": the key \"" + cut + "\" stands twice in one object\n");
+  EXPECT_EQ(told("bvh --scene DIR/scene.json"), begin + "scene.json\": built_in: there is no scene \"" + cut +
+                                                    "\"; there are: " + ref::built_in_names() + "\n");
+  EXPECT_EQ(told("bvh --scene DIR/material.json"),
+            begin + "material.json\": materials." + cut +
+                ".albedo: 2 is out of range; numbers must be each in 0 to 1\n");
+  EXPECT_EQ(told("bvh --scene DIR/none.json"), begin +
+                                                   "none.json\": default_material: there is no material "
+                                                   "\"b\"; there are: " +
+                                                   cut + "\n");
+}
+
 TEST_F(WrongUseOf, OptionsThatExcludeEachOther) {
   rejected(
       {{"cosim int_slabs --scene spheres --bits 9/9 --unit DIR",

@@ -39,8 +39,8 @@ def number_of(kept, page, least):
     print(f'{page}: only {len(kept)} rows of prices were found')
 
 
-misses = {row['design']: row['may_miss'] for row in rows('list', 'designs')}
-never = {design: 'no' if may == 'yes' else 'yes' for design, may in misses.items()}
+misses = {row['design']: row['misses'] for row in rows('list', 'designs')}
+never = {design: 'yes' if answer == 'never' else 'no' for design, answer in misses.items()}
 columns = ('stages', 'clock_mhz', 'latency_ns', 'area_mm2', 'area_per_box_mm2', 'area_pct', 'adp_pct')
 
 kept = list(cells('docs/designs.md', r'\| `\w+` \| [^|]+ \| \d+ \|'))

@@ -47,6 +47,8 @@ int parse(std::vector<std::string> words) {
     std::ostringstream err;
     exit_code = program.exit(error, out, err);
     expect((exit_code == 0 ? out : err).tellp() > 0, "the program says why it ends");
+  } catch (const std::runtime_error& error) {  // of a file that cannot be written
+    expect(*error.what() != 0, "the program says why it ends");
   }
   return exit_code;
 }

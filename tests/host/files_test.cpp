@@ -112,6 +112,26 @@ TEST(WriteFiles, FileThatIsCutShortRejectedAndNothingLeftBehind) {
   EXPECT_EQ(read_text(folder / "b.v"), "before");
 }
 
+TEST(AppendToFile, WritesBehindTheEndOrNothing) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "a.csv";
+  EXPECT_EQ(message_of<std::runtime_error>([&] { append_to_file(file, "x"); }),
+            file.string() + ": cannot write the file: No such file or directory");
+  write_text(file, "one\n");
+  append_to_file(file, "two\n");
+  EXPECT_EQ(read_text(file), "one\ntwo\n");
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{10, before.rlim_max};  // a part of the line fits
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string message = message_of<std::runtime_error>([&] { append_to_file(file, "three\n"); });
+  EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  signal(SIGXFSZ, handler);
+  EXPECT_EQ(message, file.string() + ": cannot write the file: File too large");
+  EXPECT_EQ(read_text(file), "one\ntwo\n");
+}
+
 TEST(WriteFiles, FolderInTheWayRejectedAndNothingLeftBehind) {
   const ScratchFolder folder;
   std::filesystem::create_directories(folder / "b.v" / "inside");
@@ -241,21 +261,6 @@ TEST(PendingFile, OfAnotherMachineStaysForADay) {
   write_file(folder / "a.v", "");
   EXPECT_EQ(files_in(folder.path()).size(), 4U);
   EXPECT_FALSE(std::filesystem::exists(folder / name));
-}
-
-/// Whatever name leads to it.
-TEST(PendingFile, DoesNotReplaceAnInput) {
-  const ScratchFolder folder;
-  write_text(folder / "in.csv", "input");
-  std::filesystem::create_symlink("in.csv", folder / "link.csv");
-  std::filesystem::create_hard_link(folder / "in.csv", folder / "hard.csv");
-  never_replace(folder / "link.csv");
-  never_replace(folder / "none.csv");
-  for (const char* const name : {"in.csv", "link.csv", "hard.csv"})
-    EXPECT_EQ(message_of<std::runtime_error>([&] { write_file(folder / name, "x"); }),
-              (folder / name).string() + ": is an input, which would be lost; give another file to write");
-  EXPECT_EQ(read_text(folder / "in.csv"), "input");
-  write_file(folder / "none.csv", "x");
 }
 
 TEST(PendingFile, LeavesNothingWhenItIsGivenUp) {

@@ -26,7 +26,7 @@ class Resume : public testing::Test {
             .file = folder_.path() / "rows.csv",
             .more = {}};
   }
-  [[nodiscard]] std::string text() const { return to_text(read_rows(folder_.path() / "rows.csv")); }
+  [[nodiscard]] std::string text() const { return host::read_file(folder_.path() / "rows.csv"); }
 
   const TemporaryFolder folder_;
 
@@ -92,6 +92,36 @@ TEST_F(Resume, TellsIntervalsApart) {
   // Cut within the header: nothing is there yet.
   host::write_file(joined.file, text().substr(0, text().find(",ii,") + 4));
   EXPECT_EQ(to_text(resume(joined)), text());
+}
+
+/// A row with its place at the end does not write the others again; any other row moves them.
+TEST_F(Resume, AppendsARow) {
+  const std::filesystem::path first = folder_.path() / "first.csv";
+  ResumableSweep long_run = sweep();
+  long_run.options.progress = [&](double) {
+    std::error_code there_already;
+    std::filesystem::create_hard_link(long_run.file, first, there_already);
+  };
+  const RowsFile whole = resume(long_run);
+  ASSERT_EQ(whole.rows.size(), 2U);
+  EXPECT_EQ(read_rows(first).rows.size(), 2U) << "it is still the file of the beginning";
+  EXPECT_TRUE(std::filesystem::equivalent(first, long_run.file));
+  EXPECT_EQ(to_text(whole), text());
+
+  // Somebody else has written to it meanwhile.
+  std::filesystem::remove(long_run.file);
+  long_run.options.progress = [&](double share) {
+    if (share < 1.0) host::write_file(long_run.file, "gone");
+  };
+  EXPECT_EQ(resume(long_run).rows.size(), 2U);
+  EXPECT_EQ(parse_rows(text(), "").rows.size(), 2U);
+
+  RowsFile gap = whole;
+  gap.rows.erase(gap.rows.begin());
+  write_rows(long_run.file, gap);
+  const RowsFile filled = resume(sweep());
+  EXPECT_EQ(filled.rows.size(), 2U);
+  EXPECT_EQ(to_text(filled), host::read_file(long_run.file));
 }
 
 /// Two sweeps, perhaps on two machines, and one that joins their files and measures nothing.

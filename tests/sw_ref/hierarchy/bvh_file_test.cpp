@@ -323,8 +323,8 @@ TEST_F(BvhFile, OfWrongWordsIsRejectedWithItsLine) {
       {"triangles 2\n", "", "line 7: expected \"triangles\" and their number"},
       {"leaf 102 0 0 103 1 0.5 1 1\ntriangles 2\n0 1\n", "", "line 5: the file ends after 2 of 3 nodes"},
       {"hitpipe-bvh", std::string(300, 'h'), "line 1: a word of more than 256 characters"},
-      {"leaf", std::string(50, '\x01'),
-       "line 5: node 1: \"" + std::string(40, '?') + "...\" is neither branch nor leaf"}};
+      {"leaf", std::string(150, '\x01'),
+       "line 5: node 1: \"" + std::string(50, '?') + "... (150 bytes)\" is neither branch nor leaf"}};
   for (const BadText& bad : all) EXPECT_EQ(refusal(changed(bad.from, bad.to), two_), bad.message) << bad.to;
   EXPECT_EQ(message_of<std::runtime_error>([&] { (void)load_bvh("none.bvh", two_); }),
             "BVH file \"none.bvh\": no such file");
