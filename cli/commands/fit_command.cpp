@@ -255,24 +255,27 @@ CLI::App* add_fit_command(CLI::App& program, int& exit_code) {
   command
       ->add_option("--overhead", options->overhead_pct,
                    "Take the fewest bits with at most P percent more box tests, instead of the least whole "
-                   "cost. It also limits what rays without ends cost")
+                   "cost. It also limits what rays without ends cost. With a rate it only limits")
       ->transform(number_from(0.0, 1000.0))
       ->type_name("P");
   add_triangle_options(*command, options->cost);
   add_bits_option(*command, options->units, "24/24 for n/t designs. The fit starts from these formats");
   command->add_flag("--keep-bits", options->keep_bits, "Keep the number format");
   CLI::Option* const interval = add_interval_option(*command, options->interval);
-  const auto add_rate = [&](const char* name, std::optional<double>& rate, const char* of) {
+  const auto add_rate = [&](const char* name, std::optional<double>& rate, const char* of,
+                            const char* limit) {
     return command
         ->add_option(
             name, rate,
             fmt::format(
-                "Make the smallest unit that takes R {} a second at the schedule's clock (1 to 10^12)", of))
+                "Make the unit of least area that takes R {} a second at the schedule's clock{} (1 to 10^12)",
+                of, limit))
         ->transform(number_from(1.0, 1e12))
         ->type_name("R");
   };
-  CLI::Option* const boxes = add_rate("--rate-boxes", options->rate_boxes, "boxes");
-  CLI::Option* const rays = add_rate("--rate-rays", options->rate_rays, "rays of the image");
+  CLI::Option* const boxes = add_rate("--rate-boxes", options->rate_boxes, "boxes",
+                                      ", with at most --overhead (2) percent more box tests");
+  CLI::Option* const rays = add_rate("--rate-rays", options->rate_rays, "rays of the image", "");
   exclude(boxes, interval, "the rate decides the interval");
   exclude(rays, interval, "the rate decides the interval");
   exclude(rays, boxes, "one rate decides the interval");

@@ -12,10 +12,12 @@
 
 namespace hitpipe::rtl {
 
-/// Places of the FIFO behind a unit of this latency. With one place less, a producer that always has a test
-/// would wait for a credit that is returned in the same cycle.
-[[nodiscard]] constexpr int fifo_places(int latency) {
-  return latency + 2;
+/// Places of the FIFO behind a unit of this latency that takes a test every `interval` cycles. A test holds
+/// its place for latency + 1 cycles, and for interval - 1 cycles more where the consumer is ready once in an
+/// interval. In that time the unit takes latency / interval + 1 tests, and the next one finds a place too.
+/// With one place less it would wait, and such a consumer would get fewer results than the unit can give.
+[[nodiscard]] constexpr int fifo_places(int latency, int interval) {
+  return latency / interval + 2;
 }
 
 /// The flow control of the unit in a wrapper that can be around either, if the user does not say. A FIFO

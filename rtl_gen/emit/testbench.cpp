@@ -53,10 +53,16 @@ struct ResultText {
 
 /// What differs between a unit that takes part in a handshake and one whose latency is fixed.
 struct FlowText {
-  FlowText(bool has_ready, bool tests_wait, bool has_rays, bool is_stream, int latency)
+  FlowText(bool has_ready, bool tests_wait, bool has_rays, bool is_stream, int latency, int interval)
       : ready(has_ready), waits(tests_wait), rays(has_rays), stream(is_stream) {
     if (ready) {
-      if (rays || stream) more = "\n  reg taken;";
+      // A place of a FIFO fills in an interval, and where a ray is written before each test in up to 4
+      // cycles.
+      constants = fmt::format(
+          "  // The results stand still for FULL cycles of 8 * FULL, so that all that can hold one is full.\n"
+          "  localparam integer FULL = {};\n",
+          4 * (latency + 2 * interval) + 16);
+      more = rays || stream ? "\n  reg full, taken;" : "\n  reg full;";
       return;
     }
     // Long enough to show what comes that was never sent.
@@ -72,7 +78,7 @@ struct FlowText {
   /// From the choice of gaps to the last comparison. `compare` are lines that compare results and tag.
   [[nodiscard]] std::string drive(const std::string& compare) const {
     if (ready)
-      return fmt::format(R"(      out_ready = random[17:16] != 2'd0;
+      return fmt::format(R"(      out_ready = !full && random[17:16] != 2'd0;
       #1;
       if (out_valid && out_ready) begin
 {}        received = received + 1;
@@ -205,6 +211,7 @@ std::string ray_writer(const RaySlots& slots, int width) {
   reg ray_valid, wrote;
 {1}  wire ray_ready;
   wire [BITS-1:RESULT_BITS] ray = vectors[written < COUNT ? written : 0][{2}:RESULT_BITS];
+  wire unused_operands = &{{1'b0, operands, ray}};  // a ray and a test are parts of a vector
 
   task next_write;
     begin
@@ -231,8 +238,9 @@ std::string testbench(const ModuleInterface& unit, int count, int latency, const
   const ResultText result(unit.results(), "expected");
   const bool ready = unit.flow_control() == FlowControl::stall || around.fifo || around.axi_stream;
   const FlowText flow(ready, ready || unit.interval > 1 || slots != nullptr, slots != nullptr,
-                      around.axi_stream, slots != nullptr ? slots->latency(latency) : latency);
-  const std::string in_time = fmt::format("cycles < {} * COUNT + 1000", 16 * unit.interval);
+                      around.axi_stream, slots != nullptr ? slots->latency(latency) : latency, unit.interval);
+  const std::string in_time =
+      fmt::format("cycles < {} * COUNT{} + 1000", 16 * unit.interval, ready ? " + 16 * FULL" : "");
   Wires wires;
   const std::vector<std::string> operands = fields("operands", ports, width);
   for (std::size_t i = 0; i < ports.size(); ++i) wires[ports[i].name] = operands[i];
@@ -365,7 +373,7 @@ module {top}_tb;
       random = random ^ (random << 13);
       random = random ^ (random >> 17);
       random = random ^ (random << 5);
-{ray_valid}      in_valid = {held}sent != {sendable} && random[9:8] != 2'd0;
+{ray_valid}{full}      in_valid = {held}sent != {sendable} && {offers};
 {drive}    if (received != COUNT) begin
       $display("FAIL %0d of %0d vectors came back", received, COUNT);
       $fatal(1);
@@ -383,6 +391,8 @@ endmodule
                                       ? " ray_valid = 1'b0; written = 0;"
                                       : " ray_valid = 1'b0; partial = 1'b0; end_only = 1'b0; written = 0;"),
       fmt::arg("held", around.axi_stream ? "(in_valid && !taken) || " : ""), fmt::arg("sendable", sendable),
+      fmt::arg("full", flow.only_with_ready("      full = cycles / FULL % 8 == 1;\n")),
+      fmt::arg("offers", ready ? "(full || random[9:8] != 2'd0)" : "random[9:8] != 2'd0"),
       fmt::arg("ray_valid", ray_valid), fmt::arg("count", count), fmt::arg("width", width),
       fmt::arg("result_width", result_width), fmt::arg("result_bits", result.bits),
       fmt::arg("result_wires", result.wires + top.wires), fmt::arg("test_pins", top.test_pins),

@@ -46,6 +46,17 @@ struct Cutter {
     }
     return best;
   }
+  /// The same with all groups, or without what is promised of numbers if that is smaller: a promise narrows
+  /// operations, and a component is shared by operations of one width alone.
+  [[nodiscard]] area::Price smallest(const std::vector<DemandGroup>& groups) const {
+    area::Price best = smallest(pruned(all_of(groups)).graph);
+    if (best.interval == 1 && rate.boxes_per_second <= 0) return best;
+    std::vector<DemandGroup> others;
+    for (const DemandGroup& group : groups)
+      if (group.what != DemandGroup::What::numbers) others.push_back(group);
+    area::Price bare = smallest(pruned(all_of(others)).graph);
+    return is_reached_by(bare) && bare.area_um2 < best.area_um2 ? bare : best;
+  }
 };
 
 std::string millions(double per_second) {
@@ -96,7 +107,8 @@ std::string what_text(const DemandGroup& group, const std::vector<rtl::Port>& po
 }
 
 /// The groups that make the unit smaller. In a test in each cycle all do. Components of fewer bits cost less,
-/// but a component is shared by operations of one width alone.
+/// but a component is shared by operations of one width alone. Low bits that are dropped stay so: the ranges
+/// of the other groups hold only with them.
 std::vector<DemandGroup> worth_using(const std::vector<DemandGroup>& groups, const Cutter& cutter,
                                      int interval) {
   if (interval == 1) return groups;
@@ -113,9 +125,16 @@ std::vector<DemandGroup> worth_using(const std::vector<DemandGroup>& groups, con
     return choice;
   };
   // One group after another, as long as that makes the unit smaller.
+  const auto stays = [&](std::size_t i) { return groups[i].what == DemandGroup::What::low_bits; };
   const auto improved = [&](std::vector<bool> used) {
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      if (stays(i)) used[i] = true;
     Choice best = chosen(used);
     for (std::size_t unchanged = 0, i = 0; unchanged < groups.size(); i = (i + 1) % groups.size()) {
+      if (stays(i)) {
+        ++unchanged;
+        continue;
+      }
       used[i] = !used[i];
       Choice other = chosen(used);
       if (other.area_um2 < best.area_um2) {
@@ -142,8 +161,7 @@ FittedUnit fit(const rtl::Design& design, const rtl::Format& before,
   const Cutter cutter{
       design, format, library, design.trace(format), rtl::set_up_demands(design.ports(format)), rate};
   const std::vector<DemandGroup> all = port_demands(design, format, scene, precision);
-  const std::vector<DemandGroup> groups =
-      worth_using(all, cutter, cutter.smallest(cutter.pruned(all_of(all)).graph).interval);
+  const std::vector<DemandGroup> groups = worth_using(all, cutter, cutter.smallest(all).interval);
   const rtl::Demands demands = all_of(groups);
   rtl::Pruned pruned = cutter.pruned(demands);
   area::Price price = cutter.smallest(pruned.graph);
@@ -194,8 +212,7 @@ std::optional<area::Price> price_of_fit(const rtl::Design& design, const Precisi
   const rtl::Format& format = precision.format;
   const Cutter cutter{
       design, format, library, design.trace(format), rtl::set_up_demands(design.ports(format)), rate};
-  const rtl::Graph graph = cutter.pruned(all_of(port_demands(design, format, scene, precision))).graph;
-  const area::Price price = cutter.smallest(graph);
+  const area::Price price = cutter.smallest(port_demands(design, format, scene, precision));
   return cutter.is_reached_by(price) ? std::optional(price) : std::nullopt;
 }
 

@@ -1,8 +1,8 @@
 #include "sim/fit/fit_scene.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -41,25 +41,44 @@ PrecisionSearch search_of(const rtl::Design& design, const rtl::Format& before, 
           .threads = options.threads};
 }
 
-/// Of a unit that makes so many box tests on the scene's rays.
-FitRate rate_of(const FitOptions& options, const FitScene& scene, double box_tests) {
-  FitRate rate = options.rate;
-  if (options.rays_per_second > 0)
-    rate.boxes_per_second = options.rays_per_second * box_tests / static_cast<double>(scene.rays.count());
-  return rate;
+PrecisionKey key_of(const Precision& precision) {
+  return {precision.format.numbers(), precision.coarse.dropped, precision.ends};
 }
 
-std::optional<Precision> precision_of(const rtl::Design& design, const rtl::Format& before,
-                                      const FitScene& scene, const FitOptions& options,
-                                      const rtl::Library& library) {
+/// What is needed beyond the rate that is asked for, as far as units were tried.
+struct Tried {
+  double full = 0;  ///< the largest share of its cycles in which a unit took a test; 0: none was tried
+  std::map<PrecisionKey, double> too_few{};  ///< boxes a second of units that were not enough
+
+  /// Of a unit that makes so many box tests on the scene's rays.
+  [[nodiscard]] FitRate rate(const Precision& precision, double box_tests, const FitScene& scene,
+                             const FitOptions& options) const {
+    FitRate rate = options.rate;
+    if (options.rays_per_second <= 0) return rate;
+    rate.boxes_per_second = options.rays_per_second * box_tests / static_cast<double>(scene.rays.count());
+    if (full > 0) rate.boxes_per_second /= full;
+    constexpr double beyond = 1 + 1e-9;
+    if (const auto at = too_few.find(key_of(precision)); at != too_few.end())
+      rate.boxes_per_second = std::max(rate.boxes_per_second, beyond * at->second);
+    return rate;
+  }
+};
+
+std::optional<Precision> precision_of(PrecisionSearch search, const Tried& tried, const FitScene& scene,
+                                      const FitOptions& options, const rtl::Library& library) {
   if (options.keep_bits) return std::nullopt;
-  PrecisionSearch search = search_of(design, before, scene, options);
-  if (options.cost) {
+  const rtl::Design& design = *search.design;
+  const bool rated = options.rate.boxes_per_second > 0 || options.rays_per_second > 0;
+  if (options.cost || rated) {
+    // A rate of boxes alone would be met by the coarsest numbers. Rays bring their extra tests with them.
+    search.limited = !options.cost || options.rate.boxes_per_second > 0;
+    search.far = rated;
     search.cost = [&](const Precision& precision, const ref::TraceCounts& tests) {
       std::optional<area::Price> price =
           price_of_fit(design, precision, scene.demands, library,
-                       rate_of(options, scene, static_cast<double>(tests.box_tests)));
+                       tried.rate(precision, static_cast<double>(tests.box_tests), scene, options));
       if (!price) return std::numeric_limits<double>::infinity();
+      if (rated) return static_cast<double>(price->area_um2);
       return options.cost(
           {.design = &design, .format = precision.format, .price = std::move(*price), .tests = tests});
     };
@@ -67,14 +86,11 @@ std::optional<Precision> precision_of(const rtl::Design& design, const rtl::Form
   return fewest_bits(search);
 }
 
-FitRate rate_of(const rtl::Design& design, const rtl::Format& before, const FitScene& scene,
-                const FitOptions& options, const std::optional<Precision>& precision) {
-  if (options.rays_per_second <= 0) return options.rate;
-  const Precision found = precision.value_or(Precision{.format = before});
-  const double extra =
-      extra_box_tests_pct(search_of(design, before, scene, options), found.format, found.coarse, found.ends);
-  const auto reference = static_cast<double>(scene.rays.reference.total().box_tests);
-  return rate_of(options, scene, reference * (1 + extra / 100));
+/// Box tests of a unit on the scene's rays. Nobody asks for them without a rate of rays.
+double box_tests_of(const PrecisionSearch& search, const Precision& precision, const FitOptions& options) {
+  if (options.rays_per_second <= 0) return 0;
+  const double extra = extra_box_tests_pct(search, precision.format, precision.coarse, precision.ends);
+  return static_cast<double>(search.rays->reference.total().box_tests) * (1 + extra / 100);
 }
 
 /// Makes the unit at that rate and checks it.
@@ -141,16 +157,21 @@ bool FitResult::verified() const {
 
 FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, const FitScene& scene,
                        const FitOptions& options, const rtl::Library& library) {
-  start_step(options, std::string(design.name) + ": looking for the fewest bits");
-  const std::optional<Precision> precision = precision_of(design, before, scene, options, library);
-  FitRate rate = rate_of(design, before, scene, options, precision);
+  const PrecisionSearch search = search_of(design, before, scene, options);
+  Tried tried;
   while (true) {
-    FitResult result = fit_at(design, before, precision, scene, options, library, rate);
+    start_step(options, std::string(design.name) + ": looking for the fewest bits");
+    const std::optional<Precision> precision = precision_of(search, tried, scene, options, library);
+    const Precision found = precision.value_or(Precision{.format = before});
+    const double box_tests = box_tests_of(search, found, options);
+    FitResult result = fit_at(design, before, precision, scene, options, library,
+                              tried.rate(found, box_tests, scene, options));
     if (result.rays_per_second >= options.rays_per_second) return result;
     // A unit is not full all the time, when rays begin and end. It needs so much more.
-    rate.boxes_per_second = std::max(rate.boxes_per_second * options.rays_per_second / result.rays_per_second,
-                                     std::nextafter(static_cast<double>(result.unit.price.boxes_per_second()),
-                                                    std::numeric_limits<double>::infinity()));
+    const auto takes = static_cast<double>(result.unit.price.boxes_per_second());
+    const double used = result.rays_per_second * box_tests / static_cast<double>(scene.rays.count());
+    tried.full = std::max(tried.full, std::min(1.0, used / takes));
+    tried.too_few[key_of(found)] = takes;
   }
 }
 

@@ -29,7 +29,8 @@ struct FitOptions {
   ref::WhittedOptions light{};  ///< how far secondary rays are followed
   double overhead_pct = 2.0;    ///< limit of the extra box tests from fewer bits and from rays without ends
   /// If there is one, the precision with the least cost is taken, and the limit only says where the search
-  /// begins.
+  /// begins. With a rate the least area among units that reach it is taken instead. The limit then holds if
+  /// there is no cost, or if the rate is one of boxes.
   std::function<double(const PricedTests&)> cost{};
   bool keep_bits = false;  ///< the format stays as it is
   FitRate rate{};

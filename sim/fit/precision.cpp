@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -52,7 +55,7 @@ class Measurements {
 
   const ref::TraceCounts& tests(const rtl::Format& format, const ref::CoarseAxes& coarse, bool ends) {
     const auto [at, is_new] =
-        known_.try_emplace({format.numbers(), coarse.dropped, ends}, ref::TraceCounts{});
+        search_.known->try_emplace({format.numbers(), coarse.dropped, ends}, ref::TraceCounts{});
     if (is_new) at->second = count_tests(search_, format, coarse, ends);
     return at->second;
   }
@@ -63,8 +66,10 @@ class Measurements {
     return extra_pct(tests(format, {}, true).triangle_tests, search_.rays->reference.total().triangle_tests);
   }
   double cost(const rtl::Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
-    const Key key{format.numbers(), coarse.dropped, ends};
+    const PrecisionKey key{format.numbers(), coarse.dropped, ends};
     if (const auto at = costs_.find(key); at != costs_.end()) return at->second;
+    if (search_.limited && extra(format, coarse, ends) > search_.overhead_pct)
+      return std::numeric_limits<double>::infinity();
     const Precision precision{
         .format = format, .coarse = coarse, .ends = ends, .endless_extra_box_tests_pct = 0.0};
     return costs_[key] = search_.cost(precision, tests(format, coarse, ends));
@@ -72,26 +77,35 @@ class Measurements {
   bool good(const rtl::Format& format, const ref::CoarseAxes& coarse = {}) {
     return extra(format, coarse) <= search_.overhead_pct;
   }
-  [[nodiscard]] int count() const { return static_cast<int>(known_.size()); }
+  [[nodiscard]] int count() const { return static_cast<int>(search_.known->size()); }
 
  private:
-  using Key = std::tuple<rtl::FormatNumbers, std::array<int, 3>, bool>;
-
   const PrecisionSearch& search_;
-  std::map<Key, ref::TraceCounts> known_;
-  std::map<Key, double> costs_;
+  std::map<PrecisionKey, double> costs_;
 };
 
 using FormatGroups = std::vector<std::vector<rtl::Format>>;
 
+/// So many groups, and so many formats in a group.
+struct Step {
+  std::ptrdiff_t groups, formats;
+};
+
+/// To neighbours. With `far_groups` and `far_formats` they are followed by all formats that are so near.
+std::vector<Step> steps_to(std::ptrdiff_t far_groups, std::ptrdiff_t far_formats) {
+  std::vector<Step> steps{{0, 1}, {0, -1}, {1, 0}, {-1, 0}};
+  for (std::ptrdiff_t group = -far_groups; group <= far_groups; ++group)
+    for (std::ptrdiff_t format = -far_formats; format <= far_formats; ++format)
+      if (std::abs(group) + std::abs(format) > 1) steps.push_back({group, format});
+  return steps;
+}
+
 /// Goes from format to format while the cost falls: one format on in the group, or to the format at the same
-/// place in the group beside it.
-rtl::Format least_cost(const FormatGroups& groups, const rtl::Format& start, Measurements& measured) {
+/// place in the group beside it. In steps of a rate the cost of neighbours is uneven, so it looks farther.
+rtl::Format least_cost(const FormatGroups& groups, const rtl::Format& start, bool far,
+                       Measurements& measured) {
   struct Place {
     std::size_t group, format;
-  };
-  struct Step {
-    std::ptrdiff_t groups, formats;
   };
   Place best{};
   for (std::size_t group = 0; group < groups.size(); ++group) {
@@ -103,12 +117,13 @@ rtl::Format least_cost(const FormatGroups& groups, const rtl::Format& start, Mea
     const std::size_t group = place.group + static_cast<std::size_t>(step.groups);  // wraps below 0
     if (group >= groups.size()) return std::nullopt;
     const std::size_t format = place.format + static_cast<std::size_t>(step.formats);
-    if (step.groups != 0) return Place{group, std::min(format, groups[group].size() - 1)};
+    if (step.groups != 0 && step.formats == 0)
+      return Place{group, std::min(format, groups[group].size() - 1)};
     return format < groups[group].size() ? std::optional(Place{group, format}) : std::nullopt;
   };
   for (bool falls = true; falls;) {
     falls = false;
-    for (const Step& step : {Step{0, 1}, Step{0, -1}, Step{1, 0}, Step{-1, 0}}) {
+    for (const Step& step : far ? steps_to(2, 3) : steps_to(0, 0)) {
       for (auto next = next_of(best, step); next && cost_at(*next) < cost_at(best);
            next = next_of(best, step)) {
         best = *next;
@@ -178,13 +193,13 @@ std::optional<Precision> fewest_bits(const PrecisionSearch& search) {
   Precision found{.format = search.most};
   if (const auto up_to = software_of(*search.design).smaller_formats; up_to != nullptr) {
     const bool within_limit = measured.good(search.most);
-    if (!within_limit && !search.cost) return std::nullopt;
+    if (!within_limit && (!search.cost || search.limited)) return std::nullopt;
     const FormatGroups groups = up_to(search.most);
     if (within_limit) {
       const auto& group = first_good(groups, [&](const auto& each) { return measured.good(each.back()); });
       found.format = first_good(group, [&](const rtl::Format& each) { return measured.good(each); });
     }
-    if (search.cost) found.format = least_cost(groups, found.format, measured);
+    if (search.cost) found.format = least_cost(groups, found.format, search.far, measured);
     found.extra_triangle_tests_pct = measured.extra_triangles(found.format);
     found.extra_box_tests_pct = measured.extra(found.format);
     found.coarse = most_dropped(search, found.format, measured);

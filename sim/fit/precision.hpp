@@ -2,9 +2,13 @@
 // axes. It traces the scene's own rays with software traversals that answer as the datapath does.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
@@ -43,6 +47,9 @@ struct Precision {
 /// What a unit of that precision costs for the tests that it makes on the scene's rays.
 using PrecisionCost = std::function<double(const Precision& precision, const ref::TraceCounts& tests)>;
 
+/// Format, low bits that are dropped, whether the unit knows where rays end.
+using PrecisionKey = std::tuple<rtl::FormatNumbers, std::array<int, 3>, bool>;
+
 struct PrecisionSearch {
   const rtl::Design* design;
   const ref::Scene* scene;
@@ -52,8 +59,13 @@ struct PrecisionSearch {
   rtl::Format most;
   double overhead_pct = 2.0;
   PrecisionCost cost{};  ///< if there is one, its least decides, and the limit only says where to begin
+  bool limited = false;  ///< with a cost: the limit holds nevertheless
+  bool far = false;      ///< with a cost: looks at formats beyond the neighbours too
   int threads = 1;
   std::function<void()> measured = [] {};  ///< called after each measurement
+  /// What was measured, also for copies of this search.
+  std::shared_ptr<std::map<PrecisionKey, ref::TraceCounts>> known =
+      std::make_shared<std::map<PrecisionKey, ref::TraceCounts>>();
 };
 
 /// Box tests beyond the reference's, in percent of the reference's. Throws std::runtime_error for a design
@@ -70,7 +82,7 @@ struct PrecisionSearch {
 ///
 /// With a cost, the search goes on from the format that is found so, or from `most` if there is none: to
 /// neighbours in the group and in the groups beside it, as long as the cost falls. A low bit of an axis is
-/// dropped, and so are the ends of rays, if that lowers the cost. There is always a result.
+/// dropped, and so are the ends of rays, if that lowers the cost. Unless it is limited, there is a result.
 [[nodiscard]] std::optional<Precision> fewest_bits(const PrecisionSearch& search);
 
 }  // namespace hitpipe::sim

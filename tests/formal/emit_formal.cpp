@@ -58,6 +58,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& give
       {"control.v", formal::control_properties(pipeline, flow)},
       {"format", format + "\n"},
       {"latency", fmt::format("{}\n", pipeline.latency())},
+      {"interval", fmt::format("{}\n", interval)},
       {"results", results}};
   if (stalls) {
     files.push_back({"stalled.v", formal::stalled_design(pipeline, name)});

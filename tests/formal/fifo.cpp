@@ -29,7 +29,7 @@ std::string fifo_proof(const std::string& unit, const std::vector<rtl::Port>& op
     names.push_back(port.name);
   }
   const std::string word = fmt::format("{{{}}}", fmt::join(names, ", "));
-  const int places = rtl::fifo_places(latency);
+  const int places = rtl::fifo_places(latency, interval);
   const bool waits = interval > 1;
   const std::string stand_in = fmt::format(
       R"(module {unit} #(
@@ -40,7 +40,7 @@ std::string fifo_proof(const std::string& unit, const std::vector<rtl::Port>& op
   output wire out_valid,
   output wire [TAG_BITS-1:0] out_tag,
   output wire seen,
-  output reg [{last}:0] is_test,
+{phase_port}  output reg [{last}:0] is_test,
   output reg [{all_high}:0] tests
 );
 {ready}  wire asked = {word} >> in_tag;
@@ -56,7 +56,11 @@ endmodule
       fmt::arg("unit", unit), fmt::arg("last", latency), fmt::arg("all_high", test_bits * (latency + 1) - 1),
       fmt::arg("inputs", inputs), fmt::arg("word", word),
       fmt::arg("ready_port", waits ? "  output wire in_ready,\n" : ""),
-      fmt::arg("ready", waits ? "  (* anyseq *) reg likes;\n  assign in_ready = likes;\n" : ""));
+      fmt::arg("phase_port", waits ? "  output reg [7:0] phase,\n" : ""),
+      fmt::arg("ready", waits ? fmt::format("  assign in_ready = phase == 0;\n  always @(posedge clk)\n"
+                                            "    phase <= rst | (phase == {}) ? 8'd0 : phase + 8'd1;\n",
+                                            interval - 1)
+                              : ""));
 
   std::string held;
   for (int bit = 0; bit < test_bits; ++bit)
@@ -65,13 +69,14 @@ endmodule
       R"(
   wire asked = {word} >> in_tag;
   wire [{test_high}:0] offered = {{in_tag, asked}};
+  // was_ready: out_ready was high at an edge since the one at which the unit was ready last.
   // One test, whichever it is: how many edges ago it was taken, and how many tests are before it.
   (* anyseq *) reg choose;
   reg started = 0, follows = 0, was_ready = 0, was_held = 0, always_ready = 0;
   reg [{test_high}:0] test, was_shown;
   reg [7:0] age, ahead;
   always @(posedge clk) begin
-    was_ready <= out_ready & ~rst;
+    was_ready <= ({was_ready}) & ~rst;
     was_held <= out_valid & ~out_ready & ~rst;
     was_shown <= shown;
     always_ready <= out_ready & (rst | always_ready);
@@ -107,6 +112,7 @@ endmodule
       assert (waiting <= {places});
       assert (used == flying + waiting);
       if (arrives & ~given) assert (waiting < {places});
+{in_phase}      if (was_ready) assert (used < {places});
       if (was_ready{and_unit_ready}) assert (in_ready);
       if (was_held) assert (out_valid && shown == was_shown);
       if (always_ready) assert (~waits);
@@ -133,13 +139,20 @@ endmodule
       fmt::arg("last", latency), fmt::arg("test_high", test_bits - 1), fmt::arg("word", word),
       fmt::arg("place_bits", std::bit_width(static_cast<unsigned>(places - 1))), fmt::arg("places", places),
       fmt::arg("test_bits", test_bits), fmt::arg("held", held),
-      fmt::arg("and_unit_ready", waits ? " & unit_ready" : ""));
+      fmt::arg("and_unit_ready", waits ? " & unit_ready" : ""),
+      fmt::arg("was_ready", waits ? "out_ready | (was_ready & ~unit_ready)" : "out_ready"),
+      fmt::arg("in_phase",
+               waits ? fmt::format("      assert (phase < {0});\n      for (k = 0; k <= {1}; k = k + 1)\n"
+                                   "        if (is_test[k]) assert (phase == (k + 1) % {0});\n",
+                                   interval, latency)
+                     : ""));
   std::string wrapper = rtl::result_fifo(
       rtl::unit_interface(unit, operands, {{"seen", 1, false}}, rtl::FlowControl::none, interval), latency);
-  insert_behind(
-      wrapper, fmt::format("  wire {} unit_tag;\n", rtl::tag_range),
-      fmt::format("  wire [{}:0] is_test;\n  wire [{}:0] tests;\n", latency, test_bits * (latency + 1) - 1));
-  insert_behind(wrapper, "unit_i (\n", "    .is_test(is_test), .tests(tests),\n");
+  insert_behind(wrapper, fmt::format("  wire {} unit_tag;\n", rtl::tag_range),
+                fmt::format("{}  wire [{}:0] is_test;\n  wire [{}:0] tests;\n",
+                            waits ? "  wire [7:0] phase;\n" : "", latency, test_bits * (latency + 1) - 1));
+  insert_behind(wrapper, "unit_i (\n",
+                fmt::format("    {}.is_test(is_test), .tests(tests),\n", waits ? ".phase(phase), " : ""));
   wrapper.insert(wrapper.rfind("endmodule"), properties);
   return stand_in + wrapper;
 }

@@ -15,8 +15,8 @@ namespace hitpipe::formal {
 ///   the oldest test is there `latency` edges after it was taken, or when the one before it has gone
 ///   no result arrives at a full FIFO
 ///   whenever the consumer is ready, the wrapper takes a test in the next cycle
-/// With an interval of more than one cycle the stand-in is ready when it likes, and the wrapper takes a test
-/// in the next cycle if the stand-in is ready then.
+/// With an interval of more than one cycle the stand-in is ready once in the interval, and the wrapper takes
+/// a test then if the consumer was ready once since the stand-in was ready last.
 [[nodiscard]] std::string fifo_proof(const std::string& unit, const std::vector<rtl::Port>& operands,
                                      int latency, int interval = 1);
 

@@ -142,7 +142,7 @@ END
   local bits=(--unroll --noincr --logic QF_BV)
   yosys-smtbmc --noprogress -s z3 "${bits[@]}" -i -t 2 fifo.smt2 >>fifo.log 2>&1 &&
     yosys-smtbmc --noprogress -s z3 "${bits[@]}" -t 2 fifo.smt2 >>fifo.log 2>&1 &&
-    covers fifo $(($(cat latency) * 2 + 8)) "${bits[@]}"
+    covers fifo $((($(cat latency) + $(cat interval)) * 2 + 8)) "${bits[@]}"
 }
 
 # One step of the whole design in which a result waits and rst is low, its arithmetic cut out: no register of it or of

@@ -58,6 +58,16 @@ TEST_P(EveryFewCycles, TheStreamAnswersUnderEveryPatternOfStalls) {
   }
 }
 
+/// As many as can be in flight, and one more.
+TEST_P(EveryFewCycles, TheFifoHasNoMorePlacesThanItNeeds) {
+  for (const int interval : {1, 3, 7, 64}) {
+    const EmittedDesign unit =
+        emitted(GetParam(), interval, {.flow_control = FlowControl::none, .fifo = true});
+    const int latency = unit.manifest->at("latency").get<int>();
+    EXPECT_EQ(unit.manifest->at("result_fifo").at("places"), latency / interval + 2) << interval;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Designs, EveryFewCycles, testing::ValuesIn(every_design({"16/16"})), design_suffix);
 
 TEST(EveryFewCyclesDamaged, IsFound) {

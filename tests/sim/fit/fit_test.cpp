@@ -85,6 +85,17 @@ TEST(FittedRate, UsesNoDemandThatMakesTheUnitLarger) {
   }
 }
 
+/// The ranges of ports hold only with the low bits that are dropped.
+TEST(FittedRate, KeepsTheLowBitsDropped) {
+  const World world(ref::flat_hills());
+  const Precision coarse{.format = hls::IntBits{12, 12}, .coarse = {{0, 3, 1}}};
+  for (const int interval : {1, 3, 6, 12}) {
+    const FittedUnit unit = fit(rtl::find_design("int_slabs"), coarse.format, coarse, world.demands,
+                                library(), {.interval = interval});
+    EXPECT_EQ(unit.coarse.dropped, coarse.coarse.dropped) << interval;
+  }
+}
+
 TEST(FittedRate, TakesTheSmallestUnitThatReachesIt) {
   const World world(hills());
   const rtl::Design& design = rtl::find_design("int_slabs");
