@@ -36,7 +36,7 @@ bool is_side_relation(const Graph& graph, NodeId node) {
   if (graph[node].op != Op::sub) return false;
   bool products = true;
   rtl::for_each_source(graph, node,
-                       [&](NodeId source, std::uint64_t) { products &= graph[source].op == Op::mul; });
+                       [&](NodeId source, rtl::Word) { products &= graph[source].op == Op::mul; });
   return products;
 }
 
@@ -44,7 +44,7 @@ bool compares_side_relation(const Graph& graph, NodeId node) {
   if (graph[node].op != Op::less) return false;
   bool compares = false;
   rtl::for_each_source(graph, node,
-                       [&](NodeId source, std::uint64_t) { compares |= is_side_relation(graph, source); });
+                       [&](NodeId source, rtl::Word) { compares |= is_side_relation(graph, source); });
   return compares;
 }
 

@@ -19,7 +19,7 @@ std::int64_t as_printed(std::int64_t area_um2) {
 }
 
 /// The cells of a unit on a chip: of its parts, which are gates, adders and blocks like all others.
-rtl::ChipCells taken_by(const rtl::Unit& unit, const rtl::Library& library, int clock_ps) {
+rtl::ChipCells taken_by(const rtl::Submodule& unit, const rtl::Library& library, int clock_ps) {
   const rtl::DividedUnit inside = rtl::divided(unit, library, clock_ps);
   rtl::ChipCells taken;
   for (const Count& count : count_logic(inside.body, inside.schedule, inside.placement, Gates::counted)) {
@@ -34,7 +34,7 @@ class PartPrices {
  public:
   PartPrices(const rtl::Pipeline& pipeline, const rtl::Library& library) : library_(library) {
     if (library.chip() == nullptr) return;
-    for (const auto& unit : pipeline.graph.units()) {
+    for (const auto& unit : pipeline.graph.submodules()) {
       units_[{rtl::component_called(unit->component), unit->bits}] = {
           .bits = unit->bits,
           .estimated = true,

@@ -49,7 +49,7 @@ std::vector<std::string> headers_of() {
 }
 
 /// Throws std::runtime_error, one line, when a value is computed outside the pipeline's headers and the
-/// shared headers (check_sources).
+/// shared headers (check_sources), or when a port is too wide (check_ports).
 template <class Pipeline>
 Graph traced(const typename Pipeline::Bits& format) {
   using Bits = typename Pipeline::Bits;
@@ -63,6 +63,7 @@ Graph traced(const typename Pipeline::Bits& format) {
   const Results out = Pipeline::template test<Trace>(format, in);
   Results::for_each(format, out, ports);
   check_sources(graph, headers_of<Pipeline>());
+  check_ports(graph);
   return graph;
 }
 

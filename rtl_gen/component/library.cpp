@@ -169,7 +169,7 @@ ComponentUse component_of(const Graph& graph, NodeId node) {
     case Op::mux:
       return {Component::mux2, n.width};
     case Op::call: {
-      const Unit& unit = *graph.unit_of(node);
+      const Submodule& unit = *graph.submodule_of(node);
       return {component_called(unit.component), unit.bits};
     }
     default:

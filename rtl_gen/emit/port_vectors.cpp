@@ -100,9 +100,9 @@ std::vector<Vector> ShownBits::new_ones(std::span<const Vector> vectors) {
   lanes_.load(operands);
   std::uint64_t taken = 0;
   std::erase_if(hidden_, [&](const Bit& hidden) {
-    const std::uint64_t bit = std::uint64_t{1} << hidden.bit;
+    const Word bit = Word{1} << hidden.bit;
     Lanes wrong = lanes_.right(hidden.node);
-    for (std::uint64_t& each : wrong) each = hidden.value ? each & ~bit : each | bit;
+    for (Word& each : wrong) each = hidden.value ? each & ~bit : each | bit;
     const std::uint64_t shown = lanes_.shown_by(hidden.node, wrong);
     if ((shown & taken) == 0) taken |= shown & (~shown + 1);
     return shown != 0;
@@ -192,7 +192,7 @@ std::vector<VectorGroup> PortVectors::groups(std::size_t count) {
 VectorGroup PortVectors::rare(const std::vector<VectorGroup>& groups, std::size_t count) {
   VectorGroup rare{"rare_bits", {}};
   // The logic of a float operator is too long to be run for each of its bits.
-  if (unit_.graph.units().empty()) {
+  if (unit_.graph.submodules().empty()) {
     ShownBits shown(unit_.graph, unit_.ports);
     for (const VectorGroup& group : groups) {
       const std::span<const Vector> all(group.vectors);

@@ -22,7 +22,7 @@ std::string names_of(const std::vector<Port>& ports, const char* separator) {
 }
 
 /// Some operands as one word, the first in the high bits.
-struct Word {
+struct MemoryWord {
   const std::vector<Port>& ports;
   const char* read;  ///< the register that holds the word while its test enters the unit
 
@@ -44,7 +44,7 @@ struct Word {
   }
 };
 
-std::string memory(const Word& word, const char* name, int slots, const char* enable) {
+std::string memory(const MemoryWord& word, const char* name, int slots, const char* enable) {
   return fmt::format(
       "\n  reg {0}{1} [0:{2}];\n{3}"
       "  always @(posedge clk) if ({4}) {1}[ray_slot] <= {5};\n"
@@ -189,16 +189,16 @@ RaySlots ray_slots(const ModuleInterface& unit, const std::vector<Port>& operand
 
 std::string to_verilog(const RaySlots& slots) {
   const bool ends = !slots.end.empty();
-  const Word line{slots.line, "line_read"};
-  const Word end{slots.end, "end_read"};
-  const Word test{slots.test, "test_read"};
+  const MemoryWord line{slots.line, "line_read"};
+  const MemoryWord end{slots.end, "end_read"};
+  const MemoryWord test{slots.test, "test_read"};
   std::string memories =
       memory(line, "line_memory", slots.slots(), ends ? "written & ~ray_end_only" : "written");
   if (ends) memories += memory(end, "end_memory", slots.slots(), "written");
   std::map<std::string, std::string> wires{
       {"in_valid", "read_valid"}, {"in_ready", "unit_ready"}, {"in_tag", "tag_read"}};
   std::vector<Port> operands;
-  for (const Word& word : {line, end, test}) {
+  for (const MemoryWord& word : {line, end, test}) {
     word.add_bits(wires);
     operands.insert(operands.end(), word.ports.begin(), word.ports.end());
   }

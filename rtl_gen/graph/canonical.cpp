@@ -92,7 +92,7 @@ class Rebuild {
         std::vector<NodeId> operands;
         for (const NodeId arg : n.operands()) operands.push_back(low_bits(arg, from_[arg].width));
         to_.begin_stage(n.min_stage);
-        return to_.call(from_.unit_of(old), operands);
+        return to_.call(from_.submodule_of(old), operands);
       }
       default: {
         const bool whole = n.op == Op::mul || n.op == Op::less || n.op == Op::equal;

@@ -6,19 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "hls/num/bits.hpp"
 #include "rtl_gen/graph/operation.hpp"
 
 namespace hitpipe::rtl {
 
 namespace {
 
-using hls::low_mask;
-using hls::sign_extended;
-
-constexpr int max_width = 64;
-
-bool are_equal(const Unit& a, const Unit& b) {
+bool are_equal(const Submodule& a, const Submodule& b) {
   return a.component == b.component && a.bits == b.bits && to_text(a.body) == to_text(b.body);
 }
 
@@ -32,13 +26,14 @@ std::string_view op_name(Op op) {
 }
 
 NodeId Graph::record(Node node) {
-  if (node.width < 1 || node.width > max_width) {
+  if (node.width < 1 || node.width > most_value_bits) {
     throw std::invalid_argument(
-        fmt::format("graph {}: a value of {} bits, allowed are 1 to {}", name_, node.width, max_width));
+        fmt::format("graph {}: a value of {} bits, allowed are 1 to {}", name_, node.width, most_value_bits));
   }
+  widest_ = std::max(widest_, node.width);
   node.min_stage = is_root(node.op) && node.op != Op::input ? min_stage_ : 0;
-  const Key key{node.op,   node.width, node.is_signed, node.low,
-                node.unit, node.value, node.args,      node.min_stage};
+  const Key key{node.op,        node.width, node.is_signed, node.low,
+                node.submodule, node.value, node.args,      node.min_stage};
   if (node.op != Op::input)
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
   const auto id = static_cast<NodeId>(nodes_.size());
@@ -55,8 +50,10 @@ NodeId Graph::input(std::string_view name, int width, bool is_signed) {
   return id;
 }
 
-NodeId Graph::constant(int width, std::uint64_t value) {
-  return record({.op = Op::constant, .width = width, .value = value & low_mask(width)});
+NodeId Graph::constant(int width, Word value) {
+  return record({.op = Op::constant,
+                 .width = width,
+                 .value = value & ones_below(std::clamp(width, 0, most_value_bits))});
 }
 
 // A reference to a node is good until a node is recorded.
@@ -110,7 +107,7 @@ NodeId Graph::extend(NodeId a, int width, bool is_signed) {
   const Node& n = nodes_[a];
   if (width == n.width) return a;
   if (n.op == Op::constant)
-    return constant(width, is_signed ? static_cast<std::uint64_t>(sign_extended(n.value, n.width)) : n.value);
+    return constant(width, is_signed ? static_cast<Word>(number_of(n.value, n.width)) : n.value);
   if (n.op == Op::extend && (n.is_signed == is_signed || !n.is_signed)) {
     return extend(n.args[0], width, n.is_signed);
   }
@@ -149,7 +146,7 @@ NodeId Graph::mux(NodeId select, NodeId if_one, NodeId if_zero) {
   return record({.op = Op::mux, .width = nodes_[if_one].width, .args = {select, if_one, if_zero}});
 }
 
-NodeId Graph::call(const std::shared_ptr<const Unit>& unit, std::span<const NodeId> operands) {
+NodeId Graph::call(const std::shared_ptr<const Submodule>& unit, std::span<const NodeId> operands) {
   const Graph& body = unit->body;
   if (body.outputs().size() != 1 || operands.size() != body.inputs().size() || operands.empty() ||
       operands.size() > 3) {
@@ -168,10 +165,10 @@ NodeId Graph::call(const std::shared_ptr<const Unit>& unit, std::span<const Node
     n.args[i] = operands[i];
   }
   const auto same = [&](const auto& known) { return known->body.name() == body.name(); };
-  const auto found = std::find_if(units_.begin(), units_.end(), same);
-  n.unit = static_cast<int>(found - units_.begin());
-  if (found == units_.end()) {
-    units_.push_back(unit);
+  const auto found = std::find_if(submodules_.begin(), submodules_.end(), same);
+  n.submodule = static_cast<int>(found - submodules_.begin());
+  if (found == submodules_.end()) {
+    submodules_.push_back(unit);
   } else if (*found != unit && !are_equal(**found, *unit)) {
     throw std::invalid_argument(
         fmt::format("graph {}: two different units have the name {}", name_, body.name()));
@@ -223,35 +220,53 @@ std::string to_text(const Graph& graph) {
     for (const NodeId arg : n.operands()) text += fmt::format(" %{}", arg);
     if (n.op == Op::slice) text += fmt::format(" [{}:{}]", n.low + n.width - 1, n.low);
     if (n.op == Op::constant) text += fmt::format(" {:#x}", n.value);
-    if (n.op == Op::call) text += fmt::format(" {}", graph.unit_of(id)->body.name());
+    if (n.op == Op::call) text += fmt::format(" {}", graph.submodule_of(id)->body.name());
     if (n.min_stage > 0) text += fmt::format(" stage>={}", n.min_stage);
     if (!n.name.empty()) text += fmt::format("  {}", n.name);
     if (n.source.line != 0) text += fmt::format(" @ {}:{}", n.source.file, n.source.line);
     text += '\n';
   }
   for (const Output& out : graph.outputs()) text += fmt::format("output {} %{}\n", out.name, out.node);
-  for (const auto& unit : graph.units()) text += to_text(unit->body);
+  for (const auto& unit : graph.submodules()) text += to_text(unit->body);
   return text;
 }
+
+namespace {
+
+/// In words that hold each value of the graph.
+template <class W>
+std::vector<std::uint64_t> evaluate_in(const Graph& graph, std::span<const std::uint64_t> inputs) {
+  std::vector<W> value(graph.size());
+  std::size_t next_input = 0;
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const Node& n = graph[id];
+    const auto operand = [&](std::size_t i) { return n.args[i] == no_node ? W{0} : value[n.args[i]]; };
+    if (n.op == Op::input) value[id] = inputs[next_input++];
+    with_operation<W>(graph, n, run_body, [&](const auto& operation) {
+      value[id] = operation(operand(0), operand(1), operand(2));
+    });
+    value[id] &= ones_below<W>(n.width);
+  }
+  std::vector<std::uint64_t> results;
+  for (const Output& out : graph.outputs()) results.push_back(static_cast<std::uint64_t>(value[out.node]));
+  return results;
+}
+
+}  // namespace
 
 std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uint64_t> inputs) {
   if (inputs.size() != graph.inputs().size()) {
     throw std::invalid_argument(fmt::format("graph {}: {} input values for {} inputs", graph.name(),
                                             inputs.size(), graph.inputs().size()));
   }
-  std::vector<std::uint64_t> value(graph.size());
-  std::size_t next_input = 0;
-  for (NodeId id = 0; id < graph.size(); ++id) {
-    const Node& n = graph[id];
-    const auto operand = [&](std::size_t i) { return n.args[i] == no_node ? 0 : value[n.args[i]]; };
-    if (n.op == Op::input) value[id] = inputs[next_input++];
-    with_operation(graph, n, run_body,
-                   [&](const auto& operation) { value[id] = operation(operand(0), operand(1), operand(2)); });
-    value[id] &= low_mask(n.width);
-  }
-  std::vector<std::uint64_t> results;
-  for (const Output& out : graph.outputs()) results.push_back(value[out.node]);
-  return results;
+  const auto check_port = [&](NodeId id, std::string_view port) {
+    if (graph[id].width > most_port_bits)
+      throw std::invalid_argument(fmt::format("graph {}: port {} has {} bits, evaluated are 1 to {}",
+                                              graph.name(), port, graph[id].width, most_port_bits));
+  };
+  for (const NodeId id : graph.inputs()) check_port(id, graph[id].name);
+  for (const Output& out : graph.outputs()) check_port(out.node, out.name);
+  return graph.widest() > 64 ? evaluate_in<Word>(graph, inputs) : evaluate_in<std::uint64_t>(graph, inputs);
 }
 
 }  // namespace hitpipe::rtl

@@ -1,5 +1,5 @@
 // A datapath as a flat list of nodes in topological order. An edge is the index of the node that it comes
-// from. Values are bit vectors of 1..64 bits without a sign; a node says when it reads its operands as two's
+// from. Values are bit vectors of 1..128 bits without a sign; a node says when it reads its operands as two's
 // complement. Equal nodes are recorded once. Two graphs are the same when their texts (to_text) are.
 #pragma once
 
@@ -12,6 +12,8 @@
 #include <string_view>
 #include <tuple>
 #include <vector>
+
+#include "rtl_gen/graph/word.hpp"
 
 namespace hitpipe::rtl {
 
@@ -37,7 +39,7 @@ enum class Op : std::uint8_t {
   less,  ///< 1 bit, a < b, operands of one width
   equal,
   mux,   ///< a ? b : c
-  call,  ///< a unit: a component with logic of its own and up to three operands
+  call,  ///< a submodule: a component with logic of its own and up to three operands
 };
 
 [[nodiscard]] std::string_view op_name(Op op);
@@ -66,10 +68,10 @@ struct NamedPart {
 struct Node {
   Op op = Op::input;
   int width = 1;
-  bool is_signed = false;   ///< extend, mul, less: operands are two's complement; input: the port is
-  int low = 0;              ///< slice: lowest bit taken
-  int unit = -1;            ///< call: index into the graph's units
-  std::uint64_t value = 0;  ///< constant, at most 64 bits
+  bool is_signed = false;  ///< extend, mul, less: operands are two's complement; input: the port is
+  int low = 0;             ///< slice: lowest bit taken
+  int submodule = -1;      ///< call: index into the graph's submodules
+  Word value = 0;          ///< constant
   std::array<NodeId, 3> args{no_node, no_node, no_node};
   std::string name{};  ///< from the C++, may be empty
   SourceLine source{};
@@ -89,14 +91,14 @@ struct Output {
   NodeId node;
 };
 
-struct Unit;
+struct Submodule;
 
 class Graph {
  public:
   explicit Graph(std::string name) : name_(std::move(name)) {}
 
   NodeId input(std::string_view name, int width, bool is_signed);
-  NodeId constant(int width, std::uint64_t value);
+  NodeId constant(int width, Word value);
   NodeId slice(NodeId a, int high, int low);
   NodeId concat(NodeId high, NodeId low);
   NodeId extend(NodeId a, int width, bool is_signed);
@@ -105,9 +107,9 @@ class Graph {
   NodeId invert(NodeId a);
   NodeId binary(Op op, NodeId a, NodeId b, bool is_signed = false);
   NodeId mux(NodeId select, NodeId if_one, NodeId if_zero);
-  /// The unit's only output. Units with the same body name must be equal and become one unit; throws
+  /// The submodule's only output. Those with the same body name must be equal and become one; throws
   /// std::invalid_argument when they differ.
-  NodeId call(const std::shared_ptr<const Unit>& unit, std::span<const NodeId> operands);
+  NodeId call(const std::shared_ptr<const Submodule>& unit, std::span<const NodeId> operands);
   void output(std::string_view name, NodeId node);
 
   /// Names a value unless it has a name already (inputs keep their port's). The name of a slice is also that
@@ -120,17 +122,21 @@ class Graph {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const Node& operator[](NodeId id) const { return nodes_[id]; }
+  /// The width of the widest value.
+  [[nodiscard]] int widest() const { return widest_; }
   [[nodiscard]] NodeId size() const { return static_cast<NodeId>(nodes_.size()); }
   [[nodiscard]] const std::vector<NodeId>& inputs() const { return inputs_; }
   [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }
-  [[nodiscard]] const std::vector<std::shared_ptr<const Unit>>& units() const { return units_; }
-  /// The unit that a call node calls.
-  [[nodiscard]] const std::shared_ptr<const Unit>& unit_of(NodeId id) const {
-    return units_[static_cast<std::size_t>(nodes_[id].unit)];
+  [[nodiscard]] const std::vector<std::shared_ptr<const Submodule>>& submodules() const {
+    return submodules_;
+  }
+  /// What a call node calls.
+  [[nodiscard]] const std::shared_ptr<const Submodule>& submodule_of(NodeId id) const {
+    return submodules_[static_cast<std::size_t>(nodes_[id].submodule)];
   }
 
  private:
-  using Key = std::tuple<Op, int, bool, int, int, std::uint64_t, std::array<NodeId, 3>, int>;
+  using Key = std::tuple<Op, int, bool, int, int, Word, std::array<NodeId, 3>, int>;
   NodeId record(Node node);
   void add_part(NodeId node, const NamedPart& part);
 
@@ -138,13 +144,14 @@ class Graph {
   std::vector<Node> nodes_;
   std::vector<NodeId> inputs_;
   std::vector<Output> outputs_;
-  std::vector<std::shared_ptr<const Unit>> units_;
+  std::vector<std::shared_ptr<const Submodule>> submodules_;
   std::map<Key, NodeId> known_;
   int min_stage_ = 0;
+  int widest_ = 0;
 };
 
 /// A component that is itself a graph, such as a float operator. It is emitted as a module of its own.
-struct Unit {
+struct Submodule {
   std::string component;  ///< the library's name for it, e.g. "fp_subtract"
   int bits;               ///< the width at which the library is asked
   Graph body;             ///< canonical, one output; its name, e.g. "fp_subtract_8_23", identifies the unit
@@ -154,7 +161,7 @@ struct Unit {
 [[nodiscard]] std::string to_text(const Graph& graph);
 
 /// The value of every output for the given inputs (in port order). It defines what a graph means, and checks
-/// that passes do not change it.
+/// that passes do not change it. Throws std::invalid_argument for a port that is wider than 64 bits.
 [[nodiscard]] std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uint64_t> inputs);
 
 }  // namespace hitpipe::rtl

@@ -8,25 +8,25 @@ namespace {
 
 /// Of any node but an input.
 template <class LanesOf>
-void run(const Graph& graph, NodeId id, RunUnit run_unit, const LanesOf& lanes_of, Lanes& out) {
+void run(const Graph& graph, NodeId id, RunSubmodule run_submodule, const LanesOf& lanes_of, Lanes& out) {
   const Node& n = graph[id];
-  const std::uint64_t mask = hls::low_mask(n.width);
+  const Word mask = ones_below(n.width);
   const auto operand = [&](std::size_t i) -> const Lanes& {
     return n.args[i] == no_node ? out : lanes_of(n.args[i]);
   };
   const Lanes& a = operand(0);
   const Lanes& b = operand(1);
   const Lanes& c = operand(2);
-  with_operation(graph, n, run_unit, [&](const auto& operation) {
+  with_operation<Word>(graph, n, run_submodule, [&](const auto& operation) {
     for (std::size_t i = 0; i < most_lanes; ++i) out[i] = operation(a[i], b[i], c[i]) & mask;
   });
 }
 
 }  // namespace
 
-GraphLanes::GraphLanes(const Graph& graph, RunUnit run_unit)
+GraphLanes::GraphLanes(const Graph& graph, RunSubmodule run_submodule)
     : graph_(graph),
-      run_unit_(run_unit),
+      run_submodule_(run_submodule),
       right_(graph.size()),
       wrong_(graph.size()),
       differs_(graph.size()),
@@ -45,13 +45,13 @@ GraphLanes::GraphLanes(const Graph& graph, RunUnit run_unit)
 void GraphLanes::load(std::span<const std::vector<std::int64_t>> operands) {
   for (std::size_t input = 0; input < graph_.inputs().size(); ++input) {
     const NodeId id = graph_.inputs()[input];
-    const std::uint64_t mask = hls::low_mask(graph_[id].width);
+    const Word mask = ones_below(graph_[id].width);
     for (std::size_t i = 0; i < most_lanes; ++i)
-      right_[id][i] = static_cast<std::uint64_t>(operands[std::min(i, operands.size() - 1)][input]) & mask;
+      right_[id][i] = static_cast<Word>(operands[std::min(i, operands.size() - 1)][input]) & mask;
   }
   for (NodeId id = 0; id < graph_.size(); ++id) {
     const auto lanes_of = [&](NodeId arg) -> const Lanes& { return right_[arg]; };
-    run(graph_, id, run_unit_, lanes_of, right_[id]);
+    run(graph_, id, run_submodule_, lanes_of, right_[id]);
   }
 }
 
@@ -65,7 +65,7 @@ std::uint64_t GraphLanes::shown_by(NodeId node, const Lanes& wrong) {
   for (const NodeId id : readers_[node]) {
     const auto args = graph_[id].operands();
     if (std::none_of(args.begin(), args.end(), [&](NodeId arg) { return differs_[arg] != 0; })) continue;
-    run(graph_, id, run_unit_, lanes_of, wrong_[id]);
+    run(graph_, id, run_submodule_, lanes_of, wrong_[id]);
     differs_[id] = wrong_[id] == right_[id] ? 0 : 1;
   }
   std::uint64_t shown = 0;

@@ -12,13 +12,13 @@ namespace hitpipe::rtl {
 
 inline constexpr std::size_t most_lanes = 64;
 /// A value for each lane. Lanes without a vector repeat the last vector.
-using Lanes = std::array<std::uint64_t, most_lanes>;
+using Lanes = std::array<Word, most_lanes>;
 
 class GraphLanes {
  public:
   /// The graph must outlive it.
-  /// `run_unit` computes calls; another one may be quicker.
-  explicit GraphLanes(const Graph& graph, RunUnit run_unit = run_body);
+  /// `run_submodule` computes calls; another one may be quicker.
+  explicit GraphLanes(const Graph& graph, RunSubmodule run_submodule = run_body);
 
   /// One to 64 vectors, each with a number for each input in order; bits above an input's width are ignored.
   void load(std::span<const std::vector<std::int64_t>> operands);
@@ -29,7 +29,7 @@ class GraphLanes {
 
  private:
   const Graph& graph_;
-  RunUnit run_unit_;
+  RunSubmodule run_submodule_;
   std::vector<Lanes> right_, wrong_;
   std::vector<char> differs_;
   std::vector<std::vector<NodeId>> readers_;  ///< every node that depends on the node

@@ -5,16 +5,10 @@
 
 namespace hitpipe::rtl {
 
-/// Bits high..low of a 64-bit mask.
-[[nodiscard]] constexpr std::uint64_t bit_range(int high, int low) {
-  const std::uint64_t upto = high >= 63 ? ~std::uint64_t{0} : (std::uint64_t{1} << (high + 1)) - 1;
-  return upto & ~((std::uint64_t{1} << low) - 1);
-}
-
 /// Calls visit(root, bits) for every input, component or gate from which wires bring the masked bits of
 /// `value`.
 template <class Visit>
-void for_each_source_of(const Graph& graph, NodeId value, std::uint64_t bits, Visit&& visit) {
+void for_each_source_of(const Graph& graph, NodeId value, Word bits, Visit&& visit) {
   const Node& n = graph[value];
   if (bits == 0 || n.op == Op::constant) return;
   switch (n.op) {
@@ -32,8 +26,8 @@ void for_each_source_of(const Graph& graph, NodeId value, std::uint64_t bits, Vi
     }
     case Op::extend: {
       const int source = graph[n.args[0]].width;
-      std::uint64_t low = bits & bit_range(source - 1, 0);
-      if (n.is_signed && (bits & ~bit_range(source - 1, 0)) != 0) low |= std::uint64_t{1} << (source - 1);
+      Word low = bits & bit_range(source - 1, 0);
+      if (n.is_signed && (bits & ~bit_range(source - 1, 0)) != 0) low |= Word{1} << (source - 1);
       for_each_source_of(graph, n.args[0], low, visit);
       break;
     }

@@ -43,7 +43,18 @@ void check_sources(const Graph& graph, const std::vector<std::string>& headers) 
         "namespace of their own, or name the other pipeline in `Shares`",
         graph.name(), graph[id].name, file, graph[id].source.line, fmt::join(headers, ", ")));
   }
-  for (const auto& unit : graph.units()) check_sources(unit->body, headers);
+  for (const auto& unit : graph.submodules()) check_sources(unit->body, headers);
+}
+
+void check_ports(const Graph& graph) {
+  const auto check = [&](NodeId id, std::string_view port) {
+    if (graph[id].width > most_port_bits)
+      throw std::runtime_error(
+          fmt::format("design {}: port {} has {} bits, allowed are 1 to {}; make it two ports", graph.name(),
+                      port, graph[id].width, most_port_bits));
+  };
+  for (const NodeId id : graph.inputs()) check(id, graph[id].name);
+  for (const Output& out : graph.outputs()) check(out.node, out.name);
 }
 
 namespace detail {

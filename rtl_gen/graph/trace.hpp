@@ -38,6 +38,9 @@ class TraceRecorder {
 /// which the linker keeps only the other design's.
 void check_sources(const Graph& graph, const std::vector<std::string>& headers);
 
+/// Throws std::runtime_error, one line, when a port of a design is wider than programs read and write it.
+void check_ports(const Graph& graph);
+
 /// A node of the traced graph, read as two's complement or not. Its width is the node's.
 template <bool S>
 class Signal {
@@ -58,7 +61,7 @@ struct Trace {
   using bit = uint;
 
   static uint lit(std::int64_t value, int width) {
-    return uint(TraceRecorder::graph().constant(width, static_cast<std::uint64_t>(value)));
+    return uint(TraceRecorder::graph().constant(width, static_cast<Word>(value)));
   }
 };
 

@@ -25,10 +25,10 @@ Trace::uint call(const Operator& what, const hls::FpBits& format, const Trace::u
   Graph& graph = TraceRecorder::graph();
   const std::string name = std::string(what.component) + '_' + std::to_string(format.exponent) + '_' +
                            std::to_string(format.fraction);
-  const auto known = std::find_if(graph.units().begin(), graph.units().end(),
+  const auto known = std::find_if(graph.submodules().begin(), graph.submodules().end(),
                                   [&](const auto& unit) { return unit->body.name() == name; });
-  std::shared_ptr<const Unit> unit;
-  if (known != graph.units().end()) {
+  std::shared_ptr<const Submodule> unit;
+  if (known != graph.submodules().end()) {
     unit = *known;
   } else {
     const int width = width_of(a);
@@ -37,7 +37,7 @@ Trace::uint call(const Operator& what, const hls::FpBits& format, const Trace::u
     const Trace::uint left(body.input("a", width, false));
     const Trace::uint right(body.input("b", width, false));
     body.output(what.result, logic(format, left, right).id());
-    unit = std::make_shared<const Unit>(Unit{what.component, what.bits, canonical(body)});
+    unit = std::make_shared<const Submodule>(Submodule{what.component, what.bits, canonical(body)});
   }
   const std::array<NodeId, 2> operands{a.id(), b.id()};
   return Trace::uint(graph.call(unit, operands));

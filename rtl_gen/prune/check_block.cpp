@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "hls/num/bits.hpp"
 #include "rtl_gen/prune/facts.hpp"
 
 namespace hitpipe::rtl {

@@ -1,7 +1,6 @@
 #include "rtl_gen/prune/facts.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <set>
 #include <utility>
@@ -12,14 +11,14 @@ namespace hitpipe::rtl {
 
 namespace {
 
-Interval all_signed(int width) {
-  const auto most = static_cast<std::int64_t>(hls::low_mask(width) >> 1);
+Numbers all_signed(int width) {
+  const auto most = static_cast<Number>(ones_below(width) >> 1);
   return {-most - 1, most};
 }
 
 }  // namespace
 
-Facts::Facts(int width, std::uint64_t zeros, std::uint64_t ones, Interval number)
+Facts::Facts(int width, Word zeros, Word ones, Numbers number)
     : width_(width), zeros_(zeros), ones_(ones), number_(number) {
   sharpen();
 }
@@ -27,46 +26,43 @@ Facts::Facts(int width, std::uint64_t zeros, std::uint64_t ones, Interval number
 /// Known bits bound the number; both ends of its interval must have the known low bits; and all numbers of
 /// the interval agree in the bits above the highest one in which its ends differ.
 void Facts::sharpen() {
-  const std::uint64_t sign = std::uint64_t{1} << (width_ - 1);
-  const std::uint64_t least = ones_ | (sign & ~zeros_);
-  const std::uint64_t most = (~zeros_ & hls::low_mask(width_) & ~sign) | (ones_ & sign);
-  number_.low = std::max(number_.low, hls::sign_extended(least, width_));
-  number_.high = std::min(number_.high, hls::sign_extended(most, width_));
-  const std::uint64_t below = hls::low_mask(known_low());
-  const std::uint64_t low =
-      static_cast<std::uint64_t>(number_.low) + ((ones_ - static_cast<std::uint64_t>(number_.low)) & below);
-  const std::uint64_t high =
-      static_cast<std::uint64_t>(number_.high) - ((static_cast<std::uint64_t>(number_.high) - ones_) & below);
-  number_ = {static_cast<std::int64_t>(low), static_cast<std::int64_t>(high)};
-  const int differing = 64 - std::countl_zero(low ^ high);
-  const std::uint64_t agreed = differing == 64 ? 0 : ~std::uint64_t{0} << differing;
-  zeros_ |= ~low & agreed & hls::low_mask(width_);
-  ones_ |= low & agreed & hls::low_mask(width_);
+  const Word sign = Word{1} << (width_ - 1);
+  const Word least = ones_ | (sign & ~zeros_);
+  const Word most = (~zeros_ & ones_below(width_) & ~sign) | (ones_ & sign);
+  number_.low = std::max(number_.low, number_of(least, width_));
+  number_.high = std::min(number_.high, number_of(most, width_));
+  const Word below = ones_below(known_low());
+  const Word low = static_cast<Word>(number_.low) + ((ones_ - static_cast<Word>(number_.low)) & below);
+  const Word high = static_cast<Word>(number_.high) - ((static_cast<Word>(number_.high) - ones_) & below);
+  number_ = {static_cast<Number>(low), static_cast<Number>(high)};
+  const Word agreed = ~ones_below(width_of_bits(low ^ high));
+  zeros_ |= ~low & agreed & ones_below(width_);
+  ones_ |= low & agreed & ones_below(width_);
 }
 
 Facts Facts::nothing(int width) {
   return {width, 0, 0, all_signed(width)};
 }
 
-Facts Facts::constant(int width, std::uint64_t pattern) {
-  const std::int64_t number = hls::sign_extended(pattern, width);
+Facts Facts::constant(int width, Word pattern) {
+  const Number number = number_of(pattern, width);
   return {width, 0, 0, {number, number}};
 }
 
-Facts Facts::number(int width, Wide low, Wide high) {
-  const Interval all = all_signed(width);
+Facts Facts::number(int width, Number low, Number high) {
+  const Numbers all = all_signed(width);
   if (low < all.low || high > all.high) return nothing(width);
-  return {width, 0, 0, {static_cast<std::int64_t>(low), static_cast<std::int64_t>(high)}};
+  return {width, 0, 0, {low, high}};
 }
 
 Facts Facts::patterns(int width, Patterns p) {
   // Patterns with the top bit clear and set are not one interval of numbers.
   if ((p.low ^ p.high) >> (width - 1) != 0) return nothing(width);
-  return number(width, hls::sign_extended(p.low, width), hls::sign_extended(p.high, width));
+  return number(width, number_of(p.low, width), number_of(p.high, width));
 }
 
-Facts Facts::bits(int width, std::uint64_t zeros, std::uint64_t ones) {
-  return {width, zeros & hls::low_mask(width), ones & hls::low_mask(width), all_signed(width)};
+Facts Facts::bits(int width, Word zeros, Word ones) {
+  return {width, zeros & ones_below(width), ones & ones_below(width), all_signed(width)};
 }
 
 Facts Facts::either(const Facts& a, const Facts& b) {
@@ -85,30 +81,27 @@ Facts Facts::both(const Facts& a, const Facts& b) {
 
 Patterns Facts::patterns() const {
   if (number_.low >= 0 || number_.high < 0) {
-    return {static_cast<std::uint64_t>(number_.low) & hls::low_mask(width_),
-            static_cast<std::uint64_t>(number_.high) & hls::low_mask(width_)};
+    return {static_cast<Word>(number_.low) & ones_below(width_),
+            static_cast<Word>(number_.high) & ones_below(width_)};
   }
-  return {ones_, ~zeros_ & hls::low_mask(width_)};
+  return {ones_, ~zeros_ & ones_below(width_)};
 }
 
 int Facts::signed_width() const {
-  const auto bits_of = [](std::int64_t n) {
-    return 65 - std::countl_zero(static_cast<std::uint64_t>(n < 0 ? ~n : n));
-  };
+  const auto bits_of = [](Number n) { return 1 + width_of_bits(static_cast<Word>(n < 0 ? ~n : n)); };
   return std::min(width_, std::max(bits_of(number_.low), bits_of(number_.high)));
 }
 
 int Facts::unknown_width() const {
-  const std::uint64_t unknown = ~(zeros_ | ones_) & hls::low_mask(width_);
-  return 64 - std::countl_zero(unknown);
+  return width_of_bits(~(zeros_ | ones_) & ones_below(width_));
 }
 
 int Facts::known_low() const {
-  return std::countr_one(zeros_ | ones_);
+  return low_ones(zeros_ | ones_);
 }
 
 int Facts::low_zeros() const {
-  return std::countr_one(zeros_);
+  return low_ones(zeros_);
 }
 
 namespace {
@@ -117,20 +110,30 @@ namespace {
 using Orders = std::set<std::pair<NodeId, NodeId>>;
 
 /// The low bits of a sum or difference are known up to where the bits of both operands are.
-Facts known_low_bits(const Facts& a, const Facts& b, std::uint64_t result_of_ones) {
-  const std::uint64_t mask = hls::low_mask(std::min(a.known_low(), b.known_low()));
+Facts known_low_bits(const Facts& a, const Facts& b, Word result_of_ones) {
+  const Word mask = ones_below(std::min(a.known_low(), b.known_low()));
   return Facts::bits(a.width(), ~result_of_ones & mask, result_of_ones & mask);
 }
 
 Facts sum(const Facts& a, const Facts& b) {
-  const Facts bounds = Facts::number(a.width(), Wide{a.number().low} + b.number().low,
-                                     Wide{a.number().high} + b.number().high);
+  const Numbers x = a.number();
+  const Numbers y = b.number();
+  Number low = 0;
+  Number high = 0;
+  const bool fits =
+      !__builtin_add_overflow(x.low, y.low, &low) && !__builtin_add_overflow(x.high, y.high, &high);
+  const Facts bounds = fits ? Facts::number(a.width(), low, high) : Facts::nothing(a.width());
   return Facts::both(bounds, known_low_bits(a, b, a.ones() + b.ones()));
 }
 
 Facts difference(const Facts& a, const Facts& b) {
-  const Facts bounds = Facts::number(a.width(), Wide{a.number().low} - b.number().high,
-                                     Wide{a.number().high} - b.number().low);
+  const Numbers x = a.number();
+  const Numbers y = b.number();
+  Number low = 0;
+  Number high = 0;
+  const bool fits =
+      !__builtin_sub_overflow(x.low, y.high, &low) && !__builtin_sub_overflow(x.high, y.low, &high);
+  const Facts bounds = fits ? Facts::number(a.width(), low, high) : Facts::nothing(a.width());
   return Facts::both(bounds, known_low_bits(a, b, a.ones() - b.ones()));
 }
 
@@ -140,15 +143,16 @@ Facts product_in_range(int width, const Facts& a, const Facts& b, bool is_signed
     return Facts::patterns(width,
                            {a.patterns().low * b.patterns().low, a.patterns().high * b.patterns().high});
   }
-  const Wide corners[] = {Wide{a.number().low} * b.number().low, Wide{a.number().low} * b.number().high,
-                          Wide{a.number().high} * b.number().low, Wide{a.number().high} * b.number().high};
+  const Numbers x = a.number();
+  const Numbers y = b.number();
+  const Number corners[] = {x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high};
   const auto [least, most] = std::minmax_element(std::begin(corners), std::end(corners));
   return Facts::number(width, *least, *most);
 }
 
 Facts product(int width, const Facts& a, const Facts& b, bool is_signed) {
   return Facts::both(product_in_range(width, a, b, is_signed),
-                     Facts::bits(width, hls::low_mask(std::min(width, a.low_zeros() + b.low_zeros())), 0));
+                     Facts::bits(width, ones_below(std::min(width, a.low_zeros() + b.low_zeros())), 0));
 }
 
 Facts sliced(const Facts& a, int low, int width) {
@@ -160,18 +164,20 @@ Facts concatenated(int width, const Facts& high, const Facts& low) {
   const int shift = low.width();
   const Facts bits =
       Facts::bits(width, high.zeros() << shift | low.zeros(), high.ones() << shift | low.ones());
-  const Wide unit = Wide{1} << shift;
-  return Facts::both(bits, Facts::number(width, high.number().low * unit + Wide{low.patterns().low},
-                                         high.number().high * unit + Wide{low.patterns().high}));
+  const auto above = [&](Number upper, Word lower) {
+    return static_cast<Number>(static_cast<Word>(upper) << shift | lower);
+  };
+  return Facts::both(bits, Facts::number(width, above(high.number().low, low.patterns().low),
+                                         above(high.number().high, low.patterns().high)));
 }
 
 Facts extended(const Facts& a, int width, bool is_signed) {
   if (is_signed) {
     const Facts bounds = Facts::number(width, a.number().low, a.number().high);
-    return Facts::both(bounds, Facts::bits(width, a.zeros() & hls::low_mask(a.width()) >> 1,
-                                           a.ones() & hls::low_mask(a.width()) >> 1));
+    return Facts::both(bounds, Facts::bits(width, a.zeros() & ones_below(a.width()) >> 1,
+                                           a.ones() & ones_below(a.width()) >> 1));
   }
-  const std::uint64_t above = ~hls::low_mask(a.width());
+  const Word above = ~ones_below(a.width());
   return Facts::both(Facts::bits(width, a.zeros() | above, a.ones()), Facts::patterns(width, a.patterns()));
 }
 
@@ -241,7 +247,7 @@ class Analysis {
       case Op::call: {
         std::vector<Facts> operands;
         for (const NodeId operand : n.operands()) operands.push_back(facts_[operand]);
-        const Graph& body = graph_.unit_of(id)->body;
+        const Graph& body = graph_.submodule_of(id)->body;
         return Analysis(body, operands, {}).take()[body.outputs().front().node];
       }
     }
@@ -252,8 +258,10 @@ class Analysis {
     const Facts& a = facts_[n.args[0]];
     const Facts& b = facts_[n.args[1]];
     if (n.args[0] == n.args[1]) return Facts::constant(n.width, 0);
-    const Wide most = Wide{a.number().high} - b.number().low;
-    if (in_order(n.args[1], n.args[0], true) && most <= Wide{hls::low_mask(n.width) >> 1})
+    Number most = 0;
+    if (in_order(n.args[1], n.args[0], true) &&
+        !__builtin_sub_overflow(a.number().high, b.number().low, &most) &&
+        most <= static_cast<Number>(ones_below(n.width) >> 1))
       return Facts::both(difference(a, b), Facts::number(n.width, 0, most));
     return difference(a, b);
   }
@@ -267,8 +275,8 @@ class Analysis {
     // a < b ? b : a is the greater of two, a < b ? a : b the lesser.
     const Node& order = graph_[n.args[0]];
     if (order.op != Op::less || !order.is_signed) return plain;
-    const Interval a = facts_[n.args[1]].number();
-    const Interval b = facts_[n.args[2]].number();
+    const Numbers a = facts_[n.args[1]].number();
+    const Numbers b = facts_[n.args[2]].number();
     if (order.args[0] == n.args[2] && order.args[1] == n.args[1])
       return Facts::both(plain, Facts::number(n.width, std::max(a.low, b.low), std::max(a.high, b.high)));
     if (order.args[0] == n.args[1] && order.args[1] == n.args[2]) {
@@ -283,7 +291,7 @@ class Analysis {
       if (n.op == Op::extend) return n.is_signed == is_signed;
       if (n.op != Op::slice || n.low != 0) return false;
       const Facts& whole = facts_[n.args[0]];
-      return is_signed ? whole.signed_width() <= n.width : whole.patterns().high <= hls::low_mask(n.width);
+      return is_signed ? whole.signed_width() <= n.width : whole.patterns().high <= ones_below(n.width);
     };
     const auto port_of = [&](NodeId id) {
       while (keeps_number(graph_[id])) id = graph_[id].args[0];
@@ -304,13 +312,13 @@ class Analysis {
 Facts facts_of(const PortDemand& demand, int width, bool is_signed) {
   const auto of = [&](const Interval& i) {
     return is_signed ? Facts::number(width, i.low, i.high)
-                     : Facts::patterns(
-                           width, {static_cast<std::uint64_t>(i.low), static_cast<std::uint64_t>(i.high)});
+                     : Facts::patterns(width, {static_cast<Word>(i.low) & ones_below(width),
+                                               static_cast<Word>(i.high) & ones_below(width)});
   };
   Facts facts = of(*multiples_in(demand.within.front(), demand.low_zeros));
   for (const Interval& i : demand.within)
     facts = Facts::either(facts, of(*multiples_in(i, demand.low_zeros)));
-  return Facts::both(facts, Facts::bits(width, hls::low_mask(demand.low_zeros), 0));
+  return Facts::both(facts, Facts::bits(width, ones_below(demand.low_zeros), 0));
 }
 
 std::vector<Facts> analyse(const Graph& graph, const Demands& demands) {
@@ -332,20 +340,18 @@ std::vector<Facts> analyse(const Graph& graph, const Demands& demands) {
     const NodeId node = graph.inputs()[lesser];
     orders.insert({node, graph.inputs()[greater]});
     if (!graph[node].is_signed) continue;
-    const auto within = [&](std::int64_t low, std::int64_t high) {
-      return Facts::number(graph[node].width, low, high);
-    };
-    const Interval below = ports[lesser].number();
-    const Interval above = ports[greater].number();
+    const auto within = [&](Number low, Number high) { return Facts::number(graph[node].width, low, high); };
+    const Numbers below = ports[lesser].number();
+    const Numbers above = ports[greater].number();
     ports[lesser] = Facts::both(ports[lesser], within(below.low, std::min(below.high, above.high)));
     ports[greater] = Facts::both(ports[greater], within(std::max(below.low, above.low), above.high));
   }
   return Analysis(graph, ports, orders).take();
 }
 
-std::vector<std::uint64_t> read_bits(const Graph& graph) {
-  std::vector<std::uint64_t> bits(graph.size(), 0);
-  const auto read = [&](NodeId source, std::uint64_t mask) { bits[source] |= mask; };
+std::vector<Word> read_bits(const Graph& graph) {
+  std::vector<Word> bits(graph.size(), 0);
+  const auto read = [&](NodeId source, Word mask) { bits[source] |= mask; };
   for (NodeId id = 0; id < graph.size(); ++id)
     if (is_root(graph[id].op)) for_each_source(graph, id, read);
   for (const Output& out : graph.outputs()) for_each_source_of(graph, out.node, read);

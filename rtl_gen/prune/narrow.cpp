@@ -37,7 +37,7 @@ NodeId whole(Graph& to, NodeId made, const Core& core, const Facts& facts) {
   const NodeId low = core.low == 0 ? made : to.concat(made, to.constant(core.low, facts.ones()));
   if (core.by_sign) return to.extend(low, facts.width(), true);
   if (core.width == facts.width()) return low;
-  const std::uint64_t above = facts.ones() >> core.width;
+  const Word above = facts.ones() >> core.width;
   if (above == 0) return to.extend(low, facts.width(), false);
   return to.concat(to.constant(facts.width() - core.width, above), low);
 }
@@ -110,7 +110,7 @@ class Narrow {
     int zeros = 0;
     const auto fit = [&](std::size_t i) {
       const Facts& f = facts_[n.args[i]];
-      const int bits = std::max(1, n.is_signed ? f.signed_width() : 64 - std::countl_zero(f.patterns().high));
+      const int bits = std::max(1, n.is_signed ? f.signed_width() : width_of_bits(f.patterns().high));
       const int low = std::min(f.low_zeros(), bits - 1);
       zeros += low;
       return to.slice(operands[i], bits - 1, low);
@@ -128,14 +128,14 @@ class Narrow {
     const Facts& a = facts_[n.args[0]];
     const Facts& b = facts_[n.args[1]];
     const int width = a.width();
-    const std::uint64_t alike = (a.zeros() & b.zeros()) | (a.ones() & b.ones());
-    const int differing = std::max(1, 64 - std::countl_zero(~alike & hls::low_mask(width)));
+    const Word alike = (a.zeros() & b.zeros()) | (a.ones() & b.ones());
+    const int differing = std::max(1, width_of_bits(~alike & ones_below(width)));
     const bool keeps_sign = n.op == Op::less && n.is_signed;
     const int by_sign = std::max(a.signed_width(), b.signed_width());
     // When the high bits are equal, the unsigned patterns below them decide.
     const bool as_patterns = differing < width && differing <= by_sign;
     const int bits = as_patterns ? differing : keeps_sign || n.op == Op::equal ? by_sign : width;
-    const int low = std::min(std::countr_one(alike), bits - 1);
+    const int low = std::min(low_ones(alike), bits - 1);
     const NodeId left = to.slice(operands[0], bits - 1, low);
     return to.binary(n.op, left, to.slice(operands[1], bits - 1, low), keeps_sign && !as_patterns);
   }
@@ -158,7 +158,7 @@ namespace {
 /// of a pattern are lost.
 PortDemand demand_of(const std::string& port, const Facts& facts) {
   const int width = facts.width();
-  const std::uint64_t top = std::uint64_t{1} << (width - 1);
+  const Word top = Word{1} << (width - 1);
   PortDemand demand{port, {}};
   const auto add = [&](const Facts& half) {
     const Patterns patterns = half.patterns();
@@ -171,7 +171,7 @@ PortDemand demand_of(const std::string& port, const Facts& facts) {
   return demand;
 }
 
-std::uint64_t known_bits(const Facts& facts) {
+Word known_bits(const Facts& facts) {
   return facts.zeros() | facts.ones();
 }
 
@@ -221,12 +221,12 @@ class NarrowUnits {
  private:
   NodeId call(Graph& to, NodeId id, const NewOperands& operands) {
     const Node& n = graph_[id];
-    const std::shared_ptr<const Unit>& unit = graph_.unit_of(id);
+    const std::shared_ptr<const Submodule>& unit = graph_.submodule_of(id);
     Demands demands;
     int changing = 0;  // bits of the operand that has most of those
     for (std::size_t i = 0; i < n.operands().size(); ++i) {
       const Facts& facts = facts_[n.args[i]];
-      changing = std::max(changing, facts.width() - std::popcount(known_bits(facts)));
+      changing = std::max(changing, facts.width() - count_of_ones(known_bits(facts)));
       if (known_bits(facts) != 0) demands.ports.push_back(demand_of(port(*unit, i).name, facts));
     }
     const std::vector<NodeId> arguments(operands.begin(), operands.begin() + n.arity());
@@ -243,10 +243,10 @@ class NarrowUnits {
                    arguments);
   }
 
-  static const Node& port(const Unit& unit, std::size_t i) { return unit.body[unit.body.inputs()[i]]; }
+  static const Node& port(const Submodule& unit, std::size_t i) { return unit.body[unit.body.inputs()[i]]; }
 
   /// Units that are cut in the same way become one. Their numbers follow the order of the calls.
-  std::shared_ptr<const Unit> named(const Unit& cut) {
+  std::shared_ptr<const Submodule> named(const Submodule& cut) {
     const std::string& name = cut.body.name();
     const std::string whole = name.substr(0, name.find(cut_mark));
     std::vector<Known>& known = cuts_[whole];
@@ -254,15 +254,15 @@ class NarrowUnits {
     for (const Known& each : known)
       if (each.text == text && each.unit->bits == cut.bits) return each.unit;
     known.push_back(
-        {text, std::make_shared<const Unit>(
-                   Unit{cut.component, cut.bits,
-                        renamed(cut.body, fmt::format("{}{}{}", whole, cut_mark, known.size() + 1))})});
+        {text, std::make_shared<const Submodule>(
+                   Submodule{cut.component, cut.bits,
+                             renamed(cut.body, fmt::format("{}{}{}", whole, cut_mark, known.size() + 1))})});
     return known.back().unit;
   }
 
   struct Known {
     std::string text;  ///< of the body, with the name of the whole unit
-    std::shared_ptr<const Unit> unit;
+    std::shared_ptr<const Submodule> unit;
   };
 
   const Graph& graph_;
@@ -278,10 +278,10 @@ Graph narrow_units(const Graph& graph, const Demands& demands) {
 
 Graph narrow_ports(const Graph& graph, const Demands& demands) {
   const std::vector<Facts> facts = analyse(graph, demands);
-  const std::vector<std::uint64_t> read = read_bits(graph);
+  const std::vector<Word> read = read_bits(graph);
   const auto port = [&](Graph& to, NodeId id) {
     const Node& n = graph[id];
-    const int width = 64 - std::countl_zero(read[id]);
+    const int width = width_of_bits(read[id]);
     if (width == 0) return to.constant(n.width, 0);  // its readers are not read either
     const bool is_signed = n.is_signed && width >= facts[id].signed_width();
     return to.extend(to.input(n.name, width, is_signed), n.width, is_signed);

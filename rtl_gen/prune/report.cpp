@@ -36,9 +36,9 @@ std::string name_from_readers(const Graph& graph, NodeId id,
 
 Size size_of(const Graph& graph) {
   Size size;
-  const std::vector<std::uint64_t> read = read_bits(graph);
+  const std::vector<Word> read = read_bits(graph);
   for (NodeId id = 0; id < graph.size(); ++id) {
-    if (graph[id].op == Op::input) size.bits += std::popcount(read[id]);
+    if (graph[id].op == Op::input) size.bits += count_of_ones(read[id]);
     if (!is_root(graph[id].op) || graph[id].op == Op::input) continue;
     ++size.nodes;
     size.bits += graph[id].width;
@@ -65,12 +65,12 @@ std::string cut_text(const Cut& cut) {
 
 std::map<std::string, Named> named_values(const Graph& graph) {
   std::map<std::string, Named> values;
-  const std::vector<std::uint64_t> read = read_bits(graph);
+  const std::vector<Word> read = read_bits(graph);
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& n = graph[id];
     if (!is_root(n.op)) continue;
     int bits = n.width;
-    if (n.op == Op::input) bits = std::popcount(read[id]);
+    if (n.op == Op::input) bits = count_of_ones(read[id]);
     if (is_component(n.op)) bits = component_of(graph, id).bits;
     if (bits > 0) values.insert({n.name, {kind_of(graph, id), bits}});
   }

@@ -29,7 +29,8 @@ NodeId record_again(Graph& to, const Graph& from, NodeId id, const NewOperands& 
     case Op::mux:
       return to.mux(operands[0], operands[1], operands[2]);
     case Op::call:
-      return to.call(from.unit_of(id), std::vector<NodeId>(operands.begin(), operands.begin() + n.arity()));
+      return to.call(from.submodule_of(id),
+                     std::vector<NodeId>(operands.begin(), operands.begin() + n.arity()));
     default:
       return to.binary(n.op, operands[0], operands[1], n.is_signed);
   }
@@ -60,7 +61,7 @@ NodeId while_select_is(bool value, NodeId select, const Graph& to, NodeId arm) {
   return arm;
 }
 
-bool is_constant(const Graph& graph, NodeId id, std::uint64_t pattern) {
+bool is_constant(const Graph& graph, NodeId id, Word pattern) {
   return graph[id].op == Op::constant && graph[id].value == pattern;
 }
 
@@ -71,7 +72,7 @@ bool opposite(const Graph& graph, NodeId a, NodeId b) {
 
 /// The value of a gate with a constant operand; no_node when `fixed` is no constant that decides.
 NodeId with_constant(Graph& to, Op op, NodeId fixed, NodeId other) {
-  const std::uint64_t all = hls::low_mask(to[other].width);
+  const Word all = ones_below(to[other].width);
   if (is_constant(to, fixed, 0)) return op == Op::bit_and ? fixed : other;
   if (!is_constant(to, fixed, all)) return no_node;
   return op == Op::bit_and ? other : op == Op::bit_or ? fixed : to.invert(other);
@@ -82,9 +83,9 @@ NodeId shifted(Graph& to, const Node& mul, NodeId fixed, NodeId other) {
   const Node factor = to[fixed];
   if (factor.op != Op::constant) return no_node;
   if (factor.value == 0) return to.constant(mul.width, 0);
-  if (!std::has_single_bit(factor.value)) return no_node;
-  if (mul.is_signed && hls::sign_extended(factor.value, factor.width) < 0) return no_node;
-  const int shift = std::countr_zero(factor.value);
+  if (count_of_ones(factor.value) != 1) return no_node;
+  if (mul.is_signed && number_of(factor.value, factor.width) < 0) return no_node;
+  const int shift = low_zeros(factor.value);
   const NodeId wide = to.extend(other, mul.width, mul.is_signed);
   return shift == 0 ? wide : to.concat(to.slice(wide, mul.width - 1 - shift, 0), to.constant(shift, 0));
 }
@@ -142,7 +143,7 @@ Graph simplify_gates(const Graph& graph) {
     if (n.op != Op::bit_and && n.op != Op::bit_or && n.op != Op::bit_xor) return no_node;
     const auto [a, b, unused] = operands;
     if (a == b) return n.op == Op::bit_xor ? to.constant(n.width, 0) : a;
-    if (opposite(to, a, b)) return to.constant(n.width, n.op == Op::bit_and ? 0 : hls::low_mask(n.width));
+    if (opposite(to, a, b)) return to.constant(n.width, n.op == Op::bit_and ? Word{0} : ones_below(n.width));
     if (const NodeId made = with_constant(to, n.op, a, b); made != no_node) return made;
     return with_constant(to, n.op, b, a);
   });

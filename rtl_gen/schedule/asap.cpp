@@ -87,8 +87,7 @@ Schedule schedule_as_stated(const Graph& graph, int stages) {
     if (n.op == Op::input) s.slots[id].latched = true;
     if (!is_root(n.op) || n.op == Op::input) continue;
     int stage = std::max(1, n.min_stage);
-    for_each_source(graph, id,
-                    [&](NodeId source, std::uint64_t) { stage = std::max(stage, s.slots[source].finish); });
+    for_each_source(graph, id, [&](NodeId source, Word) { stage = std::max(stage, s.slots[source].finish); });
     if (stage > stages) {
       throw std::logic_error(fmt::format("{}: a node states stage {} of {}", graph.name(), stage, stages));
     }

@@ -16,7 +16,7 @@ struct Start {
 /// The first stage in which a node can start, and when in it. The slots of its operands are known.
 [[nodiscard]] inline Start earliest_start(const Graph& graph, const Schedule& schedule, NodeId id) {
   Start start{.stage = std::max(1, graph[id].min_stage), .time_ps = 0};
-  for_each_source(graph, id, [&](NodeId source, std::uint64_t) {
+  for_each_source(graph, id, [&](NodeId source, Word) {
     const Slot& from = schedule.slots[source];
     const int there = from.latched ? from.finish + 1 : from.finish;
     const int at_ps = from.latched ? 0 : from.ready_ps;
@@ -31,9 +31,8 @@ struct Start {
 [[nodiscard]] inline int last_stage(const Graph& graph, const Schedule& schedule) {
   int last = 1;
   for (const Output& out : graph.outputs())
-    for_each_source_of(graph, out.node, [&](NodeId source, std::uint64_t) {
-      last = std::max(last, schedule.slots[source].finish);
-    });
+    for_each_source_of(graph, out.node,
+                       [&](NodeId source, Word) { last = std::max(last, schedule.slots[source].finish); });
   return last;
 }
 

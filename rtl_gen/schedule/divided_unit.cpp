@@ -59,7 +59,7 @@ int slowest_stage_ps(const Graph& graph, const Schedule& schedule, const Library
 
 }  // namespace
 
-DividedUnit divided(const Unit& unit, const Library& library, int clock_ps) {
+DividedUnit divided(const Submodule& unit, const Library& library, int clock_ps) {
   Graph body = with_products_planned(unit.body, library);
   Schedule schedule = library.chip() != nullptr
                           ? schedule_asap(body, library, clock_ps)
@@ -69,7 +69,7 @@ DividedUnit divided(const Unit& unit, const Library& library, int clock_ps) {
   return {std::move(body), std::move(schedule), std::move(placement)};
 }
 
-Cell timing_of_unit(const Unit& unit, const Library& library, std::optional<int> clock_ps) {
+Cell timing_of_unit(const Submodule& unit, const Library& library, std::optional<int> clock_ps) {
   if (library.chip() == nullptr) return library.timing(component_called(unit.component), unit.bits);
   const Graph body = with_products_planned(unit.body, library);
   const Schedule schedule = schedule_asap(body, library, clock_ps);
@@ -81,12 +81,12 @@ Cell timing_of_unit(const Unit& unit, const Library& library, std::optional<int>
 
 NodeTiming::NodeTiming(const Graph& graph, const Library& library, std::optional<int> clock_ps)
     : graph_(graph), library_(library) {
-  for (const auto& unit : graph.units()) units_.push_back(timing_of_unit(*unit, library, clock_ps));
+  for (const auto& unit : graph.submodules()) units_.push_back(timing_of_unit(*unit, library, clock_ps));
 }
 
 Cell NodeTiming::operator()(NodeId node) const {
   const Node& n = graph_[node];
-  return n.op == Op::call ? units_[static_cast<std::size_t>(n.unit)] : timing_of(graph_, node, library_);
+  return n.op == Op::call ? units_[static_cast<std::size_t>(n.submodule)] : timing_of(graph_, node, library_);
 }
 
 }  // namespace hitpipe::rtl

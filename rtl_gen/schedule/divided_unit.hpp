@@ -17,11 +17,11 @@ struct DividedUnit {
 };
 
 /// In as many stages as timing_of_unit() gives.
-[[nodiscard]] DividedUnit divided(const Unit& unit, const Library& library, int clock_ps);
+[[nodiscard]] DividedUnit divided(const Submodule& unit, const Library& library, int clock_ps);
 
 /// Delay of the slowest stage, and stages. On a chip the unit has as few stages as the clock allows. Without
 /// a clock it is that of its own slowest part and a latch.
-[[nodiscard]] Cell timing_of_unit(const Unit& unit, const Library& library,
+[[nodiscard]] Cell timing_of_unit(const Submodule& unit, const Library& library,
                                   std::optional<int> clock_ps = std::nullopt);
 
 /// The time that the nodes of one graph take. Each unit is divided once.
@@ -33,7 +33,7 @@ class NodeTiming {
  private:
   const Graph& graph_;
   const Library& library_;
-  std::vector<Cell> units_;  ///< in the order of graph.units()
+  std::vector<Cell> units_;  ///< in the order of graph.submodules()
 };
 
 /// Schedules as soon as possible under the shortest clock that needs no more than `stages`. Time is counted

@@ -19,7 +19,7 @@ std::int64_t sharing_price(const Cell& cell, const Library& library) {
 std::int64_t sharing_price(const Graph& graph, NodeId id, const Library& library, int clock_ps);
 
 /// A chip has no price of a unit: it is the price of the unit's inside.
-std::int64_t sharing_price_inside(const Unit& unit, const Library& library, int clock_ps) {
+std::int64_t sharing_price_inside(const Submodule& unit, const Library& library, int clock_ps) {
   const DividedUnit inside = divided(unit, library, clock_ps);
   std::int64_t price = 0;
   for (NodeId id = 0; id < inside.body.size(); ++id) {
@@ -37,7 +37,7 @@ std::int64_t sharing_price(const Graph& graph, NodeId id, const Library& library
     return library.chip() == nullptr ? 0 : sharing_price(library.cell(Component::gate, n.width), library);
   }
   if (n.op == Op::call && library.chip() != nullptr)
-    return sharing_price_inside(*graph.unit_of(id), library, clock_ps);
+    return sharing_price_inside(*graph.submodule_of(id), library, clock_ps);
   const ComponentUse use = component_of(graph, id);
   const std::int64_t price = sharing_price(library.cell(use.component, use.bits), library);
   if (n.op != Op::mul || library.chip() != nullptr) return price;

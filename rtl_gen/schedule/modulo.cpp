@@ -22,7 +22,7 @@ OperationShape shape_of(const Graph& graph, NodeId id) {
   const Node& n = graph[id];
   std::vector<int> widths;
   for (const NodeId arg : n.operands()) widths.push_back(graph[arg].width);
-  return {n.op, n.width, n.is_signed, n.unit, widths};
+  return {n.op, n.width, n.is_signed, n.submodule, widths};
 }
 
 [[noreturn]] void refuse_sharing(const Graph& graph, const std::string& why) {
@@ -103,7 +103,7 @@ class ModuloList {
     const auto works = [&](NodeId id) { return is_root(graph_[id].op) && graph_[id].op != Op::input; };
     for (NodeId id = 0; id < graph_.size(); ++id) {
       if (!works(id)) continue;
-      for_each_source(graph_, id, [&](NodeId source, std::uint64_t) {
+      for_each_source(graph_, id, [&](NodeId source, Word) {
         if (!works(source)) return;
         readers[source].push_back(id);
         ++waits[id];

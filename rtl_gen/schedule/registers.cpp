@@ -1,7 +1,6 @@
 #include "rtl_gen/schedule/registers.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "rtl_gen/graph/sources.hpp"
 
@@ -13,13 +12,13 @@ Placement place_registers(const Graph& graph, const Schedule& schedule, Ports po
     return graph[id].op == Op::input ? (ports == Ports::latched ? 0 : 1) : schedule.slots[id].finish;
   };
   const auto boundaries = static_cast<std::size_t>(schedule.stages) + 1;
-  using BitsByBoundary = std::vector<std::vector<std::uint64_t>>;  // and by value
-  BitsByBoundary live(boundaries, std::vector<std::uint64_t>(graph.size(), 0));
+  using BitsByBoundary = std::vector<std::vector<Word>>;  // and by value
+  BitsByBoundary live(boundaries, std::vector<Word>(graph.size(), 0));
   BitsByBoundary held = live;
   Placement placed;
   placed.used_bits.assign(graph.size(), 0);
 
-  const auto read = [&](NodeId value, std::uint64_t bits, int stage) {
+  const auto read = [&](NodeId value, Word bits, int stage) {
     placed.used_bits[value] |= bits;
     for (int b = first_boundary(value); b < stage; b += interval) {
       const auto boundary = static_cast<std::size_t>(b);
@@ -31,26 +30,21 @@ Placement place_registers(const Graph& graph, const Schedule& schedule, Ports po
   for (NodeId id = 0; id < graph.size(); ++id) {
     if (!is_root(graph[id].op)) continue;
     const int stage = schedule.slots[id].stage;
-    for_each_source(graph, id, [&](NodeId source, std::uint64_t bits) { read(source, bits, stage); });
+    for_each_source(graph, id, [&](NodeId source, Word bits) { read(source, bits, stage); });
   }
   for (const Output& out : graph.outputs()) {
-    for_each_source_of(graph, out.node,
-                       [&](NodeId source, std::uint64_t bits) { read(source, bits, output_stage); });
+    for_each_source_of(graph, out.node, [&](NodeId source, Word bits) { read(source, bits, output_stage); });
   }
 
   for (std::size_t b = 0; b < boundaries; ++b) {
     for (NodeId id = 0; id < graph.size(); ++id) {
-      std::uint64_t rest = live[b][id];
-      while (rest != 0) {
-        const int low = std::countr_zero(rest);
-        const int high = low + std::countr_one(rest >> low) - 1;
+      for_each_run(live[b][id], [&](int high, int low) {
         placed.registers.push_back({.value = id,
                                     .boundary = static_cast<int>(b),
                                     .high = high,
                                     .low = low,
                                     .holds = (held[b][id] & bit_range(high, low)) != 0});
-        rest &= ~bit_range(high, low);
-      }
+      });
     }
   }
   return placed;
@@ -70,7 +64,7 @@ std::vector<int> last_read_outside(const Graph& graph, const Schedule& schedule,
   };
   const auto read = [&](NodeId value, int stage) {
     for_each_source_of(graph, value,
-                       [&](NodeId source, std::uint64_t) { last[source] = std::max(last[source], stage); });
+                       [&](NodeId source, Word) { last[source] = std::max(last[source], stage); });
   };
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& n = graph[id];

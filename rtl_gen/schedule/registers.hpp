@@ -22,8 +22,7 @@ struct Register {
   int high;
   int low;
   bool in_block = false;  ///< it is one of the registers of a chip's multiplier block
-  std::uint64_t unread =
-      0;  ///< bits, numbered as the value's, that are there only because the block has them
+  Word unread = 0;        ///< bits, numbered as the value's, that are there only because the block has them
   bool holds =
       false;  ///< it loads in phase `boundary` mod N alone, because a later stage than the next reads it
 
@@ -36,8 +35,8 @@ enum class Ports {
 };
 
 struct Placement {
-  std::vector<Register> registers;       ///< by boundary, then by value, then from the low bits up
-  std::vector<std::uint64_t> used_bits;  ///< by node: the bits of its value that anything reads
+  std::vector<Register> registers;  ///< by boundary, then by value, then from the low bits up
+  std::vector<Word> used_bits;      ///< by node: the bits of its value that anything reads
 };
 
 /// `interval`: a test begins every so many cycles.

@@ -60,7 +60,7 @@ std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedu
                                    slot.stage, slot.finish));
     }
     int chain = 0;
-    for_each_source(graph, id, [&](NodeId source, std::uint64_t) {
+    for_each_source(graph, id, [&](NodeId source, Word) {
       const Slot& from = schedule.slots[source];
       const int usable = from.latched ? from.finish + 1 : from.finish;
       if (usable > slot.stage) {
@@ -86,7 +86,7 @@ std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedu
     arrival[id] = chain + cell.delay_ps;
   }
   for (const Output& out : graph.outputs()) {
-    for_each_source_of(graph, out.node, [&](NodeId source, std::uint64_t) {
+    for_each_source_of(graph, out.node, [&](NodeId source, Word) {
       if (schedule.slots[source].finish > schedule.stages) {
         broken.push_back(fmt::format("output {} is latched in stage {} but {} is there in stage {}", out.name,
                                      schedule.stages, label(graph, source), schedule.slots[source].finish));
@@ -101,7 +101,7 @@ bool one_kind(const Graph& graph, NodeId a, NodeId b) {
   const Node& x = graph[a];
   const Node& y = graph[b];
   bool alike = is_component(x.op) && x.op == y.op && x.width == y.width && x.is_signed == y.is_signed &&
-               x.unit == y.unit && x.arity() == y.arity();
+               x.submodule == y.submodule && x.arity() == y.arity();
   for (int i = 0; alike && i < x.arity(); ++i)
     alike = graph[x.operands()[static_cast<std::size_t>(i)]].width ==
             graph[y.operands()[static_cast<std::size_t>(i)]].width;

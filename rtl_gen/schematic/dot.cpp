@@ -70,7 +70,7 @@ std::string_view turned(std::string_view sign) {
 
 std::string number_text(const Node& constant, const Node& reader) {
   if (reader.op == Op::call && constant.value != 0) return fmt::format("{:#x}", constant.value);
-  return reader.is_signed ? fmt::format("{}", hls::sign_extended(constant.value, constant.width))
+  return reader.is_signed ? fmt::format("{}", number_of(constant.value, constant.width))
                           : fmt::format("{}", constant.value);
 }
 
@@ -117,9 +117,8 @@ class Drawing {
     for (NodeId id = 0; id < graph_.size(); ++id) {
       if (graph_[id].op == Op::input || !is_root(graph_[id].op) || schedule_.slots[id].stage != stage)
         continue;
-      for_each_source(graph_, id, [&](NodeId source, std::uint64_t) {
-        depth[id] = std::max(depth[id], depth[source] + 1);
-      });
+      for_each_source(graph_, id,
+                      [&](NodeId source, Word) { depth[id] = std::max(depth[id], depth[source] + 1); });
       columns[depth[id]].push_back(id);
     }
     for (auto& [unused, column] : columns) {
@@ -175,7 +174,7 @@ class Drawing {
   }
 
   [[nodiscard]] bool is_order(NodeId id) const {
-    return graph_[id].op == Op::call && graph_.unit_of(id)->component == "fp_compare";
+    return graph_[id].op == Op::call && graph_.submodule_of(id)->component == "fp_compare";
   }
   /// The second of two operands is drawn above the first. A difference keeps the order of its operands.
   [[nodiscard]] bool is_turned(NodeId id) const {
@@ -217,7 +216,7 @@ class Drawing {
   }
 
   [[nodiscard]] std::string unit_symbol(NodeId id) const {
-    const std::string& component = graph_.unit_of(id)->component;
+    const std::string& component = graph_.submodule_of(id)->component;
     if (component == "fp_subtract") return difference_style;
     if (component == "fp_multiply") return product_style;
     if (!is_order(id)) return fmt::format("label=\"{}\" shape=box", component);
@@ -249,9 +248,9 @@ class Drawing {
   void connect(NodeId value, int stage, const std::string& to, const Node& reader) {
     const bool inverted = graph_[value].op == Op::invert;
     connect_constants(value, to, reader);
-    for_each_source_of(graph_, value, [&](NodeId source, std::uint64_t bits) {
-      const int high = 63 - std::countl_zero(bits);
-      const int low = std::countr_zero(bits);
+    for_each_source_of(graph_, value, [&](NodeId source, Word bits) {
+      const int high = width_of_bits(bits) - 1;
+      const int low = low_zeros(bits);
       const BitSpan used = used_span(graph_, placement_, source);
       std::string attributes = inverted ? " arrowhead=odot" : "";
       if (high == low && used.width() > 1) {

@@ -225,7 +225,7 @@ void Body::write_multiplier(const Connected& c) {
 }
 
 void Body::write_unit(const Connected& c) {
-  const std::shared_ptr<const Unit>& unit = graph_.unit_of(c.like);
+  const std::shared_ptr<const Submodule>& unit = graph_.submodule_of(c.like);
   const Graph& body = unit->body;
   const std::string module = fmt::format("{}_{}", options_.prefix, body.name());
   const UnitUse use{unit, stages_inside(c.like)};
@@ -242,7 +242,8 @@ void Body::write_unit(const Connected& c) {
 
 Body::SharedComponent Body::written_shared_component(const std::vector<NodeId>& operations) {
   const Node& n = graph_[operations.front()];
-  SharedComponent shared{.operations = operations, .name = {}, .operands = {}, .declared = {0, 64}};
+  SharedComponent shared{
+      .operations = operations, .name = {}, .operands = {}, .declared = {0, most_value_bits}};
   std::vector<std::string> names, uses;
   for (const NodeId id : operations) {
     const BitSpan span = declared(id);
@@ -251,8 +252,9 @@ Body::SharedComponent Body::written_shared_component(const std::vector<NodeId>& 
     uses.push_back(fmt::format("{} (reads in stage {})", names_[id].name, schedule_.slots[id].stage));
   }
   const bool is_unit = n.op == Op::call;
-  std::string wish = fmt::format(
-      "shared_{}", is_unit ? std::string_view(graph_.unit_of(operations.front())->component) : op_name(n.op));
+  std::string wish =
+      fmt::format("shared_{}", is_unit ? std::string_view(graph_.submodule_of(operations.front())->component)
+                                       : op_name(n.op));
   if (const std::string common = shared_name(names); !common.empty()) wish += "_" + common;
   shared.name = claim(wish);
   text_ += fmt::format("  // {}, for {}.\n", shared.name, fmt::join(uses, ", "));
@@ -261,7 +263,7 @@ Body::SharedComponent Body::written_shared_component(const std::vector<NodeId>& 
       shared.operands.push_back(expression(n.args[i], 0));
       continue;
     }
-    const Graph* const inside = is_unit ? &graph_.unit_of(operations.front())->body : nullptr;
+    const Graph* const inside = is_unit ? &graph_.submodule_of(operations.front())->body : nullptr;
     const std::string pin =
         inside != nullptr ? (*inside)[inside->inputs()[i]].name : std::string(1, static_cast<char>('a' + i));
     shared.operands.push_back(claim(fmt::format("{}_{}", shared.name, pin)));
@@ -350,13 +352,8 @@ void Body::write_stage(int stage) {
 
 void Body::write_unused() {
   std::vector<std::string> unused;
-  const auto add = [&](const std::string& name, BitSpan span, std::uint64_t rest) {
-    while (rest != 0) {
-      const int low = std::countr_zero(rest);
-      const int high = low + std::countr_one(rest >> low) - 1;
-      unused.push_back(select_bits(name, span, high, low));
-      rest &= ~bit_range(high, low);
-    }
+  const auto add = [&](const std::string& name, BitSpan span, Word rest) {
+    for_each_run(rest, [&](int high, int low) { unused.push_back(select_bits(name, span, high, low)); });
   };
   for (NodeId id = 0; id < graph_.size(); ++id) {
     if (!is_root(graph_[id].op)) continue;
@@ -368,7 +365,7 @@ void Body::write_unused() {
     add(registers_[i], {r.high, r.low}, r.unread);
   }
   for (const auto& [instance, shared] : shared_) {
-    std::uint64_t rest = bit_range(shared.declared.high, shared.declared.low);
+    Word rest = bit_range(shared.declared.high, shared.declared.low);
     for (const NodeId id : shared.operations) rest &= ~bit_range(declared(id).high, declared(id).low);
     add(shared.name, shared.declared, rest);
   }

@@ -26,7 +26,7 @@ struct BodyOptions {
 
 /// A unit that a body instantiates.
 struct UnitUse {
-  std::shared_ptr<const Unit> unit;
+  std::shared_ptr<const Submodule> unit;
   int stages;  ///< 1: combinational; more: pipelined
 };
 

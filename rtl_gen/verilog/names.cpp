@@ -66,9 +66,9 @@ const NamedPart* used_part(const Node& n, BitSpan used) {
 }  // namespace
 
 BitSpan used_span(const Graph& graph, const Placement& placement, NodeId value) {
-  const std::uint64_t bits = placement.used_bits[value];
+  const Word bits = placement.used_bits[value];
   if (bits == 0) return {graph[value].width - 1, 0};
-  return {63 - std::countl_zero(bits), std::countr_zero(bits)};
+  return {width_of_bits(bits) - 1, low_zeros(bits)};
 }
 
 std::vector<ValueName> value_names(const Graph& graph, const Placement& placement,

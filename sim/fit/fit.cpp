@@ -65,8 +65,8 @@ std::string millions(double per_second) {
 
 /// "the sign and 2 bits after it": the bits of a float that a demand fixes.
 std::string fixed_text(const rtl::Facts& facts) {
-  const std::uint64_t known = facts.zeros() | facts.ones();
-  const int bits = std::popcount(known);
+  const rtl::Word known = facts.zeros() | facts.ones();
+  const int bits = rtl::count_of_ones(known);
   if (bits == facts.width()) return "all bits";
   const bool sign = (known >> (facts.width() - 1) & 1) != 0;
   const int after = sign ? bits - 1 : bits;

@@ -76,7 +76,8 @@ class Groups {
   }
   static bool loses_bits(const rtl::Port& port, const SceneDemand& demand) {
     const rtl::Facts facts = rtl::facts_of({port.name, demand.within}, port.width, port.is_signed);
-    if (port.kind == hls::Kind::real) return std::popcount(facts.zeros() | facts.ones()) > demand.spare_bits;
+    if (port.kind == hls::Kind::real)
+      return rtl::count_of_ones(facts.zeros() | facts.ones()) > demand.spare_bits;
     if (!port.is_signed) return facts.is_constant() || facts.unknown_width() < port.width - demand.spare_bits;
     return facts.number().low >= 0 || facts.number().high < 0 ||
            facts.signed_width() < port.width - demand.spare_bits;

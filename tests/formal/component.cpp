@@ -119,7 +119,7 @@ Component unit_component(const rtl::UnitUse& use, const std::string& module, boo
 
 }  // namespace
 
-int operand_bits(const rtl::Unit& unit) {
+int operand_bits(const rtl::Submodule& unit) {
   return unit.body[unit.body.inputs().front()].width;
 }
 

@@ -20,7 +20,7 @@ struct Symbol {
   int operand_bits, result_bits;
   friend auto operator<=>(const Symbol&, const Symbol&) = default;
 };
-[[nodiscard]] int operand_bits(const rtl::Unit& unit);
+[[nodiscard]] int operand_bits(const rtl::Submodule& unit);
 [[nodiscard]] Symbol product_symbol();
 /// An empty module whose output is the symbol applied to a and b, for yosys's write_smt2.
 [[nodiscard]] std::string symbol_module(const Symbol& symbol);

@@ -46,18 +46,19 @@ std::vector<Lemma> expose(rtl::Graph& graph, const rtl::Demands& demands) {
     const auto tells = [&](const std::string& unit) {
       return whole_of(unit) != unit || (facts[id].zeros() | facts[id].ones()) != 0;
     };
-    if (calls ? !tells(graph.unit_of(id)->body.name()) : graph[id].op != rtl::Op::mul) continue;
+    if (calls ? !tells(graph.submodule_of(id)->body.name()) : graph[id].op != rtl::Op::mul) continue;
     const auto [a, b, unused] = graph[id].args;
     graph.output(fmt::format("a_{}", lemmas.size()), a);
     graph.output(fmt::format("b_{}", lemmas.size()), b);
     if (calls) graph.output(fmt::format("r_{}", lemmas.size()), id);
-    lemmas.push_back({calls ? graph.unit_of(id)->body.name() : "", facts[a], facts[b], facts[id]});
+    lemmas.push_back({calls ? graph.submodule_of(id)->body.name() : "", facts[a], facts[b], facts[id]});
   }
   return lemmas;
 }
 
 /// Verilog: a value, sign-extended to 64 bits, satisfies the facts.
 std::string known(const std::string& wire, const rtl::Facts& facts) {
+  if (facts.width() > 64) throw std::runtime_error("a fact of more than 64 bits is not proved");
   return fmt::format("({0} >= 64'sh{1:x} && {0} <= 64'sh{2:x} && ({0} & 64'h{3:x}) == 64'h{4:x})", wire,
                      static_cast<std::uint64_t>(facts.number().low),
                      static_cast<std::uint64_t>(facts.number().high), facts.zeros() | facts.ones(),
@@ -183,7 +184,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& bits
   std::string models;
   std::string modules = formal::symbol_module(formal::product_symbol());
   std::string declarations = formal::symbol_declaration(formal::product_symbol());
-  for (const auto& unit : traced.units()) {
+  for (const auto& unit : traced.submodules()) {
     const rtl::Output& result = unit->body.outputs().front();
     const formal::Symbol symbol{fmt::format("uf_{}", unit->body.name()), formal::operand_bits(*unit),
                                 unit->body[result.node].width};
@@ -191,7 +192,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& bits
     declarations += formal::symbol_declaration(symbol);
   }
   const auto add_models = [&](const char* top, const rtl::Graph& graph) {
-    for (const auto& unit : graph.units()) {
+    for (const auto& unit : graph.submodules()) {
       const rtl::Output& result = unit->body.outputs().front();
       models += fmt::format(
           "module {0}_{1} (\n  input wire {2}a, b,\n  output wire {3}{4}\n);\n"

@@ -77,7 +77,7 @@ std::vector<rtl::File> files_of(const std::string& name, const std::string& give
     files.push_back({part.module + ".v", part.reference_text + formal::component_flow(part)});
   }
   // In the reference a float operator is a module too, without stages.
-  for (const auto& unit : pipeline.graph.units()) {
+  for (const auto& unit : pipeline.graph.submodules()) {
     const rtl::Output& result = unit->body.outputs().front();
     models += fmt::format(
         "module {0}_reference_{1} (\n  input wire {2}a, b,\n  output wire {3}{4}\n);\n"

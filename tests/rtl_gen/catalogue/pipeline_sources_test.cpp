@@ -55,7 +55,7 @@ TEST(PipelineSources, ValueInsideAUnitIsLookedAtToo) {
   body.output("out", inverted);
   Graph graph("caller");
   const std::array<NodeId, 1> operands{graph.input("a", 4, false)};
-  graph.output("out", graph.call(std::make_shared<const Unit>(Unit{"unit", 4, body}), operands));
+  graph.output("out", graph.call(std::make_shared<const Submodule>(Submodule{"unit", 4, body}), operands));
   EXPECT_THROW(check_sources(graph, {"hls/pipelines/caller.hpp"}), std::runtime_error);
   EXPECT_NO_THROW(check_sources(graph, {"hls/pipelines/caller.hpp", "hls/pipelines/other.hpp"}));
 }

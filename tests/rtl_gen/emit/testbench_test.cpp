@@ -170,7 +170,7 @@ TEST(Testbench, RandomPipelinesPass) {
   const Library library = unit_library();
   int replays = 0;
   for (int i = 0; i < graphs; ++i, ++replays) {
-    Recipe recipe(random, 4, 70, 8);
+    Recipe recipe(random, 4, 70, 8, i % 4 == 0 ? most_value_bits : 64);
     recipe.join_outputs();
     const Graph graph = recipe.graph("toy", "hit");
     Pipeline pipeline = make_pipeline(graph, library);

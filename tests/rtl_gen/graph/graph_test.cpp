@@ -140,16 +140,19 @@ TEST_F(Words, AValueKeepsItsFirstName) {
 
 TEST_F(Words, WrongWidthsRejected) {
   const NodeId two = g.slice(a, 1, 0);
-  const NodeId wide = g.input("wide", 60, false);
+  const NodeId wide = g.extend(g.input("port", 60, false), 120, false);
   const auto refusal = [](const auto& call) { return message_of<std::invalid_argument>(call); };
   const auto out_of_range = [](int width) {
-    return fmt::format("graph words: a value of {} bits, allowed are 1 to 64", width);
+    return fmt::format("graph words: a value of {} bits, allowed are 1 to 128", width);
   };
-  for (const int width : {0, 65})
+  for (const int width : {0, 129})
     EXPECT_EQ(refusal([&] { g.input("x", width, false); }), out_of_range(width));
-  EXPECT_EQ(refusal([&] { g.input("x", 64, false); }), "no exception");
-  EXPECT_EQ(refusal([&] { g.binary(Op::mul, wide, a); }), out_of_range(68));
-  EXPECT_EQ(refusal([&] { g.concat(wide, a); }), out_of_range(68));
+  for (const int width : {0, 129}) EXPECT_EQ(refusal([&] { g.constant(width, 1); }), out_of_range(width));
+  EXPECT_EQ(refusal([&] { g.extend(a, 129, true); }), out_of_range(129));
+  EXPECT_EQ(refusal([&] { g.extend(a, 128, true); }), "no exception");
+  EXPECT_EQ(refusal([&] { g.binary(Op::mul, wide, g.concat(a, bit)); }), out_of_range(129));
+  EXPECT_EQ(refusal([&] { g.concat(wide, a); }), "no exception");
+  EXPECT_EQ(refusal([&] { g.concat(wide, g.concat(a, bit)); }), out_of_range(129));
   EXPECT_EQ(refusal([&] { g.slice(a, 8, 3); }), "graph words: bits 8:3 of a 8-bit value");
   EXPECT_EQ(refusal([&] { g.slice(a, 3, -1); }), "graph words: bits 3:-1 of a 8-bit value");
   EXPECT_EQ(refusal([&] { g.slice(a, 2, 3); }), "graph words: bits 2:3 of a 8-bit value");
@@ -169,18 +172,33 @@ TEST_F(Words, WrongNumberOfInputsRejected) {
             "graph words: 2 input values for 3 inputs");
 }
 
-TEST(Evaluate, RandomGraphsMeanWhatTheirStepsSay) {
+class EvaluatedRecipe : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Widest, EvaluatedRecipe, testing::Values(64, 65, 128));
+
+TEST_P(EvaluatedRecipe, MeansWhatItsStepsSay) {
   constexpr int graphs = 400;
   constexpr int vectors = 50;
   Seeded random(101);
+  int reached = 0;
   for (int i = 0; i < graphs; ++i) {
-    const Recipe recipe(random, 5, 40, 6);
+    const Recipe recipe(random, 5, 40, 6, GetParam());
     const Graph graph = recipe.graph();
+    reached += graph.widest() == GetParam() ? 1 : 0;
     for (int v = 0; v < vectors; ++v) {
       const auto inputs = recipe.random_inputs(random);
       ASSERT_EQ(evaluate(graph, inputs), recipe.outputs(inputs)) << "graph " << i << "\n" << to_text(graph);
     }
   }
+  EXPECT_GE(reached, GetParam() > 64 ? graphs / 10 : 0) << "graphs with a value of the greatest width";
+}
+
+TEST(Evaluate, RefusesPortsThatAProgramCannotHold) {
+  Graph g("wide");
+  const NodeId a = g.input("a", 64, false);
+  const std::vector<std::uint64_t> one{1};
+  g.output("o", g.extend(a, 65, true));
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { return evaluate(g, one); }),
+            "graph wide: port o has 65 bits, evaluated are 1 to 64");
 }
 
 TEST(Evaluate, BitsAboveAPortAreIgnored) {
@@ -189,13 +207,12 @@ TEST(Evaluate, BitsAboveAPortAreIgnored) {
   EXPECT_EQ(evaluate(g, std::vector<std::uint64_t>{0xf3}), std::vector<std::uint64_t>{4});
 }
 
-using Sources = std::vector<std::pair<NodeId, std::uint64_t>>;
+using Sources = std::vector<std::pair<NodeId, Word>>;
 
 struct ReadWords : Words {
-  [[nodiscard]] Sources of(NodeId value, std::uint64_t bits) const {
+  [[nodiscard]] Sources of(NodeId value, Word bits) const {
     Sources found;
-    for_each_source_of(g, value, bits,
-                       [&](NodeId source, std::uint64_t read) { found.emplace_back(source, read); });
+    for_each_source_of(g, value, bits, [&](NodeId source, Word read) { found.emplace_back(source, read); });
     return found;
   }
 };
@@ -205,6 +222,8 @@ TEST(BitRange, IsAMask) {
   static_assert(bit_range(7, 4) == 0xf0);
   static_assert(bit_range(63, 0) == ~std::uint64_t{0});
   static_assert(bit_range(63, 63) == std::uint64_t{1} << 63);
+  static_assert(bit_range(127, 0) == ~Word{0});
+  static_assert(bit_range(127, 64) == ~Word{0} << 64);
   EXPECT_EQ(bit_range(62, 1), ~std::uint64_t{0} >> 2 << 1);
 }
 
@@ -235,7 +254,7 @@ TEST_F(ReadWords, ZerosAndConstantsReadNothing) {
 TEST_F(ReadWords, OfANodeAreThoseOfItsOperands) {
   const NodeId node = g.mux(g.slice(a, 7, 7), g.slice(b, 3, 0), g.constant(4, 9));
   Sources found;
-  for_each_source(g, node, [&](NodeId source, std::uint64_t read) { found.emplace_back(source, read); });
+  for_each_source(g, node, [&](NodeId source, Word read) { found.emplace_back(source, read); });
   EXPECT_EQ(found, (Sources{{a, 0x80}, {b, 0x0f}}));
 }
 
@@ -246,12 +265,12 @@ struct Caller : testing::Test {
 };
 
 /// 4-bit a - 2 b.
-std::shared_ptr<const Unit> less_twice(const std::string& name = "less_twice") {
+std::shared_ptr<const Submodule> less_twice(const std::string& name = "less_twice") {
   Graph body(name);
   const NodeId a = body.input("a", 4, false);
   const NodeId b = body.input("b", 3, false);
   body.output("r", body.binary(Op::sub, a, body.concat(b, body.constant(1, 0))));
-  return std::make_shared<const Unit>(Unit{"int_subtract", 4, body});
+  return std::make_shared<const Submodule>(Submodule{"int_subtract", 4, body});
 }
 
 TEST_F(Caller, HasTheValueOfItsBody) {
@@ -266,14 +285,14 @@ TEST_F(Caller, ToTheSameUnitWithTheSameOperandsIsOneNode) {
   EXPECT_EQ(g.call(less_twice(), std::array{x, y}), first) << "an equal unit of the same name is the same";
   EXPECT_NE(g.call(less_twice(), std::array{x, g.slice(x, 2, 0)}), first);
   EXPECT_NE(g.call(less_twice("other"), std::array{x, y}), first);
-  ASSERT_EQ(g.units().size(), 2U);
-  EXPECT_EQ(g.unit_of(first)->body.name(), "less_twice");
+  ASSERT_EQ(g.submodules().size(), 2U);
+  EXPECT_EQ(g.submodule_of(first)->body.name(), "less_twice");
 }
 
 TEST_F(Caller, ToADifferentUnitOfTheSameNameIsRejected) {
   const std::array operands{x, y};
   g.call(less_twice(), operands);
-  const auto said = [&](const std::shared_ptr<const Unit>& unit) {
+  const auto said = [&](const std::shared_ptr<const Submodule>& unit) {
     return message_of<std::invalid_argument>([&] { g.call(unit, operands); });
   };
   const std::string rejected = "graph caller: two different units have the name less_twice";
@@ -282,13 +301,16 @@ TEST_F(Caller, ToADifferentUnitOfTheSameNameIsRejected) {
   const NodeId a = more.input("a", 4, false);
   const NodeId b = more.input("b", 3, false);
   more.output("r", more.binary(Op::add, a, more.concat(b, more.constant(1, 0))));
-  EXPECT_EQ(said(std::make_shared<const Unit>(Unit{"int_subtract", 4, more})), rejected) << "another body";
-  EXPECT_EQ(said(std::make_shared<const Unit>(Unit{"fp_subtract", 4, less_twice()->body})), rejected)
+  EXPECT_EQ(said(std::make_shared<const Submodule>(Submodule{"int_subtract", 4, more})), rejected)
+      << "another body";
+  EXPECT_EQ(said(std::make_shared<const Submodule>(Submodule{"fp_subtract", 4, less_twice()->body})),
+            rejected)
       << "another component";
-  EXPECT_EQ(said(std::make_shared<const Unit>(Unit{"int_subtract", 5, less_twice()->body})), rejected)
+  EXPECT_EQ(said(std::make_shared<const Submodule>(Submodule{"int_subtract", 5, less_twice()->body})),
+            rejected)
       << "another width";
   EXPECT_EQ(said(less_twice()), "no exception") << "the same, traced again";
-  EXPECT_EQ(g.units().size(), 1U);
+  EXPECT_EQ(g.submodules().size(), 1U);
 }
 
 TEST_F(Caller, PrintsItsUnitBelow) {
@@ -316,8 +338,8 @@ TEST_F(Caller, CanonicalKeepsLiveUnitsAndWholeOperands) {
   const NodeId sum = g.binary(Op::add, x, x);
   g.output("o", g.slice(g.call(less_twice("live"), std::array{sum, y}), 0, 0));
   const Graph made = canonical(g);
-  ASSERT_EQ(made.units().size(), 1U);
-  EXPECT_EQ(made.units().front()->body.name(), "live");
+  ASSERT_EQ(made.submodules().size(), 1U);
+  EXPECT_EQ(made.submodules().front()->body.name(), "live");
   EXPECT_NE(to_text(made).find("add:4"), std::string::npos)
       << "one bit is read, all of the operand is needed";
   EXPECT_EQ(to_text(canonical(made)), to_text(made));
@@ -326,7 +348,7 @@ TEST_F(Caller, CanonicalKeepsLiveUnitsAndWholeOperands) {
 TEST_F(Caller, IsTheSourceOfItsBits) {
   const NodeId made = g.call(less_twice(), std::array{x, g.slice(x, 2, 0)});
   int sources = 0;
-  for_each_source_of(g, g.slice(made, 2, 1), [&](NodeId source, std::uint64_t bits) {
+  for_each_source_of(g, g.slice(made, 2, 1), [&](NodeId source, Word bits) {
     EXPECT_EQ(source, made);
     EXPECT_EQ(bits, 6U);
     ++sources;

@@ -25,23 +25,31 @@ struct Step {
   std::array<std::size_t, 3> args{};
   bool is_signed = false;
   int low = 0;
-  std::uint64_t value = 0;
+  Word value = 0;
   std::string name{};
 };
 
 class Recipe {
  public:
   /// `inputs` ports, `length` random steps, and some steps that make operands equally wide. The last values
-  /// are outputs.
-  Recipe(Seeded& random, int inputs, int length, int outputs) {
+  /// are outputs. No value is wider than `widest`; ports have up to 24 bits, or 60 beside wider values.
+  Recipe(Seeded& random, int inputs, int length, int outputs, int widest = 64) : widest_(widest) {
     for (int i = 0; i < inputs; ++i) {
-      const int width = i == 0 ? 1 : random.between(1, 24);
+      const int width = i == 0 ? 1 : random.between(1, is_wide() ? 60 : 24);
       steps_.push_back(
           {.op = Op::input, .width = width, .is_signed = random.flip(), .name = fmt::format("in{}", i)});
     }
     input_count_ = steps_.size();
     for (int i = 0; i < length; ++i) add_random(random);
-    for (int i = 0; i < outputs; ++i) outputs_.push_back(steps_.size() - 1 - static_cast<std::size_t>(i) * 3);
+    const std::size_t last = steps_.size() - 1;
+    for (int i = 0; i < outputs; ++i) {
+      std::size_t out = last - static_cast<std::size_t>(i) * 3;
+      const int width = steps_[out].width;
+      if (width > most_port_bits)
+        out =
+            push({.op = Op::slice, .width = most_port_bits, .args = {out}, .low = random.below(width - 63)});
+      outputs_.push_back(out);
+    }
     name_some(random);
   }
 
@@ -86,11 +94,11 @@ class Recipe {
 
   /// The outputs for given inputs, by the plain meaning of every step.
   [[nodiscard]] std::vector<std::uint64_t> outputs(const std::vector<std::uint64_t>& inputs) const {
-    std::vector<std::uint64_t> value(inputs);
+    std::vector<Word> value(inputs.begin(), inputs.end());
     for (std::size_t i = input_count_; i < steps_.size(); ++i)
       value.push_back(evaluate_step(steps_[i], value));
     std::vector<std::uint64_t> results;
-    for (const std::size_t out : outputs_) results.push_back(value[out]);
+    for (const std::size_t out : outputs_) results.push_back(static_cast<std::uint64_t>(value[out]));
     return results;
   }
 
@@ -101,6 +109,7 @@ class Recipe {
   }
 
  private:
+  [[nodiscard]] bool is_wide() const { return widest_ > 64; }
   static std::size_t arity_of(Op op) {
     if (op == Op::input || op == Op::constant) return 0;
     if (op == Op::slice || op == Op::extend || op == Op::invert) return 1;
@@ -155,17 +164,18 @@ class Recipe {
               .width = std::min(40, wa) + random.below(8) + std::max(0, wa - 40),
               .args = {a},
               .is_signed = is_signed});
-        if (steps_.back().width > 64) steps_.back().width = 64;
+        if (is_wide()) steps_.back().width = random.between(wa, widest_);
+        steps_.back().width = std::min(steps_.back().width, widest_);
         return;
       case Op::invert:
         push({.op = op, .width = wa, .args = {a}});
         return;
       case Op::concat:
-        if (wa + wb <= 48) push({.op = op, .width = wa + wb, .args = {a, b}});
+        if (wa + wb <= (is_wide() ? widest_ : 48)) push({.op = op, .width = wa + wb, .args = {a, b}});
         return;
       case Op::mul:
-        a = resized(a, std::min(wa, 20), is_signed);
-        b = resized(b, std::min(wb, 20), is_signed);
+        a = resized(a, std::min(wa, is_wide() ? widest_ / 2 : 20), is_signed);
+        b = resized(b, std::min(wb, is_wide() ? widest_ / 2 : 20), is_signed);
         push({.op = op, .width = steps_[a].width + steps_[b].width, .args = {a, b}, .is_signed = is_signed});
         return;
       default:
@@ -236,40 +246,50 @@ class Recipe {
     return graph;
   }
 
-  [[nodiscard]] std::uint64_t evaluate_step(const Step& s, const std::vector<std::uint64_t>& value) const {
-    const auto bit = [](std::uint64_t x, int i) { return x >> i & 1; };
+  [[nodiscard]] Word evaluate_step(const Step& s, const std::vector<Word>& value) const {
+    const auto bit = [](Word x, int i) { return x >> i & 1; };
     const auto arg = [&](std::size_t i) { return value[s.args[i]]; };
     const auto width = [&](std::size_t i) { return steps_[s.args[i]].width; };
     // In two's complement, by the weight of the top bit.
     const auto number = [&](std::size_t i) {
-      const std::uint64_t sign = bit(arg(i), width(i) - 1) << (width(i) - 1);
-      return static_cast<std::int64_t>(arg(i) - sign - sign);
+      const Word sign = bit(arg(i), width(i) - 1) << (width(i) - 1);
+      return static_cast<Number>(arg(i) - sign - sign);
     };
-    const auto bit_of_result = [&](int i) -> std::uint64_t {
+    const auto bit_of_result = [&](int i) -> Word {
       if (s.op == Op::slice) return bit(arg(0), s.low + i);
       if (s.op == Op::concat) return i < width(1) ? bit(arg(1), i) : bit(arg(0), i - width(1));
       if (s.op == Op::extend)
-        return i < width(0) ? bit(arg(0), i) : s.is_signed ? bit(arg(0), width(0) - 1) : 0;
+        return i < width(0) ? bit(arg(0), i) : s.is_signed ? bit(arg(0), width(0) - 1) : Word{0};
       if (s.op == Op::invert) return 1 - bit(arg(0), i);
       if (s.op == Op::bit_and) return bit(arg(0), i) * bit(arg(1), i);
-      if (s.op == Op::bit_or) return std::max(bit(arg(0), i), bit(arg(1), i));
+      if (s.op == Op::bit_or) return bit(arg(0), i) != 0 ? Word{1} : bit(arg(1), i);
       return bit(arg(0), i) != bit(arg(1), i) ? 1 : 0;  // bit_xor
     };
-    const auto wrapped = [&](std::uint64_t result) { return result & ~std::uint64_t{0} >> (64 - s.width); };
+    const auto wrapped = [&](Word result) { return result & ~Word{0} >> (128 - s.width); };
+    // The first factor by each bit of the second; the top bit of a signed factor counts less than nothing.
+    const auto product = [&] {
+      Word sum = 0;
+      const Word first = s.is_signed ? static_cast<Word>(number(0)) : arg(0);
+      for (int i = 0; i < width(1); ++i) {
+        const Word part = bit(arg(1), i) * (first << i);
+        sum = s.is_signed && i == width(1) - 1 ? sum - part : sum + part;
+      }
+      return sum;
+    };
     if (s.op == Op::constant) return s.value;
     if (s.op == Op::add) return wrapped(arg(0) + arg(1));
     if (s.op == Op::sub) return wrapped(arg(0) - arg(1));
-    if (s.op == Op::mul)
-      return wrapped(s.is_signed ? static_cast<std::uint64_t>(number(0) * number(1)) : arg(0) * arg(1));
+    if (s.op == Op::mul) return wrapped(product());
     if (s.op == Op::less) return (s.is_signed ? number(0) < number(1) : arg(0) < arg(1)) ? 1 : 0;
     if (s.op == Op::equal) return arg(0) == arg(1) ? 1 : 0;
     if (s.op == Op::mux) return arg(0) == 1 ? arg(1) : arg(2);
-    std::uint64_t result = 0;
+    Word result = 0;
     for (int i = 0; i < s.width; ++i) result |= bit_of_result(i) << i;
     return result;
   }
 
   std::vector<Step> steps_;
+  int widest_;
   std::size_t input_count_ = 0;
   std::vector<std::size_t> outputs_;
 };

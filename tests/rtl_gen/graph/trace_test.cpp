@@ -208,5 +208,15 @@ TEST(TracedFloats, OtherFormatsAreTheNativeOnes) {
   check_format<5, 10>(136);
 }
 
+TEST(CheckPorts, NamesAPortThatIsTooWide) {
+  Graph graph("broad");
+  const NodeId a = graph.input("a", 64, false);
+  graph.output("sum", graph.extend(a, 64, false));
+  EXPECT_NO_THROW(check_ports(graph));
+  graph.output("product", graph.extend(a, 65, false));
+  EXPECT_EQ(message_of<std::runtime_error>([&] { check_ports(graph); }),
+            "design broad: port product has 65 bits, allowed are 1 to 64; make it two ports");
+}
+
 }  // namespace
 }  // namespace hitpipe::rtl::trace_test

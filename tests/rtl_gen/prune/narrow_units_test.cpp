@@ -94,39 +94,39 @@ TEST(NarrowUnits, AskTheLibraryForTheBitsThatChange) {
   // The top exponent bit is 0, the sign is any.
   const std::vector<Interval> below_two{{0, 0x3fff}, {0x8000, 0xbfff}};
   const Graph narrowed = simplified(whole, {{{"a", below_two}, {"b", below_two}}});
-  ASSERT_EQ(narrowed.units().size(), 1U);
-  EXPECT_EQ(narrowed.units()[0]->bits, 15);
-  EXPECT_EQ(narrowed.units()[0]->component, "fp_subtract_rz");
-  EXPECT_EQ(narrowed.units()[0]->body.name(), "fp_subtract_rz_5_10_cut1");
-  EXPECT_LT(size_of(narrowed.units()[0]->body).bits, size_of(whole.units()[0]->body).bits);
+  ASSERT_EQ(narrowed.submodules().size(), 1U);
+  EXPECT_EQ(narrowed.submodules()[0]->bits, 15);
+  EXPECT_EQ(narrowed.submodules()[0]->component, "fp_subtract_rz");
+  EXPECT_EQ(narrowed.submodules()[0]->body.name(), "fp_subtract_rz_5_10_cut1");
+  EXPECT_LT(size_of(narrowed.submodules()[0]->body).bits, size_of(whole.submodules()[0]->body).bits);
   // One operand that can be anything keeps the width.
   const Graph half = simplified(whole, {{{"a", below_two}}});
-  EXPECT_EQ(half.units().at(0)->bits, 16);
+  EXPECT_EQ(half.submodules().at(0)->bits, 16);
 }
 
 TEST(NarrowUnits, LeaveAProductItsSignificands) {
   const hls::FpBits format{5, 10};
   const Graph whole = caller(operators[1], format);
   const Graph narrowed = simplified(whole, {{{"a", {{0, 0x3fff}}}, {"b", {{0x3c00, 0x3fff}}}}});
-  EXPECT_THAT(narrowed.units().at(0)->body.name(), HasSubstr("fp_multiply_rz_5_10_cut"));
-  EXPECT_EQ(narrowed.units().at(0)->bits, 11);
+  EXPECT_THAT(narrowed.submodules().at(0)->body.name(), HasSubstr("fp_multiply_rz_5_10_cut"));
+  EXPECT_EQ(narrowed.submodules().at(0)->bits, 11);
 }
 
 TEST(NarrowUnits, StayWholeWhereNothingIsKnown) {
   const Graph whole = caller(operators[0], {5, 10});
-  EXPECT_EQ(simplified(whole, {}).units().at(0), whole.units().at(0));
+  EXPECT_EQ(simplified(whole, {}).submodules().at(0), whole.submodules().at(0));
 }
 
 TEST(NarrowUnits, BecomeWiresWhereOnlyWiresAreLeft) {
   Graph body("masked");
   const NodeId word = body.input("a", 8, false);
   body.output("y", body.binary(Op::bit_and, word, body.input("b", 8, false)));
-  const auto unit = std::make_shared<const Unit>(Unit{"fp_compare", 8, body});
+  const auto unit = std::make_shared<const Submodule>(Submodule{"fp_compare", 8, body});
   Graph graph("caller");
   const std::array operands{graph.input("a", 8, false), graph.input("b", 8, false)};
   graph.output("y", graph.call(unit, operands));
   const Graph narrowed = simplified(graph, {{{"b", {{255, 255}}}}});
-  EXPECT_TRUE(narrowed.units().empty());
+  EXPECT_TRUE(narrowed.submodules().empty());
   EXPECT_EQ(narrowed.outputs()[0].node, narrowed.inputs()[0]);
 }
 

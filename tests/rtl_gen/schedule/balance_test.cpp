@@ -64,7 +64,7 @@ TEST(Balance, FloatUnitsHaveEvenStages) {
   int units = 0;
   for (const char* design : {"fp_slabs", "fp_plucker"}) {
     const Graph graph = find_design(design).trace(Format(hls::Binary32{}));
-    for (const auto& unit : graph.units()) {
+    for (const auto& unit : graph.submodules()) {
       const int whole = balance(unit->body, 1).clock_ps;
       for (const int stages : {5, 7}) {
         const int clock = balance(unit->body, stages).clock_ps;

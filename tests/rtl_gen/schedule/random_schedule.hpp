@@ -22,13 +22,13 @@ inline Schedule random_schedule(const Graph& graph, const Library& library, int 
     if (graph[id].op == Op::input) slot.latched = true;
     if (!is_root(graph[id].op) || graph[id].op == Op::input) continue;
     slot.stage = 1;
-    for_each_source(graph, id, [&](NodeId source, std::uint64_t) {
+    for_each_source(graph, id, [&](NodeId source, Word) {
       const Slot& from = s.slots[source];
       slot.stage = std::max(slot.stage, from.finish + (from.latched ? 1 : 0));
     });
     slot.stage += std::max(0, random.below(8) - 5);
     int start_ps = 0;
-    for_each_source(graph, id, [&](NodeId source, std::uint64_t) {
+    for_each_source(graph, id, [&](NodeId source, Word) {
       const Slot& from = s.slots[source];
       if (!from.latched && from.finish == slot.stage) start_ps = std::max(start_ps, from.ready_ps);
     });

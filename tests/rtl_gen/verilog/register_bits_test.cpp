@@ -30,7 +30,7 @@ int component_bits(const Pipeline& p, NodeId id) {
   const Node& n = p.graph[id];
   const Slot& slot = p.schedule.slots[id];
   if (n.op == Op::call) {
-    const Graph& body = p.graph.unit_of(id)->body;
+    const Graph& body = p.graph.submodule_of(id)->body;
     return bits_inside(body, balance(body, slot.finish - slot.stage + 1));
   }
   if (n.op != Op::mul || !slot.latched) return 0;

@@ -50,7 +50,7 @@ bool zero_sign_is_read(const Graph& graph, NodeId node) {
   bool is_read = is_output(graph, node);
   for_each_reader(graph, node, [&](NodeId id) {
     const Node& reader = graph[id];
-    if (reader.op == Op::call && fp::operator_of(*graph.unit_of(id)) == fp::Operator::compare) return;
+    if (reader.op == Op::call && fp::operator_of(*graph.submodule_of(id)) == fp::Operator::compare) return;
     const bool passes_it_on = reader.op == Op::call || (reader.op == Op::mux && reader.args[0] != node);
     is_read = is_read || !passes_it_on || zero_sign_is_read(graph, id);
   });
@@ -125,7 +125,7 @@ class FaultList {
   }
 
   void add_all_of_float_unit(NodeId id) {
-    switch (fp::operator_of(*graph_.unit_of(id))) {
+    switch (fp::operator_of(*graph_.submodule_of(id))) {
       case fp::Operator::subtract:
         add(id, kinds::of_fp_subtract);
         if (!only_compared_with_0(id)) add(id, kinds::nearer_to_zero);
@@ -218,7 +218,7 @@ std::vector<std::string> node_names(const Graph& graph) {
 std::string to_text(const Graph& graph, const std::vector<std::string>& names, const Fault& fault) {
   const Node& node = graph[fault.node];
   const std::string op =
-      node.op == Op::call ? graph.unit_of(fault.node)->component : std::string(op_name(node.op));
+      node.op == Op::call ? graph.submodule_of(fault.node)->component : std::string(op_name(node.op));
   const std::string bit =
       node.op == Op::input && node.width > 1 ? fmt::format(" bit {}", fault.bit) : std::string();
   return fmt::format("{} {}{}: {}", op, names.at(fault.node), bit, fault.what);

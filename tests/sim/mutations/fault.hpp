@@ -14,16 +14,16 @@ namespace hitpipe::sim {
 /// the node's width is cut off.
 struct Site {
   const rtl::Node& node;
-  std::uint64_t a, b, c;
+  rtl::Word a, b, c;
   int width_a, width_b;
-  std::uint64_t right;
+  rtl::Word right;
   int bit;  ///< of a fault in one bit of an input
 };
 
 struct Fault {
   rtl::NodeId node;
   const char* what;
-  std::uint64_t (*wrong)(const Site& site);
+  rtl::Word (*wrong)(const Site& site);
   int bit = 0;
 };
 

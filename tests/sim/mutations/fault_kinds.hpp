@@ -3,7 +3,6 @@
 
 #include <cstdint>
 
-#include "hls/num/bits.hpp"
 #include "tests/sim/mutations/fault.hpp"
 #include "tests/sim/mutations/float_units.hpp"
 
@@ -11,15 +10,15 @@ namespace hitpipe::sim::kinds {
 
 struct Kind {
   const char* what;
-  std::uint64_t (*wrong)(const Site& site);
+  rtl::Word (*wrong)(const Site& site);
 };
 
-inline std::uint64_t as_unsigned(std::int64_t value) {
-  return static_cast<std::uint64_t>(value);
+inline rtl::Word as_unsigned(rtl::Number value) {
+  return static_cast<rtl::Word>(value);
 }
 
-inline bool less(std::uint64_t a, std::uint64_t b, int width, bool is_signed) {
-  return is_signed ? hls::sign_extended(a, width) < hls::sign_extended(b, width) : a < b;
+inline bool less(rtl::Word a, rtl::Word b, int width, bool is_signed) {
+  return is_signed ? rtl::number_of(a, width) < rtl::number_of(b, width) : a < b;
 }
 inline bool less(const Site& s) {
   return less(s.a, s.b, s.width_a, s.node.is_signed);
@@ -28,51 +27,51 @@ inline bool greater(const Site& s) {
   return less(s.b, s.a, s.width_a, s.node.is_signed);
 }
 
-inline std::uint64_t no(const Site& /*site*/) {
+inline rtl::Word no(const Site& /*site*/) {
   return 0;
 }
-inline std::uint64_t yes(const Site& /*site*/) {
+inline rtl::Word yes(const Site& /*site*/) {
   return 1;
 }
-inline std::uint64_t one_more(const Site& s) {
+inline rtl::Word one_more(const Site& s) {
   return s.right + 1;
 }
-inline std::uint64_t one_less(const Site& s) {
+inline rtl::Word one_less(const Site& s) {
   return s.right - 1;
 }
-inline std::uint64_t first_operand(const Site& s) {
+inline rtl::Word first_operand(const Site& s) {
   return s.a;
 }
-inline std::uint64_t second_operand(const Site& s) {
+inline rtl::Word second_operand(const Site& s) {
   return s.b;
 }
 
 /// Of two factors, each read as the product of them does.
-inline std::uint64_t product(std::int64_t a, std::int64_t b) {
+inline rtl::Word product(rtl::Number a, rtl::Number b) {
   return as_unsigned(a) * as_unsigned(b);
 }
-inline std::int64_t factor(std::uint64_t value, int width, bool is_signed) {
-  return is_signed ? hls::sign_extended(value, width) : static_cast<std::int64_t>(value);
+inline rtl::Number factor(rtl::Word value, int width, bool is_signed) {
+  return is_signed ? rtl::number_of(value, width) : static_cast<rtl::Number>(value);
 }
-inline std::int64_t factor_a(const Site& s) {
+inline rtl::Number factor_a(const Site& s) {
   return factor(s.a, s.width_a, s.node.is_signed);
 }
-inline std::int64_t factor_b(const Site& s) {
+inline rtl::Number factor_b(const Site& s) {
   return factor(s.b, s.width_b, s.node.is_signed);
 }
 
 inline constexpr Kind of_less[] = {
-    {"as >", [](const Site& s) -> std::uint64_t { return greater(s); }},
-    {"as >=", [](const Site& s) -> std::uint64_t { return !less(s); }},
+    {"as >", [](const Site& s) -> rtl::Word { return greater(s); }},
+    {"as >=", [](const Site& s) -> rtl::Word { return !less(s); }},
     {"with the other sign",
-     [](const Site& s) -> std::uint64_t { return less(s.a, s.b, s.width_a, !s.node.is_signed); }},
+     [](const Site& s) -> rtl::Word { return less(s.a, s.b, s.width_a, !s.node.is_signed); }},
     {"always 0", no},
     {"always 1", yes},
 };
-inline constexpr Kind less_or_equal{"as <=", [](const Site& s) -> std::uint64_t { return !greater(s); }};
+inline constexpr Kind less_or_equal{"as <=", [](const Site& s) -> rtl::Word { return !greater(s); }};
 
 inline constexpr Kind of_equal[] = {
-    {"as !=", [](const Site& s) -> std::uint64_t { return s.a != s.b; }},
+    {"as !=", [](const Site& s) -> rtl::Word { return s.a != s.b; }},
     {"always 0", no},
     {"always 1", yes},
 };
@@ -94,9 +93,9 @@ inline constexpr Kind of_sub[] = {
 };
 inline constexpr Kind of_mul[] = {
     {"without the lowest bit of its first operand",
-     [](const Site& s) { return product(factor_a(s) & ~std::int64_t{1}, factor_b(s)); }},
+     [](const Site& s) { return product(factor_a(s) & ~rtl::Number{1}, factor_b(s)); }},
     {"without the lowest bit of its second operand",
-     [](const Site& s) { return product(factor_a(s), factor_b(s) & ~std::int64_t{1}); }},
+     [](const Site& s) { return product(factor_a(s), factor_b(s) & ~rtl::Number{1}); }},
     {"without the highest bit of its first operand",
      [](const Site& s) {
        return product(factor(s.a << (65 - s.width_a) >> (65 - s.width_a), s.width_a - 1, s.node.is_signed),
@@ -109,18 +108,18 @@ inline constexpr Kind of_mul[] = {
      }},
 };
 inline constexpr Kind no_first_sign{"without the sign of its first operand", [](const Site& s) {
-                                      return product(static_cast<std::int64_t>(s.a), factor_b(s));
+                                      return product(static_cast<rtl::Number>(s.a), factor_b(s));
                                     }};
 inline constexpr Kind no_second_sign{"without the sign of its second operand", [](const Site& s) {
-                                       return product(factor_a(s), static_cast<std::int64_t>(s.b));
+                                       return product(factor_a(s), static_cast<rtl::Number>(s.b));
                                      }};
 inline constexpr Kind of_input_bit[] = {
-    {"always 0", [](const Site& s) { return s.right & ~(std::uint64_t{1} << s.bit); }},
-    {"always 1", [](const Site& s) { return s.right | std::uint64_t{1} << s.bit; }},
+    {"always 0", [](const Site& s) { return s.right & ~(rtl::Word{1} << s.bit); }},
+    {"always 1", [](const Site& s) { return s.right | rtl::Word{1} << s.bit; }},
 };
 inline constexpr Kind of_sign_extend{"by zeros", first_operand};
 inline constexpr Kind of_zero_extend{
-    "by the sign", [](const Site& s) { return as_unsigned(hls::sign_extended(s.a, s.width_a)); }};
+    "by the sign", [](const Site& s) { return as_unsigned(rtl::number_of(s.a, s.width_a)); }};
 inline constexpr Kind of_constant[] = {{"one too large", one_more}, {"one too small", one_less}};
 inline constexpr Kind a_bit_higher{"a bit higher", [](const Site& s) { return s.a >> (s.node.low + 1); }};
 inline constexpr Kind a_bit_lower{"a bit lower", [](const Site& s) { return s.a >> (s.node.low - 1); }};
@@ -164,11 +163,11 @@ inline constexpr Kind of_fp_multiply[] = {
     {"with 0 for infinity",
      [](const Site& s) { return fp::magnitude(s.right) == fp::infinity ? 0 : s.right; }},
 };
-inline std::uint64_t ones(int width) {
-  return ~std::uint64_t{0} >> (64 - width);
+inline rtl::Word ones(int width) {
+  return rtl::ones_below(width);
 }
 inline constexpr Kind of_subtract_rz[] = {
-    {"with the other sign", [](const Site& s) { return s.right ^ std::uint64_t{1} << (s.node.width - 1); }},
+    {"with the other sign", [](const Site& s) { return s.right ^ rtl::Word{1} << (s.node.width - 1); }},
     {"an ulp farther from 0",
      [](const Site& s) {
        return (s.right & ones(s.node.width - 1)) < ones(s.node.width - 1) ? s.right + 1 : s.right;
@@ -187,8 +186,8 @@ inline constexpr Kind of_fp_less[] = {
     {"less: true of NaN", [](const Site& s) { return s.right | (fp::unordered(s.a, s.b) ? 1U : 0U); }},
     {"less: of magnitudes",
      [](const Site& s) { return fp::compare(fp::magnitude(s.a), fp::magnitude(s.b)); }},
-    {"less: of patterns", [](const Site& s) { return s.a < s.b ? 1U : std::uint64_t{0}; }},
-    {"less: always 0", [](const Site& s) { return s.right & ~std::uint64_t{1}; }},
+    {"less: of patterns", [](const Site& s) { return s.a < s.b ? 1U : rtl::Word{0}; }},
+    {"less: always 0", [](const Site& s) { return s.right & ~rtl::Word{1}; }},
     {"less: always 1", [](const Site& s) { return s.right | 1U; }},
 };
 /// These matter where equal operands do.
@@ -206,8 +205,8 @@ inline constexpr Kind of_fp_greater[] = {
     {"greater: true of NaN", [](const Site& s) { return s.right | (fp::unordered(s.a, s.b) ? 2U : 0U); }},
     {"greater: of magnitudes",
      [](const Site& s) { return fp::compare(fp::magnitude(s.a), fp::magnitude(s.b)); }},
-    {"greater: of patterns", [](const Site& s) { return s.a > s.b ? 2U : std::uint64_t{0}; }},
-    {"greater: always 0", [](const Site& s) { return s.right & ~std::uint64_t{2}; }},
+    {"greater: of patterns", [](const Site& s) { return s.a > s.b ? 2U : rtl::Word{0}; }},
+    {"greater: always 0", [](const Site& s) { return s.right & ~rtl::Word{2}; }},
     {"greater: always 1", [](const Site& s) { return s.right | 2U; }},
 };
 

@@ -14,7 +14,7 @@ using rtl::NodeId;
 
 namespace {
 
-std::uint64_t run_float(const rtl::Unit& unit, std::span<const std::uint64_t> operands) {
+rtl::Word float_result(const rtl::Submodule& unit, std::span<const std::uint64_t> operands) {
   switch (fp::operator_of(unit)) {
     case fp::Operator::subtract:
       return fp::subtract(operands[0], operands[1]);
@@ -27,6 +27,10 @@ std::uint64_t run_float(const rtl::Unit& unit, std::span<const std::uint64_t> op
     default:
       return fp::compare(operands[0], operands[1]);
   }
+}
+
+std::uint64_t run_float(const rtl::Submodule& unit, std::span<const std::uint64_t> operands) {
+  return static_cast<std::uint64_t>(float_result(unit, operands));
 }
 
 Lanes wrong_values(const rtl::Graph& graph, const rtl::GraphLanes& batch, const Fault& fault) {
@@ -43,7 +47,7 @@ Lanes wrong_values(const rtl::Graph& graph, const rtl::GraphLanes& batch, const 
     const Site site{
         node,     operand(0)[i], operand(1)[i], operand(2)[i], width(0), width(1), batch.right(fault.node)[i],
         fault.bit};
-    wrong[i] = fault.wrong(site) & ~std::uint64_t{0} >> (64 - node.width);
+    wrong[i] = fault.wrong(site) & rtl::ones_below(node.width);
   }
   return wrong;
 }
@@ -64,7 +68,8 @@ FaultSimulation::FaultSimulation(const rtl::Graph& graph,
 std::vector<std::uint64_t> FaultSimulation::outputs(std::size_t vector) const {
   std::vector<std::uint64_t> all;
   for (const rtl::Output& out : graph_.outputs())
-    all.push_back(batches_[vector / most_lanes].right(out.node)[vector % most_lanes]);
+    all.push_back(
+        static_cast<std::uint64_t>(batches_[vector / most_lanes].right(out.node)[vector % most_lanes]));
   return all;
 }
 
