@@ -164,12 +164,8 @@ int report(const ReportCommand& command, const CLI::App& options) {
   const std::string library_option = command.cost.library == rtl::default_library
                                          ? ""
                                          : fmt::format(" --library {}", quoted(command.cost.library));
-  facts.area_command = fmt::format("hitpipe area{} --format csv", library_option);
-  for (const area::Entry& entry : area::table_7_2()) {
-    const rtl::Design& design = rtl::find_design(entry.design);
-    if (sim::why_not_priced(design, entry.format, library).empty())
-      facts.prices.push_back(area::price(design, entry.format, library, area::Account::built));
-  }
+  facts.prices = report_prices(facts.rows, library);
+  facts.area_commands = price_commands(facts.prices, library_option);
   progress.emplace("judging");
   facts.stability =
       measure_stability({.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
