@@ -36,7 +36,7 @@ struct ReportCommand {
   std::uint64_t tests = 20'000;
   std::uint64_t seed = 1;
   std::string out;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 /// Quoted for a shell.
@@ -194,10 +194,10 @@ int report(const ReportCommand& command, const CLI::App& options) {
 
   std::vector<host::File> files{
       {"rows.csv", sim::to_text(rows)},
-      {"pictures.csv", table_text(facts.pictures.rows, Format::csv)},
-      {"pipelines.csv", table_text(pipeline_rows(facts), Format::csv)},
-      {"stability.csv", table_text(stability_rows(facts), Format::csv)},
-      {"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), Format::csv)},
+      {"pictures.csv", table_text(facts.pictures.rows, OutputFormat::csv)},
+      {"pipelines.csv", table_text(pipeline_rows(facts), OutputFormat::csv)},
+      {"stability.csv", table_text(stability_rows(facts), OutputFormat::csv)},
+      {"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), OutputFormat::csv)},
       {"stiffness.svg", facts.stiffness_diagram.svg}};
   for (const Drawing& d : facts.diagrams) files.push_back({d.file, d.svg});
   files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());
