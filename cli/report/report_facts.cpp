@@ -11,6 +11,7 @@
 #include "rtl_gen/emit/files.hpp"
 #include "sim/check/check.hpp"
 #include "sim/software.hpp"
+#include "sim/sweep/sweep.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 
 namespace hitpipe::cli {
