@@ -29,7 +29,7 @@ struct AreaOptions {
   Account account = Account::built;
   rtl::FlowControl flow_control = rtl::FlowControl::stall;
   std::string library{rtl::default_library};
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
   bool by_stage = false;
   std::vector<int> intervals;
   bool triangle = false;
@@ -76,12 +76,12 @@ void append_parts(Row& row, const std::vector<Line>& lines, const std::set<area:
 }
 
 /// In CSV the figure keeps its zeros at the end. In JSON it is a number.
-Row figure(const std::string& digits, Format format) {
-  return format == Format::csv ? Row(digits) : Row::parse(digits);
+Row figure(const std::string& digits, OutputFormat format) {
+  return format == OutputFormat::csv ? Row(digits) : Row::parse(digits);
 }
 
 /// What is said of a unit whatever it is made of.
-Row unit_row(const Price& p, Format format) {
+Row unit_row(const Price& p, OutputFormat format) {
   return {{"design", p.design},
           {"bits", rtl::to_string(p.format)},
           {"stages", p.stages},
@@ -91,7 +91,7 @@ Row unit_row(const Price& p, Format format) {
 }
 
 std::vector<Row> design_rows(const std::vector<Price>& prices, const std::optional<Price>& baseline,
-                             Format format) {
+                             OutputFormat format) {
   const auto share = [&](std::int64_t part, std::int64_t whole) {
     return figure(area::percent(part, whole), format);
   };
@@ -112,7 +112,7 @@ std::vector<Row> design_rows(const std::vector<Price>& prices, const std::option
   return rows;
 }
 
-std::vector<Row> stage_rows(const std::vector<Price>& prices, Format format) {
+std::vector<Row> stage_rows(const std::vector<Price>& prices, OutputFormat format) {
   const std::set<area::Part> parts = parts_of(prices);
   std::vector<Row> rows;
   for (const Price& p : prices) {
@@ -136,7 +136,8 @@ void append_cells(Row& row, const rtl::ChipCells& taken, const rtl::Chip& chip) 
   row["dsp_name"] = chip.block ? Row(chip.block->name) : Row(nullptr);
 }
 
-std::vector<Row> chip_rows(const std::vector<Price>& prices, const rtl::Library& library, Format format) {
+std::vector<Row> chip_rows(const std::vector<Price>& prices, const rtl::Library& library,
+                           OutputFormat format) {
   const std::set<area::Part> parts = parts_of(prices);
   std::vector<Row> rows;
   for (const Price& p : prices) {
@@ -171,15 +172,17 @@ std::vector<Row> chip_stage_rows(const std::vector<Price>& prices, const rtl::Li
 std::string chip_prices(const std::vector<Price>& prices, const rtl::Library& library,
                         const AreaOptions& options) {
   if (options.by_stage) {
-    return options.format == Format::text ? chip_by_stage_text(prices, *library.chip())
-                                          : table_text(chip_stage_rows(prices, library), options.format);
+    return options.format == OutputFormat::text
+               ? chip_by_stage_text(prices, *library.chip())
+               : table_text(chip_stage_rows(prices, library), options.format);
   }
-  return options.format == Format::text
+  return options.format == OutputFormat::text
              ? chip_text(prices, library)
              : table_text(chip_rows(prices, library, options.format), options.format);
 }
 
-std::vector<Row> rate_rows(const std::vector<RatedPrice>& units, const rtl::Library& library, Format format) {
+std::vector<Row> rate_rows(const std::vector<RatedPrice>& units, const rtl::Library& library,
+                           OutputFormat format) {
   std::set<area::Part> parts;
   for (const RatedPrice& unit : units) parts.merge(parts_of({unit.price}));
   std::vector<Row> rows;
@@ -215,7 +218,7 @@ void print_rates(const AreaOptions& options, const rtl::Library& library) {
     for (const int interval : options.intervals)
       units.push_back({interval == 1 ? every_cycle : price_at(interval), every_cycle});
   }
-  fmt::print("{}", options.format == Format::text
+  fmt::print("{}", options.format == OutputFormat::text
                        ? rates_text(units, library)
                        : table_text(rate_rows(units, library, options.format), options.format));
 }
@@ -236,7 +239,7 @@ void print_prices(const AreaOptions& options) {
     return;
   }
   if (options.by_stage) {
-    fmt::print("{}", options.format == Format::text
+    fmt::print("{}", options.format == OutputFormat::text
                          ? by_stage_text(prices)
                          : table_text(stage_rows(prices, options.format), options.format));
     return;
@@ -246,7 +249,7 @@ void print_prices(const AreaOptions& options) {
     const area::Entry& entry = area::baseline_design();
     baseline = priced(rtl::find_design(entry.design), entry.format);
   }
-  fmt::print("{}", options.format == Format::text
+  fmt::print("{}", options.format == OutputFormat::text
                        ? area_text(prices, baseline)
                        : table_text(design_rows(prices, baseline, options.format), options.format));
 }

@@ -40,7 +40,7 @@ struct BoardCommand {
   std::uint64_t tests = 10'000;
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> only;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 /// The scene and its hierarchy, which their tests need for as long as they are drawn.

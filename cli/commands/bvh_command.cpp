@@ -35,7 +35,7 @@ struct BvhCommand {
   std::string records;
   DesignChoice unit;  ///< that reads the records
   bool sweep = false;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 /// "3:120": 120 leaves have 3 triangles. Beyond 16 triangles, ranges double in size: "17-32:5".
@@ -159,7 +159,7 @@ void print_sweep(const BvhCommand& command, const ref::Scene& scene) {
     progress->show(static_cast<double>(rows.size()) / static_cast<double>(ref::appendix_b_sizes.size()));
   });
   progress.reset();
-  if (command.format == Format::text) {
+  if (command.format == OutputFormat::text) {
     fmt::print("{}: {} triangles, {}\n", scene.name, scene.mesh.triangles.size(),
                builder_name(command.build.builder));
   }

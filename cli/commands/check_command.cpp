@@ -42,7 +42,7 @@ struct CheckCommand {
   int interval = 1;
   bool stiff = false;
   std::optional<std::string> replay;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 /// The adversary's categories and those made for the design.
@@ -81,12 +81,12 @@ Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim:
           {"hits", r.hits},
           {"false_misses", r.false_misses},
           {"false_hits", r.false_hits}};
-  if (command.format != Format::text) {
+  if (command.format != OutputFormat::text) {
     add_share(row, "false_miss_pct", r.false_miss_share);
     add_share(row, "false_hit_pct", r.false_hit_share);
   }
   if (comparison != nullptr) row["ize_misses"] = comparison->false_misses;
-  if (comparison != nullptr && command.format != Format::text) {
+  if (comparison != nullptr && command.format != OutputFormat::text) {
     add_share(row, "ize_false_miss_pct", comparison->false_miss_share);
     row["ize_false_hits"] = comparison->false_hits;
   }
@@ -154,11 +154,11 @@ int judge(const CheckCommand& command) {
   }
   sum.category = "all";
   rows.push_back(row_of(command, sum, comparison.empty() ? nullptr : &comparison_sum));
-  if (command.format == Format::text) {
+  if (command.format == OutputFormat::text) {
     fmt::print("{} {}, seed {}\n", design.name, rtl::to_string(format), command.seed);
   }
   fmt::print("{}", table_text(rows, command.format));
-  if (command.format == Format::text) {
+  if (command.format == OutputFormat::text) {
     fmt::print("{}{}", share_text("false misses", "met", sum.false_miss_share),
                share_text("false hits", "missed", sum.false_hit_share));
   }

@@ -45,7 +45,7 @@ struct CosimCommand {
   std::string unit;
   ref::WhittedOptions light;
   std::string out;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 /// Made here, or read from a folder.

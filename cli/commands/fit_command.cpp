@@ -39,7 +39,7 @@ struct FitCommand {
   std::optional<double> rate_rays;
   std::uint64_t vectors = 1'000'000;
   std::string out;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 /// A design and its format before the fit.
@@ -160,8 +160,8 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std
 }
 
 std::string reports_text(const std::vector<FitReport>& reports, const std::vector<sim::SweepRow>& counted,
-                         const sim::FitScene& scene, Format format) {
-  if (format == Format::text) {
+                         const sim::FitScene& scene, OutputFormat format) {
+  if (format == OutputFormat::text) {
     std::vector<std::string> advice = recommendation(counted);
     advice.push_back(cost_caveat(counted.front()));
     return fit_text(scene.scene.name, scene.demands, reports, advice);

@@ -37,7 +37,7 @@ struct ImplementCommand {
   sim::ImplementOptions options;
   bool tries_clocks = false;
   std::string out;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 /// To as many digits as a tool's result is worth.
@@ -186,7 +186,7 @@ std::string clock_table(const std::vector<TriedClock>& tried) {
     row.erase("wrong");
     if (row["fmax_mhz"].is_null()) row["fmax_mhz"] = "-";
   }
-  return table_text(rows, Format::text) + below + "\n";
+  return table_text(rows, OutputFormat::text) + below + "\n";
 }
 
 /// Why there is no bitstream.
@@ -200,7 +200,7 @@ std::string obstacle(const sim::Implementation& chip, const rtl::Board& board) {
 /// A bitstream, and what the whole chip takes. The board's usual unit when the choice names none. Returns the
 /// exit code.
 int implement_on_board(const DesignChoice& choice, const BoardChoice& board_choice,
-                       const sim::ImplementOptions& given, Format format) {
+                       const sim::ImplementOptions& given, OutputFormat format) {
   const rtl::Board board = board_choice.board();
   const DesignChoice unit = board_choice.unit(choice);
   const rtl::Design& design = unit.design();
@@ -270,12 +270,13 @@ int implement(const ImplementCommand& command) {
   if (!tried.empty()) {
     row["clock_ps"] = best->clock_ps;
     row["tried"] = clock_rows(tried);
-    if (command.format == Format::text) fmt::print("{}", clock_table(tried));
+    if (command.format == OutputFormat::text) fmt::print("{}", clock_table(tried));
   }
-  host::write_file(folder / (unit.module + "_implementation.json"), record_text(row, Format::json));
+  host::write_file(folder / (unit.module + "_implementation.json"), record_text(row, OutputFormat::json));
   row["files"] = folder.string();
-  if (command.format == Format::text) row.erase("tried");
-  fmt::print("{}", record_text(command.format == Format::text ? without_nothing(row) : row, command.format));
+  if (command.format == OutputFormat::text) row.erase("tried");
+  fmt::print("{}",
+             record_text(command.format == OutputFormat::text ? without_nothing(row) : row, command.format));
   if (!unit.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
   const std::string what = wrong(target, unit);
   if (what.empty()) return 0;

@@ -15,24 +15,24 @@ namespace hitpipe::cli {
 
 namespace {
 
-std::string designs_text(Format format) {
+std::string designs_text(OutputFormat format) {
   std::vector<Row> rows;
   for (const rtl::Design& design : rtl::designs()) {
     rows.push_back({{"design", design.name},
                     {"bits", rtl::to_string(design.default_format)},
                     {"misses", design.conservative ? "never" : "possible"},
                     {"what", design.summary}});
-    if (format == Format::text) continue;  // lines of text are short
+    if (format == OutputFormat::text) continue;  // lines of text are short
     rows.back()["formats"] = design.default_format.family().allowed();
   }
   return table_text(rows, format);
 }
 
-std::string scenes_text(Format format) {
+std::string scenes_text(OutputFormat format) {
   std::vector<Row> rows;
   for (const ref::BuiltInScene& scene : ref::built_in_scenes()) {
     Row& row = rows.emplace_back(Row{{"scene", scene.name}, {"triangles", scene.triangles}});
-    if (format != Format::text)
+    if (format != OutputFormat::text)
       row.update({{"least", scene.least}, {"most", scene.most}, {"lights", scene.lights}});
     row["stands_for"] = scene.stands_for;
     row["what"] = scene.what;
@@ -56,7 +56,7 @@ std::string described(const Row& row) {
   return text;
 }
 
-std::string libraries_text(Format format) {
+std::string libraries_text(OutputFormat format) {
   std::vector<Row> rows;
   std::string text;
   for (const std::string& name : rtl::built_in_names()) {
@@ -67,14 +67,14 @@ std::string libraries_text(Format format) {
                     {"source", library.source()}});
     text += described(rows.back());
   }
-  return format == Format::text ? text : table_text(rows, format);
+  return format == OutputFormat::text ? text : table_text(rows, format);
 }
 
-using Listing = std::string (*)(Format);
+using Listing = std::string (*)(OutputFormat);
 
 struct ListCommand {
   Listing listing = nullptr;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ struct OperandsCommand {
   std::optional<TestForm> form;
   bool with_input = false;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 ref::Bounds parse_bounds(const std::string& text) {

@@ -40,7 +40,7 @@ struct RenderCommand {
   std::vector<std::string> images;  ///< to compare
   bool compare = false;
   double tolerance = 0.0;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 
   /// Throws if a picture cannot be written.
   void check_places() const {
@@ -85,7 +85,7 @@ void add_map(Row& row, const ref::RenderResult& result, const std::string& name,
 int compare_images(const RenderCommand& command) {
   // One step of an 8-bit code is 0.0039, so the text needs more than two digits after the point.
   const auto difference_of = [&](double x) {
-    return command.format == Format::text ? Row(fmt::format("{:.6g}", x)) : Row(x);
+    return command.format == OutputFormat::text ? Row(fmt::format("{:.6g}", x)) : Row(x);
   };
   const ref::StoredImage a = ref::read_image(command.images.at(0));
   const ref::StoredImage b = ref::read_image(command.images.at(1));

@@ -36,7 +36,7 @@ struct ReportCommand {
   std::uint64_t tests = 20'000;
   std::uint64_t seed = 1;
   std::string out;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 /// Quoted for a shell.
@@ -164,12 +164,8 @@ int report(const ReportCommand& command, const CLI::App& options) {
   const std::string library_option = command.cost.library == rtl::default_library
                                          ? ""
                                          : fmt::format(" --library {}", quoted(command.cost.library));
-  facts.area_command = fmt::format("hitpipe area{} --format csv", library_option);
-  for (const area::Entry& entry : area::table_7_2()) {
-    const rtl::Design& design = rtl::find_design(entry.design);
-    if (sim::why_not_priced(design, entry.format, library).empty())
-      facts.prices.push_back(area::price(design, entry.format, library, area::Account::built));
-  }
+  facts.prices = report_prices(facts.rows, library);
+  facts.area_commands = price_commands(facts.prices, library_option);
   progress.emplace("judging");
   facts.stability =
       measure_stability({.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
@@ -198,10 +194,10 @@ int report(const ReportCommand& command, const CLI::App& options) {
 
   std::vector<host::File> files{
       {"rows.csv", sim::to_text(rows)},
-      {"pictures.csv", table_text(facts.pictures.rows, Format::csv)},
-      {"pipelines.csv", table_text(pipeline_rows(facts), Format::csv)},
-      {"stability.csv", table_text(stability_rows(facts), Format::csv)},
-      {"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), Format::csv)},
+      {"pictures.csv", table_text(facts.pictures.rows, OutputFormat::csv)},
+      {"pipelines.csv", table_text(pipeline_rows(facts), OutputFormat::csv)},
+      {"stability.csv", table_text(stability_rows(facts), OutputFormat::csv)},
+      {"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), OutputFormat::csv)},
       {"stiffness.svg", facts.stiffness_diagram.svg}};
   for (const Drawing& d : facts.diagrams) files.push_back({d.file, d.svg});
   files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());

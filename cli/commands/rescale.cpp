@@ -98,7 +98,7 @@ Row short_row(const Row& row, bool judged) {
 }  // namespace
 
 int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const DesignChoice* design,
-            Format format) {
+            OutputFormat format) {
   const bool judged = design != nullptr;
   sim::PictureOptions options{.width = chosen.width, .height = chosen.height, .threads = chosen.threads};
   std::optional<sim::Unit> unit;
@@ -134,7 +134,7 @@ int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const Design
   }
   progress.reset();
 
-  if (format == Format::text) {
+  if (format == OutputFormat::text) {
     fmt::print("{}: {} vertices, {} pixels{}\n", scene.name, scene.mesh.vertices.size(),
                original.image.size(),
                judged ? fmt::format(", {} {}", design->design().name, rtl::to_string(design->format())) : "");

@@ -29,6 +29,6 @@ void add_rescale_options(CLI::App& command, RescaleChoice& choice, const std::ve
 
 /// Renders the pictures, prints a row for each and returns the exit code. Without a design in software alone.
 [[nodiscard]] int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const DesignChoice* design,
-                          Format format);
+                          OutputFormat format);
 
 }  // namespace hitpipe::cli

@@ -35,7 +35,7 @@ struct RtlOptions {
   bool hls = false;
   int vectors = sim::usual_vectors;
   std::uint64_t seed = sim::usual_seed;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 /// Without the option a bare unit stalls; in a wrapper it has what costs less.

@@ -66,7 +66,7 @@ void measure(const StiffCheck& command, const CountedScene* loaded, std::vector<
 
 void write(const StiffCheck& command, const std::vector<MeasuredDesign>& designs,
            const std::vector<Row>& rows, const std::string& scene) {
-  std::vector<host::File> files{{"stiffness.csv", table_text(rows, Format::csv)},
+  std::vector<host::File> files{{"stiffness.csv", table_text(rows, OutputFormat::csv)},
                                 {"stiffness.svg", draw_plot(boxes_plot(designs))}};
   if (!scene.empty()) {
     files.push_back({"stiffness_scene.svg", draw_plot(traversals_plot(designs, scene))});
@@ -88,8 +88,8 @@ int check_stiff_rays(const StiffCheck& command) {
   measure(command, loaded ? &*loaded : nullptr, designs);
   const std::vector<Row> rows = stiffness_rows(designs, scene);
   if (!command.out.empty()) write(command, designs, rows, scene);
-  fmt::print("{}", command.format == Format::text ? stiffness_text(designs, scene)
-                                                  : table_text(rows, command.format));
+  fmt::print("{}", command.format == OutputFormat::text ? stiffness_text(designs, scene)
+                                                        : table_text(rows, command.format));
   const std::uint64_t wrong = wrong_answers(designs);
   if (wrong == 0) return 0;
   fmt::print(stderr,

@@ -17,7 +17,7 @@ struct StiffCheck {
   std::uint64_t seed = 1;
   int threads = 1;
   std::string out;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 /// Prints the table and returns the exit code.

@@ -34,7 +34,7 @@ struct SweepCommand {
   CostChoice cost;
   std::vector<std::string> rows;  ///< files with rows that were measured elsewhere
   std::string out;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 std::vector<sim::SweepPoint> plan(const SweepCommand& command, const rtl::Library& library) {
@@ -94,10 +94,10 @@ std::string text_of(const std::vector<sim::SweepRow>& rows) {
 }
 
 /// Prints the rows and returns the exit code.
-int report(const sim::RowsFile& rows, Format format) {
-  if (format == Format::csv) {
+int report(const sim::RowsFile& rows, OutputFormat format) {
+  if (format == OutputFormat::csv) {
     fmt::print("{}", sim::to_csv(rows.rows));
-  } else if (format == Format::json) {
+  } else if (format == OutputFormat::json) {
     std::vector<Row> records;
     for (const sim::SweepRow& row : rows.rows) records.push_back(record(row, sim::columns_of(rows.rows)));
     fmt::print("{}", table_text(records, format));

@@ -25,7 +25,7 @@ struct TableCommand {
   bool judge = false;
   thesis::ExperimentOptions experiment;
   std::string out;
-  Format format = Format::text;
+  OutputFormat format = OutputFormat::text;
 };
 
 thesis::ResultTable table_of(const thesis::Experiment& experiment, const TableCommand& command) {
@@ -42,9 +42,10 @@ void print_table(const TableCommand& command) {
   const thesis::Experiment& experiment =
       thesis::find_experiment(command.numbers.front(), thesis::experiments_and_proposals());
   const thesis::ResultTable table = table_of(experiment, command);
-  fmt::print("{}", command.format == Format::text  ? thesis::result_text(table)
-                   : command.format == Format::csv ? table_text(thesis::result_rows(table), Format::csv)
-                                                   : record_text(thesis::result_record(table), Format::json));
+  fmt::print("{}", command.format == OutputFormat::text ? thesis::result_text(table)
+                   : command.format == OutputFormat::csv
+                       ? table_text(thesis::result_rows(table), OutputFormat::csv)
+                       : record_text(thesis::result_record(table), OutputFormat::json));
 }
 
 /// The tables that are asked for, or all of the thesis.
@@ -75,15 +76,15 @@ void judge(const TableCommand& command) {
   for (const thesis::Experiment* const experiment : judged(command))
     tables.push_back(table_of(*experiment, command));
   const std::string text = thesis::reproduction_page(tables, command_text(command));
-  if (command.out.empty() || command.format != Format::text)
-    fmt::print("{}", command.format == Format::text
+  if (command.out.empty() || command.format != OutputFormat::text)
+    fmt::print("{}", command.format == OutputFormat::text
                          ? text
                          : table_text(thesis::reproduction_rows(tables), command.format));
   if (command.out.empty()) return;
   host::write_files(
       page.has_parent_path() ? page.parent_path() : ".",
       {{page.filename().string(), text},
-       {figures.filename().string(), table_text(thesis::reproduction_rows(tables), Format::csv)}});
+       {figures.filename().string(), table_text(thesis::reproduction_rows(tables), OutputFormat::csv)}});
 }
 
 }  // namespace

@@ -151,10 +151,11 @@ CLI::Option* add_choice_option(CLI::App& command, const std::string& name, Value
 }
 
 /// --format, for what a command prints.
-inline void add_format_option(CLI::App& command, Format& format) {
-  add_choice_option<Format>(command, "--format", format,
-                            {{"text", Format::text}, {"csv", Format::csv}, {"json", Format::json}},
-                            "How to print: text, csv or json");
+inline void add_format_option(CLI::App& command, OutputFormat& format) {
+  add_choice_option<OutputFormat>(
+      command, "--format", format,
+      {{"text", OutputFormat::text}, {"csv", OutputFormat::csv}, {"json", OutputFormat::json}},
+      "How to print: text, csv or json");
 }
 
 }  // namespace hitpipe::cli

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -19,8 +18,10 @@ namespace hitpipe::cli {
 namespace {
 
 constexpr double margin = 0.03;         // of the length, so that marks at the ends are whole
+constexpr double least_decade = 10;     // of the ends, when there is a place for "≤ 0"
 constexpr double least_ratio = 1.05;    // of the ends, when all data is one number
-constexpr double below_positive = 0.3;  // where "≤ 0" stands, of the least positive number
+constexpr double below_positive = 0.3;  // of the length: how far "≤ 0" stands below the least positive number
+constexpr double zero_margin = 0.1;     // below it, so that labels have room there
 
 /// The tics of a decade, from few to many.
 const std::array<std::vector<double>, 5> tic_series{
@@ -37,21 +38,6 @@ std::vector<double> tics_of(const std::vector<double>& decade, double least, dou
   }
   return tics;
 }
-
-constexpr double letter_width = 7.0;  // in 12-pixel sans-serif, rounded up
-constexpr double line_height = 15.0;
-constexpr double gap = 9.0;        // between mark and label
-constexpr double line_step = 4.0;  // between points of a line that are looked at
-constexpr int steps_off = 24;      // how many lines above and below are tried
-constexpr std::array<double, 5> steps_out{0, 20, 50, 90, 140};
-
-struct Rectangle {
-  double left, right, low, high;
-
-  [[nodiscard]] bool meets(const Rectangle& other) const {
-    return left < other.right && other.left < right && low < other.high && other.low < high;
-  }
-};
 
 constexpr double apart = 2 * mark_radius;
 
@@ -180,10 +166,10 @@ LogAxis::LogAxis(std::span<const double> values) {
     most = std::max(most, value);
   }
   if (least == 0) least = most = 1;
-  if (zero) zero_ = least * below_positive;
+  if (zero) zero_ = least / std::pow(std::max(most / least, least_decade), below_positive);
   const double low = zero ? zero_ : least;
   const double ratio = std::max(most / low, least_ratio);
-  least_ = low / std::pow(ratio, margin);
+  least_ = low / std::pow(ratio, zero ? zero_margin : margin);
   most_ = std::max(most, low * least_ratio) * std::pow(ratio, margin);
 }
 
@@ -207,80 +193,6 @@ std::string LogAxis::tics() const {
   if (zero_ > 0) texts.push_back(fmt::format("'≤ 0' {}", zero_));
   for (const double tic : chosen) texts.push_back(fmt::format("'{:.4g}' {:.4g}", tic, tic));
   return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<const std::string> texts,
-                                     Mark plot_size) {
-  std::vector<Rectangle> taken;
-  for (const Mark& m : marks)
-    taken.push_back({m.x - mark_radius, m.x + mark_radius, m.y - mark_radius, m.y + mark_radius});
-  const auto free = [&](const Rectangle& r) {
-    return r.left >= 0 && r.right <= plot_size.x && r.low >= 0 && r.high <= plot_size.y &&
-           std::none_of(taken.begin(), taken.end(), [&](const Rectangle& t) { return r.meets(t); });
-  };
-  // Points on the line between mark and label, without its ends.
-  const auto along = [](const Mark& from, const LabelPlace& to) {
-    std::vector<Rectangle> points;
-    const double length = std::hypot(to.line_x - from.x, to.middle - from.y);
-    for (double at = 1.5 * mark_radius; at < length - line_height / 2; at += line_step) {
-      const double share = at / length;
-      const double x = std::lerp(from.x, to.line_x, share);
-      const double y = std::lerp(from.y, to.middle, share);
-      points.push_back({x - 1, x + 1, y - 1, y + 1});
-    }
-    return points;
-  };
-  const auto clear = [&](const Mark& from, const LabelPlace& to) {
-    const auto points = along(from, to);
-    return std::none_of(points.begin(), points.end(), [&](const Rectangle& point) {
-      const bool at_mark = std::abs((point.left + point.right) / 2 - from.x) <= 1.5 * mark_radius &&
-                           std::abs((point.low + point.high) / 2 - from.y) <= 1.5 * mark_radius;
-      return !at_mark && !free(point);
-    });
-  };
-  std::vector<LabelPlace> places;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const Mark& m = marks[i];
-    const double width = letter_width * static_cast<double>(texts[i].size());
-    const auto at = [&](bool to_right, int lines_up, double farther) {
-      const double left = to_right ? m.x + gap + farther : m.x - gap - farther - width;
-      return LabelPlace{left, m.y + line_height * lines_up, lines_up != 0 || farther > 0,
-                        to_right ? left - 2 : left + width};
-    };
-    // Above or below the mark, in its middle.
-    const auto over = [&](int lines_up) {
-      return LabelPlace{m.x - width / 2, m.y + line_height * lines_up, std::abs(lines_up) > 1, m.x};
-    };
-    const auto box = [&](const LabelPlace& p) {
-      return Rectangle{p.left, p.left + width, p.middle - line_height / 2, p.middle + line_height / 2};
-    };
-    // First beside the mark, on the right, then on the left; then higher or lower, and farther away.
-    const auto find = [&](bool with_clear_line) {
-      for (int step = 0; step <= 2 * steps_off; ++step) {
-        const int up = step % 2 == 1 ? (step + 1) / 2 : -step / 2;
-        if (up != 0 && free(box(over(up))) && (!with_clear_line || std::abs(up) == 1 || clear(m, over(up))))
-          return std::optional(over(up));
-        for (const double farther : steps_out) {
-          for (const bool to_right : {true, false}) {
-            const LabelPlace place = at(to_right, up, up == 0 ? farther : farther + line_height);
-            if (free(box(place)) && (!with_clear_line || !place.line || clear(m, place)))
-              return std::optional(place);
-          }
-        }
-      }
-      return std::optional<LabelPlace>();
-    };
-    std::optional<LabelPlace> found = find(true);
-    if (!found) found = find(false);
-    const LabelPlace chosen = found.value_or(at(true, 0, 0));
-    taken.push_back(box(chosen));
-    if (chosen.line) {
-      const auto points = along(m, chosen);
-      taken.insert(taken.end(), points.begin(), points.end());
-    }
-    places.push_back(chosen);
-  }
-  return places;
 }
 
 std::vector<UnitMark> unit_marks(std::span<const sim::SweepRow> units, std::span<const Mark> places) {

@@ -1,11 +1,12 @@
-// What the plots of hitpipe share: gnuplot, which draws SVG, a logarithmic axis, and places for marks and
-// their labels. Places are in pixels from the lower left corner of the plot.
+// What the plots of hitpipe share: gnuplot, which draws SVG, a logarithmic axis, and places for marks, in
+// pixels from the lower left corner of the plot.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
+#include "cli/report/label_places.hpp"
 #include "sim/sweep/row.hpp"
 
 namespace hitpipe::cli {
@@ -38,27 +39,6 @@ class LogAxis {
   double most_ = 1;
   double zero_ = 0;  ///< 0: the axis has no place for it
 };
-
-/// Of a mark, in pixels.
-inline constexpr double mark_radius = 6.0;
-
-struct Mark {
-  double x;
-  double y;
-};
-
-struct LabelPlace {
-  double left;    ///< left end of the text
-  double middle;  ///< middle height of the text
-  bool line;      ///< the label is away from its mark, so a line must lead there
-  double line_x;  ///< where that line ends
-};
-
-/// Finds places for labels, so that no label covers another label or a mark. It places labels for the first
-/// marks, one for each text. The other marks only take space. It tries places
-/// farther and farther away. A label that fits nowhere goes beside its mark all the same.
-[[nodiscard]] std::vector<LabelPlace> place_labels(std::span<const Mark> marks,
-                                                   std::span<const std::string> texts, Mark plot_size);
 
 struct UnitMark {
   std::string design;

@@ -11,6 +11,7 @@
 #include "rtl_gen/emit/files.hpp"
 #include "sim/check/check.hpp"
 #include "sim/software.hpp"
+#include "sim/sweep/sweep.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 
 namespace hitpipe::cli {
@@ -27,6 +28,41 @@ std::string version_of(std::vector<std::string> program, const char* option = "-
 }
 
 }  // namespace
+
+std::vector<area::Price> report_prices(std::span<const sim::SweepRow> rows, const rtl::Library& library) {
+  std::vector<area::Price> prices;
+  const auto add = [&](const rtl::Design& design, const rtl::Format& format, int interval) {
+    const bool there = std::any_of(prices.begin(), prices.end(), [&](const area::Price& p) {
+      return p.design == design.name && p.format == format && p.interval == interval;
+    });
+    if (there || !sim::why_not_priced(design, format, library).empty()) return;
+    prices.push_back(
+        area::price(design, format, library, area::Account::built, rtl::FlowControl::stall, interval));
+  };
+  for (const area::Entry& entry : area::table_7_2()) add(rtl::find_design(entry.design), entry.format, 1);
+  for (const NamedRow& best : best_rows(rows)) {
+    const sim::SweepRow& row = rows[best.row];
+    const rtl::Design& design = rtl::find_design(row.design);
+    add(design, design.parse_format(row.bits), row.interval);
+  }
+  return prices;
+}
+
+std::vector<std::string> price_commands(std::span<const area::Price> prices,
+                                        const std::string& library_option) {
+  const auto& six = area::table_7_2();
+  std::vector<std::string> commands{fmt::format("hitpipe area{} --format csv", library_option)};
+  for (const area::Price& p : prices) {
+    const bool is_of_six = std::any_of(six.begin(), six.end(), [&](const area::Entry& entry) {
+      return entry.design == p.design && entry.format == p.format && p.interval == 1;
+    });
+    if (is_of_six) continue;
+    commands.push_back(fmt::format("hitpipe area {}{}{}{} --format csv", p.design,
+                                   rtl::find_design(p.design).bits_option(p.format), library_option,
+                                   p.interval == 1 ? "" : fmt::format(" --ii {}", p.interval)));
+  }
+  return commands;
+}
 
 std::vector<Stability> measure_stability(const StabilityOptions& options) {
   const auto categories = ref::adversary::categories();

@@ -15,6 +15,13 @@
 
 namespace hitpipe::cli {
 
+/// Prices of the units in Table 7.2 that the library can price, and of the best rows, each once.
+[[nodiscard]] std::vector<area::Price> report_prices(std::span<const sim::SweepRow> rows,
+                                                     const rtl::Library& library);
+/// The commands that print them; `library_option` is " --library xc7", or nothing for the default.
+[[nodiscard]] std::vector<std::string> price_commands(std::span<const area::Price> prices,
+                                                      const std::string& library_option);
+
 /// A unit against the exact referee on the adversary's cases, as hitpipe check judges it.
 struct Stability {
   std::string design;
@@ -69,7 +76,7 @@ struct ReportFacts {
   std::vector<Stability> stability;
   std::vector<MeasuredDesign> stiffness;
   std::string stiffness_command;
-  std::string area_command;
+  std::vector<std::string> area_commands;
   Drawing stiffness_diagram;
   std::uint64_t seed = 1;
   std::vector<Schematic> schematics;

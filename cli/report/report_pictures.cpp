@@ -82,6 +82,14 @@ class Studio {
   ReportPictures& made_;
 };
 
+/// A map is drawn if one pixel in so many is above zero.
+constexpr std::size_t shown_from = 10;
+
+std::size_t pixels_with_more(const std::vector<float>& extra) {
+  return static_cast<std::size_t>(
+      std::count_if(extra.begin(), extra.end(), [](float value) { return value > 0; }));
+}
+
 Row row_of(const std::string& unit, std::uint64_t box_tests, std::uint64_t triangle_tests,
            const std::string& command) {
   return {{"file", ""},
@@ -139,15 +147,25 @@ ReportPictures make_pictures(const ref::Scene& scene, const ref::Bvh& bvh, const
     const ref::RenderResult work =
         studio.render(*sim::make_tracer(*choice.design, {format}, scene.mesh, bvh));
     const ref::TraceCounts counts = work.counts.total();
+    const std::vector<float> extra = ref::extra_box_tests(work, software);
+    const std::string numbers =
+        fmt::format("{} in all, of {}",
+                    readable_number(std::to_string(static_cast<std::int64_t>(counts.box_tests) -
+                                                   static_cast<std::int64_t>(reference.box_tests))),
+                    readable_number(std::to_string(counts.box_tests)));
+    const std::size_t pixels = pixels_with_more(extra);
+    if (shown_from * pixels < extra.size()) {
+      made.not_drawn.push_back(
+          fmt::format("Extra box tests of {} {} have no map, because only {} of {} pixels have any. {}.",
+                      choice.design->name, bits, pixels, extra.size(), numbers));
+      continue;
+    }
     std::string file = "extra_box_tests_" + bits;
     std::replace(file.begin(), file.end(), '/', '_');
     studio.map(
-        file, ref::extra_box_tests(work, software),
-        fmt::format("Extra box tests of a pixel: {} {} above conservative float slabs. {} in all, of {}.",
-                    choice.design->name, bits,
-                    readable_number(std::to_string(static_cast<std::int64_t>(counts.box_tests) -
-                                                   static_cast<std::int64_t>(reference.box_tests))),
-                    readable_number(std::to_string(counts.box_tests))),
+        file, extra,
+        fmt::format("Extra box tests of a pixel: {} {} above conservative float slabs. {}.",
+                    choice.design->name, bits, numbers),
         fmt::format("Heat map of the extra box tests of {} {}", choice.design->name, bits),
         row_of(fmt::format("{} {}", choice.design->name, bits), counts.box_tests, counts.triangle_tests,
                named == nullptr ? ""

@@ -1,5 +1,5 @@
 // The pictures of a report: the scene by software in floats and through a design's Verilog, heat maps of box
-// tests, and heat maps of the extra box tests of integer units.
+// tests, and heat maps of the design's extra box tests.
 #pragma once
 
 #include <functional>
@@ -33,8 +33,9 @@ struct PictureChoice {
 struct ReportPictures {
   std::vector<PagePicture> images;
   std::vector<PagePicture> maps;
-  std::vector<rtl::File> files;  ///< the PNG files that the page embeds
-  std::vector<Row> rows;         ///< one for each picture: its numbers and its command
+  std::vector<std::string> not_drawn;  ///< maps that would be nearly all of one colour, with their numbers
+  std::vector<rtl::File> files;        ///< the PNG files that the page embeds
+  std::vector<Row> rows;               ///< one for each picture: its numbers and its command
   std::uint64_t different_pixels = 0;
   std::uint64_t different_triangles = 0;
   std::uint64_t rtl_mismatches = 0;

@@ -16,22 +16,28 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// The columns of rows.csv that the page shows.
-std::vector<std::string> shown_columns(bool on_chip) {
+/// The columns of rows.csv that the page shows, in two tables, because one would be wider than a screen.
+std::vector<std::string> cost_columns(bool on_chip) {
   std::vector<std::string> columns{"boxes_per_test", "stages", "stage_delay_ns"};
   if (on_chip) {
     columns.insert(columns.end(), {"luts", "registers", "multiplier_blocks", "area_per_box_lut"});
   } else {
     columns.insert(columns.end(), {"area_mm2", "area_per_box_mm2"});
   }
-  columns.insert(columns.end(),
-                 {"box_tests", "triangle_tests", "false_hits_per_million", "extra_box_tests_pct",
-                  "extra_triangle_tests_pct", "occupancy_pct", "run_time_ms",
-                  on_chip ? "area_run_time_lut_ms" : "area_run_time_mm2_ms", "whole_run_time_ms",
-                  on_chip ? "whole_area_run_time_lut_ms" : "whole_area_run_time_mm2_ms", "nodes_fetched",
-                  "bytes_per_ray", "false_misses"});
+  columns.insert(
+      columns.end(),
+      {"occupancy_pct", "run_time_ms", on_chip ? "area_run_time_lut_ms" : "area_run_time_mm2_ms",
+       "whole_run_time_ms", on_chip ? "whole_area_run_time_lut_ms" : "whole_area_run_time_mm2_ms"});
   return columns;
 }
+const std::vector<std::string> work_columns{"box_tests",
+                                            "extra_box_tests_pct",
+                                            "triangle_tests",
+                                            "extra_triangle_tests_pct",
+                                            "false_hits_per_million",
+                                            "false_misses",
+                                            "nodes_fetched",
+                                            "bytes_per_ray"};
 
 using Rows = std::span<const sim::SweepRow>;
 
@@ -60,14 +66,14 @@ PageTable page_table(const std::string& caption, const std::vector<Row>& rows) {
   return table;
 }
 
-PageTable sweep_table(Rows rows, int rays) {
+PageTable sweep_table(const std::string& what, Rows rows, int rays, const std::vector<std::string>& shown) {
   PageTable table{
-      fmt::format("{} rays in flight. The last column is the line of rows.csv from which the numbers "
-                  "come; that file has further columns and all their digits.",
-                  rays),
+      fmt::format(
+          "{}, with {} rays in flight. The last column is the line of rows.csv from which the numbers "
+          "come; that file has further columns and all their digits.",
+          what, rays),
       {"unit"},
       {}};
-  const std::vector<std::string> shown = shown_columns(rows.front().on_chip());
   for (const std::string& column : shown) table.columns.push_back(column_heading(column));
   table.columns.emplace_back("line");
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -117,7 +123,7 @@ void add_findings(Page& page, const ReportFacts& facts, int rays) {
   std::vector<std::pair<std::string, std::string>> findings{
       {"Rows", fmt::format("{}, {} box tests", rows.size(), readable_number(std::to_string(box_tests)))},
       {"Must be none",
-       fmt::format("false misses of integer units {}, RTL answers unlike the C++ {}, different "
+       fmt::format("false misses of units that never miss {}, RTL answers unlike the C++ {}, different "
                    "triangles {}, different pixels {}",
                    wrong.false_misses, wrong.rtl_mismatches, wrong.different_triangles,
                    wrong.different_pixels)}};
@@ -129,16 +135,7 @@ void add_findings(Page& page, const ReportFacts& facts, int rays) {
                        boxes == 1 ? "" : fmt::format(" for {} boxes in a test", boxes), cost_text(rows[row]),
                        line_of(row));
   };
-  for (const double percent : {0.1, 1.0, 10.0}) {
-    if (const auto row = cheapest(rows, rays, percent)) {
-      findings.emplace_back(
-          fmt::format("Least whole area × run time, at most {:g} % extra box tests", percent), told(*row));
-    }
-  }
-  if (const auto row = cheapest(rows, rays))
-    findings.emplace_back("Least whole area × run time of all", told(*row));
-  if (const auto row = cheapest_boxes(rows, rays))
-    findings.emplace_back("Least by box tests alone, as the thesis compares", told(*row));
+  for (const NamedRow& best : best_rows(rows)) findings.emplace_back(best.name, told(best.row));
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const sim::SweepRow& unit = rows[row];
     if (unit.design == area::baseline_design().design && unit.rays_in_flight == rays && unit.interval == 1)
@@ -188,8 +185,8 @@ PageTable category_table(const ReportFacts& facts, const std::string& caption,
   return table;
 }
 
-/// What the float units missed, with figures.
-std::string float_misses(const ReportFacts& facts) {
+/// What the units that can miss did miss, with figures.
+std::string misses_text(const ReportFacts& facts) {
   std::string text;
   for (const Stability& s : facts.stability) {
     if (rtl::find_design(s.design).conservative) continue;
@@ -214,7 +211,9 @@ std::vector<std::string> commands_of(const ReportFacts& facts) {
   lines.insert(lines.end(), facts.row_commands.begin(), facts.row_commands.end());
   lines.emplace_back("# The pictures");
   for (const Row& row : facts.pictures.rows) lines.push_back(row.at("command").get<std::string>());
-  lines.insert(lines.end(), {"# The pipelines", facts.area_command, "# Stability"});
+  lines.emplace_back("# The pipelines");
+  lines.insert(lines.end(), facts.area_commands.begin(), facts.area_commands.end());
+  lines.emplace_back("# Stability");
   for (const Stability& s : facts.stability) lines.push_back(s.command);
   lines.emplace_back("# Stiff rays");
   lines.push_back(facts.stiffness_command);
@@ -234,6 +233,8 @@ std::vector<Row> pipeline_rows(const ReportFacts& facts) {
   for (const area::Price& p : facts.prices) {
     Row& row = rows.emplace_back(Row{{"design", p.design},
                                      {"bits", rtl::to_string(p.format)},
+                                     {"interval", p.interval},
+                                     {"boxes_per_test", p.boxes},
                                      {"stages", p.stages},
                                      {"stage_delay_ns", area::delay_ns(p.stage_delay_ps)},
                                      {"clock_mhz", area::clock_mhz(p)},
@@ -303,7 +304,9 @@ std::string report_html(const ReportFacts& facts) {
   page.heading("Error against cost");
   page.paragraph(
       "Up: extra tests, above the reference, which is conservative float slabs in software. Axes end "
-      "where the data does. Each mark has its formats beside it, n/t. Formats of one design at the same "
+      "where the data does. Each mark has its formats beside it, as hitpipe list designs spells them, or the "
+      "name "
+      "of a design with one format. Formats of one design at the same "
       "place share a mark; marks of different designs there stand side by side. No unit lies below and "
       "left of the dashed front. The first three diagrams count box tests alone, as the thesis does, the "
       "next two "
@@ -314,13 +317,15 @@ std::string report_html(const ReportFacts& facts) {
   page.pictures(facts.pictures.images);
   page.heading("Where the work is");
   page.pictures(facts.pictures.maps);
+  for (const std::string& text : facts.pictures.not_drawn) page.paragraph(text);
   page.table(page_table("The pictures' numbers: pictures.csv.", facts.pictures.rows));
 
   page.heading("Pipelines");
   page.table(page_table(
-      fmt::format("The units of Table 7.2, all that is emitted priced by the component library {}; "
-                  "percent of {} for each box: pipelines.csv.",
-                  rows.front().library, area::baseline_design().design),
+      fmt::format(
+          "The units of Table 7.2 and those with the least cost under What was found. All that is emitted "
+          "is priced by the component library {}; percent of {} for each box: pipelines.csv.",
+          rows.front().library, area::baseline_design().design),
       pipeline_rows(facts)));
 
   page.heading("The sweep");
@@ -331,22 +336,25 @@ std::string report_html(const ReportFacts& facts) {
         "its area. Area × run time takes the whole area, because such a unit needs fewer cycles for its "
         "boxes.");
   }
-  page.table(sweep_table(rows, rays));
+  page.table(sweep_table("What the units cost", rows, rays, cost_columns(rows.front().on_chip())));
+  page.table(sweep_table("What the units did", rows, rays, work_columns));
   const PageTable occupancy = occupancy_table(rows);
   if (!occupancy.rows.empty()) page.table(occupancy);
 
   page.heading("Stability");
   page.paragraph(
-      "Rays and boxes made to break box tests, judged by exact arithmetic on boxes that are not padded. An "
-      "integer unit may accept too much, and must never miss. Shares say nothing about a scene. Cases are "
-      "drawn at random, so each share has its 95 % interval in brackets. All counts are in stability.csv.");
+      "Rays and boxes made to break box tests, judged by exact arithmetic on boxes that are not padded. A "
+      "unit "
+      "that never misses may accept too much. Shares say nothing about a scene. Cases are drawn at random, "
+      "so "
+      "each share has its 95 % interval in brackets. All counts are in stability.csv.");
   page.paragraph(
-      "What float units miss, and why: " + float_misses(facts) +
-      "A float unit rounds every difference and product to nearest. Where the ray starts or ends on "
+      "What units miss that can miss, and why: " + misses_text(facts) +
+      "Such a float unit rounds every difference and product to nearest. Where the ray starts or ends on "
       "the box, grazes an edge or a corner, or the box has no extent, entry, exit and length are "
       "closer together than that rounding, and it can change their order: the unit answers MISS. "
       "Where the ray starts in a plane that is parallel to it, 0 times infinity is NaN, which compares "
-      "false. An integer unit rounds outward, so it can only accept too much. A float picture loses "
+      "false. A unit that never misses rounds outward, so it can only accept too much. The picture loses "
       "nothing all the same, because the boxes of the hierarchy are padded.");
   page.table(category_table(facts, "False hits, % of the boxes that the ray misses (95 % interval).",
                             false_hits_of));

@@ -92,6 +92,10 @@ std::string block(const std::string& name, const std::string& lines) {
   return fmt::format("${} << END\n{}END\n", name, lines);
 }
 
+const char* gnuplot_name(Align align) {
+  return align == Align::left ? "left" : align == Align::right ? "right" : "center";
+}
+
 /// A label beside each mark. A line leads to each label that had to move away.
 std::string labels(const std::vector<UnitMark>& marks, const Mark& size) {
   std::vector<Mark> places;
@@ -104,12 +108,12 @@ std::string labels(const std::vector<UnitMark>& marks, const Mark& size) {
   std::string text;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const LabelPlace& p = found[i];
-    text += fmt::format("set label {} at graph {:.4f},{:.4f} left front boxed\n", gnuplot_string(texts[i]),
-                        p.left / size.x, p.middle / size.y);
+    text += fmt::format("set label {} at graph {:.4f},{:.4f} {} front boxed\n", gnuplot_string(texts[i]),
+                        p.anchor() / size.x, p.middle / size.y, gnuplot_name(p.align));
     if (p.line) {
       text +=
           fmt::format("set arrow from graph {:.4f},{:.4f} to graph {:.4f},{:.4f} nohead lc rgb '#666666'\n",
-                      places[i].x / size.x, places[i].y / size.y, p.line_x / size.x, p.middle / size.y);
+                      places[i].x / size.x, places[i].y / size.y, p.anchor() / size.x, p.middle / size.y);
     }
   }
   return text;

@@ -73,6 +73,20 @@ std::optional<std::size_t> cheapest_boxes(Rows rows, int rays_in_flight) {
   return least(rows, rays_in_flight, no_limit, &sim::SweepRow::area_run_time);
 }
 
+std::vector<NamedRow> best_rows(Rows rows) {
+  const int rays = usual_rays_in_flight(rows);
+  std::vector<NamedRow> best;
+  for (const double percent : {0.1, 1.0, 10.0}) {
+    if (const auto row = cheapest(rows, rays, percent))
+      best.push_back(
+          {fmt::format("Least whole area × run time, at most {:g} % extra box tests", percent), *row});
+  }
+  if (const auto row = cheapest(rows, rays)) best.push_back({"Least whole area × run time of all", *row});
+  if (const auto row = cheapest_boxes(rows, rays))
+    best.push_back({"Least by box tests alone, as the thesis compares", *row});
+  return best;
+}
+
 std::string area_unit(const sim::SweepRow& row) {
   return row.on_chip() ? "LUT" : "mm²";
 }

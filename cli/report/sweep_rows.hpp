@@ -52,6 +52,13 @@ inline constexpr double no_limit = std::numeric_limits<double>::infinity();
 [[nodiscard]] std::optional<std::size_t> cheapest_boxes(std::span<const sim::SweepRow> rows,
                                                         int rays_in_flight);
 
+struct NamedRow {
+  std::string name;  ///< what it is the best in
+  std::size_t row;
+};
+/// The cheapest rows within several errors, of all, and by box tests alone.
+[[nodiscard]] std::vector<NamedRow> best_rows(std::span<const sim::SweepRow> rows);
+
 /// "mm²", or "LUT" on a chip.
 [[nodiscard]] std::string area_unit(const sim::SweepRow& row);
 

@@ -107,7 +107,7 @@ std::string fit_text(const std::string& scene, const ref::SceneDemands& demands,
                      "What cannot be bounded is kept\n" + evidence_text(demands, false) + "\n";
   std::vector<Row> table;
   for (const FitReport& report : reports) table.push_back(short_row(report.row));
-  text += table_text(table, Format::text) + legend + "\n";
+  text += table_text(table, OutputFormat::text) + legend + "\n";
   for (const std::string& line : advice) text += host::wrapped(line, 2);
   for (const FitReport& report : reports) text += design_text(report);
   return text;

@@ -51,7 +51,7 @@ std::string text_of(const MeasuredDesign& d, Percent percent, PercentInterval in
     }
     rows.push_back(std::move(spread));
   }
-  return fmt::format("{}: {}\n{}", d.design->name, what, table_text(rows, Format::text));
+  return fmt::format("{}: {}\n{}", d.design->name, what, table_text(rows, OutputFormat::text));
 }
 
 Plot plot_of(const std::vector<MeasuredDesign>& designs, Percent percent, std::string title,

@@ -59,9 +59,9 @@ std::string csv_text(const std::vector<Row>& rows) {
 
 }  // namespace
 
-std::string table_text(const std::vector<Row>& rows, Format format) {
-  if (format == Format::json) return dump(rows, 2) + "\n";
-  if (format == Format::csv) return csv_text(rows);
+std::string table_text(const std::vector<Row>& rows, OutputFormat format) {
+  if (format == OutputFormat::json) return dump(rows, 2) + "\n";
+  if (format == OutputFormat::csv) return csv_text(rows);
   std::string text;
   if (rows.empty()) return text;
   std::vector<std::size_t> widths;
@@ -91,9 +91,9 @@ std::string table_text(const std::vector<Row>& rows, Format format) {
   return text;
 }
 
-std::string record_text(const Row& row, Format format) {
-  if (format == Format::json) return dump(row, 2) + "\n";
-  if (format == Format::csv) return csv_text({row});
+std::string record_text(const Row& row, OutputFormat format) {
+  if (format == OutputFormat::json) return dump(row, 2) + "\n";
+  if (format == OutputFormat::csv) return csv_text({row});
   std::size_t width = 0;
   for (const auto& [key, value] : row.items()) width = std::max(width, key.size());
   std::string text;

@@ -11,13 +11,13 @@ namespace hitpipe::cli {
 /// Keys are in the order in which they are printed.
 using Row = nlohmann::ordered_json;
 
-enum class Format { text, csv, json };
+enum class OutputFormat { text, csv, json };
 
 /// One line for each row, under a header. JSON: an array of objects. All rows have the keys of the first.
-[[nodiscard]] std::string table_text(const std::vector<Row>& rows, Format format);
+[[nodiscard]] std::string table_text(const std::vector<Row>& rows, OutputFormat format);
 
 /// One line for each value. CSV: one row. JSON: one object. A value may be an array of strings: text has one
 /// line for each, CSV has one cell with blanks between them.
-[[nodiscard]] std::string record_text(const Row& row, Format format);
+[[nodiscard]] std::string record_text(const Row& row, OutputFormat format);
 
 }  // namespace hitpipe::cli

@@ -38,17 +38,17 @@ bool is_utf8(const std::string& text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   const cli::Row row{{"scene", text}, {"triangles", size}, {"files", {text, text}}};
-  for (const std::string& printed :
-       {cli::record_text(row, cli::Format::json), cli::table_text({row, row}, cli::Format::json)}) {
+  for (const std::string& printed : {cli::record_text(row, cli::OutputFormat::json),
+                                     cli::table_text({row, row}, cli::OutputFormat::json)}) {
     expect(nlohmann::json::accept(printed), "JSON can be read");
   }
   if (is_utf8(text)) {
-    const auto read = nlohmann::json::parse(cli::record_text(row, cli::Format::json));
+    const auto read = nlohmann::json::parse(cli::record_text(row, cli::OutputFormat::json));
     expect(read.at("scene") == text && read.at("files").at(1) == text, "JSON keeps every character");
   }
-  const std::string csv = cli::record_text(row, cli::Format::csv);
+  const std::string csv = cli::record_text(row, cli::OutputFormat::csv);
   expect(first_cell(csv.substr(csv.find('\n') + 1)) == text, "CSV keeps every byte");
-  expect(!cli::record_text(row, cli::Format::text).empty(), "text is printed");
-  expect(!cli::table_text({row, row}, cli::Format::text).empty(), "text is printed");
+  expect(!cli::record_text(row, cli::OutputFormat::text).empty(), "text is printed");
+  expect(!cli::table_text({row, row}, cli::OutputFormat::text).empty(), "text is printed");
   return 0;
 }

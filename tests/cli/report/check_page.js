@@ -31,6 +31,21 @@ window.addEventListener('load', () => {
   // A plot takes the width of a large window.
   const plot = document.querySelector('.plot svg').getBoundingClientRect();
   if (innerWidth >= 1280 && plot.width < 0.95 * root.clientWidth) faults.push('plot of a width of ' + plot.width);
+  // Texts of a plot do not lie on one another. gnuplot writes a boxed text twice, at the same place.
+  for (const svg of document.querySelectorAll('.plot svg')) {
+    const texts = [...svg.querySelectorAll('text')].map((text) => [text.textContent, text.getBoundingClientRect()]);
+    texts.forEach(([text, a], i) => texts.slice(0, i).forEach(([other, b]) => {
+      if (text === other && Math.abs(a.left - b.left) < 1 && Math.abs(a.top - b.top) < 1) return;
+      const width = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+      const height = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+      if (width > 1 && height > 3) faults.push(`in ${svg.getAttribute('aria-label')}: "${text}" lies on "${other}"`);
+    }));
+  }
+  // A large window shows all columns.
+  for (const frame of document.querySelectorAll('.rows')) {
+    if (innerWidth >= 1280 && frame.scrollWidth > frame.clientWidth)
+      faults.push('columns are cut off: ' + frame.firstElementChild.getAttribute('aria-label'));
+  }
   // The header of a long table stays when its rows scroll.
   for (const frame of document.querySelectorAll('.rows')) {
     const head = frame.querySelector('thead th');

@@ -1,10 +1,8 @@
-// The parts of a report's page: text, numbers, pictures and drawings as HTML; places of labels.
+// The parts of a report's page: text, numbers, pictures and drawings as HTML.
 #include "cli/report/report_page.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "cli/report/plot.hpp"
 
 namespace hitpipe::cli::report_page_test {
 namespace {
@@ -71,31 +69,6 @@ TEST(ColumnHeading, IsWordsWithTheUnitAtTheEnd) {
   EXPECT_EQ(column_heading("false_hits_per_million"), "false hits in a million");
   EXPECT_EQ(column_heading("rtl_mismatches"), "RTL mismatches");
   EXPECT_EQ(column_heading("32"), "32");
-}
-
-TEST(LabelPlaces, CoverNeitherEachOtherNorAMark) {
-  const std::vector<Mark> marks{{100, 20}, {104, 20}, {110, 20}, {112, 24}, {300, 100}};
-  const std::vector<std::string> texts{"int_slabs 24/24", "fp_slabs", "fp_plucker", "int_plucker 20/24"};
-  const std::vector<LabelPlace> places = place_labels(marks, texts, {600, 400});
-  ASSERT_EQ(places.size(), texts.size());
-  constexpr double letter = 7;
-  constexpr double half_height = 7.5;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double right = places[i].left + letter * static_cast<double>(texts[i].size());
-    EXPECT_GE(places[i].left, 0) << texts[i];
-    EXPECT_LE(right, 600) << texts[i];
-    for (const Mark& mark : marks) {
-      EXPECT_FALSE(mark.x > places[i].left && mark.x < right &&
-                   std::abs(mark.y - places[i].middle) < half_height)
-          << texts[i] << " lies on the mark at " << mark.x << ", " << mark.y;
-    }
-    for (std::size_t j = 0; j < i; ++j) {
-      const double other_right = places[j].left + letter * static_cast<double>(texts[j].size());
-      EXPECT_FALSE(places[i].left < other_right && places[j].left < right &&
-                   std::abs(places[i].middle - places[j].middle) < 2 * half_height)
-          << texts[i] << " lies on " << texts[j];
-    }
-  }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ TEST(Record, IsOneLineAValueAsText) {
   const Row row{{"name", "spheres"}, {"count", 1234567},       {"small", 999},    {"thousand", 1000},
                 {"debt", -1234},     {"small_debt", -123},     {"share", 99.987}, {"rate", 8365096.4},
                 {"none", nullptr},   {"files", {"a.v", "b.v"}}};
-  EXPECT_EQ(record_text(row, Format::text),
+  EXPECT_EQ(record_text(row, OutputFormat::text),
             "name        spheres\n"
             "count       1,234,567\n"
             "small       999\n"
@@ -27,40 +27,41 @@ TEST(Record, IsOneLineAValueAsText) {
 TEST(Record, IsAHeaderAndALineAsCsv) {
   const Row row{
       {"name", "a, \"b\""}, {"count", 1234567}, {"share", 0.5}, {"none", nullptr}, {"files", {"a.v", "b c"}}};
-  EXPECT_EQ(record_text(row, Format::csv),
+  EXPECT_EQ(record_text(row, OutputFormat::csv),
             "name,count,share,none,files\n"
             "\"a, \"\"b\"\"\",1234567,0.5,,a.v b c\n");
 }
 
 TEST(Record, EmptyFirstCellKeepsItsColumnAsCsv) {
-  EXPECT_EQ(record_text({{"name", ""}, {"count", 1}}, Format::csv), "name,count\n,1\n");
-  EXPECT_EQ(record_text({{"none", nullptr}, {"count", 1}}, Format::csv), "none,count\n,1\n");
+  EXPECT_EQ(record_text({{"name", ""}, {"count", 1}}, OutputFormat::csv), "name,count\n,1\n");
+  EXPECT_EQ(record_text({{"none", nullptr}, {"count", 1}}, OutputFormat::csv), "none,count\n,1\n");
 }
 
 TEST(Record, ListsAreWordsAsCsv) {
-  EXPECT_EQ(record_text({{"words", {"a", "b"}}, {"numbers", {0, 2, 1}}}, Format::csv),
+  EXPECT_EQ(record_text({{"words", {"a", "b"}}, {"numbers", {0, 2, 1}}}, OutputFormat::csv),
             "words,numbers\na b,0 2 1\n");
 }
 
 TEST(Record, LineBreaksAreQuotedAsCsv) {
-  EXPECT_EQ(record_text({{"a", "x\ry"}, {"b", "x\ny"}}, Format::csv), "a,b\n\"x\ry\",\"x\ny\"\n");
+  EXPECT_EQ(record_text({{"a", "x\ry"}, {"b", "x\ny"}}, OutputFormat::csv), "a,b\n\"x\ry\",\"x\ny\"\n");
 }
 
 TEST(Record, NameThatIsNoUtf8IsPrinted) {
   const Row row{{"name", "\xff.obj"}, {"count", 1}};
-  EXPECT_EQ(record_text(row, Format::json), "{\n  \"name\": \"\xEF\xBF\xBD.obj\",\n  \"count\": 1\n}\n");
-  EXPECT_EQ(record_text(row, Format::csv), "name,count\n\xff.obj,1\n");
+  EXPECT_EQ(record_text(row, OutputFormat::json),
+            "{\n  \"name\": \"\xEF\xBF\xBD.obj\",\n  \"count\": 1\n}\n");
+  EXPECT_EQ(record_text(row, OutputFormat::csv), "name,count\n\xff.obj,1\n");
 }
 
 TEST(Record, IsAnObjectInTheSameOrderAsJson) {
   const Row row{{"z", "x"}, {"a", 1}};
-  EXPECT_EQ(record_text(row, Format::json), "{\n  \"z\": \"x\",\n  \"a\": 1\n}\n");
+  EXPECT_EQ(record_text(row, OutputFormat::json), "{\n  \"z\": \"x\",\n  \"a\": 1\n}\n");
 }
 
 TEST(Table, AlignsWordsLeftAndNumbersRight) {
   const std::vector<Row> rows{{{"design", "a"}, {"stages", 5}, {"what", "first"}},
                               {{"design", "longer"}, {"stages", 12345}, {"what", "second one"}}};
-  EXPECT_EQ(table_text(rows, Format::text),
+  EXPECT_EQ(table_text(rows, OutputFormat::text),
             "design  stages  what\n"
             "a            5  first\n"
             "longer  12,345  second one\n");
@@ -68,14 +69,14 @@ TEST(Table, AlignsWordsLeftAndNumbersRight) {
 
 TEST(Table, IsALineARowAsCsvAndAnArrayAsJson) {
   const std::vector<Row> rows{{{"design", "a"}, {"stages", 5}}, {{"design", "b"}, {"stages", 4}}};
-  EXPECT_EQ(table_text(rows, Format::csv), "design,stages\na,5\nb,4\n");
-  EXPECT_EQ(Row::parse(table_text(rows, Format::json)), Row(rows));
+  EXPECT_EQ(table_text(rows, OutputFormat::csv), "design,stages\na,5\nb,4\n");
+  EXPECT_EQ(Row::parse(table_text(rows, OutputFormat::json)), Row(rows));
 }
 
 TEST(Table, WithoutRowsIsEmpty) {
-  EXPECT_EQ(table_text({}, Format::text), "");
-  EXPECT_EQ(table_text({}, Format::csv), "");
-  EXPECT_EQ(table_text({}, Format::json), "[]\n");
+  EXPECT_EQ(table_text({}, OutputFormat::text), "");
+  EXPECT_EQ(table_text({}, OutputFormat::csv), "");
+  EXPECT_EQ(table_text({}, OutputFormat::json), "[]\n");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tests/sim/mutations/fault.hpp"
+#include "tests/sim/vectors/fault.hpp"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "tests/sim/mutations/fault_kinds.hpp"
+#include "tests/sim/vectors/fault_kinds.hpp"
 
 namespace hitpipe::sim {
 namespace {

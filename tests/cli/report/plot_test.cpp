@@ -1,15 +1,16 @@
 // gnuplot draws what it is told, whatever the folders are called, and its failures are told in one line.
+#include "cli/report/plot.hpp"
+
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/report/plot.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/temporary_folder.hpp"
 
-namespace hitpipe::cli::gnuplot_test {
+namespace hitpipe::cli::plot_test {
 namespace {
 
 std::string message_of(const std::string& script) {
@@ -37,4 +38,4 @@ TEST(Gnuplot, MissingProgramRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::cli::gnuplot_test
+}  // namespace hitpipe::cli::plot_test

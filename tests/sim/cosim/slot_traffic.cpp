@@ -1,4 +1,4 @@
-#include "tests/sim/slot_traffic.hpp"
+#include "tests/sim/cosim/slot_traffic.hpp"
 
 #include <algorithm>
 #include <deque>

@@ -6,7 +6,7 @@
 #include "sim/cosim/cosim.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/adversary_vectors.hpp"
-#include "tests/sim/slot_traffic.hpp"
+#include "tests/sim/cosim/slot_traffic.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/units.hpp"
 

@@ -1,4 +1,6 @@
 // Cases as text: they are read back bit for bit, and an error names the word that cannot be read.
+#include "sw_ref/judge/adversary/case.hpp"
+
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -7,11 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sw_ref/judge/adversary/case.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sw_ref/judge/adversary/each_case.hpp"
 
-namespace hitpipe::ref::adversary::replay_test {
+namespace hitpipe::ref::adversary::case_test {
 namespace {
 
 constexpr std::uint64_t seed = 20075;
@@ -97,4 +98,4 @@ TEST(ParseCase, RefusedBoxRejected) {
 }
 
 }  // namespace
-}  // namespace hitpipe::ref::adversary::replay_test
+}  // namespace hitpipe::ref::adversary::case_test

@@ -10,7 +10,7 @@
 #include "rtl_gen/prune/prune.hpp"
 #include "tests/rtl_gen/seeded.hpp"
 
-namespace hitpipe::rtl::narrow_units_test {
+namespace hitpipe::rtl::narrow_test {
 namespace {
 
 using testing::HasSubstr;
@@ -131,4 +131,4 @@ TEST(NarrowUnits, BecomeWiresWhereOnlyWiresAreLeft) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl::narrow_units_test
+}  // namespace hitpipe::rtl::narrow_test

@@ -11,8 +11,8 @@
 #include "sim/unit/verilated_design.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/emit/two_boxes.hpp"
-#include "tests/sim/slabs_with_entry.hpp"
 #include "tests/sim/small_scene.hpp"
+#include "tests/sim/unit/slabs_with_entry.hpp"
 
 namespace hitpipe::sim::several_results_test {
 namespace {

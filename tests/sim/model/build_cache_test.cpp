@@ -12,9 +12,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "tests/sim/model_cache_fixture.hpp"
+#include "tests/sim/model/model_cache_fixture.hpp"
 
-namespace hitpipe::sim::model_cache_test {
+namespace hitpipe::sim::build_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -267,4 +267,4 @@ TEST(ModelCacheFolder, IsTheFirstOfThreeVariables) {
 }
 
 }  // namespace
-}  // namespace hitpipe::sim::model_cache_test
+}  // namespace hitpipe::sim::build_cache_test

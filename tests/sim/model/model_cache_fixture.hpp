@@ -11,7 +11,7 @@
 #include "tests/message_of.hpp"
 #include "tests/sim/environment.hpp"
 #include "tests/sim/formats.hpp"
-#include "tests/sim/stub_verilator.hpp"
+#include "tests/sim/model/stub_verilator.hpp"
 
 namespace hitpipe::sim {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "tests/sim/mutations/fault.hpp"
-#include "tests/sim/mutations/float_units.hpp"
+#include "tests/sim/vectors/fault.hpp"
+#include "tests/sim/vectors/float_units.hpp"
 
 namespace hitpipe::sim::kinds {
 

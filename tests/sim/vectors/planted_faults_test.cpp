@@ -14,7 +14,7 @@
 #include "rtl_gen/emit/vectors.hpp"
 #include "rtl_gen/graph/canonical.hpp"
 #include "sim/vectors/design_vectors.hpp"
-#include "tests/sim/mutations/fault_simulation.hpp"
+#include "tests/sim/vectors/fault_simulation.hpp"
 
 namespace hitpipe::sim::planted_faults_test {
 namespace {

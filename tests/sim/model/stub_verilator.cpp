@@ -1,4 +1,4 @@
-#include "tests/sim/stub_verilator.hpp"
+#include "tests/sim/model/stub_verilator.hpp"
 
 #include <fstream>
 

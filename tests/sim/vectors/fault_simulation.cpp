@@ -1,10 +1,10 @@
-#include "tests/sim/mutations/fault_simulation.hpp"
+#include "tests/sim/vectors/fault_simulation.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <span>
 
-#include "tests/sim/mutations/float_units.hpp"
+#include "tests/sim/vectors/float_units.hpp"
 
 namespace hitpipe::sim {
 

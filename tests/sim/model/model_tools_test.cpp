@@ -10,7 +10,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-#include "tests/sim/model_cache_fixture.hpp"
+#include "tests/sim/model/model_cache_fixture.hpp"
 
 namespace hitpipe::sim::model_tools_test {
 namespace {

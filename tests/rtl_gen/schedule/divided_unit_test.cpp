@@ -1,15 +1,16 @@
 // balance(): divides a component's logic into stages so that none is much longer than the others.
+#include "rtl_gen/schedule/divided_unit.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/schedule/registers.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 
-namespace hitpipe::rtl::balance_test {
+namespace hitpipe::rtl::divided_unit_test {
 namespace {
 
 /// `length` multiplexers in a row: 2 gate levels each.
@@ -78,4 +79,4 @@ TEST(Balance, FloatUnitsHaveEvenStages) {
 }
 
 }  // namespace
-}  // namespace hitpipe::rtl::balance_test
+}  // namespace hitpipe::rtl::divided_unit_test

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "tests/sim/mutations/fault.hpp"
+#include "tests/sim/vectors/fault.hpp"
 
 namespace hitpipe::sim {
 

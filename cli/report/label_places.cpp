@@ -1,0 +1,165 @@
+#include "cli/report/label_places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+
+namespace hitpipe::cli {
+
+namespace {
+
+constexpr double font_size = 12.0;
+constexpr double line_height = 15.0;
+constexpr double gap = 9.0;       // between mark and label
+constexpr double overhang = 4.0;  // of a label that begins or ends above its mark
+constexpr int steps_off = 16;     // how many lines above and below are tried
+constexpr std::array<double, 6> steps_out{0, 10, 25, 50, 90, 140};
+
+// What is bad about a place, in pixels of a longer line.
+constexpr double on_another = 10'000;  // the label lies on a mark or a label
+constexpr double line_on_one = 1'000;  // its line does
+constexpr double lines_cross = 300;
+constexpr double has_line = 10;
+constexpr int most_rounds = 50;
+
+struct Rectangle {
+  double left, right, low, high;
+
+  [[nodiscard]] bool meets(const Rectangle& other) const {
+    return left < other.right && other.left < right && low < other.high && other.low < high;
+  }
+};
+
+struct Leader {
+  Mark from, to;
+
+  [[nodiscard]] bool meets(const Rectangle& r) const {
+    double begin = 0;
+    double end = 1;
+    const auto within = [&](double start, double along, double low, double high) {
+      if (along == 0) return start > low && start < high;
+      const double a = (low - start) / along;
+      const double b = (high - start) / along;
+      begin = std::max(begin, std::min(a, b));
+      end = std::min(end, std::max(a, b));
+      return begin < end;
+    };
+    return within(from.x, to.x - from.x, r.left, r.right) && within(from.y, to.y - from.y, r.low, r.high);
+  }
+  [[nodiscard]] bool meets(const Leader& other) const {
+    return side(other.from) != side(other.to) && other.side(from) != other.side(to);
+  }
+  [[nodiscard]] bool side(const Mark& p) const {
+    return (to.x - from.x) * (p.y - from.y) > (to.y - from.y) * (p.x - from.x);
+  }
+};
+
+Rectangle box_of(const Mark& m) {
+  return {m.x - mark_radius, m.x + mark_radius, m.y - mark_radius, m.y + mark_radius};
+}
+
+/// A place that a label may take.
+struct Candidate {
+  LabelPlace place;
+  Rectangle box;
+  Leader line;
+  double cost;  ///< without the other labels
+};
+
+/// What is bad about two labels together.
+double badness_of(const Candidate& a, const Candidate& b) {
+  double cost = a.box.meets(b.box) ? on_another : 0;
+  if (a.place.line && a.line.meets(b.box)) cost += line_on_one;
+  if (b.place.line && b.line.meets(a.box)) cost += line_on_one;
+  if (a.place.line && b.place.line && a.line.meets(b.line)) cost += lines_cross;
+  return cost;
+}
+
+/// All places in the plot, the best beside the mark on the right. Without any, the first.
+std::vector<Candidate> candidates_of(std::span<const Mark> marks, std::size_t of, double width,
+                                     const Mark& size) {
+  const Mark& m = marks[of];
+  std::vector<Candidate> all;
+  const auto add = [&](const LabelPlace& p) {
+    const Rectangle box{p.left, p.right, p.middle - line_height / 2, p.middle + line_height / 2};
+    const bool inside = box.left >= 0 && box.right <= size.x && box.low >= 0 && box.high <= size.y;
+    if (!inside && !all.empty()) return;
+    const Leader line{m, {p.anchor(), p.middle}};
+    double cost = inside ? 0 : on_another;
+    if (p.line) cost += has_line + std::hypot(line.to.x - m.x, line.to.y - m.y);
+    if (!p.line) cost += p.align == Align::left && p.middle == m.y ? 0 : p.middle == m.y ? 1 : 3;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const Rectangle mark = box_of(marks[i]);
+      if (box.meets(mark)) cost += on_another;
+      if (i != of && p.line && line.meets(mark)) cost += line_on_one;
+    }
+    all.push_back({p, box, line, cost});
+  };
+  for (int up = -steps_off; up <= steps_off; ++up) {
+    const double middle = m.y + line_height * up;
+    const bool off = std::abs(up) > 1;
+    for (const double out : steps_out) {
+      const double farther = gap + out + (up == 0 ? 0 : line_height);
+      const bool line = up != 0 || out > 0;
+      add({m.x + farther, m.x + farther + width, middle, Align::left, line});
+      add({m.x - farther - width, m.x - farther, middle, Align::right, line});
+    }
+    if (up == 0) continue;
+    add({m.x - width / 2, m.x + width / 2, middle, Align::centre, off});
+    add({m.x - overhang, m.x - overhang + width, middle, Align::left, off});
+    add({m.x + overhang - width, m.x + overhang, middle, Align::right, off});
+  }
+  return all;
+}
+
+}  // namespace
+
+double text_width(std::string_view text) {
+  // Of DejaVu Sans, the widest font that is usual for sans-serif; in font sizes.
+  double width = 0;
+  for (const char c : text) {
+    const bool narrow = std::string_view("fijlrt/,.-:;'| ()").find(c) != std::string_view::npos;
+    const bool wide = std::string_view("mwMW+%@=<>").find(c) != std::string_view::npos;
+    width += narrow ? 0.42 : wide ? 1.0 : c >= 'A' && c <= 'Z' ? 0.8 : 0.64;
+  }
+  return font_size * width;
+}
+
+std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<const std::string> texts,
+                                     Mark plot_size) {
+  std::vector<std::vector<Candidate>> candidates;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    candidates.push_back(candidates_of(marks, i, text_width(texts[i]), plot_size));
+  std::vector<const Candidate*> chosen(texts.size());
+  // Each label takes the best place that the others leave it, until no label moves. A move lessens the sum of
+  // all costs, so this ends.
+  bool moved = true;
+  for (int round = 0; moved && round < most_rounds; ++round) {
+    moved = false;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const auto cost = [&](const Candidate& candidate, double enough) {
+        double sum = candidate.cost;
+        for (std::size_t j = 0; j < texts.size() && sum < enough; ++j)
+          if (j != i && chosen[j] != nullptr) sum += badness_of(candidate, *chosen[j]);
+        return sum;
+      };
+      constexpr double any = std::numeric_limits<double>::infinity();
+      double least = chosen[i] == nullptr ? any : cost(*chosen[i], any);
+      for (const Candidate& candidate : candidates[i]) {
+        const double its = cost(candidate, least);
+        if (its >= least) continue;
+        least = its;
+        chosen[i] = &candidate;
+        moved = true;
+      }
+    }
+  }
+  std::vector<LabelPlace> places;
+  for (const Candidate* const candidate : chosen) places.push_back(candidate->place);
+  return places;
+}
+
+}  // namespace hitpipe::cli
