@@ -19,6 +19,7 @@
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/implement/board_implementation.hpp"
 #include "sim/implement/clocks.hpp"
+#include "sim/implement/fitting_option.hpp"
 #include "sim/implement/unit_implementation.hpp"
 
 namespace hitpipe::cli {
@@ -115,9 +116,7 @@ std::string wrong(const sim::Target& target, const sim::Implementation& unit) {
   if (unit.simulated && !unit.simulated->agrees)
     return fmt::format("its netlist is wrong: {}", unit.simulated->said);
   if (const std::string excess = unit.excess(); !excess.empty())
-    return fmt::format(
-        "does not fit {}: {}; fewer stages (--clock-ps auto) or a test every few cycles (--ii N) may",
-        target.chip, excess);
+    return fmt::format("does not fit {}: {}", target.chip, excess);
   if (unit.placed && !unit.placed->why_not.empty())
     return fmt::format("fits {}, but not with the shift registers around it: {}", target.chip,
                        unit.placed->why_not);
@@ -278,8 +277,13 @@ int implement(const ImplementCommand& command) {
   fmt::print("{}",
              record_text(command.format == OutputFormat::text ? without_nothing(row) : row, command.format));
   if (!unit.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
-  const std::string what = wrong(target, unit);
+  std::string what = wrong(target, unit);
   if (what.empty()) return 0;
+  if (!unit.excess().empty() && (!unit.simulated || unit.simulated->agrees)) {
+    if (!tried.empty()) options.clock_ps = best->clock_ps;
+    what += "; " + sim::fitting_option(design, format, target, options, unit);
+    progress.reset();
+  }
   fmt::print(stderr, "hitpipe: {} {} {}\n", design.name, rtl::to_string(format), what);
   return 1;
 }

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "host/text.hpp"
 #include "rtl_gen/verilog/names.hpp"
 
 namespace hitpipe::rtl {
@@ -140,8 +141,8 @@ FlowControl flow_control_of(const Json& json) {
   const std::string word = json.value("flow_control", std::string(flow_control_name(FlowControl::stall)));
   const auto found = std::find(flow_control_names.begin(), flow_control_names.end(), word);
   if (found == flow_control_names.end())
-    throw std::runtime_error(
-        fmt::format("\"flow_control\" is \"{}\", allowed are {}", word, fmt::join(flow_control_names, ", ")));
+    throw std::runtime_error(fmt::format("\"flow_control\" is \"{}\", allowed are {}", host::shortened(word),
+                                         fmt::join(flow_control_names, ", ")));
   return static_cast<FlowControl>(found - flow_control_names.begin());
 }
 

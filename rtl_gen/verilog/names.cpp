@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/text.hpp"
+
 namespace hitpipe::rtl {
 
 namespace {
@@ -189,7 +191,7 @@ void check_module_name(const std::string& name) {
     throw std::runtime_error(fmt::format(
         "name {}: allowed are letters, digits and single underscores between them, with a letter first, "
         "at most {} characters",
-        name, longest));
+        host::shortened(name), longest));
   const bool verilog = verilog_keywords().contains(name);
   if (verilog || cpp_keywords().contains(name))
     throw std::runtime_error(

@@ -31,6 +31,10 @@ report_checks -from [all_registers -clock_pins] -to [all_registers -data_pins] -
 
 }  // namespace
 
+std::string ResourceCount::text() const {
+  return fmt::format("{} of {} {}", used, available.value(), name);
+}
+
 int Synthesis::cell_count() const {
   return std::accumulate(cells.begin(), cells.end(), 0,
                          [](int sum, const auto& cell) { return sum + cell.second; });

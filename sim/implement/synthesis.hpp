@@ -24,6 +24,8 @@ struct ResourceCount {
   std::optional<int> available;
 
   [[nodiscard]] bool fits() const { return !available || used <= *available; }
+  /// "4 of 8 dsps". The chip must say what it has.
+  [[nodiscard]] std::string text() const;
 };
 
 struct Synthesis {

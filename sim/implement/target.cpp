@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/files.hpp"
+#include "host/text.hpp"
 
 namespace hitpipe::sim {
 
@@ -28,12 +29,16 @@ struct Entry {
     if (!json.is_object()) fail("is not an object");
     for (const auto& [key, value] : json.items())
       if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
-        fail(fmt::format("{}: unknown; allowed are {}", key, fmt::join(allowed, ", ")));
+        fail(fmt::format("{}: unknown; allowed are {}", host::shortened(key), fmt::join(allowed, ", ")));
   }
   [[nodiscard]] bool has(const char* key) const { return json.contains(key); }
   [[nodiscard]] Entry at(const std::string& key) const {
     if (!json.contains(key)) fail(fmt::format("{} is missing", key));
     return {json[key], fmt::format("{}: {}", path, key)};
+  }
+  /// An entry under a key of the user's own.
+  [[nodiscard]] Entry inside(const std::string& key, const OrderedJson& value) const {
+    return {value, fmt::format("{}: {}", path, host::shortened(key))};
   }
   [[nodiscard]] std::string text() const {
     if (!json.is_string()) fail("is not a text");
@@ -64,7 +69,7 @@ Resource resource_of(const std::string& name, const Entry& entry) {
   const Entry cells = entry.at("cells");
   if (!cells.json.is_object()) cells.fail("is not an object");
   for (const auto& [cell, weight] : cells.json.items())
-    resource.cells.emplace_back(cell, Entry{weight, fmt::format("{}: {}", cells.path, cell)}.count());
+    resource.cells.emplace_back(cell, cells.inside(cell, weight).count());
   return resource;
 }
 
@@ -109,7 +114,7 @@ Target Target::from_json(std::string_view text, const std::string& origin) {
     const Entry files = file.at("files");
     if (!files.json.is_object()) files.fail("is not an object");
     for (const auto& [name, contents] : files.json.items())
-      target.files.emplace_back(name, Entry{contents, fmt::format("{}: {}", files.path, name)}.text());
+      target.files.emplace_back(name, files.inside(name, contents).text());
   }
   if (file.has("place")) target.placement = placement_of(file.at("place"));
   if (file.has("models")) target.models = models_of(file.at("models"));
@@ -133,8 +138,8 @@ Target target_called(const std::string& name_or_file) {
                                   [&](const BuiltInTarget& target) { return target.name == name_or_file; });
   if (found == targets.end())
     throw std::runtime_error(
-        fmt::format("target {}: unknown; there are {}, and any file whose name ends in .json", name_or_file,
-                    fmt::join(target_names(), ", ")));
+        fmt::format("target {}: unknown; there are {}, and any file whose name ends in .json",
+                    host::shortened(name_or_file), fmt::join(target_names(), ", ")));
   return Target::from_json(found->json, fmt::format("{}.json", found->name));
 }
 

@@ -66,7 +66,7 @@ const ResourceCount* Implementation::count_of(std::string_view resource) const {
 std::string Implementation::excess() const {
   std::vector<std::string> beyond;
   for (const ResourceCount& count : counts)
-    if (!count.fits()) beyond.push_back(fmt::format("{} of {} {}", count.used, *count.available, count.name));
+    if (!count.fits()) beyond.push_back(count.text());
   return fmt::format("{}", fmt::join(beyond, ", "));
 }
 

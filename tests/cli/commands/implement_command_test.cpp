@@ -112,7 +112,25 @@ TEST_F(ImplementCommand, UnitThatDoesNotFitIsAResult) {
   const auto luts = nlohmann::json::parse(outcome.out)["luts"].get<int>();
   EXPECT_EQ(outcome.err,
             "hitpipe: int_slabs 6/6 does not fit Tiny: " + std::to_string(luts) +
-                " of 10 luts; fewer stages (--clock-ps auto) or a test every few cycles (--ii N) may\n");
+                " of 10 luts; none of the options tried (a longer --clock-ps, --ii up to 6, fewer --bits) "
+                "fits\n");
+}
+
+/// A chip without a spare multiplier: six products need one each, and with --ii 3 two are enough.
+TEST_F(ImplementCommand, UnitThatDoesNotFitIsToldAnOptionThatDoes) {
+  const std::filesystem::path file = folder_.write("two.json", R"({
+    "name": "two", "chip": "Two", "library": "ice40_up5k",
+    "synthesis": ["synth_ice40 -device u -dsp -top {top}"],
+    "resources": {"dsps": {"cells": {"SB_MAC16": 1}, "available": 2}},
+    "not_placed": "it is too small"})");
+  const std::vector<std::string> words{"implement", "int_slabs",   "--bits", "8/8",
+                                       "--target",  file.string(), "--out",  out_.string()};
+  const Outcome outcome = run_hitpipe(words);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err,
+            "hitpipe: int_slabs 8/8 does not fit Two: 6 of 2 dsps; with --ii 3 it takes 2 of 2 dsps\n");
+  const Outcome told = run_hitpipe(with(words, {"--ii", "3"}));
+  EXPECT_EQ(told.exit_code, 0) << told.err;
 }
 
 TEST_F(ImplementCommand, MissingToolNamesItsPackage) {

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/text.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/schematic/dot.hpp"
 #include "rtl_gen/verilog/names.hpp"
@@ -95,7 +96,7 @@ TEST(Emit, NameThatIsNoneRejected) {
   for (const std::string& name :
        {std::string(), std::string("2a"), std::string("_a"), std::string("a_"), std::string("a__b"),
         std::string("a b"), std::string("a$"), std::string("../a"), std::string(129, 'a')})
-    EXPECT_EQ(message(name), "name " + name +
+    EXPECT_EQ(message(name), "name " + host::shortened(name) +
                                  ": allowed are letters, digits and single underscores between them, with a "
                                  "letter first, at most 128 characters");
   EXPECT_EQ(message("module"), "name module: is a keyword of Verilog; take another");

@@ -179,6 +179,9 @@ TEST(FlowControlOfAManifest, UnknownOneRejected) {
   older["flow_control"] = "some";
   EXPECT_EQ(message_of([&] { return head_of(older.dump()); }),
             "\"flow_control\" is \"some\", allowed are stall, none");
+  older["flow_control"] = std::string(1000, 'x');
+  EXPECT_EQ(message_of([&] { return head_of(older.dump()); }),
+            "\"flow_control\" is \"" + std::string(50, 'x') + "... (1000 bytes)\", allowed are stall, none");
   older.erase("flow_control");
   EXPECT_EQ(head_of(older.dump()).flow_control, FlowControl::stall);
 }

@@ -98,5 +98,21 @@ TEST(Target, WrongEntryRejected) {
   EXPECT_EQ(refusal("\"options\"", "\"option\""), "small.json: place: option: unknown; allowed are options");
 }
 
+TEST(Target, LongWordsAreCutInMessages) {
+  const std::string word(1000, 'x');
+  const std::string cut = std::string(50, 'x') + "... (1000 bytes)";
+  EXPECT_EQ(refusal("\"options\"", "\"" + word + "\""),
+            "small.json: place: " + cut + ": unknown; allowed are options");
+  EXPECT_EQ(refusal("\"LUT[1-3]\": 2", "\"" + word + "\": 0.5"),
+            "small.json: resources: luts: cells: " + cut + ": is not a whole number from 0 to 10^9");
+  EXPECT_EQ(refusal("\"place\"", "\"files\": {\"" + word + "\": 3}, \"place\""),
+            "small.json: files: " + cut + ": is not a text");
+  EXPECT_EQ(
+      message_of<std::runtime_error>([&] { static_cast<void>(target_called(word)); }),
+      "target " + cut +
+          ": unknown; there are ecp5, ice40_hx, ice40_up5k, osu018, xc7, and any file whose name ends in "
+          ".json");
+}
+
 }  // namespace
 }  // namespace hitpipe::sim::target_test
