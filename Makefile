@@ -12,7 +12,7 @@ CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
 	@echo 'make test      all tests but the long ones'
-	@echo 'make test-long  designs added to a copy of the tree, which is compiled'
+	@echo 'make test-long  all tests in a copy of the tree with two designs more'
 	@echo 'make build     the program, build/hitpipe, and the library hitpipe::ref'
 	@echo 'make bench     benchmarks'
 	@echo 'make lint      formatting and clang-tidy; make format mends the first'

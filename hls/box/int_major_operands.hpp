@@ -1,6 +1,6 @@
 // The operands of the major-axis unit for one box (docs/major.md). M is the axis of the direction's largest
-// component. The slots m, a and b hold what belongs to M and to the other two axes. An axis and M trade
-// places: slot a is y, or x when M is y; slot b is z, or x when M is z.
+// component. The ray axes m, a and b hold what belongs to M and to the other two axes. An axis and M trade
+// places: ray axis a is y, or x when M is y; ray axis b is z, or x when M is z.
 //   D  a value domain;  F  the format, a MajorFormat<n, g, p, f> or MajorBits
 #pragma once
 
@@ -18,10 +18,10 @@ struct MajorRay {
   using bit = typename D::bit;
 
   bit major_y, major_z;                ///< which axis M is; x when both are 0
-  bit back_m, back_a, back_b;          ///< 1: the direction is negative in this slot
+  bit back_m, back_a, back_b;          ///< 1: the direction is negative on this ray axis
   point origin_m, origin_a, origin_b;  ///< on the grid of n+g bits; x, or -x - 1 where `back` is 1
   mantissa floor_a, ceil_a;            ///< bounds of |D_M| / |D_a| 2^(p-1) / 2^exp_a
-  mantissa floor_b, ceil_b;            ///< of slot b
+  mantissa floor_b, ceil_b;            ///< of ray axis b
   exponent exp_a, exp_b;
 
   /// Calls visit(Operand, field) for every port. `Self` may be const.

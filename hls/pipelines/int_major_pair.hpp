@@ -26,8 +26,8 @@ constexpr X own_far(const Bit& own, const X& t) {
 
 /// The parent's interval, cut by the planes of one box.
 template <class Bit, class X>
-constexpr NearFar<X> own_interval(char box, const NearFar<X>& parent, const Slots<NearFar<X>>& t,
-                                  const Slots<NearFar<Bit>>& own) {
+constexpr NearFar<X> own_interval(char box, const NearFar<X>& parent, const RayAxes<NearFar<X>>& t,
+                                  const RayAxes<NearFar<Bit>>& own) {
   const X near = greater<Bit>(greater<Bit>(own_near(own.m.near, t.m.near), own_near(own.a.near, t.a.near)),
                               greater<Bit>(own_near(own.b.near, t.b.near), parent.near));
   const X far = lesser<Bit>(lesser<Bit>(own_far(own.m.far, t.m.far), own_far(own.a.far, t.a.far)),
@@ -51,16 +51,16 @@ struct IntMajorPair {
   static constexpr Results<D, F> test(const F& format, const IntMajorPairOperands<D, F>& in) {
     using Bit = typename D::bit;
     using Distance = typename F::template Distance<D>;
-    const Slots<Bit> low = to_slots<D, F>(in, in.own_xmin, in.own_ymin, in.own_zmin);
-    const Slots<Bit> high = to_slots<D, F>(in, in.own_xmax, in.own_ymax, in.own_zmax);
-    const auto second_owns = [](char slot, const Bit& back, const Bit& lower, const Bit& upper) {
+    const RayAxes<Bit> low = to_ray_axes<D, F>(in, in.own_xmin, in.own_ymin, in.own_zmin);
+    const RayAxes<Bit> high = to_ray_axes<D, F>(in, in.own_xmax, in.own_ymax, in.own_zmax);
+    const auto second_owns = [](char ray_axis, const Bit& back, const Bit& lower, const Bit& upper) {
       const NearFar<Bit> own = in_ray_order(back, lower, upper);
-      return NearFar<Bit>{as("second_near", slot, own.near), as("second_far", slot, own.far)};
+      return NearFar<Bit>{as("second_near", ray_axis, own.near), as("second_far", ray_axis, own.far)};
     };
-    const Slots<NearFar<Bit>> second{second_owns('m', in.back_m, low.m, high.m),
-                                     second_owns('a', in.back_a, low.a, high.a),
-                                     second_owns('b', in.back_b, low.b, high.b)};
-    const Slots<NearFar<Bit>> first{
+    const RayAxes<NearFar<Bit>> second{second_owns('m', in.back_m, low.m, high.m),
+                                       second_owns('a', in.back_a, low.a, high.a),
+                                       second_owns('b', in.back_b, low.b, high.b)};
+    const RayAxes<NearFar<Bit>> first{
         {~second.m.near, ~second.m.far}, {~second.a.near, ~second.a.far}, {~second.b.near, ~second.b.far}};
 
     const auto t = plane_distances<D, F>(format, in, in);

@@ -1,5 +1,5 @@
-// What the units with a major axis have in common (docs/major.md): planes brought into the slots m, a and b
-// and mirrored, so that every direction is positive, and their distances along the ray. A distance counts
+// What the units with a major axis have in common (docs/major.md): planes brought into the ray axes m, a and
+// b and mirrored, so that every direction is positive, and their distances along the ray. A distance counts
 // how far the ray has moved along its major axis, in units of the planes' grid with F fraction bits.
 #pragma once
 
@@ -11,15 +11,15 @@
 namespace hitpipe {
 namespace hls {
 
-/// What belongs to each slot.
+/// What belongs to each ray axis.
 template <class X>
-struct Slots {
+struct RayAxes {
   X m, a, b;
 };
 
-/// From axes to slots.
+/// From axes to ray axes.
 template <class D, class F, class X>
-constexpr Slots<X> to_slots(const MajorRay<D, F>& ray, const X& x, const X& y, const X& z) {
+constexpr RayAxes<X> to_ray_axes(const MajorRay<D, F>& ray, const X& x, const X& y, const X& z) {
   return {select(ray.major_z, z, select(ray.major_y, y, x)), select(ray.major_y, x, y),
           select(ray.major_z, x, z)};
 }
@@ -58,7 +58,7 @@ constexpr auto with_low_bits(const X& x, const W& low) {
 /// Plane minus origin on the origin's grid, both mirrored: x becomes -x - 1. The two - 1 cancel, so the
 /// difference changes its sign exactly.
 template <class D, class F>
-constexpr typename F::template Point<D> difference(const F& format, const char* name, char slot,
+constexpr typename F::template Point<D> difference(const F& format, const char* name, char ray_axis,
                                                    const typename F::template Plane<D>& plane,
                                                    const typename F::template Point<D>& origin,
                                                    const typename D::bit& back) {
@@ -66,7 +66,7 @@ constexpr typename F::template Point<D> difference(const F& format, const char* 
   const auto fine = change_if(0_w < format.finer, mirrored, [&](const auto& coarse) {
     return detail::finer_plane(coarse, back, format.finer);
   });
-  return as(name, slot, resize(fine - origin, format.point()));
+  return as(name, ray_axis, resize(fine - origin, format.point()));
 }
 
 /// The distance of a plane of the major axis is the difference itself, without bits below the fraction.
@@ -86,33 +86,32 @@ constexpr typename F::template Distance<D> major_distance(const F& format,
 /// makes it smaller, a far distance the bound that makes it greater.
 template <class D, class F>
 constexpr NearFar<typename F::template Distance<D>> scaled_slab(
-    const F& format, char slot, const NearFar<typename F::template Point<D>>& d,
+    const F& format, char ray_axis, const NearFar<typename F::template Point<D>>& d,
     const typename F::template Mantissa<D>& floor, const typename F::template Mantissa<D>& ceil,
     const typename F::template Exponent<D>& exponent) {
-  const auto near_shifted = as("s_near", slot, saturating_shift<D>(d.near, exponent));
-  const auto far_shifted = as("s_far", slot, saturating_shift<D>(d.far, exponent));
-  const auto near_bound = as("q_near", slot, select(sign(d.near), ceil, floor));
-  const auto far_bound = as("q_far", slot, select(sign(d.far), floor, ceil));
-  const auto near_product = as("p_near", slot, near_shifted * near_bound);
-  const auto far_product = as("p_far", slot, far_shifted * far_bound);
+  const auto near_shifted = as("s_near", ray_axis, saturating_shift<D>(d.near, exponent));
+  const auto far_shifted = as("s_far", ray_axis, saturating_shift<D>(d.far, exponent));
+  const auto near_bound = as("q_near", ray_axis, select(sign(d.near), ceil, floor));
+  const auto far_bound = as("q_far", ray_axis, select(sign(d.far), floor, ceil));
+  const auto near_product = as("p_near", ray_axis, near_shifted * near_bound);
+  const auto far_product = as("p_far", ray_axis, far_shifted * far_bound);
   const auto high = format.point() + format.mantissa - 1_w;
-  return {as("t_near", slot, as_signed(slice(near_product, high, format.trimmed()))),
-          as("t_far", slot, as_signed(slice(far_product, high, format.trimmed())))};
+  return {as("t_near", ray_axis, as_signed(slice(near_product, high, format.trimmed()))),
+          as("t_far", ray_axis, as_signed(slice(far_product, high, format.trimmed())))};
 }
 
 /// The distances of all six planes.
 template <class D, class F>
-constexpr Slots<NearFar<typename F::template Distance<D>>> plane_distances(const F& format,
-                                                                           const MajorRay<D, F>& ray,
-                                                                           const MajorPlanes<D, F>& planes) {
+constexpr RayAxes<NearFar<typename F::template Distance<D>>> plane_distances(
+    const F& format, const MajorRay<D, F>& ray, const MajorPlanes<D, F>& planes) {
   using Point = typename F::template Point<D>;
-  const auto low = to_slots(ray, planes.xmin, planes.ymin, planes.zmin);
-  const auto high = to_slots(ray, planes.xmax, planes.ymax, planes.zmax);
-  const auto differences = [&](char slot, const auto& back, const auto& lower, const auto& upper,
+  const auto low = to_ray_axes(ray, planes.xmin, planes.ymin, planes.zmin);
+  const auto high = to_ray_axes(ray, planes.xmax, planes.ymax, planes.zmax);
+  const auto differences = [&](char ray_axis, const auto& back, const auto& lower, const auto& upper,
                                const auto& origin) {
     const auto plane = in_ray_order(back, lower, upper);
-    return NearFar<Point>{difference<D>(format, "d_near", slot, plane.near, origin, back),
-                          difference<D>(format, "d_far", slot, plane.far, origin, back)};
+    return NearFar<Point>{difference<D>(format, "d_near", ray_axis, plane.near, origin, back),
+                          difference<D>(format, "d_far", ray_axis, plane.far, origin, back)};
   };
   const auto m = differences('m', ray.back_m, low.m, high.m, ray.origin_m);
   const auto a = differences('a', ray.back_a, low.a, high.a, ray.origin_a);

@@ -37,22 +37,22 @@ std::vector<std::vector<rtl::Format>> major_smaller_formats(const rtl::Format& m
   return groups;
 }
 
-/// A family of rays whose major axis is axes[0]; axes are in the slots m, a and b.
-struct Slotted {
+/// A family of rays whose major axis is axes[0]; axes[i] is the axis that is ray axis m, a or b.
+struct TurnedFamily {
   const ref::RayFamily* family;
   Magnitudes direction;
   std::array<int, 3> axes;
 };
 
 /// Every family with every axis that can be its major one.
-std::vector<Slotted> slotted(const ref::SceneDemands& scene) {
-  std::vector<Slotted> all;
+std::vector<TurnedFamily> turned_families(const ref::SceneDemands& scene) {
+  std::vector<TurnedFamily> all;
   for (const ref::RayFamily& family : scene.rays) {
     const Magnitudes direction(family.direction);
     const double largest = *std::max_element(direction.least.begin(), direction.least.end());
     for (std::size_t major = 0; major < 3; ++major) {
       if (direction.most[major] < largest) continue;
-      Slotted each{&family, direction, {0, 1, 2}};
+      TurnedFamily each{&family, direction, {0, 1, 2}};
       std::swap(each.axes[0], each.axes[major]);
       all.push_back(each);
     }
@@ -60,8 +60,8 @@ std::vector<Slotted> slotted(const ref::SceneDemands& scene) {
   return all;
 }
 
-rtl::Interval origins(const Slotted& ray, std::size_t slot, const MajorBits& bits) {
-  const int axis = ray.axes[slot];
+rtl::Interval origins(const TurnedFamily& ray, std::size_t ray_axis, const MajorBits& bits) {
+  const int axis = ray.axes[ray_axis];
   const auto rounded = [&](float x) { return ref::fine_nearest(x, bits.coord, bits.finer); };
   const float low = ray.family->origin.min[axis];
   const float high = ray.family->origin.max[axis];
@@ -72,10 +72,10 @@ rtl::Interval origins(const Slotted& ray, std::size_t slot, const MajorBits& bit
 }
 
 /// The margin is for the rounding of the quotient.
-rtl::Interval exponents(const Slotted& ray, std::size_t slot, const MajorBits& bits) {
+rtl::Interval exponents(const TurnedFamily& ray, std::size_t ray_axis, const MajorBits& bits) {
   constexpr double margin = 1e-12;
   const auto major = static_cast<std::size_t>(ray.axes[0]);
-  const auto other = static_cast<std::size_t>(ray.axes[slot]);
+  const auto other = static_cast<std::size_t>(ray.axes[ray_axis]);
   const auto& [least, most] = ray.direction;
   const int cap = bits.largest_exponent();
   const auto power = [&](double above, double below) {
@@ -88,15 +88,15 @@ rtl::Interval exponents(const Slotted& ray, std::size_t slot, const MajorBits& b
           std::min(cap, power(most[major] * (1.0 + margin), least[other]) + 1)};
 }
 
-/// The slot that a port of the ray belongs to: 0 is m, 1 is a, 2 is b.
-std::size_t slot_of(const rtl::Port& port, const MajorBits& bits) {
+/// The ray axis that a port of the ray belongs to: 0 is m, 1 is a, 2 is b.
+std::size_t ray_axis_of(const rtl::Port& port, const MajorBits& bits) {
   using Ray = hls::MajorRay<Words, MajorBits>;
-  Ray slots{};
-  slots.back_a = slots.origin_a = slots.floor_a = slots.ceil_a = slots.exp_a = 1;
-  slots.back_b = slots.origin_b = slots.floor_b = slots.ceil_b = slots.exp_b = 2;
+  Ray ray_axes{};
+  ray_axes.back_a = ray_axes.origin_a = ray_axes.floor_a = ray_axes.ceil_a = ray_axes.exp_a = 1;
+  ray_axes.back_b = ray_axes.origin_b = ray_axes.floor_b = ray_axes.ceil_b = ray_axes.exp_b = 2;
   std::int64_t found = 0;
-  Ray::for_each(bits, slots, [&](const hls::Operand& operand, std::int64_t slot) {
-    if (port.name == operand.name) found = slot;
+  Ray::for_each(bits, ray_axes, [&](const hls::Operand& operand, std::int64_t ray_axis) {
+    if (port.name == operand.name) found = ray_axis;
   });
   return static_cast<std::size_t>(found);
 }
@@ -111,14 +111,14 @@ std::optional<SceneDemand> major_demand(const rtl::Port& port, const rtl::Format
     const auto axis = static_cast<std::size_t>(rtl::axis_of(port));
     return SceneDemand{{{box.min[axis], box.max[axis]}}, spare};
   }
-  const auto range_of = [&](const Slotted& ray) -> Range {
-    const std::size_t slot = slot_of(port, bits);
-    const int axis = ray.axes[slot];
+  const auto range_of = [&](const TurnedFamily& ray) -> Range {
+    const std::size_t ray_axis = ray_axis_of(port, bits);
+    const int axis = ray.axes[ray_axis];
     switch (port.role) {
       case hls::Role::origin:
-        return origins(ray, slot, bits);
+        return origins(ray, ray_axis, bits);
       case hls::Role::exponent:
-        return exponents(ray, slot, bits);
+        return exponents(ray, ray_axis, bits);
       case hls::Role::backward:
         return rtl::Interval{ray.family->direction.max[axis] < 0.0F ? 1 : 0,
                              ray.family->direction.min[axis] < 0.0F ? 1 : 0};
@@ -131,7 +131,7 @@ std::optional<SceneDemand> major_demand(const rtl::Port& port, const rtl::Format
     }
   };
   Range range;
-  for (const Slotted& ray : slotted(scene)) {
+  for (const TurnedFamily& ray : turned_families(scene)) {
     const Range one = range_of(ray);
     if (!one) return std::nullopt;
     grow(range, *one);

@@ -78,14 +78,14 @@ IntMajorRaySetup::IntMajorRaySetup(const Ray& ray, hls::MajorBits bits) : bits_(
   ray_.axes = {0, 1, 2};
   std::swap(ray_.axes[0], ray_.axes[static_cast<std::size_t>(major)]);
   major_ = std::abs(ray.direction[major]);
-  for (std::size_t slot = 0; slot < 3; ++slot) {
-    const int axis = ray_.axes[slot];
+  for (std::size_t ray_axis = 0; ray_axis < 3; ++ray_axis) {
+    const int axis = ray_.axes[ray_axis];
     const float component = ray.direction[axis];
     const float origin = ray.origin[axis];
-    ray_.backward[slot] = component < 0.0F;
-    ray_.origin[slot] = ray_.backward[slot] ? -fine_nearest(origin, bits.coord, bits.finer) - 1
-                                            : -fine_nearest(-origin, bits.coord, bits.finer);
-    if (slot > 0) ray_.quotient[slot - 1] = quotient(major_, std::abs(component), bits);
+    ray_.backward[ray_axis] = component < 0.0F;
+    ray_.origin[ray_axis] = ray_.backward[ray_axis] ? -fine_nearest(origin, bits.coord, bits.finer) - 1
+                                                    : -fine_nearest(-origin, bits.coord, bits.finer);
+    if (ray_axis > 0) ray_.quotient[ray_axis - 1] = quotient(major_, std::abs(component), bits);
   }
 }
 

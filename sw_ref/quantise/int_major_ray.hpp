@@ -22,10 +22,10 @@ struct MajorQuotient {
 };
 
 struct IntMajorRay {
-  std::array<int, 3> axes{};              ///< the axis in slot m, a and b (hls/box/int_major_operands.hpp)
-  std::array<bool, 3> backward{};         ///< by slot: the direction is negative
-  std::array<std::int64_t, 3> origin{};   ///< by slot: x on the grid of n+g bits, or -x - 1 where backward
-  std::array<MajorQuotient, 2> quotient;  ///< of slots a and b
+  std::array<int, 3> axes{};       ///< which axis ray axis m, a and b is (hls/box/int_major_operands.hpp)
+  std::array<bool, 3> backward{};  ///< by ray axis: the direction is negative
+  std::array<std::int64_t, 3> origin{};  ///< by ray axis: x on the grid of n+g bits, or -x - 1 where backward
+  std::array<MajorQuotient, 2> quotient;  ///< of ray axes a and b
 
   friend bool operator==(const IntMajorRay&, const IntMajorRay&) = default;
 };

@@ -58,18 +58,18 @@ MajorDistances::MajorDistances(const IntMajorRaySetup& set_up, hls::MajorBits bi
       least_(-(std::int64_t{1} << (bits.point() - 1))),
       most_(-least_ - 1) {
   const IntMajorRay& prepared = set_up_.ray();
-  for (std::size_t slot = 0; slot < 3; ++slot) {
-    slots_[slot] = {static_cast<std::size_t>(prepared.axes[slot]),
-                    prepared.backward[slot] ? -1 : 0,
-                    prepared.origin[slot],
-                    1,
-                    1,
-                    0};
-    if (slot == 0) continue;
-    const MajorQuotient& quotient = prepared.quotient[slot - 1];
-    slots_[slot].floor = quotient.mantissa_low;
-    slots_[slot].ceil = quotient.mantissa_high;
-    slots_[slot].exponent = quotient.exponent;
+  for (std::size_t ray_axis = 0; ray_axis < 3; ++ray_axis) {
+    ray_axes_[ray_axis] = {static_cast<std::size_t>(prepared.axes[ray_axis]),
+                           prepared.backward[ray_axis] ? -1 : 0,
+                           prepared.origin[ray_axis],
+                           1,
+                           1,
+                           0};
+    if (ray_axis == 0) continue;
+    const MajorQuotient& quotient = prepared.quotient[ray_axis - 1];
+    ray_axes_[ray_axis].floor = quotient.mantissa_low;
+    ray_axes_[ray_axis].ceil = quotient.mantissa_high;
+    ray_axes_[ray_axis].exponent = quotient.exponent;
   }
 }
 

@@ -24,26 +24,26 @@ class MajorDistances {
   /// For a ray that is set up for this format already.
   MajorDistances(const IntMajorRaySetup& set_up, hls::MajorBits bits);
 
-  /// Of the lower and upper plane of slot m, a or b.
-  [[nodiscard]] RayInterval slab(std::size_t slot, const IntBox& box) const {
-    const Slot& s = slots_[slot];
+  /// Of the lower and upper plane of ray axis m, a or b.
+  [[nodiscard]] RayInterval slab(std::size_t ray_axis, const IntBox& box) const {
+    const RayAxis& s = ray_axes_[ray_axis];
     const std::int64_t low = (std::int64_t{box.min[s.axis]} << finer_) ^ s.mirror;
     const std::int64_t high = (std::int64_t{box.max[s.axis]} << finer_) ^ s.mirror;
     const std::int64_t d_near = (s.mirror < 0 ? high : low) - s.origin;
     const std::int64_t d_far = (s.mirror < 0 ? low : high) - s.origin;
-    if (slot == 0) return {trimmed(d_near, 0), trimmed(d_far, 0)};
+    if (ray_axis == 0) return {trimmed(d_near, 0), trimmed(d_far, 0)};
     const std::int64_t near = shifted(d_near, s.exponent) * (d_near < 0 ? s.ceil : s.floor);
     const std::int64_t far = shifted(d_far, s.exponent) * (d_far < 0 ? s.floor : s.ceil);
     return {trimmed(near, mantissa_), trimmed(far, mantissa_)};
   }
-  /// The axis in a slot, and whether the ray goes down it.
-  [[nodiscard]] std::size_t axis(std::size_t slot) const { return slots_[slot].axis; }
-  [[nodiscard]] bool backward(std::size_t slot) const { return slots_[slot].mirror < 0; }
+  /// Which axis a ray axis is, and whether the ray goes down it.
+  [[nodiscard]] std::size_t axis(std::size_t ray_axis) const { return ray_axes_[ray_axis].axis; }
+  [[nodiscard]] bool backward(std::size_t ray_axis) const { return ray_axes_[ray_axis].mirror < 0; }
   /// `length` must be >= 0 or infinite.
   [[nodiscard]] std::int64_t length(float length) const { return set_up_.length(length); }
 
  private:
-  struct Slot {
+  struct RayAxis {
     std::size_t axis;
     std::int64_t mirror;  ///< -1: backward, else 0
     std::int64_t origin, floor, ceil;
@@ -62,7 +62,7 @@ class MajorDistances {
   }
 
   IntMajorRaySetup set_up_;
-  std::array<Slot, 3> slots_{};
+  std::array<RayAxis, 3> ray_axes_{};
   int finer_, fraction_;
   int mantissa_;  ///< p - 1
   std::int64_t least_, most_;
@@ -79,8 +79,8 @@ class IntMajorTest {
   [[nodiscard]] bool operator()(const IntBox& box) const {
     // Starting at 0 and at the length is the same as comparing with them afterwards.
     RayInterval all{0, length_};
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-      const RayInterval slab = distances_.slab(slot, box);
+    for (std::size_t ray_axis = 0; ray_axis < 3; ++ray_axis) {
+      const RayInterval slab = distances_.slab(ray_axis, box);
       all.near = std::max(all.near, slab.near);
       all.far = std::min(all.far, slab.far);
     }

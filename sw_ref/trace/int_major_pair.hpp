@@ -16,13 +16,13 @@ namespace hitpipe::ref {
                                           const RayInterval& parent) {
   PairAnswer answer;
   answer.interval = {parent, parent};
-  for (std::size_t slot = 0; slot < 3; ++slot) {
-    const RayInterval t = ray.slab(slot, boxes.planes);
-    const std::size_t axis = ray.axis(slot);
+  for (std::size_t ray_axis = 0; ray_axis < 3; ++ray_axis) {
+    const RayInterval t = ray.slab(ray_axis, boxes.planes);
+    const std::size_t axis = ray.axis(ray_axis);
     const std::size_t low = boxes.owners >> axis & 1U;
     const std::size_t high = boxes.owners >> (axis + 3) & 1U;
-    RayInterval& entered = answer.interval[ray.backward(slot) ? high : low];
-    RayInterval& left = answer.interval[ray.backward(slot) ? low : high];
+    RayInterval& entered = answer.interval[ray.backward(ray_axis) ? high : low];
+    RayInterval& left = answer.interval[ray.backward(ray_axis) ? low : high];
     entered.near = std::max(entered.near, t.near);
     left.far = std::min(left.far, t.far);
   }

@@ -23,7 +23,7 @@ std::string to_combinational_verilog(const Graph& traced, const std::string& nam
   for (const Output& out : graph.outputs())
     text += fmt::format("  assign {} = {};\n", out.name, body.expression(out.node, 1));
   text += "endmodule\n";
-  for (const auto& [unit, use] : body.submodules())
+  for (const auto& [unit, use] : body.units())
     text += fmt::format("\n{}", to_combinational_verilog(use.unit->body, unit));
   return text;
 }

@@ -35,9 +35,9 @@ Definition scaled_slab_words f (d : NearFar Z) (floor ceil exponent : Z) : NearF
   {| near := scaled_distance_words f (near d) near_bound exponent;
      far := scaled_distance_words f (far d) far_bound exponent |}.
 
-Definition plane_distances_words f (ray : MajorRay) (planes : MajorPlanes) : Slots (NearFar Z) :=
-  let low := to_slots ray (xmin planes) (ymin planes) (zmin planes) in
-  let high := to_slots ray (xmax planes) (ymax planes) (zmax planes) in
+Definition plane_distances_words f (ray : MajorRay) (planes : MajorPlanes) : RayAxes (NearFar Z) :=
+  let low := to_ray_axes ray (xmin planes) (ymin planes) (zmin planes) in
+  let high := to_ray_axes ray (xmax planes) (ymax planes) (zmax planes) in
   let differences back lower upper origin :=
     let plane := in_ray_order back lower upper in
     {| near := difference_words f (near plane) origin back;
@@ -316,10 +316,10 @@ Theorem words_equal_integers ray planes :
 Proof using V.
   intros [OM OA OB FA CA FB CB EA EB Len [X0 [X1 [Y0 [Y1 [Z0 Z1]]]]]].
   assert (forall p0 p1 p2, plane_fits f p0 -> plane_fits f p1 -> plane_fits f p2 ->
-          plane_fits f (m (to_slots ray p0 p1 p2)) /\ plane_fits f (a (to_slots ray p0 p1 p2)) /\
-          plane_fits f (b (to_slots ray p0 p1 p2))) as Slot.
-  { intros p0 p1 p2 ? ? ?. cbn [to_slots m a b]. destruct (major_y ray), (major_z ray); auto. }
-  destruct (Slot _ _ _ X0 Y0 Z0) as [LM [LA LB]]. destruct (Slot _ _ _ X1 Y1 Z1) as [HM [HA HB]]. clear Slot.
+          plane_fits f (m (to_ray_axes ray p0 p1 p2)) /\ plane_fits f (a (to_ray_axes ray p0 p1 p2)) /\
+          plane_fits f (b (to_ray_axes ray p0 p1 p2))) as RayAxis.
+  { intros p0 p1 p2 ? ? ?. cbn [to_ray_axes m a b]. destruct (major_y ray), (major_z ray); auto. }
+  destruct (RayAxis _ _ _ X0 Y0 Z0) as [LM [LA LB]]. destruct (RayAxis _ _ _ X1 Y1 Z1) as [HM [HA HB]]. clear RayAxis.
   assert (forall back low high o, plane_fits f low -> plane_fits f high -> origin_fits f back o ->
           let plane := in_ray_order back low high in
           difference_words f (near plane) o back = difference f (near plane) o back /\

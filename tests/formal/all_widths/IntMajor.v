@@ -121,7 +121,7 @@ Record MajorRay := {
   len : Z
 }.
 
-(* The axes in the slots a and b: M and x have changed places. *)
+(* Which axes the ray axes a and b are: M and x have changed places. *)
 Definition axis_a (major : Axis) : Axis := match major with y => x | _ => y end.
 Definition axis_b (major : Axis) : Axis := match major with z => x | _ => z end.
 
@@ -161,10 +161,10 @@ Definition quantise_box f (box : Box) : MajorPlanes :=
 Record NearFar X := { near : X; far : X }.
 Arguments near {X}. Arguments far {X}. Arguments Build_NearFar {X}.
 
-Record Slots X := { m : X; a : X; b : X }.
-Arguments m {X}. Arguments a {X}. Arguments b {X}. Arguments Build_Slots {X}.
+Record RayAxes X := { m : X; a : X; b : X }.
+Arguments m {X}. Arguments a {X}. Arguments b {X}. Arguments Build_RayAxes {X}.
 
-Definition to_slots {X} (ray : MajorRay) (x y z : X) : Slots X :=
+Definition to_ray_axes {X} (ray : MajorRay) (x y z : X) : RayAxes X :=
   {| m := if major_z ray then z else if major_y ray then y else x;
      a := if major_y ray then x else y;
      b := if major_z ray then x else z |}.
@@ -190,9 +190,9 @@ Definition scaled_slab f (d : NearFar Z) (floor ceil exponent : Z) : NearFar Z :
   {| near := scaled_distance f (near d) (if near d <? 0 then ceil else floor) exponent;
      far := scaled_distance f (far d) (if far d <? 0 then floor else ceil) exponent |}.
 
-Definition plane_distances f (ray : MajorRay) (planes : MajorPlanes) : Slots (NearFar Z) :=
-  let low := to_slots ray (xmin planes) (ymin planes) (zmin planes) in
-  let high := to_slots ray (xmax planes) (ymax planes) (zmax planes) in
+Definition plane_distances f (ray : MajorRay) (planes : MajorPlanes) : RayAxes (NearFar Z) :=
+  let low := to_ray_axes ray (xmin planes) (ymin planes) (zmin planes) in
+  let high := to_ray_axes ray (xmax planes) (ymax planes) (zmax planes) in
   let differences back lower upper origin :=
     let plane := in_ray_order back lower upper in
     {| near := difference f (near plane) origin back; far := difference f (far plane) origin back |} in

@@ -24,7 +24,7 @@ Theorem smaller_cap_misses :
   meets ray box /\ test f (set_up_to (largest_exponent f - 1) f x ray) (quantise_box f box) = false.
 Proof. split; [apply along_x_meets | vm_compute; reflexivity]. Qed.
 
-(* The same operands with another word for the origin in slot a. *)
+(* The same operands with another word for the origin in ray axis a. *)
 Definition with_origin_a (o : Z) (r : MajorRay) : MajorRay :=
   {| major_y := major_y r; major_z := major_z r;
      back_m := back_m r; back_a := back_a r; back_b := back_b r;

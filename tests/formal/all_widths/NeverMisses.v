@@ -198,7 +198,7 @@ Proof using V Start RayOk BoxOk Inside.
   pose proof (pow2_at_least_1 (finer f) ltac:(lia)). lra.
 Qed.
 
-(* The planes of axis k as slot `s` sees them. *)
+(* The planes of axis k as ray axis `s` sees them. *)
 Let back k := negative (direction ray k).
 Let word k := origin_word f (back k) (origin ray k).
 Let plane k := in_ray_order (back k) (lower f (lo box k)) (upper f (hi box k)).

@@ -22,8 +22,8 @@ Definition own_interval f (ray : MajorRay) (node : PairNode) (second : bool) (pa
   let planes := node_planes node in
   let owners := node_owners node in
   let t := plane_distances f ray planes in
-  let low := to_slots ray (own_xmin owners) (own_ymin owners) (own_zmin owners) in
-  let high := to_slots ray (own_xmax owners) (own_ymax owners) (own_zmax owners) in
+  let low := to_ray_axes ray (own_xmin owners) (own_ymin owners) (own_zmin owners) in
+  let high := to_ray_axes ray (own_xmax owners) (own_ymax owners) (own_zmax owners) in
   let own_by owner := eqb owner second in
   let own_m := in_ray_order (back_m ray) (m low) (m high) in
   let own_a := in_ray_order (back_a ray) (a low) (a high) in

@@ -52,7 +52,9 @@ TEST(FittingCandidates, AreClocksThenIntervalsThenFormats) {
       fitting_candidates(design, design.parse_format("8/8"), target_called("ice40_up5k"), {});
   std::size_t clocks = 0;
   for (; all[clocks].option.starts_with("--clock-ps "); ++clocks)
-    if (clocks > 0) EXPECT_GT(*all[clocks].clock_ps, *all[clocks - 1].clock_ps);
+    if (clocks > 0) {
+      EXPECT_GT(*all[clocks].clock_ps, *all[clocks - 1].clock_ps);
+    }
   EXPECT_GT(clocks, 1U);
   EXPECT_THAT(options_of({all.begin() + static_cast<std::ptrdiff_t>(clocks), all.end()}),
               ElementsAre("--ii 2", "--ii 3", "--ii 4", "--ii 6", "--bits 7/8", "--bits 6/8"));
@@ -61,7 +63,7 @@ TEST(FittingCandidates, AreClocksThenIntervalsThenFormats) {
 TEST(FittingCandidates, AreNoneThatTheUnitHasAlready) {
   const rtl::Design& design = rtl::find_design("fp_slabs");
   EXPECT_THAT(options_of(fitting_candidates(design, design.default_format, target_called("ice40_up5k"),
-                                            {.clock_ps = 1'000'000, .interval = 3})),
+                                            {.folder = {}, .clock_ps = 1'000'000, .interval = 3})),
               ElementsAre("--ii 4", "--ii 6"))
       << "no format of fp_slabs is smaller";
 }

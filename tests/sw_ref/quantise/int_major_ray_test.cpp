@@ -74,19 +74,19 @@ void expect_rational(const Ray& ray, float other, MajorBits bits) {
   std::swap(axes[0], axes[static_cast<std::size_t>(major)]);
   ASSERT_EQ(result.axes, axes);
   const Rational half = Rational(1) / 2;
-  for (std::size_t slot = 0; slot < 3; ++slot) {
-    const bool backward = ray.direction[axes[slot]] < 0;
-    ASSERT_EQ(result.backward[slot], backward);
+  for (std::size_t ray_axis = 0; ray_axis < 3; ++ray_axis) {
+    const bool backward = ray.direction[axes[ray_axis]] < 0;
+    ASSERT_EQ(result.backward[ray_axis], backward);
     // In the mirrored world, where a tie goes down.
-    const Rational mirrored = (backward ? -1 : 1) * exact(ray.origin[axes[slot]]) * grid_scale(bits.coord) *
-                              power_of_two(bits.finer);
+    const Rational mirrored = (backward ? -1 : 1) * exact(ray.origin[axes[ray_axis]]) *
+                              grid_scale(bits.coord) * power_of_two(bits.finer);
     const Integer nearest = oracle::ceil(mirrored - half);
-    ASSERT_EQ(result.origin[slot], backward ? nearest - 1 : nearest) << "slot " << slot;
-    ASSERT_LE(std::abs(result.origin[slot] + (backward ? 1 : 0)), grid_scale(bits.coord) << bits.finer);
-    if (slot == 0) continue;
-    ASSERT_EQ(result.quotient[slot - 1],
-              expected_quotient(ray.direction[major], ray.direction[axes[slot]], bits))
-        << "slot " << slot;
+    ASSERT_EQ(result.origin[ray_axis], backward ? nearest - 1 : nearest) << "ray axis " << ray_axis;
+    ASSERT_LE(std::abs(result.origin[ray_axis] + (backward ? 1 : 0)), grid_scale(bits.coord) << bits.finer);
+    if (ray_axis == 0) continue;
+    ASSERT_EQ(result.quotient[ray_axis - 1],
+              expected_quotient(ray.direction[major], ray.direction[axes[ray_axis]], bits))
+        << "ray axis " << ray_axis;
   }
   for (const float length : {ray.length, other})
     ASSERT_EQ(set_up.length(length), expected_length(length, ray.direction[major], bits)) << length;

@@ -143,8 +143,8 @@ class Walker {
   }
   [[nodiscard]] RayInterval interval_of(const IntBox& box) const {
     RayInterval all{0, length_};
-    for (std::size_t slot = 0; slot < 3; ++slot) {
-      const RayInterval slab = distances_.slab(slot, box);
+    for (std::size_t ray_axis = 0; ray_axis < 3; ++ray_axis) {
+      const RayInterval slab = distances_.slab(ray_axis, box);
       all = {std::max(all.near, slab.near), std::min(all.far, slab.far)};
     }
     return all;
