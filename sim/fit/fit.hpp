@@ -47,7 +47,8 @@ struct FittedUnit : Unit {
                              const std::optional<Precision>& precision, const ref::SceneDemands& scene,
                              const rtl::Library& library, const FitRate& rate = {});
 
-/// The price of the unit that fit() makes, or with an interval a little more. Nothing when no unit reaches the rate.
+/// The price of the unit that fit() makes, or with an interval a little more. Nothing when no unit reaches
+/// the rate.
 [[nodiscard]] std::optional<area::Price> price_of_fit(const rtl::Design& design, const Precision& precision,
                                                       const ref::SceneDemands& scene,
                                                       const rtl::Library& library, const FitRate& rate = {});
