@@ -1,5 +1,5 @@
 // Writes into a folder the top function of every design, its vectors, and a program that replays them all. A
-// design that does not have the format takes its default one.
+// design that does not have the format takes its default one. The files of a design without a top are empty.
 #include <exception>
 #include <iostream>
 #include <string>
@@ -39,6 +39,11 @@ std::vector<host::File> tops_and_program(const std::string& text) {
   for (const rtl::Design& design : rtl::designs()) {
     const rtl::Format format = format_of(design, text);
     const std::string module(design.name);
+    if (design.source.pipeline.empty()) {
+      const std::string text_of_none = fmt::format("// {} has no top function.\n", module);
+      files.insert(files.end(), {{module + ".hpp", text_of_none}, {module + ".cpp", text_of_none}});
+      continue;
+    }
     const rtl::HlsTop top = rtl::hls_top(design, format, module);
     const std::string vectors = module + "_vectors.hex";
     files.insert(files.end(), {top.header, top.source, {vectors, vectors_of(design, format)}});

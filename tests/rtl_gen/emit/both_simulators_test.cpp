@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/files.hpp"
+#include "rtl_gen/emit/ray_slots.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
 #include "tests/rtl_gen/text.hpp"
 #include "tests/rtl_gen/tool.hpp"
