@@ -18,7 +18,7 @@ using testing::ElementsAreArray;
 std::vector<std::string> formats_of(const rtl::Design& design) {
   std::vector<std::string> formats{to_string(design.default_format)};
   const std::vector<rtl::Format>& swept = sim::software_of(design).sweep_formats;
-  if (swept.front() != design.default_format) formats.push_back(to_string(swept.front()));
+  if (!swept.empty() && swept.front() != design.default_format) formats.push_back(to_string(swept.front()));
   return formats;
 }
 
