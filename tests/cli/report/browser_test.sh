@@ -42,7 +42,7 @@ if grep ':CONSOLE' "$folder/log"; then fail 'the console has messages'; fi
 for width in 1280 390; do
   checked=$(sed -n "s/.*<output id=\"checked-$width\">\([^<]*\)<.*/\1/p" "$folder/dom")
   echo "$checked"
-  drawings=$(sed -n "s/^width $width, pictures 4, drawings \([0-9]*\), faults 0: $/\1/p" <<<"$checked")
-  # Each design has drawings of its own; these are those of hitpipe's own.
+  drawings=$(echo "$checked" | sed -n "s/^width $width, pictures 4, drawings \([0-9]*\), faults 0: *$/\1/p")
+  # Each design adds drawings; hitpipe's own have 34.
   [ "${drawings:-0}" -ge 34 ] || fail "at a width of $width: expected 4 pictures, at least 34 drawings and no fault"
 done
