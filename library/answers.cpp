@@ -7,6 +7,7 @@
 #include "library/failure.hpp"
 #include "library/shapes.hpp"
 #include "library/unit.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::library {
 
@@ -20,8 +21,10 @@ std::int64_t* append(std::span<const std::int64_t> numbers, std::int64_t* out) {
   return out == nullptr ? nullptr : std::copy(numbers.begin(), numbers.end(), out);
 }
 
-void judge(const ref::BoxReferee& referee, const std::vector<ref::Aabb>& boxes, std::uint8_t* met) {
-  for (const ref::Aabb& box : boxes) *met++ = flag(referee.meets(box));
+/// `meets` says whether the ray meets a box.
+template <class Meets>
+void judge(const Meets& meets, const std::vector<ref::Aabb>& boxes, std::uint8_t* met) {
+  for (const ref::Aabb& box : boxes) *met++ = flag(meets(box));
 }
 
 void run(sim::BoxTest& test, std::size_t boxes_per_test, const std::vector<ref::Aabb>& boxes,
@@ -51,17 +54,17 @@ hitpipe_status hitpipe_exact(const hitpipe_ray* ray, const hitpipe_box* boxes, s
   return guarded([&] {
     const hitpipe::ref::BoxReferee referee(checked(given(ray, "ray")));
     const auto own = checked(given(boxes, box_count));
-    judge(referee, own, own.empty() ? met : &given(met, "met"));
+    judge([&](const auto& box) { return referee.meets(box); }, own, own.empty() ? met : &given(met, "met"));
   });
 }
 
 hitpipe_status hitpipe_set_ray(hitpipe_unit* unit, const hitpipe_ray* ray) {
   return guarded([&] {
     hitpipe_unit& its = given(unit, "unit");
-    its.referee.reset();
+    its.ray.reset();
     const hitpipe::ref::Ray own = checked(given(ray, "ray"));
     its.test->start(own);
-    its.referee.emplace(own);
+    its.ray = own;
   });
 }
 
@@ -70,7 +73,7 @@ hitpipe_status hitpipe_test(hitpipe_unit* unit, const hitpipe_box* boxes, size_t
   return guarded([&] {
     hitpipe_unit& its = given(unit, "unit");
     const hitpipe_answers& places = given(out, "out");
-    if (!its.referee)
+    if (!its.ray)
       throw Refusal(HITPIPE_NO_RAY, fmt::format("design {}: no ray is set; set one before a test", its.name));
     if (box_count % its.boxes_per_test != 0)
       throw Refusal(HITPIPE_BAD_ARGUMENT,
@@ -78,7 +81,8 @@ hitpipe_status hitpipe_test(hitpipe_unit* unit, const hitpipe_box* boxes, size_t
                                 its.name, box_count, its.boxes_per_test, its.boxes_per_test));
     const auto own = checked(given(boxes, box_count));
     run(*its.test, its.boxes_per_test, own, places);
-    if (places.exact != nullptr) judge(*its.referee, own, places.exact);
+    if (places.exact != nullptr)
+      judge([&](const auto& box) { return its.test->meets(*its.ray, box); }, own, places.exact);
   });
 }
 

@@ -9,7 +9,7 @@
 #include "hitpipe/ref.h"
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/box_test.hpp"
-#include "sw_ref/judge/box_referee.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 struct hitpipe_unit {
   /// Throws what make_box_test() throws.
@@ -31,5 +31,5 @@ struct hitpipe_unit {
   std::size_t boxes_per_test;
   std::unique_ptr<hitpipe::sim::BoxTest> test;
   hitpipe::rtl::Evaluate evaluate;
-  std::optional<hitpipe::ref::BoxReferee> referee{};  ///< of the ray; nothing: there is no ray
+  std::optional<hitpipe::ref::Ray> ray{};  ///< nothing: none is set
 };

@@ -182,7 +182,7 @@ int replay(const CheckCommand& command) {
   const auto test = sim::make_box_test(design, format);
   test->start(c.ray);
   const bool hit = test->hit(c.box);
-  const bool meets = ref::ray_meets_box(c.ray, c.box);
+  const bool meets = test->meets(c.ray, c.box);
   const auto word = [](bool is_hit) { return is_hit ? "HIT" : "MISS"; };
   Row row{
       {"design", design.name}, {"bits", rtl::to_string(format)}, {"exact", word(meets)}, {"unit", word(hit)}};

@@ -1,11 +1,12 @@
-// What a family of number formats says about itself. A family is a struct of ints, at most four, with
+// What a family of number formats says about itself. A family is a struct of ints, at most six, with
 //   fields      how a user writes each of the ints
 //   condition   what must hold between them, in words; this and all below may be missing
 //   valid()     the condition as a function
 //   example()   a format for messages, if the struct's default is none
 //   alias       another name of the default format
 //   single      true: the default format is the only one of this family, and is written by its alias
-//   type        the template that is the format with widths known when the code is compiled: "IntFormat"
+//   type        the template that is the format with widths known when the code is compiled: "IntFormat";
+//               optional numbers have 0 as their default
 #pragma once
 
 namespace hitpipe {

@@ -84,13 +84,18 @@ std::optional<FormatNumbers> FormatFamily::parse(std::string_view text) const {
 std::string FormatFamily::type(const FormatNumbers& numbers) const {
   if (type_name == nullptr)
     throw std::runtime_error(fmt::format("bits {}: no type that is known to a compiler", print(numbers)));
-  return fmt::format("{}<{}>", type_name,
-                     fmt::join(numbers.begin(), numbers.begin() + std::ssize(fields), ", "));
+  auto count = std::ssize(fields);
+  while (count > 0 && fields[static_cast<std::size_t>(count - 1)].optional &&
+         numbers[static_cast<std::size_t>(count - 1)] == 0)
+    --count;  // the template has a default
+  return fmt::format("{}<{}>", type_name, fmt::join(numbers.begin(), numbers.begin() + count, ", "));
 }
 
 bool FormatFamily::within_limits(const FormatNumbers& numbers) const {
-  for (std::size_t i = 0; i < fields.size(); ++i)
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].optional && numbers[i] == 0) continue;
     if (numbers[i] < fields[i].least || numbers[i] > fields[i].most) return false;
+  }
   return true;
 }
 

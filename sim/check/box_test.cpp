@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sim/software.hpp"
+#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {
 
@@ -41,6 +42,10 @@ class IzeSlabsTest final : public BoxTest {
 };
 
 }  // namespace
+
+void BoxTest::meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<bool> out) const {
+  ref::BoxReferee(ray).meet(boxes, out);
+}
 
 std::array<bool, 2> BoxTest::siblings(const ref::Aabb& /*first*/, const ref::Aabb& /*second*/) {
   throw std::logic_error("a test of one box at a time has no siblings");

@@ -24,6 +24,14 @@ class BoxTest {
   virtual void hits(std::span<const ref::Aabb> boxes, std::span<bool> out) {
     for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = hit(boxes[i]);
   }
+  /// What is true of a ray and each of the boxes: the answers that hits() is judged by. They are exact for
+  /// the numbers as given, or, for a unit of the integer world, for the integers that they are rounded to.
+  virtual void meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<bool> out) const;
+  [[nodiscard]] bool meets(const ref::Ray& ray, const ref::Aabb& box) const {
+    bool met = false;
+    meet(ray, {&box, 1}, {&met, 1});
+    return met;
+  }
   /// Tests it against two children of one parent, for a design that answers for two boxes at a time. Their
   /// common box is tested first, as at a root. If the ray misses it, the last test is that one. Throws
   /// std::logic_error where the design answers for one box.

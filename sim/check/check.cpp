@@ -11,7 +11,6 @@
 #include "host/parallel.hpp"
 #include "sim/unit/drive.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {
 
@@ -83,7 +82,7 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
         batch.add(test.operands(), test.results());
       }
     }
-    ref::BoxReferee(rays[i]).meet(asked, meets);
+    test.meet(rays[i], asked, meets);
     count(rays[i], asked, hits, meets, result);
   }
   if (rtl != nullptr) result.rtl_mismatches = drive(*rtl, batch).faults();
@@ -195,7 +194,7 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
 
 bool is_false_miss(BoxTest& test, const Case& c) {
   test.start(c.ray);
-  return !test.hit(c.box) && ref::ray_meets_box(c.ray, c.box);
+  return !test.hit(c.box) && test.meets(c.ray, c.box);
 }
 
 }  // namespace hitpipe::sim

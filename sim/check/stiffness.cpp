@@ -68,7 +68,7 @@ void judge(BoxTest& test, Random random, std::uint64_t tests, StiffBoxes& sum) {
     draw(random, sum, ray, box);
     test.start(ray);
     const bool hit = test.hit(box);
-    const bool meets = ref::ray_meets_box(ray, box);
+    const bool meets = test.meets(ray, box);
     sum.hits += meets ? 1 : 0;
     sum.false_hits += hit && !meets ? 1 : 0;
     sum.false_misses += meets && !hit ? 1 : 0;

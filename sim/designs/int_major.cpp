@@ -20,6 +20,11 @@ class IntMajorSetup {
 
   IntMajorSetup(const ref::Ray& ray, const rtl::Format& format) : set_up_(ray, format.as<MajorBits>()) {}
 
+  static bool meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, const rtl::Format& format,
+                   std::span<bool> out) {
+    return integer_meet(ray, boxes, format, out);
+  }
+
   static void boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<Box> out) {
     major_boxes(boxes, format, out);
   }
@@ -29,21 +34,25 @@ class IntMajorSetup {
   }
 
  private:
-  ref::IntMajorRaySetup set_up_;
+  MajorSetup set_up_;
 };
 
 std::unique_ptr<ref::Tracer> int_major_tracer(const TracedUnit& unit, const ref::Mesh& mesh,
                                               const ref::Bvh& bvh) {
-  const auto bits = unit.format.as<MajorBits>();
+  const MajorBits bits = float_world(unit.format);
   return ref::store_tracer(ref::IntNodes(bvh, bits.coord, {}, bits.finer), ref::IntMajorTestMaker(bits),
                            ref::Leaves(mesh, bvh), {.ends = unit.ends});
+}
+
+std::unique_ptr<SceneFeed> int_major_feed(const rtl::Format& format, const ref::Bvh& bvh) {
+  return set_up_feed<IntMajorSetup>(float_world(format), bvh);
 }
 
 }  // namespace
 
 Software int_major_software() {
   Software software = major_design_software();
-  software.feed = set_up_feed<IntMajorSetup>;
+  software.feed = int_major_feed;
   software.box_test = set_up_test<IntMajorSetup>;
   software.tracer = int_major_tracer;
   return software;

@@ -51,7 +51,7 @@ class PairRays final : public RayFeed {
  private:
   const std::vector<ref::PairBoxes>& boxes_;
   struct Slot {
-    std::optional<ref::IntMajorRaySetup> set_up;
+    std::optional<MajorSetup> set_up;
     Operands operands{};
   };
 
@@ -82,7 +82,7 @@ class PairScene final : public SceneFeed {
 };
 
 std::unique_ptr<SceneFeed> pair_feed(const rtl::Format& format, const ref::Bvh& bvh) {
-  return std::make_unique<PairScene>(format.as<MajorBits>(), bvh);
+  return std::make_unique<PairScene>(float_world(format), bvh);
 }
 
 /// Judges one box as the first of two. Its sibling reaches beyond it on some faces and ends before it on
@@ -93,7 +93,7 @@ class PairTest final : public BoxTest {
   PairTest(const rtl::Design& design, const rtl::Format& format)
       : evaluate_(design.evaluate(format)),
         format_(format),
-        limit_(format.as<MajorBits>().largest_point() + 1),
+        limit_(format.as<MajorBits>().largest_plane()),
         ports_(format.as<MajorBits>()),
         operands_(ports_.count()),
         results_(evaluate_.result_count()) {
@@ -104,7 +104,7 @@ class PairTest final : public BoxTest {
   }
 
   void start(const ref::Ray& ray) override {
-    const ref::IntMajorRaySetup set_up(ray, format_.as<MajorBits>());
+    const MajorSetup set_up(ray, format_.as<MajorBits>());
     put_major_ray(set_up.ray(), in_);
     length_ = set_up.length(ray.length);
   }
@@ -115,6 +115,9 @@ class PairTest final : public BoxTest {
   }
   std::array<bool, 2> siblings(const ref::Aabb& first, const ref::Aabb& second) override {
     return both(on_grid(first), on_grid(second));
+  }
+  void meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<bool> out) const override {
+    if (!integer_meet(ray, boxes, format_, out)) BoxTest::meet(ray, boxes, out);
   }
   [[nodiscard]] std::span<const std::int64_t> operands() const override { return operands_; }
   [[nodiscard]] std::span<const std::int64_t> results() const override { return results_; }
@@ -177,7 +180,7 @@ std::unique_ptr<BoxTest> pair_test(const rtl::Design& design, const rtl::Format&
 
 std::unique_ptr<ref::Tracer> int_major_pair_tracer(const TracedUnit& unit, const ref::Mesh& mesh,
                                                    const ref::Bvh& bvh) {
-  return ref::major_pair_tracer(unit.format.as<MajorBits>(), mesh, bvh);
+  return ref::major_pair_tracer(float_world(unit.format), mesh, bvh);
 }
 
 std::size_t pair_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes& /*none*/) {
@@ -186,7 +189,7 @@ std::size_t pair_bytes_per_node(const rtl::Format& format, const ref::CoarseAxes
 }
 
 NodeRecords pair_records(const rtl::Format& format, const ref::Bvh& bvh) {
-  const auto bits = format.as<MajorBits>();
+  const MajorBits bits = float_world(format);
   const ref::PairNodes records(bvh, bits.coord, bits.finer);
   return {records.bytes_per_record, {records.bytes().begin(), records.bytes().end()}};
 }

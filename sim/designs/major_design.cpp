@@ -4,17 +4,28 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "sim/feeds/set_up_feed.hpp"
 #include "sim/fit/port_ranges.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/grid.hpp"
+#include "sw_ref/quantise/ray_check.hpp"
+#include "sw_ref/world/int_ray.hpp"
+#include "sw_ref/world/int_tracer.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
 
 using hls::MajorBits;
+
+/// The world of a box format: box distances do not depend on the F of T.
+hls::WorldBits world_of(const MajorBits& bits) {
+  return {bits.coord, bits.finer, bits.slope, 0};
+}
 
 /// From few bits to many, and around the default.
 std::vector<rtl::Format> major_sweep_formats() {
@@ -156,9 +167,51 @@ void put_major_ray(const ref::IntMajorRay& ray, hls::MajorRay<Words, MajorBits>&
   in.exp_b = b.exponent;
 }
 
+MajorSetup::MajorSetup(const ref::Ray& ray, const MajorBits& bits)
+    : bits_(bits),
+      major_(std::abs(ray.direction[ref::major_axis(ray.direction)])),
+      ray_(bits.slope > 0 ? ref::major_ray(ref::int_ray(ray, world_of(bits)), bits)
+                          : ref::IntMajorRaySetup(ray, bits).ray()) {}
+
+std::int64_t MajorSetup::length(float length) const {
+  ref::check_length(length, "MajorSetup");
+  return ref::length_along_major(length, major_, bits_.coord, bits_.fraction, bits_.largest_length());
+}
+
 void major_boxes(std::span<const ref::Aabb> boxes, const rtl::Format& format, std::span<ref::IntBox> out) {
   const auto bits = format.as<MajorBits>();
-  ref::quantise_boxes(boxes, bits.coord, out, bits.finer);
+  if (bits.slope == 0) {
+    ref::quantise_boxes(boxes, bits.coord, out, bits.finer);
+    return;
+  }
+  const auto nearest = [&](float x) { return static_cast<std::int32_t>(ref::fine_nearest(x, bits.coord)); };
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      out[i].min[static_cast<std::size_t>(axis)] = nearest(boxes[i].min[axis]);
+      out[i].max[static_cast<std::size_t>(axis)] = nearest(boxes[i].max[axis]);
+    }
+  }
+}
+
+bool integer_meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, const rtl::Format& format,
+                  std::span<bool> out) {
+  const auto bits = format.as<MajorBits>();
+  if (bits.slope == 0) return false;
+  const hls::WorldBits world = world_of(bits);
+  const ref::IntRay own = ref::int_ray(ray, world);
+  std::vector<ref::IntBox> rounded(boxes.size());
+  major_boxes(boxes, format, rounded);
+  for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = ref::int_meets(own, rounded[i], own.length, world);
+  return true;
+}
+
+MajorBits float_world(const rtl::Format& format) {
+  const auto bits = format.as<MajorBits>();
+  if (bits.slope > 0)
+    throw std::runtime_error(fmt::format(
+        "bits {}: a scene of floats cannot be traced in a format of the integer world, which has s",
+        to_string(format)));
+  return bits;
 }
 
 Software major_design_software() {

@@ -4,6 +4,8 @@
 //   fill(length, operands)                 sets all operands but the box; the ray is cut at `length`
 //   S::Box, S::boxes(aabbs, format, out)   boxes as the design reads them: min and max of three axes, and
 //                                          `others` for the ports of Role::other, where these are the box's
+//   S::meet(ray, aabbs, format, out)       may be missing: what is true in a world of integers; false in a
+//                                          format of the float world
 // Fields are named, so the order of the ports is said by Operands::for_each alone.
 #pragma once
 
@@ -188,6 +190,12 @@ class SetupTest final : public BoxTest {
       evaluate_(operands_.data(), results_.data());
       out[i] = evaluate_.hit(results_.data());
     }
+  }
+  void meet(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<bool> out) const override {
+    if constexpr (requires { S::meet(ray, boxes, format_, out); }) {
+      if (S::meet(ray, boxes, format_, out)) return;
+    }
+    BoxTest::meet(ray, boxes, out);
   }
   [[nodiscard]] std::span<const std::int64_t> operands() const override { return operands_; }
   [[nodiscard]] std::span<const std::int64_t> results() const override { return results_; }

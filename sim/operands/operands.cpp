@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "host/parallel.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::sim {
 
@@ -124,7 +123,6 @@ class Answers {
     judged_.ray = ray;
     judged_.ray_number = place.number;
     line_.ray_line = place.line.number;
-    referee_.emplace(ray);
     test_.start(ray);
   }
   void answer(const Boxes& boxes, std::uint64_t number, std::uint64_t line) {
@@ -136,7 +134,7 @@ class Answers {
         pair ? test_.siblings(boxes[0], boxes[1]) : std::array<bool, 2>{test_.hit(boxes[0]), false};
     ++counts_.tests;
     for (std::size_t box = 0; box < layout_.boxes_per_test(); ++box) {
-      judged_.exact[box] = referee_->meets(boxes[box]);
+      judged_.exact[box] = test_.meets(judged_.ray, boxes[box]);
       count(hits[box], judged_.exact[box]);
     }
     judged_.operands = test_.operands();
@@ -169,7 +167,6 @@ class Answers {
   const TestLayout& layout_;
   JudgedTest judged_;
   OperandCounts::Place line_{};
-  std::optional<ref::BoxReferee> referee_;
   std::vector<rtl::Vector> vectors_;
   std::string text_;
   OperandCounts counts_;

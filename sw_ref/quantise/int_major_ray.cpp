@@ -1,6 +1,5 @@
 #include "sw_ref/quantise/int_major_ray.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -25,7 +24,6 @@ namespace hitpipe::ref {
 namespace {
 
 constexpr std::string_view major_set_up = "IntMajorRaySetup";
-__extension__ typedef unsigned __int128 Uint128;
 
 /// A positive binary32 as m 2^e with m in 2^23..2^24-1.
 struct Normal {
@@ -39,40 +37,20 @@ Normal normal(float x) {
   return {std::uint64_t{parts.mantissa} << spare, parts.exponent - spare};
 }
 
-/// The smallest exponent for which the upper mantissa fits p bits.
 MajorQuotient quotient(float major, float other, const hls::MajorBits& bits) {
-  const auto largest = static_cast<std::uint32_t>(bits.largest_mantissa());
-  const MajorQuotient too_large{largest, largest, bits.largest_exponent()};
-  if (other == 0.0F) return too_large;
+  if (other == 0.0F) return largest_quotient(bits);
   const Normal above = normal(major);
   const Normal below = normal(other);
-  // |D_M| / |D_k| = q 2^exponent with q in [1, 2).
-  const int halved = above.mantissa < below.mantissa ? 1 : 0;
-  const int exponent = above.exponent - below.exponent - halved;
-  if (exponent > bits.largest_exponent()) return too_large;
-  const std::uint64_t numerator = above.mantissa << (bits.mantissa - 1 + halved);  // < 2^56
-  const auto low = static_cast<std::uint32_t>(numerator / below.mantissa);
-  const bool exact = numerator % below.mantissa == 0;
-  if (exact) return {low, low, exponent};
-  if (low < largest) return {low, low + 1, exponent};
-  // The upper bound would be 2: half of it, with the next exponent.
-  if (exponent == bits.largest_exponent()) return too_large;
-  return {largest >> 1, (largest >> 1) + 1, exponent + 1};
-}
-
-int major_axis(const glm::vec3& direction) {
-  int major = 0;
-  for (int axis = 1; axis < 3; ++axis)
-    if (std::abs(direction[axis]) > std::abs(direction[major])) major = axis;
-  return major;
+  return quotient_bounds(above.mantissa, below.mantissa, above.exponent - below.exponent, bits);
 }
 
 }  // namespace
 
 IntMajorRaySetup::IntMajorRaySetup(const Ray& ray, hls::MajorBits bits) : bits_(bits) {
-  if (!bits.proved())
-    throw std::invalid_argument(fmt::format("{}: there is no format {}+{}/{}f{}", major_set_up, bits.coord,
-                                            bits.finer, bits.mantissa, bits.fraction));
+  if (!bits.proved() || bits.slope > 0)
+    throw std::invalid_argument(fmt::format("{}: there is no format {}+{}/{}f{}{}", major_set_up, bits.coord,
+                                            bits.finer, bits.mantissa, bits.fraction,
+                                            bits.slope > 0 ? " of the float world" : ""));
   check_ray(ray, major_set_up);
   const int major = major_axis(ray.direction);
   ray_.axes = {0, 1, 2};
@@ -91,18 +69,7 @@ IntMajorRaySetup::IntMajorRaySetup(const Ray& ray, hls::MajorBits bits) : bits_(
 
 std::int64_t IntMajorRaySetup::length(float length) const {
   check_length(length, major_set_up);
-  const std::int64_t largest = bits_.largest_length();
-  if (std::isinf(length)) return largest;
-  const Binary32 distance = decode(length);
-  const Binary32 major = decode(major_);
-  const Uint128 product = static_cast<Uint128>(static_cast<std::uint64_t>(grid_scale(bits_.coord))) *
-                          distance.mantissa * major.mantissa;  // < 2^78
-  const int exponent = distance.exponent + major.exponent + bits_.fraction;
-  if (product == 0 || exponent <= -128) return 0;
-  // From 2^40 on anything is larger than the largest length, which is below 2^35.
-  if (exponent >= 40) return largest;
-  const Uint128 full = exponent < 0 ? product >> -exponent : product << exponent;
-  return static_cast<std::int64_t>(std::min(full, static_cast<Uint128>(largest)));
+  return length_along_major(length, major_, bits_.coord, bits_.fraction, bits_.largest_length());
 }
 
 }  // namespace hitpipe::ref

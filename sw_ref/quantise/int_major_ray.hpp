@@ -7,19 +7,10 @@
 #include <cstdint>
 
 #include "hls/box/major_format.hpp"
+#include "sw_ref/quantise/major_quotient.hpp"
 #include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::ref {
-
-/// mantissa_low 2^exponent <= 2^(p-1) |D_M| / |D_k| <= mantissa_high 2^exponent, unless the quotient is too
-/// large for that. Then both mantissas and the exponent are the largest.
-struct MajorQuotient {
-  std::uint32_t mantissa_low = 0;   ///< p bits, at least 2^(p-1) - 1
-  std::uint32_t mantissa_high = 0;  ///< p bits, at least 2^(p-1); mantissa_low or mantissa_low + 1
-  int exponent = 0;                 ///< 0..n+g-1
-
-  friend bool operator==(const MajorQuotient&, const MajorQuotient&) = default;
-};
 
 struct IntMajorRay {
   std::array<int, 3> axes{};       ///< which axis ray axis m, a and b is (hls/box/int_major_operands.hpp)

@@ -16,7 +16,7 @@ class MajorPairTracer final : public Tracer {
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
       const Ray& ray = job.rays[i];
       const IntMajorRaySetup set_up(ray, bits_);
-      const MajorDistances distances(set_up, bits_);
+      const MajorDistances distances(set_up.ray(), bits_);
       const auto in_results = [&](float length) { return set_up.length(length); };
       PairTraversal traversal(scene_, ray, job.query, set_up.length(ray.length));
       while (!traversal.done()) {

@@ -19,7 +19,7 @@ using hls::MajorBits;
 
 const std::string allowed_of_int = "allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
 const std::string allowed_of_major =
-    "allowed is n+g/p or n+g/pfF with n in 6..32, g in 0..3, p in 4..32, F in -2..3 and n+g+p at most 63, "
+    "allowed is n+g/p or n+g/pfFsS with n in 6..32, g in 0..3, p in 4..32, F in -2..3, S in 8..32 and n+g+p at most 63, and n at most 24 with s, "
     "for "
     "example 20+1/13";
 const std::string allowed_of_any_float = "allowed is eEmM with E in 2..8 and M in 1..23, for example e8m15";
@@ -53,7 +53,7 @@ TEST(Formats, AreReadAndWritten) {
 }
 
 TEST(Formats, HaveATypeForHighLevelSynthesis) {
-  EXPECT_EQ(Format(MajorBits{20, 1, 13}).type(), "MajorFormat<20, 1, 13, 0>");
+  EXPECT_EQ(Format(MajorBits{20, 1, 13}).type(), "MajorFormat<20, 1, 13>");
   EXPECT_EQ(Format(MajorBits{8, 3, 6, -1}).type(), "MajorFormat<8, 3, 6, -1>");
   EXPECT_EQ(Format(FpBits{5, 10}).type(), "FpFormat<5, 10>");
 }

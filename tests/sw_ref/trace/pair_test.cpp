@@ -122,7 +122,7 @@ TEST(PairNodes, RefuseBoxesOutsideTheGrid) {
 class Walker {
  public:
   Walker(const Ray& ray, MajorBits bits)
-      : distances_(ray, bits), alone_(ray, bits), length_(distances_.length(ray.length)) {}
+      : Walker(IntMajorRaySetup(ray, bits), IntMajorTest(ray, bits), ray.length, bits) {}
 
   /// Counts answers of 1; -1 when one differs.
   int compare(const PairBoxes& pair, const RayInterval& parent, const std::array<IntBox, 2>& boxes) {
@@ -151,6 +151,9 @@ class Walker {
   }
 
  private:
+  Walker(const IntMajorRaySetup& set_up, const IntMajorTest& alone, float length, MajorBits bits)
+      : distances_(set_up.ray(), bits), alone_(alone), length_(set_up.length(length)) {}
+
   MajorDistances distances_;
   IntMajorTest alone_;
   std::int64_t length_;

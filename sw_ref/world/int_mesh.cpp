@@ -1,0 +1,92 @@
+#include "sw_ref/world/int_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "hls/world/world_format.hpp"
+#include "sw_ref/quantise/grid.hpp"
+
+namespace hitpipe::ref {
+
+namespace {
+
+using Corner = IntTriangle::Corner;
+
+IntBox empty_box() {
+  IntBox box;
+  box.min.fill(std::numeric_limits<std::int32_t>::max());
+  box.max.fill(std::numeric_limits<std::int32_t>::min());
+  return box;
+}
+
+void grow(IntBox& box, const Corner& corner) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.min[i] = std::min(box.min[i], corner[i]);
+    box.max[i] = std::max(box.max[i], corner[i]);
+  }
+}
+
+}  // namespace
+
+IntMesh int_mesh(const Mesh& mesh, int coord_bits) {
+  if (coord_bits < hls::WorldBits::min_proved_coord || coord_bits > hls::WorldBits::max_coord)
+    throw std::invalid_argument(fmt::format("a mesh on a grid of {} bits: allowed is {} to {}", coord_bits,
+                                            hls::WorldBits::min_proved_coord, hls::WorldBits::max_coord));
+  const auto scale = static_cast<double>(grid_scale(coord_bits));
+  IntMesh made;
+  made.coord_bits = coord_bits;
+  made.mesh = {
+      .vertices = {}, .normals = mesh.normals, .triangles = {}, .materials = {}, .dropped = mesh.dropped};
+  std::vector<Corner> corners;
+  corners.reserve(mesh.vertices.size());
+  for (const glm::vec3& vertex : mesh.vertices) {
+    Corner corner{};
+    glm::vec3 moved{};
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(std::abs(vertex[axis]) <= 1.0F))
+        throw std::out_of_range(fmt::format("a corner at {} is outside the cube", vertex[axis]));
+      const std::int64_t rounded = fine_nearest(vertex[axis], coord_bits);
+      corner[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(rounded);
+      const double place = static_cast<double>(rounded) / scale;
+      moved[axis] = static_cast<float>(place);
+      made.largest_movement =
+          std::max(made.largest_movement, std::abs(place - static_cast<double>(vertex[axis])));
+    }
+    corners.push_back(corner);
+    made.mesh.vertices.push_back(moved);
+  }
+  for (std::uint32_t number = 0; number < mesh.triangles.size(); ++number) {
+    const glm::uvec3& t = mesh.triangles[number];
+    const IntTriangle triangle{{corners[t.x], corners[t.y], corners[t.z]}};
+    if (is_degenerate(triangle)) {
+      ++made.dropped;
+      continue;
+    }
+    made.triangles.push_back(triangle);
+    made.numbers.push_back(number);
+    made.mesh.triangles.push_back(t);
+    if (!mesh.materials.empty()) made.mesh.materials.push_back(mesh.materials[number]);
+  }
+  return made;
+}
+
+std::vector<IntBox> int_boxes(const IntMesh& mesh, const Bvh& bvh) {
+  std::vector<IntBox> boxes(bvh.nodes.size(), empty_box());
+  // Children come after their parents.
+  for (std::size_t i = bvh.nodes.size(); i-- > 0;) {
+    const BvhNode& node = bvh.nodes[i];
+    if (node.is_leaf()) {
+      for (std::size_t k = 0; k < static_cast<std::size_t>(node.count); ++k)
+        for (const Corner& corner : mesh.triangles[bvh.order[node.first + k]].corners) grow(boxes[i], corner);
+    } else {
+      boxes[i] = union_of(boxes[node.first], boxes[node.first + 1]);
+    }
+  }
+  return boxes;
+}
+
+}  // namespace hitpipe::ref

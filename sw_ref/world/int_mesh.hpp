@@ -1,0 +1,36 @@
+// A mesh of the integer world: corners on a grid of n bits, and the same mesh in binary32 for what reads
+// meshes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/quantise/int_box.hpp"
+#include "sw_ref/scene/mesh.hpp"
+#include "sw_ref/world/int_triangle.hpp"
+
+namespace hitpipe::ref {
+
+struct IntMesh {
+  int coord_bits = 0;                  ///< n
+  std::vector<IntTriangle> triangles;  ///< none is degenerate
+  /// By triangle: its number in the mesh that was rounded. The other triangles of that mesh have lost their
+  /// area.
+  std::vector<std::uint32_t> numbers;
+  std::uint32_t dropped = 0;    ///< how many have lost their area
+  double largest_movement = 0;  ///< of a corner, in units of the [-1, 1] cube
+  /// The same triangles in binary32: corner / G. Rounding them again gives the same integers.
+  Mesh mesh;
+};
+
+/// Corners are rounded to round(G x), ties up. The mesh must lie in the cube and have at most 2^31 - 1
+/// triangles; n is in 4..24. Throws std::invalid_argument for another n and std::out_of_range for a corner
+/// outside the cube.
+[[nodiscard]] IntMesh int_mesh(const Mesh& mesh, int coord_bits);
+
+/// By node of the hierarchy: the smallest box of all corners below. A node without triangles is not in a
+/// hierarchy.
+[[nodiscard]] std::vector<IntBox> int_boxes(const IntMesh& mesh, const Bvh& bvh);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,86 @@
+#include "sw_ref/world/int_ray.hpp"
+
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sw_ref/judge/binary32.hpp"
+#include "sw_ref/quantise/grid.hpp"
+#include "sw_ref/quantise/major_quotient.hpp"
+#include "sw_ref/quantise/ray_check.hpp"
+#include "sw_ref/world/int128.hpp"
+
+namespace hitpipe::ref {
+
+namespace {
+
+constexpr std::string_view door = "int_ray";
+
+/// floor(2^S other / major + 1/2) for 0 <= other <= major, major > 0.
+std::int64_t slope(float other, float major, int bits) {
+  const Binary32 above = decode(other);
+  const Binary32 below = decode(major);
+  // other / major = above.mantissa / below.mantissa 2^-down.
+  const int down = below.exponent - above.exponent;
+  if (down - bits > 60) return 0;
+  const auto rounded = [](Int128 numerator, Int128 denominator) {
+    return static_cast<std::int64_t>((2 * numerator + denominator) / (2 * denominator));
+  };
+  const Int128 numerator = above.mantissa;
+  const Int128 denominator = below.mantissa;
+  return down <= bits ? rounded(numerator << (bits - down), denominator)
+                      : rounded(numerator, denominator << (down - bits));
+}
+
+MajorQuotient inverse_of(std::int64_t slope, const hls::MajorBits& bits) {
+  if (slope == 0) {
+    const std::uint32_t one = 1U << static_cast<unsigned>(bits.mantissa - 1);
+    return {one, one, bits.largest_exponent()};
+  }
+  // 2^S / s is 2^S / (s 2^shift), which has equal leading bits, times 2^shift.
+  const auto below = static_cast<std::uint64_t>(slope);
+  const int shift = bits.slope + 1 - static_cast<int>(std::bit_width(below));
+  return quotient_bounds(std::uint64_t{1} << bits.slope, below << shift, shift, bits);
+}
+
+}  // namespace
+
+IntRay int_ray(const Ray& ray, const hls::WorldBits& bits) {
+  if (!bits.proved())
+    throw std::invalid_argument(fmt::format("{}: there is no format {}+{}s{}t{}", door, bits.coord,
+                                            bits.finer, bits.slope, bits.fraction));
+  check_ray(ray, door);
+  check_length(ray.length, door);
+  IntRay made;
+  made.major = major_axis(ray.direction);
+  const float major = std::abs(ray.direction[made.major]);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    made.origin[i] = fine_nearest(ray.origin[axis], bits.coord, bits.finer);
+    made.negative[i] = ray.direction[axis] < 0.0F;
+    const std::int64_t size = slope(std::abs(ray.direction[axis]), major, bits.slope);
+    made.direction[i] = made.negative[i] ? -size : size;
+  }
+  made.length =
+      length_along_major(ray.length, major, bits.coord, bits.finer + bits.fraction, bits.largest_distance());
+  return made;
+}
+
+IntMajorRay major_ray(const IntRay& ray, const hls::MajorBits& bits) {
+  IntMajorRay made;
+  made.axes = {0, 1, 2};
+  std::swap(made.axes[0], made.axes[static_cast<std::size_t>(ray.major)]);
+  for (std::size_t ray_axis = 0; ray_axis < 3; ++ray_axis) {
+    const auto axis = static_cast<std::size_t>(made.axes[ray_axis]);
+    made.backward[ray_axis] = ray.negative[axis];
+    made.origin[ray_axis] = ray.negative[axis] ? ray.origin[axis] + 1 : -ray.origin[axis];
+    if (ray_axis > 0) made.quotient[ray_axis - 1] = inverse_of(std::abs(ray.direction[axis]), bits);
+  }
+  return made;
+}
+
+}  // namespace hitpipe::ref

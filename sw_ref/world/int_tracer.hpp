@@ -1,0 +1,36 @@
+// Traces binary32 rays in the integer world: each ray is rounded at the door, and after that nothing is.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "hls/box/major_format.hpp"
+#include "hls/world/world_format.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/trace/tracer.hpp"
+#include "sw_ref/world/int_mesh.hpp"
+
+namespace hitpipe::ref {
+
+/// Does the ray meet the closed box at some T up to `length`? Exact.
+[[nodiscard]] bool int_meets(const IntRay& ray, const IntBox& box, std::int64_t length,
+                             const hls::WorldBits& bits);
+
+struct IntTracerOptions {
+  hls::WorldBits world{};
+  /// Boxes are tested as int_major does in this format; nothing: exactly. Its n, g and S must be the world's,
+  /// and its F at most g + F of the world.
+  std::optional<hls::MajorBits> boxes{};
+  /// Answers are numbers of the mesh that was rounded, not of the integer mesh.
+  bool numbers_before_rounding = false;
+};
+
+/// `bvh` is a hierarchy over mesh.mesh; nothing, for a mesh without triangles, which no ray hits. Boxes are
+/// made from the corners, so a box of the hierarchy need not hold them. Mesh and hierarchy must outlive the
+/// tracer. Throws std::invalid_argument, one line, when formats do not fit each other or the mesh.
+[[nodiscard]] std::unique_ptr<Tracer> int_tracer(const IntMesh& mesh, const Bvh* bvh,
+                                                 const IntTracerOptions& options);
+
+}  // namespace hitpipe::ref
