@@ -50,5 +50,19 @@ constexpr X change_if(bool condition, const X& x, const Change& change) {
   return x;
 }
 
+/// then(x) if the condition holds, else otherwise(x). Only the one that is called must compile.
+template <class X, class Then, class Otherwise>
+constexpr auto either(Truth<true> /*condition*/, const X& x, const Then& then, const Otherwise&) {
+  return then(x);
+}
+template <class X, class Then, class Otherwise>
+constexpr auto either(Truth<false> /*condition*/, const X& x, const Then&, const Otherwise& otherwise) {
+  return otherwise(x);
+}
+template <class X, class Then, class Otherwise>
+constexpr auto either(bool condition, const X& x, const Then& then, const Otherwise& otherwise) {
+  return condition ? then(x) : otherwise(x);
+}
+
 }  // namespace hls
 }  // namespace hitpipe

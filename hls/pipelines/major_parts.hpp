@@ -53,20 +53,45 @@ constexpr auto with_low_bits(const X& x, const W& low) {
   return as_signed(cat(x, D::lit(0, low)));
 }
 
+/// x + y + 1 in w + 1 bits. A 1 below both makes the carry, so it is one adder.
+template <class D, class X, class Y, class W>
+constexpr auto sum_with_carry(const X& x, const Y& y, const W& w) {
+  const auto one = D::lit(1, 1_w);
+  const auto sum = as_signed(cat(x, one)) + as_signed(cat(y, one));
+  return as_signed(slice(sum, w + 1_w, 1_w));
+}
+
 }  // namespace detail
 
-/// Plane minus origin on the origin's grid, both mirrored: x becomes -x - 1. The two - 1 cancel, so the
-/// difference changes its sign exactly.
+/// The planes of a slab minus the origin on the origin's grid, all mirrored: x becomes -x - 1.
+///   In the float world the two - 1 of a difference cancel, so it changes its sign exactly.
+///   In the integer world the origin is negated, so a difference is a sum. The far sum has a carry: with it,
+///   the difference of a plane that is not behind the origin is at least 1. Without it, a ray that lies in a
+///   face and never leaves it would leave the slab where it begins.
 template <class D, class F>
-constexpr typename F::template Point<D> difference(const F& format, const char* name, char ray_axis,
-                                                   const typename F::template Plane<D>& plane,
-                                                   const typename F::template Point<D>& origin,
-                                                   const typename D::bit& back) {
-  const auto mirrored = as_signed(as_unsigned(plane) ^ spread(back, format.coord));
-  const auto fine = change_if(0_w < format.finer, mirrored, [&](const auto& coarse) {
-    return detail::finer_plane(coarse, back, format.finer);
-  });
-  return as(name, ray_axis, resize(fine - origin, format.point()));
+constexpr NearFar<typename F::template Point<D>> differences(const F& format, char ray_axis,
+                                                             const typename F::template Plane<D>& low,
+                                                             const typename F::template Plane<D>& high,
+                                                             const typename F::template Point<D>& origin,
+                                                             const typename D::bit& back) {
+  const auto plane = in_ray_order(back, low, high);
+  const auto on_fine_grid = [&](const auto& one) {
+    const auto mirrored = as_signed(as_unsigned(one) ^ spread(back, format.coord));
+    return change_if(0_w < format.finer, mirrored,
+                     [&](const auto& coarse) { return detail::finer_plane(coarse, back, format.finer); });
+  };
+  const auto sum = [&](const auto& x) { return x + origin; };
+  const auto carried_sum = [&](const auto& x) {
+    return detail::sum_with_carry<D>(x, origin, format.point());
+  };
+  const auto from_origin = [&](const char* name, const auto& one, const auto& add) {
+    return as(name, ray_axis,
+              either(
+                  0_w < format.slope, on_fine_grid(one),
+                  [&](const auto& x) { return resize(add(x), format.point()); },
+                  [&](const auto& x) { return resize(x - origin, format.point()); }));
+  };
+  return {from_origin("d_near", plane.near, sum), from_origin("d_far", plane.far, carried_sum)};
 }
 
 /// The distance of a plane of the major axis is the difference itself, without bits below the fraction.
@@ -104,18 +129,11 @@ constexpr NearFar<typename F::template Distance<D>> scaled_slab(
 template <class D, class F>
 constexpr RayAxes<NearFar<typename F::template Distance<D>>> plane_distances(
     const F& format, const MajorRay<D, F>& ray, const MajorPlanes<D, F>& planes) {
-  using Point = typename F::template Point<D>;
   const auto low = to_ray_axes(ray, planes.xmin, planes.ymin, planes.zmin);
   const auto high = to_ray_axes(ray, planes.xmax, planes.ymax, planes.zmax);
-  const auto differences = [&](char ray_axis, const auto& back, const auto& lower, const auto& upper,
-                               const auto& origin) {
-    const auto plane = in_ray_order(back, lower, upper);
-    return NearFar<Point>{difference<D>(format, "d_near", ray_axis, plane.near, origin, back),
-                          difference<D>(format, "d_far", ray_axis, plane.far, origin, back)};
-  };
-  const auto m = differences('m', ray.back_m, low.m, high.m, ray.origin_m);
-  const auto a = differences('a', ray.back_a, low.a, high.a, ray.origin_a);
-  const auto b = differences('b', ray.back_b, low.b, high.b, ray.origin_b);
+  const auto m = differences<D>(format, 'm', low.m, high.m, ray.origin_m, ray.back_m);
+  const auto a = differences<D>(format, 'a', low.a, high.a, ray.origin_a, ray.back_a);
+  const auto b = differences<D>(format, 'b', low.b, high.b, ray.origin_b, ray.back_b);
   return {
       {as("t_near_m", major_distance<D>(format, m.near)), as("t_far_m", major_distance<D>(format, m.far))},
       scaled_slab<D>(format, 'a', a, ray.floor_a, ray.ceil_a, ray.exp_a),

@@ -89,8 +89,10 @@ std::string FormatFamily::type(const FormatNumbers& numbers) const {
 }
 
 bool FormatFamily::within_limits(const FormatNumbers& numbers) const {
-  for (std::size_t i = 0; i < fields.size(); ++i)
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].optional && numbers[i] == 0) continue;
     if (numbers[i] < fields[i].least || numbers[i] > fields[i].most) return false;
+  }
   return true;
 }
 
