@@ -8,7 +8,7 @@ root=$(cd "$here/../../.." && pwd)
 cases=500
 
 files=(Numbers IntMajor SetUp FloatQuotient FloatGrid NeverMisses IntegerWorld Words Shifter Datapath Ranges Pair
-  Needed Compare)
+  IntegerTriangle Needed Compare)
 theorems=(
   NeverMisses.never_misses
   Ranges.datapath_never_misses
@@ -22,6 +22,11 @@ theorems=(
   IntegerWorld.slope_quotient_has_bounds
   Ranges.integer_set_up_fits
   Ranges.datapath_accepts_integer_hit
+  IntegerTriangle.triangle_in_box
+  IntegerTriangle.triangle_hit_is_accepted
+  IntegerTriangle.pair_keeps_integer_hit
+  IntegerTriangle.pair_accepts_integer_hit
+  IntegerTriangle.pair_accepts_triangle_hit
   Words.sum_with_carry_is
   Shifter.saturating_shift_is_clamp
   SetUp.quotient_has_bounds
