@@ -8,7 +8,7 @@ root=$(cd "$here/../../.." && pwd)
 cases=500
 
 files=(Numbers IntMajor SetUp FloatQuotient FloatGrid NeverMisses IntegerWorld Words Shifter Datapath Ranges Pair
-  IntegerTriangle Needed Compare)
+  IntegerTriangle Triangle TriangleHit Needed Compare)
 theorems=(
   NeverMisses.never_misses
   Ranges.datapath_never_misses
@@ -27,6 +27,19 @@ theorems=(
   IntegerTriangle.pair_keeps_integer_hit
   IntegerTriangle.pair_accepts_integer_hit
   IntegerTriangle.pair_accepts_triangle_hit
+  Triangle.edge_determinant_0
+  Triangle.edge_determinant_1
+  Triangle.edge_determinant_2
+  Triangle.edge_determinants_sum
+  Triangle.to_corner0_is
+  Triangle.point_in_plane
+  Triangle.determinant_below
+  Triangle.numbers_fit
+  TriangleHit.numbers_of_ray_fit
+  TriangleHit.criterion_is_hit
+  TriangleHit.hit_has_distance
+  TriangleHit.criterion_in_ray_axes
+  TriangleHit.criterion_hit_is_accepted
   Words.sum_with_carry_is
   Shifter.saturating_shift_is_clamp
   SetUp.quotient_has_bounds
