@@ -1,7 +1,7 @@
-(* The unit never misses: it answers 1 whenever the exact ray meets the exact box, in every format.
-   T is the exact distance of a common point, in the fine grid along the major axis. In the unit's distances
-   it is floor(T 2^(F-g)). Each slab's near distance is not above that number, and its far distance is not
-   below it. *)
+(* The unit never misses: it answers 1 whenever the exact ray meets the exact box, in every format of the float
+   world. T is the exact distance of a common point, in the fine grid along the major axis. In the unit's
+   distances it is floor(T 2^(F-g)). Each slab's near distance is not above that number, and its far distance is
+   not below it. *)
 From Coq Require Import ZArith QArith Qabs Qround Lia Lqa Bool.
 From HitpipeMajor Require Import Numbers IntMajor SetUp.
 Open Scope Z_scope.

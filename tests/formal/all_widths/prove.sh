@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Proves with Coq that int_major and int_major_pair never miss, in all widths: prove.sh. docs/formal.md explains.
+# Proves with Coq that int_major and int_major_pair never miss, in all widths and both worlds: prove.sh.
+# docs/formal.md explains.
 # It prints what each theorem assumes, and compares the definition with the C++ on random rays.
 # It fails if a proof fails, if a theorem assumes an axiom, or if a case differs.
 set -euo pipefail
