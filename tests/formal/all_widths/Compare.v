@@ -1,6 +1,6 @@
 (* Compares the definition with what the C++ computes. emit_cases.cpp writes the cases. *)
 From Coq Require Import ZArith QArith List Bool.
-From HitpipeMajor Require Import IntMajor Datapath.
+From HitpipeMajor Require Import IntMajor IntegerWorld Datapath.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -26,8 +26,24 @@ Fixpoint same (p q : list Z) : bool :=
   end.
 
 (* The set-up, the unit in integers and the unit in words all agree with the C++. *)
+Definition all_agree f (r : MajorRay) (p : MajorPlanes) (words : list Z) (answer : bool) : bool :=
+  same (operand_words r p) words && eqb (test f r p) answer && eqb (test_words f r p) answer.
+
 Definition agrees (c : Case) : bool :=
-  let r := set_up (format c) (major c) (ray c) in
-  let p := quantise_box (format c) (box c) in
-  same (operand_words r p) (words c) && eqb (test (format c) r p) (answer c) &&
-  eqb (test_words (format c) r p) (answer c).
+  let f := format c in
+  all_agree f (set_up f (major c) (ray c)) (quantise_box f (box c)) (words c) (answer c).
+
+(* The same in the integer world. *)
+Record IntegerCase := {
+  integer_format : Format;
+  integer_major : Axis;
+  integer_ray : IntegerRay;
+  integer_box : IntegerBox;
+  integer_words : list Z;
+  integer_answer : bool
+}.
+
+Definition integer_agrees (c : IntegerCase) : bool :=
+  let f := integer_format c in
+  all_agree f (integer_set_up f (integer_major c) (integer_ray c)) (integer_planes (integer_box c))
+    (integer_words c) (integer_answer c).

@@ -6,13 +6,19 @@ Open Scope Z_scope.
 
 (* ---- hls/pipelines/major_parts.hpp, int_major.hpp in words ---- *)
 
-Definition difference_words f (plane origin : Z) (back : bool) : Z :=
+Definition on_fine_grid_words f (plane : Z) (back : bool) : Z :=
   let mirrored := as_signed (coord f) (Z.lxor (as_unsigned (coord f) plane) (spread back (coord f))) in
-  let fine := if 0 <? finer f
-              then as_signed (point f)
-                     (cat (finer f) (as_unsigned (coord f) mirrored) (spread back (finer f)))
-              else mirrored in
-  resize (point f) (fine - origin).
+  if 0 <? finer f
+  then as_signed (point f) (cat (finer f) (as_unsigned (coord f) mirrored) (spread back (finer f)))
+  else mirrored.
+
+Definition near_difference_words f (plane origin : Z) (back : bool) : Z :=
+  let fine := on_fine_grid_words f plane back in
+  resize (point f) (if integer_world f then fine + origin else fine - origin).
+
+Definition far_difference_words f (plane origin : Z) (back : bool) : Z :=
+  let fine := on_fine_grid_words f plane back in
+  resize (point f) (if integer_world f then sum_with_carry (point f) fine origin else fine - origin).
 
 Definition major_distance_words f (d : Z) : Z :=
   let fewer := if fraction f <? finer f
@@ -40,8 +46,8 @@ Definition plane_distances_words f (ray : MajorRay) (planes : MajorPlanes) : Ray
   let high := to_ray_axes ray (xmax planes) (ymax planes) (zmax planes) in
   let differences back lower upper origin :=
     let plane := in_ray_order back lower upper in
-    {| near := difference_words f (near plane) origin back;
-       far := difference_words f (far plane) origin back |} in
+    {| near := near_difference_words f (near plane) origin back;
+       far := far_difference_words f (far plane) origin back |} in
   let dm := differences (back_m ray) (m low) (m high) (origin_m ray) in
   let da := differences (back_a ray) (a low) (a high) (origin_a ray) in
   let db := differences (back_b ray) (b low) (b high) (origin_b ray) in
@@ -63,10 +69,13 @@ Definition test_words f (ray : MajorRay) (planes : MajorPlanes) : bool :=
 
 (* ---- Operands ---- *)
 
-(* What the operands' declared ranges say, and that a mirrored origin is -x - 1 of a point of the grid. *)
+(* What the operands' declared ranges say, that an origin is mirrored or negated from a point of the grid, and
+   that planes of the integer world do not grow. *)
 Definition origin_fits f (back : bool) (o : Z) : Prop :=
-  Z.abs (mirrored back o) <= largest_point f * 2 ^ finer f.
-Definition plane_fits f (p : Z) : Prop := Z.abs p <= largest_point f + 1.
+  let plain := if integer_world f then if back then o - 1 else - o else mirrored back o in
+  Z.abs plain <= largest_point f * 2 ^ finer f.
+Definition plane_fits f (p : Z) : Prop :=
+  Z.abs p <= if integer_world f then largest_point f else largest_point f + 1.
 Definition mantissa_fits f (bound : Z) : Prop := 0 <= bound <= largest_mantissa f.
 Definition exponent_in_range f (e : Z) : Prop := 0 <= e <= largest_exponent f.
 
@@ -99,7 +108,7 @@ Proof using V.
   destruct V. unfold origin_fits, mirrored, is_signed, largest_point, point. intros H.
   pose proof (power_positive (finer f) ltac:(lia)). pose proof (power_positive (coord f - 2) ltac:(lia)).
   replace (coord f + finer f - 1) with (coord f - 2 + 1 + finer f) by lia.
-  rewrite !power_sum by lia. change (2 ^ 1) with 2. destruct back; nia.
+  rewrite !power_sum by lia. change (2 ^ 1) with 2. destruct (integer_world f), back; nia.
 Qed.
 
 Theorem plane_width p : plane_fits f p -> is_signed (coord f) p.
@@ -107,7 +116,7 @@ Proof using V.
   destruct V. unfold plane_fits, is_signed, largest_point. intros H.
   pose proof (power_positive (coord f - 2) ltac:(lia)).
   pose proof (twice_power (coord f - 1) ltac:(lia)) as Twice.
-  replace (coord f - 1 - 1) with (coord f - 2) in Twice by lia. lia.
+  replace (coord f - 1 - 1) with (coord f - 2) in Twice by lia. destruct (integer_world f); lia.
 Qed.
 
 Theorem mantissa_width bound : mantissa_fits f bound -> is_unsigned (mantissa f) bound.
@@ -129,18 +138,21 @@ Qed.
 
 (* ---- Widths of what is between ---- *)
 
-Lemma difference_fits plane o back :
-  plane_fits f plane -> origin_fits f back o -> is_signed (point f) (difference f plane o back).
+Lemma difference_fits carry plane o back :
+  0 <= carry <= 1 -> plane_fits f plane -> origin_fits f back o ->
+  is_signed (point f) (difference f carry plane o back).
 Proof using V.
+  intro Carry.
   destruct V. unfold plane_fits, origin_fits, difference, mirrored, is_signed, largest_point, point.
   intros Hp Ho.
   pose proof (power_positive (finer f) ltac:(lia)) as Fine.
   replace (coord f + finer f - 1) with (coord f - 2 + 1 + finer f) by lia.
   rewrite !power_sum by lia. change (2 ^ 1) with 2.
   set (G := 2 ^ (coord f - 2)) in *. set (g := 2 ^ finer f) in *.
-  assert (Z.abs (plane * g) <= G * g) by (rewrite Z.abs_mul; nia).
   replace ((G - 1) * g) with (G * g - g) in Ho by ring.
-  replace (G * 2 * g) with (2 * (G * g)) by ring. destruct back; lia.
+  replace (G * 2 * g) with (2 * (G * g)) by ring. destruct (integer_world f).
+  - assert (Z.abs (plane * g) <= G * g - g) by (rewrite Z.abs_mul; nia). destruct back; lia.
+  - assert (Z.abs (plane * g) <= G * g) by (rewrite Z.abs_mul; nia). destruct back; lia.
 Qed.
 
 Lemma kept_bits width low v :
@@ -156,18 +168,18 @@ Proof.
   exact (resize_same (width - low) _ ltac:(lia) Fits).
 Qed.
 
-Lemma difference_words_is plane o back :
-  plane_fits f plane -> origin_fits f back o ->
-  difference_words f plane o back = difference f plane o back.
+Lemma on_fine_grid_words_is plane back :
+  plane_fits f plane ->
+  on_fine_grid_words f plane back = mirrored back (plane * 2 ^ finer f) /\
+  is_signed (point f) (mirrored back (plane * 2 ^ finer f)).
 Proof using V.
-  intros Hp Ho. pose proof (difference_fits plane o back Hp Ho) as Fits. pose proof point_positive.
-  unfold difference_words.
+  intros Hp. pose proof point_positive. unfold on_fine_grid_words.
   assert (1 <= finer f \/ finer f = 0) as Finer by (destruct V; lia).
   assert (is_signed (coord f) (mirrored back plane)) as PlaneFits.
   { destruct V. unfold plane_fits, largest_point in Hp. unfold is_signed, mirrored.
     pose proof (twice_power (coord f - 1) ltac:(lia)) as Twice.
     replace (coord f - 1 - 1) with (coord f - 2) in Twice by lia.
-    pose proof (power_positive (coord f - 2) ltac:(lia)). destruct back; lia. }
+    pose proof (power_positive (coord f - 2) ltac:(lia)). destruct (integer_world f), back; lia. }
   assert (as_signed (coord f) (Z.lxor (as_unsigned (coord f) plane) (spread back (coord f))) =
           mirrored back plane) as ->.
   { assert (2 <= coord f) as N by (destruct V; assumption). pose proof (power_positive (coord f) ltac:(lia)).
@@ -179,20 +191,16 @@ Proof using V.
       by (pose proof (Z.div_mod plane (2 ^ coord f) ltac:(lia)); lia).
     rewrite Z_mod_plus_full. symmetry. apply Z.mod_small.
     pose proof (Z.mod_pos_bound plane (2 ^ coord f)). lia. }
-  assert ((if 0 <? finer f
-           then as_signed (point f)
-                  (cat (finer f) (as_unsigned (coord f) (mirrored back plane)) (spread back (finer f)))
-           else mirrored back plane) = mirrored back (plane * 2 ^ finer f)) as ->.
-  { destruct Finer as [Finer | Finer].
-    2: { rewrite Finer, Z.ltb_irrefl, Z.pow_0_r, Z.mul_1_r. reflexivity. }
-    destruct (Z.ltb_spec 0 (finer f)); [| lia].
-    assert (2 <= coord f) as N by (destruct V; assumption).
+  assert (2 <= coord f) as N by (destruct V; assumption).
+  assert (is_signed (point f) (mirrored back (plane * 2 ^ finer f))) as FineFits.
+  { pose proof (power_positive (finer f) ltac:(lia)). unfold is_signed, point, mirrored in *.
+    replace (coord f + finer f - 1) with (coord f - 1 + finer f) by lia.
+    rewrite power_sum by lia. destruct back; nia. }
+  split; [| exact FineFits].
+  destruct Finer as [Finer | Finer].
+  - destruct (Z.ltb_spec 0 (finer f)); [| lia].
     pose proof (power_positive (finer f) ltac:(lia)) as PowerG.
     pose proof (power_positive (coord f) ltac:(lia)) as PowerN.
-    assert (is_signed (point f) (mirrored back (plane * 2 ^ finer f))) as FineFits.
-    { unfold is_signed, point, mirrored in *.
-      replace (coord f + finer f - 1) with (coord f - 1 + finer f) by lia.
-      rewrite power_sum by lia. destruct back; nia. }
     rewrite <- (resize_same (point f) _ ltac:(lia) FineFits) at 1. unfold resize. f_equal.
     unfold cat, as_unsigned. set (v := mirrored back plane) in *.
     assert (mirrored back (plane * 2 ^ finer f) = v * 2 ^ finer f + spread back (finer f)) as ->.
@@ -205,8 +213,23 @@ Proof using V.
       (v mod 2 ^ coord f * 2 ^ finer f + spread back (finer f) +
        v / 2 ^ coord f * (2 ^ coord f * 2 ^ finer f))
       by nia.
-    rewrite Z_mod_plus_full. symmetry. apply Z.mod_small. nia. }
-  apply resize_same; [lia | exact Fits].
+    rewrite Z_mod_plus_full. symmetry. apply Z.mod_small. nia.
+  - rewrite Finer, Z.ltb_irrefl, Z.pow_0_r, Z.mul_1_r. reflexivity.
+Qed.
+
+Lemma difference_words_are plane o back :
+  plane_fits f plane -> origin_fits f back o ->
+  near_difference_words f plane o back = difference f 0 plane o back /\
+  far_difference_words f plane o back = difference f 1 plane o back.
+Proof using V.
+  intros Hp Ho. destruct (on_fine_grid_words_is plane back Hp) as [Fine Fits].
+  pose proof point_positive as W. pose proof (origin_width back o Ho) as Origin.
+  unfold near_difference_words, far_difference_words. rewrite Fine. split.
+  - pose proof (difference_fits 0 plane o back ltac:(lia) Hp Ho) as Fits0. unfold difference in *.
+    rewrite Z.add_0_r in *. destruct (integer_world f); apply resize_same; (lia || assumption).
+  - pose proof (difference_fits 1 plane o back ltac:(lia) Hp Ho) as Fits1. unfold difference in *.
+    destruct (integer_world f); [rewrite sum_with_carry_is by (lia || assumption) |];
+      apply resize_same; (lia || assumption).
 Qed.
 
 (* The major distance is an arithmetic shift. *)
@@ -319,20 +342,21 @@ Proof using V.
           plane_fits f (m (to_ray_axes ray p0 p1 p2)) /\ plane_fits f (a (to_ray_axes ray p0 p1 p2)) /\
           plane_fits f (b (to_ray_axes ray p0 p1 p2))) as RayAxis.
   { intros p0 p1 p2 ? ? ?. cbn [to_ray_axes m a b]. destruct (major_y ray), (major_z ray); auto. }
-  destruct (RayAxis _ _ _ X0 Y0 Z0) as [LM [LA LB]]. destruct (RayAxis _ _ _ X1 Y1 Z1) as [HM [HA HB]]. clear RayAxis.
+  destruct (RayAxis _ _ _ X0 Y0 Z0) as [LM [LA LB]]. destruct (RayAxis _ _ _ X1 Y1 Z1) as [HM [HA HB]].
+  clear RayAxis.
   assert (forall back low high o, plane_fits f low -> plane_fits f high -> origin_fits f back o ->
           let plane := in_ray_order back low high in
-          difference_words f (near plane) o back = difference f (near plane) o back /\
-          difference_words f (far plane) o back = difference f (far plane) o back /\
-          both_signed {| near := difference f (near plane) o back;
-                         far := difference f (far plane) o back |}) as Slab.
+          near_difference_words f (near plane) o back = difference f 0 (near plane) o back /\
+          far_difference_words f (far plane) o back = difference f 1 (far plane) o back /\
+          both_signed {| near := difference f 0 (near plane) o back;
+                         far := difference f 1 (far plane) o back |}) as Slab.
   { intros back low high o Low High Origin. cbn [in_ray_order near far].
     assert (plane_fits f (if back then high else low)) by (destruct back; assumption).
     assert (plane_fits f (if back then low else high)) by (destruct back; assumption).
-    repeat split; try (apply difference_words_is; assumption); apply difference_fits; assumption. }
+    repeat split; try (apply difference_words_are; assumption); apply difference_fits; assumption || lia. }
   destruct (Slab _ _ _ _ LM HM OM) as [NM [FM SM]]. destruct (Slab _ _ _ _ LA HA OA) as [NA [FarA SA]].
   destruct (Slab _ _ _ _ LB HB OB) as [NB [FarB SB]]. clear Slab.
-  unfold test_words, test, plane_distances_words, plane_distances. cbv zeta.
+  unfold test_words, test, test_with, plane_distances_words, plane_distances_with. cbv zeta.
   rewrite NM, FM, NA, FarA, NB, FarB. cbn [near far m a b].
   destruct SM as [SM0 SM1]. cbn [near far] in SM0, SM1. rewrite !major_distance_words_is by assumption.
   destruct (scaled_slab_words_is _ _ _ _ SA FA CA EA) as [-> FitsA].
@@ -352,112 +376,4 @@ Proof using V.
     pose proof (twice_power (coord f + fraction f + 1 - 1) ltac:(lia)) as Twice.
     replace (coord f + fraction f + 1 - 1 - 1) with (coord f + fraction f - 1) in Twice by lia. lia.
 Qed.
-
-(* ---- The set-up keeps the ranges ---- *)
-
-Lemma origin_word_fits back c : in_cube c -> origin_fits f back (origin_word f back c).
-Proof using V.
-  intros [Low High]. unfold origin_fits, origin_word, mirrored, on_fine_grid.
-  assert (0 <= finer f) as Finer by (destruct V; assumption).
-  pose proof (scale_positive f V) as S. unfold scale in S.
-  assert (inject_Z (largest_point f * 2 ^ finer f) == inject_Z (largest_point f) * pow2 (finer f))%Q as Limit
-    by (rewrite inject_Z_mult, pow2_integer by lia; reflexivity).
-  set (limit := largest_point f * 2 ^ finer f) in *.
-  set (s := (inject_Z (largest_point f) * pow2 (finer f))%Q) in *.
-  assert (- s <= s * c <= s)%Q as Range by (split; nra). destruct back.
-  - assert (- limit <= Qfloor (s * c + (1 # 2)) <= limit); [| lia]. split.
-    + apply below_floor. rewrite inject_Z_opp. lra.
-    + pose proof (floor_below (s * c + (1 # 2))) as Floor.
-      enough (Qfloor (s * c + (1 # 2)) < limit + 1) by lia. rewrite Zlt_Qlt, inject_Z_plus, inject_1. lra.
-  - assert (- limit <= Qceiling (s * c - (1 # 2)) <= limit); [| lia]. split.
-    + pose proof (ceiling_above (s * c - (1 # 2))) as Ceiling.
-      enough (- limit - 1 < Qceiling (s * c - (1 # 2))) by lia.
-      rewrite Zlt_Qlt, inject_minus, inject_Z_opp, inject_1. lra.
-    + apply above_ceiling. lra.
-Qed.
-
-(* Half a unit of the fine grid is at most half a unit of the coarse one. *)
-Lemma growth : (0 < pow2 (- (finer f + 1)) <= 1 # 2)%Q.
-Proof using V.
-  destruct V. split; [apply pow2_positive |].
-  pose proof (pow2_negative_below (- finer f) ltac:(lia)).
-  replace (- (finer f + 1)) with (- finer f + - (1)) by lia. rewrite pow2_plus.
-  setoid_replace (pow2 (- (1))) with (1 # 2)%Q by reflexivity. lra.
-Qed.
-
-Lemma lower_fits c : in_cube c -> plane_fits f (lower f c).
-Proof using V.
-  intros [Low High]. unfold plane_fits, lower. pose proof growth. pose proof (grid_positive f V) as G.
-  rewrite Zle_Qle in G. change (inject_Z 0) with 0%Q in G.
-  set (p := (inject_Z (largest_point f) * c - pow2 (- (finer f + 1)))%Q).
-  assert (- inject_Z (largest_point f) - (1 # 2) <= p <= inject_Z (largest_point f))%Q as Range
-    by (unfold p; split; nra).
-  assert (- largest_point f - 1 <= Qfloor p <= largest_point f); [| lia]. split.
-  - apply below_floor. rewrite inject_minus, inject_Z_opp, inject_1. lra.
-  - rewrite Zle_Qle. pose proof (floor_below p). lra.
-Qed.
-
-Lemma upper_fits c : in_cube c -> plane_fits f (upper f c).
-Proof using V.
-  intros [Low High]. unfold plane_fits, upper. pose proof growth. pose proof (grid_positive f V) as G.
-  rewrite Zle_Qle in G. change (inject_Z 0) with 0%Q in G.
-  set (p := (inject_Z (largest_point f) * c + pow2 (- (finer f + 1)))%Q).
-  assert (- inject_Z (largest_point f) <= p <= inject_Z (largest_point f) + (1 # 2))%Q as Range
-    by (unfold p; split; nra).
-  assert (- largest_point f <= Qceiling p <= largest_point f + 1); [| lia]. split.
-  - rewrite Zle_Qle, inject_Z_opp. pose proof (ceiling_above p). lra.
-  - apply above_ceiling. rewrite inject_Z_plus, inject_1. lra.
-Qed.
-
-Lemma length_fits major l :
-  (0 <= major)%Q -> (forall l', l = Some l' -> (0 <= l')%Q) -> 0 <= length_word f major l <= largest_length f.
-Proof using V.
-  intros Major Length. assert (0 <= largest_length f) as Largest.
-  { destruct V. unfold largest_length.
-    pose proof (power_positive (coord f + fraction f - 1) ltac:(lia)). lia. }
-  destruct l as [l |]; cbn [length_word]; [| lia].
-  split; [| lia]. apply Z.min_glb; [| exact Largest]. apply below_floor. change (inject_Z 0) with 0%Q.
-  pose proof (grid_positive f V) as G. rewrite Zle_Qle in G. change (inject_Z 0) with 0%Q in G.
-  pose proof (pow2_positive (fraction f)). specialize (Length l eq_refl).
-  repeat apply Qmult_le_0_compat; try assumption. lra.
-Qed.
-
-Theorem set_up_fits major ray box :
-  is_major major ray -> acceptable_ray ray -> acceptable_box box ->
-  operands_fit f (set_up f major ray) (quantise_box f box).
-Proof using V.
-  intros Major [Origin Length] BoxOk.
-  assert (forall k, quotient_bounds f (Qabs (direction ray major)) (Qabs (direction ray k))
-            (quotient f (largest_exponent f) (Qabs (direction ray major)) (Qabs (direction ray k))))
-    as Bounds.
-  { intro k. apply quotient_has_bounds; [exact V | apply Qabs_nonneg | apply Major]. }
-  assert (1 <= mantissa f) as Hp by (destruct V; assumption).
-  pose proof (power_positive (mantissa f - 1) ltac:(lia)) as Power.
-  constructor;
-    cbn [set_up set_up_to back_m back_a back_b origin_m origin_a origin_b floor_a ceil_a floor_b ceil_b
-         exp_a exp_b len quantise_box xmin xmax ymin ymax zmin zmax].
-  1-3: apply origin_word_fits, Origin.
-  1-6: destruct (Bounds (axis_a major)) as [LA HA EA _], (Bounds (axis_b major)) as [LB HB EB _].
-  1-6: unfold mantissa_fits, exponent_in_range; lia.
-  - apply length_fits; [apply Qabs_nonneg | exact Length].
-  - repeat split; (apply lower_fits || apply upper_fits); apply BoxOk.
-Qed.
 End Widths.
-
-(* What the Verilog computes: the datapath in words, on the operands of the set-up. *)
-Definition hit_words f (major : Axis) (ray : Ray) (box : Box) : bool :=
-  test_words f (set_up f major ray) (quantise_box f box).
-
-Theorem datapath_equals_unit :
-  forall (f : Format) (major : Axis) (ray : Ray) (box : Box),
-    valid f -> is_major major ray -> acceptable_ray ray -> acceptable_box box ->
-    hit_words f major ray box = hit f major ray box.
-Proof.
-  intros. unfold hit_words, hit. apply words_equal_integers; [assumption |]. apply set_up_fits; assumption.
-Qed.
-
-Theorem datapath_never_misses :
-  forall (f : Format) (major : Axis) (ray : Ray) (box : Box),
-    valid f -> is_major major ray -> acceptable_ray ray -> acceptable_box box ->
-    meets ray box -> hit_words f major ray box = true.
-Proof. intros. rewrite datapath_equals_unit by assumption. apply never_misses; assumption. Qed.

@@ -4,13 +4,21 @@ From Coq Require Import ZArith QArith Qabs Qround Lia Bool.
 From HitpipeMajor Require Import Numbers.
 Open Scope Z_scope.
 
-(* hls/box/major_format.hpp: the format n+g/pfF. *)
+(* hls/box/major_format.hpp: the format n+g/pfFsS. *)
 Record Format := {
   coord : Z;     (* n *)
   finer : Z;     (* g *)
   mantissa : Z;  (* p *)
-  fraction : Z   (* F *)
+  fraction : Z;  (* F *)
+  slope : Z      (* S; 0 in the float world *)
 }.
+
+Definition integer_world f : bool := 0 <? slope f.
+
+Lemma in_float_world f : slope f = 0 -> integer_world f = false.
+Proof. unfold integer_world. intros ->. reflexivity. Qed.
+Lemma in_integer_world f : 0 < slope f -> integer_world f = true.
+Proof. apply Z.ltb_lt. Qed.
 
 Definition point f := coord f + finer f.
 Definition trimmed f := mantissa f - 1 + finer f - fraction f.
@@ -175,8 +183,10 @@ Definition in_ray_order {X} (back : bool) (low high : X) : NearFar X :=
 (* x -> -x - 1 on the fine grid. *)
 Definition mirrored (back : bool) (c : Z) : Z := if back then - c - 1 else c.
 
-Definition difference f (plane origin : Z) (back : bool) : Z :=
-  mirrored back (plane * 2 ^ finer f) - origin.
+(* In the integer world the origin is negated, and the far difference has a carry of 1. *)
+Definition difference f (carry plane origin : Z) (back : bool) : Z :=
+  let mirrored_plane := mirrored back (plane * 2 ^ finer f) in
+  if integer_world f then mirrored_plane + origin + carry else mirrored_plane - origin.
 
 Definition major_distance f (d : Z) : Z := Qfloor (inject_Z d * pow2 (fraction f) * pow2 (- finer f)).
 
@@ -190,12 +200,13 @@ Definition scaled_slab f (d : NearFar Z) (floor ceil exponent : Z) : NearFar Z :
   {| near := scaled_distance f (near d) (if near d <? 0 then ceil else floor) exponent;
      far := scaled_distance f (far d) (if far d <? 0 then floor else ceil) exponent |}.
 
-Definition plane_distances f (ray : MajorRay) (planes : MajorPlanes) : RayAxes (NearFar Z) :=
+(* `carry` is 1, except where 0 is shown to miss. *)
+Definition plane_distances_with (carry : Z) f (ray : MajorRay) (planes : MajorPlanes) : RayAxes (NearFar Z) :=
   let low := to_ray_axes ray (xmin planes) (ymin planes) (zmin planes) in
   let high := to_ray_axes ray (xmax planes) (ymax planes) (zmax planes) in
   let differences back lower upper origin :=
     let plane := in_ray_order back lower upper in
-    {| near := difference f (near plane) origin back; far := difference f (far plane) origin back |} in
+    {| near := difference f 0 (near plane) origin back; far := difference f carry (far plane) origin back |} in
   let dm := differences (back_m ray) (m low) (m high) (origin_m ray) in
   let da := differences (back_a ray) (a low) (a high) (origin_a ray) in
   let db := differences (back_b ray) (b low) (b high) (origin_b ray) in
@@ -203,11 +214,15 @@ Definition plane_distances f (ray : MajorRay) (planes : MajorPlanes) : RayAxes (
      a := scaled_slab f da (floor_a ray) (ceil_a ray) (exp_a ray);
      b := scaled_slab f db (floor_b ray) (ceil_b ray) (exp_b ray) |}.
 
-Definition test f (ray : MajorRay) (planes : MajorPlanes) : bool :=
-  let t := plane_distances f ray planes in
+Definition plane_distances := plane_distances_with 1.
+
+Definition test_with (carry : Z) f (ray : MajorRay) (planes : MajorPlanes) : bool :=
+  let t := plane_distances_with carry f ray planes in
   let near := Z.max (Z.max (near (m t)) (near (a t))) (near (b t)) in
   let far := Z.min (Z.min (far (m t)) (far (a t))) (far (b t)) in
   (0 <=? far) && (near <=? far) && (near <=? len ray).
+
+Definition test := test_with 1.
 
 (* The answer of the unit to a ray and a box. *)
 Definition hit f (major : Axis) (ray : Ray) (box : Box) : bool :=

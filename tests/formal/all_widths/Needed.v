@@ -1,12 +1,13 @@
-(* What the proof needs is needed: two rays in 20+1/13, the program's format, that a weaker rule misses.
-   Both rays and boxes are binary32 numbers. They are checked by computation. *)
+(* What the proof needs is needed: rays in the program's formats that a weaker rule misses. The floats are
+   binary32 numbers. All are checked by computation. *)
 From Coq Require Import ZArith QArith Qabs Qround Lia Lqa.
-From HitpipeMajor Require Import Numbers IntMajor.
+From HitpipeMajor Require Import Numbers IntMajor NeverMisses IntegerWorld.
 Open Scope Z_scope.
 
-Definition program_format : Format := {| coord := 20; finer := 1; mantissa := 13; fraction := 0 |}.
+Definition program_format : Format := {| coord := 20; finer := 1; mantissa := 13; fraction := 0; slope := 0 |}.
 
-Definition vector (cx cy cz : Q) (k : Axis) : Q := match k with x => cx | y => cy | z => cz end.
+Definition by_axis {X} (of_x of_y of_z : X) (k : Axis) : X := match k with x => of_x | y => of_y | z => of_z end.
+Definition vector : Q -> Q -> Q -> Axis -> Q := by_axis.
 
 (* An endless ray along x, which enters at x = -1, and a box that is one point of it. *)
 Definition along_x (height : Q) : Ray :=
@@ -42,3 +43,30 @@ Theorem tie_upward_misses :
   (Qabs (inject_Z upward - on_fine_grid f (origin ray y)) == 1 # 2)%Q /\
   test f (with_origin_a upward (set_up f x ray)) (quantise_box f box) = false.
 Proof. split; [apply along_x_meets |]. split; vm_compute; reflexivity. Qed.
+
+(* ---- The integer world ---- *)
+
+Definition integer_format : Format :=
+  {| coord := 20; finer := 1; mantissa := 11; fraction := 0; slope := 20 |}.
+
+(* Along x from 0, in the face y = 100 of a box that begins at x = 10. *)
+Definition ray_in_face : IntegerRay :=
+  {| start := by_axis 0 200 0; backward := fun _ => false; slopes := by_axis (2 ^ 20) 0 0; cut := 1000 |}.
+Definition box_with_face : IntegerBox := {| lo_face := by_axis 10 (-5) (-5); hi_face := by_axis 20 100 5 |}.
+
+(* Without the carry the ray leaves the face where it begins. *)
+Theorem no_carry_misses :
+  let f := integer_format in
+  let ray := ray_in_face in
+  let box := box_with_face in
+  acceptable_integer_ray f x ray /\ acceptable_integer_box f box /\
+  holds_point f box (point_at f ray 20) /\ as_distance f 20 <= cut ray /\
+  integer_hit f x ray box = true /\
+  test_with 0 f (integer_set_up f x ray) (integer_planes box) = false.
+Proof.
+  cbv zeta. split; [| split; [| split; [| split; [| split; vm_compute; reflexivity]]]].
+  - constructor; [intros [] | | intros []]; vm_compute; repeat split; discriminate.
+  - intros []; split; vm_compute; discriminate.
+  - intros []; split; vm_compute; discriminate.
+  - vm_compute. discriminate.
+Qed.

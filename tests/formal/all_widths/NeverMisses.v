@@ -1,7 +1,7 @@
-(* The unit never misses: it answers 1 whenever the exact ray meets the exact box, in every format.
-   T is the exact distance of a common point, in the fine grid along the major axis. In the unit's distances
-   it is floor(T 2^(F-g)). Each slab's near distance is not above that number, and its far distance is not
-   below it. *)
+(* The unit never misses: it answers 1 whenever the exact ray meets the exact box, in every format of the float
+   world. T is the exact distance of a common point, in the fine grid along the major axis. In the unit's
+   distances it is floor(T 2^(F-g)). Each slab's near distance is not above that number, and its far distance is
+   not below it. *)
 From Coq Require Import ZArith QArith Qabs Qround Lia Lqa Bool.
 From HitpipeMajor Require Import Numbers IntMajor SetUp.
 Open Scope Z_scope.
@@ -84,7 +84,7 @@ Proof using All.
     assert (s <= 0) by (unfold s; nia).
     assert (s * mantissa_high q <= 0) as Negative by nia. rewrite Zle_Qle in Negative.
     change (inject_Z 0) with 0%Q in Negative. nra.
-  - destruct Between as [[Positive [Between _]] | [IsLow [_ [IsExp Between]]]].
+  - destruct Between as [[Positive [Between _]] | [IsExp Between]].
     + (* Saturation and the lower mantissa both make it smaller. *)
       assert (s <= d * 2 ^ exponent q) by (unfold s; nia).
       assert (s * mantissa_low q <= d * 2 ^ exponent q * mantissa_low q) as Product by nia.
@@ -100,17 +100,17 @@ Proof using All.
       setoid_replace (moved * (M * major))%Q with (M * (moved * major))%Q by ring. rewrite Ratio. nra.
     + (* The exponent is the largest. The difference 0 gives 0. From 1 on the product is below
          the quotient. *)
-      rewrite IsLow. fold E in Between.
+      fold E in Between.
       destruct (Z.eq_dec d 0) as [-> | NotZero].
       { assert (s = 0) as -> by (unfold s; rewrite Z.mul_0_l; lia). rewrite Z.mul_0_l.
         change (inject_Z 0) with 0%Q. nra. }
       assert (2 ^ E <= d * 2 ^ E) by nia.
       assert (s = 2 ^ E - 1) as -> by (unfold s; rewrite IsExp; fold E; lia).
-      assert ((2 ^ E - 1) * largest_mantissa f <= 2 ^ E * largest_mantissa f) as Product by nia.
+      assert ((2 ^ E - 1) * mantissa_low q <= 2 ^ E * mantissa_low q) as Product by nia.
       rewrite Zle_Qle in Product. rewrite (inject_Z_mult (2 ^ E)), pow2_integer in Product by lia.
       assert (1 <= d) as One by lia. rewrite Zle_Qle in One. change (inject_Z 1) with 1%Q in One.
-      set (X := inject_Z ((2 ^ E - 1) * largest_mantissa f)) in *.
-      set (L := inject_Z (largest_mantissa f)) in *.
+      set (X := inject_Z ((2 ^ E - 1) * mantissa_low q)) in *.
+      set (L := inject_Z (mantissa_low q)) in *.
       set (P := pow2 E) in *. set (M := pow2 (mantissa f - 1)) in *.
       assert (0 < other)%Q as Positive.
       { apply Qnot_le_lt. intro Contra. assert (other == 0)%Q as Zero by lra. apply NoMove in Zero. lra. }
@@ -147,7 +147,7 @@ Proof using All.
     rewrite (inject_Z_mult (2 ^ E - 1) (2 ^ (mantissa f - 1))), inject_minus, inject_1 in Product.
     rewrite (pow2_integer (mantissa f - 1)), (pow2_integer E) in Product by lia. fold E in Cube. nra.
   - assert (s = d * 2 ^ exponent q) as -> by (unfold s; nia).
-    destruct Between as [[Positive [_ Between]] | [_ [_ [IsExp _]]]].
+    destruct Between as [[Positive [_ Between]] | [IsExp _]].
     + rewrite !inject_Z_mult, pow2_integer by lia.
       set (D := inject_Z d) in *. set (H' := inject_Z (mantissa_high q)) in *.
       set (P := pow2 (exponent q)) in *. set (M := pow2 (mantissa f - 1)) in *.
@@ -159,13 +159,41 @@ Proof using All.
     + (* The largest exponent shifts every positive difference out of the word. *)
       rewrite IsExp in Fits. fold E in Fits. nia.
 Qed.
+
+Lemma slab_holds (d : NearFar Z) :
+  (inject_Z (near d) <= moved < inject_Z (far d))%Q ->
+  let slab := scaled_slab f d (mantissa_low q) (mantissa_high q) (exponent q) in
+  near slab <= as_distance f T <= far slab.
+Proof using All. intros [Near Far]. split; [apply near_is_early | apply far_is_late]; assumption. Qed.
 End OtherAxis.
+
+Lemma major_slab_holds f T (d : NearFar Z) :
+  (inject_Z (near d) <= T < inject_Z (far d))%Q ->
+  major_distance f (near d) <= as_distance f T <= major_distance f (far d).
+Proof.
+  intros [Near Far]. rewrite !major_distance_is. split; apply as_distance_monotone.
+  - exact Near.
+  - apply Qlt_le_weak. exact Far.
+Qed.
 
 (* ---- All three slabs ---- *)
 
+(* The distance D lies between the near and the far distance of each slab. *)
+Definition slabs_hold f (ray : MajorRay) (planes : MajorPlanes) (D : Z) : Prop :=
+  let t := plane_distances f ray planes in
+  near (m t) <= D <= far (m t) /\ near (a t) <= D <= far (a t) /\ near (b t) <= D <= far (b t).
+
+(* What is left of the unit is a maximum of three numbers and a minimum of three. *)
+Lemma test_accepts f ray planes D :
+  slabs_hold f ray planes D -> 0 <= D <= len ray -> test f ray planes = true.
+Proof.
+  unfold slabs_hold, test, test_with. fold plane_distances. cbv zeta.
+  rewrite !andb_true_iff, !Z.leb_le. lia.
+Qed.
+
 Section Slabs.
 Variables (f : Format) (major : Axis) (ray : Ray) (box : Box) (t : Q).
-Hypothesis (V : valid f) (Major : is_major major ray).
+Hypothesis (V : valid f) (Float : slope f = 0) (Major : is_major major ray).
 Hypothesis (RayOk : acceptable_ray ray) (BoxOk : acceptable_box box).
 Hypothesis (Start : (0 <= t)%Q).
 Hypothesis (Inside : forall k, (lo box k <= origin ray k + t * direction ray k <= hi box k)%Q).
@@ -202,25 +230,18 @@ Qed.
 Let back k := negative (direction ray k).
 Let word k := origin_word f (back k) (origin ray k).
 Let plane k := in_ray_order (back k) (lower f (lo box k)) (upper f (hi box k)).
-Let d_near k := difference f (near (plane k)) (word k) (back k).
-Let d_far k := difference f (far (plane k)) (word k) (back k).
+Let d k := {| near := difference f 0 (near (plane k)) (word k) (back k);
+             far := difference f 1 (far (plane k)) (word k) (back k) |}.
 Let q k := quotient f (largest_exponent f) largest (Qabs (direction ray k)).
 
 Lemma major_slab :
-  major_distance f (d_near major) <= as_distance f T <= major_distance f (d_far major).
-Proof using V Inside.
-  destruct (differences_bound f _ _ _ _ t V (Inside major)) as [Near Far].
-  rewrite !major_distance_is. split; apply as_distance_monotone; unfold T, largest.
-  - exact Near.
-  - apply Qlt_le_weak. exact Far.
-Qed.
+  major_distance f (near (d major)) <= as_distance f T <= major_distance f (far (d major)).
+Proof using V Float Inside. apply major_slab_holds. apply differences_bound; auto. Qed.
 
 Lemma other_slab k :
-  let slab := scaled_slab f {| near := d_near k; far := d_far k |}
-                (mantissa_low (q k)) (mantissa_high (q k)) (exponent (q k)) in
+  let slab := scaled_slab f (d k) (mantissa_low (q k)) (mantissa_high (q k)) (exponent (q k)) in
   near slab <= as_distance f T <= far slab.
 Proof using All.
-  destruct (differences_bound f _ _ _ _ t V (Inside k)) as [Near Far].
   pose proof (Qabs_nonneg (direction ray k)) as K0. pose proof (Qabs_nonneg (direction ray major)) as M0.
   pose proof (quotient_has_bounds f largest (Qabs (direction ray k)) V K0 (Major k)) as Bounds.
   pose proof (scale_positive f V) as S. set (moved := (scale f * (t * Qabs (direction ray k)))%Q) in *.
@@ -230,31 +251,30 @@ Proof using All.
   assert (Qabs (direction ray k) == 0 -> moved == 0)%Q as NoMove.
   { intro Zero. unfold moved. rewrite Zero. ring. }
   pose proof T_positive. pose proof T_below_largest. fold largest in M0.
-  cbn [near far scaled_slab]. split.
-  - apply (near_is_early f largest (Qabs (direction ray k)) (q k) moved); assumption.
-  - apply (far_is_late f largest (Qabs (direction ray k)) (q k) moved); assumption.
+  apply (slab_holds f largest (Qabs (direction ray k)) (q k) moved); try assumption.
+  apply differences_bound; auto.
+Qed.
+
+Local Opaque major_distance scaled_slab difference.
+
+Lemma float_slabs_hold : slabs_hold f (set_up f major ray) (quantise_box f box) (as_distance f T).
+Proof using All.
+  pose proof major_slab as InM. pose proof (other_slab (axis_a major)) as InA.
+  pose proof (other_slab (axis_b major)) as InB. unfold d, plane, word, back in *.
+  destruct major; repeat split; try apply InM; try apply InA; apply InB.
 Qed.
 End Slabs.
-
-(* What is left of the unit is a maximum of three numbers and a minimum of three. *)
-Local Opaque major_distance scaled_distance difference lower upper origin_word quotient length_word.
 
 (* The main theorem. *)
 Theorem never_misses :
   forall (f : Format) (major : Axis) (ray : Ray) (box : Box),
-    valid f -> is_major major ray -> acceptable_ray ray -> acceptable_box box ->
+    valid f -> slope f = 0 -> is_major major ray -> acceptable_ray ray -> acceptable_box box ->
     meets ray box -> hit f major ray box = true.
 Proof.
-  intros f major ray box V Major RayOk BoxOk [t [Start [End Inside]]].
-  set (largest := Qabs (direction ray major)). set (T := (scale f * (t * largest))%Q).
-  pose proof (major_slab f major ray box t V Inside) as InM.
-  pose proof (other_slab f major ray box t V Major RayOk BoxOk Start Inside) as InK.
-  pose proof (as_distance_not_negative f T (T_positive f major ray t V Start)) as Ahead.
-  pose proof (below_length f largest (length ray) t V (Qabs_nonneg _) Start
-                (T_in_cube f major ray box t V RayOk BoxOk Start Inside) End) as Length.
-  fold T in Length. fold largest T in InM, InK. change (Qfloor _) with (as_distance f T) in Length.
-  pose proof (InK (axis_a major)) as InA. pose proof (InK (axis_b major)) as InB. clear InK.
-  unfold hit, test. rewrite !andb_true_iff, !Z.leb_le.
-  generalize dependent (as_distance f T). intro D. intros. unfold largest in *.
-  destruct major; cbn in *; lia.
+  intros f major ray box V Float Major RayOk BoxOk [t [Start [End Inside]]]. unfold hit.
+  apply test_accepts with (as_distance f (scale f * (t * Qabs (direction ray major)))).
+  - apply float_slabs_hold; assumption.
+  - split; [apply as_distance_not_negative; apply (T_positive f major ray t V Start) |].
+    exact (below_length f _ (length ray) t V (Qabs_nonneg _) Start
+             (T_in_cube f major ray box t V RayOk BoxOk Start Inside) End).
 Qed.

@@ -15,10 +15,8 @@ Record quotient_bounds f (major other : Q) (q : MajorQuotient) : Prop := {
     (inject_Z (mantissa_low q) * pow2 (exponent q) * other <= pow2 (mantissa f - 1) * major)%Q /\
     (pow2 (mantissa f - 1) * major <= inject_Z (mantissa_high q) * pow2 (exponent q) * other)%Q
     \/
-    mantissa_low q = largest_mantissa f /\ mantissa_high q = largest_mantissa f /\
     exponent q = largest_exponent f /\
-    (inject_Z (largest_mantissa f) * pow2 (largest_exponent f) * other <=
-     pow2 (mantissa f - 1) * major)%Q
+    (inject_Z (mantissa_low q) * pow2 (largest_exponent f) * other <= pow2 (mantissa f - 1) * major)%Q
 }.
 
 Lemma largest_mantissa_is f : 1 <= mantissa f -> largest_mantissa f = 2 * 2 ^ (mantissa f - 1) - 1.
@@ -224,16 +222,17 @@ Proof. intro. apply Qabs_neg. lra. Qed.
 
 (* The differences bound how far the ray moves on this axis. The far one is greater, never equal. *)
 Lemma differences_bound f o d lo hi t :
-  valid f -> (lo <= o + t * d <= hi)%Q ->
+  valid f -> slope f = 0 -> (lo <= o + t * d <= hi)%Q ->
   let back := negative d in
   let plane := in_ray_order back (lower f lo) (upper f hi) in
-  (inject_Z (difference f (near plane) (origin_word f back o) back) <= scale f * (t * Qabs d))%Q /\
-  (scale f * (t * Qabs d) < inject_Z (difference f (far plane) (origin_word f back o) back))%Q.
+  (inject_Z (difference f 0 (near plane) (origin_word f back o) back) <= scale f * (t * Qabs d) <
+   inject_Z (difference f 1 (far plane) (origin_word f back o) back))%Q.
 Proof.
-  intros V [Low High]. pose proof (lower_moves f lo V) as Lower. pose proof (upper_moves f hi V) as Upper.
+  intros V Float [Low High]. pose proof (lower_moves f lo V) as Lower. pose proof (upper_moves f hi V) as Upper.
   pose proof (scale_positive f V) as Scale.
   assert (on_fine_grid f o == scale f * o)%Q as Grid by (unfold on_fine_grid, scale; ring).
-  destruct (negative d) eqn:Back; cbn [near far in_ray_order]; unfold difference, mirrored, origin_word.
+  destruct (negative d) eqn:Back; cbn [near far in_ray_order];
+    unfold difference, mirrored, origin_word; rewrite (in_float_world f Float).
   - rewrite (Qabs_negative d) by (apply negative_true; exact Back).
     pose proof (floor_below (on_fine_grid f o + (1 # 2))) as F0.
     pose proof (floor_near (on_fine_grid f o + (1 # 2))) as F1.

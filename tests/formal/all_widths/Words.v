@@ -108,3 +108,27 @@ Proof.
   - rewrite Z.lor_0_l in *. change (Z.log2 0) with 0. pose proof (Z.log2_nonneg q). lia.
   - contradiction.
 Qed.
+
+(* hls/pipelines/major_parts.hpp: p + q + 1 in width + 1 bits, by a 1 below both. *)
+Definition sum_with_carry (width p q : Z) : Z :=
+  let with_one v := as_signed (width + 1) (cat 1 (as_unsigned width v) 1) in
+  as_signed (width + 1) (slice (with_one p + with_one q) (width + 1) 1).
+
+Lemma sum_with_carry_is width p q :
+  1 <= width -> is_signed width p -> is_signed width q -> sum_with_carry width p q = p + q + 1.
+Proof.
+  intros Hw Hp Hq. unfold is_signed in *.
+  pose proof (twice_power width Hw) as Twice. pose proof (power_positive width ltac:(lia)).
+  assert (2 ^ (width + 1) = 2 * 2 ^ width) as Power by (rewrite power_sum by lia; lia).
+  assert (forall v, - 2 ^ (width - 1) <= v < 2 ^ (width - 1) ->
+          as_signed (width + 1) (cat 1 (as_unsigned width v) 1) = 2 * v + 1) as WithOne.
+  { intros v Hv. rewrite <- (resize_same (width + 1) (2 * v + 1)); [unfold resize; f_equal | lia |].
+    2: { unfold is_signed. replace (width + 1 - 1) with width by lia. lia. }
+    unfold cat, as_unsigned. change (2 ^ 1) with 2. rewrite Power.
+    pose proof (Z.div_mod v (2 ^ width) ltac:(lia)). pose proof (Z.mod_pos_bound v (2 ^ width) ltac:(lia)).
+    apply Z.mod_unique with (v / 2 ^ width); lia. }
+  unfold sum_with_carry. rewrite !WithOne by assumption. unfold slice. change (2 ^ 1) with 2.
+  replace (2 * p + 1 + (2 * q + 1)) with ((p + q + 1) * 2) by lia. rewrite Z.div_mul by lia.
+  replace (width + 1 - 1 + 1) with (width + 1) by lia.
+  apply (resize_same (width + 1)); [lia |]. unfold is_signed. replace (width + 1 - 1) with width by lia. lia.
+Qed.

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Proves with Coq that int_major and int_major_pair never miss, in all widths: prove.sh. docs/formal.md explains.
+# Proves with Coq that int_major and int_major_pair never miss, in all widths and both worlds: prove.sh.
+# docs/formal.md explains.
 # It prints what each theorem assumes, and compares the definition with the C++ on random rays.
 # It fails if a proof fails, if a theorem assumes an axiom, or if a case differs.
 set -euo pipefail
@@ -7,14 +8,40 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../../.." && pwd)
 cases=500
 
-files=(Numbers IntMajor SetUp FloatQuotient FloatGrid NeverMisses Words Shifter Datapath Pair Needed Compare)
+files=(Numbers IntMajor SetUp FloatQuotient FloatGrid NeverMisses IntegerWorld Words Shifter Datapath Ranges Pair
+  IntegerTriangle Triangle TriangleHit Needed Compare)
 theorems=(
   NeverMisses.never_misses
-  Datapath.datapath_never_misses
+  Ranges.datapath_never_misses
   Pair.pair_never_misses
   Pair.interval_keeps_point
+  Pair.interval_keeps_distance
+  Pair.path_is_reached
   Datapath.words_equal_integers
-  Datapath.set_up_fits
+  Ranges.set_up_fits
+  IntegerWorld.integer_hit_is_accepted
+  IntegerWorld.slope_quotient_has_bounds
+  Ranges.integer_set_up_fits
+  Ranges.datapath_accepts_integer_hit
+  IntegerTriangle.triangle_in_box
+  IntegerTriangle.triangle_hit_is_accepted
+  IntegerTriangle.pair_keeps_integer_hit
+  IntegerTriangle.pair_accepts_integer_hit
+  IntegerTriangle.pair_accepts_triangle_hit
+  Triangle.edge_determinant_0
+  Triangle.edge_determinant_1
+  Triangle.edge_determinant_2
+  Triangle.edge_determinants_sum
+  Triangle.to_corner0_is
+  Triangle.point_in_plane
+  Triangle.determinant_below
+  Triangle.numbers_fit
+  TriangleHit.numbers_of_ray_fit
+  TriangleHit.criterion_is_hit
+  TriangleHit.hit_has_distance
+  TriangleHit.criterion_in_ray_axes
+  TriangleHit.criterion_hit_is_accepted
+  Words.sum_with_carry_is
   Shifter.saturating_shift_is_clamp
   SetUp.quotient_has_bounds
   SetUp.mantissas_adjacent
@@ -28,6 +55,7 @@ theorems=(
   FloatGrid.float_length_is
   Needed.smaller_cap_misses
   Needed.tie_upward_misses
+  Needed.no_carry_misses
 )
 closed='Closed under the global context'
 
@@ -56,4 +84,5 @@ for theorem in "${theorems[@]}"; do printf '%-44s %s\n' "$theorem" "$closed"; do
 sources=("$root"/sw_ref/quantise/{int_major_ray,int_box,ray_check}.cpp)
 "${CXX:-c++}" -std=c++20 -O1 -I"$root" "$here/emit_cases.cpp" "${sources[@]}" -lfmt -o emit_cases
 ./emit_cases "$cases" >Cases.v
-compile Cases | tr -d '\n' | sed -n 's/.*(\([0-9]*\)[^,]*, \([0-9]*\).*/\1 cases agree with the C++, \2 of them HIT\n/p'
+compile Cases | tr '\n' ' ' | sed 's/ = /\n/g' |
+  sed -n 's/.*(\([0-9]*\)[^,]*, \([0-9]*\).*/\1 cases agree with the C++, \2 of them HIT/p'
