@@ -1,6 +1,8 @@
 # Warnings and sanitizers that every target of the project shares.
 add_library(hitpipe_compile INTERFACE)
 target_compile_options(hitpipe_compile INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+# A product and a sum stay two roundings, so that pictures are the same on every machine.
+target_compile_options(hitpipe_compile INTERFACE -ffp-contract=off)
 if(HITPIPE_WERROR)
   target_compile_options(hitpipe_compile INTERFACE -Werror)
 endif()

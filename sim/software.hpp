@@ -14,6 +14,7 @@
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/box_test.hpp"
+#include "sim/check/triangle_test.hpp"
 #include "sim/feeds/feed.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/coarse_axes.hpp"
@@ -44,6 +45,9 @@ struct NodeRecords {
 struct Software {
   std::unique_ptr<SceneFeed> (*feed)(const rtl::Format& format, const ref::Bvh& bvh) = nullptr;
   std::unique_ptr<BoxTest> (*box_test)(const rtl::Design& design, const rtl::Format& format) = nullptr;
+  /// Of a triangle unit, which has neither feed nor box_test.
+  std::unique_ptr<TriangleTest> (*triangle_test)(const rtl::Design& design,
+                                                 const rtl::Format& format) = nullptr;
   /// A tracer whose box tests answer as the unit does, and which is faster than the generic tracer
   /// (sim/generic_tracer.hpp). It outlives neither mesh nor hierarchy.
   std::unique_ptr<ref::Tracer> (*tracer)(const TracedUnit& unit, const ref::Mesh& mesh,
@@ -97,6 +101,7 @@ void add_software(std::string_view design, Software software);
 /// The line that names a missing part: "design x: there is no set-up of rays and boxes for its operands".
 [[nodiscard]] std::string missing(const rtl::Design& design, std::string_view part);
 inline constexpr std::string_view set_up_part = "set-up of rays and boxes for its operands";
+inline constexpr std::string_view triangle_part = "set-up of rays and triangles for its operands";
 inline constexpr std::string_view demand_part = "rule for what a scene tells of its operands";
 
 /// Why the design cannot trace a scene, one line; empty when it can.

@@ -10,7 +10,9 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/categories.hpp"
 #include "cli/commands/stiff_check.hpp"
+#include "cli/commands/triangle_check.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
@@ -51,20 +53,7 @@ std::vector<Category> chosen_categories(const rtl::Design& design, const std::ve
   std::vector<Category> all(general.begin(), general.end());
   const std::vector<Category>& own = sim::software_of(design).categories;
   all.insert(all.end(), own.begin(), own.end());
-  if (names.empty()) return all;
-  std::vector<Category> chosen;
-  for (const std::string& name : names) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Category& c) { return c.name == name; });
-    if (found == all.end()) {
-      std::vector<std::string_view> known;
-      for (const Category& c : all) known.push_back(c.name);
-      throw std::runtime_error(
-          fmt::format("category {}: unknown; there are: {}", host::shortened(name), fmt::join(known, ", ")));
-    }
-    chosen.push_back(*found);
-  }
-  return chosen;
+  return chosen_of(all, names);
 }
 
 /// In percent, with its 95 % interval, as columns of CSV and JSON.
@@ -261,6 +250,15 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
       return;
     }
     options->choice = stiff->units.only("check");
+    const rtl::Design& design = options->choice.design();
+    if (design.kind == hls::triangle_kind) {
+      if (options->replay)
+        throw std::runtime_error(fmt::format(
+            "--replay: design {} tests triangles; only cases of boxes are replayed", design.name));
+      exit_code = check_triangle_unit({options->choice, options->categories, options->tests, options->seed,
+                                       options->threads, options->rtl, options->interval, options->format});
+      return;
+    }
     exit_code = options->replay ? replay(*options) : judge(*options);
   });
   return command;

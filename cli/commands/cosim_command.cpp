@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/commands/rescale.hpp"
+#include "cli/commands/world_cosim.hpp"
 #include "cli/options/build_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
@@ -33,6 +34,7 @@ namespace fs = std::filesystem;
 
 struct CosimCommand {
   DesignChoice choice;
+  BoxFormatChoice boxes;
   std::string library{rtl::default_library};
   SceneChoice scene;
   std::string bvh;
@@ -116,8 +118,28 @@ std::vector<std::string> schematics(const fs::path& folder, const rtl::UnitFiles
   return names;
 }
 
+/// Throws std::runtime_error, one line, for an option that means nothing for a triangle unit.
+int cosimulate_triangles(const CosimCommand& command) {
+  const auto refuse = [&](bool given, const char* option) {
+    if (given)
+      throw std::runtime_error(
+          fmt::format("{}: not for design {}, which tests triangles", option, command.choice.name));
+  };
+  refuse(!command.bvh.empty(), "--bvh");
+  refuse(!command.unit.empty(), "--unit");
+  refuse(command.ray_slots.has_value(), "--ray-slots");
+  refuse(command.referee, "--referee");
+  refuse(command.bit_level, "--bit-level");
+  return cosimulate_world({command.choice, command.library, command.scene, command.boxes,
+                           command.flow_control, command.interval, command.rays_in_flight, command.light,
+                           command.out, command.format});
+}
+
 int cosimulate(const CosimCommand& command) {
   const rtl::Design& design = command.choice.design();
+  if (design.kind == hls::triangle_kind) return cosimulate_triangles(command);
+  if (command.boxes.bits)
+    throw std::runtime_error(fmt::format("--boxes: not for design {}, which tests boxes", design.name));
   if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
   if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
   const rtl::Library library = rtl::library_called(command.library);
@@ -194,6 +216,7 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
   for (const CLI::Option* const other : {flow, interval, std::as_const(*command).get_option("--bits")})
     exclude(unit, other, "the unit in the folder has its own, which its manifest says");
   add_library_option(*command, options->library);
+  add_box_format_option(*command, options->boxes, "p = 11. int_major answers them");
   add_scene_options(*command, options->scene);
   add_bvh_file_option(*command, options->bvh);
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight,

@@ -13,6 +13,7 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/options/world_options.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
@@ -20,6 +21,7 @@
 #include "sw_ref/render/image_file.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/render/stiff_rays.hpp"
+#include "sw_ref/world/int_tracer.hpp"
 
 namespace hitpipe::cli {
 
@@ -30,6 +32,7 @@ struct RenderCommand {
   ref::BuildOptions build;
   std::string bvh;
   TraceChoice trace;
+  BoxFormatChoice boxes;
   ref::WhittedOptions light;
   std::string out;
   std::string depth_map;
@@ -107,15 +110,45 @@ int compare_images(const RenderCommand& command) {
   return difference.different_pixels == 0 ? 0 : 1;
 }
 
-void render_scene(const RenderCommand& command) {
-  const ref::TracerOptions tracing = command.trace.options();
-  std::optional<Progress> progress("reading the scene");
-  const ref::Scene scene = command.scene.load();
-  progress.emplace(command.bvh.empty() ? "building the hierarchy" : "reading the hierarchy");
+/// The scene of either world, and what traces it.
+struct Traced {
+  ref::Scene scene{};
+  ref::LoadedBvh hierarchy{};  ///< of the float world
+  std::optional<ref::IntScene> integers{};
+  std::optional<ref::IntSurfaces> surfaces{};
+  std::unique_ptr<ref::Tracer> tracer{};
+
+  [[nodiscard]] const ref::Scene& drawn() const { return integers ? integers->scene : scene; }
+};
+
+/// In place: parts refer to each other.
+void make_traced(const RenderCommand& command, Traced& traced) {
+  traced.scene = command.scene.load();
   ref::BuildOptions build = command.build;
   build.threads = command.scene.threads;
-  const ref::LoadedBvh hierarchy = make_hierarchy(command.bvh, scene, build);
-  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, hierarchy.bvh, tracing);
+  if (command.trace.world == World::floats) {
+    traced.hierarchy = make_hierarchy(command.bvh, traced.scene, build);
+    traced.tracer = ref::make_tracer(traced.scene.mesh, traced.hierarchy.bvh, command.trace.options());
+    return;
+  }
+  if (!command.bvh.empty())
+    throw std::runtime_error("--bvh excludes --world integer: a hierarchy is built over the integer mesh");
+  const hls::WorldBits bits = command.trace.world_bits();
+  const auto boxes = command.boxes.format(bits);
+  traced.integers = ref::int_scene(traced.scene, bits, build);
+  traced.surfaces.emplace(*traced.integers);
+  traced.tracer =
+      ref::int_tracer(traced.integers->mesh, traced.integers->hierarchy(), {.world = bits, .boxes = boxes});
+}
+
+void render_scene(const RenderCommand& command) {
+  const ref::TracerOptions tracing =
+      command.trace.world == World::floats ? command.trace.options() : ref::TracerOptions{};
+  std::optional<Progress> progress("reading the scene and its hierarchy");
+  Traced traced;
+  make_traced(command, traced);
+  const ref::Scene& scene = traced.drawn();
+  const std::unique_ptr<ref::Tracer>& tracer = traced.tracer;
   progress.emplace("rendering");
   ref::StiffRays stiff;
   ref::RenderOptions options{.width = command.scene.width,
@@ -123,6 +156,7 @@ void render_scene(const RenderCommand& command) {
                              .threads = command.scene.threads,
                              .tile_side = ref::tile_side_for(tracing.bundle),
                              .light = command.light,
+                             .surfaces = traced.surfaces ? &*traced.surfaces : nullptr,
                              .maps = command.maps(),
                              .progress = [&](double share) { progress->show(share); },
                              .traced = [&](ref::RayKind, const ref::TraceJob& job) { stiff.add(job.rays); }};
@@ -134,7 +168,10 @@ void render_scene(const RenderCommand& command) {
     progress.emplace("rendering the reference");
     options.traced = {};
     options.tile_side = ref::tile_side_for(1);
-    const std::unique_ptr<ref::Tracer> reference = ref::make_tracer(scene.mesh, hierarchy.bvh, {});
+    const std::unique_ptr<ref::Tracer> reference =
+        traced.integers ? ref::int_tracer(traced.integers->mesh, traced.integers->hierarchy(),
+                                          {.world = traced.integers->bits})
+                        : ref::make_tracer(scene.mesh, traced.hierarchy.bvh, {});
     extra = ref::extra_box_tests(result, ref::render(scene, *reference, options));
   }
   progress.reset();
@@ -145,7 +182,9 @@ void render_scene(const RenderCommand& command) {
           {"triangles", scene.mesh.triangles.size()},
           {"degenerate_dropped", scene.mesh.dropped.size()},
           {"bvh_nodes", tracer->node_count()}};
-  if (!command.bvh.empty()) row.update({{"bvh", command.bvh}, {"bvh_boxes_grown", hierarchy.boxes_grown}});
+  if (!command.bvh.empty())
+    row.update({{"bvh", command.bvh}, {"bvh_boxes_grown", traced.hierarchy.boxes_grown}});
+  if (traced.integers) row.update(door_row(*traced.integers));
   row.update({{"bytes_per_node", tracer->bytes_per_node()},
               {"node_bytes", tracer->node_count() * tracer->bytes_per_node()},
               {"rays_primary", counts.primary.rays},
@@ -185,6 +224,7 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
   add_build_options(*command, options->build);
   add_bvh_file_option(*command, options->bvh);
   add_trace_options(*command, options->trace);
+  add_box_format_option(*command, options->boxes, "exact boxes");
   const auto file = [&](const char* name, std::string& value, const char* what) {
     as_output(command->add_option(name, value, what));
   };

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/world_sweep.hpp"
 #include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
@@ -26,6 +27,7 @@ namespace hitpipe::cli {
 namespace {
 
 struct SweepCommand {
+  std::vector<int> mantissas;  ///< of boxes in the integer world
   SceneChoice scene;
   DesignsChoice units;
   std::vector<int> rays_in_flight{32};
@@ -117,8 +119,35 @@ int report(const sim::RowsFile& rows, OutputFormat format) {
   return exit_code;
 }
 
+std::vector<rtl::Format> world_formats(const rtl::Design& /*design*/) {
+  std::vector<rtl::Format> formats;
+  for (const int n : {16, 18, 20, 22, 24}) formats.emplace_back(hls::WorldBits{n, 1, n});
+  return formats;
+}
+
+/// The design, if one triangle unit is asked for.
+const rtl::Design* triangle_unit_of(const SweepCommand& command) {
+  if (command.units.names.size() != 1) return nullptr;
+  const rtl::Design& design = rtl::find_design(command.units.names.front());
+  return design.kind == hls::triangle_kind ? &design : nullptr;
+}
+
+int sweep_triangles(const SweepCommand& command, const rtl::Design& design, const rtl::Library& library) {
+  if (command.intervals.size() > 1)
+    throw std::runtime_error("--ii: a sweep of a triangle unit takes one interval");
+  if (!command.rows.empty()) throw std::runtime_error("--rows: a sweep of a triangle unit takes none");
+  return sweep_world({&design, command.units.formats({&design}, world_formats).front().formats,
+                      command.mantissas.empty() ? std::vector{9, 11, 13} : command.mantissas, command.scene,
+                      command.light, &library, command.intervals.empty() ? 1 : command.intervals.front(),
+                      command.out, command.format});
+}
+
 int sweep(const SweepCommand& command) {
   const rtl::Library library = command.cost.load();
+  if (const rtl::Design* const design = triangle_unit_of(command))
+    return sweep_triangles(command, *design, library);
+  if (!command.mantissas.empty())
+    throw std::runtime_error("--mantissas: only a sweep of a triangle unit has boxes of its own");
   sim::ResumableSweep sweep{.scene = nullptr,
                             .bvh = nullptr,
                             .points = plan(command, library),
@@ -158,6 +187,10 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
       ->transform(number_from(1, sim::RayUnit::most_rays_in_flight));
   add_intervals_option(*command, options->intervals,
                        "a test may begin every N cycles; one row for each number");
+  add_list_option(
+      *command, "--mantissas", options->mantissas,
+      "Of a triangle unit: bits p of the boxes' mantissas; one row for each (4 to 32; default: 9,11,13)", "P")
+      ->transform(number_from(hls::MajorBits::min_mantissa, hls::MajorBits::max_mantissa));
   add_bounces_option(*command, options->light);
   add_cost_options(*command, options->cost);
   as_input(add_list_option(

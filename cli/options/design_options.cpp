@@ -69,6 +69,7 @@ std::vector<const rtl::Design*> DesignsChoice::designs(WhyNot why_not) const {
   }
   if (!names.empty()) return chosen;
   for (const rtl::Design& design : rtl::designs()) {
+    if (!design.kind.of_boxes) continue;
     const std::string why = why_not(design);
     if (why.empty()) {
       chosen.push_back(&design);

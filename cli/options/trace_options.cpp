@@ -57,10 +57,17 @@ ref::TracerOptions TraceChoice::options() const {
   return chosen;
 }
 
+hls::WorldBits TraceChoice::world_bits() const {
+  return bits ? rtl::parse_bits<hls::WorldBits>(*bits) : hls::WorldBits{};
+}
+
 void add_trace_options(CLI::App& command, TraceChoice& choice) {
   using ref::Encoding;
   using ref::TriangleTest;
   ref::TracerOptions& tracer = choice.tracer;
+  add_choice_option<World>(
+      command, "--world", choice.world, {{"float", World::floats}, {"integer", World::integers}},
+      "integer: rays, boxes and triangles are integers, and nothing is lost after the door");
   add_choice_option<Algorithm>(
       command, "--traversal", tracer.algorithm, algorithms,
       "Box test and order of children: fixed, nearer box first (dist), or by direction and "
@@ -68,8 +75,11 @@ void add_trace_options(CLI::App& command, TraceChoice& choice) {
   add_choice_option<Arithmetic>(
       command, "--arithmetic", tracer.arithmetic, arithmetics,
       "Arithmetic of the box test. conservative: floats widened by a proven bound, never misses, slabs only");
-  command.add_option("--bits", choice.bits, "Number format of integer arithmetic (default: 24/24)")
-      ->type_name("n/t");
+  command
+      .add_option(
+          "--bits", choice.bits,
+          "Number format of integer arithmetic (default: 24/24), or of the integer world (default: 20+1s20)")
+      ->type_name("n/t|n+gsS");
   add_choice_option<Encoding>(command, "--encoding", tracer.encoding,
                               {{"plain", Encoding::plain},
                                {"h4", Encoding::hierarchical_4},
@@ -84,6 +94,14 @@ void add_trace_options(CLI::App& command, TraceChoice& choice) {
       command, "--triangle-test", tracer.triangle_test,
       {{"exact", TriangleTest::exact}, {"float", TriangleTest::binary32}, {"double", TriangleTest::binary64}},
       "exact: one answer for every traversal; others: Moeller and Trumbore's");
+  for (const char* const other :
+       {"--traversal", "--arithmetic", "--encoding", "--lut", "--bundle", "--triangle-test"}) {
+    command.get_option(other)->check([&choice, other](const std::string&) {
+      return choice.world == World::integers
+                 ? fmt::format("{} excludes --world integer, which has one way to trace", other)
+                 : std::string();
+    });
+  }
 }
 
 }  // namespace hitpipe::cli

@@ -1,9 +1,11 @@
 // The options by which a command chooses how it traces in software and how far it follows rays.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "hls/world/world_format.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/trace/tracer.hpp"
 
@@ -16,16 +18,21 @@ namespace hitpipe::cli {
 /// Adds --bounces.
 void add_bounces_option(CLI::App& command, ref::WhittedOptions& options);
 
+enum class World : std::uint8_t { floats, integers };
+
 struct TraceChoice {
+  World world = World::floats;
   ref::TracerOptions tracer;
   std::optional<std::string> bits;  ///< as the user wrote it
 
   /// Throws std::runtime_error, one line, when the bits are not a format, or when nothing uses them.
   /// ref::make_tracer() refuses combinations that do not exist.
   [[nodiscard]] ref::TracerOptions options() const;
+  /// The format of the integer world. Throws std::runtime_error, one line, when the bits are not one.
+  [[nodiscard]] hls::WorldBits world_bits() const;
 };
 
-/// Adds --traversal, --arithmetic, --bits, --encoding, --lut, --bundle, --triangle-test.
+/// Adds --world, --traversal, --arithmetic, --bits, --encoding, --lut, --bundle, --triangle-test.
 void add_trace_options(CLI::App& command, TraceChoice& choice);
 
 /// The options that choose this algorithm, arithmetic and format, for example "--traversal slabs-dsa

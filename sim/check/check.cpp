@@ -9,6 +9,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include "host/parallel.hpp"
+#include "sim/check/shares.hpp"
 #include "sim/unit/drive.hpp"
 #include "sw_ref/judge/adversary/categories.hpp"
 
@@ -19,16 +20,6 @@ using ref::adversary::Category;
 using ref::adversary::Random;
 
 namespace {
-
-// A ray is set up once and asked about several boxes: set-up is the slow part.
-constexpr std::size_t boxes_per_ray = 32;
-constexpr std::size_t rays_per_batch = 64;  // a batch fits into a core's own cache
-constexpr std::uint64_t tests_per_batch = boxes_per_ray * rays_per_batch;
-
-/// SplitMix64 of the seed, the category and the batch: unrelated streams.
-std::uint64_t stream(std::uint64_t seed, std::uint64_t category, std::uint64_t batch) {
-  return ref::mixed(seed + ref::golden_step * (category * 0x100000001U + batch + 1));
-}
 
 void count(const ref::Ray& ray, std::span<const ref::Aabb> boxes, std::span<const bool> hits,
            std::span<const bool> meets, CategoryResult& result) {
@@ -57,20 +48,20 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
   Random random(seed);
   std::vector<ref::Ray> rays;
   std::vector<ref::Aabb> boxes(tests_per_batch);
-  for (std::size_t i = 0; i * boxes_per_ray < tests; ++i) {
+  for (std::size_t i = 0; i * objects_per_ray < tests; ++i) {
     const Case c = category.make(random);
     rays.push_back(c.ray);
-    ref::adversary::neighbours(random, c.box, {boxes.data() + i * boxes_per_ray, boxes_per_ray});
+    ref::adversary::neighbours(random, c.box, {boxes.data() + i * objects_per_ray, objects_per_ray});
   }
   CategoryResult result;
   result.category = category.name;
   TestBatch batch;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const std::size_t first = i * boxes_per_ray;
-    const std::size_t boxes_of_ray = std::min(boxes_per_ray, static_cast<std::size_t>(tests) - first);
+    const std::size_t first = i * objects_per_ray;
+    const std::size_t boxes_of_ray = std::min(objects_per_ray, static_cast<std::size_t>(tests) - first);
     const std::span<const ref::Aabb> asked(boxes.data() + first, boxes_of_ray);
-    std::array<bool, boxes_per_ray> hit_by{};
-    std::array<bool, boxes_per_ray> met_by{};
+    std::array<bool, objects_per_ray> hit_by{};
+    std::array<bool, objects_per_ray> met_by{};
     const std::span<bool> hits(hit_by.data(), boxes_of_ray);
     const std::span<bool> meets(met_by.data(), boxes_of_ray);
     test.start(rays[i]);
@@ -88,43 +79,6 @@ CategoryResult judge_batch(BoxTest& test, const Category& category, std::uint64_
   if (rtl != nullptr) result.rtl_mismatches = drive(*rtl, batch).faults();
   return result;
 }
-
-/// Where a category's tests lie among all, cut into batches; only a category's last batch is short.
-struct Batch {
-  std::size_t category;
-  std::uint64_t number;  // within its category
-  std::uint64_t tests;
-};
-
-/// Shares all tests among the categories; the first categories take what is left over.
-class Shares {
- public:
-  Shares(std::uint64_t tests, std::size_t categories)
-      : least_(tests / categories), left_over_(tests % categories), categories_(categories) {}
-
-  [[nodiscard]] std::uint64_t batches() const {
-    return left_over_ * batches_of(least_ + 1) + (categories_ - left_over_) * batches_of(least_);
-  }
-  [[nodiscard]] Batch operator[](std::uint64_t i) const {
-    const std::uint64_t larger = left_over_ * batches_of(least_ + 1);
-    if (i < larger) return batch(0, i, least_ + 1);
-    return batch(left_over_, i - larger, least_);
-  }
-
- private:
-  static std::uint64_t batches_of(std::uint64_t share) {
-    return (share + tests_per_batch - 1) / tests_per_batch;
-  }
-  static Batch batch(std::uint64_t first_category, std::uint64_t i, std::uint64_t share) {
-    const std::uint64_t number = i % batches_of(share);
-    return {static_cast<std::size_t>(first_category + i / batches_of(share)), number,
-            std::min(tests_per_batch, share - number * tests_per_batch)};
-  }
-
-  std::uint64_t least_;
-  std::uint64_t left_over_;  // categories with a test more
-  std::uint64_t categories_;
-};
 
 /// The results of the batches that have ended, in any order.
 class Sums {

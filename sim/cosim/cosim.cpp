@@ -21,10 +21,6 @@ namespace {
 
 constexpr int tile_side = 64;
 
-double percent_above(std::uint64_t value, std::uint64_t reference) {
-  return reference == 0 ? 0.0 : 100.0 * (static_cast<double>(value) / static_cast<double>(reference) - 1.0);
-}
-
 double per_second(std::uint64_t count, double seconds) {
   return seconds > 0 ? static_cast<double>(count) / seconds : 0.0;
 }

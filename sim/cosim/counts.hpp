@@ -29,6 +29,11 @@ struct UnitCounts {
   friend bool operator==(const UnitCounts&, const UnitCounts&) = default;
 };
 
+/// How much more than the reference, in percent. 0 when that is 0.
+[[nodiscard]] inline double percent_above(std::uint64_t value, std::uint64_t reference) {
+  return reference == 0 ? 0.0 : 100.0 * (static_cast<double>(value) / static_cast<double>(reference) - 1.0);
+}
+
 /// Thrown when the hardware itself is wrong and the run cannot go on. Bad input throws other exceptions.
 class WrongHardware : public std::runtime_error {
  public:

@@ -13,8 +13,8 @@
 #include "sw_ref/judge/adversary/categories.hpp"
 #include "sw_ref/quantise/grid.hpp"
 #include "sw_ref/quantise/ray_check.hpp"
+#include "sw_ref/world/int_meets.hpp"
 #include "sw_ref/world/int_ray.hpp"
-#include "sw_ref/world/int_tracer.hpp"
 
 namespace hitpipe::sim {
 

@@ -30,7 +30,7 @@ Ray mirrored_ray(const SurfacePoint& point, const glm::vec3& direction) {
   const glm::dvec3 arriving = glm::normalize(glm::dvec3(direction));
   glm::dvec3 leaving = mirrored(arriving, bending_normal(point, arriving));
   if (!(glm::dot(leaving, point.normal) > 0.0)) leaving = mirrored(arriving, point.normal);
-  return {origin_beside(point, shadow_offset), glm::vec3(leaving), Ray::infinite};
+  return {origin_beside(point, point.offset), glm::vec3(leaving), Ray::infinite};
 }
 
 std::optional<Ray> refracted_ray(const SurfacePoint& point, const glm::vec3& direction, float index) {
@@ -40,7 +40,7 @@ std::optional<Ray> refracted_ray(const SurfacePoint& point, const glm::vec3& dir
   if (leaving && !(glm::dot(*leaving, point.normal) < 0.0))
     leaving = refracted(arriving, point.normal, ratio);
   if (!leaving) return std::nullopt;
-  return Ray{origin_beside(point, -shadow_offset), glm::vec3(*leaving), Ray::infinite};
+  return Ray{origin_beside(point, -point.offset), glm::vec3(*leaving), Ray::infinite};
 }
 
 }  // namespace hitpipe::ref

@@ -137,7 +137,10 @@ class TileRenderer {
       result_.triangles[place(i)] = triangle;
       if (!frame_.options.maps || triangle == Hit::none) continue;
       const Ray& ray = batch_[i].ray;
-      const glm::dvec3 position = surface_point(frame_.scene.mesh, triangle, ray).position;
+      const Surfaces* const surfaces = frame_.options.surfaces;
+      const glm::dvec3 position = surfaces == nullptr
+                                      ? surface_point(frame_.scene.mesh, triangle, ray).position
+                                      : surfaces->point(triangle, ray).position;
       result_.depth[place(i)] = static_cast<float>(depth_of(frame_.scene.camera, position));
     }
   }
@@ -214,7 +217,7 @@ RenderResult render(const Scene& scene, const Tracer& tracer, const RenderOption
   const Frame frame{scene,
                     tracer,
                     options,
-                    Whitted(scene, options.light),
+                    Whitted(scene, options.light, options.surfaces),
                     tiles(options.width, options.tile_side),
                     tiles(options.height, options.tile_side)};
   RenderResult result;

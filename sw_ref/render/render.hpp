@@ -21,9 +21,10 @@ struct RenderOptions {
   int width = 256;
   int height = 256;
   int threads = 1;
-  int tile_side = 32;      ///< in pixels; see tile_side_for()
-  WhittedOptions light{};  ///< the limits of secondary rays
-  bool maps = false;       ///< fill RenderResult::depth, box_tests, triangle_tests
+  int tile_side = 32;                  ///< in pixels; see tile_side_for()
+  WhittedOptions light{};              ///< the limits of secondary rays
+  const Surfaces* surfaces = nullptr;  ///< as Whitted has them
+  bool maps = false;                   ///< fill RenderResult::depth, box_tests, triangle_tests
   /// Called from any thread with the finished share of the image, 0..1.
   std::function<void(double)> progress = [](double) {};
   /// If not empty, called from any thread with each batch of rays and its answers.

@@ -19,21 +19,15 @@ glm::dvec3 to_light(const SurfacePoint& point, const Light& light) {
   return light.kind == LightKind::sun ? place : place - point.position;
 }
 
+/// `corners` are the triangle's.
 template <bool smooth>
-SurfacePoint point_of(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) {
-  const Mesh::Corners corners = mesh.corners(triangle);
+SurfacePoint point_at(const Mesh& mesh, std::uint32_t triangle, const Mesh::Corners& corners, double v,
+                      double w, const glm::dvec3& direction) {
   const glm::dvec3 a(corners.a);
   const glm::dvec3 ab = glm::dvec3(corners.b) - a;
   const glm::dvec3 ac = glm::dvec3(corners.c) - a;
-  const glm::dvec3 direction(ray.direction);
   const glm::dvec3 normal = glm::cross(ab, ac);
-  const glm::dvec3 from_a = glm::dvec3(ray.origin) - a;
-  const glm::dvec3 moment = glm::cross(direction, from_a);
   const double determinant = glm::dot(direction, normal);
-  // Barycentric coordinates of b and c. They are imprecise if the ray grazes the plane. Clamped, they still
-  // give a point of the triangle, so nothing that is computed from it leaves the cube.
-  const double v = part(glm::dot(moment, ac) / determinant, 1.0);
-  const double w = part(-glm::dot(moment, ab) / determinant, 1.0 - v);
   SurfacePoint point;
   point.position = a + v * ab + w * ac;
   // The normal of a sliver can be zero in double although its exact area is not.
@@ -51,6 +45,23 @@ SurfacePoint point_of(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) 
   return point;
 }
 
+template <bool smooth>
+SurfacePoint point_of(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) {
+  const Mesh::Corners corners = mesh.corners(triangle);
+  const glm::dvec3 a(corners.a);
+  const glm::dvec3 ab = glm::dvec3(corners.b) - a;
+  const glm::dvec3 ac = glm::dvec3(corners.c) - a;
+  const glm::dvec3 direction(ray.direction);
+  const glm::dvec3 from_a = glm::dvec3(ray.origin) - a;
+  const glm::dvec3 moment = glm::cross(direction, from_a);
+  const double determinant = glm::dot(direction, glm::cross(ab, ac));
+  // Barycentric coordinates of b and c. They are imprecise if the ray grazes the plane. Clamped, they still
+  // give a point of the triangle, so nothing that is computed from it leaves the cube.
+  const double v = part(glm::dot(moment, ac) / determinant, 1.0);
+  const double w = part(-glm::dot(moment, ab) / determinant, 1.0 - v);
+  return point_at<smooth>(mesh, triangle, corners, v, w, direction);
+}
+
 }  // namespace
 
 SurfacePoint flat_surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray) {
@@ -66,13 +77,24 @@ SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& 
                               : smooth_surface_point(mesh, triangle, ray);
 }
 
+FloatSurfaces::FloatSurfaces(const Mesh& mesh, double offset)
+    : mesh_(&mesh),
+      offset_(offset),
+      point_(mesh.normals.empty() ? flat_surface_point : smooth_surface_point) {}
+
+SurfacePoint point_with_weights(const Mesh& mesh, std::uint32_t triangle, double v, double w,
+                                const glm::vec3& direction) {
+  const auto point = mesh.normals.empty() ? point_at<false> : point_at<true>;
+  return point(mesh, triangle, mesh.corners(triangle), v, w, glm::dvec3(direction));
+}
+
 glm::vec3 origin_beside(const SurfacePoint& point, double offset) {
   return glm::clamp(glm::vec3(point.position + offset * point.normal), -1.0F, 1.0F);
 }
 
 std::optional<Ray> shadow_ray(const SurfacePoint& point, const Light& light) {
   if (glm::dot(point.normal, to_light(point, light)) <= 0.0) return std::nullopt;
-  const glm::vec3 origin = origin_beside(point, shadow_offset);
+  const glm::vec3 origin = origin_beside(point, point.offset);
   if (light.kind == LightKind::sun) return Ray{origin, light.position, Ray::infinite};
   const glm::vec3 direction = light.position - origin;
   if (direction == glm::vec3(0.0F)) return std::nullopt;

@@ -18,13 +18,42 @@ namespace hitpipe::ref {
 /// It is still below the width of a pixel.
 constexpr double shadow_offset = 0x1p-17;
 
-/// Where a ray meets a triangle. Both normals are unit vectors on the ray's side of the surface.
+/// A place where a ray meets a triangle. Both normals are unit vectors on the ray's side of the surface.
 struct SurfacePoint {
   glm::dvec3 position;
-  glm::dvec3 normal;          ///< of the triangle's plane
-  glm::dvec3 shading_normal;  ///< interpolated if the mesh has normals
-  bool front = true;          ///< the ray meets the side whose corners run counterclockwise
+  glm::dvec3 normal;              ///< of the triangle's plane
+  glm::dvec3 shading_normal;      ///< interpolated if the mesh has normals
+  bool front = true;              ///< the ray meets the side whose corners run counterclockwise
+  double offset = shadow_offset;  ///< how far beside the surface the rays that leave it start
 };
+
+/// Where a ray meets a triangle that a tracer has found for it. Thread-safe.
+class Surfaces {
+ public:
+  virtual ~Surfaces() = default;
+  [[nodiscard]] virtual SurfacePoint point(std::uint32_t triangle, const Ray& ray) const = 0;
+};
+
+/// By surface_point().
+class FloatSurfaces final : public Surfaces {
+ public:
+  /// The mesh must outlive it.
+  explicit FloatSurfaces(const Mesh& mesh, double offset = shadow_offset);
+  [[nodiscard]] SurfacePoint point(std::uint32_t triangle, const Ray& ray) const override {
+    SurfacePoint point = point_(*mesh_, triangle, ray);
+    point.offset = offset_;
+    return point;
+  }
+
+ private:
+  const Mesh* mesh_;
+  double offset_;  ///< how far beside a surface its rays start
+  SurfacePoint (*point_)(const Mesh&, std::uint32_t, const Ray&);
+};
+
+/// The point of a triangle with these weights of its second and third corner, 0..1 together.
+[[nodiscard]] SurfacePoint point_with_weights(const Mesh& mesh, std::uint32_t triangle, double v, double w,
+                                              const glm::vec3& direction);
 
 /// The point of `triangle` that the ray hits, computed in double and kept on the triangle.
 [[nodiscard]] SurfacePoint surface_point(const Mesh& mesh, std::uint32_t triangle, const Ray& ray);

@@ -20,11 +20,12 @@ float brightest(const glm::vec3& light) {
 
 }  // namespace
 
-Whitted::Whitted(const Scene& scene, const WhittedOptions& options)
+Whitted::Whitted(const Scene& scene, const WhittedOptions& options, const Surfaces* surfaces)
     : scene_(&scene),
       options_(options),
       causes_(ray_causes(scene, options.bounces)),
-      surface_(causes_.smooth ? smooth_surface_point : flat_surface_point),
+      own_surfaces_(scene.mesh),
+      surfaces_(surfaces),
       end_(end_for(causes_)) {
   if (options.bounces < 0 || options.bounces > WhittedOptions::most_bounces)
     throw std::invalid_argument(
@@ -76,7 +77,8 @@ ShadeWork Whitted::end_where(const Whitted& whitted, const RayTask& task, std::u
                        brightest(material.reflect + material.transmit) > 0.0F;
     if (!is_matt && !bends) return work;
 
-    const SurfacePoint point = whitted.surface_(mesh, triangle, task.ray);
+    const Surfaces& surfaces = whitted.surfaces_ == nullptr ? whitted.own_surfaces_ : *whitted.surfaces_;
+    const SurfacePoint point = surfaces.point(triangle, task.ray);
     work.surface_points = 1;
     if constexpr (scatters) {
       if (is_matt) pixel.add(diffuse * ambient(point));

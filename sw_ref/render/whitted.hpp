@@ -60,9 +60,9 @@ struct ShadeWork {
 
 class Whitted {
  public:
-  /// The scene must outlive it. Throws std::invalid_argument for options out of range, and for more lights
-  /// than a task can number (2^16).
-  Whitted(const Scene& scene, const WhittedOptions& options);
+  /// The scene must outlive it, and the surfaces too; null: the float surfaces of the scene's mesh. Throws
+  /// std::invalid_argument for options out of range, and for more lights than a task can number (2^16).
+  Whitted(const Scene& scene, const WhittedOptions& options, const Surfaces* surfaces = nullptr);
 
   [[nodiscard]] const RayCauses& causes() const { return causes_; }
 
@@ -95,7 +95,8 @@ class Whitted {
   const Scene* scene_;
   WhittedOptions options_;
   RayCauses causes_;
-  SurfacePoint (*surface_)(const Mesh&, std::uint32_t, const Ray&);
+  FloatSurfaces own_surfaces_;
+  const Surfaces* surfaces_;  ///< null: its own
   End end_;
 };
 

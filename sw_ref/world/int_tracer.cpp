@@ -9,6 +9,7 @@
 
 #include "sw_ref/trace/int_major.hpp"
 #include "sw_ref/trace/leaf_test.hpp"
+#include "sw_ref/world/int_meets.hpp"
 #include "sw_ref/world/int_traversal.hpp"
 
 namespace hitpipe::ref {
@@ -107,31 +108,6 @@ void check(const IntMesh& mesh, const IntTracerOptions& options) {
 }
 
 }  // namespace
-
-bool int_meets(const IntRay& ray, const IntBox& box, std::int64_t length, const hls::WorldBits& bits) {
-  // Along an axis the ray is in the slab from near / slope to far / slope, in units of 2^S. For slope 0 that
-  // says: near
-  // <= 0 <= far. Quotients are compared by products of 27 and 33 bits.
-  std::array<std::int64_t, 3> near{}, far{}, slope{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::int64_t low = (std::int64_t{box.min[i]} << bits.finer) - ray.origin[i];
-    const std::int64_t high = (std::int64_t{box.max[i]} << bits.finer) - ray.origin[i];
-    const bool back = ray.direction[i] < 0;
-    near[i] = back ? -high : low;
-    far[i] = back ? -low : high;
-    slope[i] = back ? -ray.direction[i] : ray.direction[i];
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (far[i] < 0) return false;
-    // floor(2^F near 2^S / slope) <= length, as T is rounded down.
-    const Int128 beyond = (static_cast<Int128>(length) + 1) * slope[i];
-    const Int128 entered = static_cast<Int128>(near[i]) << (bits.slope + bits.fraction);
-    if (slope[i] > 0 ? entered >= beyond : near[i] > 0) return false;
-    for (std::size_t j = 0; j < 3; ++j)
-      if (i != j && near[i] * slope[j] > far[j] * slope[i]) return false;
-  }
-  return true;
-}
 
 std::unique_ptr<Tracer> int_tracer(const IntMesh& mesh, const Bvh* bvh, const IntTracerOptions& options) {
   check(mesh, options);

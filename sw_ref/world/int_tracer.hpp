@@ -14,10 +14,6 @@
 
 namespace hitpipe::ref {
 
-/// Does the ray meet the closed box at some T up to `length`? Exact.
-[[nodiscard]] bool int_meets(const IntRay& ray, const IntBox& box, std::int64_t length,
-                             const hls::WorldBits& bits);
-
 struct IntTracerOptions {
   hls::WorldBits world{};
   /// Boxes are tested as int_major does in this format; nothing: exactly. Its n, g and S must be the world's,

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/trace/int_major.hpp"
+#include "sw_ref/world/int_meets.hpp"
 #include "sw_ref/world/int_traversal.hpp"
 #include "tests/sw_ref/world/cases.hpp"
 

@@ -1,0 +1,120 @@
+#include "cli/commands/world_sweep.hpp"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "area_model/price.hpp"
+#include "cli/text/progress.hpp"
+#include "host/files.hpp"
+#include "host/outputs.hpp"
+#include "sim/cosim/counts.hpp"
+#include "sw_ref/world/int_error.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+/// What a unit costs, and how long it is busy with so many tests.
+void add_cost(Row& row, const std::string& unit, const area::Price& price, std::uint64_t tests) {
+  if (price.taken.luts > 0) {
+    row[unit + "_lut"] = price.taken.luts;
+  } else {
+    row[unit + "_area_mm2"] = static_cast<double>(price.area_um2) * 1e-6;
+  }
+  row[unit + "_ms"] = static_cast<double>(tests) * static_cast<double>(price.test_ps()) * 1e-9;
+}
+
+std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, const rtl::Format& format) {
+  const auto world = format.as<hls::WorldBits>();
+  const rtl::Design& box_unit = rtl::find_design("int_major");
+  ref::IntErrorOptions options{.world = world,
+                               .boxes = {},
+                               .width = command.scene.width,
+                               .height = command.scene.height,
+                               .light = command.light};
+  for (const int p : command.mantissas)
+    options.boxes.push_back({world.coord, world.finer, p, 0, world.slope});
+  const ref::IntError error = ref::int_error(scene, options);
+  const auto price = [&](const rtl::Design& design, const rtl::Format& its_format) {
+    return area::price(design, its_format, *command.library, area::Account::built, rtl::FlowControl::stall,
+                       command.interval);
+  };
+  const area::Price triangle_price = price(*command.design, format);
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < options.boxes.size(); ++i) {
+    const rtl::Format boxes = options.boxes[i];
+    const ref::TraceCounts& work = error.with[i];
+    Row row{
+        {"scene", scene.name},
+        {"bits", rtl::to_string(format)},
+        {"boxes", rtl::to_string(boxes)},
+        {"rays", error.rays},
+        {"different_rays", error.different_rays},
+        {"different_rays_pct", percent(error.different_rays, error.rays)},
+        {"lost_hits", error.lost_hits},
+        {"pixels", error.pixels},
+        {"different_pixels", error.different_pixels},
+        {"largest_difference", error.largest_difference},
+        {"triangles", error.triangles},
+        {"triangles_without_area", error.without_area},
+        {"largest_movement", error.largest_movement},
+        {"extra_box_tests_pct", sim::percent_above(work.box_tests, error.exact.box_tests)},
+        {"extra_triangle_tests_pct", sim::percent_above(work.triangle_tests, error.exact.triangle_tests)}};
+    add_cost(row, "box", price(box_unit, boxes), work.box_tests);
+    add_cost(row, "triangle", triangle_price, work.triangle_tests);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string text_of(const std::vector<Row>& rows) {
+  std::string text =
+      "bits        p   rays other  pixels  largest    extra % extra %   area    busy\n"
+      "                %            other  movement   boxes   triangles box+tri ms\n";
+  for (const Row& row : rows) {
+    const auto number = [&](const char* name) { return row.at(name).get<double>(); };
+    const std::string boxes = row.at("boxes").get<std::string>();
+    const std::size_t slash = boxes.find('/') + 1;
+    const bool on_chip = row.contains("box_lut");
+    const std::string area =
+        on_chip ? fmt::format("{:.0f}", number("box_lut") + number("triangle_lut"))
+                : fmt::format("{:.2f}", number("box_area_mm2") + number("triangle_area_mm2"));
+    text += fmt::format("{:<11} {:<3} {:<12.4f} {:<7} {:<10.2e} {:<7.2f} {:<9.2f} {:<7} {:.3f}\n",
+                        row.at("bits").get<std::string>(),
+                        boxes.substr(slash, boxes.find_first_not_of("0123456789", slash) - slash),
+                        number("different_rays_pct"), row.at("different_pixels").get<std::uint64_t>(),
+                        number("largest_movement"), number("extra_box_tests_pct"),
+                        number("extra_triangle_tests_pct"), area, number("box_ms") + number("triangle_ms"));
+  }
+  return text;
+}
+
+}  // namespace
+
+int sweep_world(const WorldSweep& command) {
+  std::optional<Progress> progress("reading the scene");
+  const ref::Scene scene = command.scene.load();
+  host::announce_output("--out", command.out);
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < command.formats.size(); ++i) {
+    progress.emplace("sweeping");
+    progress->show(static_cast<double>(i) / static_cast<double>(command.formats.size()));
+    for (Row& row : rows_of(command, scene, command.formats[i])) rows.push_back(std::move(row));
+  }
+  progress.reset();
+  host::write_file(command.out, table_text(rows, OutputFormat::csv));
+  if (command.format == OutputFormat::text) {
+    fmt::print("{}, {} x {}, {} triangles\n{}", scene.name, command.scene.width, command.scene.height,
+               scene.mesh.triangles.size(), text_of(rows));
+  } else {
+    fmt::print("{}", table_text(rows, command.format));
+  }
+  return 0;
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,30 @@
+// `sweep` of a triangle unit: what the bits of the integer world cost and change.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/scene_options.hpp"
+#include "cli/text/table.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/component/library.hpp"
+#include "sw_ref/render/whitted.hpp"
+
+namespace hitpipe::cli {
+
+struct WorldSweep {
+  const rtl::Design* design;
+  std::vector<rtl::Format> formats;
+  std::vector<int> mantissas;  ///< p of the boxes; one row for each
+  SceneChoice scene;
+  ref::WhittedOptions light;
+  const rtl::Library* library;
+  int interval;
+  std::string out;  ///< a .csv file
+  OutputFormat format;
+};
+
+/// Writes the rows to the file, prints them and returns the exit code.
+[[nodiscard]] int sweep_world(const WorldSweep& command);
+
+}  // namespace hitpipe::cli

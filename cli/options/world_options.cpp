@@ -1,0 +1,42 @@
+#include "cli/options/world_options.hpp"
+
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "rtl_gen/catalogue/format.hpp"
+
+namespace hitpipe::cli {
+
+std::optional<hls::MajorBits> BoxFormatChoice::format(const hls::WorldBits& world) const {
+  if (!bits) return std::nullopt;
+  const auto boxes = rtl::parse_bits<hls::MajorBits>(*bits);
+  if (boxes.coord != world.coord || boxes.finer != world.finer || boxes.slope != world.slope ||
+      boxes.fraction > world.finer + world.fraction)
+    throw std::runtime_error(
+        fmt::format("--boxes {}: for triangles of {} allowed is {}+{}/pfFs{} with F at most {}", *bits,
+                    rtl::to_string(rtl::Format(world)), world.coord, world.finer, world.slope,
+                    world.finer + world.fraction));
+  return boxes;
+}
+
+hls::MajorBits usual_box_format(const hls::WorldBits& world) {
+  return {world.coord, world.finer, 11, 0, world.slope};
+}
+
+void add_box_format_option(CLI::App& command, BoxFormatChoice& choice, const std::string& otherwise) {
+  command
+      .add_option(
+          "--boxes", choice.bits,
+          "Number format of the boxes in the integer world, for example 20+1/11s20. Default: " + otherwise)
+      ->type_name("n+g/psS");
+}
+
+Row door_row(const ref::IntScene& scene) {
+  // A hundred thousandth of the cube is 0.00 in the columns of a text.
+  return {{"triangles_without_area", scene.mesh.dropped},
+          {"largest_movement", fmt::format("{:.3g}", scene.mesh.largest_movement)}};
+}
+
+}  // namespace hitpipe::cli

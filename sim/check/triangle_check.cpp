@@ -1,0 +1,107 @@
+#include "sim/check/triangle_check.hpp"
+
+#include <array>
+#include <mutex>
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
+#include "host/parallel.hpp"
+#include "sim/check/shares.hpp"
+#include "sim/unit/drive.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+bool same(const std::optional<ref::IntCrossing>& unit, const std::optional<ref::IntCrossing>& exact,
+          bool has_weights) {
+  if (unit.has_value() != exact.has_value()) return false;
+  if (!exact) return true;
+  return unit->t == exact->t && unit->det == exact->det && (!has_weights || unit->e == exact->e);
+}
+
+TriangleCategoryResult judge_batch(TriangleTest& test, const ref::IntCategory& category, std::uint64_t seed,
+                                   std::uint64_t tests, Model* rtl) {
+  ref::adversary::Random random(seed);
+  const hls::WorldBits& world = test.world();
+  std::vector<std::int64_t> operands(test.operand_count());
+  std::array<std::int64_t, rtl::Evaluate::most_results> results{};
+  TriangleCategoryResult result;
+  result.category = category.name;
+  TestBatch batch;
+  while (result.tests < tests) {
+    ref::IntCase c = category.make(random, world);
+    if (random.below(4) == 0)
+      c.ray.length = static_cast<std::int64_t>(random.bits() & static_cast<std::uint64_t>(c.ray.length));
+    std::array<ref::IntTriangle, objects_per_ray> triangles;
+    ref::int_neighbours(random, c.triangle, world, triangles);
+    // The end of a ray is at a triangle, or one unit before it.
+    if (random.below(4) == 0) {
+      if (const auto crossing = ref::int_crossing(c.ray, c.triangle, world))
+        c.ray.length = std::max<std::int64_t>(0, crossing->t - static_cast<std::int64_t>(random.below(2)));
+    }
+    test.start(c.ray);
+    for (std::size_t i = 0; i < objects_per_ray && result.tests < tests; ++i, ++result.tests) {
+      const auto exact = ref::int_crossing(c.ray, triangles[i], world);
+      test.operands(triangles[i], operands.data());
+      test.evaluate()(operands.data(), results.data());
+      if (rtl != nullptr) batch.add(operands, std::span(results).first(test.evaluate().result_count()));
+      result.hits += exact ? 1 : 0;
+      if (same(test.crossing(results.data()), exact, world.weights != 0)) continue;
+      ++result.wrong;
+      if (!result.first_wrong) result.first_wrong = ref::IntCase{c.ray, triangles[i]};
+    }
+  }
+  if (rtl != nullptr) result.rtl_mismatches = drive(*rtl, batch).faults();
+  return result;
+}
+
+}  // namespace
+
+TriangleCategoryResult& TriangleCategoryResult::operator+=(const TriangleCategoryResult& later) {
+  tests += later.tests;
+  hits += later.hits;
+  wrong += later.wrong;
+  rtl_mismatches += later.rtl_mismatches;
+  if (!first_wrong) first_wrong = later.first_wrong;
+  return *this;
+}
+
+std::vector<TriangleCategoryResult> check_triangles(const MakeTriangleTest& make,
+                                                    const TriangleCheckOptions& options) {
+  const std::size_t categories = options.categories.size();
+  if (categories == 0) return {};
+  const Shares shares(options.tests, categories);
+  std::vector<TriangleCategoryResult> sums(categories);
+  for (std::size_t c = 0; c < categories; ++c) sums[c].category = options.categories[c].name;
+  std::vector<std::uint64_t> first(categories);  // batches of the wrong answers that are kept
+  std::mutex adding;
+
+  struct Worker {
+    std::unique_ptr<TriangleTest> test;
+    std::optional<Model> rtl;
+  };
+  oneapi::tbb::enumerable_thread_specific<Worker> workers([&] {
+    Worker worker{make(), std::nullopt};
+    if (options.rtl != nullptr) worker.rtl.emplace(*options.rtl);
+    return worker;
+  });
+  const auto judge = [&](std::size_t i) {
+    Worker& worker = workers.local();
+    const Batch batch = shares[i];
+    const TriangleCategoryResult result = judge_batch(*worker.test, options.categories[batch.category],
+                                                      stream(options.seed, batch.category, batch.number),
+                                                      batch.tests, worker.rtl ? &*worker.rtl : nullptr);
+    const std::scoped_lock lock(adding);
+    TriangleCategoryResult& sum = sums[batch.category];
+    if (result.first_wrong && (!sum.first_wrong || batch.number < first[batch.category])) {
+      first[batch.category] = batch.number;
+      sum.first_wrong = result.first_wrong;
+    }
+    sum += result;
+  };
+  host::for_each_index(shares.batches(), options.threads, judge, options.progress);
+  return sums;
+}
+
+}  // namespace hitpipe::sim

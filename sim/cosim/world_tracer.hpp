@@ -1,0 +1,61 @@
+// The traversal of the integer world by two Verilog units: one answers every box test, the other every
+// triangle test. It is a ref::Tracer, so the renderer can use it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "sim/check/triangle_test.hpp"
+#include "sim/unit/verilated_design.hpp"
+#include "sw_ref/trace/tracer.hpp"
+#include "sw_ref/world/int_scene.hpp"
+
+namespace hitpipe::sim {
+
+/// What one of the two units did.
+struct WorldUnitCounts {
+  std::uint64_t tests = 0;
+  std::uint64_t hits = 0;
+  std::uint64_t cycles = 0;
+  std::uint64_t rtl_mismatches = 0;  ///< a result differs from the C++ datapath, or has another ray's tag
+
+  WorldUnitCounts& operator+=(const WorldUnitCounts& other);
+};
+
+struct WorldCounts {
+  WorldUnitCounts boxes, triangles;
+  std::uint64_t rays = 0;
+  std::uint64_t different = 0;  ///< rays whose answer is not that of exact integers
+  ref::TraceCounts reference;   ///< by software with exact boxes, for the same rays
+
+  WorldCounts& operator+=(const WorldCounts& other);
+};
+
+struct WorldUnits {
+  const VerilatedDesign* boxes;      ///< a unit for one box at a time, in a format with S
+  const VerilatedDesign* triangles;  ///< a triangle unit
+  int rays_in_flight = 32;           ///< 1..65536
+};
+
+class WorldTracer final : public ref::Tracer {
+ public:
+  /// The scene must outlive it. Throws std::runtime_error, one line, when the units' formats are not of the
+  /// scene's world or a unit has no set-up for it, and std::invalid_argument for the number of rays in
+  /// flight.
+  WorldTracer(const ref::IntScene& scene, const WorldUnits& units);
+  ~WorldTracer() override;
+
+  /// Throws WrongHardware when a unit loses a test.
+  void trace(const ref::TraceJob& job, ref::TraceCounts& counts) const override;
+  [[nodiscard]] std::size_t bytes_per_node() const override;
+  [[nodiscard]] std::size_t node_count() const override;
+
+  /// Of all jobs so far.
+  [[nodiscard]] WorldCounts counts() const;
+
+ private:
+  struct Shared;
+  std::unique_ptr<Shared> shared_;
+};
+
+}  // namespace hitpipe::sim

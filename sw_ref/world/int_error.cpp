@@ -1,0 +1,96 @@
+#include "sw_ref/world/int_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "sw_ref/render/render.hpp"
+#include "sw_ref/trace/tracer.hpp"
+#include "sw_ref/world/int_scene.hpp"
+#include "sw_ref/world/int_tracer.hpp"
+
+namespace hitpipe::ref {
+
+namespace {
+
+/// The rays of a picture that were traced together, and their answers.
+struct Batch {
+  Query query;
+  std::vector<Ray> rays;
+  std::vector<std::uint32_t> triangles;
+};
+
+std::vector<std::uint32_t> answers(const Tracer& tracer, const Batch& batch, TraceCounts& counts) {
+  std::vector<std::uint32_t> found(batch.rays.size());
+  tracer.trace({batch.rays, batch.query, found}, counts);
+  return found;
+}
+
+void compare_rays(const Batch& batch, const std::vector<std::uint32_t>& found, IntError& error) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool before = batch.triangles[i] != IntHit::none;
+    const bool after = found[i] != IntHit::none;
+    const bool same = batch.query == Query::any ? before == after : batch.triangles[i] == found[i];
+    error.different_rays += same ? 0 : 1;
+    error.lost_hits += before && !after ? 1 : 0;
+  }
+}
+
+void compare_pixels(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, IntError& error) {
+  error.pixels = a.size();
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const glm::vec3 d = glm::abs(a[i] - b[i]);
+    const float largest = std::max({d.x, d.y, d.z});
+    error.different_pixels += largest > same_colour ? 1 : 0;
+    error.largest_difference = std::max(error.largest_difference, double{largest});
+  }
+}
+
+}  // namespace
+
+IntError int_error(const Scene& scene, const IntErrorOptions& options) {
+  const IntScene integers = int_scene(scene, options.world);
+  const FloatSurfaces float_surfaces(scene.mesh, int_offset(options.world));
+  const IntSurfaces int_surfaces(integers);
+  RenderOptions drawing;
+  drawing.width = options.width;
+  drawing.height = options.height;
+  drawing.light = options.light;
+
+  std::vector<Batch> batches;
+  const Bvh bvh = build_bvh(scene.mesh);
+  RenderOptions recording = drawing;
+  recording.surfaces = &float_surfaces;
+  recording.traced = [&](RayKind, const TraceJob& job) {
+    batches.push_back(
+        {job.query, {job.rays.begin(), job.rays.end()}, {job.triangles.begin(), job.triangles.end()}});
+  };
+  const RenderResult float_picture = render(scene, *make_tracer(scene.mesh, bvh, {}), recording);
+
+  IntError error;
+  error.triangles = static_cast<std::uint32_t>(integers.mesh.triangles.size());
+  error.without_area = integers.mesh.dropped;
+  error.largest_movement = integers.mesh.largest_movement;
+  const auto tracer = [&](const std::optional<hls::MajorBits>& boxes, bool numbers_before_rounding) {
+    return int_tracer(
+        integers.mesh, integers.hierarchy(),
+        {.world = options.world, .boxes = boxes, .numbers_before_rounding = numbers_before_rounding});
+  };
+  const std::unique_ptr<Tracer> exact = tracer(std::nullopt, true);
+  for (const Batch& batch : batches) {
+    error.rays += batch.rays.size();
+    compare_rays(batch, answers(*exact, batch, error.exact), error);
+  }
+  for (const hls::MajorBits& boxes : options.boxes) {
+    const std::unique_ptr<Tracer> with = tracer(boxes, true);
+    TraceCounts& counts = error.with.emplace_back();
+    for (const Batch& batch : batches) (void)answers(*with, batch, counts);
+  }
+  drawing.surfaces = &int_surfaces;
+  compare_pixels(float_picture.image, render(integers.scene, *tracer(std::nullopt, false), drawing).image,
+                 error);
+  return error;
+}
+
+}  // namespace hitpipe::ref
