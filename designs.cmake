@@ -11,4 +11,5 @@ set(HITPIPE_DESIGNS
   int_major
   int_major_pair
   fp_slabs_safe
+  int_triangle
 )

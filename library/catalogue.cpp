@@ -22,11 +22,14 @@ static_assert(same(HITPIPE_ORIGIN, hls::Role::origin) && same(HITPIPE_ORIGIN_HIG
               same(HITPIPE_PLANE_HIGH, hls::Role::plane_high) &&
               same(HITPIPE_EXPONENT, hls::Role::exponent) && same(HITPIPE_BACKWARD, hls::Role::backward) &&
               same(HITPIPE_ENTRY, hls::Role::entry) && same(HITPIPE_OWNER, hls::Role::owner) &&
-              same(HITPIPE_MAJOR, hls::Role::major) && same(HITPIPE_OTHER, hls::Role::other));
+              same(HITPIPE_MAJOR, hls::Role::major) && same(HITPIPE_OTHER, hls::Role::other) &&
+              same(HITPIPE_CORNER, hls::Role::corner));
 static_assert(same(HITPIPE_INTEGER, hls::Kind::integer) && same(HITPIPE_NATURAL, hls::Kind::natural) &&
               same(HITPIPE_REAL, hls::Kind::real) && same(HITPIPE_FLAG, hls::Kind::flag));
 static_assert(same(HITPIPE_HIT, hls::Meaning::hit) && same(HITPIPE_ENTERS, hls::Meaning::entry) &&
-              same(HITPIPE_LEAVES, hls::Meaning::exit) && same(HITPIPE_SECOND_FIRST, hls::Meaning::order));
+              same(HITPIPE_LEAVES, hls::Meaning::exit) && same(HITPIPE_SECOND_FIRST, hls::Meaning::order) &&
+              same(HITPIPE_DETERMINANT, hls::Meaning::determinant) &&
+              same(HITPIPE_EDGE_V_LOW, hls::Meaning::edge_v_low));
 
 /// What does not change, as strings that C can read.
 struct Facts {

@@ -28,6 +28,7 @@ enum class Role {
   owner,         ///< which of two boxes has a plane
   major,         ///< 1: the direction is largest along this axis
   other,         ///< only the design's own set-up knows it
+  corner,        ///< of a triangle
 };
 
 /// How an operand's bits are read.
@@ -47,7 +48,7 @@ struct Operand {
   Kind kind;
   int width;               ///< bits
   std::int64_t low, high;  ///< the set-up gives only numbers in low..high
-  int box;                 ///< for plane_low and plane_high: number of the box, from 0
+  int box;                 ///< number of the box that a plane is of, or of the corner; from 0
 
   constexpr bool is_signed() const { return kind == Kind::integer; }
 };
@@ -70,19 +71,29 @@ constexpr Operand flag_operand(const char* name, Role role) {
 
 /// What a result tells the traversal.
 enum class Meaning {
-  hit,    ///< 1: the ray meets the box
+  hit,    ///< 1: the ray meets the box, or the triangle
   entry,  ///< distance at which the ray enters the box
   exit,   ///< distance at which the ray leaves the box
   order,  ///< 1: the second box comes first
+  // Of a triangle test: numbers in two halves, the high one with the sign (hls/world/triangle_operands.hpp).
+  determinant,
+  determinant_low,
+  volume,
+  volume_low,
+  edge_u,
+  edge_u_low,
+  edge_v,
+  edge_v_low,
 };
 
 /// A result port.
 struct Result {
   const char* name;
   Meaning meaning;
-  int box;  ///< number of the box that it answers for, from 0
+  int box;  ///< number of the box or triangle that it answers for, from 0
   int width;
   bool is_signed;
+  const char* object = "box";  ///< what it answers for
 };
 
 /// A set of meanings.
@@ -108,6 +119,10 @@ constexpr DesignKind box_kind{"box", 1, meanings(Meaning::hit), meanings()};
 /// Where does the ray meet the two children of a parent, and which comes first?
 constexpr DesignKind pair_kind{"pair", 2, meanings(Meaning::hit, Meaning::entry, Meaning::exit),
                                meanings(Meaning::order)};
+/// Does the ray meet the triangle, and where?
+constexpr DesignKind triangle_kind{
+    "triangle", 1, meanings(Meaning::hit),
+    meanings(Meaning::determinant, Meaning::determinant_low, Meaning::volume, Meaning::volume_low)};
 
 constexpr bool operator==(const DesignKind& a, const DesignKind& b) {
   const char* y = b.name;

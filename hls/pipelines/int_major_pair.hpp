@@ -51,8 +51,8 @@ struct IntMajorPair {
   static constexpr Results<D, F> test(const F& format, const IntMajorPairOperands<D, F>& in) {
     using Bit = typename D::bit;
     using Distance = typename F::template Distance<D>;
-    const RayAxes<Bit> low = to_ray_axes<D, F>(in, in.own_xmin, in.own_ymin, in.own_zmin);
-    const RayAxes<Bit> high = to_ray_axes<D, F>(in, in.own_xmax, in.own_ymax, in.own_zmax);
+    const RayAxes<Bit> low = to_ray_axes(in, in.own_xmin, in.own_ymin, in.own_zmin);
+    const RayAxes<Bit> high = to_ray_axes(in, in.own_xmax, in.own_ymax, in.own_zmax);
     const auto second_owns = [](char ray_axis, const Bit& back, const Bit& lower, const Bit& upper) {
       const NearFar<Bit> own = in_ray_order(back, lower, upper);
       return NearFar<Bit>{as("second_near", ray_axis, own.near), as("second_far", ray_axis, own.far)};

@@ -7,22 +7,10 @@
 #include "hls/num/bits.hpp"
 #include "hls/num/levels.hpp"
 #include "hls/num/saturating_shift.hpp"
+#include "hls/pipelines/ray_axes_parts.hpp"
 
 namespace hitpipe {
 namespace hls {
-
-/// What belongs to each ray axis.
-template <class X>
-struct RayAxes {
-  X m, a, b;
-};
-
-/// From axes to ray axes.
-template <class D, class F, class X>
-constexpr RayAxes<X> to_ray_axes(const MajorRay<D, F>& ray, const X& x, const X& y, const X& z) {
-  return {select(ray.major_z, z, select(ray.major_y, y, x)), select(ray.major_y, x, y),
-          select(ray.major_z, x, z)};
-}
 
 /// Where the ray enters and where it leaves a slab.
 template <class X>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "hls/box/format.hpp"
 #include "hls/box/operand.hpp"
@@ -23,9 +24,9 @@ struct OperandReader {
   void operator()(const hls::Operand& /*port*/, hls::ap_base<W, S>& field) {
     field = *next++;
   }
-  template <bool S>
-  void operator()(const hls::Operand& port, hls::SizedInt<S>& field) {
-    field = hls::SizedInt<S>(static_cast<std::uint64_t>(*next++), port.width);
+  template <bool S, class Word>
+  void operator()(const hls::Operand& port, hls::SizedInt<S, Word>& field) {
+    field = hls::SizedInt<S, Word>(static_cast<Word>(*next++), port.width);
   }
   template <class D, class F>
   void operator()(const hls::Operand& port, hls::Fp<D, F>& field) {
@@ -78,7 +79,11 @@ HITPIPE_FLATTEN void run_on_float_unit(const Format& /*its own*/, const std::int
 
 template <class Pipeline>
 HITPIPE_FLATTEN void run_any(const Format& format, const std::int64_t* operands, std::int64_t* results) {
-  run<Pipeline, hls::Sized>(format.as<typename Pipeline::Bits>(), operands, results);
+  using Domain = std::conditional_t < requires {
+    requires Pipeline::wide;
+  }
+  , hls::WideSized, hls::Sized > ;
+  run<Pipeline, Domain>(format.as<typename Pipeline::Bits>(), operands, results);
 }
 #undef HITPIPE_FLATTEN
 

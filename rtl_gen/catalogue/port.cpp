@@ -73,6 +73,8 @@ std::string_view words_of(hls::Role role) {
       return "number of the box that has the plane";
     case hls::Role::major:
       return "1: the major axis";
+    case hls::Role::corner:
+      return "corner of the triangle";
     case hls::Role::other:
       return "of the design's own set-up";
   }
@@ -98,7 +100,11 @@ std::string_view words_of(hls::Kind kind) {
 std::string description(const Port& operand) {
   std::string text(words_of(operand.role));
   if (operand.axis != hls::Axis::none) text += fmt::format(", {}", " xyz"[static_cast<int>(operand.axis)]);
-  if (operand.box > 0) text += fmt::format(", box {}", operand.box);
+  if (operand.role == hls::Role::corner) {
+    text += fmt::format(", number {}", operand.box);
+  } else if (operand.box > 0) {
+    text += fmt::format(", box {}", operand.box);
+  }
   if (!operand.kind) return text;
   text += fmt::format("; {}", words_of(*operand.kind));
   const bool has_numbers = *operand.kind == hls::Kind::integer || *operand.kind == hls::Kind::natural;
@@ -109,13 +115,29 @@ std::string description(const Port& operand) {
 std::string description(const hls::Result& result) {
   switch (result.meaning) {
     case hls::Meaning::hit:
-      return fmt::format("1: the ray meets box {}", result.box);
+      return fmt::format("1: the ray meets {} {}", result.object, result.box);
     case hls::Meaning::entry:
       return fmt::format("where the ray enters box {}", result.box);
     case hls::Meaning::exit:
       return fmt::format("where the ray leaves box {}", result.box);
     case hls::Meaning::order:
       return "1: the second box comes first";
+    case hls::Meaning::determinant:
+      return "determinant, high half";
+    case hls::Meaning::determinant_low:
+      return "determinant, low half";
+    case hls::Meaning::volume:
+      return "numerator of the distance, high half";
+    case hls::Meaning::volume_low:
+      return "numerator of the distance, low half";
+    case hls::Meaning::edge_u:
+      return "numerator of corner 2's weight, high half";
+    case hls::Meaning::edge_u_low:
+      return "numerator of corner 2's weight, low half";
+    case hls::Meaning::edge_v:
+      return "numerator of corner 1's weight, high half";
+    case hls::Meaning::edge_v_low:
+      return "numerator of corner 1's weight, low half";
   }
   throw std::logic_error("a result without a meaning");
 }

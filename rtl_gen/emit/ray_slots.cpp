@@ -113,6 +113,7 @@ std::vector<SentWith> sent_with(const std::vector<Port>& ports) {
       case hls::Role::plane_high:
       case hls::Role::entry:
       case hls::Role::owner:
+      case hls::Role::corner:
       case hls::Role::other:
         all.push_back(SentWith::test);
         break;

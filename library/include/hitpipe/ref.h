@@ -100,7 +100,8 @@ typedef enum hitpipe_role {
   HITPIPE_ENTRY,        /* distance at which the ray enters a parent box */
   HITPIPE_OWNER,        /* which of two boxes has a plane */
   HITPIPE_MAJOR,        /* 1: the direction is largest along this axis */
-  HITPIPE_OTHER
+  HITPIPE_OTHER,
+  HITPIPE_CORNER /* of a triangle; `box` is its number */
 } hitpipe_role;
 
 /* How an operand's bits are read. */
@@ -116,7 +117,16 @@ typedef enum hitpipe_meaning {
   HITPIPE_HIT,         /* 1: the ray meets the box */
   HITPIPE_ENTERS,      /* distance at which the ray enters the box */
   HITPIPE_LEAVES,      /* distance at which the ray leaves the box */
-  HITPIPE_SECOND_FIRST /* 1: the second box comes first */
+  HITPIPE_SECOND_FIRST, /* 1: the second box comes first */
+  /* Of a triangle test: numbers in two halves. */
+  HITPIPE_DETERMINANT,
+  HITPIPE_DETERMINANT_LOW,
+  HITPIPE_VOLUME,
+  HITPIPE_VOLUME_LOW,
+  HITPIPE_EDGE_U,
+  HITPIPE_EDGE_U_LOW,
+  HITPIPE_EDGE_V,
+  HITPIPE_EDGE_V_LOW
 } hitpipe_meaning;
 
 typedef struct hitpipe_port_info {

@@ -38,8 +38,8 @@ TEST(Sized, EveryOperatorMeansWhatApIntsDoes) {
       for (const std::uint64_t a : all_a) {
         for (const std::uint64_t b : all_b) {
           const auto native = op.apply(Native(), A(a), B(b));
-          const auto sized =
-              op.apply(Sized(), SizedInt<A::is_signed>(a, A::width), SizedInt<B::is_signed>(b, B::width));
+          const auto sized = op.apply(Sized(), SizedInt<A::is_signed, std::uint64_t>(a, A::width),
+                                      SizedInt<B::is_signed, std::uint64_t>(b, B::width));
           static_assert(decltype(sized)::is_signed == decltype(native)::is_signed);
           ASSERT_EQ(sized.width(), decltype(native)::width) << op.name;
           ASSERT_EQ(sized.to_int64(), native.to_int64())

@@ -51,8 +51,8 @@ struct MajorReader {
     field = next(port);
   }
   template <bool S>
-  void operator()(const hls::Operand& port, hls::SizedInt<S>& field) {
-    field = hls::SizedInt<S>(static_cast<std::uint64_t>(next(port)), port.width);
+  void operator()(const hls::Operand& port, hls::SizedInt<S, std::uint64_t>& field) {
+    field = hls::SizedInt<S, std::uint64_t>(static_cast<std::uint64_t>(next(port)), port.width);
   }
   std::int64_t next(const hls::Operand& port) {
     out_of_range += *value < port.low || *value > port.high ? 1 : 0;
