@@ -92,7 +92,8 @@ std::int64_t area_of(const Graph& graph, const SharedSchedule& shared, const Sha
 }
 
 SharedSchedule share_for_least_area(const Graph& graph, const Library& library, int interval,
-                                    const SharingPrices& prices, std::optional<int> clock_ps) {
+                                    const SharingPrices& prices, std::optional<int> clock_ps,
+                                    int longest_wait) {
   SharingProblem problem{.graph = graph,
                          .library = library,
                          .interval = interval,
@@ -146,14 +147,16 @@ SharedSchedule share_for_least_area(const Graph& graph, const Library& library, 
     for (NodeId id = 0; id < graph.size(); ++id) {
       if (!is_component(graph[id].op)) continue;
       const int before = problem.earliest[id];
-      problem.earliest[id] = best.shared.schedule.slots[id].stage + 1;
-      TriedSharing next = tried(chosen);
-      if (next.area < best.area) {
-        best = std::move(next);
-        changed = true;
-      } else {
-        problem.earliest[id] = before;
+      const int stage = best.shared.schedule.slots[id].stage;
+      bool better = false;
+      for (int wait = 1; wait <= longest_wait && !better; ++wait) {
+        problem.earliest[id] = stage + wait;
+        TriedSharing next = tried(chosen);
+        better = next.area < best.area;
+        if (better) best = std::move(next);
       }
+      if (!better) problem.earliest[id] = before;
+      changed |= better;
     }
   }
   return std::move(best.shared);
