@@ -105,7 +105,8 @@ void add_shared(Tally& tally, const Graph& graph, const rtl::Schedule& schedule,
       if (!is_selected(graph, operations, place)) continue;
       const int bits = graph[graph[first].args[place]].width;
       tally.add(stage, {latch, bits});
-      for (std::size_t i = 1; i < operations.size(); ++i) tally.add(stage, {Component::mux2, bits});
+      const int values = selected_values(graph, schedule, binding.interval, operations, place);
+      for (int i = 1; i < values; ++i) tally.add(stage, {Component::mux2, bits});
     }
   }
   if (const int bits = rtl::phase_bits(binding.interval)) tally.add(0, {latch, bits, Purpose::phase});

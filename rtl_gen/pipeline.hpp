@@ -23,8 +23,8 @@ struct Pipeline {
 };
 
 /// On a chip, products are made as rtl_gen/component/product.hpp plans them. With an interval of more than
-/// one cycle, operations share components where that makes the unit smaller
-/// (rtl_gen/schedule/least_area.hpp). Throws as schedule_modulo() does.
+/// one cycle, operations share components where that makes the unit smaller, also those of several widths
+/// (rtl_gen/schedule/least_area.hpp, wider.hpp). Throws as schedule_modulo() does.
 [[nodiscard]] Pipeline make_pipeline(const Graph& traced, const Library& library,
                                      std::optional<int> clock_ps = std::nullopt, int interval = 1);
 

@@ -47,16 +47,16 @@ std::int64_t sharing_price(const Graph& graph, NodeId id, const Library& library
 }
 
 /// The latches of an instance's operands, and the multiplexers before them.
-std::int64_t selection_price(const Graph& graph, const std::vector<NodeId>& operations,
-                             const SharingPrices& prices) {
+std::int64_t selection_price(const Graph& graph, const SharedSchedule& shared,
+                             const std::vector<NodeId>& operations, const SharingPrices& prices) {
   std::int64_t price = 0;
   const Node& first = graph[operations.front()];
   for (std::size_t i = 0; i < first.operands().size(); ++i) {
     const NodeId arg = first.args[i];
     if (!is_selected(graph, operations, i)) continue;
     price += prices.part(Component::latch, graph[arg].width);
-    price +=
-        static_cast<std::int64_t>(operations.size() - 1) * prices.part(Component::mux2, graph[arg].width);
+    const int values = selected_values(graph, shared.schedule, shared.binding.interval, operations, i);
+    price += (values - 1) * prices.part(Component::mux2, graph[arg].width);
   }
   return price;
 }
@@ -83,7 +83,7 @@ std::int64_t area_of(const Graph& graph, const SharedSchedule& shared, const Sha
   for (NodeId id = 0; id < graph.size(); ++id)
     if (is_component(graph[id].op) && !binding.shares(id)) area += prices.operation(id);
   for (const auto& [instance, operations] : binding.instances())
-    area += prices.operation(operations.front()) + selection_price(graph, operations, prices);
+    area += prices.operation(operations.front()) + selection_price(graph, shared, operations, prices);
   for (const Register& r : place_registers(graph, schedule, Ports::latched, binding.interval).registers)
     area += prices.part(Component::latch, r.width());
   const int tags = schedule.stages / binding.interval + 1;
@@ -92,7 +92,8 @@ std::int64_t area_of(const Graph& graph, const SharedSchedule& shared, const Sha
 }
 
 SharedSchedule share_for_least_area(const Graph& graph, const Library& library, int interval,
-                                    const SharingPrices& prices, std::optional<int> clock_ps) {
+                                    const SharingPrices& prices, std::optional<int> clock_ps,
+                                    int longest_wait) {
   SharingProblem problem{.graph = graph,
                          .library = library,
                          .interval = interval,
@@ -146,14 +147,16 @@ SharedSchedule share_for_least_area(const Graph& graph, const Library& library, 
     for (NodeId id = 0; id < graph.size(); ++id) {
       if (!is_component(graph[id].op)) continue;
       const int before = problem.earliest[id];
-      problem.earliest[id] = best.shared.schedule.slots[id].stage + 1;
-      TriedSharing next = tried(chosen);
-      if (next.area < best.area) {
-        best = std::move(next);
-        changed = true;
-      } else {
-        problem.earliest[id] = before;
+      const int stage = best.shared.schedule.slots[id].stage;
+      bool better = false;
+      for (int wait = 1; wait <= longest_wait && !better; ++wait) {
+        problem.earliest[id] = stage + wait;
+        TriedSharing next = tried(chosen);
+        better = next.area < best.area;
+        if (better) best = std::move(next);
       }
+      if (!better) problem.earliest[id] = before;
+      changed |= better;
     }
   }
   return std::move(best.shared);

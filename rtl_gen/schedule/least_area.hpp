@@ -26,11 +26,13 @@ struct SharingPrices {
 
 /// The kind of operation whose components cost most comes first. For each kind it tries every number of
 /// shared instances, schedules the whole graph and keeps the least area, until no kind changes. Then it lets
-/// each operation wait for a stage where that makes the area less. Operations keep components of their own
-/// where the clock is too short to select among them. Of eight small graphs seven get the least area of all
-/// schedules and bindings, and one 3 % more (least_area_test). Throws as schedule_modulo() does.
+/// each operation wait for a stage, or for up to `longest_wait` at a time, where that makes the area less.
+/// Operations keep components of their own where the clock is too short to select among them. Of eight small
+/// graphs seven get the least area of all schedules and bindings, and one 3 % more (least_area_test). Throws
+/// as schedule_modulo() does.
 [[nodiscard]] SharedSchedule share_for_least_area(const Graph& graph, const Library& library, int interval,
                                                   const SharingPrices& prices,
-                                                  std::optional<int> clock_ps = std::nullopt);
+                                                  std::optional<int> clock_ps = std::nullopt,
+                                                  int longest_wait = 1);
 
 }  // namespace hitpipe::rtl

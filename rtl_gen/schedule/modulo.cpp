@@ -78,6 +78,7 @@ class ModuloList {
       phases_.resize(phases_.size() + static_cast<std::size_t>(group.instances));
     }
     first_instance_.push_back(static_cast<int>(phases_.size()));
+    reads_.resize(phases_.size());
     if (!phases_.empty() && selection_ps_ + made_.schedule.latch_ps > made_.schedule.clock_ps)
       refuse_sharing(
           graph_, fmt::format("a clock of {} ps is too short to select among {} operands; the smallest "
@@ -153,14 +154,30 @@ class ModuloList {
   bool takes(NodeId id, int stage) {
     const auto group = static_cast<std::size_t>(group_of_[id]);
     const std::uint64_t phase = std::uint64_t{1} << (stage % made_.binding.interval);
+    int best = -1;
+    int most = -1;
     for (int i = first_instance_[group]; i < first_instance_[group + 1]; ++i) {
-      std::uint64_t& taken = phases_[static_cast<std::size_t>(i)];
-      if ((taken & phase) != 0) continue;
-      taken |= phase;
-      made_.binding.instance_of[id] = i;
-      return true;
+      if ((phases_[static_cast<std::size_t>(i)] & phase) != 0) continue;
+      const int alike = reads_alike(id, i);
+      if (alike > most) best = i;
+      most = std::max(most, alike);
     }
-    return false;
+    if (best < 0) return false;
+    phases_[static_cast<std::size_t>(best)] |= phase;
+    made_.binding.instance_of[id] = best;
+    const Node& n = graph_[id];
+    for (std::size_t place = 0; place < n.operands().size(); ++place)
+      reads_[static_cast<std::size_t>(best)].insert({place, n.args[place]});
+    return true;
+  }
+
+  /// How many operands an operation of the instance reads too.
+  [[nodiscard]] int reads_alike(NodeId id, int instance) const {
+    const Node& n = graph_[id];
+    int alike = 0;
+    for (std::size_t place = 0; place < n.operands().size(); ++place)
+      alike += reads_[static_cast<std::size_t>(instance)].contains({place, n.args[place]}) ? 1 : 0;
+    return alike;
   }
 
   const Graph& graph_;
@@ -173,6 +190,8 @@ class ModuloList {
   std::vector<int> group_of_;          ///< by node; -1: it does not share
   std::vector<int> first_instance_;    ///< by group
   std::vector<std::uint64_t> phases_;  ///< by instance: a bit for each phase that is taken
+  std::vector<std::set<std::pair<std::size_t, NodeId>>>
+      reads_;  ///< by instance: what it reads at which place
 };
 
 }  // namespace
@@ -200,6 +219,21 @@ bool is_selected(const Graph& graph, const std::vector<NodeId>& operations, std:
   return graph[first].op != Op::constant ||
          !std::all_of(operations.begin(), operations.end(),
                       [&](NodeId id) { return graph[id].args[place] == first; });
+}
+
+int selected_values(const Graph& graph, const Schedule& schedule, int interval,
+                    const std::vector<NodeId>& operations, std::size_t place) {
+  std::set<std::vector<int>> values;  // the wires, and the boundary at which each source was latched
+  for (const NodeId id : operations) {
+    const int stage = schedule.slots[id].stage;
+    std::vector<int> value{static_cast<int>(graph[id].args[place])};
+    for_each_source_of(graph, graph[id].args[place], [&](NodeId source, Word) {
+      const int finish = schedule.slots[source].finish;
+      value.push_back(stage == finish ? -1 : finish + (stage - 1 - finish) / interval * interval);
+    });
+    values.insert(std::move(value));
+  }
+  return static_cast<int>(values.size());
 }
 
 int selection_ps(const Library& library, int operations) {

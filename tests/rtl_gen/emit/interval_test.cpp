@@ -70,6 +70,17 @@ TEST_P(EveryFewCycles, TheFifoHasNoMorePlacesThanItNeeds) {
 
 INSTANTIATE_TEST_SUITE_P(Designs, EveryFewCycles, testing::ValuesIn(every_design({"16/16"})), design_suffix);
 
+/// Its products and sums of several widths run on the same components.
+TEST(EveryFewCyclesWidened, TheTriangleTestIsLintCleanAndPasses) {
+  for (const int interval : {4, 8}) {
+    const EmittedDesign unit = emitted({"int_triangle", "20+1s20"}, interval, FlowControl::stall);
+    const ScratchFolder folder;
+    host::write_files(folder.path(), unit.files());
+    expect_silent_tools(folder.path(), {{"unit"}});
+    EXPECT_EQ(replayed(unit).output, "PASS 1000 vectors\n") << interval;
+  }
+}
+
 TEST(EveryFewCyclesDamaged, IsFound) {
   for (const FlowControl flow : {FlowControl::stall, FlowControl::none}) {
     const EmittedDesign unit = emitted({"int_slabs", "16/16"}, 3, flow);

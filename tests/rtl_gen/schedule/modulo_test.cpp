@@ -68,10 +68,23 @@ TEST(Modulo, ThreeProductsOnOneInstanceStartOneAfterTheOther) {
 TEST(Modulo, TwoInstancesShareTheProducts) {
   const ThreeProducts t;
   const SharedSchedule s = schedule_modulo(t.problem(2, 2));
-  EXPECT_EQ(s.binding.instance_of, (std::map<NodeId, int>{{t.ab, 0}, {t.ac, 1}, {t.bc, 0}}));
+  EXPECT_EQ(s.binding.instance_of, (std::map<NodeId, int>{{t.ab, 0}, {t.ac, 1}, {t.bc, 1}}))
+      << "ac and bc have the same second operand";
   EXPECT_EQ(s.schedule.slots[t.ab].stage, 1);
   EXPECT_EQ(s.schedule.slots[t.ac].stage, 1);
   EXPECT_EQ(s.schedule.slots[t.bc].stage, 2);
+}
+
+TEST(Modulo, ASelectionNeedsOneInputForEachRegisterThatIsRead) {
+  const ThreeProducts t;
+  const SharedSchedule s = schedule_modulo(t.problem(3, 1));
+  const auto values = [&](int interval, std::size_t place) {
+    return selected_values(t.g, s.schedule, interval, {t.ab, t.ac, t.bc}, place);
+  };
+  EXPECT_EQ(values(3, 0), 2) << "a, a, b";
+  EXPECT_EQ(values(3, 1), 2) << "b, c, c";
+  EXPECT_EQ(values(1, 0), 3) << "a in the stage after it is in another register";
+  EXPECT_EQ(values(2, 1), 3) << "c in stage 3 too";
 }
 
 TEST(Modulo, ASelectionThatDoesNotFitBehindLogicWaits) {
