@@ -12,4 +12,5 @@ set(HITPIPE_DESIGNS
   int_major_pair
   fp_slabs_safe
   int_triangle
+  int_ray
 )

@@ -63,6 +63,9 @@ hitpipe_status hitpipe_set_ray(hitpipe_unit* unit, const hitpipe_ray* ray) {
     hitpipe_unit& its = given(unit, "unit");
     its.ray.reset();
     const hitpipe::ref::Ray own = checked(given(ray, "ray"));
+    if (its.test == nullptr)
+      throw Refusal(HITPIPE_BAD_ARGUMENT,
+                    fmt::format("design {}: tests no boxes; give it operands", its.name));
     its.test->start(own);
     its.ray = own;
   });

@@ -29,7 +29,8 @@ static_assert(same(HITPIPE_INTEGER, hls::Kind::integer) && same(HITPIPE_NATURAL,
 static_assert(same(HITPIPE_HIT, hls::Meaning::hit) && same(HITPIPE_ENTERS, hls::Meaning::entry) &&
               same(HITPIPE_LEAVES, hls::Meaning::exit) && same(HITPIPE_SECOND_FIRST, hls::Meaning::order) &&
               same(HITPIPE_DETERMINANT, hls::Meaning::determinant) &&
-              same(HITPIPE_EDGE_V_LOW, hls::Meaning::edge_v_low));
+              same(HITPIPE_EDGE_V_LOW, hls::Meaning::edge_v_low) &&
+              same(HITPIPE_ERROR, hls::Meaning::error) && same(HITPIPE_RAY_LENGTH, hls::Meaning::length));
 
 /// What does not change, as strings that C can read.
 struct Facts {

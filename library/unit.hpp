@@ -12,7 +12,7 @@
 #include "sw_ref/scene/ray.hpp"
 
 struct hitpipe_unit {
-  /// Throws what make_box_test() throws.
+  /// Throws what make_box_test() throws of a design that tests boxes.
   hitpipe_unit(const hitpipe::rtl::Design& its_design, const hitpipe::rtl::Format& its_format)
       : design(&its_design),
         name(its_design.name),
@@ -20,7 +20,7 @@ struct hitpipe_unit {
         ports(its_design.ports(its_format)),
         results(its_design.results(its_format)),
         boxes_per_test(static_cast<std::size_t>(its_design.kind.objects)),
-        test(hitpipe::sim::make_box_test(its_design, its_format)),
+        test(its_design.kind.of_boxes ? hitpipe::sim::make_box_test(its_design, its_format) : nullptr),
         evaluate(its_design.evaluate(its_format)) {}
 
   const hitpipe::rtl::Design* design;
@@ -29,7 +29,7 @@ struct hitpipe_unit {
   std::vector<hitpipe::rtl::Port> ports;
   std::vector<hitpipe::hls::Result> results;
   std::size_t boxes_per_test;
-  std::unique_ptr<hitpipe::sim::BoxTest> test;
+  std::unique_ptr<hitpipe::sim::BoxTest> test;  ///< null: the design tests no boxes
   hitpipe::rtl::Evaluate evaluate;
   std::optional<hitpipe::ref::Ray> ray{};  ///< nothing: none is set
 };

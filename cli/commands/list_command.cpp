@@ -15,12 +15,18 @@ namespace hitpipe::cli {
 
 namespace {
 
+bool has_hit(const rtl::Design& design) {
+  return (design.kind.of_each & hls::meanings(hls::Meaning::hit)) != 0;
+}
+
 std::string designs_text(OutputFormat format) {
   std::vector<Row> rows;
   for (const rtl::Design& design : rtl::designs()) {
     rows.push_back({{"design", design.name},
                     {"bits", rtl::to_string(design.default_format)},
-                    {"misses", design.conservative ? "never" : "possible"},
+                    {"misses", !has_hit(design)      ? "-"
+                               : design.conservative ? "never"
+                                                     : "possible"},
                     {"what", design.summary}});
     if (format == OutputFormat::text) continue;  // lines of text are short
     rows.back()["formats"] = design.default_format.family().allowed();

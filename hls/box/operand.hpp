@@ -84,6 +84,17 @@ enum class Meaning {
   edge_u_low,
   edge_v,
   edge_v_low,
+  // Of an integer ray (hls/world/ray_operands.hpp). `object` is the axis or ray axis, where there are
+  // several.
+  error,          ///< 1: there is no such ray
+  axis,           ///< 1: the direction is largest along this axis
+  back,           ///< 1: the direction is negative along this ray axis
+  origin,         ///< of the ray
+  slope,          ///< magnitude of the direction, divided by its largest component
+  mantissa_low,   ///< lower bound of a slope's reciprocal
+  mantissa_high,  ///< upper bound of a slope's reciprocal
+  exponent,       ///< power of two that belongs to both bounds
+  length,         ///< of the ray
 };
 
 /// A result port.
@@ -93,7 +104,7 @@ struct Result {
   int box;  ///< number of the box or triangle that it answers for, from 0
   int width;
   bool is_signed;
-  const char* object = "box";  ///< what it answers for
+  const char* object = "box";  ///< what it answers for, or what it is of
 };
 
 /// A set of meanings.
@@ -124,6 +135,12 @@ constexpr DesignKind pair_kind{"pair", 2, meanings(Meaning::hit, Meaning::entry,
 constexpr DesignKind triangle_kind{
     "triangle", 1, meanings(Meaning::hit),
     meanings(Meaning::determinant, Meaning::determinant_low, Meaning::volume, Meaning::volume_low), false};
+/// Which integer ray is a ray of floats? It tests no box and has no HIT.
+constexpr DesignKind ray_kind{
+    "ray", 1, meanings(),
+    meanings(Meaning::error, Meaning::axis, Meaning::back, Meaning::origin, Meaning::slope,
+             Meaning::mantissa_low, Meaning::mantissa_high, Meaning::exponent, Meaning::length),
+    false};
 
 constexpr bool operator==(const DesignKind& a, const DesignKind& b) {
   const char* y = b.name;

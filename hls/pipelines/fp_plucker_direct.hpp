@@ -26,7 +26,7 @@ struct FpLesserTerm {
 /// Fields and functions that this struct does not define are FpPlucker's.
 struct FpPluckerDirect : FpPlucker {
   static constexpr const char* name = "fp_plucker_direct";
-  static constexpr const char* summary = "float Pluecker test without side relations";
+  static constexpr const char* summary = "float Pluecker, no side relations";
   static constexpr const char* header = __FILE__;
   using Shares = FpPlucker;
 

@@ -15,7 +15,7 @@ namespace hls {
 namespace int_major {
 struct IntMajor {
   static constexpr const char* name = "int_major";
-  static constexpr const char* summary = "integer slabs along the ray's major axis";
+  static constexpr const char* summary = "integer slabs along the major axis";
   static constexpr bool conservative = true;
   static constexpr DesignKind kind = box_kind;
   static constexpr const char* header = __FILE__;

@@ -52,7 +52,7 @@ constexpr typename D::bit int_outside(const F& format, char number, const Silhou
 
 struct IntPlucker {
   static constexpr const char* name = "int_plucker";
-  static constexpr const char* summary = "integer Pluecker test, figures 7.11-7.14";
+  static constexpr const char* summary = "integer Pluecker test, figures 7.11-14";
   static constexpr bool conservative = true;
   static constexpr DesignKind kind = box_kind;
   static constexpr const char* header = __FILE__;

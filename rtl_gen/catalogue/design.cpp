@@ -34,6 +34,15 @@ void check(const Design& design, const Format& format) {
     no_such_format(design, to_string(format));
 }
 
+/// Of the first box.
+std::optional<std::size_t> place_of(std::span<const hls::Result> results, hls::Meaning meaning) {
+  const auto found = std::find_if(results.begin(), results.end(), [&](const hls::Result& result) {
+    return result.meaning == meaning && result.box == 0;
+  });
+  if (found == results.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - results.begin());
+}
+
 }  // namespace
 
 Format Design::parse_format(std::string_view text) const {
@@ -83,17 +92,24 @@ std::string Design::bits_option(const Format& format) const {
 }
 
 std::size_t place_of_hit(std::span<const hls::Result> results) {
-  const auto is_hit = [](const hls::Result& r) { return r.meaning == hls::Meaning::hit && r.box == 0; };
-  const auto found = std::find_if(results.begin(), results.end(), is_hit);
-  if (found == results.end())
-    throw std::invalid_argument("none of a design's results is HIT of the first box");
-  return static_cast<std::size_t>(found - results.begin());
+  if (const auto place = place_of(results, hls::Meaning::hit)) return *place;
+  throw std::invalid_argument("none of a design's results is HIT of the first box");
+}
+
+Verdict verdict_of(std::span<const hls::Result> results) {
+  if (const auto place = place_of(results, hls::Meaning::hit)) return {*place, true};
+  if (const auto place = place_of(results, hls::Meaning::error)) return {*place, false};
+  throw std::invalid_argument("none of a design's results is HIT of the first box, or an error");
 }
 
 Evaluate::Evaluate(Run run, const Format& format, std::span<const hls::Result> results)
-    : run_(run), format_(format), hit_(place_of_hit(results)), result_count_(results.size()) {
+    : run_(run), format_(format), verdict_(verdict_of(results)), result_count_(results.size()) {
   if (results.size() > most_results)
     throw std::invalid_argument(fmt::format("a design has 1 to {} results", most_results));
+}
+
+void Evaluate::throw_no_hit() {
+  throw std::logic_error("a design without HIT was asked for it");
 }
 
 void check_kind(const Design& design) {

@@ -138,6 +138,24 @@ std::string description(const hls::Result& result) {
       return "numerator of corner 2's weight, high half";
     case hls::Meaning::edge_v_low:
       return "numerator of corner 2's weight, low half";
+    case hls::Meaning::error:
+      return fmt::format("1: there is no such {}", result.object);
+    case hls::Meaning::axis:
+      return fmt::format("1: the major axis is {}", result.object);
+    case hls::Meaning::back:
+      return fmt::format("1: the direction is negative, ray axis {}", result.object);
+    case hls::Meaning::origin:
+      return fmt::format("origin, ray axis {}", result.object);
+    case hls::Meaning::slope:
+      return fmt::format("slope, ray axis {}", result.object);
+    case hls::Meaning::mantissa_low:
+      return fmt::format("lower bound of the slope's reciprocal, ray axis {}", result.object);
+    case hls::Meaning::mantissa_high:
+      return fmt::format("upper bound of the slope's reciprocal, ray axis {}", result.object);
+    case hls::Meaning::exponent:
+      return fmt::format("power of two for both bounds, ray axis {}", result.object);
+    case hls::Meaning::length:
+      return fmt::format("length of the {}", result.object);
   }
   throw std::logic_error("a result without a meaning");
 }

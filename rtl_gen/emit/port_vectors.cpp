@@ -137,7 +137,7 @@ PortVectors::PortVectors(const VectorUnit& unit, std::uint64_t seed)
 
 Vector PortVectors::noted(LastHit& last, std::vector<std::int64_t> operands) const {
   Vector vector = with_results(std::move(operands), unit_.evaluate);
-  if (unit_.evaluate.hit(vector.results.data())) last = vector.operands;
+  if (unit_.evaluate.yes(vector.results.data())) last = vector.operands;
   return vector;
 }
 

@@ -92,8 +92,18 @@ std::vector<Vector> VectorSet::all() const {
   return vectors;
 }
 
+namespace {
+
+bool has_hit(const std::vector<hls::Result>& results) {
+  return std::any_of(results.begin(), results.end(),
+                     [](const hls::Result& result) { return result.meaning == hls::Meaning::hit; });
+}
+
+}  // namespace
+
 std::size_t hits(const std::vector<Vector>& vectors, const std::vector<hls::Result>& results) {
   const auto hits_a_box = [&](const Vector& vector) {
+    if (!has_hit(results)) return verdict_of(results)(vector.results.data());
     for (std::size_t i = 0; i < results.size(); ++i)
       if (results[i].meaning == hls::Meaning::hit && vector.results[i] != 0) return true;
     return false;
@@ -103,8 +113,9 @@ std::size_t hits(const std::vector<Vector>& vectors, const std::vector<hls::Resu
 
 std::string vector_summary(const std::string& unit, const VectorSet& set,
                            const std::vector<hls::Result>& results) {
-  std::string text = fmt::format("// {}: {} vectors of seed {}, of which {} hit a box.\n", unit, set.size(),
-                                 set.seed, hits(set.all(), results));
+  std::string text =
+      fmt::format("// {}: {} vectors of seed {}, of which {} {}.\n", unit, set.size(), set.seed,
+                  hits(set.all(), results), has_hit(results) ? "hit a box" : "have no error");
   text += "// A line is a vector: the operands, the first port in the high bits, then the results.\n";
   text += "// from                     first    last    hits\n";
   std::size_t first = 0;

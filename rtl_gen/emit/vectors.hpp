@@ -32,7 +32,7 @@ struct VectorSet {
   [[nodiscard]] std::vector<Vector> all() const;
 };
 
-/// How many of them hit a box.
+/// How many of them hit a box or, of a design without HIT, have no error.
 [[nodiscard]] std::size_t hits(const std::vector<Vector>& vectors, const std::vector<hls::Result>& results);
 
 /// One vector a line, hexadecimal: the operands, first port in the high bits, then the expected results, last

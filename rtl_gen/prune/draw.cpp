@@ -290,7 +290,7 @@ DrawVectors::DrawVectors(const std::vector<Port>& ports, const Demands& demands,
 
 Vector DrawVectors::noted(std::vector<std::int64_t> operands) {
   Vector vector = with_results(std::move(operands), evaluate_);
-  if (evaluate_.hit(vector.results.data())) last_hit_ = vector.operands;
+  if (evaluate_.yes(vector.results.data())) last_hit_ = vector.operands;
   return vector;
 }
 

@@ -152,8 +152,9 @@ class Drawing {
       const std::string wire = first ? fmt::format(" [label=\"{}\" minlen={}]", names_[r->value].name,
                                                    std::max(1, slot.finish - slot.stage))
                                      : "";
-      const std::string from =
-          first ? fmt::format("v{}", r->value) : source_of(r->value, r->high, r->low, boundary - 1);
+      const std::string from = first && schedule_.slots[r->value].stage > entry_
+                                   ? fmt::format("v{}", r->value)
+                                   : source_of(r->value, r->high, r->low, boundary - 1);
       edges_ += fmt::format("  {} -> {}{}\n", from, nodes.back(), wire);
     }
     write_order(nodes);
@@ -277,7 +278,7 @@ class Drawing {
     for (int b = boundary; b > std::max(entry_, boundary - interval_); --b)
       for (const Register& r : placement_.registers)
         if (r.value == value && r.boundary == b && r.low <= low && r.high >= high) return node_of(r);
-    if (schedule_.slots[value].finish <= entry_) return entry(names_[value].name);
+    if (schedule_.slots[value].stage <= entry_) return entry(names_[value].name);
     return fmt::format("v{}", value);
   }
 

@@ -33,7 +33,7 @@ BoardLink::BoardLink(host::SerialPort& port, const rtl::Design& design, const rt
       patience_(patience),
       operands_(design.ports(format)),
       results_(rtl::result_ports(design.results(format))),
-      hit_(rtl::place_of_hit(design.results(format))) {}
+      verdict_(rtl::verdict_of(design.results(format))) {}
 
 std::vector<std::string> BoardLink::exchange(std::chrono::milliseconds wait) {
   const std::size_t before = out_.size();
@@ -108,7 +108,7 @@ bool BoardLink::receive(const std::string& payload) {
   const std::string_view bytes = std::string_view(payload).substr(2);
   const std::vector<std::int64_t> results = unpack(results_, bytes);
   ++counts_.tests;
-  counts_.hits += results[hit_] != 0 ? 1 : 0;
+  counts_.hits += verdict_(results.data()) ? 1 : 0;
   if (bytes == pack(results_, test.numbered.test.results)) return true;
   ++counts_.mismatches;
   if (!counts_.first_wrong)

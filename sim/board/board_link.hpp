@@ -25,7 +25,7 @@ struct WrongAnswer {
 
 struct BoardCounts {
   std::uint64_t tests = 0;  ///< answered
-  std::uint64_t hits = 0;   ///< HIT of the first box, as the board says
+  std::uint64_t hits = 0;   ///< verdicts that are yes, as the board says
   std::uint64_t mismatches = 0;
   std::uint64_t resent = 0;  ///< tests that were sent again, because no answer came
   std::uint64_t bytes_sent = 0, bytes_received = 0;
@@ -83,7 +83,7 @@ class BoardLink {
   Patience patience_;
   std::vector<rtl::Port> operands_;
   std::vector<rtl::Port> results_;
-  std::size_t hit_;
+  rtl::Verdict verdict_;
   FrameReader reader_;
   std::string out_;
   std::vector<Waiting> waiting_;  ///< in the order in which they were sent

@@ -58,6 +58,7 @@ std::string model_source(const std::string& module, const std::vector<rtl::Port>
                          const std::vector<rtl::Port>& ports, const std::vector<hls::Result>& results,
                          rtl::FlowControl flow, int interval, const MorePins& more) {
   const bool stalls = flow == rtl::FlowControl::stall;
+  const rtl::Verdict verdict = rtl::verdict_of(results);
   std::string read;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const hls::Result& result = results[i];
@@ -83,7 +84,7 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
 {4}  top.eval();
   pins->in_ready = {7};
   pins->out_valid = top.out_valid;
-  pins->hit = top.{2};
+  pins->hit = {2}top.{8};
   pins->out_tag = top.out_tag;
   if (pins->results != nullptr) {{
 {3}  }}
@@ -91,9 +92,10 @@ HITPIPE_ENTRY void hitpipe_cycle(void* model, const std::int64_t* operands, hitp
   top.eval();
 }}
 )",
-                  module, drive_lines(ports, operands, "operands"), results[rtl::place_of_hit(results)].name,
-                  read, more.drive, more.read, stalls ? "  top.out_ready = pins->out_ready;\n" : "",
-                  stalls || interval > 1 || !more.read.empty() ? "top.in_ready" : "true");
+                  module, drive_lines(ports, operands, "operands"), verdict.yes ? "" : "!", read, more.drive,
+                  more.read, stalls ? "  top.out_ready = pins->out_ready;\n" : "",
+                  stalls || interval > 1 || !more.read.empty() ? "top.in_ready" : "true",
+                  results[verdict.place].name);
 }
 
 }  // namespace hitpipe::sim

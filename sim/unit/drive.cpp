@@ -218,7 +218,7 @@ VectorResult check_vectors(const VectorCheck& check) {
     TestBatch batch;
     while (batch.size() < std::min(most_of_a_batch, check.vectors - result.vectors)) {
       const rtl::Vector vector = draw();
-      result.hits += evaluate.hit(vector.results.data()) ? 1 : 0;
+      result.hits += evaluate.yes(vector.results.data()) ? 1 : 0;
       batch.add(vector.operands, vector.results);
     }
     const DriveReport report = drive(model, batch,

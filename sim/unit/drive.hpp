@@ -49,7 +49,7 @@ struct DriveOptions {
 struct DriveReport {
   std::uint64_t sent = 0;  ///< without those that a reset dropped, which are sent again
   std::uint64_t received = 0;
-  std::uint64_t hits = 0;           ///< answers that are HIT
+  std::uint64_t hits = 0;           ///< verdicts that are yes (rtl::Verdict)
   std::uint64_t wrong = 0;          ///< answers with a wrong result, a wrong tag or both
   std::uint64_t wrong_results = 0;  ///< a result differs from the C++ datapath
   std::uint64_t wrong_tags = 0;     ///< not the tag of the oldest test without an answer
@@ -81,7 +81,7 @@ struct VectorCheck {
 
 struct VectorResult {
   std::uint64_t vectors = 0;     ///< sent
-  std::uint64_t hits = 0;        ///< by the C++
+  std::uint64_t hits = 0;        ///< verdicts that are yes, by the C++
   std::uint64_t mismatches = 0;  ///< a wrong result, a wrong tag, or no answer
   std::string first_mismatch;    ///< "hit 0 tag 7, expected hit 1 tag 7 of vector 7 of seed 1: irx=0x5 ..."
 };

@@ -25,7 +25,7 @@ std::vector<std::string> formats_of(const rtl::Design& design) {
 TEST(LibraryAnswers, AreThoseOfTheProgramForEveryDesignOfOneBox) {
   std::size_t tests = 0;
   for (const rtl::Design& design : rtl::designs()) {
-    if (design.kind.objects != 1) continue;
+    if (design.kind.objects != 1 || !design.kind.of_boxes) continue;
     for (const std::string& bits : formats_of(design)) {
       SCOPED_TRACE(std::string(design.name) + " " + bits);
       const auto expected = sim::make_box_test(design, design.parse_format(bits));
@@ -119,8 +119,15 @@ TEST(LibraryAnswers, OfManyBoxesAreThoseOfEach) {
   EXPECT_TRUE(unit.test(std::span<const Box>{}).hit.empty());
 }
 
+TEST(LibraryAnswers, ADesignWithoutBoxesTakesOperandsOnly) {
+  Unit unit("int_triangle");
+  EXPECT_EQ(unit.ports().size(), 17U);
+  EXPECT_THROW(unit.set_ray(library_cases(1, 4).front().ray), std::exception);
+}
+
 TEST(LibraryAnswers, OperandsStayInTheRangesOfTheirPorts) {
   for (const DesignInfo& design : designs()) {
+    if (!rtl::find_design(design.name).kind.of_boxes) continue;
     Unit unit(design.name);
     for (const LibraryCase& c : library_cases(10, 4)) {
       unit.set_ray(c.ray);

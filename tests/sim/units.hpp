@@ -53,9 +53,16 @@ inline std::vector<TestedUnit> units() {
   return all;
 }
 
+/// Those that test boxes.
+inline std::vector<TestedUnit> units_of_boxes() {
+  std::vector<TestedUnit> all = units();
+  std::erase_if(all, [](const TestedUnit& unit) { return !unit.design().kind.of_boxes; });
+  return all;
+}
+
 /// Those whose tests are of one box each.
 inline std::vector<TestedUnit> units_of_one_box() {
-  std::vector<TestedUnit> all = units();
+  std::vector<TestedUnit> all = units_of_boxes();
   std::erase_if(all, [](const TestedUnit& unit) { return unit.design().kind.objects > 1; });
   return all;
 }

@@ -126,7 +126,17 @@ typedef enum hitpipe_meaning {
   HITPIPE_EDGE_U,
   HITPIPE_EDGE_U_LOW,
   HITPIPE_EDGE_V,
-  HITPIPE_EDGE_V_LOW
+  HITPIPE_EDGE_V_LOW,
+  /* Of an integer ray. */
+  HITPIPE_ERROR,          /* 1: there is no such ray */
+  HITPIPE_MAJOR_AXIS,     /* 1: the direction is largest along this axis */
+  HITPIPE_BACK,           /* 1: the direction is negative along this ray axis */
+  HITPIPE_RAY_ORIGIN,     /* of the ray */
+  HITPIPE_SLOPE,          /* magnitude of the direction, divided by its largest component */
+  HITPIPE_MANTISSA_LOW,   /* bounds of a slope's reciprocal */
+  HITPIPE_MANTISSA_HIGH,
+  HITPIPE_RAY_EXPONENT,   /* power of two that belongs to both bounds */
+  HITPIPE_RAY_LENGTH      /* of the ray */
 } hitpipe_meaning;
 
 typedef struct hitpipe_port_info {

@@ -32,7 +32,7 @@ TEST(ListCommand, SaysTheSameInEveryFormat) {
   const List lists[] = {
       {"designs", designs, "design", "design,bits,misses,what,formats",
        "int_slabs,20/24,never,\"integer slabs test, figures 7.4-7.6\",n/t with n in 6..32 and t in 6..2n-1",
-       "design             bits     misses    what\n"},
+       "design             bits        misses    what\n"},
       {"libraries", rtl::built_in_names(), "library", "library,of,counts,source", "",
        "thesis_250nm\n"
        "  of      0.25 micron standard cells\n"

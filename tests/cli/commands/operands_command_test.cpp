@@ -244,7 +244,9 @@ TEST(OperandsPage, ShowsWhatItsCommandsPrint) {
     EXPECT_EQ(without_blanks(block.text), without_blanks(outcome.out)) << arguments[1];
     ++examples;
   }
-  EXPECT_EQ(examples, rtl::designs().size());
+  const auto& all = rtl::designs();
+  EXPECT_EQ(std::ssize(all) - std::ranges::count(all, false, [](const auto& d) { return d.kind.of_boxes; }),
+            static_cast<std::ptrdiff_t>(examples));
 }
 
 TEST(OperandsPage, NamesEveryPortOfEveryDesign) {

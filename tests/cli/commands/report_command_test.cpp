@@ -55,6 +55,7 @@ struct Others {
 
   Others() {
     for (const rtl::Design& design : rtl::designs()) {
+      if (!design.kind.of_boxes) continue;
       const bool single = design.default_format.family().single;
       if (single && !design.printed.rows.empty()) continue;
       designs.emplace_back(design.name);

@@ -10,6 +10,7 @@
 
 #include "hls/box/fp_format.hpp"
 #include "hls/box/major_format.hpp"
+#include "hls/num/bits.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/pipeline.hpp"
@@ -80,6 +81,15 @@ inline std::string design_suffix(const testing::TestParamInfo<DesignFormat>& inf
     if (letter == '-') letter = 'm';
   }
   return name;
+}
+
+/// The bits of results as their ports have them: of a graph's outputs, or of a design's own C++.
+template <class Words>
+std::vector<std::uint64_t> patterns_of(const Words& words, const std::vector<hls::Result>& results) {
+  std::vector<std::uint64_t> patterns;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    patterns.push_back(static_cast<std::uint64_t>(words[i]) & hls::low_mask(results[i].width));
+  return patterns;
 }
 
 inline Pipeline int_slabs_pipeline(hls::IntBits bits) {

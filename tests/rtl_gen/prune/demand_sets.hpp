@@ -194,17 +194,20 @@ inline std::vector<DemandSet> major_demand_sets(const Design& design, Format for
   using hls::Role;
   const auto fixed_origin = [](Scene& all) {
     const std::vector<Port> origins = all.with({Role::origin});
+    if (origins.empty()) return;
     const std::int64_t fine = origins[0].range->high;
     const std::int64_t at[3] = {fine * 3 / 10, -fine / 2, -fine / 10};  // the second is below a narrow y
     for (std::size_t i = 0; i < 3; ++i) all.within({origins[i]}, {at[i], at[i]});
   };
   const auto narrow = [](Scene& all) {
     const std::vector<Port> planes = all.with({Role::plane_low, Role::plane_high}, Axis::y);
+    if (planes.empty()) return;
     const std::int64_t least = (planes[0].range->high - 1) / 64;
     all.within(planes, {-least, least});
   };
   const auto no_zero = [](Scene& all) {
     const std::vector<Port> exponents = all.with({Role::exponent});
+    if (exponents.empty()) return;
     all.within(exponents, {0, exponents[0].range->high - 1});
   };
   return sets_of(design, format,

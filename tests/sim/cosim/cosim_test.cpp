@@ -172,7 +172,7 @@ TEST_P(CosimOfUnit, IsVerifiedOnHills) {
   EXPECT_TRUE(result.verified(unit.design().conservative));
 }
 
-INSTANTIATE_TEST_SUITE_P(Units, CosimOfUnit, testing::ValuesIn(units()),
+INSTANTIATE_TEST_SUITE_P(Units, CosimOfUnit, testing::ValuesIn(units_of_boxes()),
                          [](const auto& parameter) { return test_name(parameter.param); });
 
 /// The C++ datapath with its answer turned round.

@@ -26,7 +26,7 @@ struct Outcome {
 
 /// Units that never miss a box. Another may find another triangle.
 std::vector<TestedUnit> conservative_units() {
-  std::vector<TestedUnit> all = units();
+  std::vector<TestedUnit> all = units_of_boxes();
   std::erase_if(all, [](const TestedUnit& unit) { return !unit.design().conservative; });
   return all;
 }

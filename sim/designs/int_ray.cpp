@@ -1,0 +1,10 @@
+// The unit that makes integer rays tests no boxes (docs/integer_world.md).
+#include "sim/software.hpp"
+
+namespace hitpipe::sim {
+
+Software int_ray_software() {
+  return {};
+}
+
+}  // namespace hitpipe::sim
