@@ -19,7 +19,8 @@ using hls::MajorBits;
 
 const std::string allowed_of_int = "allowed is n/t with n in 6..32 and t in 6..2n-1, for example 20/24";
 const std::string allowed_of_major =
-    "allowed is n+g/p or n+g/pfFsS with n in 6..32, g in 0..3, p in 4..32, F in -2..3, S in 8..32 and n+g+p at most 63, and n at most 24 with s, "
+    "allowed is n+g/p or n+g/pfFsS with n in 6..32, g in 0..3, p in 4..32, F in -2..3, S in 8..32 and n+g+p "
+    "at most 63, and n at most 24 with s, "
     "for "
     "example 20+1/13";
 const std::string allowed_of_any_float = "allowed is eEmM with E in 2..8 and M in 1..23, for example e8m15";
