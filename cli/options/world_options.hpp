@@ -9,6 +9,10 @@
 #include "hls/world/world_format.hpp"
 #include "sw_ref/world/int_scene.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace hitpipe::cli {
 
 /// What the option --boxes says: a format of the boxes. Nothing: `otherwise` is used.
