@@ -14,3 +14,8 @@ set(HITPIPE_DESIGNS
   int_triangle
   int_ray
 )
+
+# The machines: one line each. NAME stands for hls/machines/NAME.hpp and rtl_gen/machines/NAME.cpp.
+set(HITPIPE_MACHINES
+  divider
+)

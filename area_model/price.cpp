@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "rtl_gen/graph/canonical.hpp"
+#include "rtl_gen/machine/module.hpp"
 #include "rtl_gen/schedule/divided_unit.hpp"
 
 namespace hitpipe::area {
@@ -121,6 +123,31 @@ Price price(const rtl::Design& design, const rtl::Format& format, const rtl::Lib
   if (account == Account::built) return price(pipeline, design, format, library, flow);
   Price price = priced(pipeline, count_printed(pipeline, format, design.printed), design, format, library);
   for (const Line& line : price.lines) price.area_um2 += as_printed(line.area_um2);
+  return price;
+}
+
+MachinePrice price(const rtl::MachineGraph& machine, const rtl::Library& library) {
+  rtl::Pipeline step{rtl::canonical(machine.graph), {}, {}};
+  step.schedule = rtl::schedule_as_stated(step.graph, 1);
+  step.placement = rtl::place_registers(step.graph, step.schedule, rtl::Ports::direct);
+  MachinePrice price{.lines = {}, .clock_ps = rtl::longest_path(machine, library).clock_ps};
+  step.schedule.clock_ps = price.clock_ps;
+  const Gates gates = library.chip() != nullptr ? Gates::counted : Gates::left_out;
+  std::map<Part, int> parts;
+  for (const Count& count : count_logic(step.graph, step.schedule, step.placement, gates))
+    parts[count.part] += count.n;
+  for (const hls::Field& field : machine.state) {
+    ++parts[{rtl::Component::latch, field.width}];
+    price.register_bits += field.width;
+  }
+  for (const hls::MemoryShape& memory : machine.memories)
+    price.memory_bits += std::int64_t{memory.words} * memory.width;
+  const PartPrices prices(step, library);
+  for (const auto& [part, n] : parts) {
+    price.lines.push_back(prices.line(part, n));
+    price.area_um2 += price.lines.back().area_um2;
+    price.taken += price.lines.back().taken;
+  }
   return price;
 }
 

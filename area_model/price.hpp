@@ -12,6 +12,7 @@
 
 #include "area_model/count.hpp"
 #include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/machine/machine.hpp"
 
 namespace hitpipe::area {
 
@@ -80,6 +81,19 @@ struct Entry {
 /// estimated.
 [[nodiscard]] Price price(const rtl::Pipeline& pipeline, const rtl::Design& design, const rtl::Format& format,
                           const rtl::Library& library, rtl::FlowControl flow = rtl::FlowControl::stall);
+
+/// What a machine takes: its registers and what its step computes. The bits of its memories are apart, since
+/// their price is that of a memory compiler, or of a chip's block RAM.
+struct MachinePrice {
+  std::vector<Line> lines;  ///< in the order of Table 7.1
+  std::int64_t area_um2 = 0;
+  rtl::ChipCells taken{};
+  int register_bits = 0;
+  std::int64_t memory_bits = 0;
+  int clock_ps = 0;  ///< the shortest, as rtl::longest_path() has it
+};
+/// Throws as rtl::longest_path() and rtl::Library::cell() do.
+[[nodiscard]] MachinePrice price(const rtl::MachineGraph& machine, const rtl::Library& library);
 
 /// The six, in its order: the rows that designs say are theirs.
 [[nodiscard]] const std::vector<Entry>& table_7_2();

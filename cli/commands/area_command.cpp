@@ -10,6 +10,7 @@
 #include "area_model/price.hpp"
 #include "area_model/triangle_unit.hpp"
 #include "cli/commands.hpp"
+#include "cli/commands/machines.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/area_text.hpp"
@@ -223,6 +224,20 @@ void print_rates(const AreaOptions& options, const rtl::Library& library) {
                        : table_text(rate_rows(units, library, options.format), options.format));
 }
 
+/// The machines among the names that the user gave. Throws std::runtime_error, one line, when only some are.
+std::vector<const rtl::Machine*> machines_in(const AreaOptions& options) {
+  std::vector<const rtl::Machine*> machines;
+  for (const std::string& name : options.units.names)
+    if (const rtl::Machine* const machine = rtl::machine_called(name)) machines.push_back(machine);
+  if (!machines.empty() && machines.size() != options.units.names.size())
+    throw std::runtime_error(fmt::format(
+        "area: {} is a machine, which has other columns than a design; allowed are machines alone",
+        machines.front()->name));
+  if (!machines.empty() && options.units.bits.size() > 1)
+    throw std::runtime_error("area: several formats; allowed is one with machines");
+  return machines;
+}
+
 void print_prices(const AreaOptions& options) {
   const rtl::Library library = rtl::library_called(options.library);
   if (!options.intervals.empty()) {
@@ -278,12 +293,20 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
           by_stage, "a shared component works in several stages");
   command->add_flag("--triangle", options->triangle,
                     "Price a float triangle test too, which hitpipe does not emit");
-  command->callback([options, flow] {
+  command->callback([options, flow, command] {
     if (flow->count() > 0 && options->account == Account::printed)
       throw std::runtime_error(
           "--flow-control: the printed account counts latches as the thesis does; allowed with --account "
           "built");
-    print_prices(*options);
+    const std::vector<const rtl::Machine*> machines = machines_in(*options);
+    if (machines.empty()) {
+      print_prices(*options);
+      return;
+    }
+    allow_for_machine(*command, *machines.front(), {"design", "--bits", "--library", "--format"});
+    print_machine_prices(
+        machines, options->units.bits.empty() ? std::nullopt : std::optional(options->units.bits.front()),
+        options->library, options->format);
   });
   return command;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/machines.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
 #include "host/text.hpp"
@@ -87,11 +88,14 @@ struct ListCommand {
 
 CLI::App* add_list_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command =
-      program.add_subcommand("list", "List the designs, component libraries or built-in scenes");
+      program.add_subcommand("list", "List the designs, machines, component libraries or built-in scenes");
   const auto options = std::make_shared<ListCommand>();
-  add_choice_option<Listing>(
-      *command, "what", options->listing,
-      {{"designs", designs_text}, {"libraries", libraries_text}, {"scenes", scenes_text}}, "What to list")
+  add_choice_option<Listing>(*command, "what", options->listing,
+                             {{"designs", designs_text},
+                              {"machines", machines_text},
+                              {"libraries", libraries_text},
+                              {"scenes", scenes_text}},
+                             "What to list")
       ->required();
   add_format_option(*command, options->format);
   command->callback([options] { fmt::print("{}", options->listing(options->format)); });

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/machines.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
@@ -114,13 +115,30 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   command->add_flag("--hls", options->hls,
                     "Also write hls/: the design as a C++ top function for high-level synthesis, with "
                     "scripts for Vitis HLS and Catapult");
-  add_count_option(*command, "--vectors", options->vectors, {1, 10'000'000}, "Vectors of the testbench")
-      ->capture_default_str();
+  CLI::Option* const cycles =
+      add_count_option(*command, "--vectors", options->vectors, {1, 10'000'000},
+                       "Vectors of the testbench; of a machine its cycles, by default 2000")
+          ->capture_default_str();
   add_seed_option(*command, options->seed);
   add_format_option(*command, options->format);
-  command->callback([options, flow] {
+  command->callback([options, flow, command, cycles] {
     options->flow_control_given = flow->count() > 0;
-    emit_rtl(*options);
+    const rtl::Machine* const machine = rtl::machine_called(options->choice.name);
+    if (machine == nullptr) {
+      emit_rtl(*options);
+      return;
+    }
+    allow_for_machine(
+        *command, *machine,
+        {"design", "--bits", "--out", "--library", "--name", "--vectors", "--seed", "--format"});
+    constexpr int usual_cycles = 2000;
+    emit_machine(*machine, options->choice.bits,
+                 {.out = options->out,
+                  .library = options->library,
+                  .module = options->name.value_or(""),
+                  .cycles = cycles->count() > 0 ? options->vectors : usual_cycles,
+                  .seed = options->seed,
+                  .format = options->format});
   });
   return command;
 }

@@ -73,6 +73,9 @@ int cosimulate_world(const WorldCosim& command) {
        {"triangle_tests", counts.triangles.tests},
        {"triangle_hits", counts.triangles.hits},
        {"triangle_rtl_mismatches", counts.triangles.rtl_mismatches},
+       {"divisions", counts.divisions.tests},
+       {"divider_cycles", counts.divisions.cycles},
+       {"divider_rtl_mismatches", counts.divisions.rtl_mismatches},
        {"different_rays", counts.different},
        {"extra_box_tests_pct", sim::percent_above(work.box_tests, counts.reference.box_tests)},
        {"extra_triangle_tests_pct", sim::percent_above(work.triangle_tests, counts.reference.triangle_tests)},
@@ -84,7 +87,8 @@ int cosimulate_world(const WorldCosim& command) {
     row["image"] = image.string();
   }
   fmt::print("{}", record_text(row, command.format));
-  const std::uint64_t mismatches = counts.boxes.rtl_mismatches + counts.triangles.rtl_mismatches;
+  const std::uint64_t mismatches =
+      counts.boxes.rtl_mismatches + counts.triangles.rtl_mismatches + counts.divisions.rtl_mismatches;
   if (mismatches == 0 && counts.different == 0) return 0;
   fmt::print(
       stderr,

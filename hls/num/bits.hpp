@@ -22,13 +22,17 @@ namespace hls {
 template <class D, class W>
 struct WordTypes {
   using Unsigned = typename D::uint;
+  using Signed = typename D::sint;
 };
 template <class D, int N>
 struct WordTypes<D, Width<N>> {
   using Unsigned = typename D::template uint<N>;
+  using Signed = typename D::template sint<N>;
 };
 template <class D, class W>
 using Word = typename WordTypes<D, W>::Unsigned;
+template <class D, class W>
+using SignedWord = typename WordTypes<D, W>::Signed;
 
 /// Bit i of x.
 template <class X, class I>

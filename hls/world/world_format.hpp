@@ -115,6 +115,7 @@ struct WorldFormat {
   Width<N> coord{};
   Width<G> finer{};
   Width<S> slope{};
+  Width<Fraction> fraction{};
 
   template <class D>
   using Corner = typename D::template sint<N>;
@@ -140,6 +141,7 @@ struct WorldFormat {
   constexpr Width<bits.determinant()> determinant() const { return {}; }
   constexpr Width<bits.edge()> edge() const { return {}; }
   constexpr Width<bits.volume()> volume() const { return {}; }
+  constexpr Width<bits.distance()> distance() const { return {}; }
   constexpr operator WorldBits() const { return bits; }
 };
 

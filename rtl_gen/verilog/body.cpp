@@ -330,7 +330,7 @@ void Body::write_registers(int boundary) {
 }
 
 void Body::write_stage(int stage) {
-  text_ += fmt::format("\n  // Stage {}.\n", stage);
+  text_ += options_.is_step ? "\n  // What a cycle computes.\n" : fmt::format("\n  // Stage {}.\n", stage);
   for (NodeId id = 0; id < graph_.size(); ++id) {
     const Node& n = graph_[id];
     if (!is_root(n.op) || n.op == Op::input || written_in(id) != stage) continue;

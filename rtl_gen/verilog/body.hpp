@@ -22,6 +22,7 @@ struct BodyOptions {
   std::set<std::string> taken{};  ///< names that are not free
   bool on_chip = false;           ///< a multiplier is a block of a chip
   Binding binding{};              ///< with shared components, `phase` says which stages are at work
+  bool is_step = false;           ///< a machine's: all that is computed in one cycle
 };
 
 /// A unit that a body instantiates.

@@ -1,5 +1,6 @@
-// The traversal of the integer world by two Verilog units: one answers every box test, the other every
-// triangle test. It is a ref::Tracer, so the renderer can use it.
+// The traversal of the integer world by Verilog: one unit answers every box test, another one every triangle
+// test, and the divider says how far the triangles that are hit lie away and which is nearest. It is a
+// ref::Tracer, so the renderer can use it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace hitpipe::sim {
 
-/// What one of the two units did.
+/// What one of the units did. The divider's hits are those that are nearer than the best.
 struct WorldUnitCounts {
   std::uint64_t tests = 0;
   std::uint64_t hits = 0;
@@ -23,7 +24,7 @@ struct WorldUnitCounts {
 };
 
 struct WorldCounts {
-  WorldUnitCounts boxes, triangles;
+  WorldUnitCounts boxes, triangles, divisions;
   std::uint64_t rays = 0;
   std::uint64_t different = 0;  ///< rays whose answer is not that of exact integers
   ref::TraceCounts reference;   ///< by software with exact boxes, for the same rays
@@ -39,9 +40,9 @@ struct WorldUnits {
 
 class WorldTracer final : public ref::Tracer {
  public:
-  /// The scene must outlive it. Throws std::runtime_error, one line, when the units' formats are not of the
-  /// scene's world or a unit has no set-up for it, and std::invalid_argument for the number of rays in
-  /// flight.
+  /// The scene must outlive it. It makes the divider, with a place for 32 tests. Throws std::runtime_error,
+  /// one line, when the units' formats are not of the scene's world or a unit has no set-up for it, and
+  /// std::invalid_argument for the number of rays in flight.
   WorldTracer(const ref::IntScene& scene, const WorldUnits& units);
   ~WorldTracer() override;
 

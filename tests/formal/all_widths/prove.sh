@@ -9,7 +9,7 @@ root=$(cd "$here/../../.." && pwd)
 cases=500
 
 files=(Numbers IntMajor SetUp FloatQuotient FloatGrid NeverMisses IntegerWorld Words Shifter Datapath Ranges Pair
-  IntegerTriangle Triangle TriangleHit Needed Compare)
+  IntegerTriangle Triangle TriangleHit Divider Needed Compare)
 theorems=(
   NeverMisses.never_misses
   Ranges.datapath_never_misses
@@ -41,6 +41,10 @@ theorems=(
   TriangleHit.hit_has_distance
   TriangleHit.criterion_in_ray_axes
   TriangleHit.criterion_hit_is_accepted
+  Divider.step_divides
+  Divider.divide_is_floor
+  Divider.distance_is_floor
+  Divider.remainder_fits
   Words.sum_with_carry_is
   Shifter.saturating_shift_is_clamp
   SetUp.quotient_has_bounds

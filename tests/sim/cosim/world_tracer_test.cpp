@@ -43,6 +43,9 @@ TEST_P(Worlds, AreTracedAsInSoftware) {
   const WorldCounts counts = tracer.counts();
   EXPECT_EQ(counts.different, 0U);
   EXPECT_EQ(counts.boxes.rtl_mismatches + counts.triangles.rtl_mismatches, 0U);
+  EXPECT_EQ(counts.divisions.rtl_mismatches, 0U);
+  EXPECT_EQ(counts.divisions.tests, counts.triangles.hits);
+  EXPECT_GT(counts.divisions.hits, counts.divisions.tests / 4) << "nearer ones";
   EXPECT_EQ(by_verilog.image, by_software.image);
   EXPECT_EQ(by_verilog.triangles, by_software.triangles);
   const ref::TraceCounts work = by_verilog.counts.total();

@@ -1,0 +1,53 @@
+// What a machine says of itself. A machine is control: a state, and a step that is one clock cycle. It is
+// written over the same value domains as a datapath, so one source is software, Verilog, proof and price.
+//   State, Inputs, Outputs   records with for_each(format, record, visit), which calls visit(Field, field)
+//   Memories                 likewise with visit(MemoryShape, memory)
+//   step<D>(format, state, in, memories)
+//                            gives the outputs of the cycle, and leaves the next state in `state`
+// All that a step computes is one combinational graph. The only registers are the state and the words that
+// memories give. What a machine gives to another one depends on its state alone, so the order in which
+// machines step does not matter, and no path leads through two of them.
+//
+// A memory has one port to write and one to read. A word that is read while it is written is the old one.
+//   memory.write(enable, place, word)
+//   memory.read(place, width)   kind lookup: the word at that place, in the same cycle
+//   memory.ask(place)           kind block: which word the next cycle wants
+//   memory.word(width)          kind block: the word that the last cycle asked for
+#pragma once
+
+#include <cstdint>
+
+namespace hitpipe {
+namespace hls {
+
+/// A register of the state, or a port.
+struct Field {
+  const char* name;
+  int width;  ///< bits, 1..128; of a port 1..64
+  bool is_signed = false;
+  bool has_reset = false;  ///< of a register: a reset gives it the value; else it keeps what it holds
+  std::int64_t reset = 0;
+};
+/// A register whose value means nothing until the machine has written it.
+constexpr Field data_field(const char* name, int width, bool is_signed = false) {
+  return {name, width, is_signed};
+}
+/// A register without a sign that a reset sets.
+constexpr Field control_field(const char* name, int width, std::int64_t reset = 0) {
+  return {name, width, false, true, reset};
+}
+
+enum class MemoryKind {
+  lookup,  ///< small: lookup tables of a chip, or registers
+  block,   ///< large: a chip's block RAM
+};
+
+struct MemoryShape {
+  const char* name;
+  int words;  ///< a power of two, at least 2
+  int width;  ///< bits of a word, 1..128
+  MemoryKind kind;
+};
+
+}  // namespace hls
+}  // namespace hitpipe

@@ -1,0 +1,224 @@
+// A machine of hls/machines from its one template: its graph, and its software.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hls/num/domain.hpp"
+#include "hls/num/sized.hpp"
+#include "rtl_gen/graph/trace.hpp"
+#include "rtl_gen/machine/machine.hpp"
+
+namespace hitpipe::rtl {
+
+namespace detail {
+
+/// A memory of a traced machine. Its accesses become inputs and outputs of the graph.
+class TracedMemory {
+ public:
+  void declare(const hls::MemoryShape& shape) {
+    shape_ = shape;
+    word_ = Trace::uint(TraceRecorder::graph().input(memory_port(shape_, "word"), shape_.width, false));
+  }
+  template <class Place>
+  Trace::uint read(const Place& place, int width) {
+    assert(shape_.kind == hls::MemoryKind::lookup && width == shape_.width);
+    output("read", place);
+    return word_;
+  }
+  template <class Place>
+  void ask(const Place& place) {
+    assert(shape_.kind == hls::MemoryKind::block);
+    output("asked", place);
+  }
+  [[nodiscard]] Trace::uint word(int width) const {
+    assert(shape_.kind == hls::MemoryKind::block && width == shape_.width);
+    static_cast<void>(width);
+    return word_;
+  }
+  template <class Place, class Written>
+  void write(const Trace::bit& enable, const Place& place, const Written& word) {
+    output("writes", enable);
+    output("place", place);
+    output("written", word);
+  }
+
+ private:
+  template <class X>
+  void output(std::string_view what, const X& x) const {
+    TraceRecorder::graph().output(memory_port(shape_, what), x.id());
+  }
+
+  hls::MemoryShape shape_{};
+  Trace::uint word_;
+};
+
+/// The low bits of a value of the host's domains, and back.
+template <int W, bool S>
+Word pattern_of(const hls::ap_base<W, S>& x) {
+  return static_cast<Word>(x.word()) & ones_below(W);
+}
+template <bool S, class W>
+Word pattern_of(const hls::SizedInt<S, W>& x) {
+  return static_cast<Word>(x.pattern());
+}
+template <int W, bool S>
+void set_pattern(hls::ap_base<W, S>& x, Word pattern, int /*width*/) {
+  using Own = typename hls::ap_base<W, S>::word_type;
+  x = hls::ap_base<W, S>::wrapped(static_cast<Own>(pattern));
+}
+template <bool S, class W>
+void set_pattern(hls::SizedInt<S, W>& x, Word pattern, int width) {
+  x = hls::SizedInt<S, W>(static_cast<W>(pattern), width);
+}
+
+/// A memory of a machine in domain D of the host.
+template <class D>
+class HostMemory {
+ public:
+  void declare(const hls::MemoryShape& shape) { words_.assign(static_cast<std::size_t>(shape.words), 0); }
+  template <class Place, class W>
+  hls::Word<D, W> read(const Place& place, const W& width) const {
+    return as_word(words_[static_cast<std::size_t>(pattern_of(place))], width);
+  }
+  template <class Place>
+  void ask(const Place& place) {
+    asked_ = static_cast<std::size_t>(pattern_of(place));
+  }
+  template <class W>
+  hls::Word<D, W> word(const W& width) const {
+    return as_word(word_, width);
+  }
+  template <class Place, class Written>
+  void write(const typename D::bit& enable, const Place& place, const Written& word) {
+    writes_ = pattern_of(enable) != 0;
+    if (!writes_) return;
+    place_ = static_cast<std::size_t>(pattern_of(place));
+    written_ = pattern_of(word);
+  }
+  /// The clock edge. A word that is read while it is written is the old one.
+  void clock() {
+    word_ = words_[asked_];
+    if (writes_) words_[place_] = written_;
+    writes_ = false;
+  }
+
+ private:
+  template <class W>
+  static hls::Word<D, W> as_word(Word pattern, const W& width) {
+    hls::Word<D, W> x{};
+    set_pattern(x, pattern, width);
+    return x;
+  }
+
+  std::vector<Word> words_;
+  Word word_ = 0, written_ = 0;
+  std::size_t asked_ = 0, place_ = 0;
+  bool writes_ = false;
+};
+
+template <class M, class D, class F>
+class NativeMachineOf final : public NativeMachine {
+ public:
+  explicit NativeMachineOf(const F& format) : format_(format) {
+    memories_.for_each(format_, memories_,
+                       [](const hls::MemoryShape& shape, auto& memory) { memory.declare(shape); });
+    state_.for_each(format_, state_, [](const hls::Field& field, auto& x) {
+      set_pattern(x, static_cast<Word>(field.reset), field.width);
+    });
+  }
+
+  void step(const Word* inputs, Word* outputs, bool reset) override {
+    in_.for_each(format_, in_,
+                 [&](const hls::Field& field, auto& x) { set_pattern(x, *inputs++, field.width); });
+    const auto out = M::template step<D>(format_, state_, in_, memories_);
+    out.for_each(format_, out, [&](const hls::Field&, const auto& x) { *outputs++ = pattern_of(x); });
+    memories_.for_each(format_, memories_, [](const hls::MemoryShape&, auto& memory) { memory.clock(); });
+    if (!reset) return;
+    state_.for_each(format_, state_, [](const hls::Field& field, auto& x) {
+      if (field.has_reset) set_pattern(x, static_cast<Word>(field.reset), field.width);
+    });
+  }
+
+  void state(Word* registers) const override {
+    state_.for_each(format_, state_, [&](const hls::Field&, const auto& x) { *registers++ = pattern_of(x); });
+  }
+
+ private:
+  F format_;
+  typename M::template State<D, F> state_{};
+  typename M::template Inputs<D, F> in_{};
+  typename M::template Memories<HostMemory<D>> memories_{};
+};
+
+}  // namespace detail
+
+template <class M>
+MachineGraph traced_machine(const typename M::Bits& format) {
+  using Bits = typename M::Bits;
+  MachineGraph machine{
+      .name = M::name, .state = {}, .inputs = {}, .outputs = {}, .memories = {}, .graph = Graph(M::name)};
+  Graph& graph = machine.graph;
+  const TraceRecorder recorder(graph);
+  const auto port = [&](std::vector<hls::Field>& fields) {
+    return [&]<bool S>(const hls::Field& field, Signal<S>& x) {
+      fields.push_back(field);
+      x = Signal<S>(graph.input(field.name, field.width, S));
+    };
+  };
+  typename M::template State<Trace, Bits> state;
+  typename M::template Inputs<Trace, Bits> in;
+  typename M::template Memories<detail::TracedMemory> memories;
+  state.for_each(format, state, port(machine.state));
+  in.for_each(format, in, port(machine.inputs));
+  memories.for_each(format, memories, [&](const hls::MemoryShape& shape, detail::TracedMemory& memory) {
+    machine.memories.push_back(shape);
+    memory.declare(shape);
+  });
+  const auto out = M::template step<Trace>(format, state, in, memories);
+  state.for_each(format, state, [&](const hls::Field& field, const auto& x) {
+    const std::string name = std::string("next_") + field.name;
+    graph.output(name, x.id());
+    // A value that the C++ does not name; a register that another one follows keeps its own name.
+    if (graph[x.id()].op != Op::input) graph.annotate(x.id(), name + "_value", {});
+  });
+  out.for_each(format, out, [&](const hls::Field& field, const auto& x) {
+    machine.outputs.push_back(field);
+    graph.output(field.name, x.id());
+  });
+  return machine;
+}
+
+template <class M>
+std::unique_ptr<NativeMachine> native_machine(const typename M::Bits& format) {
+  using Any = std::conditional_t < requires {
+    requires M::wide;
+  }
+  , hls::WideSized, hls::Sized > ;
+  std::unique_ptr<NativeMachine> made;
+  const auto choose = [&]<class... F>(hls::FormatList<F...>) {
+    ((format == typename M::Bits(F{})
+          ? void(made = std::make_unique<detail::NativeMachineOf<M, hls::Native, F>>(F{}))
+          : void()),
+     ...);
+  };
+  choose(typename M::BuiltIn());
+  if (!made) made = std::make_unique<detail::NativeMachineOf<M, Any, typename M::Bits>>(format);
+  return made;
+}
+
+template <class M>
+Machine machine_of() {
+  using Bits = typename M::Bits;
+  return {.name = M::name,
+          .summary = M::summary,
+          .default_format = Bits{},
+          .graph_at = [](const Format& format) { return traced_machine<M>(format.as<Bits>()); },
+          .native_at = [](const Format& format) { return native_machine<M>(format.as<Bits>()); }};
+}
+
+}  // namespace hitpipe::rtl

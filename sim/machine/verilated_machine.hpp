@@ -1,0 +1,45 @@
+// A machine's Verilog as a model that can be run, made by Verilator.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "rtl_gen/machine/machine.hpp"
+#include "sim/model/model_library.hpp"
+
+namespace hitpipe::sim {
+
+/// One instance. It can stand wherever the native machine can; both give the same numbers in every cycle once
+/// a reset has set them. Only one thread at a time may use an instance.
+class VerilatedMachine final : public rtl::NativeMachine {
+ public:
+  /// Throws as ModelLibrary and rtl::Machine::graph() do. Registers begin at 0.
+  VerilatedMachine(const rtl::Machine& machine, const rtl::Format& format,
+                   const std::filesystem::path& cache = default_cache());
+  /// The same for Verilog that was changed; its module must be the machine's, with its registers as outputs.
+  VerilatedMachine(const rtl::MachineGraph& machine, const std::string& module, const std::string& verilog,
+                   const std::filesystem::path& cache = default_cache());
+  ~VerilatedMachine() override;
+  /// Another instance of the same model.
+  [[nodiscard]] std::unique_ptr<VerilatedMachine> another() const;
+  VerilatedMachine& operator=(const VerilatedMachine&) = delete;
+
+  void step(const rtl::Word* inputs, rtl::Word* outputs, bool reset) override;
+  void state(rtl::Word* registers) const override;
+
+ private:
+  VerilatedMachine(const VerilatedMachine& other);
+  using Cycle = void (*)(void* model, bool reset, const std::uint64_t* in, std::uint64_t* out,
+                         std::uint64_t* registers);
+
+  std::vector<rtl::Word> masks_;  ///< of the inputs: a Verilated port must not be given bits above its width
+  std::size_t inputs_, outputs_, registers_;
+  std::shared_ptr<const ModelLibrary> library_;
+  void* model_;
+  Cycle cycle_;
+  std::vector<std::uint64_t> in_, out_, state_;  ///< two words a number
+};
+
+}  // namespace hitpipe::sim
