@@ -25,7 +25,7 @@ class TracedMemory {
     word_ = Trace::uint(TraceRecorder::graph().input(memory_port(shape_, "word"), shape_.width, false));
   }
   template <class Place>
-  Trace::uint read(const Place& place, int width) {
+  Trace::uint read(const Place& place, [[maybe_unused]] int width) {
     assert(shape_.kind == hls::MemoryKind::lookup && width == shape_.width);
     output("read", place);
     return word_;
@@ -35,9 +35,8 @@ class TracedMemory {
     assert(shape_.kind == hls::MemoryKind::block);
     output("asked", place);
   }
-  [[nodiscard]] Trace::uint word(int width) const {
+  [[nodiscard]] Trace::uint word([[maybe_unused]] int width) const {
     assert(shape_.kind == hls::MemoryKind::block && width == shape_.width);
-    static_cast<void>(width);
     return word_;
   }
   template <class Place, class Written>
