@@ -2,8 +2,8 @@
 
 #include <array>
 #include <deque>
+#include <memory>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -12,11 +12,10 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include "sim/cosim/counts.hpp"
-#include "sim/designs/major_design.hpp"
+#include "sim/cosim/world_boxes.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/trace/leaf_test.hpp"
 #include "sw_ref/world/int_tracer.hpp"
-#include "sw_ref/world/int_traversal.hpp"
 
 namespace hitpipe::sim {
 
@@ -39,7 +38,7 @@ class Station {
   [[nodiscard]] const WorldUnitCounts& counts() const { return counts_; }
 
   /// One cycle. write(ray, operands) gives the operands of the next ray's test; answered(ray, results) takes
-  /// an answer.
+  /// an answer and returns how many objects are hit.
   template <class Write, class Answered>
   void cycle(const Write& write, const Answered& answered) {
     Pins pins{.results = results_.data()};
@@ -70,9 +69,8 @@ class Station {
     bool same = pins.out_tag == sent.ray;
     for (std::size_t i = 0; i < results_.size(); ++i) same = same && results_[i] == sent.expected[i];
     ++counts_.tests;
-    counts_.hits += evaluate_.hit(results_.data()) ? 1 : 0;
     counts_.rtl_mismatches += same ? 0 : 1;
-    answered(sent.ray, results_.data());
+    counts_.hits += answered(sent.ray, results_.data());
   }
 
  private:
@@ -92,92 +90,77 @@ class Station {
   int longest_silence_;
 };
 
-/// The box unit's operands of a ray.
-class BoxOperands {
- public:
-  using Operands = hls::IntMajorOperands<Words, hls::MajorBits>;
-
-  BoxOperands(const hls::MajorBits& bits, const hls::WorldBits& world)
-      : bits_(bits), world_(world), ports_(bits) {}
-  void start(const ref::IntRay& ray) { put_major_ray(ref::major_ray(ray, bits_), in_); }
-  void write(const ref::IntBox& box, std::int64_t length, std::int64_t* out) {
-    in_.len = ref::in_box_units(length, world_, bits_);
-    ports_.write(in_, out);
-    ports_.write_box(box, out);
-  }
-
- private:
-  hls::MajorBits bits_;
-  hls::WorldBits world_;
-  PortOrder<Operands, hls::MajorBits> ports_;
-  Operands in_{};
-};
-
-struct Scene {
-  const ref::IntScene* scene;
-  std::vector<ref::IntBox> boxes;
-  hls::MajorBits box_bits;
-};
-
 /// The units of one thread.
 class Stations {
  public:
-  Stations(const Scene& scene, const WorldUnits& units)
-      : scene_(scene),
-        boxes_(*units.boxes, evaluate(*units.boxes)),
+  virtual ~Stations() = default;
+  virtual void run(const ref::TraceJob& job, ref::TraceCounts& counts) = 0;
+  [[nodiscard]] virtual const WorldUnitCounts& boxes() const = 0;
+  [[nodiscard]] virtual const WorldUnitCounts& triangles() const = 0;
+};
+
+template <class Boxes>
+class StationsWith final : public Stations {
+ public:
+  StationsWith(const WorldBoxes& world, const WorldUnits& units)
+      : boxes_(*units.boxes, evaluate(*units.boxes)),
         triangles_(*units.triangles, evaluate(*units.triangles)),
-        hit_(rtl::place_of_hit(units.boxes->results())) {
-    for (int i = 0; i < units.rays_in_flight; ++i) slots_.emplace_back(scene, *units.triangles);
+        hit_(rtl::place_of_hit(units.triangles->results())),
+        world_(world) {
+    for (int i = 0; i < units.rays_in_flight; ++i) slots_.emplace_back(world, units);
   }
 
-  void run(const ref::TraceJob& job, ref::TraceCounts& counts) {
+  void run(const ref::TraceJob& job, ref::TraceCounts& counts) override {
     std::size_t next = 0, ended = 0;
     for (Slot& slot : slots_) slot.ray = none;
+    const auto start = [&](Slot& slot) {
+      const ref::IntRay made = ref::int_ray(job.rays[next], world_.scene->bits);
+      slot.ray = next++;
+      slot.boxes.start(made, job.query);
+      slot.triangle->start(made);
+    };
     const auto step = [&](std::uint32_t number) {
       Slot& slot = slots_[number];
-      while (slot.ray != none && slot.walk->done()) {
-        job.triangles[slot.ray] = slot.walk->hit().triangle;
-        const ref::TraceCounts work = slot.walk->counts();
+      while (slot.ray != none && slot.walk().done()) {
+        job.triangles[slot.ray] = slot.walk().hit().triangle;
+        const ref::TraceCounts work = slot.walk().counts();
         if (!job.work.empty()) job.work[slot.ray] = work;
         counts += work;
         ++ended;
         slot.ray = none;
-        if (next < job.rays.size()) slot.start(next, job.rays[next], job.query), ++next;
+        if (next < job.rays.size()) start(slot);
       }
-      if (slot.ray != none) (slot.walk->at_triangle() ? triangles_ : boxes_).ask(number);
+      if (slot.ray != none) (slot.walk().at_triangle() ? triangles_ : boxes_).ask(number);
     };
     for (std::uint32_t i = 0; i < slots_.size() && next < job.rays.size(); ++i) {
-      slots_[i].start(next, job.rays[next], job.query);
-      ++next;
+      start(slots_[i]);
       step(i);
     }
     while (ended < job.rays.size()) {
       if (!boxes_.idle())
-        boxes_.cycle(
-            [&](std::uint32_t ray, std::int64_t* out) {
-              Slot& slot = slots_[ray];
-              slot.box.write(scene_.boxes[slot.walk->node()], slot.walk->length(), out);
-            },
-            [&](std::uint32_t ray, const std::int64_t* results) {
-              slots_[ray].walk->answer_box(results[hit_] != 0);
-              step(ray);
-            });
+        boxes_.cycle([&](std::uint32_t ray, std::int64_t* out) { slots_[ray].boxes.write(out); },
+                     [&](std::uint32_t ray, const std::int64_t* results) {
+                       const unsigned hits = slots_[ray].boxes.answer(results);
+                       step(ray);
+                       return hits;
+                     });
       if (!triangles_.idle())
         triangles_.cycle(
             [&](std::uint32_t ray, std::int64_t* out) {
-              const Slot& slot = slots_[ray];
-              slot.triangle->operands(scene_.scene->mesh.triangles[slot.walk->triangle()], out);
+              Slot& slot = slots_[ray];
+              slot.triangle->operands(world_.scene->mesh.triangles[slot.walk().triangle()], out);
             },
             [&](std::uint32_t ray, const std::int64_t* results) {
               const auto crossing = slots_[ray].triangle->crossing(results);
-              slots_[ray].walk->answer_triangle(crossing.has_value(), crossing ? crossing->t : 0);
+              slots_[ray].walk().answer_triangle(crossing.has_value(), crossing ? crossing->t : 0);
               step(ray);
+              return results[hit_] != 0 ? 1U : 0U;
             });
     }
   }
 
-  [[nodiscard]] const WorldUnitCounts& boxes() const { return boxes_.counts(); }
-  [[nodiscard]] const WorldUnitCounts& triangles() const { return triangles_.counts(); }
+  [[nodiscard]] const WorldUnitCounts& boxes() const override { return boxes_.counts(); }
+  [[nodiscard]] const WorldUnitCounts& triangles() const override { return triangles_.counts(); }
 
  private:
   static constexpr std::size_t none = ~std::size_t{0};
@@ -187,34 +170,34 @@ class Stations {
   }
 
   struct Slot {
-    Slot(const Scene& its_scene, const VerilatedDesign& triangles)
-        : scene(&its_scene),
-          box(its_scene.box_bits, its_scene.scene->bits),
-          triangle(make_triangle_test(*triangles.unit().design, triangles.unit().format)) {}
-    void start(std::size_t number, const ref::Ray& its_ray, ref::Query query) {
-      ray = number;
-      const ref::IntRay made = ref::int_ray(its_ray, scene->scene->bits);
-      walk.emplace(*scene->scene->bvh, made, query);
-      box.start(made);
-      triangle->start(made);
-    }
+    Slot(const WorldBoxes& world, const WorldUnits& units)
+        : boxes(world, units.boxes->results()),
+          triangle(make_triangle_test(*units.triangles->unit().design, units.triangles->unit().format)) {}
+    [[nodiscard]] auto& walk() { return boxes.walk(); }
 
-    const Scene* scene;
     std::size_t ray = none;  ///< its place in the job
-    std::optional<ref::IntTraversal> walk;
-    BoxOperands box;
+    Boxes boxes;
     std::unique_ptr<TriangleTest> triangle;
   };
 
-  const Scene& scene_;
   Station boxes_, triangles_;
-  std::size_t hit_;
+  std::size_t hit_;  ///< of a triangle
+  const WorldBoxes& world_;
   std::vector<Slot> slots_;
 };
 
+inline bool tests_two(const WorldUnits& units) {
+  return units.boxes->unit().design->kind == hls::pair_kind;
+}
+
+inline std::unique_ptr<Stations> make_stations(const WorldBoxes& world, const WorldUnits& units) {
+  if (tests_two(units)) return std::make_unique<StationsWith<TwoBoxesOfWorld>>(world, units);
+  return std::make_unique<StationsWith<OneBoxOfWorld>>(world, units);
+}
+
 inline hls::MajorBits box_format(const ref::IntScene& scene, const VerilatedDesign& boxes) {
   const Unit& unit = boxes.unit();
-  if (!(unit.design->kind == hls::box_kind) ||
+  if (!(unit.design->kind == hls::box_kind || unit.design->kind == hls::pair_kind) ||
       &unit.format.family() != &rtl::Format(hls::MajorBits{}).family())
     throw std::runtime_error(
         fmt::format("design {}: no unit for boxes of the integer world", unit.design->name));
@@ -231,7 +214,7 @@ inline hls::MajorBits box_format(const ref::IntScene& scene, const VerilatedDesi
 }  // namespace world_units
 
 struct WorldTracer::Shared {
-  world_units::Scene scene;
+  WorldBoxes world;
   WorldUnits units;
   std::unique_ptr<ref::Tracer> reference;
   mutable oneapi::tbb::enumerable_thread_specific<std::unique_ptr<world_units::Stations>> stations;
@@ -261,8 +244,7 @@ WorldTracer::WorldTracer(const ref::IntScene& scene, const WorldUnits& units)
   if (units.rays_in_flight < 1 || units.rays_in_flight > world_units::most_in_flight)
     throw std::invalid_argument(fmt::format("{} rays in flight: allowed is 1 to {}", units.rays_in_flight,
                                             world_units::most_in_flight));
-  shared_->scene = {&scene, {}, world_units::box_format(scene, *units.boxes)};
-  if (scene.bvh) shared_->scene.boxes = ref::int_boxes(scene.mesh, *scene.bvh);
+  shared_->world = {scene, world_units::box_format(scene, *units.boxes)};
   shared_->units = units;
   shared_->reference = ref::int_tracer(scene.mesh, scene.hierarchy(), {.world = scene.bits});
 }
@@ -276,11 +258,11 @@ void WorldTracer::trace(const ref::TraceJob& job, ref::TraceCounts& counts) cons
   shared_->reference->trace({job.rays, job.query, exact}, reference);
   WorldCounts made{
       .boxes = {}, .triangles = {}, .rays = job.rays.size(), .different = 0, .reference = reference};
-  if (!shared_->scene.scene->bvh) {
+  if (!shared_->world.scene->bvh) {
     std::fill(job.triangles.begin(), job.triangles.end(), ref::IntHit::none);
   } else {
     std::unique_ptr<world_units::Stations>& own = shared_->stations.local();
-    if (!own) own = std::make_unique<world_units::Stations>(shared_->scene, shared_->units);
+    if (!own) own = world_units::make_stations(shared_->world, shared_->units);
     own->run(job, counts);
   }
   for (std::size_t i = 0; i < exact.size(); ++i) {

@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/trace/int_major.hpp"
+#include "sw_ref/trace/int_major_pair.hpp"
 #include "sw_ref/world/int_meets.hpp"
+#include "sw_ref/world/int_pair_traversal.hpp"
 #include "sw_ref/world/int_traversal.hpp"
 #include "tests/sw_ref/world/cases.hpp"
 
@@ -60,6 +62,23 @@ IntHit by_force(const IntMesh& mesh, const IntRay& ray, const WorldBits& bits) {
   return best;
 }
 
+/// Two boxes at a time, as int_major_pair tests them.
+IntHit by_pairs(const IntMesh& mesh, const Bvh& bvh, const IntRay& ray, const WorldBits& world,
+                const MajorBits& bits, Query query) {
+  const std::vector<PairBoxes> pairs = int_pairs(int_boxes(mesh, bvh), bvh);
+  const MajorDistances distances(major_ray(ray, bits), bits);
+  IntPairTraversal walk(bvh, ray, query, world, bits);
+  while (!walk.done()) {
+    if (!walk.at_triangle()) {
+      walk.answer_boxes(test_pair(distances, pairs[walk.record()], walk.parent()));
+      continue;
+    }
+    const auto crossing = int_crossing(ray, mesh.triangles[walk.triangle()], world);
+    walk.answer_triangle(crossing.has_value(), crossing ? crossing->t : 0);
+  }
+  return walk.hit();
+}
+
 TEST(IntTracer, FindsWhatForceFinds) {
   Draw draw(39021);
   int hits = 0;
@@ -89,6 +108,9 @@ TEST(IntTracer, FindsWhatForceFinds) {
         ASSERT_EQ(closest, wanted.triangle) << "scene " << scene << ", ray " << i;
         ASSERT_EQ(any != IntHit::none, wanted.found());
       }
+      const IntRay rounded = int_ray(ray, bits);
+      ASSERT_EQ(by_pairs(mesh, bvh, rounded, bits, boxes, Query::closest).triangle, wanted.triangle);
+      ASSERT_EQ(by_pairs(mesh, bvh, rounded, bits, boxes, Query::any).found(), wanted.found());
     }
   }
   EXPECT_GT(hits, 1'500);
