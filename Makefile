@@ -12,7 +12,7 @@ CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
 	@echo 'make test      all tests but the long ones'
-	@echo 'make test-long  all tests in a copy of the tree with two designs more'
+	@echo 'make test-long  all tests in a copy of the tree with two designs more, and 10^6 exact triangle tests'
 	@echo 'make build     the program, build/hitpipe, and the library hitpipe::ref'
 	@echo 'make bench     benchmarks'
 	@echo 'make lint      formatting and clang-tidy; make format mends the first'
@@ -46,6 +46,7 @@ test: build
 
 test-long: packages
 	@cmake --preset release $(CONFIGURE)
+	@cmake --build --preset release -j $(JOBS) --target sw_ref_tests
 	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -L long -V
 
 sanitize: packages

@@ -12,6 +12,7 @@
   COMMAND("Judge it", cosim)               \
   COMMAND("Judge it", render)              \
   COMMAND("Judge it", bvh)                 \
+  COMMAND("Build a core", image)           \
   COMMAND("Choose it", area)               \
   COMMAND("Choose it", sweep)              \
   COMMAND("Choose it", fit)                \

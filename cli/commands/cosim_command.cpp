@@ -35,6 +35,7 @@ namespace fs = std::filesystem;
 struct CosimCommand {
   DesignChoice choice;
   BoxFormatChoice boxes;
+  std::optional<std::string> box_unit;
   std::string library{rtl::default_library};
   SceneChoice scene;
   std::string bvh;
@@ -131,8 +132,8 @@ int cosimulate_triangles(const CosimCommand& command) {
   refuse(command.referee, "--referee");
   refuse(command.bit_level, "--bit-level");
   return cosimulate_world({command.choice, command.library, command.scene, command.boxes,
-                           command.flow_control, command.interval, command.rays_in_flight, command.light,
-                           command.out, command.format});
+                           command.box_unit.value_or("int_major"), command.flow_control, command.interval,
+                           command.rays_in_flight, command.light, command.out, command.format});
 }
 
 int cosimulate(const CosimCommand& command) {
@@ -140,6 +141,8 @@ int cosimulate(const CosimCommand& command) {
   if (design.kind == hls::triangle_kind) return cosimulate_triangles(command);
   if (command.boxes.bits)
     throw std::runtime_error(fmt::format("--boxes: not for design {}, which tests boxes", design.name));
+  if (command.box_unit)
+    throw std::runtime_error(fmt::format("--box-unit: not for design {}, which tests boxes", design.name));
   if (const std::string why = sim::why_not_traced(design); !why.empty()) throw std::runtime_error(why);
   if (command.ray_slots) sim::check_slots(command.rays_in_flight, rtl::slot_count(*command.ray_slots));
   const rtl::Library library = rtl::library_called(command.library);
@@ -216,7 +219,12 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
   for (const CLI::Option* const other : {flow, interval, std::as_const(*command).get_option("--bits")})
     exclude(unit, other, "the unit in the folder has its own, which its manifest says");
   add_library_option(*command, options->library);
-  add_box_format_option(*command, options->boxes, "p = 11. int_major answers them");
+  add_box_format_option(*command, options->boxes, "p = 11");
+  command
+      ->add_option("--box-unit", options->box_unit,
+                   "The design that answers the boxes in the integer world: int_major, the default, or "
+                   "int_major_pair")
+      ->type_name("NAME");
   add_scene_options(*command, options->scene);
   add_bvh_file_option(*command, options->bvh);
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight,

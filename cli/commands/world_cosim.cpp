@@ -27,7 +27,7 @@ int cosimulate_world(const WorldCosim& command) {
   const rtl::Format format = command.choice.format();
   const auto world = format.as<hls::WorldBits>();
   const hls::MajorBits box_bits = command.boxes.format(world).value_or(usual_box_format(world));
-  const rtl::Design& boxes = rtl::find_design("int_major");
+  const rtl::Design& boxes = rtl::find_design(command.box_unit);
   const rtl::Library library = rtl::library_called(command.library);
   const auto unit_of = [&](const rtl::Design& its_design, const rtl::Format& its_format) {
     return sim::make_unit(its_design, its_format, library, command.flow_control, command.interval);
@@ -67,7 +67,7 @@ int cosimulate_world(const WorldCosim& command) {
       {{"rays_primary", result.counts.primary.rays},
        {"rays_secondary", result.counts.secondary.rays},
        {"rays_shadow", result.counts.shadow.rays},
-       {"box_tests", counts.boxes.tests},
+       {"box_tests", work.box_tests},
        {"box_hits", counts.boxes.hits},
        {"box_rtl_mismatches", counts.boxes.rtl_mismatches},
        {"triangle_tests", counts.triangles.tests},
@@ -82,6 +82,7 @@ int cosimulate_world(const WorldCosim& command) {
        {"box_latency", box_unit.latency()},
        {"triangle_latency", triangle_unit.latency()},
        {"rays_in_flight", command.rays_in_flight}});
+  if (boxes.kind.objects > 1) row["box_unit_tests"] = counts.boxes.tests;
   if (!command.out.empty()) {
     ref::write_image(image, command.scene.width, command.scene.height, result.image);
     row["image"] = image.string();

@@ -15,6 +15,7 @@ struct WorldCosim {
   std::string library;
   SceneChoice scene;
   BoxFormatChoice boxes;
+  std::string box_unit;  ///< the design that answers them
   rtl::FlowControl flow_control;
   int interval;
   int rays_in_flight;

@@ -14,8 +14,8 @@ std::size_t place_of_result(std::span<const hls::Result> results, hls::Meaning m
   return static_cast<std::size_t>(found - results.begin());
 }
 
-PairWalk::PairWalk(const WalkScene& scene, std::span<const hls::Result> results)
-    : scene_(scene), records_(*scene.bvh), order_(place_of_result(results, hls::Meaning::order, 0)) {
+PairResults::PairResults(std::span<const hls::Result> results)
+    : order_(place_of_result(results, hls::Meaning::order, 0)) {
   for (std::size_t box = 0; box < 2; ++box) {
     const int number = static_cast<int>(box);
     hit_[box] = place_of_result(results, hls::Meaning::hit, number);

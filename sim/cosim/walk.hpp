@@ -55,11 +55,34 @@ class OneBoxWalk {
   std::size_t hit_;
 };
 
+/// What a unit for two boxes says, in the places of its results.
+class PairResults {
+ public:
+  /// Throws as place_of_result().
+  explicit PairResults(std::span<const hls::Result> results);
+
+  [[nodiscard]] bool hit(unsigned box, const std::int64_t* results) const { return results[hit_[box]] != 0; }
+  [[nodiscard]] ref::PairAnswer answer(const std::int64_t* results) const {
+    ref::PairAnswer answer;
+    for (unsigned box = 0; box < 2; ++box) {
+      answer.hit[box] = hit(box, results);
+      answer.interval[box] = {results[near_[box]], results[far_[box]]};
+    }
+    answer.second_first = results[order_] != 0;
+    return answer;
+  }
+
+ private:
+  std::array<std::size_t, 2> hit_, near_, far_;
+  std::size_t order_;
+};
+
 class PairWalk {
  public:
   using Traversal = ref::PairTraversal<ref::BvhPairs>;
 
-  PairWalk(const WalkScene& scene, std::span<const hls::Result> results);
+  PairWalk(const WalkScene& scene, std::span<const hls::Result> results)
+      : scene_(scene), records_(*scene.bvh), results_(results) {}
 
   [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray,
                                 ref::Query query) const {
@@ -72,26 +95,19 @@ class PairWalk {
   }
   void answer(const RayFeed& rays, std::size_t slot, Traversal& traversal,
               const std::int64_t* results) const {
-    ref::PairAnswer answer;
-    for (std::size_t box = 0; box < 2; ++box) {
-      answer.hit[box] = results[hit_[box]] != 0;
-      answer.interval[box] = {results[near_[box]], results[far_[box]]};
-    }
-    answer.second_first = results[order_] != 0;
-    traversal.answer(answer, [&](float length) { return rays.in_results(slot, length); });
+    traversal.answer(results_.answer(results), [&](float length) { return rays.in_results(slot, length); });
   }
   template <class Visit>
   void each_box(const Traversal& traversal, const std::int64_t* results, Visit&& visit) const {
     const std::uint32_t first = records_.first_node(traversal.record());
     for (unsigned box = 0; box < traversal.boxes(); ++box)
-      visit(scene_.bvh->nodes[first + box].box, results[hit_[box]] != 0);
+      visit(scene_.bvh->nodes[first + box].box, results_.hit(box, results));
   }
 
  private:
   WalkScene scene_;
   ref::BvhPairs records_;
-  std::array<std::size_t, 2> hit_, near_, far_;
-  std::size_t order_;
+  PairResults results_;
 };
 
 /// Calls call(walk) with the walk that the feed is for.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -12,21 +13,18 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
-#include "hls/world/core_format.hpp"
 #include "sim/cosim/counts.hpp"
-#include "sim/designs/major_design.hpp"
-#include "sim/machine/verilated_machine.hpp"
+#include "sim/cosim/divider_station.hpp"
+#include "sim/cosim/world_boxes.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/trace/leaf_test.hpp"
 #include "sw_ref/world/int_tracer.hpp"
-#include "sw_ref/world/int_traversal.hpp"
 
 namespace hitpipe::sim {
 
 namespace world_units {
 
 constexpr int most_in_flight = 65'536;  // a tag has 16 bits
-constexpr const char* divider_name = "divider";
 
 /// One of the two units, with the tests that are on their way through it.
 class Station {
@@ -40,11 +38,10 @@ class Station {
 
   void ask(std::uint32_t ray) { waiting_.push_back(ray); }
   [[nodiscard]] bool idle() const { return waiting_.empty() && sent_.empty(); }
-  [[nodiscard]] bool hit(const std::int64_t* results) const { return evaluate_.hit(results); }
   [[nodiscard]] const WorldUnitCounts& counts() const { return counts_; }
 
   /// One cycle. write(ray, operands) gives the operands of the next ray's test; answered(ray, results) takes
-  /// an answer.
+  /// an answer and returns how many objects are hit.
   template <class Write, class Answered>
   void cycle(const Write& write, const Answered& answered) {
     Pins pins{.results = results_.data()};
@@ -75,9 +72,8 @@ class Station {
     bool same = pins.out_tag == sent.ray;
     for (std::size_t i = 0; i < results_.size(); ++i) same = same && results_[i] == sent.expected[i];
     ++counts_.tests;
-    counts_.hits += evaluate_.hit(results_.data()) ? 1 : 0;
     counts_.rtl_mismatches += same ? 0 : 1;
-    answered(sent.ray, results_.data());
+    counts_.hits += answered(sent.ray, results_.data());
   }
 
  private:
@@ -97,210 +93,109 @@ class Station {
   int longest_silence_;
 };
 
-/// What the divider must know of the ray whose test it divides.
-struct BestHit {
-  std::uint32_t number;  ///< of the triangle that it was tested with
-  std::int64_t t;        ///< of the best hit; the length before the first
-  std::uint32_t best_number;
-};
-
-/// The divider, with the tests that wait for it or are in it.
-class DividerStation {
- public:
-  DividerStation(const VerilatedMachine& divider, const hls::CoreBits& bits)
-      : verilog_(divider.another()),
-        native_(rtl::machine_called(divider_name)->native(bits)),
-        owners_(static_cast<std::size_t>(bits.rays())) {
-    for (std::uint32_t i = 0; i < owners_.size(); ++i) free_.push_back(i);
-    const Inputs none{};
-    Outputs ignored;
-    native_->step(none.data(), ignored.data(), true);
-    verilog_->step(none.data(), ignored.data(), true);
-  }
-
-  /// `results` of a test with HIT: det and num in halves.
-  void ask(std::uint32_t ray, const std::array<std::int64_t, 4>& halves) {
-    waiting_.push_back({ray, halves});
-  }
-  [[nodiscard]] bool idle() const { return waiting_.empty() && free_.size() == owners_.size(); }
-  [[nodiscard]] WorldUnitCounts& counts() { return counts_; }
-  [[nodiscard]] const WorldUnitCounts& counts() const { return counts_; }
-
-  /// One cycle. best(ray) gives a BestHit; answered(ray, t, closer) takes an answer.
-  template <class Best, class Answered>
-  void cycle(const Best& best, const Answered& answered) {
-    Inputs in{};
-    if (!waiting_.empty() && !free_.empty()) {
-      const Waiting& next = waiting_.front();
-      const std::uint32_t place = free_.front();
-      free_.pop_front();
-      owners_[place] = next.ray;
-      in[0] = 1;
-      in[1] = place;
-      for (std::size_t i = 0; i < next.halves.size(); ++i)
-        in[2 + i] = static_cast<rtl::Word>(static_cast<std::uint64_t>(next.halves[i]));
-      waiting_.pop_front();
-    }
-    const BestHit found = best(owners_[asked_]);
-    in[6] = found.number;
-    in[7] = static_cast<rtl::Word>(found.t);
-    in[8] = found.best_number;
-    Outputs out, expected;
-    native_->step(in.data(), expected.data(), false);
-    verilog_->step(in.data(), out.data(), false);
-    ++counts_.cycles;
-    if (out != expected) ++counts_.rtl_mismatches;
-    asked_ = static_cast<std::size_t>(out[0]);
-    if (out[1] == 0) {
-      if (++silent_ > longest_silence) throw WrongHardware("divider: no answer");
-      return;
-    }
-    silent_ = 0;
-    ++counts_.tests;
-    counts_.hits += out[3] != 0 ? 1 : 0;
-    free_.push_back(static_cast<std::uint32_t>(asked_));
-    answered(owners_[asked_], static_cast<std::int64_t>(out[2]), out[3] != 0);
-  }
-
- private:
-  using Inputs = std::array<rtl::Word, 9>;
-  using Outputs = std::array<rtl::Word, 4>;
-  static constexpr int longest_silence = 100;
-  struct Waiting {
-    std::uint32_t ray;
-    std::array<std::int64_t, 4> halves;
-  };
-
-  std::unique_ptr<VerilatedMachine> verilog_;
-  std::unique_ptr<rtl::NativeMachine> native_;
-  std::vector<std::uint32_t> owners_;  ///< rays, by their number in the divider
-  std::deque<std::uint32_t> free_;
-  std::deque<Waiting> waiting_;
-  WorldUnitCounts counts_;
-  std::size_t asked_ = 0;
-  int silent_ = 0;
-};
-
-/// The box unit's operands of a ray.
-class BoxOperands {
- public:
-  using Operands = hls::IntMajorOperands<Words, hls::MajorBits>;
-
-  BoxOperands(const hls::MajorBits& bits, const hls::WorldBits& world)
-      : bits_(bits), world_(world), ports_(bits) {}
-  void start(const ref::IntRay& ray) { put_major_ray(ref::major_ray(ray, bits_), in_); }
-  void write(const ref::IntBox& box, std::int64_t length, std::int64_t* out) {
-    in_.len = ref::in_box_units(length, world_, bits_);
-    ports_.write(in_, out);
-    ports_.write_box(box, out);
-  }
-
- private:
-  hls::MajorBits bits_;
-  hls::WorldBits world_;
-  PortOrder<Operands, hls::MajorBits> ports_;
-  Operands in_{};
-};
-
-struct Scene {
-  const ref::IntScene* scene;
-  std::vector<ref::IntBox> boxes;
-  hls::MajorBits box_bits;
-  std::unique_ptr<VerilatedMachine> divider;
-};
-
-inline hls::CoreBits divider_format(const hls::WorldBits& world) {
-  constexpr int ray_bits = 5;
-  return {world, ray_bits};
-}
-
 /// The units of one thread.
 class Stations {
  public:
-  Stations(const Scene& scene, const WorldUnits& units)
-      : scene_(scene),
-        boxes_(*units.boxes, evaluate(*units.boxes)),
+  virtual ~Stations() = default;
+  virtual void run(const ref::TraceJob& job, ref::TraceCounts& counts) = 0;
+  [[nodiscard]] virtual const WorldUnitCounts& boxes() const = 0;
+  [[nodiscard]] virtual const WorldUnitCounts& triangles() const = 0;
+  [[nodiscard]] virtual const WorldUnitCounts& divisions() const = 0;
+};
+
+template <class Boxes>
+class StationsWith final : public Stations {
+ public:
+  StationsWith(const WorldBoxes& world, const WorldUnits& units, const VerilatedMachine& divider)
+      : boxes_(*units.boxes, evaluate(*units.boxes)),
         triangles_(*units.triangles, evaluate(*units.triangles)),
-        divider_(*scene.divider, divider_format(scene.scene->bits)),
+        divider_(divider, divider_format(world.scene->bits)),
+        hit_(rtl::place_of_hit(units.triangles->results())),
         halves_(places_of_halves(units.triangles->results())),
-        hit_(rtl::place_of_hit(units.boxes->results())) {
-    for (int i = 0; i < units.rays_in_flight; ++i) slots_.emplace_back(scene, *units.triangles);
+        world_(world) {
+    for (int i = 0; i < units.rays_in_flight; ++i) slots_.emplace_back(world, units);
   }
 
-  void run(const ref::TraceJob& job, ref::TraceCounts& counts) {
+  void run(const ref::TraceJob& job, ref::TraceCounts& counts) override {
     std::size_t next = 0, ended = 0;
     for (Slot& slot : slots_) slot.ray = none;
+    const auto start = [&](Slot& slot) {
+      const ref::IntRay made = ref::int_ray(job.rays[next], world_.scene->bits);
+      slot.ray = next++;
+      slot.boxes.start(made, job.query);
+      slot.triangle->start(made);
+    };
     const auto step = [&](std::uint32_t number) {
       Slot& slot = slots_[number];
-      while (slot.ray != none && slot.walk->done()) {
-        job.triangles[slot.ray] = slot.walk->hit().triangle;
-        const ref::TraceCounts work = slot.walk->counts();
+      while (slot.ray != none && slot.walk().done()) {
+        job.triangles[slot.ray] = slot.walk().hit().triangle;
+        const ref::TraceCounts work = slot.walk().counts();
         if (!job.work.empty()) job.work[slot.ray] = work;
         counts += work;
         ++ended;
         slot.ray = none;
-        if (next < job.rays.size()) slot.start(next, job.rays[next], job.query), ++next;
+        if (next < job.rays.size()) start(slot);
       }
-      if (slot.ray != none) (slot.walk->at_triangle() ? triangles_ : boxes_).ask(number);
+      if (slot.ray != none) (slot.walk().at_triangle() ? triangles_ : boxes_).ask(number);
     };
     for (std::uint32_t i = 0; i < slots_.size() && next < job.rays.size(); ++i) {
-      slots_[i].start(next, job.rays[next], job.query);
-      ++next;
+      start(slots_[i]);
       step(i);
     }
     while (ended < job.rays.size()) {
       if (!boxes_.idle())
-        boxes_.cycle(
-            [&](std::uint32_t ray, std::int64_t* out) {
-              Slot& slot = slots_[ray];
-              slot.box.write(scene_.boxes[slot.walk->node()], slot.walk->length(), out);
-            },
-            [&](std::uint32_t ray, const std::int64_t* results) {
-              slots_[ray].walk->answer_box(results[hit_] != 0);
-              step(ray);
-            });
+        boxes_.cycle([&](std::uint32_t ray, std::int64_t* out) { slots_[ray].boxes.write(out); },
+                     [&](std::uint32_t ray, const std::int64_t* results) {
+                       const unsigned hits = slots_[ray].boxes.answer(results);
+                       step(ray);
+                       return hits;
+                     });
       if (!triangles_.idle())
         triangles_.cycle(
             [&](std::uint32_t ray, std::int64_t* out) {
-              const Slot& slot = slots_[ray];
-              slot.triangle->operands(scene_.scene->mesh.triangles[slot.walk->triangle()], out);
+              Slot& slot = slots_[ray];
+              slot.triangle->operands(world_.scene->mesh.triangles[slot.walk().triangle()], out);
             },
             [&](std::uint32_t ray, const std::int64_t* results) {
-              if (!triangles_.hit(results)) {
-                slots_[ray].walk->answer_triangle(false, 0);
+              Slot& slot = slots_[ray];
+              if (results[hit_] == 0) {
+                slot.walk().answer_triangle(false, 0);
                 step(ray);
-                return;
+                return 0U;
               }
-              slots_[ray].crossing = slots_[ray].triangle->crossing(results);
+              slot.crossing = slot.triangle->crossing(results);
               std::array<std::int64_t, 4> halves;
               for (std::size_t i = 0; i < halves.size(); ++i) halves[i] = results[halves_[i]];
               divider_.ask(ray, halves);
+              return 1U;
             });
       if (!divider_.idle())
         divider_.cycle(
-            [&](std::uint32_t ray) { return best_of(*slots_[ray].walk); },
+            [&](std::uint32_t ray) { return best_of(slots_[ray].walk()); },
             [&](std::uint32_t ray, std::int64_t t, bool closer) {
               Slot& slot = slots_[ray];
-              if (closer != is_closer(*slot.walk, slot.crossing) || (slot.crossing && slot.crossing->t != t))
+              if (closer != is_closer(slot.walk(), slot.crossing) || (slot.crossing && slot.crossing->t != t))
                 ++divider_.counts().rtl_mismatches;
-              slot.walk->answer_triangle(closer, t);
+              slot.walk().answer_triangle(closer, t);
               step(ray);
             });
     }
   }
 
-  [[nodiscard]] const WorldUnitCounts& boxes() const { return boxes_.counts(); }
-  [[nodiscard]] const WorldUnitCounts& triangles() const { return triangles_.counts(); }
-  [[nodiscard]] const WorldUnitCounts& divisions() const { return divider_.counts(); }
+  [[nodiscard]] const WorldUnitCounts& boxes() const override { return boxes_.counts(); }
+  [[nodiscard]] const WorldUnitCounts& triangles() const override { return triangles_.counts(); }
+  [[nodiscard]] const WorldUnitCounts& divisions() const override { return divider_.counts(); }
 
  private:
-  static BestHit best_of(const ref::IntTraversal& walk) {
+  template <class Walk>
+  static BestHit best_of(const Walk& walk) {
     if (walk.done()) return {0, 0, 0};  // of an earlier test
     return {walk.at_triangle() ? walk.triangle() : 0, walk.length(),
             walk.hit().found() ? walk.hit().triangle : ref::IntHit::none};
   }
   /// What exact integers say; a crossing beyond the ray's length is none.
-  static bool is_closer(const ref::IntTraversal& walk, const std::optional<ref::IntCrossing>& crossing) {
+  template <class Walk>
+  static bool is_closer(const Walk& walk, const std::optional<ref::IntCrossing>& crossing) {
     ref::IntHit best = walk.hit();
     return crossing && ref::keep_better(crossing->t, walk.triangle(), best);
   }
@@ -324,37 +219,38 @@ class Stations {
   }
 
   struct Slot {
-    Slot(const Scene& its_scene, const VerilatedDesign& triangles)
-        : scene(&its_scene),
-          box(its_scene.box_bits, its_scene.scene->bits),
-          triangle(make_triangle_test(*triangles.unit().design, triangles.unit().format)) {}
-    void start(std::size_t number, const ref::Ray& its_ray, ref::Query query) {
-      ray = number;
-      const ref::IntRay made = ref::int_ray(its_ray, scene->scene->bits);
-      walk.emplace(*scene->scene->bvh, made, query);
-      box.start(made);
-      triangle->start(made);
-    }
+    Slot(const WorldBoxes& world, const WorldUnits& units)
+        : boxes(world, units.boxes->results()),
+          triangle(make_triangle_test(*units.triangles->unit().design, units.triangles->unit().format)) {}
+    [[nodiscard]] auto& walk() { return boxes.walk(); }
 
-    const Scene* scene;
     std::size_t ray = none;  ///< its place in the job
-    std::optional<ref::IntTraversal> walk;
-    BoxOperands box;
+    Boxes boxes;
     std::unique_ptr<TriangleTest> triangle;
     std::optional<ref::IntCrossing> crossing{};  ///< of the test that is in the divider
   };
 
-  const Scene& scene_;
   Station boxes_, triangles_;
   DividerStation divider_;
+  std::size_t hit_;                    ///< of a triangle
   std::array<std::size_t, 4> halves_;  ///< of det and num, among the triangle unit's results
-  std::size_t hit_;
+  const WorldBoxes& world_;
   std::vector<Slot> slots_;
 };
 
+inline bool tests_two(const WorldUnits& units) {
+  return units.boxes->unit().design->kind == hls::pair_kind;
+}
+
+inline std::unique_ptr<Stations> make_stations(const WorldBoxes& world, const WorldUnits& units,
+                                               const VerilatedMachine& divider) {
+  if (tests_two(units)) return std::make_unique<StationsWith<TwoBoxesOfWorld>>(world, units, divider);
+  return std::make_unique<StationsWith<OneBoxOfWorld>>(world, units, divider);
+}
+
 inline hls::MajorBits box_format(const ref::IntScene& scene, const VerilatedDesign& boxes) {
   const Unit& unit = boxes.unit();
-  if (!(unit.design->kind == hls::box_kind) ||
+  if (!(unit.design->kind == hls::box_kind || unit.design->kind == hls::pair_kind) ||
       &unit.format.family() != &rtl::Format(hls::MajorBits{}).family())
     throw std::runtime_error(
         fmt::format("design {}: no unit for boxes of the integer world", unit.design->name));
@@ -371,8 +267,9 @@ inline hls::MajorBits box_format(const ref::IntScene& scene, const VerilatedDesi
 }  // namespace world_units
 
 struct WorldTracer::Shared {
-  world_units::Scene scene;
+  WorldBoxes world;
   WorldUnits units;
+  std::unique_ptr<const VerilatedMachine> divider;
   std::unique_ptr<ref::Tracer> reference;
   mutable oneapi::tbb::enumerable_thread_specific<std::unique_ptr<world_units::Stations>> stations;
   mutable std::mutex counting;
@@ -402,11 +299,10 @@ WorldTracer::WorldTracer(const ref::IntScene& scene, const WorldUnits& units)
   if (units.rays_in_flight < 1 || units.rays_in_flight > world_units::most_in_flight)
     throw std::invalid_argument(fmt::format("{} rays in flight: allowed is 1 to {}", units.rays_in_flight,
                                             world_units::most_in_flight));
-  shared_->scene = {&scene, {}, world_units::box_format(scene, *units.boxes), nullptr};
-  if (scene.bvh) shared_->scene.boxes = ref::int_boxes(scene.mesh, *scene.bvh);
+  shared_->world = {scene, world_units::box_format(scene, *units.boxes)};
   shared_->units = units;
-  shared_->scene.divider = std::make_unique<VerilatedMachine>(*rtl::machine_called(world_units::divider_name),
-                                                              world_units::divider_format(scene.bits));
+  shared_->divider = std::make_unique<const VerilatedMachine>(*rtl::machine_called(divider_name),
+                                                              divider_format(scene.bits));
   shared_->reference = ref::int_tracer(scene.mesh, scene.hierarchy(), {.world = scene.bits});
 }
 
@@ -423,11 +319,11 @@ void WorldTracer::trace(const ref::TraceJob& job, ref::TraceCounts& counts) cons
                    .rays = job.rays.size(),
                    .different = 0,
                    .reference = reference};
-  if (!shared_->scene.scene->bvh) {
+  if (!shared_->world.scene->bvh) {
     std::fill(job.triangles.begin(), job.triangles.end(), ref::IntHit::none);
   } else {
     std::unique_ptr<world_units::Stations>& own = shared_->stations.local();
-    if (!own) own = std::make_unique<world_units::Stations>(shared_->scene, shared_->units);
+    if (!own) own = world_units::make_stations(shared_->world, shared_->units, *shared_->divider);
     own->run(job, counts);
   }
   for (std::size_t i = 0; i < exact.size(); ++i) {

@@ -16,7 +16,7 @@ namespace hitpipe::sim {
 /// What one of the units did. The divider's hits are those that are nearer than the best.
 struct WorldUnitCounts {
   std::uint64_t tests = 0;
-  std::uint64_t hits = 0;
+  std::uint64_t hits = 0;  ///< boxes or triangles, also where a test is of two boxes
   std::uint64_t cycles = 0;
   std::uint64_t rtl_mismatches = 0;  ///< a result differs from the C++ datapath, or has another ray's tag
 
@@ -33,7 +33,7 @@ struct WorldCounts {
 };
 
 struct WorldUnits {
-  const VerilatedDesign* boxes;      ///< a unit for one box at a time, in a format with S
+  const VerilatedDesign* boxes;      ///< a unit for one box or for two, in a format with S
   const VerilatedDesign* triangles;  ///< a triangle unit
   int rays_in_flight = 32;           ///< 1..65536
 };

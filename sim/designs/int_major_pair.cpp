@@ -14,14 +14,8 @@
 
 namespace hitpipe::sim {
 
-namespace {
-
-using hls::MajorBits;
-
-using Operands = hls::IntMajorPairOperands<Words, MajorBits>;
-using Ports = PortOrder<Operands, MajorBits>;
-
-void put_pair(const ref::RayInterval& parent, const ref::PairBoxes& boxes, Operands& in) {
+void put_pair(const ref::RayInterval& parent, const ref::PairBoxes& boxes,
+              hls::IntMajorPairOperands<Words, hls::MajorBits>& in) {
   in.parent_near = parent.near;
   in.parent_far = parent.far;
   put(boxes.planes.min, in.xmin, in.ymin, in.zmin);
@@ -30,6 +24,13 @@ void put_pair(const ref::RayInterval& parent, const ref::PairBoxes& boxes, Opera
   put(std::array{owner(0), owner(1), owner(2)}, in.own_xmin, in.own_ymin, in.own_zmin);
   put(std::array{owner(3), owner(4), owner(5)}, in.own_xmax, in.own_ymax, in.own_zmax);
 }
+
+namespace {
+
+using hls::MajorBits;
+
+using Operands = hls::IntMajorPairOperands<Words, MajorBits>;
+using Ports = PortOrder<Operands, MajorBits>;
 
 class PairRays final : public RayFeed {
  public:

@@ -6,16 +6,22 @@
 #include <vector>
 
 #include "hls/box/int_major_operands.hpp"
+#include "hls/box/int_major_pair_operands.hpp"
 #include "hls/box/major_format.hpp"
 #include "sim/feeds/set_up_feed.hpp"
 #include "sim/software.hpp"
+#include "sw_ref/hierarchy/pair_nodes.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/quantise/int_major_ray.hpp"
 #include "sw_ref/scene/aabb.hpp"
+#include "sw_ref/scene/ray.hpp"
 
 namespace hitpipe::sim {
 
 void put_major_ray(const ref::IntMajorRay& ray, hls::MajorRay<Words, hls::MajorBits>& in);
+/// Two boxes, and where the ray is within their parent.
+void put_pair(const ref::RayInterval& parent, const ref::PairBoxes& boxes,
+              hls::IntMajorPairOperands<Words, hls::MajorBits>& in);
 
 /// A ray of either world: a format with S is one of the integer world (docs/integer_world.md), where the door
 /// makes the ray.

@@ -227,6 +227,38 @@ IntCase make_extreme(Random& random, const WorldBits& bits) {
   return made;
 }
 
+/// The largest determinants: the widest triangle of the cube and a ray along its normal. The ray starts in
+/// a corner of the triangle, or in the corner of the cube from which its volume is the largest.
+IntCase make_widest(Random& random, const WorldBits& bits) {
+  const auto one_less = [&] { return one_in(random, 4) ? 1 : 0; };
+  IntCase made;
+  std::array<bool, 3> negative{random.coin(), random.coin(), random.coin()};
+  const std::size_t first = random.below(3);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t size = bits.largest_corner() - one_less();
+      const bool same_side = (i + first) % 3 == axis;
+      made.triangle.corners[i][axis] = static_cast<std::int32_t>(same_side == negative[axis] ? -size : size);
+    }
+  }
+  made.ray.length = bits.largest_distance();
+  made.ray.major = static_cast<int>(random.below(3));
+  const auto major = static_cast<std::size_t>(made.ray.major);
+  const bool onward = random.coin();
+  const std::size_t corner = random.below(4);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    made.ray.origin[axis] = corner < 3       ? std::int64_t{made.triangle.corners[corner][axis]} << bits.finer
+                            : negative[axis] ? -bits.largest_point() + one_less()
+                                             : bits.largest_point() - one_less();
+    // From the opposite corner it goes to the triangle.
+    made.ray.negative[axis] = negative[axis] != (onward || corner == 3);
+    // Ties of the largest component go to the lower axis.
+    const std::int64_t slope = bits.one() - (axis == major ? 0 : axis < major ? 1 : one_less());
+    made.ray.direction[axis] = made.ray.negative[axis] ? -slope : slope;
+  }
+  return made;
+}
+
 IntCase make_flat(Random& random, const WorldBits& bits) {
   IntCase made = make_inside(random, bits);
   auto& corners = made.triangle.corners;
@@ -251,7 +283,7 @@ IntCase make_touching(Random& random, const WorldBits& bits) {
   return made;
 }
 
-constexpr std::array<IntCategory, 11> all_categories{{
+constexpr std::array<IntCategory, 12> all_categories{{
     {"anywhere", "any ray and any triangle", make_anywhere},
     {"inside", "aimed at the inside of a triangle", make_inside},
     {"edge", "through an edge", make_edge},
@@ -261,6 +293,7 @@ constexpr std::array<IntCategory, 11> all_categories{{
     {"sliver", "two corners are neighbours", make_sliver},
     {"axis", "slopes of 0, of one unit and of 1", make_axis},
     {"extreme", "numbers at the ends of their ranges", make_extreme},
+    {"widest", "determinants at the ends of their ranges", make_widest},
     {"flat", "equal corners", make_flat},
     {"touching", "the ray starts on the triangle", make_touching},
 }};

@@ -97,8 +97,12 @@ void check(const IntMesh& mesh, const IntTracerOptions& options) {
     throw std::invalid_argument(
         fmt::format("rays of {}+{}s{}t{} in a mesh of {} bits: there is no such world", world.coord,
                     world.finer, world.slope, world.fraction, mesh.coord_bits));
-  if (!options.boxes) return;
-  const hls::MajorBits& bits = *options.boxes;
+  if (options.boxes) check_box_format(world, *options.boxes);
+}
+
+}  // namespace
+
+void check_box_format(const hls::WorldBits& world, const hls::MajorBits& bits) {
   if (!bits.proved() || bits.coord != world.coord || bits.finer != world.finer || bits.slope != world.slope ||
       bits.fraction > world.finer + world.fraction)
     throw std::invalid_argument(fmt::format(
@@ -106,8 +110,6 @@ void check(const IntMesh& mesh, const IntTracerOptions& options) {
         bits.coord, bits.finer, bits.mantissa, bits.fraction, bits.slope, world.coord, world.finer,
         world.slope, world.fraction));
 }
-
-}  // namespace
 
 std::unique_ptr<Tracer> int_tracer(const IntMesh& mesh, const Bvh* bvh, const IntTracerOptions& options) {
   check(mesh, options);

@@ -23,6 +23,9 @@ struct IntTracerOptions {
   bool numbers_before_rounding = false;
 };
 
+/// Throws std::invalid_argument, one line, when boxes of the format cannot be tested for rays of the world.
+void check_box_format(const hls::WorldBits& world, const hls::MajorBits& boxes);
+
 /// `bvh` is a hierarchy over mesh.mesh; nothing, for a mesh without triangles, which no ray hits. Boxes are
 /// made from the corners, so a box of the hierarchy need not hold them. Mesh and hierarchy must outlive the
 /// tracer. Throws std::invalid_argument, one line, when formats do not fit each other or the mesh.

@@ -76,6 +76,27 @@ TEST(CosimCommand, PrintsTestsAndBoxesOfAPair) {
     EXPECT_FALSE(one.contains(key)) << key;
 }
 
+TEST(CosimCommand, BoxesOfTheIntegerWorldAreAnsweredByThePairUnit) {
+  const std::vector<std::string> scene{"--scene", "spheres", "--width", "24", "--height", "24"};
+  const Outcome outcome = run_hitpipe(
+      with(with({"cosim", "int_triangle"}, scene), {"--box-unit", "int_major_pair", "--format", "json"}));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  const json object = json::parse(outcome.out);
+  EXPECT_EQ(object.at("box_unit"), "int_major_pair");
+  for (const char* const key : {"box_rtl_mismatches", "triangle_rtl_mismatches", "different_rays"})
+    EXPECT_EQ(object.at(key), 0) << key;
+  const auto number = [&](const char* key) { return object.at(key).get<std::uint64_t>(); };
+  const std::uint64_t rays = number("rays_primary") + number("rays_secondary") + number("rays_shadow");
+  EXPECT_EQ(number("box_tests"), 2 * number("box_unit_tests") - rays);
+  EXPECT_GT(number("box_hits"), 10'000U);
+
+  const Outcome of_boxes =
+      run_hitpipe(with(with({"cosim", "int_slabs"}, scene), {"--box-unit", "int_major_pair"}));
+  EXPECT_EQ(of_boxes.exit_code, 2);
+  EXPECT_EQ(of_boxes.err, "hitpipe: --box-unit: not for design int_slabs, which tests boxes\n");
+}
+
 TEST(CosimCommand, SaysThatNothingWasJudgedWithoutReferee) {
   const json object = json::parse(run_hitpipe(cosim({"--format", "json"})).out);
   EXPECT_TRUE(object.at("false_misses").is_null());

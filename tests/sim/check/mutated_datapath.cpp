@@ -4,6 +4,7 @@
 #include "tests/sim/check/mutations.hpp"
 
 namespace hitpipe::sim {
+
 namespace {
 
 using rtl::Graph;
@@ -11,6 +12,8 @@ using rtl::no_node;
 using rtl::Node;
 using rtl::NodeId;
 using rtl::Op;
+
+}  // namespace
 
 NodeId copied(Graph& to, const Node& node, Args args) {
   switch (node.op) {
@@ -35,7 +38,7 @@ NodeId copied(Graph& to, const Node& node, Args args) {
   }
 }
 
-Graph mutated(const Graph& right, GraphFault* fault) {
+Graph mutated(const Graph& right, const std::function<GraphFault>& fault) {
   Graph to(right.name());
   std::vector<NodeId> made;
   bool changed = false;
@@ -51,6 +54,8 @@ Graph mutated(const Graph& right, GraphFault* fault) {
   for (const rtl::Output& out : right.outputs()) to.output(out.name, made[out.node]);
   return to;
 }
+
+namespace {
 
 class MutatedDatapath final : public BoxTest {
  public:

@@ -154,4 +154,12 @@ NodeId major_mirrored_plane_filled_with_zeros(Graph& to, const Node& node, Args 
   return spread_bit && plane ? to.concat(args[0], to.constant(below.width, 0)) : no_node;
 }
 
+/// The terms of a far sum have a 1 below them, which makes the carry.
+NodeId major_far_carry_missing(Graph& to, const Node& node, Args args) {
+  if (node.op != Op::concat) return no_node;
+  const Node below = to[args[1]];
+  const bool carries = below.op == Op::constant && below.width == 1 && below.value == 1;
+  return carries ? to.concat(args[0], to.constant(1, 0)) : no_node;
+}
+
 }  // namespace hitpipe::sim

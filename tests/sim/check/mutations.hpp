@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -19,6 +20,10 @@ using Args = std::span<const rtl::NodeId>;
 /// What replaces `node` in the faulty graph `to`; rtl::no_node keeps the node. `args` are its operands there.
 using GraphFault = rtl::NodeId(rtl::Graph& to, const rtl::Node& node, Args args);
 
+/// The node as it is.
+[[nodiscard]] rtl::NodeId copied(rtl::Graph& to, const rtl::Node& node, Args args);
+/// A copy of the graph with the fault. Throws std::logic_error if the fault changes nothing.
+[[nodiscard]] rtl::Graph mutated(const rtl::Graph& right, const std::function<GraphFault>& fault);
 [[nodiscard]] std::unique_ptr<BoxTest> mutated_set_up(const rtl::Design& design, const rtl::Format& format,
                                                       SetupFault* fault);
 /// Copies the traced graph with the fault and evaluates it. Throws std::logic_error if the fault changes
@@ -111,5 +116,7 @@ GraphFault major_near_with_the_upper_bound;
 GraphFault major_far_with_the_lower_bound;
 /// -x - 1 stands for x in the plane, but not in the bits of the finer grid below it.
 GraphFault major_mirrored_plane_filled_with_zeros;
+/// In the integer world the far differences lack their carry.
+GraphFault major_far_carry_missing;
 
 }  // namespace hitpipe::sim

@@ -46,6 +46,7 @@ Formats major(std::initializer_list<hls::MajorBits> bits) {
   return {bits.begin(), bits.end()};
 }
 
+const Formats integer_world = major({{20, 1, 11, 0, 20}, {16, 1, 11, 0, 16}, {8, 0, 6, -1, 8}});
 const Formats usual_major = major({{20, 1, 12}, {16, 0, 8}, {12, 2, 10, 1}, {8, 3, 6, -1}});
 
 struct Mutation {
@@ -155,6 +156,14 @@ const std::vector<Mutation> faults{
      .design = "int_major",
      .datapath = major_mirrored_plane_filled_with_zeros,
      .formats = major({{20, 1, 12}, {12, 2, 10, 1}, {8, 3, 6, -1}})},
+    {.name = "MajorFarCarryMissing",
+     .design = "int_major",
+     .datapath = major_far_carry_missing,
+     .formats = integer_world},
+    {.name = "MajorPairFarCarryMissing",
+     .design = "int_major_pair",
+     .datapath = major_far_carry_missing,
+     .formats = integer_world},
 };
 
 /// Changes that are not faults; their comments prove it.

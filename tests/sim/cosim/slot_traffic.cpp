@@ -7,24 +7,24 @@
 namespace hitpipe::sim {
 namespace {
 
-using Operands = std::vector<std::int64_t>;
+using Numbers = std::vector<std::int64_t>;
 
 struct Asked {
   std::uint16_t slot;
   std::uint16_t tag;
-  Operands results;
+  Numbers results;
 };
 
 /// A slot: what the memory must hold, and the vector that its line is from.
 struct Held {
-  Operands operands;
+  Numbers operands;
   std::size_t vector = 0;
 };
 
 }  // namespace
 
 SlotReport slot_traffic(const VerilatedDesign& design, const rtl::Evaluate& evaluate,
-                        const std::vector<Operands>& vectors, std::uint64_t tests, std::uint64_t seed) {
+                        const std::vector<Numbers>& vectors, std::uint64_t tests, std::uint64_t seed) {
   const rtl::RaySlots& memory = design.unit().ray_slots.value();
   std::mt19937_64 random(seed);
   const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
@@ -35,17 +35,17 @@ SlotReport slot_traffic(const VerilatedDesign& design, const rtl::Evaluate& eval
   std::vector<Held> slots(static_cast<std::size_t>(memory.slots()));
   std::size_t unwritten = slots.size();
   std::deque<Asked> asked;
-  Operands results(evaluate.result_count());
-  Operands results_before;
+  Numbers results(evaluate.result_count());
+  Numbers results_before;
   Pins before;
-  const auto copy = [](Operands& to, const Operands& from, const std::vector<std::size_t>& places) {
+  const auto copy = [](Numbers& to, const Numbers& from, const std::vector<std::size_t>& places) {
     for (const std::size_t place : places) to[place] = from[place];
   };
 
   bool offering = false;
   std::uint16_t slot = 0;
   std::uint16_t tag = 0;
-  Operands test;
+  Numbers test;
   std::uint64_t cycles = 0;
   const int interval = design.unit().pipeline.interval();
   for (; report.received < tests && cycles < 20 * tests + 1000; ++cycles) {
@@ -98,7 +98,7 @@ SlotReport slot_traffic(const VerilatedDesign& design, const rtl::Evaluate& eval
       report.beside_write += beside ? 1 : 0;
       copy(test, slots[slot].operands, memory.line_places);
       copy(test, slots[slot].operands, memory.end_places);
-      asked.push_back({slot, tag, Operands(results.size())});
+      asked.push_back({slot, tag, Numbers(results.size())});
       evaluate(test.data(), asked.back().results.data());
       offering = false;
     }

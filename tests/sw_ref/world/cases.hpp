@@ -54,15 +54,26 @@ class Draw {
     return made;
   }
 
-  /// Aimed at a corner, at a point of an edge or of the inside, or anywhere. Its direction is what the door
-  /// makes of the way there.
-  IntRay ray(const WorldBits& bits, const IntTriangle& triangle) {
-    IntRay made;
-    for (auto& x : made.origin) {
+  std::array<std::int64_t, 3> origin(const WorldBits& bits) {
+    std::array<std::int64_t, 3> made{};
+    for (auto& x : made) {
       x = integer(-bits.largest_point(), bits.largest_point());
       if (one_in(6)) x &= ~((std::int64_t{1} << bits.finer) - 1);
       if (one_in(20)) x = one_in(2) ? bits.largest_point() : -bits.largest_point();
     }
+    return made;
+  }
+
+  IntRay ray(const WorldBits& bits, const IntTriangle& triangle) {
+    const std::array<std::int64_t, 3> from = origin(bits);
+    return ray(bits, from, triangle);
+  }
+
+  /// Aimed at a corner, at a point of an edge or of the inside, or anywhere. Its direction is what the door
+  /// makes of the way there.
+  IntRay ray(const WorldBits& bits, const std::array<std::int64_t, 3>& from, const IntTriangle& triangle) {
+    IntRay made;
+    made.origin = from;
     constexpr std::array<std::array<std::int64_t, 3>, 5> weights{
         {{1, 0, 0}, {1, 1, 0}, {0, 1, 3}, {1, 1, 1}, {3, 2, 1}}};
     std::array<std::int64_t, 3> way{};

@@ -2,10 +2,15 @@
 // those of int_major.
 #include "sw_ref/world/int_tracer.hpp"
 
+#include <ostream>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "sw_ref/trace/int_major.hpp"
+#include "sw_ref/trace/int_major_pair.hpp"
 #include "sw_ref/world/int_meets.hpp"
+#include "sw_ref/world/int_pair_traversal.hpp"
 #include "sw_ref/world/int_traversal.hpp"
 #include "tests/sw_ref/world/cases.hpp"
 
@@ -16,6 +21,7 @@ using hls::MajorBits;
 using hls::WorldBits;
 using world_cases::Case;
 using world_cases::Draw;
+using world_cases::Rational;
 using world_cases::truth;
 
 /// Few bits make many ties, degenerate triangles and rays in faces.
@@ -56,6 +62,23 @@ IntHit by_force(const IntMesh& mesh, const IntRay& ray, const WorldBits& bits) {
   return best;
 }
 
+/// Two boxes at a time, as int_major_pair tests them.
+IntHit by_pairs(const IntMesh& mesh, const Bvh& bvh, const IntRay& ray, const WorldBits& world,
+                const MajorBits& bits, Query query) {
+  const std::vector<PairBoxes> pairs = int_pairs(int_boxes(mesh, bvh), bvh);
+  const MajorDistances distances(major_ray(ray, bits), bits);
+  IntPairTraversal walk(bvh, ray, query, world, bits);
+  while (!walk.done()) {
+    if (!walk.at_triangle()) {
+      walk.answer_boxes(test_pair(distances, pairs[walk.record()], walk.parent()));
+      continue;
+    }
+    const auto crossing = int_crossing(ray, mesh.triangles[walk.triangle()], world);
+    walk.answer_triangle(crossing.has_value(), crossing ? crossing->t : 0);
+  }
+  return walk.hit();
+}
+
 TEST(IntTracer, FindsWhatForceFinds) {
   Draw draw(39021);
   int hits = 0;
@@ -85,11 +108,79 @@ TEST(IntTracer, FindsWhatForceFinds) {
         ASSERT_EQ(closest, wanted.triangle) << "scene " << scene << ", ray " << i;
         ASSERT_EQ(any != IntHit::none, wanted.found());
       }
+      const IntRay rounded = int_ray(ray, bits);
+      ASSERT_EQ(by_pairs(mesh, bvh, rounded, bits, boxes, Query::closest).triangle, wanted.triangle);
+      ASSERT_EQ(by_pairs(mesh, bvh, rounded, bits, boxes, Query::any).found(), wanted.found());
     }
   }
   EXPECT_GT(hits, 1'500);
   EXPECT_GT(dropped, 20U);
 }
+
+/// The traversal by int_major's boxes, with a fault in T or in the cut of the boxes.
+struct Planted {
+  const char* name;
+  std::int64_t cut_less = 0;
+  bool t_to_nearest = false;
+};
+
+void PrintTo(const Planted& fault, std::ostream* out) {
+  *out << fault.name;
+}
+
+std::uint32_t walked(const IntMesh& mesh, const Bvh& bvh, const IntRay& ray, const WorldBits& world,
+                     const MajorBits& bits, const Planted& fault) {
+  const std::vector<IntBox> boxes = int_boxes(mesh, bvh);
+  const MajorDistances distances(major_ray(ray, bits), bits);
+  IntTraversal walk(bvh, ray, Query::closest);
+  while (!walk.done()) {
+    if (!walk.at_triangle()) {
+      const std::int64_t cut = in_box_units(walk.length(), world, bits) - fault.cut_less;
+      walk.answer_box(distances.meets(boxes[walk.node()], cut));
+      continue;
+    }
+    const IntTriangle& triangle = mesh.triangles[walk.triangle()];
+    const auto crossing = int_crossing(ray, triangle, world);
+    std::int64_t t = crossing ? crossing->t : 0;
+    if (crossing && fault.t_to_nearest) {
+      const Rational twice = truth({world, ray, triangle})->distance * (2 << world.fraction);
+      t = static_cast<std::int64_t>(oracle::floor((twice + 1) / 2));
+    }
+    walk.answer_triangle(crossing.has_value() && t <= ray.length, t);
+  }
+  return walk.hit().triangle;
+}
+
+class WalkFaults : public testing::TestWithParam<Planted> {};
+
+TEST_P(WalkFaults, AreFound) {
+  Draw draw(39024);
+  int wrong = 0;
+  for (int scene = 0; scene < 15; ++scene) {
+    const WorldBits world{static_cast<int>(draw.integer(4, 10)), 1, static_cast<int>(draw.integer(4, 12)), 0};
+    const MajorBits bits{world.coord, world.finer, 9, 0, world.slope};
+    const IntMesh mesh = int_mesh(random_mesh(draw, 24, world), world.coord);
+    if (mesh.triangles.empty()) continue;
+    const Bvh bvh = build_bvh(mesh.mesh, {.max_triangles = 2, .padding = 0.0F});
+    for (int i = 0; i < 100; ++i) {
+      const auto aim =
+          static_cast<std::size_t>(draw.integer(0, static_cast<std::int64_t>(mesh.triangles.size()) - 1));
+      const IntRay ray = draw.ray(world, mesh.triangles[aim]);
+      const IntHit wanted = by_force(mesh, ray, world);
+      wrong += walked(mesh, bvh, ray, world, bits, GetParam()) == wanted.triangle ? 0 : 1;
+    }
+  }
+  if (GetParam().cut_less == 0 && !GetParam().t_to_nearest) {
+    EXPECT_EQ(wrong, 0);
+  } else {
+    EXPECT_GT(wrong, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, WalkFaults,
+                         testing::Values(Planted{"nothing"}, Planted{"cut_one_too_small", 1},
+                                         Planted{"t_to_nearest", 0, true}),
+                         [](const auto& one) { return one.param.name; });
 
 /// A ray that lies in a face of a box and never leaves it, as Needed.v has it.
 TEST(MajorBoxes, HoldARayInTheirFace) {

@@ -1,0 +1,131 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/build_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/options/world_options.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "host/files.hpp"
+#include "host/outputs.hpp"
+#include "rtl_gen/catalogue/format.hpp"
+#include "sw_ref/core/core_image.hpp"
+#include "sw_ref/core/core_tracer.hpp"
+#include "sw_ref/render/render.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+struct ImageCommand {
+  SceneChoice scene;
+  ref::BuildOptions build{.builder = ref::Builder::sah, .max_triangles = 2};
+  std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
+  std::string out;
+  std::vector<int> places;
+  OutputFormat format = OutputFormat::text;
+};
+
+/// Blocks in the order of their addresses, words little-endian.
+std::string bytes_of(const ref::CoreImage& image) {
+  std::string bytes;
+  bytes.reserve(image.bytes());
+  for (const ref::CoreBlock& block : image.blocks)
+    for (const std::uint64_t word : block)
+      for (unsigned byte = 0; byte < 8; ++byte) bytes += static_cast<char>(word >> 8 * byte & 0xff);
+  return bytes;
+}
+
+/// What the rays of the scene's picture read of the image, a row for each size of the stack.
+std::vector<Row> reads_of(const ImageCommand& command, const ref::IntScene& scene,
+                          const ref::CoreImage& image) {
+  const ref::IntSurfaces surfaces(scene);
+  std::vector<Row> rows;
+  for (const int places : command.places) {
+    Progress progress("walking");
+    const ref::CoreTracer core(
+        image, {.world = scene.bits, .boxes = usual_box_format(scene.bits), .places = places});
+    const ref::TraceCounts work = ref::render(scene.scene, core,
+                                              {.width = command.scene.width,
+                                               .height = command.scene.height,
+                                               .threads = command.scene.threads,
+                                               .surfaces = &surfaces,
+                                               .progress = [&](double share) { progress.show(share); }})
+                                      .counts.total();
+    const auto rays = static_cast<double>(work.rays);
+    const auto blocks = static_cast<double>(work.nodes_loaded + work.triangles_loaded);
+    rows.push_back({{"stack", places},
+                    {"rays", work.rays},
+                    {"records_a_ray", static_cast<double>(work.nodes_loaded) / rays},
+                    {"triangles_a_ray", static_cast<double>(work.triangles_loaded) / rays},
+                    {"restarts_a_ray", static_cast<double>(core.restarts()) / rays},
+                    {"bytes_a_ray", blocks * static_cast<double>(ref::core_block_bytes) / rays}});
+  }
+  return rows;
+}
+
+void write_image(ImageCommand command) {
+  const auto bits = rtl::parse_bits<hls::WorldBits>(command.bits);
+  if (!command.out.empty()) host::announce_output("--out", command.out);
+  command.build.threads = command.scene.threads;
+  std::optional<Progress> progress("reading the scene");
+  const ref::IntScene scene = ref::int_scene(command.scene.load(), bits, command.build);
+  progress.emplace("writing the image");
+  const ref::CoreImage image = ref::core_image(scene);
+  Row row{{"scene", scene.scene.name},
+          {"bits", rtl::to_string(rtl::Format(bits))},
+          {"builder", builder_name(command.build.builder)},
+          {"max_triangles", command.build.max_triangles},
+          {"triangles", image.triangles},
+          {"records", image.records},
+          {"levels", image.levels},
+          {"blocks", image.blocks.size()},
+          {"bytes", image.bytes()}};
+  if (!command.out.empty()) {
+    host::write_file(command.out, bytes_of(image));
+    row["file"] = command.out;
+  }
+  progress.reset();
+  if (command.places.empty()) {
+    fmt::print("{}", record_text(row, command.format));
+    return;
+  }
+  if (command.format == OutputFormat::text) fmt::print("{}\n", record_text(row, command.format));
+  fmt::print("{}", table_text(reads_of(command, scene, image), command.format));
+}
+
+}  // namespace
+
+CLI::App* add_image_command(CLI::App& program, int& /*exit_code*/) {
+  CLI::App* const command = program.add_subcommand(
+      "image", "Write a scene as the traversal core reads it: records of two boxes, and triangles");
+  const auto options = std::make_shared<ImageCommand>();
+  add_scene_options(*command, options->scene);
+  add_build_options(*command, options->build);
+  // Boxes of integers do not grow.
+  command->remove_option(command->get_option("--padding"));
+  command->add_option("--bits", options->bits, "Format of the integer world, n+gsS")
+      ->capture_default_str()
+      ->type_name("FORMAT");
+  as_output(command->add_option("--out", options->out, "Write the blocks to this file"));
+  constexpr int most_places = 60;
+  command
+      ->add_option("--stack", options->places,
+                   "Also print what the rays of the picture read, for a stack of so many places (0 to 60)")
+      ->delimiter(',')
+      ->transform(number_from(0, most_places))
+      ->type_name("N");
+  add_format_option(*command, options->format);
+  command->callback([options] { write_image(*options); });
+  return command;
+}
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,67 @@
+#include "sw_ref/core/core_tracer.hpp"
+
+#include <stdexcept>
+
+#include "sw_ref/trace/int_major_pair.hpp"
+#include "sw_ref/trace/leaf_test.hpp"
+#include "sw_ref/trace/trail_walk.hpp"
+#include "sw_ref/world/int_tracer.hpp"
+
+namespace hitpipe::ref {
+
+namespace {
+
+struct Walked {
+  IntHit hit;
+  TrailWalk::Counts counts;
+  std::uint64_t triangles = 0;
+};
+
+Walked walked(const CoreImage& image, const CoreTracerOptions& options, const IntRay& ray, Query query) {
+  const auto in_box = [&](std::int64_t t) { return in_box_units(t, options.world, options.boxes); };
+  const MajorDistances distances(major_ray(ray, options.boxes), options.boxes);
+  Walked made{};
+  TrailWalk walk({PairChild::branch, 0}, in_box(ray.length), options.places);
+  while (!walk.done()) {
+    if (!walk.at_leaf()) {
+      const CoreRecord record = record_of(image.blocks[walk.at().first]);
+      walk.answer(test_pair(distances, record.boxes, walk.interval()), {record.child(0), record.child(1)});
+      continue;
+    }
+    for (std::int32_t i = 0; i < walk.at().count; ++i) {
+      const CoreTriangle triangle =
+          triangle_of(image.blocks[walk.at().first + static_cast<std::uint32_t>(i)]);
+      ++made.triangles;
+      const auto crossing = int_crossing(ray, triangle.triangle, options.world);
+      if (crossing && keep_better(crossing->t, triangle.number, made.hit) && query == Query::any) {
+        made.counts = walk.counts();
+        return made;
+      }
+    }
+    walk.leaf_done(in_box(made.hit.found() ? made.hit.t : ray.length));
+  }
+  made.counts = walk.counts();
+  return made;
+}
+
+}  // namespace
+
+CoreTracer::CoreTracer(const CoreImage& image, const CoreTracerOptions& options)
+    : image_(image), options_(options) {
+  check_box_format(options.world, options.boxes);
+  if (options.places < 0) throw std::invalid_argument("a stack has 0 places or more");
+}
+
+void CoreTracer::trace(const TraceJob& job, TraceCounts& counts) const {
+  check_places(job);
+  for (std::size_t i = 0; i < job.rays.size(); ++i) {
+    const Walked made = walked(image_, options_, int_ray(job.rays[i], options_.world), job.query);
+    job.triangles[i] = made.hit.triangle;
+    const TraceCounts work{1, 2 * made.counts.records, made.triangles, made.counts.records, made.triangles};
+    if (!job.work.empty()) job.work[i] = work;
+    counts += work;
+    restarts_ += made.counts.restarts;
+  }
+}
+
+}  // namespace hitpipe::ref

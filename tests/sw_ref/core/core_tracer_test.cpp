@@ -1,0 +1,79 @@
+// The core's walk in software finds what the exact traversal finds, with any number of places in its stack.
+#include "sw_ref/core/core_tracer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sw_ref/render/render.hpp"
+#include "sw_ref/scene/built_in.hpp"
+#include "sw_ref/world/int_tracer.hpp"
+#include "tests/sim/small_scene.hpp"
+
+namespace hitpipe::ref::core_tracer_test {
+namespace {
+
+struct Figures {
+  TraceCounts work;
+  std::uint64_t restarts = 0;
+};
+
+/// Compares all rays of a picture and returns what they cost.
+Figures traced(const IntScene& scene, const CoreTracerOptions& options, int size) {
+  const CoreImage image = core_image(scene);
+  const CoreTracer core(image, options);
+  const auto exact = int_tracer(scene.mesh, scene.hierarchy(), {.world = options.world});
+  const IntSurfaces surfaces(scene);
+  RenderOptions render_options;
+  render_options.width = render_options.height = size;
+  render_options.surfaces = &surfaces;
+  const RenderResult by_core = render(scene.scene, core, render_options);
+  const RenderResult by_exact = render(scene.scene, *exact, render_options);
+  EXPECT_EQ(by_core.triangles, by_exact.triangles);
+  EXPECT_EQ(by_core.image, by_exact.image);
+  return {by_core.counts.total(), core.restarts()};
+}
+
+TEST(CoreTracer, FindsWhatTheExactTraversalFinds) {
+  const hls::WorldBits world{12, 1, 12, 0, 0};
+  const IntScene scene = int_scene(sim::hills(), world, {.builder = Builder::sah, .max_triangles = 2});
+  std::uint64_t last_reads = ~std::uint64_t{0};
+  for (const int places : {0, 1, 2, 4, 8, 60}) {
+    const Figures made = traced(scene, {world, {12, 1, 7, 0, 12}, places}, 48);
+    EXPECT_LE(made.work.nodes_loaded, last_reads) << places << " places";
+    last_reads = made.work.nodes_loaded;
+    EXPECT_TRUE(places != 60 || made.restarts == 0);
+    EXPECT_TRUE(places != 0 || made.restarts > made.work.rays);
+  }
+}
+
+/// The model of the design: 18.2 blocks a ray for `spheres` with a surface-area tree, at most two triangles a
+/// leaf, and eight places.
+TEST(CoreTracer, SpheresTakeAsManyBlocksAsTheModel) {
+  const IntScene scene = int_scene(load_scene("spheres"), {}, {.builder = Builder::sah, .max_triangles = 2});
+  const Figures made = traced(scene, {}, 96);
+  const double blocks = static_cast<double>(made.work.nodes_loaded + made.work.triangles_loaded) /
+                        static_cast<double>(made.work.rays);
+  EXPECT_NEAR(blocks, 18.2, 1.0);
+}
+
+TEST(CoreTracer, OfAnEmptyMeshHitsNothing) {
+  Scene empty = sim::hills();
+  empty.mesh = {};
+  const IntScene scene = int_scene(empty, {});
+  const CoreImage image = core_image(scene);
+  const CoreTracer core(image, {});
+  const Ray ray{{0, 0, 0}, {1, 0, 0}, Ray::infinite};
+  std::uint32_t found = 0;
+  TraceCounts counts;
+  core.trace({{&ray, 1}, Query::closest, {&found, 1}}, counts);
+  EXPECT_EQ(found, IntHit::none);
+  EXPECT_EQ(counts.nodes_loaded, 1U);
+}
+
+TEST(CoreTracer, RefusesOtherFormats) {
+  const CoreImage image = core_image(int_scene(sim::hills(), {}));
+  EXPECT_THROW(CoreTracer(image, {.boxes = hls::MajorBits{16, 1, 11, 0, 16}}), std::invalid_argument);
+  EXPECT_THROW(CoreTracer(image, {.places = -1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hitpipe::ref::core_tracer_test
