@@ -8,11 +8,11 @@
   COMMAND("Take a unit", rtl)              \
   COMMAND("Take a unit", operands)         \
   COMMAND("Take a unit", list)             \
+  COMMAND("Take a unit", image)            \
   COMMAND("Judge it", check)               \
   COMMAND("Judge it", cosim)               \
   COMMAND("Judge it", render)              \
   COMMAND("Judge it", bvh)                 \
-  COMMAND("Build a core", image)           \
   COMMAND("Choose it", area)               \
   COMMAND("Choose it", sweep)              \
   COMMAND("Choose it", fit)                \

@@ -106,7 +106,7 @@ void write_image(ImageCommand command) {
 
 CLI::App* add_image_command(CLI::App& program, int& /*exit_code*/) {
   CLI::App* const command = program.add_subcommand(
-      "image", "Write a scene as the traversal core reads it: records of two boxes, and triangles");
+      "image", "Write a scene as the memory of a traversal core holds it");
   const auto options = std::make_shared<ImageCommand>();
   add_scene_options(*command, options->scene);
   add_build_options(*command, options->build);
