@@ -11,7 +11,7 @@ Pipeline make_pipeline(const Graph& traced, const Library& library, std::optiona
   Graph planned = with_products_planned(canonical(traced), library);
   auto [graph, shared] = interval == 1 ? SharedGraph{planned, {schedule_asap(planned, library, clock_ps), {}}}
                                        : share_widened(planned, library, interval, clock_ps);
-  Placement placement = place_registers(graph, shared.schedule, Ports::latched, interval);
+  Placement placement = place_registers(graph, shared.schedule, Ports::latched, shared.binding);
   use_block_registers(placement, graph, shared.schedule, library, shared.binding);
   return {std::move(graph), std::move(shared.schedule), std::move(placement), std::move(shared.binding)};
 }
