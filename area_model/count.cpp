@@ -94,8 +94,10 @@ Part component_part(const Graph& graph, NodeId id) {
 
 /// Components that operations share, with the multiplexers and latches of their operands, in the stage of the
 /// first operation; and the counter of phases.
-void add_shared(Tally& tally, const Graph& graph, const rtl::Schedule& schedule, const rtl::Binding& binding,
-                Component latch) {
+void add_shared(Tally& tally, const Graph& graph, const rtl::SharedSchedule& shared,
+                const rtl::Placement& placement, Component latch) {
+  const auto& [schedule, binding] = shared;
+  const rtl::RegisterTable registers(placement, binding.interval);
   for (const auto& [instance, operations] : binding.instances()) {
     int stage = schedule.stages;
     for (const NodeId id : operations) stage = std::min(stage, schedule.slots[id].stage);
@@ -105,7 +107,7 @@ void add_shared(Tally& tally, const Graph& graph, const rtl::Schedule& schedule,
       if (!is_selected(graph, operations, place)) continue;
       const int bits = graph[graph[first].args[place]].width;
       tally.add(stage, {latch, bits});
-      const int values = selected_values(graph, schedule, binding.interval, operations, place);
+      const int values = selected_values(graph, shared, registers, operations, place);
       for (int i = 1; i < values; ++i) tally.add(stage, {Component::mux2, bits});
     }
   }
@@ -121,7 +123,7 @@ void add_logic(Tally& tally, const Graph& graph, const rtl::Schedule& schedule,
   }
   for (const NodeId id : components_of(graph, schedule, binding))
     tally.add(schedule.slots[id].stage, component_part(graph, id));
-  add_shared(tally, graph, schedule, binding, latch);
+  add_shared(tally, graph, {schedule, binding}, placement, latch);
   if (gates == Gates::left_out) return;
   for (NodeId id = 0; id < graph.size(); ++id) {
     const rtl::Node& n = graph[id];

@@ -71,7 +71,8 @@ int adder_bits(const ProductShape& whole, int at) {
 
 class Planner {
  public:
-  explicit Planner(const Chip& chip) : chip_(chip) {}
+  explicit Planner(const Chip& chip, int interval = 1)
+      : chip_(chip), block_luts_(chip.block ? (chip.block->luts + interval - 1) / interval : 0) {}
 
   const ProductPlan& best(const ProductShape& shape, bool is_whole) {
     const auto key = std::pair(shape, is_whole);
@@ -82,9 +83,7 @@ class Planner {
   }
 
  private:
-  [[nodiscard]] int cost(const ProductPlan& plan) const {
-    return plan.luts + (chip_.block ? plan.blocks * chip_.block->luts : 0);
-  }
+  [[nodiscard]] int cost(const ProductPlan& plan) const { return plan.luts + plan.blocks * block_luts_; }
 
   [[nodiscard]] ProductPlan rows(const ProductShape& s) const {
     const int narrow = std::min(s.width_a, s.width_b);
@@ -129,6 +128,7 @@ class Planner {
   }
 
   const Chip& chip_;
+  int block_luts_;
   std::map<std::pair<ProductShape, bool>, ProductPlan> plans_;
 };
 
@@ -260,10 +260,10 @@ NodeId record_product(Graph& to, const ProductPlan& plan, const ProductShape& sh
   return to.resize(sum.node, shape.width(), sum.is_signed);
 }
 
-Graph with_products_planned(const Graph& graph, const Library& library) {
+Graph with_products_planned(const Graph& graph, const Library& library, int interval) {
   const Chip* const chip = library.chip();
   if (chip == nullptr) return graph;
-  Planner planner(*chip);
+  Planner planner(*chip, interval);
   const Graph joined = chip->block ? with_halves_joined(graph, *chip->block) : graph;
   return canonical(rewrite(joined, [&](Graph& to, NodeId id, const NewOperands& operands) {
     const Node& n = joined[id];

@@ -68,7 +68,8 @@ struct ProductPlan {
 NodeId record_product(Graph& to, const ProductPlan& plan, const ProductShape& shape, NodeId a, NodeId b);
 
 /// The graph with every product made as planned, for the chip of the library. A product that the source makes
-/// of two halves is one first, if a block can make it. Without a chip it is the same graph.
-[[nodiscard]] Graph with_products_planned(const Graph& graph, const Library& library);
+/// of two halves is one first, if a block can make it. Without a chip it is the same graph. In a unit that
+/// takes a test every `interval` cycles as many products share a block, so each pays that part of it.
+[[nodiscard]] Graph with_products_planned(const Graph& graph, const Library& library, int interval = 1);
 
 }  // namespace hitpipe::rtl

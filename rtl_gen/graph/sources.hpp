@@ -1,6 +1,8 @@
 // Follows wires back to the values that can be latched: which of them a node reads, and which of their bits.
 #pragma once
 
+#include <vector>
+
 #include "rtl_gen/graph/graph.hpp"
 
 namespace hitpipe::rtl {
@@ -46,6 +48,19 @@ void for_each_source_of(const Graph& graph, NodeId value, Visit&& visit) {
 template <class Visit>
 void for_each_source(const Graph& graph, NodeId node, Visit&& visit) {
   for (const NodeId arg : graph[node].operands()) for_each_source_of(graph, arg, visit);
+}
+
+/// What wires make of the roots behind a value: the same of two values whose roots they treat alike.
+[[nodiscard]] inline std::vector<int> wires_to(const Graph& graph, NodeId value) {
+  const Node& n = graph[value];
+  if (is_root(n.op)) return {-1};
+  if (n.op == Op::constant) return {static_cast<int>(value)};
+  std::vector<int> wires{static_cast<int>(n.op), n.width, n.low, n.is_signed ? 1 : 0};
+  for (const NodeId arg : n.operands()) {
+    const std::vector<int> inner = wires_to(graph, arg);
+    wires.insert(wires.end(), inner.begin(), inner.end());
+  }
+  return wires;
 }
 
 }  // namespace hitpipe::rtl

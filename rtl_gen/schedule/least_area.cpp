@@ -47,7 +47,7 @@ std::int64_t sharing_price(const Graph& graph, NodeId id, const Library& library
 }
 
 /// The latches of an instance's operands, and the multiplexers before them.
-std::int64_t selection_price(const Graph& graph, const SharedSchedule& shared,
+std::int64_t selection_price(const Graph& graph, const SharedSchedule& shared, const RegisterTable& registers,
                              const std::vector<NodeId>& operations, const SharingPrices& prices) {
   std::int64_t price = 0;
   const Node& first = graph[operations.front()];
@@ -55,7 +55,7 @@ std::int64_t selection_price(const Graph& graph, const SharedSchedule& shared,
     const NodeId arg = first.args[i];
     if (!is_selected(graph, operations, i)) continue;
     price += prices.part(Component::latch, graph[arg].width);
-    const int values = selected_values(graph, shared.schedule, shared.binding.interval, operations, i);
+    const int values = selected_values(graph, shared, registers, operations, i);
     price += (values - 1) * prices.part(Component::mux2, graph[arg].width);
   }
   return price;
@@ -82,10 +82,12 @@ std::int64_t area_of(const Graph& graph, const SharedSchedule& shared, const Sha
   std::int64_t area = 0;
   for (NodeId id = 0; id < graph.size(); ++id)
     if (is_component(graph[id].op) && !binding.shares(id)) area += prices.operation(id);
+  const Placement placement = place_registers(graph, schedule, Ports::latched, binding);
+  const RegisterTable registers(placement, binding.interval);
   for (const auto& [instance, operations] : binding.instances())
-    area += prices.operation(operations.front()) + selection_price(graph, shared, operations, prices);
-  for (const Register& r : place_registers(graph, schedule, Ports::latched, binding.interval).registers)
-    area += prices.part(Component::latch, r.width());
+    area +=
+        prices.operation(operations.front()) + selection_price(graph, shared, registers, operations, prices);
+  for (const Register& r : placement.registers) area += prices.part(Component::latch, r.width());
   const int tags = schedule.stages / binding.interval + 1;
   return area + (schedule.stages + 1) * prices.part(Component::latch, 1) +
          tags * prices.part(Component::latch, prices.tag_bits);

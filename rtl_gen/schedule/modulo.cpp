@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "rtl_gen/graph/sources.hpp"
 #include "rtl_gen/schedule/chaining.hpp"
 #include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/schedule/sharing.hpp"
@@ -158,26 +159,41 @@ class ModuloList {
     int most = -1;
     for (int i = first_instance_[group]; i < first_instance_[group + 1]; ++i) {
       if ((phases_[static_cast<std::size_t>(i)] & phase) != 0) continue;
-      const int alike = reads_alike(id, i);
+      const int alike = reads_alike(id, i, stage);
       if (alike > most) best = i;
       most = std::max(most, alike);
     }
     if (best < 0) return false;
     phases_[static_cast<std::size_t>(best)] |= phase;
     made_.binding.instance_of[id] = best;
-    const Node& n = graph_[id];
-    for (std::size_t place = 0; place < n.operands().size(); ++place)
-      reads_[static_cast<std::size_t>(best)].insert({place, n.args[place]});
+    for (std::size_t place = 0; place < graph_[id].operands().size(); ++place)
+      reads_[static_cast<std::size_t>(best)].insert(operand(id, place, stage));
     return true;
   }
 
   /// How many operands an operation of the instance reads too.
-  [[nodiscard]] int reads_alike(NodeId id, int instance) const {
-    const Node& n = graph_[id];
+  [[nodiscard]] int reads_alike(NodeId id, int instance, int stage) const {
     int alike = 0;
-    for (std::size_t place = 0; place < n.operands().size(); ++place)
-      alike += reads_[static_cast<std::size_t>(instance)].contains({place, n.args[place]}) ? 1 : 0;
+    for (std::size_t place = 0; place < graph_[id].operands().size(); ++place)
+      alike += reads_[static_cast<std::size_t>(instance)].contains(operand(id, place, stage)) ? 1 : 0;
     return alike;
+  }
+
+  /// The place, the wires, and the values. Results of one component that are new are one: a register behind
+  /// it has each of them in its turn.
+  [[nodiscard]] std::vector<int> operand(NodeId id, std::size_t place, int stage) const {
+    const NodeId arg = graph_[id].args[place];
+    std::vector<int> key = wires_to(graph_, arg);
+    key.push_back(static_cast<int>(place));
+    for_each_source_of(graph_, arg, [&](NodeId source, Word) {
+      const auto shared = made_.binding.instance_of.find(source);
+      const bool is_new = stage <= made_.schedule.slots[source].finish + 1;
+      if (shared != made_.binding.instance_of.end() && is_new)
+        key.insert(key.end(), {1, shared->second});
+      else
+        key.insert(key.end(), {0, static_cast<int>(source)});
+    });
+    return key;
   }
 
   const Graph& graph_;
@@ -187,11 +203,10 @@ class ModuloList {
   NodeTiming timing_;
   int selected_;
   int selection_ps_;
-  std::vector<int> group_of_;          ///< by node; -1: it does not share
-  std::vector<int> first_instance_;    ///< by group
-  std::vector<std::uint64_t> phases_;  ///< by instance: a bit for each phase that is taken
-  std::vector<std::set<std::pair<std::size_t, NodeId>>>
-      reads_;  ///< by instance: what it reads at which place
+  std::vector<int> group_of_;                      ///< by node; -1: it does not share
+  std::vector<int> first_instance_;                ///< by group
+  std::vector<std::uint64_t> phases_;              ///< by instance: a bit for each phase that is taken
+  std::vector<std::set<std::vector<int>>> reads_;  ///< by instance: what it reads at which place
 };
 
 }  // namespace
@@ -219,21 +234,6 @@ bool is_selected(const Graph& graph, const std::vector<NodeId>& operations, std:
   return graph[first].op != Op::constant ||
          !std::all_of(operations.begin(), operations.end(),
                       [&](NodeId id) { return graph[id].args[place] == first; });
-}
-
-int selected_values(const Graph& graph, const Schedule& schedule, int interval,
-                    const std::vector<NodeId>& operations, std::size_t place) {
-  std::set<std::vector<int>> values;  // the wires, and the boundary at which each source was latched
-  for (const NodeId id : operations) {
-    const int stage = schedule.slots[id].stage;
-    std::vector<int> value{static_cast<int>(graph[id].args[place])};
-    for_each_source_of(graph, graph[id].args[place], [&](NodeId source, Word) {
-      const int finish = schedule.slots[source].finish;
-      value.push_back(stage == finish ? -1 : finish + (stage - 1 - finish) / interval * interval);
-    });
-    values.insert(std::move(value));
-  }
-  return static_cast<int>(values.size());
 }
 
 int selection_ps(const Library& library, int operations) {

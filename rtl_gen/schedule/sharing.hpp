@@ -65,11 +65,6 @@ struct SharedSchedule {
   Binding binding;
 };
 
-/// Among how many values the instance's multiplexer selects this operand: operations that read the same
-/// value from the same register need one input.
-[[nodiscard]] int selected_values(const Graph& graph, const Schedule& schedule, int interval,
-                                  const std::vector<NodeId>& operations, std::size_t place);
-
 /// The operations of a graph that components can carry out in turn, in groups of one kind with at least two
 /// operations. `instances` is the number of operations.
 [[nodiscard]] std::vector<SharingGroup> kinds_of(const Graph& graph);

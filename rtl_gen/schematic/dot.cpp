@@ -85,6 +85,10 @@ class Drawing {
         names_(value_names(graph_, placement_, {})),
         places_(axis_order(graph_, ports)),
         entry_(range.first - 1) {
+    // Operations that share a component are drawn apart, and so are their registers.
+    for (const Register& r : placement_.registers)
+      for (const Passing& p : r.values())
+        registers_.push_back({.value = p.value, .boundary = p.boundary, .high = r.high, .low = r.low});
     text_ = fmt::format(
         "digraph schematic {{\n"
         "  graph [rankdir=LR label=\"{}\" labelloc=t fontname=\"Helvetica\" fontsize=20 nodesep=0.12 "
@@ -135,7 +139,7 @@ class Drawing {
 
   void write_latches(int boundary) {
     std::vector<const Register*> column;
-    for (const Register& r : placement_.registers)
+    for (const Register& r : registers_)
       if (r.boundary == boundary) column.push_back(&r);
     std::stable_sort(column.begin(), column.end(), [&](const Register* a, const Register* b) {
       return a->value != b->value && is_above(a->value, b->value);
@@ -276,7 +280,7 @@ class Drawing {
   std::string source_of(NodeId value, int high, int low, int boundary) {
     // A register holds its value for as many stages as the interval has cycles.
     for (int b = boundary; b > std::max(entry_, boundary - interval_); --b)
-      for (const Register& r : placement_.registers)
+      for (const Register& r : registers_)
         if (r.value == value && r.boundary == b && r.low <= low && r.high >= high) return node_of(r);
     if (schedule_.slots[value].stage <= entry_) return entry(names_[value].name);
     return fmt::format("v{}", value);
@@ -304,6 +308,7 @@ class Drawing {
   const Graph& graph_;
   const Schedule& schedule_;
   const Placement& placement_;
+  std::vector<Register> registers_;
   int interval_;
   std::vector<ValueName> names_;
   std::vector<double> places_;  ///< by node, from the top

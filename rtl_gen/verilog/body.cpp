@@ -46,7 +46,11 @@ std::string_view infix(Op op) {
 }  // namespace
 
 Body::Body(const Graph& graph, const Schedule& schedule, const Placement& placement, BodyOptions options)
-    : graph_(graph), schedule_(schedule), placement_(placement), options_(std::move(options)) {
+    : graph_(graph),
+      schedule_(schedule),
+      placement_(placement),
+      options_(std::move(options)),
+      table_(placement, options_.binding.interval) {
   taken_ = options_.taken;
   taken_.insert({"clk", options_.enable, "unused"});
   for (const Output& out : graph.outputs()) taken_.insert(out.name);
@@ -55,16 +59,11 @@ Body::Body(const Graph& graph, const Schedule& schedule, const Placement& placem
   }
   names_ = value_names(graph, placement, taken_);
   for (const ValueName& value : names_) taken_.insert(value.name);
-  for (std::size_t i = 0; i < placement.registers.size(); ++i) {
-    const Register& r = placement.registers[i];
-    registers_.push_back(claim(wished_name(r)));
-    registers_at_[{r.value, r.boundary}].push_back(i);
-  }
-
   const auto instances = options_.binding.instances();
   if (!instances.empty()) text_ += "\n  // Components that several operations share.\n";
   for (const auto& [instance, operations] : instances)
     shared_[instance] = written_shared_component(operations);
+  for (const Register& r : placement.registers) registers_.push_back(claim(wished_name(r)));
   if (std::any_of(placement.registers.begin(), placement.registers.end(),
                   [](const Register& r) { return r.boundary == 0; })) {
     text_ += "\n  // Input latches.\n";
@@ -103,7 +102,12 @@ std::string Body::claim(const std::string& wish) {
   return name;
 }
 
+const Body::SharedComponent& Body::shared_by(NodeId id) const {
+  return shared_.at(options_.binding.instance_of.at(id));
+}
+
 std::string Body::wished_name(const Register& r) const {
+  if (!r.others.empty()) return shared_by(r.value).name + "_result";
   const BitSpan whole = used_span(graph_, placement_, r.value);
   const std::string& name = names_[r.value].name;
   if (r.high == whole.high && r.low == whole.low) return fmt::format("{}_s{}", name, r.boundary);
@@ -113,13 +117,13 @@ std::string Body::wished_name(const Register& r) const {
 }
 
 std::string Body::bits_of(NodeId root, int high, int low, int stage) const {
-  for (int boundary = stage - 1; boundary >= std::max(0, stage - options_.binding.interval); --boundary) {
-    const auto found = registers_at_.find({root, boundary});
-    if (found == registers_at_.end()) continue;
-    for (const std::size_t i : found->second) {
-      const Register& r = placement_.registers[i];
-      if (r.low <= low && r.high >= high) return select_bits(registers_[i], {r.high, r.low}, high, low);
-    }
+  if (const auto found = table_.find(root, high, low, stage)) {
+    const Register& r = placement_.registers[*found];
+    return select_bits(registers_[*found], {r.high, r.low}, high, low);
+  }
+  if (options_.binding.shares(root)) {
+    const SharedComponent& shared = shared_by(root);
+    return select_bits(shared.name, shared.declared, high, low);
   }
   return select_bits(names_[root].name, declared(root), high, low);
 }
@@ -162,11 +166,6 @@ std::string Body::expression(NodeId value, int high, int low, int stage) const {
     default:
       return bits_of(value, high, low, stage);
   }
-}
-
-int Body::written_in(NodeId id) const {
-  const Slot& slot = schedule_.slots[id];
-  return options_.binding.shares(id) ? slot.finish : slot.stage;
 }
 
 int Body::stages_inside(NodeId id) const {
@@ -296,13 +295,6 @@ void Body::write_selection(const SharedComponent& shared) {
       fmt::format("\n  // What {} reads next.\n  always @(posedge clk) begin\n{}  end\n", shared.name, cases);
 }
 
-void Body::write_shared_result(NodeId id) {
-  const SharedComponent& shared = shared_.at(options_.binding.instance_of.at(id));
-  const BitSpan span = declared(id);
-  text_ += fmt::format("  wire {}{} = {};{}\n", vector_range(span.width()), names_[id].name,
-                       select_bits(shared.name, shared.declared, span.high, span.low), comment("", id));
-}
-
 std::string Body::loaded(const std::string& assignments, const std::string& condition) const {
   if (assignments.empty()) return "";
   const std::string body =
@@ -313,31 +305,37 @@ std::string Body::loaded(const std::string& assignments, const std::string& cond
 void Body::write_registers(int boundary) {
   const int interval = options_.binding.interval;
   const std::string& enable = options_.enable;
-  const std::string phase = fmt::format("phase == {}'d{}", phase_bits(interval), boundary % interval);
-  std::string each_cycle, in_phase;
+  const auto loads = [&](const Register& r) -> std::string {
+    if (!r.holds()) return enable;
+    std::set<int> phases;
+    for (const Passing& p : r.values()) phases.insert(p.boundary % interval);
+    std::vector<std::string> in;
+    for (const int phase : phases) in.push_back(fmt::format("phase == {}'d{}", phase_bits(interval), phase));
+    const std::string one_of = in.size() == 1 ? in.front() : fmt::format("({})", fmt::join(in, ") | ("));
+    return enable.empty() ? one_of : fmt::format("{} & ({})", enable, one_of);
+  };
+  std::map<std::string, std::string> assignments;  // by condition
   for (std::size_t i = 0; i < placement_.registers.size(); ++i) {
     const Register& r = placement_.registers[i];
     if (r.boundary != boundary) continue;
     const std::string& name = registers_[i];
-    text_ += fmt::format("  reg {}{};{}\n", vector_range(r.width()), name,
-                         comment(fmt::format("stage {}", boundary), r.value));
-    (r.holds ? in_phase : each_cycle) +=
-        fmt::format("{}{} <= {};\n", enable.empty() && !r.holds ? "    " : "      ", name,
-                    bits_of(r.value, r.high, r.low, boundary));
+    std::string what = fmt::format("stage {}", boundary);
+    for (const Passing& other : r.others)
+      what += fmt::format(", of {} stage {}", names_[other.value].name, other.boundary);
+    text_ += fmt::format("  reg {}{};{}\n", vector_range(r.width()), name, comment(what, r.value));
+    const std::string condition = loads(r);
+    assignments[condition] += fmt::format("{}{} <= {};\n", condition.empty() ? "    " : "      ", name,
+                                          bits_of(r.value, r.high, r.low, boundary));
   }
-  text_ += loaded(each_cycle, enable);
-  text_ += loaded(in_phase, enable.empty() ? phase : fmt::format("{} & ({})", enable, phase));
+  for (const auto& [condition, all] : assignments) text_ += loaded(all, condition);
 }
 
 void Body::write_stage(int stage) {
   text_ += options_.is_step ? "\n  // What a cycle computes.\n" : fmt::format("\n  // Stage {}.\n", stage);
   for (NodeId id = 0; id < graph_.size(); ++id) {
     const Node& n = graph_[id];
-    if (!is_root(n.op) || n.op == Op::input || written_in(id) != stage) continue;
-    if (options_.binding.shares(id)) {
-      write_shared_result(id);
-      continue;
-    }
+    if (!is_root(n.op) || n.op == Op::input || schedule_.slots[id].stage != stage) continue;
+    if (options_.binding.shares(id)) continue;
     const BitSpan span = declared(id);
     std::string what;
     if (is_pipelined_multiplier(id)) what = fmt::format("bits {}:{}, ", span.high, span.low);
@@ -356,7 +354,7 @@ void Body::write_unused() {
     for_each_run(rest, [&](int high, int low) { unused.push_back(select_bits(name, span, high, low)); });
   };
   for (NodeId id = 0; id < graph_.size(); ++id) {
-    if (!is_root(graph_[id].op)) continue;
+    if (!is_root(graph_[id].op) || options_.binding.shares(id)) continue;
     const BitSpan span = declared(id);
     add(names_[id].name, span, bit_range(span.high, span.low) & ~placement_.used_bits[id]);
   }
@@ -366,7 +364,7 @@ void Body::write_unused() {
   }
   for (const auto& [instance, shared] : shared_) {
     Word rest = bit_range(shared.declared.high, shared.declared.low);
-    for (const NodeId id : shared.operations) rest &= ~bit_range(declared(id).high, declared(id).low);
+    for (const NodeId id : shared.operations) rest &= ~placement_.used_bits[id];
     add(shared.name, shared.declared, rest);
   }
   if (unused.empty()) return;

@@ -70,10 +70,7 @@ class Body {
   };
   [[nodiscard]] SharedComponent written_shared_component(const std::vector<NodeId>& operations);
   void write_selection(const SharedComponent& shared);
-  /// The operation's bits of what its shared component drives.
-  void write_shared_result(NodeId id);
-  /// The stage in which an operation's result or its own component is declared.
-  [[nodiscard]] int written_in(NodeId id) const;
+  [[nodiscard]] const SharedComponent& shared_by(NodeId id) const;
   /// Stages inside the component that carries it out; 1: combinational.
   [[nodiscard]] int stages_inside(NodeId id) const;
   void write_unused();
@@ -100,8 +97,7 @@ class Body {
   std::set<std::string> taken_;
   std::vector<ValueName> names_;        ///< by node
   std::vector<std::string> registers_;  ///< names, in the order of the placement
-  /// By value and boundary: the places of its registers there.
-  std::map<std::pair<NodeId, int>, std::vector<std::size_t>> registers_at_;
+  RegisterTable table_;
   std::map<MultiplierShape, std::string> multipliers_;
   std::map<std::string, UnitUse> units_;
   std::map<int, SharedComponent> shared_;  ///< by instance

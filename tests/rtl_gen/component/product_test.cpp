@@ -184,6 +184,14 @@ TEST(Product, OfTwoHalvesStaysSoWhereNoBlockTakesItOrTheShiftIsAnother) {
   EXPECT_EQ(multiplications(with_products_planned(by_halves(16, 7, 8), xc7), *xc7.chip()), 2);
 }
 
+TEST(Product, AnOddPieceIsABlockWhereOperationsShareBlocks) {
+  const Library xc7 = library_called("xc7");
+  Graph g("product");
+  g.output("p", g.binary(Op::mul, g.input("a", 20, true), g.input("b", 20, true), true));
+  EXPECT_EQ(multiplications(with_products_planned(g, xc7), *xc7.chip()), 1);
+  EXPECT_EQ(multiplications(with_products_planned(g, xc7, 8), *xc7.chip()), 2);
+}
+
 TEST(Product, WithoutAChipTheGraphStays) {
   Graph g("g");
   g.output("p", g.binary(Op::mul, g.input("a", 24, true), g.input("b", 24, true), true));

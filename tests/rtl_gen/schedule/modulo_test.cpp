@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "rtl_gen/graph/canonical.hpp"
+#include "rtl_gen/schedule/registers.hpp"
 #include "rtl_gen/schedule/sharing.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/catalogue/formats.hpp"
@@ -79,7 +80,10 @@ TEST(Modulo, ASelectionNeedsOneInputForEachRegisterThatIsRead) {
   const ThreeProducts t;
   const SharedSchedule s = schedule_modulo(t.problem(3, 1));
   const auto values = [&](int interval, std::size_t place) {
-    return selected_values(t.g, s.schedule, interval, {t.ab, t.ac, t.bc}, place);
+    const Binding binding{interval, s.binding.instance_of};
+    const Placement placement = place_registers(t.g, s.schedule, Ports::latched, binding);
+    return selected_values(t.g, {s.schedule, binding}, RegisterTable(placement, interval), {t.ab, t.ac, t.bc},
+                           place);
   };
   EXPECT_EQ(values(3, 0), 2) << "a, a, b";
   EXPECT_EQ(values(3, 1), 2) << "b, c, c";

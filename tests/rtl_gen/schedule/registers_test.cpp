@@ -202,7 +202,7 @@ TEST(Registers, RandomSchedulesLatchEveryBitThatIsReadLaterAndNoOther) {
     const Schedule schedule = random_schedule(graph, library, schedule_asap(graph, library).clock_ps, random);
     const Ports ports = random.flip() ? Ports::latched : Ports::direct;
     const int interval = 1 + i % 4;
-    const Placement placement = place_registers(graph, schedule, ports, interval);
+    const Placement placement = place_registers(graph, schedule, ports, {interval, {}});
     const Needed bits = needed(graph, schedule, ports, interval);
     std::set<LatchedBit> placed;
     const Register* before = nullptr;
@@ -212,7 +212,7 @@ TEST(Registers, RandomSchedulesLatchEveryBitThatIsReadLaterAndNoOther) {
         ASSERT_TRUE(placed.emplace(r.boundary, r.value, bit).second) << "latched twice";
         holds |= bits.held.contains({r.boundary, r.value, bit});
       }
-      ASSERT_EQ(r.holds, holds);
+      ASSERT_EQ(r.holds(), holds);
       held += holds ? 1 : 0;
       if (before != nullptr) {
         const bool same = before->boundary == r.boundary && before->value == r.value;
@@ -233,6 +233,102 @@ TEST(Registers, RandomSchedulesLatchEveryBitThatIsReadLaterAndNoOther) {
   }
   EXPECT_GT(latched_bits, static_cast<std::size_t>(graphs) * 50);
   EXPECT_GT(held, graphs);
+}
+
+/// Two products on one component of one cycle, each read in the next stage, but the first also in `later`.
+Placement of_two_products(int interval, int later) {
+  const Library library = unit_library();
+  Graph g("two_products");
+  const NodeId a = g.input("a", 8, true);
+  const NodeId b = g.input("b", 8, true);
+  const NodeId c = g.input("c", 8, true);
+  const auto product = [&](const char* name, NodeId x, NodeId y) {
+    const NodeId id = g.binary(Op::mul, x, y, true);
+    g.annotate(id, name, {});
+    return id;
+  };
+  const NodeId ab = product("ab", a, b);
+  const NodeId ac = product("ac", a, c);
+  g.output("first", g.binary(Op::bit_and, ab, g.extend(a, 16, true)));
+  const NodeId second = g.binary(Op::bit_and, ac, g.extend(b, 16, true));
+  g.output("second", second);
+  g.begin_stage(later);
+  g.output("late", g.binary(Op::bit_xor, g.slice(ab, 3, 0), g.slice(a, 3, 0)));
+  const SharedSchedule s =
+      schedule_modulo({.graph = g, .library = library, .interval = interval, .groups = {{{ab, ac}, 1}}});
+  Placement placement = place_registers(g, s.schedule, Ports::latched, s.binding);
+  std::erase_if(placement.registers, [&](const Register& r) { return r.value != ab && r.value != ac; });
+  return placement;
+}
+
+TEST(Registers, ResultsOfOneComponentHaveOneRegister) {
+  const Placement apart = of_two_products(3, 1);
+  ASSERT_EQ(apart.registers.size(), 1U);
+  EXPECT_EQ(apart.registers[0].others.size(), 1U);
+  EXPECT_EQ(apart.registers[0].width(), 16);
+  EXPECT_FALSE(apart.registers[0].holds()) << "each is read in the next stage alone";
+}
+
+TEST(Registers, AResultThatIsReadWhenTheNextComesHasItsOwnRegister) {
+  const Placement held = of_two_products(3, 6);
+  ASSERT_GE(held.registers.size(), 2U);
+  for (const Register& r : held.registers) EXPECT_TRUE(r.others.empty());
+}
+
+/// Products of 8 bits of inputs and of other products.
+Graph random_products(Seeded& random) {
+  Graph g("products");
+  std::vector<NodeId> values;
+  for (const char* const name : {"a", "b", "c", "d"}) values.push_back(g.input(name, 8, true));
+  for (int i = 0; i < 12; ++i) {
+    const auto any = [&] {
+      return values[static_cast<std::size_t>(random.below(static_cast<int>(values.size())))];
+    };
+    const NodeId product = g.binary(Op::mul, any(), any(), true);
+    const int low = random.below(9);
+    values.push_back(g.slice(product, low + 7, low));
+  }
+  for (std::size_t i = 8; i < values.size(); ++i) g.output(fmt::format("o{}", i), values[i]);
+  return canonical(g);
+}
+
+/// Each bit that a placement without sharing latches is in one register, and nothing overwrites it there.
+TEST(Registers, RandomSharedResultsStayUntilTheyAreRead) {
+  constexpr int graphs = 300;
+  Seeded random(151);
+  const Library library = unit_library();
+  int together = 0;
+  for (int i = 0; i < graphs; ++i) {
+    const Graph graph = random_products(random);
+    const int interval = 2 + i % 7;
+    std::vector<SharingGroup> groups = kinds_of(graph);
+    for (SharingGroup& group : groups)
+      group.instances = (static_cast<int>(group.operations.size()) + interval - 1) / interval;
+    const SharedSchedule s = schedule_modulo(
+        {.graph = graph, .library = library, .interval = interval, .groups = groups, .clock_ps = 1000});
+    const Placement placement = place_registers(graph, s.schedule, Ports::latched, s.binding);
+    const Placement alone = place_registers(graph, s.schedule, Ports::latched, {interval, {}});
+    const RegisterTable table(placement, interval);
+    EXPECT_EQ(placement.used_bits, alone.used_bits);
+    for (const Register& r : alone.registers) {
+      const auto found = table.find(r.value, r.high, r.low, r.boundary + 1);
+      ASSERT_TRUE(found);
+      const Register& in = placement.registers[*found];
+      const std::vector<Passing> values = in.values();
+      const auto own =
+          std::find_if(values.begin(), values.end(), [&](const Passing& p) { return p.value == r.value; });
+      ASSERT_EQ(own->boundary, r.boundary);
+      ASSERT_GE(own->last, r.last);
+      for (const Passing& p : values) {
+        if (p.value == r.value) continue;
+        ASSERT_EQ(s.binding.instance_of.at(p.value), s.binding.instance_of.at(r.value));
+        ++together;
+        for (int stage = r.boundary; stage < r.last; ++stage)
+          ASSERT_NE((stage - p.boundary) % interval, 0) << "%" << p.value << " overwrites %" << r.value;
+      }
+    }
+  }
+  EXPECT_GT(together, graphs) << together;
 }
 
 }  // namespace
