@@ -105,8 +105,8 @@ void write_image(ImageCommand command) {
 }  // namespace
 
 CLI::App* add_image_command(CLI::App& program, int& /*exit_code*/) {
-  CLI::App* const command = program.add_subcommand(
-      "image", "Write a scene as the memory of a traversal core holds it");
+  CLI::App* const command =
+      program.add_subcommand("image", "Write a scene as the memory of a traversal core holds it");
   const auto options = std::make_shared<ImageCommand>();
   add_scene_options(*command, options->scene);
   add_build_options(*command, options->build);

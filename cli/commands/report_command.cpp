@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/world_sweep.hpp"
 #include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
@@ -25,6 +26,8 @@ namespace hitpipe::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int world_mantissa = 11;  ///< p of the boxes in the integer world
 
 struct ReportCommand {
   SceneChoice scene;
@@ -101,7 +104,8 @@ std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& comm
            fmt::format("{} primary, {} secondary, {} shadow; {} outside the cube, which no unit takes",
                        sum("rays_primary"), sum("rays_secondary"), sum("rays_shadow"), sum("rays_rejected"))},
           {"Files beside this page",
-           "rows.csv, pictures.csv, pipelines.csv, stability.csv, stiffness.csv, the diagrams as SVG and "
+           "rows.csv, pictures.csv, pipelines.csv, stability.csv, stiffness.csv, integer_world.csv, the "
+           "diagrams as SVG and "
            "the pictures as PNG; the page itself needs none of them"}};
 }
 
@@ -113,7 +117,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
     throw std::runtime_error(why);
   // What --rows may name.
   for (const char* const name :
-       {"rows.csv", "pictures.csv", "pipelines.csv", "stability.csv", "stiffness.csv"})
+       {"rows.csv", "pictures.csv", "pipelines.csv", "stability.csv", "stiffness.csv", "integer_world.csv"})
     host::announce_output("--out", fs::path(command.out) / name);
   const rtl::Format image_format = command.image.format();
   const rtl::Library library = command.cost.load();
@@ -177,6 +181,20 @@ int report(const ReportCommand& command, const CLI::App& options) {
       "stiffness.svg", draw_plot(boxes_plot(facts.stiffness)),
       "False hits on stiff rays by the ratio of the direction's components",
       fmt::format("{} boxes for each ratio.", readable_number(std::to_string(command.tests)))};
+  progress.emplace("sweeping the integer world");
+  facts.world = world_rows({.design = &rtl::find_design("int_triangle"),
+                            .formats = usual_world_formats(),
+                            .mantissas = {world_mantissa},
+                            .scene = command.scene,
+                            .light = {},
+                            .library = &library,
+                            .interval = 1,
+                            .out = {},
+                            .format = OutputFormat::csv},
+                           scene, [&](double share) { progress->show(share); });
+  facts.world_command = fmt::format("hitpipe sweep int_triangle {}{} --mantissas {} --out integer_world.csv",
+                                    options_given(options, Given::of_scene), library_option, world_mantissa);
+  facts.world_diagram = draw_world(facts.world);
   progress.emplace("rendering");
   facts.pictures = make_pictures(scene, bvh,
                                  {.design = &command.image.design(),
@@ -198,7 +216,9 @@ int report(const ReportCommand& command, const CLI::App& options) {
       {"pipelines.csv", table_text(pipeline_rows(facts), OutputFormat::csv)},
       {"stability.csv", table_text(stability_rows(facts), OutputFormat::csv)},
       {"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), OutputFormat::csv)},
-      {"stiffness.svg", facts.stiffness_diagram.svg}};
+      {"stiffness.svg", facts.stiffness_diagram.svg},
+      {"integer_world.csv", table_text(facts.world, OutputFormat::csv)},
+      {"integer_world.svg", facts.world_diagram.svg}};
   for (const Drawing& d : facts.diagrams) files.push_back({d.file, d.svg});
   files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());
   files.push_back({"index.html", report_html(facts)});

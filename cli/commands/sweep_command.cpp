@@ -120,9 +120,7 @@ int report(const sim::RowsFile& rows, OutputFormat format) {
 }
 
 std::vector<rtl::Format> world_formats(const rtl::Design& /*design*/) {
-  std::vector<rtl::Format> formats;
-  for (const int n : {16, 18, 20, 22, 24}) formats.emplace_back(hls::WorldBits{n, 1, n});
-  return formats;
+  return usual_world_formats();
 }
 
 /// The design, if one triangle unit is asked for.

@@ -59,6 +59,7 @@ std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, con
         {"lost_hits", error.lost_hits},
         {"pixels", error.pixels},
         {"different_pixels", error.different_pixels},
+        {"different_pixels_pct", percent(error.different_pixels, error.pixels)},
         {"largest_difference", error.largest_difference},
         {"triangles", error.triangles},
         {"triangles_without_area", error.without_area},
@@ -96,16 +97,28 @@ std::string text_of(const std::vector<Row>& rows) {
 
 }  // namespace
 
+std::vector<rtl::Format> usual_world_formats() {
+  std::vector<rtl::Format> formats;
+  for (const int n : {16, 18, 20, 22, 24}) formats.emplace_back(hls::WorldBits{n, 1, n});
+  return formats;
+}
+
+std::vector<Row> world_rows(const WorldSweep& command, const ref::Scene& scene,
+                            const std::function<void(double)>& progress) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < command.formats.size(); ++i) {
+    if (progress) progress(static_cast<double>(i) / static_cast<double>(command.formats.size()));
+    for (Row& row : rows_of(command, scene, command.formats[i])) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 int sweep_world(const WorldSweep& command) {
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   host::announce_output("--out", command.out);
-  std::vector<Row> rows;
-  for (std::size_t i = 0; i < command.formats.size(); ++i) {
-    progress.emplace("sweeping");
-    progress->show(static_cast<double>(i) / static_cast<double>(command.formats.size()));
-    for (Row& row : rows_of(command, scene, command.formats[i])) rows.push_back(std::move(row));
-  }
+  progress.emplace("sweeping");
+  const std::vector<Row> rows = world_rows(command, scene, [&](double share) { progress->show(share); });
   progress.reset();
   host::write_file(command.out, table_text(rows, OutputFormat::csv));
   if (command.format == OutputFormat::text) {

@@ -1,6 +1,7 @@
 // `sweep` of a triangle unit: what the bits of the integer world cost and change.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "sw_ref/render/whitted.hpp"
+#include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::cli {
 
@@ -23,6 +25,13 @@ struct WorldSweep {
   std::string out;  ///< a .csv file
   OutputFormat format;
 };
+
+/// n = 16, 18, 20, 22 and 24 with a finer bit, and as many bits of a slope.
+[[nodiscard]] std::vector<rtl::Format> usual_world_formats();
+
+/// The rows of the sweep: for each format and each p, what the bits change and cost.
+[[nodiscard]] std::vector<Row> world_rows(const WorldSweep& command, const ref::Scene& scene,
+                                          const std::function<void(double)>& progress = {});
 
 /// Writes the rows to the file, prints them and returns the exit code.
 [[nodiscard]] int sweep_world(const WorldSweep& command);

@@ -1,6 +1,7 @@
 #include "cli/report/report_facts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -137,6 +138,42 @@ std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows) {
                         "in flight as it has stages, and some more to bridge the ends of rays."});
   }
   return drawings;
+}
+
+Drawing draw_world(std::span<const Row> rows) {
+  struct Line {
+    const char* title;
+    const char* colour;
+    std::vector<double> percent;
+  };
+  std::array<Line, 2> lines{
+      {{"rays with another triangle", "#0072B2", {}}, {"pixels that differ", "#D55E00", {}}}};
+  std::vector<double> all;
+  for (const Row& row : rows) {
+    lines[0].percent.push_back(row.at("different_rays_pct").get<double>());
+    lines[1].percent.push_back(row.at("different_pixels_pct").get<double>());
+    for (const Line& line : lines) all.push_back(line.percent.back());
+  }
+  const LogAxis y(all);
+  std::string names, data;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    names +=
+        fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_string(rows[i].at("bits").get<std::string>()), i);
+    data += fmt::format("{} {} {}\n", i, y.shown(lines[0].percent[i]), y.shown(lines[1].percent[i]));
+  }
+  std::string script = fmt::format(
+      "set terminal svg size 760,360 font 'sans-serif,13' background 'white'\nset encoding utf8\n"
+      "$rows << END\n{}END\nset logscale y\nset yrange [{}:{}]\nset ytics ({})\nset xrange [-0.3:{}]\n"
+      "set xtics ({})\nset grid ytics lc rgb '#dddddd'\nset key below\n"
+      "set xlabel 'bits of the world'\nset ylabel '%'\nplot",
+      data, y.least(), y.most(), y.tics(), static_cast<double>(rows.size()) - 0.7, names);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    script +=
+        fmt::format("{} $rows using 1:{} with linespoints lc rgb '{}' pt {} lw 1.5 title {}",
+                    i == 0 ? "" : ",", i + 2, lines[i].colour, 5 + 2 * i, gnuplot_string(lines[i].title));
+  return {"integer_world.svg", run_gnuplot("report", script + "\n"),
+          "Rays with another triangle and pixels that differ, by the bits of the integer world",
+          "Above the pictures of the float world. A pixel differs if a channel does by more than 1/256."};
 }
 
 std::vector<Schematic> draw_schematics() {

@@ -52,6 +52,9 @@ struct Drawing {
 /// were measured.
 [[nodiscard]] std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows);
 
+/// Rays that find another triangle and pixels that differ, by the bits of the integer world.
+[[nodiscard]] Drawing draw_world(std::span<const Row> rows);
+
 /// The stages of a design, in groups.
 struct Schematic {
   std::string title;
@@ -78,6 +81,9 @@ struct ReportFacts {
   std::string stiffness_command;
   std::vector<std::string> area_commands;
   Drawing stiffness_diagram;
+  std::vector<Row> world;  ///< of the integer world, by format
+  std::string world_command;
+  Drawing world_diagram;
   std::uint64_t seed = 1;
   std::vector<Schematic> schematics;
 };

@@ -217,6 +217,8 @@ std::vector<std::string> commands_of(const ReportFacts& facts) {
   for (const Stability& s : facts.stability) lines.push_back(s.command);
   lines.emplace_back("# Stiff rays");
   lines.push_back(facts.stiffness_command);
+  lines.emplace_back("# The integer world");
+  lines.push_back(facts.world_command);
   lines.emplace_back("# The schematics");
   for (const rtl::Design& design : rtl::designs())
     lines.push_back(fmt::format("hitpipe rtl {} --out FOLDER", design.name));
@@ -369,6 +371,21 @@ std::string report_html(const ReportFacts& facts) {
       "file has the number of tests and the 95 % interval of each point.");
   page.plot(facts.stiffness_diagram.svg, facts.stiffness_diagram.alternative,
             facts.stiffness_diagram.caption);
+
+  page.heading("The integer world");
+  page.paragraph(
+      "Rays, boxes and triangles on a grid of integers, each triangle test exact. What the bits of the grid "
+      "change is the error here: rays whose closest triangle is another one than in exact arithmetic on the "
+      "float scene, and pixels that differ. Beside it stand extra tests of int_major with p = 11 beyond "
+      "exact "
+      "boxes, the area of both units, and for how long their tests keep them busy: integer_world.csv.");
+  page.plot(facts.world_diagram.svg, facts.world_diagram.alternative, facts.world_diagram.caption);
+  std::vector<Row> world = facts.world;
+  for (Row& row : world)
+    for (const char* const counted :
+         {"scene", "rays", "different_rays", "pixels", "different_pixels", "triangles"})
+      row.erase(counted);
+  page.table(page_table("What the bits change and cost.", world));
 
   page.heading("Schematics");
   if (facts.schematics.empty()) page.paragraph("Not drawn: Graphviz was not installed.");

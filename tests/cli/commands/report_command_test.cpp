@@ -79,12 +79,26 @@ TEST_F(ReportCommand, WritesThePageAndWhatItsNumbersComeFrom) {
   EXPECT_EQ(outcome_.err, "");
   EXPECT_THAT(outcome_.out, HasSubstr(fmt::format("rows                 {}\n",
                                                   thesis_units * rays_in_flight + Others().designs.size())));
-  EXPECT_EQ(files_below(out()),
-            (std::vector<std::string>{"box_tests.png", "error_area.svg", "error_area_run_time.svg",
-                                      "error_run_time.svg", "extra_box_tests_6_6.png", "index.html",
-                                      "memory.svg", "occupancy.svg", "pictures.csv", "pipelines.csv",
-                                      "rows.csv", "rtl.png", "software.png", "stability.csv", "stiffness.csv",
-                                      "stiffness.svg", "whole_area_run_time.svg", "whole_run_time.svg"}));
+  EXPECT_EQ(files_below(out()), (std::vector<std::string>{"box_tests.png",
+                                                          "error_area.svg",
+                                                          "error_area_run_time.svg",
+                                                          "error_run_time.svg",
+                                                          "extra_box_tests_6_6.png",
+                                                          "index.html",
+                                                          "integer_world.csv",
+                                                          "integer_world.svg",
+                                                          "memory.svg",
+                                                          "occupancy.svg",
+                                                          "pictures.csv",
+                                                          "pipelines.csv",
+                                                          "rows.csv",
+                                                          "rtl.png",
+                                                          "software.png",
+                                                          "stability.csv",
+                                                          "stiffness.csv",
+                                                          "stiffness.svg",
+                                                          "whole_area_run_time.svg",
+                                                          "whole_run_time.svg"}));
 }
 
 TEST_F(ReportCommand, PageNeedsNothingButItself) {
@@ -229,6 +243,21 @@ TEST_F(ReportCommand, ComparesAreasForEachBox) {
   EXPECT_DOUBLE_EQ(pair.area_per_box_mm2(), static_cast<double>(pair.area_um2) / 2e6);
   // The cheapest is told with what its area is for.
   EXPECT_THAT(page_, HasSubstr(" mm² for 2 boxes in a test; "));
+}
+
+/// Its command makes the rows of the file.
+TEST_F(ReportCommand, AsksTheQuestionOfTheIntegerWorld) {
+  const fs::path file = folder_->path() / "world.csv";
+  EXPECT_THAT(page_,
+              HasSubstr("hitpipe sweep int_triangle --scene spheres --width 8 --height 8 --mantissas 11 "
+                        "--out integer_world.csv"));
+  const Outcome outcome = run_hitpipe({"sweep", "int_triangle", "--scene", "spheres", "--width", "8",
+                                       "--height", "8", "--mantissas", "11", "--out", file.string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string rows = contents_of(out() / "integer_world.csv");
+  EXPECT_EQ(rows, contents_of(file));
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 6) << "a head and five formats";
+  EXPECT_THAT(page_, HasSubstr("24+1s24"));
 }
 
 TEST_F(ReportCommand, RowsThatAreGivenMakeTheSamePage) {
