@@ -21,7 +21,7 @@ TEST_F(WrongUseOf, TheCommandLine) {
             {"sweep --out OUT", "--scene is required;"},
             {"sweep --scene spheres", "--out is required;"},
             {"list", "what is required;"},
-            {"list colours", "what: colours is none of designs, libraries, scenes;"}});
+            {"list colours", "what: colours is none of designs, machines, libraries, scenes;"}});
   const std::string cut(60'000, 'x');
   rejected({"rtl", "--" + cut},
            "--" + cut.substr(0, 48) + "... (60002 bytes): no such option; the nearest is --axi-stream;");

@@ -176,9 +176,9 @@ flow=none file=fifo.v damage int_slabs 20/24 'a credit too many' "s/used != 3'd6
 flow=none file=fifo.v damage int_slabs 20/24 'a credit too few' "s/used != 3'd6/used != 3'd5/" prove_fifo int_slabs
 flow=none file=fifo.v damage int_slabs 20/24 'the newest result overtakes' 's/held\[oldest\[2:0\]\]/held[0]/' prove_fifo int_slabs
 flow=none file=fifo.v damage int_slabs 20/24 'a result is lost' 's/if (arrives) held/if (arrives \& ~taken) held/' prove_fifo int_slabs
-flow=none every=3 file=fifo.v damage int_slabs 6/6 'every 3 cycles, a credit too many' "s/used != 3'd5/used != 3'd6/" \
+flow=none every=3 file=fifo.v damage int_slabs 6/6 'every 3 cycles, a credit too many' "s/used != 3'd4/used != 3'd5/" \
   prove_fifo int_slabs
-flow=none every=3 file=fifo.v damage int_slabs 6/6 'every 3 cycles, a credit too few' "s/used != 3'd5/used != 3'd4/" \
+flow=none every=3 file=fifo.v damage int_slabs 6/6 'every 3 cycles, a credit too few' "s/used != 3'd4/used != 3'd3/" \
   prove_fifo int_slabs
 every=2 damage int_slabs 6/6 'a phase counter that stands still' "s/phase + 1'd1/phase/" prove_control int_slabs
 every=2 damage int_slabs 6/6 'swapped operand multiplexer' "s/1'd1: begin/1'd0: begin/;s/default: begin/1'd1: begin/" prove_flow

@@ -94,7 +94,8 @@ TEST_P(EveryWrapper, FailsWithMoreCreditsThanPlaces) {
     for (const char* const simulator : simulators) {
       const ToolResult result = simulated(folder.path(), simulator, module);
       EXPECT_NE(result.status, 0) << module << ' ' << simulator;
-      EXPECT_THAT("\n" + result.output, testing::HasSubstr("\nFAIL vector ")) << module << ' ' << simulator;
+      // A result is wrong, or results are lost and the rest never come back.
+      EXPECT_THAT("\n" + result.output, testing::HasSubstr("\nFAIL ")) << module << ' ' << simulator;
       if (module != unit.module + "_fifo") break;  // the wrappers around it in Icarus alone
     }
     ++found;
