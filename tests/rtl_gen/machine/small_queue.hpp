@@ -11,9 +11,9 @@ namespace hitpipe::hls::small_queue {
 
 template <class D, class F>
 struct State {
-  static constexpr F format{};
-  Word<D, decltype(format.ray + 1_w)> used;
-  Word<D, decltype(format.ray + 0_w)> oldest;
+  static constexpr F widths{};
+  Word<D, decltype(widths.ray + 1_w)> used;
+  Word<D, decltype(widths.ray + 0_w)> oldest;
 
   template <class Format, class Self, class Visit>
   static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
@@ -25,9 +25,9 @@ struct State {
 
 template <class D, class F>
 struct Inputs {
-  static constexpr F format{};
+  static constexpr F widths{};
   typename D::bit push, pop;
-  Word<D, decltype(format.ray + 0_w)> ray;
+  Word<D, decltype(widths.ray + 0_w)> ray;
 
   template <class Format, class Self, class Visit>
   static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
@@ -39,9 +39,9 @@ struct Inputs {
 
 template <class D, class F>
 struct Outputs {
-  static constexpr F format{};
+  static constexpr F widths{};
   typename D::bit some;
-  Word<D, decltype(format.ray + 0_w)> first;
+  Word<D, decltype(widths.ray + 0_w)> first;
 
   template <class Format, class Self, class Visit>
   static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
