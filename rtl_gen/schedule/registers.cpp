@@ -39,7 +39,8 @@ int saved_bits(const Register& x, const Register& y, int interval) {
   return x.width() + y.width() - (std::max(x.high, y.high) - std::min(x.low, y.low) + 1);
 }
 
-/// One register for results of one component, the widest first, each with those that save most bits.
+/// Results of one component share registers where that saves bits. The widest come first, and each joins the
+/// register with which it saves most.
 void merge_results(Placement& placement, const Schedule& schedule, const Binding& binding) {
   std::map<int, std::vector<std::size_t>> behind;  // by instance
   for (std::size_t i = 0; i < placement.registers.size(); ++i) {

@@ -31,8 +31,8 @@ class TrailWalk {
     std::uint64_t restarts = 0;
   };
 
-  /// `root` is what the root's own record has as child 0 stands for; it is tested first. `cut` is the ray's
-  /// length in units of box distances. `places` of the stack: 0 or more.
+  /// `root` names the root's own record, which is tested first. `cut` is the ray's length in units of box
+  /// distances. The stack has `places`, 0 or more.
   TrailWalk(const PairChild& root, std::int64_t cut, int places)
       : root_(root), at_(root), interval_{0, cut}, cut_(cut), places_(static_cast<std::size_t>(places)) {
     assert(root.count == PairChild::branch && places >= 0);
