@@ -7,12 +7,13 @@ SANITIZED ?= .
 CONFIGURE := $(if $(CI),-DHITPIPE_WERROR=ON)
 CXX_FILES := $$(git ls-files '*.hpp' '*.cpp')
 
-.PHONY: demo test test-long build lint format bench sanitize fuzz prove prove-all-widths netlists hls-check alone fresh packages clean help
+.PHONY: demo test test-long test-designs build lint format bench sanitize fuzz prove prove-all-widths netlists hls-check alone fresh packages clean help
 
 help:
 	@echo 'make demo      Spheres through the 20/24 Verilog: image, Verilog, schematics in out/demo'
 	@echo 'make test      all tests but the long ones'
-	@echo 'make test-long  all tests in a copy of the tree with two designs more, and 10^6 exact triangle tests'
+	@echo 'make test-long  adds two designs in a copy of the tree; 10^6 exact triangle tests'
+	@echo 'make test-designs  all tests in a copy of the tree with two designs more'
 	@echo 'make build     the program, build/hitpipe, and the library hitpipe::ref'
 	@echo 'make bench     benchmarks'
 	@echo 'make lint      formatting and clang-tidy; make format mends the first'
@@ -47,7 +48,11 @@ test: build
 test-long: packages
 	@cmake --preset release $(CONFIGURE)
 	@cmake --build --preset release -j $(JOBS) --target sw_ref_tests
-	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -L long -V
+	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -L '^long$$' -V
+
+test-designs: packages
+	@cmake --preset release $(CONFIGURE)
+	@$(if $(TEST_PATH),PATH="$(TEST_PATH)") ctest --preset release -L longest -V
 
 sanitize: packages
 	@cmake --preset sanitize

@@ -113,6 +113,9 @@ SharedSchedule share_for_least_area(const Graph& graph, const Library& library, 
   if (interval == 1) return std::move(best.shared);
 
   std::vector<SharingGroup> kinds = kinds_of(graph);
+  // A shared multiplexer would need others before it.
+  std::erase_if(kinds,
+                [&](const SharingGroup& kind) { return graph[kind.operations.front()].op == Op::mux; });
   const auto worth = [&](const SharingGroup& kind) {
     return static_cast<std::int64_t>(kind.operations.size()) * prices.operation(kind.operations.front());
   };

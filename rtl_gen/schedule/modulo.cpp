@@ -155,28 +155,33 @@ class ModuloList {
   bool takes(NodeId id, int stage) {
     const auto group = static_cast<std::size_t>(group_of_[id]);
     const std::uint64_t phase = std::uint64_t{1} << (stage % made_.binding.interval);
-    int best = -1;
-    int most = -1;
-    for (int i = first_instance_[group]; i < first_instance_[group + 1]; ++i) {
-      if ((phases_[static_cast<std::size_t>(i)] & phase) != 0) continue;
-      const int alike = reads_alike(id, i, stage);
-      if (alike > most) best = i;
-      most = std::max(most, alike);
+    const auto is_free = [&](int i) { return (phases_[static_cast<std::size_t>(i)] & phase) == 0; };
+    const int end = first_instance_[group + 1];
+    int best = first_instance_[group];
+    while (best < end && !is_free(best)) ++best;
+    if (best == end) return false;
+    if (end - first_instance_[group] > 1) {
+      // The one that reads most of the same operands already.
+      std::vector<std::vector<int>> operands;
+      for (std::size_t place = 0; place < graph_[id].operands().size(); ++place)
+        operands.push_back(operand(id, place, stage));
+      const auto reads_alike = [&](int i) {
+        const auto& reads = reads_[static_cast<std::size_t>(i)];
+        return std::count_if(operands.begin(), operands.end(),
+                             [&](const std::vector<int>& read) { return reads.contains(read); });
+      };
+      auto most = reads_alike(best);
+      for (int i = best + 1; i < end; ++i) {
+        if (!is_free(i)) continue;
+        const auto alike = reads_alike(i);
+        if (alike > most) best = i;
+        most = std::max(most, alike);
+      }
+      for (std::vector<int>& read : operands) reads_[static_cast<std::size_t>(best)].insert(std::move(read));
     }
-    if (best < 0) return false;
     phases_[static_cast<std::size_t>(best)] |= phase;
     made_.binding.instance_of[id] = best;
-    for (std::size_t place = 0; place < graph_[id].operands().size(); ++place)
-      reads_[static_cast<std::size_t>(best)].insert(operand(id, place, stage));
     return true;
-  }
-
-  /// How many operands an operation of the instance reads too.
-  [[nodiscard]] int reads_alike(NodeId id, int instance, int stage) const {
-    int alike = 0;
-    for (std::size_t place = 0; place < graph_[id].operands().size(); ++place)
-      alike += reads_[static_cast<std::size_t>(instance)].contains(operand(id, place, stage)) ? 1 : 0;
-    return alike;
   }
 
   /// The place, the wires, and the values. Results of one component that are new are one: a register behind

@@ -32,8 +32,9 @@ bool overlap(const Passing& x, const Passing& y, int interval) {
 
 /// The bits that one register saves in place of two; 0 or less: they stay two.
 int saved_bits(const Register& x, const Register& y, int interval) {
+  const std::vector<Passing> of_y = y.values();
   for (const Passing& a : x.values()) {
-    for (const Passing& b : y.values())
+    for (const Passing& b : of_y)
       if (overlap(a, b, interval)) return 0;
   }
   return x.width() + y.width() - (std::max(x.high, y.high) - std::min(x.low, y.low) + 1);
@@ -86,19 +87,12 @@ Placement place_registers(const Graph& graph, const Schedule& schedule, Ports po
   const auto first_boundary = [&](NodeId id) {
     return graph[id].op == Op::input ? (ports == Ports::latched ? 0 : 1) : schedule.slots[id].finish;
   };
-  const auto boundaries = static_cast<std::size_t>(schedule.stages) + 1;
-  using BitsByBoundary = std::vector<std::vector<Word>>;  // and by value
-  BitsByBoundary live(boundaries, std::vector<Word>(graph.size(), 0));
   std::vector<std::vector<std::pair<Word, int>>> reads(graph.size());  // bits and stages, by value
   Placement placed;
   placed.used_bits.assign(graph.size(), 0);
 
   const auto read = [&](NodeId value, Word bits, int stage) {
     placed.used_bits[value] |= bits;
-    for (int b = first_boundary(value); b < stage; b += interval) {
-      const auto boundary = static_cast<std::size_t>(b);
-      live[boundary][value] |= bits;
-    }
     reads[value].emplace_back(bits, stage);
   };
   // canonical() removed the nodes on which no output depends, so every reader counts.
@@ -111,21 +105,24 @@ Placement place_registers(const Graph& graph, const Schedule& schedule, Ports po
     for_each_source_of(graph, out.node, [&](NodeId source, Word bits) { read(source, bits, output_stage); });
   }
 
-  for (std::size_t b = 0; b < boundaries; ++b) {
-    for (NodeId id = 0; id < graph.size(); ++id) {
-      for_each_run(live[b][id], [&](int high, int low) {
-        const auto boundary = static_cast<int>(b);
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    // The bits that are live at a boundary are those that a later stage reads.
+    for (int b = first_boundary(id);; b += interval) {
+      Word live = 0;
+      for (const auto& [bits, stage] : reads[id])
+        if (b < stage) live |= bits;
+      if (live == 0) break;
+      for_each_run(live, [&](int high, int low) {
         int last = 0;
         for (const auto& [bits, stage] : reads[id])
           if ((bits & bit_range(high, low)) != 0) last = std::max(last, stage);
-        placed.registers.push_back({.value = id,
-                                    .boundary = boundary,
-                                    .high = high,
-                                    .low = low,
-                                    .last = std::min(last, boundary + interval)});
+        placed.registers.push_back(
+            {.value = id, .boundary = b, .high = high, .low = low, .last = std::min(last, b + interval)});
       });
     }
   }
+  std::stable_sort(placed.registers.begin(), placed.registers.end(),
+                   [](const Register& x, const Register& y) { return x.boundary < y.boundary; });
   merge_results(placed, schedule, binding);
   return placed;
 }

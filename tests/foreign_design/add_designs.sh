@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # The steps of "Add a design" in docs/designs.md, as a user takes them in a copy of the tree: the design of this folder under
-# another name, and a copy of int_slabs. The copy answers wrongly at first, which the referee sees; then all tests pass with both.
-# Usage: add_designs.sh SOURCE_FOLDER WORK_FOLDER
+# another name, and a copy of int_slabs. The copy answers wrongly at first, which the referee sees. With "tests", all tests pass with
+# both when the copy is mended.
+# Usage: add_designs.sh SOURCE_FOLDER WORK_FOLDER [tests]
 set -euo pipefail
-source=$1 work=$2 copy=$2/tree
+source=$1 work=$2 copy=$2/tree tests=${3:-}
 export HITPIPE_CACHE=$work/models
 rm -rf "$copy"
 mkdir -p "$copy"
@@ -68,9 +69,11 @@ grep -c ',user_slabs,' "$work/rows.csv" || fail 'the sweep has no row of user_sl
 
 # As it should be, and with all tests.
 sed -i 's/Bit(near < irlen)/Bit(irlen < near)/' hls/pipelines/my_slabs.hpp
-build || { tail -n 40 "$work/build.log" && fail 'the tests of the copy do not compile'; }
-ctest --preset release -j "$(nproc)" -LE long >"$work/tests.log" || { tail -n 60 "$work/tests.log" && fail 'tests fail with two more designs'; }
-tail -n 3 "$work/tests.log"
+if [ "$tests" = tests ]; then
+  build || { tail -n 40 "$work/build.log" && fail 'the tests of the copy do not compile'; }
+  ctest --preset release -j "$(nproc)" -LE long >"$work/tests.log" || { tail -n 60 "$work/tests.log" && fail 'tests fail with two more designs'; }
+  tail -n 3 "$work/tests.log"
+fi
 
 # A copy in the namespace of the original would give one of them for both: it does not compile.
 copy same_slabs SameSlabs

@@ -1,5 +1,10 @@
 // Units that take a test every few cycles: lint-clean, they pass their testbench, and it finds damage of the
 // phase counter and of the selection of operands. The stream and the FIFO around them lose nothing.
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,8 +20,12 @@ namespace hitpipe::rtl::interval_test {
 namespace {
 
 EmittedDesign emitted(const DesignFormat& d, int interval, const EmitOptions& options) {
-  return emit(d.found(), d.parsed(), Library::thesis(),
-              make_pipeline(d.found().trace(d.parsed()), Library::thesis(), std::nullopt, interval), options);
+  static std::map<std::tuple<std::string, std::string, int>, std::optional<Pipeline>>
+      made;  // each takes a while
+  std::optional<Pipeline>& pipeline = made[{d.design, d.format, interval}];
+  if (!pipeline)
+    pipeline = make_pipeline(d.found().trace(d.parsed()), Library::thesis(), std::nullopt, interval);
+  return emit(d.found(), d.parsed(), Library::thesis(), *pipeline, options);
 }
 EmittedDesign emitted(const DesignFormat& d, int interval, FlowControl flow) {
   return emitted(d, interval, {.module = "unit", .flow_control = flow});

@@ -91,7 +91,7 @@ TEST_F(FitToScene, MakesTheSmallestUnitThatTracesSoManyRays) {
                                     "million at most"));
 }
 
-/// The area of the smallest fitted int_slabs of up to 12/12 at this rate, or with `rays` at the rate that so
+/// The area of the smallest fitted int_slabs of up to 10/10 at this rate, or with `rays` at the rate that so
 /// many rays a second need. No unit has more extra box tests than `limit_pct`.
 std::int64_t smallest_of_all(const FitScene& scene, FitRate rate, double rays, double limit_pct) {
   const rtl::Design& design = rtl::find_design("int_slabs");
@@ -100,12 +100,12 @@ std::int64_t smallest_of_all(const FitScene& scene, FitRate rate, double rays, d
                                .bvh = &scene.bvh,
                                .demands = &scene.demands,
                                .rays = &scene.rays,
-                               .most = hls::IntBits{12, 12}};
+                               .most = hls::IntBits{10, 10}};
   const double tests_per_ray =
       static_cast<double>(scene.rays.reference.total().box_tests) / static_cast<double>(scene.rays.count());
   std::int64_t smallest = std::numeric_limits<std::int64_t>::max();
-  for (int n = hls::IntBits::min_coord; n <= 12; ++n) {
-    for (int t = hls::IntBits::min_interval; t <= std::min(12, 2 * n - 1); ++t) {
+  for (int n = hls::IntBits::min_coord; n <= 10; ++n) {
+    for (int t = hls::IntBits::min_interval; t <= std::min(10, 2 * n - 1); ++t) {
       const hls::IntBits format{n, t};
       const double extra_pct = extra_box_tests_pct(search, format);
       if (extra_pct > limit_pct) continue;
@@ -129,21 +129,21 @@ TEST_F(FitToScene, ARateTakesTheSmallestUnitOfAnyFormat) {
   };
   const FitScene scene = prepare_fit(hills(), asked);
   const auto fitted = [&] {
-    return fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, asked,
+    return fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{10, 10}, scene, asked,
                         rtl::Library::thesis());
   };
-  asked.rays_per_second = 500'000;
+  asked.rays_per_second = 1'000'000;
   const FitResult of_rays = fitted();
   EXPECT_GE(of_rays.rays_per_second, asked.rays_per_second);
   // A unit is not full all the time. Those with a tenth to spare are fast enough.
   EXPECT_LE(of_rays.unit.price.area_um2, smallest_of_all(scene, {}, asked.rays_per_second / 0.9, 1e9));
   asked.rays_per_second = 0;
-  asked.rate.boxes_per_second = 40e6;
+  asked.rate.boxes_per_second = 100e6;
   for (const double limit_pct : {20.0, 50.0}) {
     asked.overhead_pct = limit_pct;
     const FitResult of_boxes = fitted();
-    EXPECT_GE(of_boxes.unit.price.boxes_per_second(), 40'000'000);
-    ASSERT_TRUE(of_boxes.unit.precision) << "12/12 is within the limit";
+    EXPECT_GE(of_boxes.unit.price.boxes_per_second(), 100'000'000);
+    ASSERT_TRUE(of_boxes.unit.precision) << "10/10 is within the limit";
     EXPECT_LE(of_boxes.unit.precision->coarse_extra_box_tests_pct, limit_pct);
     EXPECT_LE(of_boxes.unit.price.area_um2, smallest_of_all(scene, asked.rate, 0, limit_pct)) << limit_pct;
   }
@@ -153,7 +153,7 @@ TEST_F(FitToScene, WritesNothingWithoutAFolderAndIsVerified) {
   FitOptions nowhere = options();
   nowhere.folder.clear();
   const FitScene scene = prepare_fit(hills(), nowhere);
-  FitResult result = fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{12, 12}, scene, nowhere,
+  FitResult result = fit_to_scene(rtl::find_design("int_slabs"), hls::IntBits{10, 10}, scene, nowhere,
                                   rtl::Library::thesis());
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
   // Vectors must be right, and a referee must have judged the picture.
