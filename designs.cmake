@@ -18,4 +18,5 @@ set(HITPIPE_DESIGNS
 # The machines: one line each. NAME stands for hls/machines/NAME.hpp and rtl_gen/machines/NAME.cpp.
 set(HITPIPE_MACHINES
   divider
+  walker
 )

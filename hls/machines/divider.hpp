@@ -8,6 +8,7 @@
 #pragma once
 
 #include "hls/box/format.hpp"
+#include "hls/machines/id_queue.hpp"
 #include "hls/machines/machine.hpp"
 #include "hls/num/bits.hpp"
 #include "hls/num/levels.hpp"
@@ -44,7 +45,6 @@ template <class F>
 struct Widths {
   static constexpr F format{};
   using Ray = decltype(format.ray + 0_w);
-  using Rays = decltype(format.ray + 1_w);
   using Distance = decltype(format.distance());
   using Quotient = decltype(quotient_width(format));
   using Left = decltype(left_width(format));
@@ -57,9 +57,7 @@ struct State {
   using bit = typename D::bit;
   using W = Widths<F>;
 
-  Word<D, typename W::Rays> used;                    ///< tests that wait or are divided
-  Word<D, typename W::Ray> oldest;                   ///< the place of the oldest of them
-  bit there;                                         ///< the words that the memories give are of the oldest
+  IdQueue<D, F> queue;                               ///< tests that wait; the oldest is divided
   Word<D, typename W::Left> left;                    ///< cycles of division to come
   bit compares, answers;                             ///< the cycles after the division
   Word<D, typename W::Ray> at;                       ///< the ray whose test is divided
@@ -71,9 +69,7 @@ struct State {
   template <class Format, class Self, class Visit>
   static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
     const CoreBits bits = format;
-    visit(control_field("used", bits.ray + 1), self.used);
-    visit(control_field("oldest", bits.ray), self.oldest);
-    visit(control_field("there", 1), self.there);
+    IdQueue<D, F>::for_each({"used", "oldest", "there"}, bits.ray, self.queue, visit);
     visit(control_field("left", left_width(bits)), self.left);
     visit(control_field("compares", 1), self.compares);
     visit(control_field("answers", 1), self.answers);
@@ -174,20 +170,16 @@ struct Divider {
                             state.closer};
 
     // The queue. The words of its oldest test are asked for all the time.
-    const auto place =
-        as("place", resize(state.oldest + slice(state.used, format.ray - 1_w, 0_w), format.ray));
+    const auto place = as("place", state.queue.place(format.ray));
     memories.rays.write(in.hit, place, in.ray);
     memories.dets.write(in.hit, place, cat(in.det_high, in.det_low));
     memories.nums.write(in.hit, place, cat(in.num_high, in.num_low));
-    const Bit ends = state.compares;
-    const auto oldest = resize(state.oldest + ends, format.ray);
+    const Bit divides = as("divides", any<D>(state.left));
+    const Bit loads = as("loads", state.queue.there & ~divides & ~state.compares);
+    const auto oldest = state.queue.step(format.ray, in.hit, state.compares);
     memories.rays.ask(oldest);
     memories.dets.ask(oldest);
     memories.nums.ask(oldest);
-    const auto rest = as_unsigned(resize(state.used - ends, format.ray + 1_w));
-
-    const Bit divides = as("divides", any<D>(state.left));
-    const Bit loads = as("loads", state.there & ~divides & ~state.compares);
 
     // |num| 2^(S+F) above and below the bits of T.
     const auto num = as_signed(memories.nums.word(format.volume()));
@@ -244,9 +236,6 @@ struct Divider {
     state.compares = as("last", Bit(state.left == D::lit(1, left_width(format))));
     const auto one_less = resize(as_unsigned(state.left - divides), left_width(format));
     state.left = select(loads, D::lit(cycles(format.distance()), left_width(format)), one_less);
-    state.there = any<D>(rest);
-    state.oldest = oldest;
-    state.used = as_unsigned(resize(rest + in.hit, format.ray + 1_w));
     return out;
   }
 };

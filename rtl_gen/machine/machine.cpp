@@ -59,6 +59,7 @@ class Rules {
       broken_.push_back(machine_.name + ": " + error.what());
     }
     if (name == "clk" || name == "rst" || !names_.insert(name).second) add("{}: the name is taken", name);
+    if (name == "near" || name == "far") add("{}: Verilator calls it otherwise", name);
   }
   void check_width(const std::string& name, int width, int most) {
     if (width < 1 || width > most) add("{} has {} bits; allowed are 1 to {}", name, width, most);

@@ -48,6 +48,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Broken{"NameTwice", [](MachineGraph& m) { m.outputs[0].name = "push"; }, "push: the name is taken"},
         Broken{"Keyword", [](MachineGraph& m) { m.inputs[0].name = "wire"; }, "wire"},
+        Broken{"MacroOfSome", [](MachineGraph& m) { m.inputs[0].name = "far"; }, "far: Verilator"},
         Broken{"WidePort", [](MachineGraph& m) { m.inputs[2].width = 65; },
                "ray has 65 bits; allowed are 1 to 64"},
         Broken{"OtherWidth", [](MachineGraph& m) { m.state[0].width = 5; },
