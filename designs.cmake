@@ -19,4 +19,6 @@ set(HITPIPE_DESIGNS
 set(HITPIPE_MACHINES
   divider
   walker
+  reader
+  best_hits
 )

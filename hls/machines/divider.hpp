@@ -163,11 +163,14 @@ struct Divider {
   using Memories = divider::Memories<Memory>;
 
   template <class D, class F, class Memory>
-  static constexpr Outputs<D, F> step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
-                                      Memories<Memory>& memories) {
+  static constexpr Outputs<D, F> outputs(const F& format, const State<D, F>& state, Memories<Memory>&) {
+    return {state.at, state.answers, slice(state.quotient, format.distance() - 1_w, 0_w), state.closer};
+  }
+
+  template <class D, class F, class Memory>
+  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
+                             Memories<Memory>& memories) {
     using Bit = typename D::bit;
-    const Outputs<D, F> out{state.at, state.answers, slice(state.quotient, format.distance() - 1_w, 0_w),
-                            state.closer};
 
     // The queue. The words of its oldest test are asked for all the time.
     const auto place = as("place", state.queue.place(format.ray));
@@ -236,7 +239,6 @@ struct Divider {
     state.compares = as("last", Bit(state.left == D::lit(1, left_width(format))));
     const auto one_less = resize(as_unsigned(state.left - divides), left_width(format));
     state.left = select(loads, D::lit(cycles(format.distance()), left_width(format)), one_less);
-    return out;
   }
 };
 

@@ -2,11 +2,13 @@
 // written over the same value domains as a datapath, so one source is software, Verilog, proof and price.
 //   State, Inputs, Outputs   records with for_each(format, record, visit), which calls visit(Field, field)
 //   Memories                 likewise with visit(MemoryShape, memory)
+//   outputs<D>(format, state, memories)
+//                            gives the outputs of the cycle, from registers and words alone
 //   step<D>(format, state, in, memories)
-//                            gives the outputs of the cycle, and leaves the next state in `state`
-// All that a step computes is one combinational graph. The only registers are the state and the words that
-// memories give. What a machine gives to another one depends on its state alone, so the order in which
-// machines step does not matter, and no path leads through two of them.
+//                            leaves the next state in `state`
+// All that they compute is one combinational graph. The only registers are the state and the words that
+// memories give. What a machine gives to another one does not depend on what it is given in the same cycle,
+// so the order in which machines step does not matter, and no path leads through two of them.
 //
 // A memory has one port to write and one to read. A word that is read while it is written is the old one.
 //   memory.write(enable, place, word)

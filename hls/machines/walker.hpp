@@ -52,7 +52,7 @@ struct Taken {
   using W = Widths<F>;
   Word<D, typename W::Ray> ray;
   typename D::bit pair, leaf, fresh, again;
-  typename D::bit stops;
+  typename D::bit stops, lost;
   Word<D, typename W::Distance> cut;
 };
 
@@ -66,7 +66,7 @@ struct State {
   // Stage 2.
   Word<D, typename W::Ray> ray_2;
   bit there_2;
-  bit descends_2, begins_2, pops_2, ends_2;
+  bit descends_2, begins_2, pops_2, ends_2, lost_2;
   bit some_2;  ///< the stack has a place
   Word<D, typename W::Trail> trail_2, popped_2;
   Word<D, typename W::Level> level_2, resumed_2;
@@ -95,6 +95,7 @@ struct State {
     visit(control_field("fresh_1", 1), self.taken.fresh);
     visit(control_field("again_1", 1), self.taken.again);
     visit(data_field("stops_1", 1), self.taken.stops);
+    visit(data_field("lost_1", 1), self.taken.lost);
     visit(data_field("cut_1", bits.distance), self.taken.cut);
     visit(data_field("ray_2", bits.ray), self.ray_2);
     visit(control_field("there_2", 1), self.there_2);
@@ -102,6 +103,7 @@ struct State {
     visit(data_field("begins_2", 1), self.begins_2);
     visit(data_field("pops_2", 1), self.pops_2);
     visit(data_field("ends_2", 1), self.ends_2);
+    visit(data_field("lost_2", 1), self.lost_2);
     visit(data_field("some_2", 1), self.some_2);
     visit(data_field("trail_2", bits.levels), self.trail_2);
     visit(data_field("popped_2", bits.levels), self.popped_2);
@@ -144,6 +146,7 @@ struct Inputs {
   Word<D, typename W::Ray> leaf_ray;
   Word<D, typename W::Distance> cut;      ///< the ray's length now, as a box distance
   bit stops;                              ///< nothing else is wanted of this ray
+  bit lost;                               ///< with `stops`: it wanted a block that is not in the image
   Word<D, typename W::Steps> most_steps;  ///< records that a walk may test; constant while rays are in flight
 
   template <class Format, class Self, class Visit>
@@ -170,6 +173,7 @@ struct Inputs {
     visit(data_field("leaf_ray", bits.ray), self.leaf_ray);
     visit(data_field("cut", bits.distance), self.cut);
     visit(data_field("stops", 1), self.stops);
+    visit(data_field("lost", 1), self.lost);
     visit(data_field("most_steps", step_count_bits), self.most_steps);
   }
 };
@@ -182,7 +186,7 @@ struct Outputs {
   bit takes;                                ///< a new ray may begin in this cycle
   bit goes;                                 ///< the ray wants a record, or the triangles of a leaf
   bit ended;                                ///< the ray's walk has ended
-  bit failed;                               ///< with `ended`: at a bound, of steps or of levels
+  bit failed;                               ///< with `ended`: at a bound, of steps or of levels, or lost
   Word<D, typename W::Ray> of;              ///< the ray
   Word<D, typename W::Address> wanted;      ///< the block
   Word<D, typename W::Count> triangles;     ///< all ones: it is a record
@@ -220,7 +224,7 @@ struct Memories {
     };
     const int rays = bits.rays();
     memory("pair_rays", rays, bits.ray, self.pair_rays);
-    memory("leaf_rays", rays, bits.ray + 1 + bits.distance, self.leaf_rays);
+    memory("leaf_rays", rays, bits.ray + 2 + bits.distance, self.leaf_rays);
     memory("other_rays", rays, bits.ray + 1 + bits.distance, self.other_rays);
     memory("boxes_0", rays, 2 + 2 * bits.distance, self.boxes_0);
     memory("boxes_1", rays, 1 + 2 * bits.distance, self.boxes_1);
@@ -248,23 +252,26 @@ struct Walker {
   using Memories = walker::Memories<Memory>;
 
   template <class D, class F, class Memory>
-  static constexpr Outputs<D, F> step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
-                                      Memories<Memory>& memories) {
-    const Outputs<D, F> out{typename D::bit(~state.again),
-                            state.goes,
-                            state.ended,
-                            state.failed,
-                            state.ray_3,
-                            state.block,
-                            state.count,
-                            state.near,
-                            state.far};
+  static constexpr Outputs<D, F> outputs(const F& /*format*/, const State<D, F>& state, Memories<Memory>&) {
+    return {typename D::bit(~state.again),
+            state.goes,
+            state.ended,
+            state.failed,
+            state.ray_3,
+            state.block,
+            state.count,
+            state.near,
+            state.far};
+  }
+
+  template <class D, class F, class Memory>
+  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
+                             Memories<Memory>& memories) {
     record_words<D>(format, in, memories);
     const auto next = taken_up<D>(format, state, in, memories);
     follow<D>(format, state, in, memories);
     choose<D>(format, state, memories);
     state.taken = next;
-    return out;
   }
 
  private:
@@ -318,7 +325,7 @@ struct Walker {
     const Bit enters = as("enters", in.begins | s.again);
     memories.pair_rays.write(in.tested, as("pair_place", s.pairs.place(i)), in.ray);
     memories.leaf_rays.write(in.leaf, as("leaf_place", s.leaves.place(i)),
-                             cat(in.leaf_ray, cat(in.stops, in.cut)));
+                             cat(cat(in.leaf_ray, in.lost), cat(in.stops, in.cut)));
     memories.other_rays.write(enters, as("other_place", s.others.place(i)),
                               cat(select(s.again, s.ray_3, in.begun), cat(s.again, in.length)));
 
@@ -326,18 +333,19 @@ struct Walker {
     const Bit leaf = as("takes_leaf", s.leaves.there);
     const Bit other = as("takes_other", s.others.there & ~leaf);
     const Bit pair = as("takes_pair", s.pairs.there & ~leaf & ~s.others.there);
-    const auto leaf_word = memories.leaf_rays.word(i + d + 1_w);
+    const auto leaf_word = memories.leaf_rays.word(i + d + 2_w);
     const auto other_word = memories.other_rays.word(i + d + 1_w);
     const Bit was_there = bit_at(other_word, d);
     Taken<D, F> next;
     next.ray =
-        as("taken_ray", select(leaf, slice(leaf_word, i + d, d + 1_w),
+        as("taken_ray", select(leaf, slice(leaf_word, i + d + 1_w, d + 2_w),
                                select(other, slice(other_word, i + d, d + 1_w), memories.pair_rays.word(i))));
     next.pair = pair;
     next.leaf = leaf;
     next.fresh = other & ~was_there;
     next.again = other & was_there;
     next.stops = bit_at(leaf_word, d);
+    next.lost = bit_at(leaf_word, d + 1_w);
     next.cut = select(leaf, slice(leaf_word, d - 1_w, 0_w), slice(other_word, d - 1_w, 0_w));
     memories.pair_rays.ask(s.pairs.step(i, in.tested, pair));
     memories.leaf_rays.ask(s.leaves.step(i, in.leaf, leaf));
@@ -406,6 +414,7 @@ struct Walker {
     s.descends_2 = descends;
     s.begins_2 = taken.fresh;
     s.pops_2 = pops;
+    s.lost_2 = taken.leaf & taken.lost;
     s.ends_2 = (taken.leaf & taken.stops) | (pops & Bit(bit_at(sum, format.levels)));
   }
 
@@ -452,7 +461,7 @@ struct Walker {
     s.ray_3 = s.ray_2;
     s.goes = s.there_2 & ~s.ends_2 & ~fails & ~again;
     s.ended = s.there_2 & (s.ends_2 | fails);
-    s.failed = fails & ~s.ends_2;
+    s.failed = (fails & ~s.ends_2) | s.lost_2;
     s.again = s.there_2 & ~s.ends_2 & again;
     s.block = slice(entry, W::entry_of(format) - 1_w, d * 2_w + Width<child_count_bits>());
     s.count = count;

@@ -45,7 +45,8 @@ std::string vectors_text(const MachineGraph& graph, NativeMachine& native,
       "// of the manifest, the first in the high bits.\n";
   for (int i = 0; i < options.cycles; ++i) {
     MachineCycle cycle = cycles.next();
-    native.step(cycle.inputs.data(), cycle.outputs.data(), cycle.reset);
+    native.outputs(cycle.outputs.data());
+    native.step(cycle.inputs.data(), cycle.reset);
     native.state(cycle.state.data());
     std::string bits(1, cycle.reset ? '1' : '0');
     const auto append = [&](const std::vector<hls::Field>& fields, const std::vector<Word>& words) {

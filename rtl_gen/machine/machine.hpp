@@ -39,8 +39,10 @@ struct MachineGraph {
 class NativeMachine {
  public:
   virtual ~NativeMachine() = default;
-  /// One cycle: outputs() are those before the clock edge. With `reset` the edge resets.
-  virtual void step(const Word* inputs, Word* outputs, bool reset) = 0;
+  /// What it gives to others in this cycle.
+  virtual void outputs(Word* outputs) = 0;
+  /// The clock edge at the cycle's end, which may reset.
+  virtual void step(const Word* inputs, bool reset) = 0;
   /// The registers now.
   virtual void state(Word* registers) const = 0;
 };

@@ -4,9 +4,12 @@
 #include <array>
 #include <cassert>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "hls/num/domain.hpp"
 #include "hls/num/sized.hpp"
@@ -27,7 +30,11 @@ class TracedMemory {
   template <class Place>
   Trace::uint read(const Place& place, [[maybe_unused]] int width) {
     assert(shape_.kind == hls::MemoryKind::lookup && width == shape_.width);
-    output("read", place);
+    // Outputs and step may both read it, at one place.
+    if (read_ != no_node && read_ != place.id())
+      throw std::logic_error(fmt::format("{} is read at two places", shape_.name));
+    if (read_ == no_node) output("read", place);
+    read_ = place.id();
     return word_;
   }
   template <class Place>
@@ -54,6 +61,7 @@ class TracedMemory {
 
   hls::MemoryShape shape_{};
   Trace::uint word_;
+  NodeId read_ = no_node;
 };
 
 /// The low bits of a value of the host's domains, and back.
@@ -131,11 +139,15 @@ class NativeMachineOf final : public NativeMachine {
     });
   }
 
-  void step(const Word* inputs, Word* outputs, bool reset) override {
+  void outputs(Word* outputs) override {
+    const auto out = M::template outputs<D>(format_, state_, memories_);
+    out.for_each(format_, out, [&](const hls::Field&, const auto& x) { *outputs++ = pattern_of(x); });
+  }
+
+  void step(const Word* inputs, bool reset) override {
     in_.for_each(format_, in_,
                  [&](const hls::Field& field, auto& x) { set_pattern(x, *inputs++, field.width); });
-    const auto out = M::template step<D>(format_, state_, in_, memories_);
-    out.for_each(format_, out, [&](const hls::Field&, const auto& x) { *outputs++ = pattern_of(x); });
+    M::template step<D>(format_, state_, in_, memories_);
     memories_.for_each(format_, memories_, [](const hls::MemoryShape&, auto& memory) { memory.clock(); });
     if (!reset) return;
     state_.for_each(format_, state_, [](const hls::Field& field, auto& x) {
@@ -178,7 +190,8 @@ MachineGraph traced_machine(const typename M::Bits& format) {
     machine.memories.push_back(shape);
     memory.declare(shape);
   });
-  const auto out = M::template step<Trace>(format, state, in, memories);
+  const auto out = M::template outputs<Trace>(format, state, memories);
+  M::template step<Trace>(format, state, in, memories);
   state.for_each(format, state, [&](const hls::Field& field, const auto& x) {
     const std::string name = std::string("next_") + field.name;
     graph.output(name, x.id());

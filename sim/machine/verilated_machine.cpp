@@ -49,15 +49,20 @@ std::string wrapper_of(const rtl::MachineGraph& machine, const std::string& modu
   for (const hls::Field& field : machine.state)
     show += fmt::format("  get_number(top.state_{}, registers + {});\n", field.name, 2 * i++);
   return instance_source(module, number_functions) + fmt::format(R"(
-HITPIPE_ENTRY void hitpipe_machine_cycle(void* model, bool reset, const std::uint64_t* in, std::uint64_t* out,
+HITPIPE_ENTRY void hitpipe_machine_outputs(void* model, std::uint64_t* out) {{
+  V{0}& top = static_cast<Model*>(model)->top;
+  top.clk = 0;
+  top.eval();
+{2}}}
+HITPIPE_ENTRY void hitpipe_machine_cycle(void* model, bool reset, const std::uint64_t* in,
                                          std::uint64_t* registers) {{
-  V{}& top = static_cast<Model*>(model)->top;
+  V{0}& top = static_cast<Model*>(model)->top;
   top.clk = 0;
   top.rst = reset;
-{}  top.eval();
-{}  top.clk = 1;
+{1}  top.eval();
+  top.clk = 1;
   top.eval();
-{}}}
+{3}}}
 )",
                                                                  module, drive, read, show);
 }
@@ -94,6 +99,7 @@ VerilatedMachine::VerilatedMachine(const rtl::MachineGraph& machine, const std::
           ModelSources{module, verilog, wrapper_of(machine, module)}, cache)),
       model_(library_->create()),
       cycle_(library_->entry_point<Cycle>("hitpipe_machine_cycle")),
+      outputs_now_(library_->entry_point<Outputs>("hitpipe_machine_outputs")),
       in_(2 * inputs_),
       out_(2 * outputs_),
       state_(2 * registers_) {}
@@ -106,6 +112,7 @@ VerilatedMachine::VerilatedMachine(const VerilatedMachine& other)
       library_(other.library_),
       model_(library_->create()),
       cycle_(other.cycle_),
+      outputs_now_(other.outputs_now_),
       in_(2 * inputs_),
       out_(2 * outputs_),
       state_(2 * registers_) {}
@@ -118,14 +125,18 @@ std::unique_ptr<VerilatedMachine> VerilatedMachine::another() const {
   return std::unique_ptr<VerilatedMachine>(new VerilatedMachine(*this));
 }
 
-void VerilatedMachine::step(const rtl::Word* inputs, rtl::Word* outputs, bool reset) {
+void VerilatedMachine::outputs(rtl::Word* outputs) {
+  outputs_now_(model_, out_.data());
+  for (std::size_t i = 0; i < outputs_; ++i) outputs[i] = joined(&out_[2 * i]);
+}
+
+void VerilatedMachine::step(const rtl::Word* inputs, bool reset) {
   for (std::size_t i = 0; i < inputs_; ++i) {
     const rtl::Word word = inputs[i] & masks_[i];
     in_[2 * i] = rtl::lower_half(word);
     in_[2 * i + 1] = rtl::upper_half(word);
   }
-  cycle_(model_, reset, in_.data(), out_.data(), state_.data());
-  for (std::size_t i = 0; i < outputs_; ++i) outputs[i] = joined(&out_[2 * i]);
+  cycle_(model_, reset, in_.data(), state_.data());
 }
 
 void VerilatedMachine::state(rtl::Word* registers) const {

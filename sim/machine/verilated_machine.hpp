@@ -26,19 +26,21 @@ class VerilatedMachine final : public rtl::NativeMachine {
   [[nodiscard]] std::unique_ptr<VerilatedMachine> another() const;
   VerilatedMachine& operator=(const VerilatedMachine&) = delete;
 
-  void step(const rtl::Word* inputs, rtl::Word* outputs, bool reset) override;
+  void outputs(rtl::Word* outputs) override;
+  void step(const rtl::Word* inputs, bool reset) override;
   void state(rtl::Word* registers) const override;
 
  private:
   VerilatedMachine(const VerilatedMachine& other);
-  using Cycle = void (*)(void* model, bool reset, const std::uint64_t* in, std::uint64_t* out,
-                         std::uint64_t* registers);
+  using Cycle = void (*)(void* model, bool reset, const std::uint64_t* in, std::uint64_t* registers);
+  using Outputs = void (*)(void* model, std::uint64_t* out);
 
   std::vector<rtl::Word> masks_;  ///< of the inputs: a Verilated port must not be given bits above its width
   std::size_t inputs_, outputs_, registers_;
   std::shared_ptr<const ModelLibrary> library_;
   void* model_;
   Cycle cycle_;
+  Outputs outputs_now_;
   std::vector<std::uint64_t> in_, out_, state_;  ///< two words a number
 };
 

@@ -92,11 +92,13 @@ TEST(NativeMachine, IsAQueue) {
     std::deque<Word> expected;
     Word out[2];
     const Word nothing[3] = {};
-    machine->step(nothing, out, true);
+    machine->outputs(out);
+    machine->step(nothing, true);
     for (int cycle = 0; cycle < 20'000; ++cycle) {
       const bool room = static_cast<int>(expected.size()) < bits.rays();
       const Word in[3] = {room && random() % 2 == 0, random() % 2, random() & ones_below(bits.ray)};
-      machine->step(in, out, false);
+      machine->outputs(out);
+      machine->step(in, false);
       ASSERT_EQ(out[0] != 0, !expected.empty()) << "cycle " << cycle;
       if (!expected.empty()) {
         ASSERT_TRUE(out[1] == expected.front()) << "cycle " << cycle;
@@ -111,10 +113,12 @@ TEST(NativeMachine, AResetSetsWhatSaysAValue) {
   const auto machine = small_queue().native(small_queue_bits);
   const Word push[3] = {1, 0, 5};
   Word out[2], state[2];
-  machine->step(push, out, false);
+  machine->outputs(out);
+  machine->step(push, false);
   machine->state(state);
   EXPECT_THAT(std::vector<int>({static_cast<int>(state[0]), static_cast<int>(state[1])}), ElementsAre(1, 1));
-  machine->step(push, out, true);
+  machine->outputs(out);
+  machine->step(push, true);
   machine->state(state);
   EXPECT_THAT(std::vector<int>({static_cast<int>(state[0]), static_cast<int>(state[1])}), ElementsAre(0, 1));
 }

@@ -76,18 +76,21 @@ struct SmallQueue {
   using Memories = small_queue::Memories<Memory>;
 
   template <class D, class F, class Memory>
-  static constexpr Outputs<D, F> step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
-                                      Memories<Memory>& memories) {
+  static constexpr Outputs<D, F> outputs(const F& format, const State<D, F>& state,
+                                         Memories<Memory>& memories) {
+    return {any<D>(state.used), memories.rays.read(state.oldest, format.ray)};
+  }
+
+  template <class D, class F, class Memory>
+  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
+                             Memories<Memory>& memories) {
     using Bit = typename D::bit;
-    const auto first = memories.rays.read(state.oldest, format.ray);
-    const Bit some = any<D>(state.used);
     const auto place =
         as("place", resize(state.oldest + slice(state.used, format.ray - 1_w, 0_w), format.ray));
     memories.rays.write(in.push, place, in.ray);
-    const Bit taken = as("taken", some & in.pop);
+    const Bit taken = as("taken", any<D>(state.used) & in.pop);
     state.used = as_unsigned(resize(state.used + in.push - taken, format.ray + 1_w));
     state.oldest = resize(state.oldest + taken, format.ray);
-    return {some, first};
   }
 };
 

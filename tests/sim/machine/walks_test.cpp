@@ -111,7 +111,8 @@ class Driver {
       const bool offers = !rays_[fresh].walk && begun < trees && random_() % 4 != 0;
       if (offers) offer(fresh);
       give_answers();
-      machine_.step(in_.data(), out_.data(), cycle_ == 0);
+      machine_.outputs(out_.data());
+      machine_.step(in_.data(), cycle_ == 0);
       if (cycle_ == 0) continue;
       if (offers && out_["takes"] != 0) {
         InFlight& ray = rays_[fresh];
@@ -316,7 +317,8 @@ Loop walk_in_a_loop(const hls::WalkBits& bits, Word most_steps) {
       in["count_1"] = 1;
       in["far_0"] = in["far_1"] = 5;
     }
-    machine->step(in.data(), out.data(), cycle == 0);
+    machine->outputs(out.data());
+    machine->step(in.data(), cycle == 0);
     answers = cycle > 0 && out["goes"] != 0;
     if (answers) ++loop.records;
     if (cycle == 0 || out["ended"] == 0) continue;
