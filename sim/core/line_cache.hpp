@@ -12,8 +12,8 @@ namespace hitpipe::sim {
 /// A line is in the set of its number modulo the number of sets.
 class LineCache {
  public:
-  static constexpr int ways = 8;
-  static constexpr int line_bytes = 64;
+  static constexpr std::size_t ways = 8;
+  static constexpr std::size_t line_bytes = 64;
 
   /// Of a power of two of KiB, or of 0: then it never holds a line.
   explicit LineCache(int kib)
