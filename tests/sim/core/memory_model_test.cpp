@@ -194,7 +194,7 @@ TEST(MemoryModel, DoesInEveryCycleWhatTheSlowModelDoes) {
 /// The cycles from asking for a block to its answer, alone in the memory.
 std::uint64_t alone(MemoryModel& memory, std::uint32_t block = 0) {
   memory.ask(block, 0);
-  for (std::uint64_t cycles = 1; cycles <= 2 * MemoryOptions::most_cycles; ++cycles)
+  for (std::uint64_t cycles = 1; cycles <= MemoryOptions::most_cycles; ++cycles)
     if (memory.step()) return cycles;
   return 0;
 }
