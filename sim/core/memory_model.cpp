@@ -1,0 +1,176 @@
+#include "sim/core/memory_model.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace hitpipe::sim {
+
+namespace {
+
+void check_cycles(const char* what, int cycles) {
+  if (cycles < 1 || cycles > MemoryOptions::most_cycles)
+    throw std::invalid_argument(fmt::format("a memory's {} of {} cycles: allowed is 1 to {}", what, cycles,
+                                            MemoryOptions::most_cycles));
+}
+
+const MemoryOptions& checked(const MemoryOptions& options) {
+  check_cycles("latency", options.least_latency);
+  check_cycles("latency", options.most_latency);
+  if (options.least_latency > options.most_latency)
+    throw std::invalid_argument(fmt::format("a memory's latency of {} to {} cycles: the least comes first",
+                                            options.least_latency, options.most_latency));
+  check_cycles("interval", options.interval);
+  check_cycles("hit latency", options.hit_latency);
+  if (options.refused_percent < 0 || options.refused_percent > 99)
+    throw std::invalid_argument(fmt::format("a memory that refuses in {} % of the cycles: allowed is 0 to 99",
+                                            options.refused_percent));
+  if (options.most_waiting < 0)
+    throw std::invalid_argument(
+        fmt::format("a memory with at most {} requests on their way: allowed is 1 or more, or 0 for no limit",
+                    options.most_waiting));
+  const int kib = options.cache_kib;
+  if (kib < 0 || kib > MemoryOptions::most_cache_kib || (kib & (kib - 1)) != 0)
+    throw std::invalid_argument(fmt::format("a cache of {} KiB: allowed is 0 or a power of two up to {}", kib,
+                                            MemoryOptions::most_cache_kib));
+  return options;
+}
+
+constexpr std::uint32_t blocks_of_line = LineCache::line_bytes / ref::core_block_bytes;
+std::uint32_t line_of(std::uint32_t block) {
+  return block / blocks_of_line;
+}
+
+}  // namespace
+
+MemoryModel::MemoryModel(std::span<const ref::CoreBlock> blocks, const MemoryOptions& options)
+    : blocks_(blocks),
+      options_(checked(options)),
+      blocks_of_read_(options.cache_kib > 0 ? blocks_of_line : 1),
+      latencies_(options.seed),
+      refusals_(~options.seed),
+      cache_(options.cache_kib) {
+  if (!options.in_order && options.least_latency < options.most_latency)
+    calendar_.resize(std::bit_ceil(static_cast<std::size_t>(options.most_latency)));
+  if (options.cache_kib > 0) on_their_way_.resize(buckets, no_node);
+  decide_ready();
+}
+
+void MemoryModel::ask(std::uint32_t block, std::uint32_t tag) {
+  if (!ready_) throw std::logic_error("a memory was asked in a cycle in which it is not ready");
+  if (asked_) throw std::logic_error("a memory was asked twice in a cycle");
+  asked_ = true;
+  if (block < blocks_.size()) {
+    __builtin_prefetch(&blocks_[block]);  // it is read many cycles later
+  } else {
+    ++counts_.outside;
+  }
+  const std::uint32_t place = requests_.take(block, tag, counts_.requests);
+  ++counts_.requests;
+  counts_.most_waiting = std::max(counts_.most_waiting, ++waiting_);
+
+  const bool hit = cache_.use(line_of(block));
+  if (hit || options_.in_order) in_turn_.push(requests_, place);
+  if (hit) {
+    ++counts_.hits;
+    requests_[place].ready = now_ + static_cast<std::uint64_t>(options_.hit_latency);
+    requests_[place].given = true;
+    return;
+  }
+  ++counts_.misses;
+  if (on_their_way_.empty() || !merge(place)) read(place);
+}
+
+/// With a cache: lets it wait for the read of its line that is on its way. False when there is none; it is
+/// then noted as that read.
+bool MemoryModel::merge(std::uint32_t request) {
+  const std::uint32_t line = line_of(requests_[request].block);
+  std::uint32_t& bucket = on_their_way_[line % buckets];
+  for (std::uint32_t read = bucket; read != no_node; read = requests_[read].next_of_bucket) {
+    if (line_of(requests_[read].block) != line) continue;
+    requests_[read].merged.push(requests_, request);
+    ++counts_.merged;
+    return true;
+  }
+  requests_[request].next_of_bucket = bucket;
+  bucket = request;
+  return false;
+}
+
+void MemoryModel::read(std::uint32_t request) {
+  counts_.bytes_read += blocks_of_read_ * ref::core_block_bytes;
+  const std::uint64_t ready =
+      now_ + static_cast<std::uint64_t>(latencies_.between(options_.least_latency, options_.most_latency));
+  requests_[request].ready = ready;
+  Reads& reads = calendar_.empty() ? reads_ : calendar_[ready & (calendar_.size() - 1)];
+  reads.push(requests_, request);
+}
+
+std::optional<MemoryAnswer> MemoryModel::step() {
+  ++now_;
+  ++counts_.cycles;
+  asked_ = false;
+  if (!calendar_.empty()) reads_.take_all(requests_, calendar_[now_ & (calendar_.size() - 1)]);
+  if (now_ >= memory_free_ && !reads_.empty() && requests_[reads_.first()].ready <= now_) {
+    memory_free_ = now_ + static_cast<std::uint64_t>(options_.interval) * blocks_of_read_;
+    receive(reads_.pop(requests_));
+  }
+  const std::optional<MemoryAnswer> answered = answer();
+  decide_ready();
+  return answered;
+}
+
+void MemoryModel::receive(std::uint32_t read) {
+  give(read);
+  if (on_their_way_.empty()) return;
+  Request& first = requests_[read];
+  while (!first.merged.empty()) give(first.merged.pop(requests_));
+  const std::uint32_t line = line_of(first.block);
+  cache_.place(line);
+  std::uint32_t* link = &on_their_way_[line % buckets];
+  while (*link != read) link = &requests_[*link].next_of_bucket;
+  *link = first.next_of_bucket;
+}
+
+void MemoryModel::give(std::uint32_t request) {
+  requests_[request].ready = now_;
+  requests_[request].given = true;
+  if (!options_.in_order) received_.push(requests_, request);
+}
+
+/// Whether in_turn_ has the next answer.
+bool MemoryModel::turn_is_first() const {
+  if (in_turn_.empty()) return false;
+  const Request& turn = requests_[in_turn_.first()];
+  if (!turn.given || turn.ready > now_) return false;
+  if (received_.empty()) return true;
+  const Request& received = requests_[received_.first()];
+  return turn.ready != received.ready ? turn.ready < received.ready : turn.number < received.number;
+}
+
+std::optional<MemoryAnswer> MemoryModel::answer() {
+  LinkedQueue<Request>& queue = turn_is_first() ? in_turn_ : received_;
+  std::optional<MemoryAnswer> answered;
+  if (queue.empty()) return answered;
+  const std::uint32_t place = queue.pop(requests_);
+  const Request& request = requests_[place];
+  MemoryAnswer& built = answered.emplace();
+  built.tag = request.tag;
+  if (request.block < blocks_.size()) built.block = blocks_[request.block];
+  requests_.give_back(place);
+  ++counts_.answers;
+  --waiting_;
+  return answered;
+}
+
+void MemoryModel::decide_ready() {
+  ready_ = options_.most_waiting == 0 || waiting_ < static_cast<std::uint64_t>(options_.most_waiting);
+  // Drawn in every cycle, so that the refused cycles do not depend on the requests.
+  if (options_.refused_percent > 0 &&
+      refusals_.below(100) < static_cast<std::uint64_t>(options_.refused_percent))
+    ready_ = false;
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,130 @@
+// The memory that a traversal core reads (docs/core.md), cycle by cycle: latency, order, bandwidth, refused
+// requests and a cache.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/core/line_cache.hpp"
+#include "sim/core/linked_queue.hpp"
+#include "sw_ref/core/core_image.hpp"
+#include "sw_ref/judge/adversary/random.hpp"
+
+namespace hitpipe::sim {
+
+/// All times are in cycles.
+struct MemoryOptions {
+  /// From a request to its answer, when nothing else waits. 1..most_cycles, drawn for each read.
+  int least_latency = 100, most_latency = 100;
+  bool in_order = false;    ///< answers in the order of their requests; else each when it is ready
+  int interval = 1;         ///< for each block that memory gives, 1..most_cycles
+  int refused_percent = 0;  ///< of all cycles refuse a request, at random, 0..99
+  int most_waiting = 0;     ///< requests on their way; 0: no limit
+  int cache_kib = 0;        ///< 0: no cache, else a power of two, 1..most_cache_kib
+  int hit_latency = 4;      ///< of a request whose line is in the cache, 1..most_cycles
+  std::uint64_t seed = 1;
+
+  static constexpr int most_cycles = 10'000;
+  static constexpr int most_cache_kib = 65'536;
+};
+
+struct MemoryCounts {
+  std::uint64_t cycles = 0;
+  std::uint64_t requests = 0;
+  std::uint64_t outside = 0;       ///< requests for a block that the image does not have
+  std::uint64_t hits = 0;          ///< requests whose line was in the cache
+  std::uint64_t misses = 0;        ///< all others
+  std::uint64_t merged = 0;        ///< misses whose line was on its way
+  std::uint64_t bytes_read = 0;    ///< from memory
+  std::uint64_t answers = 0;       ///< cycles in which the port answered
+  std::uint64_t most_waiting = 0;  ///< requests on their way at a time
+
+  friend bool operator==(const MemoryCounts&, const MemoryCounts&) = default;
+};
+
+struct MemoryAnswer {
+  std::uint32_t tag = 0;
+  ref::CoreBlock block{};
+  friend bool operator==(const MemoryAnswer&, const MemoryAnswer&) = default;
+};
+
+/// In a cycle the core may ask once if the memory is ready; step() ends the cycle. A request that is taken in
+/// cycle c with latency n is answered in cycle c + n or later: in that cycle the core sees the answer. There
+/// is at most one answer in a cycle, the one that was ready first, and of two the older request.
+///
+/// Memory gives one block in `interval` cycles, with a cache one line of two blocks in twice as many. It
+/// gives first what is ready first, or with in_order what was asked for first. A line enters the cache when
+/// memory gives it, and all requests that wait for it are then ready. A hit takes no time of the memory.
+///
+/// Behind the image's end all blocks are zero. The same options and requests give the same answers in the
+/// same cycles, on every machine.
+class MemoryModel {
+ public:
+  /// `blocks` must outlive the model. Throws std::invalid_argument, one line, for an option that is not
+  /// allowed.
+  MemoryModel(std::span<const ref::CoreBlock> blocks, const MemoryOptions& options);
+
+  /// Whether it takes a request in this cycle; the same from one step to the next.
+  [[nodiscard]] bool ready() const { return ready_; }
+  /// Throws std::logic_error when it is not ready, or was asked in this cycle before.
+  void ask(std::uint32_t block, std::uint32_t tag);
+  /// One edge of the clock: gives the answer that the core sees in the cycle behind it.
+  std::optional<MemoryAnswer> step();
+
+  /// Requests that were taken and not answered.
+  [[nodiscard]] std::uint64_t waiting() const { return waiting_; }
+  [[nodiscard]] const MemoryCounts& counts() const { return counts_; }
+
+ private:
+  static constexpr std::size_t buckets = 4096;
+
+  /// A read of memory is the first request that waits for it.
+  struct Request {
+    std::uint32_t block, tag;
+    std::uint64_t number;  ///< requests before it
+    /// The first cycle in which memory can give it; when it is given, in which it can be answered.
+    std::uint64_t ready = 0;
+    bool given = false;                      ///< by memory or the cache
+    std::uint32_t next = no_node;            ///< to be answered
+    std::uint32_t next_read = no_node;       ///< to be given, or in `merged`
+    std::uint32_t next_of_bucket = no_node;  ///< on its way
+    using Reads = LinkedQueue<Request, &Request::next_read>;
+    Reads merged{};  ///< the others that wait for this read
+  };
+  using Reads = Request::Reads;
+
+  bool merge(std::uint32_t request);
+  void read(std::uint32_t request);
+  void receive(std::uint32_t read);
+  void give(std::uint32_t request);
+  [[nodiscard]] bool turn_is_first() const;
+  std::optional<MemoryAnswer> answer();
+  void decide_ready();
+
+  std::span<const ref::CoreBlock> blocks_;
+  MemoryOptions options_;
+  std::uint64_t blocks_of_read_;
+  ref::adversary::Random latencies_, refusals_;
+  LineCache cache_;
+  MemoryCounts counts_;
+
+  NodePool<Request> requests_;
+  LinkedQueue<Request> in_turn_;   ///< hits; with in_order all requests
+  LinkedQueue<Request> received_;  ///< what memory has given, without in_order
+  Reads reads_;                    ///< the next that memory gives is the first
+  /// Slot c modulo their number has the reads that are ready in cycle c, and go to reads_ then. Without slots
+  /// all go there at once: they are ready, or to be given, in the order of their requests.
+  std::vector<Reads> calendar_;
+  std::vector<std::uint32_t> on_their_way_;  ///< with a cache: the newest read of each bucket of lines
+
+  std::uint64_t now_ = 0;
+  std::uint64_t memory_free_ = 0;  ///< the first cycle in which memory can give a read
+  std::uint64_t waiting_ = 0;
+  bool ready_ = true;
+  bool asked_ = false;  ///< in this cycle
+};
+
+}  // namespace hitpipe::sim
