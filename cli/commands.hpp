@@ -13,6 +13,7 @@
   COMMAND("Judge it", cosim)               \
   COMMAND("Judge it", render)              \
   COMMAND("Judge it", bvh)                 \
+  COMMAND("Judge it", trace)               \
   COMMAND("Choose it", area)               \
   COMMAND("Choose it", sweep)              \
   COMMAND("Choose it", fit)                \

@@ -21,6 +21,9 @@ struct CoreBits : WorldBits {
 
   constexpr int rays() const { return power_of_two(ray); }
   constexpr bool valid() const { return WorldBits::valid() && ray >= 1 && ray <= most_ray_bits; }
+  friend constexpr bool operator==(const CoreBits& a, const CoreBits& b) {
+    return static_cast<const WorldBits&>(a) == b && a.ray == b.ray;
+  }
 };
 
 /// The same with widths known when the code is compiled: CoreFormat<20, 1, 20, 0, 0, 5> is 20+1s20i5.

@@ -137,7 +137,8 @@ class Machines {
     for (Node* node : {&walker_, &reader_, &best_hits_, &divider_}) node->step(true);
   }
 
-  void run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers) {
+  void run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
+           const std::function<void(double)>& progress) {
     std::size_t next = 0, ended = 0;
     std::uint64_t silent = 0;
     while (ended < jobs.size()) {
@@ -152,6 +153,8 @@ class Machines {
         take_answer(answers);
         ++ended;
         silent = 0;
+        if (progress && ended % 4096 == 0)
+          progress(static_cast<double>(ended) / static_cast<double>(jobs.size()));
       } else if (++silent > longest_silence) {
         throw std::logic_error("the core gives no answers");
       }
@@ -340,8 +343,9 @@ CoreModel::CoreModel(const ref::CoreImage& image, const CoreModelOptions& option
 }
 CoreModel::~CoreModel() = default;
 
-void CoreModel::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers) {
-  machines_->run(jobs, answers);
+void CoreModel::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
+                    const std::function<void(double)>& progress) {
+  machines_->run(jobs, answers, progress);
 }
 const CoreCounts& CoreModel::counts() const {
   return machines_->counts();

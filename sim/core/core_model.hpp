@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -64,7 +65,9 @@ class CoreModel {
   ~CoreModel();
 
   /// Answers the jobs, each at its place. Throws std::logic_error when the core is silent for too long.
-  void run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers);
+  /// `progress` gets the share that is done, 0 to 1, from time to time.
+  void run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
+           const std::function<void(double)>& progress = {});
   /// Of all runs.
   [[nodiscard]] const CoreCounts& counts() const;
   [[nodiscard]] const MemoryCounts& memory_counts() const;

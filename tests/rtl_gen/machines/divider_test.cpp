@@ -142,9 +142,10 @@ TEST_P(DividerIn, GivesTheFloorAndTheNearest) {
 
 INSTANTIATE_TEST_SUITE_P(
     Formats, DividerIn,
-    testing::Values(hls::CoreBits{}, hls::CoreBits{{20, 1, 20, 4, 0}, 3}, hls::CoreBits{{16, 1, 16, 0, 0}, 5},
-                    hls::CoreBits{{24, 3, 32, 8, 0}, 8}, hls::CoreBits{{24, 3, 8, 0, 0}, 1},
-                    hls::CoreBits{{24, 0, 12, 8, 0}, 4}, hls::CoreBits{{8, 0, 8, 0, 0}, 2}),
+    testing::Values(hls::CoreBits{}, hls::CoreBits{{20, 1, 20, 0, 0}, 7}, hls::CoreBits{{20, 1, 20, 4, 0}, 3},
+                    hls::CoreBits{{16, 1, 16, 0, 0}, 5}, hls::CoreBits{{24, 3, 32, 8, 0}, 8},
+                    hls::CoreBits{{24, 3, 8, 0, 0}, 1}, hls::CoreBits{{24, 0, 12, 8, 0}, 4},
+                    hls::CoreBits{{8, 0, 8, 0, 0}, 2}),
     [](const testing::TestParamInfo<hls::CoreBits>& each) { return Format(each.param).identifier(); });
 
 TEST(Divider, TakesATestEveryIntervalOfCycles) {

@@ -2,15 +2,12 @@
 // reads for all rays of a picture, with memories of every kind. Damaged images end too.
 #include "sim/core/core_model.hpp"
 
-#include <mutex>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "sw_ref/core/core_tracer.hpp"
-#include "sw_ref/render/render.hpp"
-#include "sw_ref/world/int_tracer.hpp"
+#include "sim/core/picture_rays.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/small_scene.hpp"
 
@@ -20,47 +17,13 @@ namespace {
 const hls::WorldBits world{12, 1, 12, 0, 0};
 const hls::MajorBits boxes{12, 1, 7, 0, 12};
 
-/// The rays of a picture, with what software answers.
-class Recorded final : public ref::Tracer {
- public:
-  Recorded(const ref::CoreImage& image, int places) : core_(image, {world, boxes, places}) {}
-
-  void trace(const ref::TraceJob& job, ref::TraceCounts& counts) const override {
-    core_.trace(job, counts);
-    const std::scoped_lock lock(recording_);
-    for (std::size_t i = 0; i < job.rays.size(); ++i) {
-      jobs.push_back({ref::int_ray(job.rays[i], world), job.query == ref::Query::any});
-      triangles.push_back(job.triangles[i]);
-    }
-  }
-  [[nodiscard]] std::size_t bytes_per_node() const override { return core_.bytes_per_node(); }
-  [[nodiscard]] std::size_t node_count() const override { return core_.node_count(); }
-
-  mutable std::vector<CoreJob> jobs;
-  mutable std::vector<std::uint32_t> triangles;
-
- private:
-  ref::CoreTracer core_;
-  mutable std::mutex recording_;
-};
-
 struct Picture {
   ref::IntScene scene = ref::int_scene(hills(), world, {.builder = ref::Builder::sah, .max_triangles = 2});
   ref::CoreImage image = ref::core_image(scene);
-  std::vector<CoreJob> jobs;
-  std::vector<std::uint32_t> triangles;
-  ref::TraceCounts work;
+  PictureRays rays;
 
-  explicit Picture(int places, int size = 48) {
-    const Recorded tracer(image, places);
-    const ref::IntSurfaces surfaces(scene);
-    ref::RenderOptions options;
-    options.width = options.height = size;
-    options.surfaces = &surfaces;
-    work = render(scene.scene, tracer, options).counts.total();
-    jobs = tracer.jobs;
-    triangles = tracer.triangles;
-  }
+  explicit Picture(int places, int size = 48)
+      : rays(picture_rays(scene, image, {world, boxes, places}, {.width = size, .height = size})) {}
 };
 
 struct Kind {
@@ -75,30 +38,27 @@ class CoreWith : public testing::TestWithParam<Kind> {};
 TEST_P(CoreWith, AnswersAndReadsAsSoftwareDoes) {
   const Kind& kind = GetParam();
   const Picture picture(1 << kind.stack_bits);
-  ASSERT_GT(picture.jobs.size(), 1'000U);
+  ASSERT_GT(picture.rays.jobs.size(), 1'000U);
   CoreModelOptions options{.world = world, .boxes = boxes, .rays = kind.rays, .stack_bits = kind.stack_bits};
   options.door_interval = 1;
   CoreModel core(picture.image, options, kind.memory);
-  std::vector<CoreAnswer> answers(picture.jobs.size());
-  core.run(picture.jobs, answers);
+  std::vector<CoreAnswer> answers(picture.rays.jobs.size());
+  core.run(picture.rays.jobs, answers);
+  EXPECT_EQ(picture.rays.wrong(answers), 0U);
   std::size_t any = 0;
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    const CoreJob& job = picture.jobs[i];
-    ASSERT_FALSE(answers[i].failed) << "ray " << i;
-    ASSERT_EQ(answers[i].hit.found(), picture.triangles[i] != ref::IntHit::none) << "ray " << i;
+    const CoreJob& job = picture.rays.jobs[i];
     any += job.any ? 1 : 0;
-    if (job.any) continue;
-    ASSERT_EQ(answers[i].hit.triangle, picture.triangles[i]) << "ray " << i;
-    if (!answers[i].hit.found()) continue;
+    if (job.any || !answers[i].hit.found()) continue;
     const auto crossing =
-        ref::int_crossing(job.ray, picture.scene.mesh.triangles[picture.triangles[i]], world);
+        ref::int_crossing(job.ray, picture.scene.mesh.triangles[picture.rays.triangles[i]], world);
     ASSERT_TRUE(crossing);
     ASSERT_EQ(answers[i].hit.t, crossing->t) << "ray " << i;
   }
   EXPECT_GT(any, 100U);
-  EXPECT_EQ(core.counts().rays, picture.jobs.size());
-  EXPECT_EQ(core.counts().records, picture.work.nodes_loaded);
-  EXPECT_EQ(core.counts().triangles, picture.work.triangles_loaded);
+  EXPECT_EQ(core.counts().rays, picture.rays.jobs.size());
+  EXPECT_EQ(core.counts().records, picture.rays.work.nodes_loaded);
+  EXPECT_EQ(core.counts().triangles, picture.rays.work.triangles_loaded);
   EXPECT_EQ(core.memory_counts().outside, 0U);
 }
 
@@ -118,8 +78,8 @@ CoreCounts counts_of(const ref::CoreImage& image, std::uint32_t most_steps) {
   const CoreModelOptions options{.world = world, .boxes = boxes, .rays = 8, .most_steps = most_steps};
   CoreModel core(image, options, {.least_latency = 1, .most_latency = 20});
   const Picture picture(8, 4);
-  std::vector<CoreAnswer> answers(picture.jobs.size());
-  core.run(picture.jobs, answers);
+  std::vector<CoreAnswer> answers(picture.rays.jobs.size());
+  core.run(picture.rays.jobs, answers);
   EXPECT_EQ(core.memory_counts().outside, 0U);
   return core.counts();
 }

@@ -1,0 +1,149 @@
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/options/build_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/values.hpp"
+#include "cli/options/world_options.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/table.hpp"
+#include "rtl_gen/catalogue/format.hpp"
+#include "sim/core/core_model.hpp"
+#include "sim/core/picture_rays.hpp"
+#include "sw_ref/core/core_image.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+struct TraceCommand {
+  SceneChoice scene;
+  ref::BuildOptions build{.builder = ref::Builder::sah, .max_triangles = 2};
+  std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
+  std::vector<int> rays{128};
+  int places = 8;
+  int triangle_interval = 4;
+  std::vector<int> latency{100};
+  sim::MemoryOptions memory;
+  OutputFormat format = OutputFormat::text;
+};
+
+Row traced(const TraceCommand& command, const ref::CoreImage& image, const sim::PictureRays& picture,
+           sim::CoreModelOptions options, bool& right) {
+  Progress progress(fmt::format("tracing with {} rays in flight", options.rays));
+  sim::CoreModel core(image, options, command.memory);
+  std::vector<sim::CoreAnswer> answers(picture.jobs.size());
+  core.run(picture.jobs, answers, [&](double share) { progress.show(share); });
+  const sim::CoreCounts& counts = core.counts();
+  const sim::MemoryCounts& memory = core.memory_counts();
+  const std::uint64_t wrong = picture.wrong(answers);
+  right = right && wrong == 0 && counts.records == picture.work.nodes_loaded &&
+          counts.triangles == picture.work.triangles_loaded;
+  const auto rays = static_cast<double>(counts.rays);
+  const auto cycles = static_cast<double>(counts.cycles);
+  const auto pct = [&](std::uint64_t of, double whole) { return 100 * static_cast<double>(of) / whole; };
+  Row row{{"in_flight", options.rays},
+          {"rays", counts.rays},
+          {"wrong", wrong},
+          {"reads_a_ray", static_cast<double>(counts.records + counts.triangles) / rays},
+          {"cycles_a_ray", cycles / rays},
+          {"port_busy_pct", pct(counts.records + counts.triangles, cycles)},
+          {"no_request_pct", pct(counts.idle, cycles)},
+          {"refused_pct", pct(counts.refused, cycles)},
+          {"bytes_a_ray", static_cast<double>(memory.bytes_read) / rays}};
+  if (command.memory.cache_kib > 0)
+    row["cache_hits_pct"] = pct(memory.hits, static_cast<double>(memory.requests));
+  return row;
+}
+
+void trace_scene(TraceCommand command, int& exit_code) {
+  const auto bits = rtl::parse_bits<hls::WorldBits>(command.bits);
+  command.build.threads = command.scene.threads;
+  command.memory.least_latency = command.latency.front();
+  command.memory.most_latency = command.latency.back();
+  if (command.memory.least_latency > command.memory.most_latency)
+    throw std::runtime_error(fmt::format("--latency {},{}: the first is the least", command.latency.front(),
+                                         command.latency.back()));
+  int stack_bits = 0;
+  while (1 << stack_bits < command.places) ++stack_bits;
+  if (1 << stack_bits != command.places)
+    throw std::runtime_error(fmt::format("--stack {}: allowed is a power of two", command.places));
+  std::optional<Progress> progress("reading the scene");
+  const ref::IntScene scene = ref::int_scene(command.scene.load(), bits, command.build);
+  const ref::CoreImage image = ref::core_image(scene);
+  const hls::MajorBits boxes = usual_box_format(bits);
+  progress.emplace("walking in software");
+  const sim::PictureRays picture = sim::picture_rays(
+      scene, image, {.world = bits, .boxes = boxes, .places = command.places},
+      {.width = command.scene.width, .height = command.scene.height, .progress = [&](double share) {
+         progress->show(share);
+       }});
+  progress.reset();
+  bool right = true;
+  std::vector<Row> rows;
+  for (const int rays : command.rays)
+    rows.push_back(traced(command, image, picture,
+                          {.world = bits,
+                           .boxes = boxes,
+                           .rays = rays,
+                           .stack_bits = stack_bits,
+                           .address_bits = 32,
+                           .triangle_interval = command.triangle_interval},
+                          right));
+  fmt::print("{}", table_text(rows, command.format));
+  if (!right) exit_code = 1;
+}
+
+}  // namespace
+
+CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
+  CLI::App* const command =
+      program.add_subcommand("trace", "Trace a scene by the machines of a core, cycle by cycle");
+  const auto options = std::make_shared<TraceCommand>();
+  add_scene_options(*command, options->scene);
+  add_build_options(*command, options->build);
+  // Boxes of integers do not grow.
+  command->remove_option(command->get_option("--padding"));
+  const auto number = [&](const char* name, int& value, const char* text, int least, int most) {
+    command->add_option(name, value, fmt::format("{} ({} to {})", text, least, most))
+        ->capture_default_str()
+        ->transform(number_from(least, most))
+        ->type_name("N");
+  };
+  command->add_option("--bits", options->bits, "Format of the integer world, n+gsS")
+      ->capture_default_str()
+      ->type_name("FORMAT");
+  command->add_option("--rays", options->rays, "Rays in flight, a row for each number (1 to 256)")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->transform(number_from(1, 256))
+      ->type_name("N");
+  number("--stack", options->places, "Places of a ray's stack, a power of two", 2, 64);
+  number("--triangle-ii", options->triangle_interval, "Cycles from one triangle test to the next", 1, 64);
+  command
+      ->add_option("--latency", options->latency,
+                   "Cycles from a request to its answer: N, or A,B for random ones (1 to 10000)")
+      ->delimiter(',')
+      ->expected(1, 2)
+      ->capture_default_str()
+      ->transform(number_from(1, sim::MemoryOptions::most_cycles))
+      ->type_name("N");
+  command->add_flag("--in-order", options->memory.in_order, "Memory answers in the order of the requests");
+  number("--refuse", options->memory.refused_percent, "Percent of cycles in which memory takes no request", 0,
+         99);
+  number("--cache", options->memory.cache_kib,
+         "KiB of a cache with 8 ways and lines of 64 bytes, a power of two; 0 is none", 0, 65'536);
+  add_format_option(*command, options->format);
+  command->callback([options, &exit_code] { trace_scene(*options, exit_code); });
+  return command;
+}
+
+}  // namespace hitpipe::cli

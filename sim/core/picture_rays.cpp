@@ -1,0 +1,57 @@
+#include "sim/core/picture_rays.hpp"
+
+#include "sw_ref/world/int_ray.hpp"
+#include "sw_ref/world/int_tracer.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+/// Keeps what it traces.
+class RecordingTracer final : public ref::Tracer {
+ public:
+  RecordingTracer(const ref::CoreImage& image, const ref::CoreTracerOptions& options, PictureRays& kept)
+      : core_(image, options), world_(options.world), kept_(kept) {}
+
+  void trace(const ref::TraceJob& job, ref::TraceCounts& counts) const override {
+    core_.trace(job, counts);
+    for (std::size_t i = 0; i < job.rays.size(); ++i) {
+      kept_.jobs.push_back({ref::int_ray(job.rays[i], world_), job.query == ref::Query::any});
+      kept_.triangles.push_back(job.triangles[i]);
+    }
+  }
+  [[nodiscard]] std::size_t bytes_per_node() const override { return core_.bytes_per_node(); }
+  [[nodiscard]] std::size_t node_count() const override { return core_.node_count(); }
+  [[nodiscard]] std::uint64_t restarts() const { return core_.restarts(); }
+
+ private:
+  ref::CoreTracer core_;
+  hls::WorldBits world_;
+  PictureRays& kept_;
+};
+
+}  // namespace
+
+std::uint64_t PictureRays::wrong(std::span<const CoreAnswer> answers) const {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const bool same = jobs[i].any ? answers[i].hit.found() == (triangles[i] != ref::IntHit::none)
+                                  : answers[i].hit.triangle == triangles[i];
+    if (!same || answers[i].failed) ++count;
+  }
+  return count;
+}
+
+PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image,
+                         const ref::CoreTracerOptions& options, ref::RenderOptions render) {
+  PictureRays kept;
+  const RecordingTracer tracer(image, options, kept);
+  const ref::IntSurfaces surfaces(scene);
+  render.surfaces = &surfaces;
+  render.threads = 1;
+  kept.work = ref::render(scene.scene, tracer, render).counts.total();
+  kept.restarts = tracer.restarts();
+  return kept;
+}
+
+}  // namespace hitpipe::sim

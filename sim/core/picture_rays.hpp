@@ -1,0 +1,30 @@
+// The rays of a picture as a core gets them, with what software answers and reads for them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/core/core_model.hpp"
+#include "sw_ref/core/core_tracer.hpp"
+#include "sw_ref/render/render.hpp"
+#include "sw_ref/world/int_scene.hpp"
+
+namespace hitpipe::sim {
+
+struct PictureRays {
+  std::vector<CoreJob> jobs;
+  std::vector<std::uint32_t> triangles;  ///< by job, as TraceJob::triangles
+  ref::TraceCounts work;
+  std::uint64_t restarts = 0;
+
+  /// How many answers are not software's: the triangle, or for any hit whether there is one; or failed.
+  [[nodiscard]] std::uint64_t wrong(std::span<const CoreAnswer> answers) const;
+};
+
+/// Renders the picture with one thread, so the rays are in one order. `image` is of `scene`. Throws as
+/// render() and CoreTracer do.
+[[nodiscard]] PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image,
+                                       const ref::CoreTracerOptions& options, ref::RenderOptions render);
+
+}  // namespace hitpipe::sim
