@@ -1,0 +1,70 @@
+// `hitpipe trace`: the machines of a core answer every ray of a picture, and the figures say how busy it was.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+namespace hitpipe::cli::trace_command_test {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<std::string> words(std::vector<std::string> more) {
+  std::vector<std::string> all{"trace", "--scene", "spheres", "--width", "24", "--height", "24"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+nlohmann::json rows_of(const std::vector<std::string>& more) {
+  std::vector<std::string> all = words(more);
+  all.insert(all.end(), {"--format", "json"});
+  const Outcome outcome = run_hitpipe(all);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return nlohmann::json::parse(outcome.out);
+}
+
+TEST(TraceCommand, MoreRaysInFlightKeepThePortBusy) {
+  const nlohmann::json rows = rows_of({"--rays", "1,16,128"});
+  ASSERT_EQ(rows.size(), 3U);
+  double busy = 0;
+  for (const nlohmann::json& row : rows) {
+    EXPECT_EQ(row.at("wrong"), 0);
+    EXPECT_EQ(row.at("reads_a_ray"), rows.at(0).at("reads_a_ray"));
+    EXPECT_GT(row.at("port_busy_pct"), 1.5 * busy);
+    busy = row.at("port_busy_pct");
+    EXPECT_NEAR(busy + row.at("no_request_pct").get<double>() + row.at("refused_pct").get<double>(), 100,
+                0.01);
+  }
+}
+
+TEST(TraceCommand, MemoriesOfEveryKindGiveTheSameAnswers) {
+  const nlohmann::json plain = rows_of({});
+  for (const auto& more : {std::vector<std::string>{"--latency", "1,200"},
+                           {"--latency", "20", "--in-order"},
+                           {"--refuse", "50"},
+                           {"--bits", "20+1s20", "--triangle-ii", "8"}}) {
+    const nlohmann::json rows = rows_of(more);
+    EXPECT_EQ(rows.at(0).at("wrong"), 0);
+    EXPECT_EQ(rows.at(0).at("bytes_a_ray"), plain.at(0).at("bytes_a_ray"));
+  }
+  const nlohmann::json cached = rows_of({"--cache", "64"});
+  EXPECT_GT(cached.at(0).at("cache_hits_pct"), 50);
+  EXPECT_LT(cached.at(0).at("bytes_a_ray"), plain.at(0).at("bytes_a_ray"));
+}
+
+TEST(TraceCommand, RefusesWhatItCannotDo) {
+  const auto refused = [](const std::vector<std::string>& more) {
+    const Outcome outcome = run_hitpipe(words(more));
+    EXPECT_EQ(outcome.exit_code, 2);
+    return outcome.err;
+  };
+  EXPECT_THAT(refused({"--rays", "257"}), HasSubstr("1 to 256"));
+  EXPECT_THAT(refused({"--stack", "7"}), HasSubstr("--stack 7: allowed is a power of two"));
+  EXPECT_THAT(refused({"--latency", "9,3"}), HasSubstr("--latency 9,3: the first is the least"));
+  EXPECT_THAT(refused({"--cache", "3"}), HasSubstr("power of two"));
+  EXPECT_THAT(refused({"--bits", "20/24"}), HasSubstr("n+gsS"));
+}
+
+}  // namespace
+}  // namespace hitpipe::cli::trace_command_test
