@@ -129,7 +129,7 @@ struct Inputs {
     visit(data_field("any", 1), self.any);
     visit(data_field("walker_takes", 1), self.walker_takes);
     visit(data_field("reads", 1), self.reads);
-    visit(data_field("reader", bits.ray), self.reader);
+    visit(data_field("read_ray", bits.ray), self.reader);
     visit(data_field("number", triangle_number_bits), self.number);
     visit(data_field("asked", bits.ray), self.asked);
     visit(data_field("done", 1), self.done);

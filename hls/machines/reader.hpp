@@ -112,7 +112,7 @@ struct Inputs {
     visit(data_field("miss", 1), self.miss);
     visit(data_field("misser", bits.ray), self.misser);
     visit(data_field("divides", 1), self.divides);
-    visit(data_field("divider", bits.ray), self.divider);
+    visit(data_field("divided_ray", bits.ray), self.divider);
     visit(data_field("stops", 1), self.stops);
     visit(data_field("granted", 1), self.granted);
     visit(data_field("last", bits.address), self.last);

@@ -156,7 +156,7 @@ struct Inputs {
     visit(data_field("begun", bits.ray), self.begun);
     visit(data_field("length", bits.distance), self.length);
     visit(data_field("reads", 1), self.reads);
-    visit(data_field("reader", bits.ray), self.reader);
+    visit(data_field("read_ray", bits.ray), self.reader);
     visit(data_field("block", bits.address), self.block);
     visit(data_field("count_0", child_count_bits), self.count_0);
     visit(data_field("count_1", child_count_bits), self.count_1);

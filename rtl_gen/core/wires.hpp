@@ -32,7 +32,7 @@ inline constexpr std::array core_wires{
     Wire{"best_hits", "best", "divider", "best"},
     Wire{"best_hits", "best_number", "divider", "best_number"},
     Wire{"best_hits", "divided", "reader", "divides"},
-    Wire{"best_hits", "divided_ray", "reader", "divider"},
+    Wire{"best_hits", "divided_ray", "reader", "divided_ray"},
     Wire{"best_hits", "divided_stops", "reader", "stops"},
     // A leaf is done.
     Wire{"reader", "done", "best_hits", "leaf"},

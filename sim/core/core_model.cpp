@@ -310,7 +310,7 @@ class Machines {
   // Ports that no machine is wired to.
   const Word &walker_goes_ = walker_.output("goes"), &walker_of_ = walker_.output("of"),
              &walker_near_ = walker_.output("enters_at"), &walker_far_ = walker_.output("leaves_at");
-  Word &reads_record_ = walker_.input("reads"), &record_reader_ = walker_.input("reader"),
+  Word &reads_record_ = walker_.input("reads"), &record_reader_ = walker_.input("read_ray"),
        &block_ = walker_.input("block"), &count_0_ = walker_.input("count_0"),
        &count_1_ = walker_.input("count_1"), &tested_ = walker_.input("tested"),
        &tested_ray_ = walker_.input("ray"), &hit_0_ = walker_.input("hit_0"),
@@ -327,7 +327,7 @@ class Machines {
              &best_failed_ = best_hits_.output("answer_failed");
   Word &new_ray_ = best_hits_.input("new_ray"), &begun_ = best_hits_.input("begun"),
        &length_ = best_hits_.input("length"), &any_ = best_hits_.input("any"),
-       &reads_triangle_ = best_hits_.input("reads"), &triangle_reader_ = best_hits_.input("reader"),
+       &reads_triangle_ = best_hits_.input("reads"), &triangle_reader_ = best_hits_.input("read_ray"),
        &number_ = best_hits_.input("number");
   Word &divides_ = divider_.input("hit"), &divided_ray_ = divider_.input("ray"),
        &det_high_ = divider_.input("det_high"), &det_low_ = divider_.input("det_low"),

@@ -40,7 +40,6 @@ struct CoreJob {
 struct CoreAnswer {
   ref::IntHit hit;  ///< t is the ray's length where nothing is hit
   bool failed = false;
-  friend bool operator==(const CoreAnswer&, const CoreAnswer&) = default;
 };
 
 struct CoreCounts {

@@ -113,7 +113,8 @@ TEST(CommandLine, WithoutCommandRejected) {
 }
 
 TEST(CommandLine, WithUnknownCommandRejected) {
-  expect_error({"trace"}, "trace: no such command; there are: " + listed(commands) + "; see hitpipe --help");
+  expect_error({"follow"},
+               "follow: no such command; there are: " + listed(commands) + "; see hitpipe --help");
 }
 
 TEST(CommandLine, WithUnknownFormatRejected) {

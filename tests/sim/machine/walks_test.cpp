@@ -167,7 +167,7 @@ class Driver {
     const Placed& placed = *ray.placed;
     const std::size_t box = placed.box_at(ray.walk->at().first);
     in_["reads"] = 1;
-    in_["reader"] = i;
+    in_["read_ray"] = i;
     in_["block"] = placed.pointers[box];
     const auto count = [&](int child) -> Word {
       if (child < 0) return 0;
@@ -330,9 +330,9 @@ Loop walk_in_a_loop(const hls::WalkBits& bits, Word most_steps) {
 }
 
 TEST(WalkInALoop, EndsAtABound) {
-  for (const Word most : {1, 2, 17}) {
-    const Loop loop = walk_in_a_loop(usual, most);
-    EXPECT_EQ(loop.records, static_cast<int>(most));
+  for (const int most : {1, 2, 17}) {
+    const Loop loop = walk_in_a_loop(usual, static_cast<Word>(most));
+    EXPECT_EQ(loop.records, most);
     EXPECT_TRUE(loop.failed);
   }
   for (const int levels : {2, 12, 60}) {
