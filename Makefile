@@ -56,8 +56,8 @@ test-designs: packages
 
 sanitize: packages
 	@cmake --preset sanitize
-	@cmake --build --preset sanitize -j $(JOBS) --target test_programs
-	@ctest --preset sanitize -j $(JOBS) -R '$(SANITIZED)'
+	@cmake --build --preset sanitize -j $(JOBS) --target $(or $(PROGRAMS),test_programs)
+	@ctest --preset sanitize -j $(JOBS) -R '$(SANITIZED)' $(if $(PROGRAMS),-L '^($(subst $() ,|,$(strip $(PROGRAMS))))$$')
 
 fuzz: SECONDS ?= 60
 fuzz: packages

@@ -21,4 +21,9 @@ set(HITPIPE_MACHINES
   walker
   reader
   best_hits
+  door
+  pair_feed
+  triangle_feed
+  replies
+  requests
 )

@@ -16,8 +16,12 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/catalogue/format.hpp"
-#include "sim/core/core_model.hpp"
+#include "rtl_gen/component/library.hpp"
+#include "rtl_gen/core/core.hpp"
+#include "sim/core/core_bench.hpp"
+#include "sim/core/native_core.hpp"
 #include "sim/core/picture_rays.hpp"
+#include "sim/machine/verilated_machine.hpp"
 #include "sw_ref/core/core_image.hpp"
 
 namespace hitpipe::cli {
@@ -33,17 +37,26 @@ struct TraceCommand {
   int triangle_interval = 4;
   std::vector<int> latency{100};
   sim::MemoryOptions memory;
+  bool native = false;
   OutputFormat format = OutputFormat::text;
 };
 
-Row traced(const TraceCommand& command, const ref::CoreImage& image, const sim::PictureRays& picture,
-           sim::CoreModelOptions options, bool& right) {
+/// One core, of the command's options and so many rays in flight.
+Row traced(const TraceCommand& command, rtl::CoreOptions options, const ref::CoreImage& image,
+           const sim::PictureRays& picture, bool& right) {
+  const rtl::Library library = rtl::library_called(rtl::default_library);
   Progress progress(fmt::format("tracing with {} rays in flight", options.rays));
-  sim::CoreModel core(image, options, command.memory);
+  const rtl::Core core = rtl::make_core(options, library);
+  std::unique_ptr<rtl::NativeMachine> machine;
+  if (command.native)
+    machine = std::make_unique<sim::NativeCore>(core);
+  else
+    machine = std::make_unique<sim::VerilatedMachine>(core, rtl::to_verilog(core, library));
+  sim::CoreBench bench(core, *machine, image, command.memory);
   std::vector<sim::CoreAnswer> answers(picture.jobs.size());
-  core.run(picture.jobs, answers, [&](double share) { progress.show(share); });
-  const sim::CoreCounts& counts = core.counts();
-  const sim::MemoryCounts& memory = core.memory_counts();
+  bench.run(picture.jobs, answers, [&](double share) { progress.show(share); });
+  const sim::CoreCounts& counts = bench.counts();
+  const sim::MemoryCounts& memory = bench.memory_counts();
   const std::uint64_t wrong = picture.wrong(answers);
   right = right && wrong == 0 && counts.records == picture.work.nodes_loaded &&
           counts.triangles == picture.work.triangles_loaded;
@@ -55,12 +68,13 @@ Row traced(const TraceCommand& command, const ref::CoreImage& image, const sim::
           {"wrong", wrong},
           {"reads_a_ray", static_cast<double>(counts.records + counts.triangles) / rays},
           {"cycles_a_ray", cycles / rays},
-          {"port_busy_pct", pct(counts.records + counts.triangles, cycles)},
-          {"no_request_pct", pct(counts.idle, cycles)},
-          {"refused_pct", pct(counts.refused, cycles)},
-          {"bytes_a_ray", static_cast<double>(memory.bytes_read) / rays}};
-  if (command.memory.cache_kib > 0)
-    row["cache_hits_pct"] = pct(memory.hits, static_cast<double>(memory.requests));
+          {"mrays_s", 1e6 / core.clock_ps / (cycles / rays)},
+          {"port_busy_pct", pct(counts.records + counts.triangles, cycles)}};
+  if (command.memory.refused_percent > 0) row["refused_pct"] = pct(counts.refused, cycles);
+  if (command.memory.cache_kib > 0) {
+    row["bytes_a_ray"] = static_cast<double>(memory.bytes_read) / rays;
+    row["hits_pct"] = pct(memory.hits, static_cast<double>(memory.requests));
+  }
   return row;
 }
 
@@ -80,6 +94,8 @@ void trace_scene(TraceCommand command, int& exit_code) {
   const ref::IntScene scene = ref::int_scene(command.scene.load(), bits, command.build);
   const ref::CoreImage image = ref::core_image(scene);
   const hls::MajorBits boxes = usual_box_format(bits);
+  const hls::RayBits ray_bits{bits.coord,     bits.finer, boxes.mantissa,
+                              boxes.fraction, bits.slope, bits.fraction};
   progress.emplace("walking in software");
   const sim::PictureRays picture = sim::picture_rays(
       scene, image, {.world = bits, .boxes = boxes, .places = command.places},
@@ -90,14 +106,14 @@ void trace_scene(TraceCommand command, int& exit_code) {
   bool right = true;
   std::vector<Row> rows;
   for (const int rays : command.rays)
-    rows.push_back(traced(command, image, picture,
-                          {.world = bits,
-                           .boxes = boxes,
+    rows.push_back(traced(command,
+                          {.bits = ray_bits,
                            .rays = rays,
                            .stack_bits = stack_bits,
                            .address_bits = 32,
+                           .byte_bits = 64,
                            .triangle_interval = command.triangle_interval},
-                          right));
+                          image, picture, right));
   fmt::print("{}", table_text(rows, command.format));
   if (!right) exit_code = 1;
 }
@@ -105,8 +121,7 @@ void trace_scene(TraceCommand command, int& exit_code) {
 }  // namespace
 
 CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command =
-      program.add_subcommand("trace", "Trace a scene by the machines of a core, cycle by cycle");
+  CLI::App* const command = program.add_subcommand("trace", "Trace a scene by a core, cycle by cycle");
   const auto options = std::make_shared<TraceCommand>();
   add_scene_options(*command, options->scene);
   add_build_options(*command, options->build);
@@ -127,7 +142,8 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
       ->transform(number_from(1, 256))
       ->type_name("N");
   number("--stack", options->places, "Places of a ray's stack, a power of two", 2, 64);
-  number("--triangle-ii", options->triangle_interval, "Cycles from one triangle test to the next", 1, 64);
+  number("--triangle-ii", options->triangle_interval, "Cycles from one triangle test to the next",
+         rtl::CoreOptions::least_triangle_interval, 64);
   command
       ->add_option("--latency", options->latency,
                    "Cycles from a request to its answer: N, or A,B for random ones (1 to 10000)")
@@ -141,6 +157,8 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
          99);
   number("--cache", options->memory.cache_kib,
          "KiB of a cache with 8 ways and lines of 64 bytes, a power of two; 0 is none", 0, 65'536);
+  command->add_flag("--native", options->native,
+                    "The core as C++, which is the same in every cycle; else as Verilog");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { trace_scene(*options, exit_code); });
   return command;

@@ -86,7 +86,7 @@ struct Inputs {
   using bit = typename D::bit;
   using W = Widths<F>;
 
-  bit hit;                       ///< a test of int_triangle with HIT ends in this cycle
+  bit tested, hit;               ///< both are 1: a test of int_triangle ends in this cycle with HIT
   Word<D, typename W::Ray> ray;  ///< of that test
   typename F::template DeterminantHigh<D> det_high;
   typename F::template DeterminantLow<D> det_low;
@@ -101,6 +101,7 @@ struct Inputs {
     const CoreBits bits = format;
     const auto high = [](int width) { return width - width / 2; };
     const auto low = [](int width) { return width / 2; };
+    visit(data_field("tested", 1), self.tested);
     visit(data_field("hit", 1), self.hit);
     visit(data_field("ray", bits.ray), self.ray);
     visit(data_field("det_high", high(bits.determinant()), true), self.det_high);
@@ -174,12 +175,13 @@ struct Divider {
 
     // The queue. The words of its oldest test are asked for all the time.
     const auto place = as("place", state.queue.place(format.ray));
-    memories.rays.write(in.hit, place, in.ray);
-    memories.dets.write(in.hit, place, cat(in.det_high, in.det_low));
-    memories.nums.write(in.hit, place, cat(in.num_high, in.num_low));
+    const Bit enters = as("enters", in.tested & in.hit);
+    memories.rays.write(enters, place, in.ray);
+    memories.dets.write(enters, place, cat(in.det_high, in.det_low));
+    memories.nums.write(enters, place, cat(in.num_high, in.num_low));
     const Bit divides = as("divides", any<D>(state.left));
     const Bit loads = as("loads", state.queue.there & ~divides & ~state.compares);
-    const auto oldest = state.queue.step(format.ray, in.hit, state.compares);
+    const auto oldest = state.queue.step(format.ray, enters, state.compares);
     memories.rays.ask(oldest);
     memories.dets.ask(oldest);
     memories.nums.ask(oldest);

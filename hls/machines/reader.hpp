@@ -94,8 +94,8 @@ struct Inputs {
   Word<D, typename W::Ray> goer;
   Word<D, typename W::Address> block;
   Word<D, typename W::Count> triangles;  ///< all ones: a record
-  bit miss;                              ///< the test of a triangle has ended without HIT
-  Word<D, typename W::Ray> misser;
+  bit tested, hit;                       ///< the test of a triangle has ended, with HIT or without
+  Word<D, typename W::Ray> tester;
   bit divides;  ///< a hit has been compared
   Word<D, typename W::Ray> divider;
   bit stops;                          ///< and the ray wants nothing else
@@ -109,8 +109,9 @@ struct Inputs {
     visit(data_field("goer", bits.ray), self.goer);
     visit(data_field("block", bits.address), self.block);
     visit(data_field("triangles", child_count_bits), self.triangles);
-    visit(data_field("miss", 1), self.miss);
-    visit(data_field("misser", bits.ray), self.misser);
+    visit(data_field("tested", 1), self.tested);
+    visit(data_field("hit", 1), self.hit);
+    visit(data_field("tester", bits.ray), self.tester);
     visit(data_field("divides", 1), self.divides);
     visit(data_field("divided_ray", bits.ray), self.divider);
     visit(data_field("stops", 1), self.stops);
@@ -213,7 +214,8 @@ struct Reader {
     const Bit record = as("record", Bit(in.triangles == D::lit((1 << child_count_bits) - 1, count_bits)));
     memories.go_words.write(in.go, as("go_place", state.goes.place(i)),
                             cat(cat(in.goer, Bit(in.last < in.block)), cat(Bit(~record), in.block)));
-    memories.missed_rays.write(in.miss, as("missed_place", state.missed.place(i)), in.misser);
+    const Bit misses = as("misses", in.tested & ~in.hit);
+    memories.missed_rays.write(misses, as("missed_place", state.missed.place(i)), in.tester);
     memories.divided_rays.write(in.divides, as("divided_place", state.divided.place(i)),
                                 cat(in.divider, in.stops));
 
@@ -241,7 +243,7 @@ struct Reader {
     const auto ray = as("asked_leaf", select(state.there_1, state.ray_1, taken));
     memories.leaves.ask(ray);
     memories.go_words.ask(state.goes.step(i, in.go, Bit(go_granted | wants.go_lost)));
-    memories.missed_rays.ask(state.missed.step(i, in.miss, missed));
+    memories.missed_rays.ask(state.missed.step(i, misses, missed));
     memories.divided_rays.ask(state.divided.step(i, in.divides, divided));
     state.stops_1 = select(state.there_1, state.stops_1, Bit(divided & Bit(bit_at(divided_word, 0_w))));
     state.there_1 = holds | divided | missed;

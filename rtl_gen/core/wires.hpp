@@ -1,19 +1,32 @@
-// How the machines of a core are joined (docs/core.md). The software of the core and its top module are made
-// from this list.
+// How the machines and units of a core are joined (docs/core.md). The top module of a core and its software
+// are made from these lists. Operands of a unit have a wire each from the machine that feeds it, with the
+// operands' names; make_core() adds these.
 #pragma once
 
 #include <array>
+#include <string_view>
 
 namespace hitpipe::rtl {
 
-/// From an output of a machine to an input of another one. Both have one width.
+/// From an output of a part to an input of another one. Both have one width.
 struct Wire {
-  const char *from, *output;
-  const char *to, *input;
+  std::string_view from, output;
+  std::string_view to, input;
 };
 
 inline constexpr std::array core_wires{
     // A new ray begins.
+    Wire{"door", "ray_ready", "pair_feed", "ray_ready"},
+    Wire{"door", "begun_at", "pair_feed", "begun_at"},
+    Wire{"door", "ray_ready", "triangle_feed", "ray_ready"},
+    Wire{"door", "begun_at", "triangle_feed", "begun_at"},
+    Wire{"door", "ray_ready", "replies", "ray_ready"},
+    Wire{"door", "begun_at", "replies", "begun_at"},
+    Wire{"door", "new_ray", "best_hits", "new_ray"},
+    Wire{"door", "begun", "best_hits", "begun"},
+    Wire{"door", "length", "best_hits", "length"},
+    Wire{"door", "any", "best_hits", "any"},
+    Wire{"best_hits", "takes", "door", "takes"},
     Wire{"walker", "takes", "best_hits", "walker_takes"},
     Wire{"best_hits", "begins", "walker", "begins"},
     Wire{"best_hits", "begin_ray", "walker", "begun"},
@@ -23,6 +36,49 @@ inline constexpr std::array core_wires{
     Wire{"walker", "of", "reader", "goer"},
     Wire{"walker", "wanted", "reader", "block"},
     Wire{"walker", "triangles", "reader", "triangles"},
+    Wire{"walker", "goes", "pair_feed", "go"},
+    Wire{"walker", "of", "pair_feed", "goer"},
+    Wire{"walker", "enters_at", "pair_feed", "enters_at"},
+    Wire{"walker", "leaves_at", "pair_feed", "leaves_at"},
+    Wire{"reader", "asks", "requests", "asks"},
+    Wire{"reader", "wanted", "requests", "wanted"},
+    Wire{"reader", "asker", "requests", "asker"},
+    Wire{"reader", "triangle", "requests", "triangle"},
+    Wire{"requests", "granted", "reader", "granted"},
+    // A record has come and is tested.
+    Wire{"pair_feed", "begins", "walker", "reads"},
+    Wire{"pair_feed", "test_ray", "walker", "read_ray"},
+    Wire{"pair_feed", "block", "walker", "block"},
+    Wire{"pair_feed", "count_0", "walker", "count_0"},
+    Wire{"pair_feed", "count_1", "walker", "count_1"},
+    Wire{"pair_feed", "begins", "pair", "in_valid"},
+    Wire{"pair_feed", "test_ray", "pair", "in_tag"},
+    Wire{"pair", "out_valid", "walker", "tested"},
+    Wire{"pair", "out_tag", "walker", "ray"},
+    Wire{"pair", "hit_0", "walker", "hit_0"},
+    Wire{"pair", "hit_1", "walker", "hit_1"},
+    Wire{"pair", "near_0", "walker", "near_0"},
+    Wire{"pair", "far_0", "walker", "far_0"},
+    Wire{"pair", "near_1", "walker", "near_1"},
+    Wire{"pair", "far_1", "walker", "far_1"},
+    Wire{"pair", "second_first", "walker", "second_first"},
+    // A triangle has come and is tested.
+    Wire{"triangle_feed", "reads", "best_hits", "reads"},
+    Wire{"triangle_feed", "read_ray", "best_hits", "read_ray"},
+    Wire{"triangle_feed", "number", "best_hits", "number"},
+    Wire{"triangle_feed", "begins", "triangle", "in_valid"},
+    Wire{"triangle_feed", "test_ray", "triangle", "in_tag"},
+    Wire{"triangle", "in_ready", "triangle_feed", "unit_takes"},
+    Wire{"triangle", "out_valid", "reader", "tested"},
+    Wire{"triangle", "out_tag", "reader", "tester"},
+    Wire{"triangle", "hit", "reader", "hit"},
+    Wire{"triangle", "out_valid", "divider", "tested"},
+    Wire{"triangle", "out_tag", "divider", "ray"},
+    Wire{"triangle", "hit", "divider", "hit"},
+    Wire{"triangle", "det_high", "divider", "det_high"},
+    Wire{"triangle", "det_low", "divider", "det_low"},
+    Wire{"triangle", "num_high", "divider", "num_high"},
+    Wire{"triangle", "num_low", "divider", "num_low"},
     // A hit is compared with the best one.
     Wire{"divider", "asked", "best_hits", "asked"},
     Wire{"divider", "done", "best_hits", "done"},
@@ -48,6 +104,67 @@ inline constexpr std::array core_wires{
     Wire{"walker", "ended", "best_hits", "ended"},
     Wire{"walker", "of", "best_hits", "ender"},
     Wire{"walker", "failed", "best_hits", "failed"},
+    Wire{"best_hits", "answers", "replies", "answer"},
+    Wire{"best_hits", "answered", "replies", "answered"},
+    Wire{"best_hits", "answer_t", "replies", "answer_t"},
+    Wire{"best_hits", "answer_number", "replies", "answer_number"},
+    Wire{"best_hits", "answer_failed", "replies", "answer_failed"},
+    Wire{"replies", "freed", "door", "freed"},
+    Wire{"replies", "freed_ray", "door", "freed_ray"},
+};
+
+/// A pin of the core, and what it tells the reader of the Verilog. An input goes to every machine that has an
+/// input of this name without a wire; an output comes from the machine.
+struct CorePin {
+  std::string_view name;
+  std::string_view from;  ///< the machine; empty: an input
+  std::string_view comment;
+};
+
+inline constexpr std::array core_pins{
+    CorePin{"ray_valid", "", "a new ray, as the unit int_ray makes it"},
+    CorePin{"ray_ready", "door", "it begins at a clock edge with both high"},
+    CorePin{"ray_tag", "", "comes back with its answer"},
+    CorePin{"ray_any", "", "1: any hit will do; 0: the nearest"},
+    CorePin{"ray_major_y", "", "1: the major axis is y"},
+    CorePin{"ray_major_z", "", "1: the major axis is z; x when both are 0"},
+    CorePin{"ray_back_m", "", "1: the direction is negative on the major axis"},
+    CorePin{"ray_back_a", "", "likewise on ray axis a"},
+    CorePin{"ray_back_b", "", "likewise on ray axis b"},
+    CorePin{"ray_origin_m", "", "on the grid of n+g bits, by ray axis"},
+    CorePin{"ray_origin_a", "", ""},
+    CorePin{"ray_origin_b", "", ""},
+    CorePin{"ray_s_a", "", "slope, 0..2^S"},
+    CorePin{"ray_s_b", "", ""},
+    CorePin{"ray_floor_a", "", "lower bound of the slope's reciprocal"},
+    CorePin{"ray_ceil_a", "", "upper bound"},
+    CorePin{"ray_exp_a", "", "exponent of both"},
+    CorePin{"ray_floor_b", "", ""},
+    CorePin{"ray_ceil_b", "", ""},
+    CorePin{"ray_exp_b", "", ""},
+    CorePin{"ray_length", "", "largest T of the ray"},
+    CorePin{"hit_valid", "replies", "an answer; answers have any order"},
+    CorePin{"hit_ready", "", "it has left at a clock edge with both high"},
+    CorePin{"hit_tag", "replies", ""},
+    CorePin{"hit_failed", "replies",
+            "1: at a bound of the walk, or outside the image; the rest means nothing"},
+    CorePin{"hit_number", "replies", "of the triangle; all ones: no hit"},
+    CorePin{"hit_t", "replies", "T of the hit; without one the ray's length"},
+    CorePin{"request_valid", "requests", "a block of 32 bytes is wanted"},
+    CorePin{"request_ready", "", "memory takes the request at a clock edge with both high"},
+    CorePin{"request_address", "requests", "of bytes, a multiple of 32"},
+    CorePin{"request_id", "requests", "a ray's number, and above it 1 for a triangle; one request a ray"},
+    CorePin{"read_valid", "", "memory gives a block, in any order; it is taken at once"},
+    CorePin{"read_id", "", "of the request"},
+    CorePin{"read_word_0", "", "its first 8 bytes, the lowest address in the lowest bits"},
+    CorePin{"read_word_1", "", ""},
+    CorePin{"read_word_2", "", ""},
+    CorePin{"read_word_3", "", ""},
+    CorePin{"base", "",
+            "address of the image, divided by 32; constant while rays are in flight, as all below"},
+    CorePin{"last", "", "number of the image's last block"},
+    CorePin{"most_steps", "", "records that a ray may test, 1 or more"},
+    CorePin{"most_rays", "", "rays in flight, 1 or more"},
 };
 
 }  // namespace hitpipe::rtl

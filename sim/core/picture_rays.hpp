@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/core/core_model.hpp"
+#include "sim/core/core_bench.hpp"
 #include "sw_ref/core/core_tracer.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/world/int_scene.hpp"

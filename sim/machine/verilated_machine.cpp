@@ -36,18 +36,53 @@ void get_number(const Port& port, std::uint64_t* words) {
 }
 )";
 
+std::vector<rtl::Word> masks_of(const std::vector<rtl::Port>& ports) {
+  std::vector<rtl::Word> masks;
+  for (const rtl::Port& port : ports) masks.push_back(rtl::ones_below(port.width));
+  return masks;
+}
+
+rtl::Word joined(const std::uint64_t* words) {
+  return rtl::Word{words[1]} << 64 | words[0];
+}
+
+std::string verilog_of(const rtl::Machine& machine, const rtl::Format& format) {
+  return rtl::to_verilog(machine.graph(format),
+                         {.module = machine.module_at(format), .bits = "", .shows_state = true});
+}
+
+}  // namespace
+
+VerilatedMachine::Pins VerilatedMachine::pins_of(const rtl::MachineGraph& machine) {
+  const auto ports = [](const std::vector<hls::Field>& fields, std::string_view before) {
+    std::vector<rtl::Port> made;
+    for (const hls::Field& field : fields)
+      made.push_back({fmt::format("{}{}", before, field.name), field.width, field.is_signed});
+    return made;
+  };
+  return {ports(machine.inputs, ""), ports(machine.outputs, ""), ports(machine.state, "state_")};
+}
+
+VerilatedMachine::Pins VerilatedMachine::pins_of(const rtl::Core& core) {
+  Pins pins;
+  for (const rtl::CorePort& port : core.ports)
+    (port.pin.is_input ? pins.inputs : pins.outputs)
+        .push_back({port.pin.name, port.pin.width, port.pin.is_signed});
+  return pins;
+}
+
 /// Outputs are read before the edge, registers behind it.
-std::string wrapper_of(const rtl::MachineGraph& machine, const std::string& module) {
+std::string VerilatedMachine::wrapper_of(const Pins& pins, const std::string& module) {
   std::string drive, read, show;
   std::size_t i = 0;
-  for (const hls::Field& field : machine.inputs)
-    drive += fmt::format("  put_number(top.{}, in + {});\n", field.name, 2 * i++);
+  for (const rtl::Port& port : pins.inputs)
+    drive += fmt::format("  put_number(top.{}, in + {});\n", port.name, 2 * i++);
   i = 0;
-  for (const hls::Field& field : machine.outputs)
-    read += fmt::format("  get_number(top.{}, out + {});\n", field.name, 2 * i++);
+  for (const rtl::Port& port : pins.outputs)
+    read += fmt::format("  get_number(top.{}, out + {});\n", port.name, 2 * i++);
   i = 0;
-  for (const hls::Field& field : machine.state)
-    show += fmt::format("  get_number(top.state_{}, registers + {});\n", field.name, 2 * i++);
+  for (const rtl::Port& port : pins.registers)
+    show += fmt::format("  get_number(top.{}, registers + {});\n", port.name, 2 * i++);
   return instance_source(module, number_functions) + fmt::format(R"(
 HITPIPE_ENTRY void hitpipe_machine_outputs(void* model, std::uint64_t* out) {{
   V{0}& top = static_cast<Model*>(model)->top;
@@ -67,23 +102,6 @@ HITPIPE_ENTRY void hitpipe_machine_cycle(void* model, bool reset, const std::uin
                                                                  module, drive, read, show);
 }
 
-std::vector<rtl::Word> masks_of(const rtl::MachineGraph& machine) {
-  std::vector<rtl::Word> masks;
-  for (const hls::Field& field : machine.inputs) masks.push_back(rtl::ones_below(field.width));
-  return masks;
-}
-
-rtl::Word joined(const std::uint64_t* words) {
-  return rtl::Word{words[1]} << 64 | words[0];
-}
-
-std::string verilog_of(const rtl::Machine& machine, const rtl::Format& format) {
-  return rtl::to_verilog(machine.graph(format),
-                         {.module = machine.module_at(format), .bits = "", .shows_state = true});
-}
-
-}  // namespace
-
 VerilatedMachine::VerilatedMachine(const rtl::Machine& machine, const rtl::Format& format,
                                    const std::filesystem::path& cache)
     : VerilatedMachine(machine.graph(format), machine.module_at(format), verilog_of(machine, format), cache) {
@@ -91,12 +109,20 @@ VerilatedMachine::VerilatedMachine(const rtl::Machine& machine, const rtl::Forma
 
 VerilatedMachine::VerilatedMachine(const rtl::MachineGraph& machine, const std::string& module,
                                    const std::string& verilog, const std::filesystem::path& cache)
-    : masks_(masks_of(machine)),
-      inputs_(machine.inputs.size()),
-      outputs_(machine.outputs.size()),
-      registers_(machine.state.size()),
-      library_(std::make_shared<const ModelLibrary>(
-          ModelSources{module, verilog, wrapper_of(machine, module)}, cache)),
+    : VerilatedMachine(pins_of(machine), module, verilog, cache) {}
+
+VerilatedMachine::VerilatedMachine(const rtl::Core& core, const std::string& verilog,
+                                   const std::filesystem::path& cache)
+    : VerilatedMachine(pins_of(core), core.module, verilog, cache) {}
+
+VerilatedMachine::VerilatedMachine(const Pins& pins, const std::string& module, const std::string& verilog,
+                                   const std::filesystem::path& cache)
+    : masks_(masks_of(pins.inputs)),
+      inputs_(pins.inputs.size()),
+      outputs_(pins.outputs.size()),
+      registers_(pins.registers.size()),
+      library_(std::make_shared<const ModelLibrary>(ModelSources{module, verilog, wrapper_of(pins, module)},
+                                                    cache)),
       model_(library_->create()),
       cycle_(library_->entry_point<Cycle>("hitpipe_machine_cycle")),
       outputs_now_(library_->entry_point<Outputs>("hitpipe_machine_outputs")),

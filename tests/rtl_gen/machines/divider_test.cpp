@@ -95,6 +95,7 @@ TEST_P(DividerIn, GivesTheFloorAndTheNearest) {
     }
     const Ray& wanted = rays[static_cast<std::size_t>(asked)];
     const Word in[] = {sends,
+                       sends || random() % 2 != 0,
                        ray,
                        high(test.det, bits.determinant()),
                        low(test.det, bits.determinant()),

@@ -1,6 +1,6 @@
 // The core's machines, cycle by cycle, against the walk in software: the same hits and the same number of
 // reads for all rays of a picture, with memories of every kind. Damaged images end too.
-#include "sim/core/core_model.hpp"
+#include "sim/core/core_bench.hpp"
 
 #include <vector>
 

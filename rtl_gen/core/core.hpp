@@ -1,0 +1,83 @@
+// A traversal core (docs/core.md) as parts and wires: machines, which are control, and units, which are
+// datapaths. The top module, and the software that runs cycle by cycle, are made from this value.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hls/world/ray_format.hpp"
+#include "rtl_gen/catalogue/design.hpp"
+#include "rtl_gen/component/library.hpp"
+#include "rtl_gen/machine/machine.hpp"
+#include "rtl_gen/pipeline.hpp"
+#include "rtl_gen/verilog/module_interface.hpp"
+
+namespace hitpipe::rtl {
+
+struct CoreOptions {
+  static constexpr int most_rays = 256;
+  static constexpr int least_triangle_interval = 3;  ///< triangle_feed begins no more tests
+
+  hls::RayBits bits{};        ///< rays, boxes and triangles
+  int rays = 32;              ///< in flight, 1..256
+  int stack_bits = 3;         ///< a ray's stack has 2^stack_bits places, 1..6
+  int levels = 60;            ///< of records on a path, 2..60
+  int address_bits = 24;      ///< of a block's number, 4..32
+  int byte_bits = 32;         ///< of an address, at least address_bits + 5, at most 64
+  int tag_bits = 16;          ///< of a ray's tag, 1..64
+  int triangle_interval = 4;  ///< cycles from one triangle's test to the next, 3..64
+
+  /// Bits of a ray's number.
+  [[nodiscard]] int ray_bits() const;
+};
+
+/// A machine or a unit.
+struct CorePart {
+  std::string_view name;
+  Format format;
+  ModuleInterface interface;  ///< a unit's tags are numbers of rays
+  const Machine* machine = nullptr;
+  std::optional<MachineGraph> graph{};
+  const Design* design = nullptr;
+  std::optional<Pipeline> pipeline{};
+};
+
+/// Places of parts, and of pins in their interfaces.
+struct CoreWire {
+  std::size_t from, output;
+  std::size_t to, input;
+};
+/// A pin of the core and what it is joined to: an input all inputs, an output one output.
+struct CorePort {
+  Pin pin;
+  struct End {
+    std::size_t part, pin;
+  };
+  std::vector<End> ends;
+};
+
+struct Core {
+  CoreOptions options;
+  std::string module;
+  int clock_ps;  ///< the slowest part's
+  std::vector<CorePart> parts;
+  std::vector<CoreWire> wires;
+  std::vector<CorePort> ports;
+
+  [[nodiscard]] const CorePart& part(std::string_view name) const;
+  /// clk, rst, and the ports.
+  [[nodiscard]] ModuleInterface interface() const;
+};
+
+/// Units are scheduled for the clock of the slowest machine, or for their own slowest component if that is
+/// slower. Throws std::runtime_error, one line, for options outside their limits, and std::logic_error when a
+/// wire is missing or does not fit.
+[[nodiscard]] Core make_core(const CoreOptions& options, const Library& library,
+                             const std::string& module = "core");
+
+/// The top module, then one for each part. The same core gives the same bytes.
+[[nodiscard]] std::string to_verilog(const Core& core, const Library& library);
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,159 @@
+#include "sim/core/core_bench.hpp"
+
+#include <cstdlib>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "rtl_gen/core/wires.hpp"
+#include "rtl_gen/graph/word.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+using rtl::Word;
+
+/// The place of a pin among the core's inputs, or among its outputs.
+consteval std::size_t place_of(std::string_view name) {
+  std::size_t inputs = 0, outputs = 0;
+  for (const rtl::CorePin& pin : rtl::core_pins) {
+    if (pin.name == name) return pin.from.empty() ? inputs : outputs;
+    ++(pin.from.empty() ? inputs : outputs);
+  }
+  throw "no such pin";
+}
+
+}  // namespace
+
+CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const ref::CoreImage& image,
+                     const MemoryOptions& memory, const CoreBenchOptions& options)
+    : core_(core), machine_(machine), options_(options), memory_(image.blocks, memory) {
+  const std::uint64_t most_blocks = std::uint64_t{1} << core.options.address_bits;
+  if (image.blocks.size() > most_blocks)
+    throw std::invalid_argument(fmt::format("the image has {} blocks, but the core reads {} at most",
+                                            image.blocks.size(), most_blocks));
+  for (const rtl::CorePort& port : core.ports) {
+    if (port.pin.is_input)
+      input_masks_.push_back(rtl::ones_below(port.pin.width));
+    else
+      outputs_.push_back(0);
+  }
+  inputs_.resize(input_masks_.size());
+  inputs_[place_of("base")] = options.base;
+  inputs_[place_of("last")] = image.blocks.size() - 1;
+  inputs_[place_of("most_steps")] = options.most_steps;
+  inputs_[place_of("most_rays")] = static_cast<Word>(core.options.rays);
+  inputs_[place_of("hit_ready")] = 1;
+  machine_.outputs(outputs_.data());
+  machine_.step(inputs_.data(), true);
+}
+
+void CoreBench::show(const CoreJob& job, std::size_t tag) {
+  const ref::IntRay& ray = job.ray;
+  const ref::IntMajorRay box_ray = ref::major_ray(ray, core_.options.bits.boxes());
+  const auto put = [&](std::size_t place, std::int64_t value) {
+    inputs_[place] = static_cast<Word>(value) & input_masks_[place];
+  };
+  const auto axis = [&](int ray_axis) {
+    return static_cast<std::size_t>(box_ray.axes[static_cast<std::size_t>(ray_axis)]);
+  };
+  const std::size_t m = axis(0), a = axis(1), b = axis(2);
+  put(place_of("ray_tag"), static_cast<std::int64_t>(tag));
+  put(place_of("ray_any"), job.any ? 1 : 0);
+  put(place_of("ray_major_y"), m == 1 ? 1 : 0);
+  put(place_of("ray_major_z"), m == 2 ? 1 : 0);
+  put(place_of("ray_back_m"), ray.negative[m] ? 1 : 0);
+  put(place_of("ray_back_a"), ray.negative[a] ? 1 : 0);
+  put(place_of("ray_back_b"), ray.negative[b] ? 1 : 0);
+  put(place_of("ray_origin_m"), ray.origin[m]);
+  put(place_of("ray_origin_a"), ray.origin[a]);
+  put(place_of("ray_origin_b"), ray.origin[b]);
+  put(place_of("ray_s_a"), std::abs(ray.direction[a]));
+  put(place_of("ray_s_b"), std::abs(ray.direction[b]));
+  put(place_of("ray_floor_a"), box_ray.quotient[0].mantissa_low);
+  put(place_of("ray_ceil_a"), box_ray.quotient[0].mantissa_high);
+  put(place_of("ray_exp_a"), box_ray.quotient[0].exponent);
+  put(place_of("ray_floor_b"), box_ray.quotient[1].mantissa_low);
+  put(place_of("ray_ceil_b"), box_ray.quotient[1].mantissa_high);
+  put(place_of("ray_exp_b"), box_ray.quotient[1].exponent);
+  put(place_of("ray_length"), ray.length);
+}
+
+void CoreBench::take_block() {
+  inputs_[place_of("read_valid")] = block_ ? 1 : 0;
+  if (!block_) return;
+  inputs_[place_of("read_id")] = block_->tag;
+  inputs_[place_of("read_word_0")] = block_->block[0];
+  inputs_[place_of("read_word_1")] = block_->block[1];
+  inputs_[place_of("read_word_2")] = block_->block[2];
+  inputs_[place_of("read_word_3")] = block_->block[3];
+}
+
+void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
+                    const std::function<void(double)>& progress) {
+  constexpr std::size_t nothing = ~std::size_t{0};
+  // A tag has few bits, so it is a place among the jobs in flight.
+  std::vector<std::size_t> in_flight(static_cast<std::size_t>(core_.options.rays), nothing);
+  std::vector<std::size_t> free_tags;
+  for (std::size_t tag = in_flight.size(); tag-- > 0;) free_tags.push_back(tag);
+  std::size_t next = 0, ended = 0, offered = nothing;  // the tag of the job `next`
+  std::uint64_t silent = 0;
+  while (ended < jobs.size()) {
+    machine_.outputs(outputs_.data());
+    const auto out = [&](std::size_t place) { return outputs_[place]; };
+
+    if (offered == nothing && next < jobs.size() && !free_tags.empty()) {
+      offered = free_tags.back();
+      free_tags.pop_back();
+      show(jobs[next], offered);
+    }
+    inputs_[place_of("ray_valid")] = offered != nothing ? 1 : 0;
+    if (offered != nothing && out(place_of("ray_ready")) != 0) {
+      in_flight[offered] = next++;
+      offered = nothing;
+      ++counts_.rays;
+    }
+
+    const bool asks = out(place_of("request_valid")) != 0;
+    const bool ready = memory_.ready();
+    inputs_[place_of("request_ready")] = ready ? 1 : 0;
+    counts_.idle += asks ? 0 : 1;
+    counts_.refused += asks && !ready ? 1 : 0;
+    if (asks && ready) {
+      const auto block = static_cast<std::uint64_t>(out(place_of("request_address")) / ref::core_block_bytes);
+      const auto id = static_cast<std::uint32_t>(out(place_of("request_id")));
+      memory_.ask(static_cast<std::uint32_t>(block - options_.base), id);
+      ++((id >> core_.options.ray_bits()) != 0 ? counts_.triangles : counts_.records);
+    }
+    take_block();
+
+    ++silent;
+    if (out(place_of("hit_valid")) != 0) {
+      const auto tag = static_cast<std::size_t>(out(place_of("hit_tag")));
+      if (tag >= in_flight.size() || in_flight[tag] == nothing)
+        throw std::logic_error(
+            fmt::format("the core answers a ray with the tag {}, which it does not have", tag));
+      CoreAnswer& answer = answers[in_flight[tag]];
+      answer = {.hit = {.triangle = static_cast<std::uint32_t>(out(place_of("hit_number"))),
+                        .t = static_cast<std::int64_t>(out(place_of("hit_t")))},
+                .failed = out(place_of("hit_failed")) != 0};
+      counts_.failed += answer.failed ? 1 : 0;
+      in_flight[tag] = nothing;
+      free_tags.push_back(tag);
+      ++ended;
+      silent = 0;
+      if (progress && ended % 4096 == 0)
+        progress(static_cast<double>(ended) / static_cast<double>(jobs.size()));
+    } else if (silent > options_.longest_silence) {
+      throw std::logic_error("the core gives no answers");
+    }
+    machine_.step(inputs_.data(), false);
+    block_ = memory_.step();
+    ++counts_.cycles;
+  }
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,73 @@
+// A core (docs/core.md) with a memory in front of it: rays go in, blocks are read, answers come out. The core
+// is software (native_core.hpp) or Verilog; both give the same in every cycle.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rtl_gen/core/core.hpp"
+#include "rtl_gen/machine/machine.hpp"
+#include "sim/core/memory_model.hpp"
+#include "sw_ref/core/core_image.hpp"
+#include "sw_ref/world/int_ray.hpp"
+#include "sw_ref/world/int_triangle.hpp"
+
+namespace hitpipe::sim {
+
+struct CoreJob {
+  ref::IntRay ray;
+  bool any = false;  ///< any hit will do
+};
+struct CoreAnswer {
+  ref::IntHit hit;  ///< t is the ray's length where nothing is hit
+  bool failed = false;
+};
+
+struct CoreCounts {
+  std::uint64_t rays = 0, cycles = 0;
+  std::uint64_t records = 0, triangles = 0;  ///< blocks that were read
+  std::uint64_t failed = 0;
+  /// Cycles in which the core asked for nothing: with too few rays in flight all of them wait for memory or
+  /// for a unit. And cycles in which memory refused its request.
+  std::uint64_t idle = 0, refused = 0;
+};
+
+struct CoreBenchOptions {
+  std::uint32_t most_steps = (1U << 20) - 1;   ///< records that a ray may test, 1 or more
+  std::uint64_t base = 0;                      ///< the image's address, divided by 32
+  std::uint64_t longest_silence = 10'000'000;  ///< cycles
+};
+
+class CoreBench {
+ public:
+  /// `machine` has the core's ports; it, the image and the core must outlive this. Resets the machine. Throws
+  /// std::invalid_argument, one line, when the core's numbers of blocks are too short for the image, and as
+  /// MemoryModel does.
+  CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const ref::CoreImage& image,
+            const MemoryOptions& memory, const CoreBenchOptions& options = {});
+
+  /// Answers the jobs, each at its place. Throws std::logic_error when the core is silent for too long, or
+  /// answers a ray that it does not have. `progress` gets the share that is done, 0 to 1, from time to time.
+  void run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
+           const std::function<void(double)>& progress = {});
+  /// Of all runs.
+  [[nodiscard]] const CoreCounts& counts() const { return counts_; }
+  [[nodiscard]] const MemoryCounts& memory_counts() const { return memory_.counts(); }
+
+ private:
+  void show(const CoreJob& job, std::size_t tag);
+  void take_block();
+
+  const rtl::Core& core_;
+  rtl::NativeMachine& machine_;
+  CoreBenchOptions options_;
+  MemoryModel memory_;
+  std::vector<rtl::Word> inputs_, outputs_;
+  std::vector<rtl::Word> input_masks_;
+  std::optional<MemoryAnswer> block_;
+  CoreCounts counts_;
+};
+
+}  // namespace hitpipe::sim
