@@ -116,7 +116,10 @@ struct IntTriangle {
         as("v", resize(shifted<D>(c_m, format.slope, format.edge()) + in.slope_a * c_a + in.slope_b * c_b,
                        format.edge()));
     const auto num = as("num", dot(e2, c, format.volume()));
-    const auto rest = as("e0", resize(shifted<D>(det, format.finer, format.edge()) + u + v, format.edge()));
+    const auto fine_det = either(
+        0_w < format.finer, det, [&](const auto& x) { return shifted<D>(x, format.finer, format.edge()); },
+        [](const auto& x) { return x; });
+    const auto rest = as("e0", resize(fine_det + u + v, format.edge()));
 
     const Bit back = as("back", Bit(sign(det)));
     const Bit front = ~back;

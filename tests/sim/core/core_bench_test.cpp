@@ -1,29 +1,40 @@
-// The core's machines, cycle by cycle, against the walk in software: the same hits and the same number of
-// reads for all rays of a picture, with memories of every kind. Damaged images end too.
+// The core, cycle by cycle, against the walk in software: the same hits and the same number of reads for all
+// rays of a picture, with memories of every kind. Its Verilog gives the same outputs in every cycle. Damaged
+// images end too.
 #include "sim/core/core_bench.hpp"
 
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "rtl_gen/component/library.hpp"
+#include "sim/core/native_core.hpp"
 #include "sim/core/picture_rays.hpp"
+#include "sim/machine/verilated_machine.hpp"
 #include "tests/message_of.hpp"
+#include "tests/rtl_gen/text.hpp"
 #include "tests/sim/small_scene.hpp"
 
-namespace hitpipe::sim::core_model_test {
+namespace hitpipe::sim::core_bench_test {
 namespace {
 
 const hls::WorldBits world{12, 1, 12, 0, 0};
 const hls::MajorBits boxes{12, 1, 7, 0, 12};
+const hls::RayBits bits{12, 1, 7, 0, 12, 0};
 
 struct Picture {
-  ref::IntScene scene = ref::int_scene(hills(), world, {.builder = ref::Builder::sah, .max_triangles = 2});
-  ref::CoreImage image = ref::core_image(scene);
+  ref::IntScene scene;
+  ref::CoreImage image;
   PictureRays rays;
 
-  explicit Picture(int places, int size = 48)
-      : rays(picture_rays(scene, image, {world, boxes, places}, {.width = size, .height = size})) {}
+  explicit Picture(int places, int size = 48, const hls::WorldBits& of = world,
+                   const hls::MajorBits& with = boxes)
+      : scene(ref::int_scene(hills(), of, {.builder = ref::Builder::sah, .max_triangles = 2})),
+        image(ref::core_image(scene)),
+        rays(picture_rays(scene, image, {of, with, places}, {.width = size, .height = size})) {}
 };
 
 struct Kind {
@@ -33,17 +44,53 @@ struct Kind {
   MemoryOptions memory;
 };
 
-class CoreWith : public testing::TestWithParam<Kind> {};
+rtl::CoreOptions options_of(int rays, int stack_bits, int address_bits = 24) {
+  return {
+      .bits = bits, .rays = rays, .stack_bits = stack_bits, .address_bits = address_bits, .byte_bits = 40};
+}
+const rtl::Library& library() {
+  static const rtl::Library own = rtl::library_called(rtl::default_library);
+  return own;
+}
+constexpr CoreBenchOptions far_image{.base = 0x3'0000'0007};
 
-TEST_P(CoreWith, AnswersAndReadsAsSoftwareDoes) {
-  const Kind& kind = GetParam();
-  const Picture picture(1 << kind.stack_bits);
-  ASSERT_GT(picture.rays.jobs.size(), 1'000U);
-  CoreModelOptions options{.world = world, .boxes = boxes, .rays = kind.rays, .stack_bits = kind.stack_bits};
-  options.door_interval = 1;
-  CoreModel core(picture.image, options, kind.memory);
-  std::vector<CoreAnswer> answers(picture.rays.jobs.size());
-  core.run(picture.rays.jobs, answers);
+/// The core in software and in Verilog. All outputs are compared in every cycle.
+class BothCores final : public rtl::NativeMachine {
+ public:
+  BothCores(const rtl::Core& core, const std::string& verilog)
+      : core_(core), native_(core), verilog_(core, verilog), other_(core.ports.size()) {}
+
+  void outputs(rtl::Word* outputs) override {
+    native_.outputs(outputs);
+    verilog_.outputs(other_.data());
+    std::size_t place = 0;
+    for (const rtl::CorePort& port : core_.ports) {
+      if (port.pin.is_input) continue;
+      if (first_difference.empty() && started_ && outputs[place] != other_[place])
+        first_difference = fmt::format("{} in cycle {}", port.pin.name, cycle_);
+      ++place;
+    }
+  }
+  void step(const rtl::Word* inputs, bool reset) override {
+    native_.step(inputs, reset);
+    verilog_.step(inputs, reset);
+    started_ = true;
+    ++cycle_;
+  }
+  void state(rtl::Word*) const override {}
+
+  std::string first_difference;
+
+ private:
+  const rtl::Core& core_;
+  NativeCore native_;
+  VerilatedMachine verilog_;
+  std::vector<rtl::Word> other_;
+  bool started_ = false;
+  int cycle_ = 0;
+};
+
+void expect_right(const Picture& picture, const CoreBench& bench, const std::vector<CoreAnswer>& answers) {
   EXPECT_EQ(picture.rays.wrong(answers), 0U);
   std::size_t any = 0;
   for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -55,11 +102,25 @@ TEST_P(CoreWith, AnswersAndReadsAsSoftwareDoes) {
     ASSERT_TRUE(crossing);
     ASSERT_EQ(answers[i].hit.t, crossing->t) << "ray " << i;
   }
-  EXPECT_GT(any, 100U);
-  EXPECT_EQ(core.counts().rays, picture.rays.jobs.size());
-  EXPECT_EQ(core.counts().records, picture.rays.work.nodes_loaded);
-  EXPECT_EQ(core.counts().triangles, picture.rays.work.triangles_loaded);
-  EXPECT_EQ(core.memory_counts().outside, 0U);
+  EXPECT_GT(any, 20U);
+  EXPECT_EQ(bench.counts().rays, picture.rays.jobs.size());
+  EXPECT_EQ(bench.counts().records, picture.rays.work.nodes_loaded);
+  EXPECT_EQ(bench.counts().triangles, picture.rays.work.triangles_loaded);
+  EXPECT_EQ(bench.memory_counts().outside, 0U);
+}
+
+class CoreWith : public testing::TestWithParam<Kind> {};
+
+TEST_P(CoreWith, AnswersAndReadsAsSoftwareDoes) {
+  const Kind& kind = GetParam();
+  const Picture picture(1 << kind.stack_bits);
+  ASSERT_GT(picture.rays.jobs.size(), 1'000U);
+  const rtl::Core core = rtl::make_core(options_of(kind.rays, kind.stack_bits), library());
+  NativeCore native(core);
+  CoreBench bench(core, native, picture.image, kind.memory, far_image);
+  std::vector<CoreAnswer> answers(picture.rays.jobs.size());
+  bench.run(picture.rays.jobs, answers);
+  expect_right(picture, bench, answers);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -74,14 +135,89 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"Cached", 32, 3, {.cache_kib = 4}}),
     [](const auto& each) { return each.param.name; });
 
+/// In every format: with a fraction of T and of box distances, and with the smallest numbers.
+class CoreInVerilog : public testing::TestWithParam<hls::RayBits> {};
+
+TEST_P(CoreInVerilog, IsTheSameInEveryCycle) {
+  const hls::RayBits format = GetParam();
+  const Picture picture(4, 12, format.world(), format.boxes());
+  rtl::CoreOptions options = options_of(12, 2);
+  options.bits = format;
+  options.tag_bits = 4;
+  const rtl::Core core = rtl::make_core(options, library());
+  BothCores both(core, rtl::to_verilog(core, library()));
+  CoreBench bench(core, both, picture.image, {.least_latency = 1, .most_latency = 60, .refused_percent = 20},
+                  far_image);
+  std::vector<CoreAnswer> answers(picture.rays.jobs.size());
+  bench.run(picture.rays.jobs, answers);
+  EXPECT_EQ(both.first_difference, "");
+  EXPECT_EQ(picture.rays.wrong(answers), 0U);
+  EXPECT_EQ(bench.counts().records, picture.rays.work.nodes_loaded);
+  EXPECT_EQ(bench.counts().triangles, picture.rays.work.triangles_loaded);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, CoreInVerilog,
+                         testing::Values(bits, hls::RayBits{}, hls::RayBits{16, 2, 9, -1, 14, 3},
+                                         hls::RayBits{24, 1, 14, 1, 24, 1}, hls::RayBits{8, 0, 4, 0, 8, 0}),
+                         [](const auto& each) { return rtl::Format(each.param).identifier(); });
+
+/// A change of the core's Verilog, and what shows it: a wrong answer, or that the core is not the software's
+/// in some cycle.
+struct Fault {
+  const char *name, *good, *bad;
+  bool answers_are_wrong;
+};
+
+class FaultyCore : public testing::TestWithParam<Fault> {};
+
+TEST_P(FaultyCore, IsSeen) {
+  const Fault& fault = GetParam();
+  const Picture picture(2, 12);
+  const rtl::Core core = rtl::make_core(options_of(12, 1), library());
+  BothCores both(core, rtl::replaced(rtl::to_verilog(core, library()), fault.good, fault.bad));
+  VerilatedMachine faulty(core, rtl::replaced(rtl::to_verilog(core, library()), fault.good, fault.bad));
+  const MemoryOptions memory{.least_latency = 1, .most_latency = 60};
+  std::vector<CoreAnswer> answers(picture.rays.jobs.size());
+  CoreBench compared(core, both, picture.image, memory);
+  compared.run(picture.rays.jobs, answers);
+  EXPECT_NE(both.first_difference, "");
+
+  CoreBenchOptions options;
+  options.longest_silence = 100'000;
+  CoreBench bench(core, faulty, picture.image, memory, options);
+  bool wrong = false;
+  try {
+    bench.run(picture.rays.jobs, answers);
+    wrong = picture.rays.wrong(answers) != 0;
+  } catch (const std::logic_error&) {
+    wrong = true;
+  }
+  EXPECT_EQ(wrong, fault.answers_are_wrong);
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, FaultyCore,
+                         testing::Values(Fault{"AnswerWithAnothersTag", "tags_word <= tags[leaving_ray]",
+                                               "tags_word <= tags[ray_1]", true},
+                                         Fault{"TestWithAnothersRay", "origins_word <= origins[rays_word]",
+                                               "origins_word <= origins[reader_1]", true},
+                                         Fault{"LengthOfAnotherRay",
+                                               "leaf_bests_word <= leaf_bests[leaf_ray]",
+                                               "leaf_bests_word <= leaf_bests[leaf_ray_1]", true},
+                                         Fault{"RequestIsMadeTwice", "assign granted = ~there_2",
+                                               "assign granted = ~there_1", true},
+                                         Fault{"AnswerWaitsForTheLast", "wire moves = there & ~holds",
+                                               "wire moves = there & ~there_1", false}),
+                         [](const auto& each) { return each.param.name; });
+
 CoreCounts counts_of(const ref::CoreImage& image, std::uint32_t most_steps) {
-  const CoreModelOptions options{.world = world, .boxes = boxes, .rays = 8, .most_steps = most_steps};
-  CoreModel core(image, options, {.least_latency = 1, .most_latency = 20});
+  const rtl::Core core = rtl::make_core(options_of(8, 3), library());
+  NativeCore native(core);
+  CoreBench bench(core, native, image, {.least_latency = 1, .most_latency = 20}, {.most_steps = most_steps});
   const Picture picture(8, 4);
   std::vector<CoreAnswer> answers(picture.rays.jobs.size());
-  core.run(picture.rays.jobs, answers);
-  EXPECT_EQ(core.memory_counts().outside, 0U);
-  return core.counts();
+  bench.run(picture.rays.jobs, answers);
+  EXPECT_EQ(bench.memory_counts().outside, 0U);
+  return bench.counts();
 }
 
 TEST(CoreWithADamagedImage, AnswersEveryRay) {
@@ -105,15 +241,14 @@ TEST(CoreWithADamagedImage, AnswersEveryRay) {
   }
 }
 
-TEST(CoreModel, RefusesOptions) {
+TEST(CoreBench, RefusesALargeImage) {
   const Picture picture(8, 4);
-  const auto said = [&](const CoreModelOptions& options) {
-    return message_of<std::invalid_argument>([&] { (void)CoreModel(picture.image, options, {}); });
-  };
-  EXPECT_EQ(said({.world = world, .boxes = boxes, .rays = 257}), "rays in flight 257: allowed is 1 to 256");
-  EXPECT_EQ(said({.world = world, .boxes = boxes, .address_bits = 4}),
-            fmt::format("blocks of the image {}: allowed is 1 to 16", picture.image.blocks.size()));
+  const rtl::Core core = rtl::make_core(options_of(8, 3, 4), library());
+  NativeCore native(core);
+  EXPECT_EQ(
+      message_of<std::invalid_argument>([&] { CoreBench(core, native, picture.image, {}); }),
+      fmt::format("the image has {} blocks, but the core reads 16 at most", picture.image.blocks.size()));
 }
 
 }  // namespace
-}  // namespace hitpipe::sim::core_model_test
+}  // namespace hitpipe::sim::core_bench_test
