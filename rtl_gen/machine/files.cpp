@@ -1,139 +1,42 @@
 #include "rtl_gen/machine/files.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
+#include "rtl_gen/machine/cycle_test.hpp"
 #include "rtl_gen/machine/module.hpp"
 
 namespace hitpipe::rtl {
 
 namespace {
 
-/// Names of a line of the vectors, with their widths, the first in the high bits.
-struct LineParts {
-  std::vector<std::string> names;
-  int width = 0;
-
-  void add(const std::string& name, int bits) {
-    names.push_back(name);
-    width += bits;
+/// The machine in random cycles, with its C++.
+CycleTest cycle_test(const MachineGraph& graph, NativeMachine& native, const std::string& module,
+                     const MachineFilesOptions& options) {
+  CycleTest test{.module = module, .inputs = {}, .outputs = {}, .registers = {}, .cycles = {}};
+  for (const hls::Field& field : graph.inputs) test.inputs.push_back({field.name, field.width});
+  for (const hls::Field& field : graph.outputs) test.outputs.push_back({field.name, field.width});
+  test.begins_with = "    // The C++ begins with zeros everywhere.\n";
+  for (const hls::Field& field : graph.state) {
+    test.registers.push_back({field.name, field.width});
+    test.begins_with += fmt::format("    dut.{} = 0;\n", field.name);
   }
-};
-
-/// Appends bits, the high ones first.
-void append_bits(std::string& bits, Word word, int width) {
-  for (int i = width - 1; i >= 0; --i) bits += (word >> i & 1) != 0 ? '1' : '0';
-}
-
-std::string line_digits(std::string bits) {
-  bits.insert(0, (4 - bits.size() % 4) % 4, '0');
-  std::string digits;
-  for (std::size_t i = 0; i < bits.size(); i += 4)
-    digits += fmt::format("{:x}", std::stoi(bits.substr(i, 4), nullptr, 2));
-  return digits;
-}
-
-std::string vectors_text(const MachineGraph& graph, NativeMachine& native,
-                         const MachineFilesOptions& options) {
+  for (const hls::MemoryShape& memory : graph.memories) {
+    test.begins_with +=
+        fmt::format("    for (i = 0; i < {0}; i = i + 1) dut.{1}[i] = 0;\n", memory.words, memory.name);
+    if (memory.kind == hls::MemoryKind::block)
+      test.begins_with += fmt::format("    dut.{}_word = 0;\n", memory.name);
+  }
   RandomCycles cycles(graph, options.seed);
-  std::string text =
-      "// A line a cycle: reset, inputs, outputs before the clock edge, registers behind it; each in the "
-      "order\n"
-      "// of the manifest, the first in the high bits.\n";
   for (int i = 0; i < options.cycles; ++i) {
-    MachineCycle cycle = cycles.next();
+    MachineCycle& cycle = test.cycles.emplace_back(cycles.next());
     native.outputs(cycle.outputs.data());
     native.step(cycle.inputs.data(), cycle.reset);
     native.state(cycle.state.data());
-    std::string bits(1, cycle.reset ? '1' : '0');
-    const auto append = [&](const std::vector<hls::Field>& fields, const std::vector<Word>& words) {
-      for (std::size_t f = 0; f < fields.size(); ++f) append_bits(bits, words[f], fields[f].width);
-    };
-    append(graph.inputs, cycle.inputs);
-    append(graph.outputs, cycle.outputs);
-    append(graph.state, cycle.state);
-    text += line_digits(std::move(bits)) + "\n";
   }
-  return text;
-}
-
-/// A comparison of each name with what the line has, at a moment.
-std::string comparisons(const std::vector<hls::Field>& fields, const std::string& owner) {
-  std::string text;
-  for (const hls::Field& field : fields)
-    text += fmt::format(
-        "      if ({0}{1} !== want_{1}) begin\n"
-        "        $display(\"FAIL cycle %0d: {1} is %h, expected %h\", i, {0}{1}, want_{1});\n"
-        "        $fatal;\n      end\n",
-        owner, field.name);
-  return text;
-}
-
-std::string testbench_text(const MachineGraph& graph, const std::string& module, int cycles) {
-  LineParts line;
-  line.add("rst", 1);
-  std::string declarations, connections, zeros;
-  for (const hls::Field& field : graph.inputs) {
-    line.add(field.name, field.width);
-    declarations += fmt::format("  reg {}{};\n", vector_range(field.width), field.name);
-    connections += fmt::format(", .{0}({0})", field.name);
-  }
-  for (const hls::Field& field : graph.outputs) {
-    line.add("want_" + std::string(field.name), field.width);
-    declarations +=
-        fmt::format("  reg {0}want_{1};\n  wire {0}{1};\n", vector_range(field.width), field.name);
-    connections += fmt::format(", .{0}({0})", field.name);
-  }
-  for (const hls::Field& field : graph.state) {
-    line.add("want_" + std::string(field.name), field.width);
-    declarations += fmt::format("  reg {}want_{};\n", vector_range(field.width), field.name);
-    zeros += fmt::format("    dut.{} = 0;\n", field.name);
-  }
-  for (const hls::MemoryShape& memory : graph.memories) {
-    zeros += fmt::format("    for (i = 0; i < {0}; i = i + 1) dut.{1}[i] = 0;\n", memory.words, memory.name);
-    if (memory.kind == hls::MemoryKind::block) zeros += fmt::format("    dut.{}_word = 0;\n", memory.name);
-  }
-  return fmt::format(
-      R"(// Compares {module} with its C++ in {cycles} cycles: outputs before each clock edge, registers behind it.
-// Generated by hitpipe; do not edit.
-module {module}_tb;
-  localparam CYCLES = {cycles};
-  reg [{high}:0] lines [0:CYCLES-1];
-  integer i;
-  reg clk = 1'b0;
-  reg rst;
-{declarations}  {module} dut (.clk(clk), .rst(rst){connections});
-  reg [8*256-1:0] waves;
-  initial begin
-    if ($value$plusargs("waves=%s", waves)) begin
-      $dumpfile(waves);
-      $dumpvars;
-    end
-    $readmemh("{module}_vectors.hex", lines);
-    // The C++ begins with zeros everywhere.
-{zeros}    for (i = 0; i < CYCLES; i = i + 1) begin
-      if (^lines[i] === 1'bx) begin
-        $display("FAIL cycle %0d: {module}_vectors.hex has no line for it", i);
-        $fatal;
-      end
-      {{{names}}} = lines[i];
-      #4;
-{outputs}      #1 clk = 1'b1;
-      #4;
-{registers}      #1 clk = 1'b0;
-    end
-    $display("PASS %0d cycles", CYCLES);
-    $finish;
-  end
-endmodule
-)",
-      fmt::arg("module", module), fmt::arg("cycles", cycles), fmt::arg("high", line.width - 1),
-      fmt::arg("declarations", declarations), fmt::arg("connections", connections), fmt::arg("zeros", zeros),
-      fmt::arg("names", fmt::join(line.names, ", ")), fmt::arg("outputs", comparisons(graph.outputs, "")),
-      fmt::arg("registers", comparisons(graph.state, "dut.")));
+  return test;
 }
 
 Json fields_json(const std::vector<hls::Field>& fields) {
@@ -191,10 +94,11 @@ std::vector<host::File> machine_files(const Machine& machine, const Format& form
                                       const MachineFilesOptions& options) {
   const MachineGraph graph = machine.graph(format);
   const std::string module = options.module.empty() ? machine.module_at(format) : options.module;
+  const CycleTest test = cycle_test(graph, *machine.native(format), module, options);
   return {{module + ".v", to_verilog(graph, {.module = module, .bits = to_string(format)})},
           {module + ".json", machine_manifest(graph, machine, format, library, module).dump(2) + "\n"},
-          {"tb/" + module + "_tb.sv", testbench_text(graph, module, options.cycles)},
-          {"tb/" + module + "_vectors.hex", vectors_text(graph, *machine.native(format), options)},
+          {"tb/" + module + "_tb.sv", testbench_text(test)},
+          {"tb/" + module + "_vectors.hex", vectors_text(test)},
           {"tb/Makefile", testbench_makefile()}};
 }
 

@@ -8,16 +8,11 @@
 
 #include "host/files.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/machine/cycle_test.hpp"
 #include "rtl_gen/machine/machine.hpp"
 
 namespace hitpipe::rtl {
 
-/// What goes into a machine in a cycle and, where a run says so, what its software makes of it.
-struct MachineCycle {
-  bool reset = false;
-  std::vector<Word> inputs, outputs;
-  std::vector<Word> state{};  ///< behind the edge
-};
 /// Inputs for a test: numbers of all sizes, since a comparison of two random words is nearly always decided
 /// by their top bits. About one cycle in a thousand resets, and the first one does.
 class RandomCycles {
