@@ -303,7 +303,8 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
       print_prices(*options);
       return;
     }
-    allow_for_machine(*command, *machines.front(), {"design", "--bits", "--library", "--format"});
+    allow_only(*command, fmt::format("{} is a machine", machines.front()->name),
+               {"design", "--bits", "--library", "--format"});
     print_machine_prices(
         machines, options->units.bits.empty() ? std::nullopt : std::optional(options->units.bits.front()),
         options->library, options->format);

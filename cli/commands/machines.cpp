@@ -81,13 +81,12 @@ std::string machines_text(OutputFormat format) {
   return table_text(rows, format);
 }
 
-void allow_for_machine(const CLI::App& command, const rtl::Machine& machine,
-                       const std::vector<std::string>& allowed) {
+void allow_only(const CLI::App& command, const std::string& what, const std::vector<std::string>& allowed) {
   for (const CLI::Option* const option : command.get_options()) {
     const std::string name = option->get_name();
     if (option->count() == 0 || std::find(allowed.begin(), allowed.end(), name) != allowed.end()) continue;
-    throw std::runtime_error(fmt::format("{}: {} is a machine; allowed with one are {}", name, machine.name,
-                                         fmt::join(allowed, ", ")));
+    throw std::runtime_error(
+        fmt::format("{}: {}; allowed with one are {}", name, what, fmt::join(allowed, ", ")));
   }
 }
 

@@ -37,8 +37,7 @@ void print_machine_prices(const std::vector<const rtl::Machine*>& machines,
 [[nodiscard]] std::string machines_text(OutputFormat format);
 
 /// Throws std::runtime_error, one line, when one of the command's options was given that is not among
-/// `allowed`.
-void allow_for_machine(const CLI::App& command, const rtl::Machine& machine,
-                       const std::vector<std::string>& allowed);
+/// `allowed`. `what` is what the command was given: "door is a machine".
+void allow_only(const CLI::App& command, const std::string& what, const std::vector<std::string>& allowed);
 
 }  // namespace hitpipe::cli

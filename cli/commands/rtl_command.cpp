@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/cores.hpp"
 #include "cli/commands/machines.hpp"
+#include "cli/options/core_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/table.hpp"
@@ -15,6 +17,7 @@
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
 #include "rtl_gen/verilog/names.hpp"
+#include "sim/core/core_vectors.hpp"
 #include "sim/vectors/design_vectors.hpp"
 
 namespace hitpipe::cli {
@@ -23,6 +26,7 @@ namespace {
 
 struct RtlOptions {
   DesignChoice choice;
+  CoreChoice core;
   std::string out;
   std::string library{rtl::default_library};
   std::optional<std::string> name;
@@ -120,23 +124,41 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
                        "Vectors of the testbench; of a machine its cycles, by default 2000")
           ->capture_default_str();
   add_seed_option(*command, options->seed);
+  std::vector<std::string> of_core = add_core_port_options(*command, options->core);
+  for (const std::string& name : add_core_options(*command, options->core)) of_core.push_back(name);
   add_format_option(*command, options->format);
-  command->callback([options, flow, command, cycles] {
+  command->callback([options, command, flow, cycles, of_core] {
     options->flow_control_given = flow->count() > 0;
+    const bool cycles_given = cycles->count() > 0;
+    std::vector<std::string> allowed{"design", "--bits",    "--out",  "--library",
+                                     "--name", "--vectors", "--seed", "--format"};
+    if (options->choice.name == core_name) {
+      allowed.insert(allowed.end(), of_core.begin(), of_core.end());
+      allow_only(*command, "core is a core", allowed);
+      emit_core(options->core.core(options->choice.bits),
+                {.out = options->out,
+                 .library = options->library,
+                 .module = options->name.value_or(""),
+                 .cycles = cycles_given ? options->vectors : sim::usual_core_cycles,
+                 .seed = options->seed,
+                 .format = options->format});
+      return;
+    }
     const rtl::Machine* const machine = rtl::machine_called(options->choice.name);
     if (machine == nullptr) {
+      for (const std::string& name : of_core)
+        if (command->count(name) > 0)
+          throw std::runtime_error(fmt::format("{}: allowed with {} only", name, core_name));
       emit_rtl(*options);
       return;
     }
-    allow_for_machine(
-        *command, *machine,
-        {"design", "--bits", "--out", "--library", "--name", "--vectors", "--seed", "--format"});
+    allow_only(*command, fmt::format("{} is a machine", machine->name), allowed);
     constexpr int usual_cycles = 2000;
     emit_machine(*machine, options->choice.bits,
                  {.out = options->out,
                   .library = options->library,
                   .module = options->name.value_or(""),
-                  .cycles = cycles->count() > 0 ? options->vectors : usual_cycles,
+                  .cycles = cycles_given ? options->vectors : usual_cycles,
                   .seed = options->seed,
                   .format = options->format});
   });

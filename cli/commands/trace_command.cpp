@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options/build_options.hpp"
+#include "cli/options/core_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
@@ -33,8 +34,7 @@ struct TraceCommand {
   ref::BuildOptions build{.builder = ref::Builder::sah, .max_triangles = 2};
   std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
   std::vector<int> rays{128};
-  int places = 8;
-  int triangle_interval = 4;
+  CoreChoice core;
   std::vector<int> latency{100};
   sim::MemoryOptions memory;
   bool native = false;
@@ -86,10 +86,6 @@ void trace_scene(TraceCommand command, int& exit_code) {
   if (command.memory.least_latency > command.memory.most_latency)
     throw std::runtime_error(fmt::format("--latency {},{}: the first is the least", command.latency.front(),
                                          command.latency.back()));
-  int stack_bits = 0;
-  while (1 << stack_bits < command.places) ++stack_bits;
-  if (1 << stack_bits != command.places)
-    throw std::runtime_error(fmt::format("--stack {}: allowed is a power of two", command.places));
   std::optional<Progress> progress("reading the scene");
   const ref::IntScene scene = ref::int_scene(command.scene.load(), bits, command.build);
   const ref::CoreImage image = ref::core_image(scene);
@@ -98,22 +94,21 @@ void trace_scene(TraceCommand command, int& exit_code) {
                               boxes.fraction, bits.slope, bits.fraction};
   progress.emplace("walking in software");
   const sim::PictureRays picture = sim::picture_rays(
-      scene, image, {.world = bits, .boxes = boxes, .places = command.places},
+      scene, image, {.world = bits, .boxes = boxes, .places = command.core.places},
       {.width = command.scene.width, .height = command.scene.height, .progress = [&](double share) {
          progress->show(share);
        }});
   progress.reset();
   bool right = true;
   std::vector<Row> rows;
-  for (const int rays : command.rays)
-    rows.push_back(traced(command,
-                          {.bits = ray_bits,
-                           .rays = rays,
-                           .stack_bits = stack_bits,
-                           .address_bits = 32,
-                           .byte_bits = 64,
-                           .triangle_interval = command.triangle_interval},
-                          image, picture, right));
+  for (const int rays : command.rays) {
+    rtl::CoreOptions core = command.core.core(std::nullopt);
+    core.bits = ray_bits;
+    core.rays = rays;
+    core.address_bits = 32;
+    core.byte_bits = 64;
+    rows.push_back(traced(command, core, image, picture, right));
+  }
   fmt::print("{}", table_text(rows, command.format));
   if (!right) exit_code = 1;
 }
@@ -141,9 +136,7 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
       ->capture_default_str()
       ->transform(number_from(1, 256))
       ->type_name("N");
-  number("--stack", options->places, "Places of a ray's stack, a power of two", 2, 64);
-  number("--triangle-ii", options->triangle_interval, "Cycles from one triangle test to the next",
-         rtl::CoreOptions::least_triangle_interval, 64);
+  add_core_options(*command, options->core);
   command
       ->add_option("--latency", options->latency,
                    "Cycles from a request to its answer: N, or A,B for random ones (1 to 10000)")

@@ -405,7 +405,8 @@ struct Walker {
     const auto used = as_unsigned(resize(walk.used + Bit(pushes & ~full), format.stack + 1_w));
     s.used_2 = used & spread(Bit(~taken.fresh), format.stack + 1_w);
     s.some_2 = any<D>(walk.used);
-    s.top_2 = as_unsigned(resize(walk.top + pushes, format.stack));
+    // Any place is as good as the first, but a simulator does not know what a new ray's word holds.
+    s.top_2 = as_unsigned(resize(walk.top + pushes, format.stack)) & spread(Bit(~taken.fresh), format.stack);
     s.steps_2 = walk.steps & spread(Bit(~taken.fresh), width_of(walk.steps));
     s.cut_2 = as("cut_now", select(Bit(taken.leaf | taken.fresh), taken.cut, memories.cuts.word(d)));
     s.entry_2 = select(takes_1, entry_1, entry_0);

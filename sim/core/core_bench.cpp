@@ -1,7 +1,6 @@
 #include "sim/core/core_bench.hpp"
 
 #include <cstdlib>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -30,7 +29,11 @@ consteval std::size_t place_of(std::string_view name) {
 
 CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const ref::CoreImage& image,
                      const MemoryOptions& memory, const CoreBenchOptions& options)
-    : core_(core), machine_(machine), options_(options), memory_(image.blocks, memory) {
+    : core_(core),
+      machine_(machine),
+      options_(options),
+      memory_(image.blocks, memory),
+      random_(options.seed) {
   const std::uint64_t most_blocks = std::uint64_t{1} << core.options.address_bits;
   if (image.blocks.size() > most_blocks)
     throw std::invalid_argument(fmt::format("the image has {} blocks, but the core reads {} at most",
@@ -46,7 +49,6 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
   inputs_[place_of("last")] = image.blocks.size() - 1;
   inputs_[place_of("most_steps")] = options.most_steps;
   inputs_[place_of("most_rays")] = static_cast<Word>(core.options.rays);
-  inputs_[place_of("hit_ready")] = 1;
   machine_.outputs(outputs_.data());
   machine_.step(inputs_.data(), true);
 }
@@ -130,8 +132,11 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
     }
     take_block();
 
+    const bool takes =
+        options_.held_percent == 0 || random_.below(100) >= static_cast<std::uint64_t>(options_.held_percent);
+    inputs_[place_of("hit_ready")] = takes ? 1 : 0;
     ++silent;
-    if (out(place_of("hit_valid")) != 0) {
+    if (takes && out(place_of("hit_valid")) != 0) {
       const auto tag = static_cast<std::size_t>(out(place_of("hit_tag")));
       if (tag >= in_flight.size() || in_flight[tag] == nothing)
         throw std::logic_error(

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "rtl_gen/machine/machine.hpp"
 #include "sim/core/memory_model.hpp"
 #include "sw_ref/core/core_image.hpp"
+#include "sw_ref/judge/adversary/random.hpp"
 #include "sw_ref/world/int_ray.hpp"
 #include "sw_ref/world/int_triangle.hpp"
 
@@ -38,6 +40,8 @@ struct CoreBenchOptions {
   std::uint32_t most_steps = (1U << 20) - 1;   ///< records that a ray may test, 1 or more
   std::uint64_t base = 0;                      ///< the image's address, divided by 32
   std::uint64_t longest_silence = 10'000'000;  ///< cycles
+  int held_percent = 0;                        ///< of all cycles take no answer, at random, 0..99
+  std::uint64_t seed = 1;
 };
 
 class CoreBench {
@@ -64,6 +68,7 @@ class CoreBench {
   rtl::NativeMachine& machine_;
   CoreBenchOptions options_;
   MemoryModel memory_;
+  ref::adversary::Random random_;
   std::vector<rtl::Word> inputs_, outputs_;
   std::vector<rtl::Word> input_masks_;
   std::optional<MemoryAnswer> block_;

@@ -52,7 +52,7 @@ const rtl::Library& library() {
   static const rtl::Library own = rtl::library_called(rtl::default_library);
   return own;
 }
-constexpr CoreBenchOptions far_image{.base = 0x3'0000'0007};
+constexpr CoreBenchOptions far_image{.base = 0x3'0000'0007, .held_percent = 30};
 
 /// The core in software and in Verilog. All outputs are compared in every cycle.
 class BothCores final : public rtl::NativeMachine {

@@ -1,0 +1,50 @@
+#include "cli/options/core_options.hpp"
+
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/options/values.hpp"
+#include "rtl_gen/catalogue/format.hpp"
+
+namespace hitpipe::cli {
+
+rtl::CoreOptions CoreChoice::core(const std::optional<std::string>& bits) const {
+  rtl::CoreOptions made = options;
+  if (bits) made.bits = rtl::parse_bits<hls::RayBits>(*bits);
+  made.stack_bits = 0;
+  while (1 << made.stack_bits < places) ++made.stack_bits;
+  if (1 << made.stack_bits != places)
+    throw std::runtime_error(fmt::format("--stack {}: allowed is a power of two", places));
+  return made;
+}
+
+std::vector<std::string> add_core_options(CLI::App& command, CoreChoice& choice) {
+  add_count_option(command, "--stack", choice.places, {2, 64},
+                   "Of a core: places of a ray's stack, a power of two")
+      ->capture_default_str();
+  add_count_option(command, "--triangle-ii", choice.options.triangle_interval,
+                   {rtl::CoreOptions::least_triangle_interval, 64},
+                   "Of a core: cycles from one triangle test to the next")
+      ->capture_default_str();
+  return {"--stack", "--triangle-ii"};
+}
+
+std::vector<std::string> add_core_port_options(CLI::App& command, CoreChoice& choice) {
+  rtl::CoreOptions& options = choice.options;
+  add_count_option(command, "--rays", options.rays, {1, rtl::CoreOptions::most_rays},
+                   "Of a core: rays in flight")
+      ->capture_default_str();
+  add_count_option(command, "--block-bits", options.address_bits, {4, 32},
+                   "Of a core: bits of a block's number in the image; a block has 32 bytes")
+      ->capture_default_str();
+  add_count_option(command, "--address-bits", options.byte_bits, {9, 64},
+                   "Of a core: bits of an address, at least 5 more than of a block's number")
+      ->capture_default_str();
+  add_count_option(command, "--tag-bits", options.tag_bits, {1, 64}, "Of a core: bits of a ray's tag")
+      ->capture_default_str();
+  return {"--rays", "--block-bits", "--address-bits", "--tag-bits"};
+}
+
+}  // namespace hitpipe::cli

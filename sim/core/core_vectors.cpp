@@ -1,0 +1,92 @@
+#include "sim/core/core_vectors.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "sim/core/core_bench.hpp"
+#include "sim/core/native_core.hpp"
+#include "sw_ref/core/core_image.hpp"
+#include "sw_ref/judge/adversary/random.hpp"
+#include "sw_ref/world/int_scene.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+using ref::adversary::Random;
+
+/// Keeps what goes in and comes out, until it has enough.
+class Recorder final : public rtl::NativeMachine {
+ public:
+  Recorder(const rtl::Core& core, std::size_t most) : core_(core), most_(most) {
+    for (const rtl::CorePort& port : core.ports) ++(port.pin.is_input ? inputs_ : outputs_);
+  }
+
+  void outputs(rtl::Word* outputs) override {
+    core_.outputs(outputs);
+    given_.assign(outputs, outputs + outputs_);
+  }
+  void step(const rtl::Word* inputs, bool reset) override {
+    core_.step(inputs, reset);
+    if (!full()) cycles.push_back({reset, {inputs, inputs + inputs_}, given_});
+  }
+  void state(rtl::Word* /*registers*/) const override {}
+  [[nodiscard]] bool full() const { return cycles.size() == most_; }
+
+  std::vector<rtl::MachineCycle> cycles;
+
+ private:
+  NativeCore core_;
+  std::size_t inputs_ = 0, outputs_ = 0, most_;
+  std::vector<rtl::Word> given_;
+};
+
+/// -1..1
+float coordinate(Random& random) {
+  return static_cast<float>(random.between(-1'000'000, 1'000'000)) * 1e-6F;
+}
+glm::vec3 point(Random& random) {
+  const float x = coordinate(random), y = coordinate(random), z = coordinate(random);
+  return {x, y, z};
+}
+
+ref::Scene random_scene(std::uint32_t triangles, Random& random) {
+  ref::Scene scene;
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    const glm::vec3 corner = point(random);
+    scene.mesh.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+    for (int other = 0; other < 3; ++other)
+      scene.mesh.vertices.push_back(glm::clamp(corner + 0.4F * point(random), -1.0F, 1.0F));
+  }
+  return scene;
+}
+
+}  // namespace
+
+std::vector<rtl::MachineCycle> core_cycles(const rtl::Core& core, int cycles, std::uint64_t seed) {
+  const hls::WorldBits world = core.options.bits.world();
+  Random random(seed);
+  // A tree of n leaves has less than n records beside the root's own.
+  const std::uint64_t most_blocks = std::uint64_t{1} << core.options.address_bits;
+  const auto triangles = static_cast<std::uint32_t>(std::min<std::uint64_t>(200, most_blocks / 2 - 1));
+  const ref::IntScene scene = ref::int_scene(random_scene(triangles, random), world,
+                                             {.builder = ref::Builder::sah, .max_triangles = 2});
+  const ref::CoreImage image = ref::core_image(scene);
+  Recorder recorder(core, static_cast<std::size_t>(cycles));
+  CoreBench bench(core, recorder, image,
+                  {.least_latency = 1, .most_latency = 40, .refused_percent = 10, .seed = seed},
+                  {.base = 5, .held_percent = 30, .seed = seed});
+  std::vector<CoreJob> jobs;
+  while (!recorder.full()) {
+    jobs.clear();
+    for (int i = 0; i < 100; ++i) {
+      const ref::Ray ray{.origin = point(random), .direction = point(random), .length = 2.0F};
+      jobs.push_back({ref::int_ray(ray, world), random.below(3) == 0});
+    }
+    std::vector<CoreAnswer> answers(jobs.size());
+    bench.run(jobs, answers);
+  }
+  return recorder.cycles;
+}
+
+}  // namespace hitpipe::sim
