@@ -25,5 +25,6 @@ set(HITPIPE_MACHINES
   pair_feed
   triangle_feed
   replies
+  registers
   requests
 )
