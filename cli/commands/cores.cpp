@@ -18,7 +18,7 @@ void emit_core(const rtl::CoreOptions& core_options, const CoreRtl& options) {
   const rtl::Library library = rtl::library_called(options.library);
   const rtl::Core core = rtl::make_core(core_options, library, module);
   const std::vector<host::File> files =
-      rtl::core_files(core, library, sim::core_cycles(core, options.cycles, options.seed));
+      rtl::core_files(core, library, sim::core_test(core, options.cycles, options.seed));
   host::write_files(options.out, files);
   std::vector<std::string> names;
   for (const host::File& file : files)

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "rtl_gen/core/axi.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 
@@ -78,6 +79,7 @@ Json manifest_of(const Core& core, const Library& library) {
           {"triangle_ii", options.triangle_interval},
           {"library", library.name()},
           {"clock_ps", core.clock_ps},
+          {"axi", axi_json(core)},
           {"ports", ports_json(core.interface())},
           {"parts", parts},
           {"wires", wires}};
@@ -93,20 +95,28 @@ filesets:
   rtl:
     files: [{0}.v]
     file_type: verilogSource
+  axi:
+    files: [{0}_axi.v]
+    file_type: verilogSource
   tb:
     files:
       - tb/{0}_tb.sv: {{file_type: systemVerilogSource}}
       - tb/{0}_vectors.hex: {{file_type: user, copyto: {0}_vectors.hex}}
+  harness:
+    files:
+      - {0}.h: {{file_type: cSource, is_include_file: true}}
+      - tb/{0}_axi_harness.cpp: {{file_type: cppSource}}
+      - tb/{0}_scene.txt: {{file_type: user, copyto: {0}_scene.txt}}
 
 targets:
   default:
-    filesets: [rtl]
-    toplevel: {0}
+    filesets: [rtl, axi]
+    toplevel: {0}_axi
   lint:
     flow: lint
     flow_options: {{tool: verilator, verilator_options: [-Wall]}}
-    filesets: [rtl]
-    toplevel: {0}
+    filesets: [rtl, axi]
+    toplevel: {0}_axi
   sim:
     flow: sim
     flow_options: {{tool: icarus, iverilog_options: [-g2012, -Wall]}}
@@ -117,30 +127,38 @@ targets:
     flow_options: {{tool: verilator, mode: binary, verilator_options: [-Wall]}}
     filesets: [rtl, tb]
     toplevel: {0}_tb
+  harness:
+    flow: sim
+    flow_options: {{tool: verilator, mode: cc, verilator_options: [-Wall]}}
+    filesets: [rtl, axi, harness]
+    toplevel: {0}_axi
   synth:
     flow: generic
     flow_options: {{tool: yosys, arch: xilinx, output_format: edif}}
-    filesets: [rtl]
-    toplevel: {0}
+    filesets: [rtl, axi]
+    toplevel: {0}_axi
   synth_vivado:
     flow: vivado
     flow_options: {{part: xc7a100tcsg324-1, pnr: none}}
-    filesets: [rtl]
-    toplevel: {0}
+    filesets: [rtl, axi]
+    toplevel: {0}_axi
 )",
                      core.module, to_string(Format(core.options.bits)), HITPIPE_VERSION, core.options.rays);
 }
 
 }  // namespace
 
-std::vector<host::File> core_files(const Core& core, const Library& library,
-                                   std::vector<MachineCycle> cycles) {
-  const CycleTest test = test_of(core, std::move(cycles));
+std::vector<host::File> core_files(const Core& core, const Library& library, CoreTest test) {
+  const CycleTest cycles = test_of(core, std::move(test.cycles));
   return {{core.module + ".v", to_verilog(core, library)},
+          {axi_module(core) + ".v", axi_verilog(core)},
+          {core.module + ".h", c_header(core)},
           {core.module + ".json", manifest_of(core, library).dump(2) + "\n"},
           {core.module + ".core", fusesoc_text(core)},
-          {"tb/" + core.module + "_tb.sv", testbench_text(test)},
-          {"tb/" + core.module + "_vectors.hex", vectors_text(test)},
+          {"tb/" + core.module + "_tb.sv", testbench_text(cycles)},
+          {"tb/" + core.module + "_vectors.hex", vectors_text(cycles)},
+          {"tb/" + axi_module(core) + "_harness.cpp", system_program(core)},
+          {"tb/" + core.module + "_scene.txt", scene_text(core, test.scene)},
           {"tb/Makefile", testbench_makefile()}};
 }
 

@@ -6,14 +6,19 @@
 #include "host/files.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/core/core.hpp"
+#include "rtl_gen/core/system.hpp"
 #include "rtl_gen/machine/cycle_test.hpp"
 
 namespace hitpipe::rtl {
 
-/// MODULE.v, MODULE.json, MODULE.core, tb/MODULE_tb.sv, tb/MODULE_vectors.hex, tb/Makefile. `cycles` are
-/// those of the testbench: inputs and outputs in the order of the core's ports, the first one a reset. The
-/// same bytes for the same arguments.
-[[nodiscard]] std::vector<host::File> core_files(const Core& core, const Library& library,
-                                                 std::vector<MachineCycle> cycles);
+/// What the testbenches of a core need.
+struct CoreTest {
+  std::vector<MachineCycle> cycles;  ///< ports in the core's order; the first cycle resets
+  CoreScene scene;                   ///< for the system around MODULE_axi
+};
+
+/// MODULE.v, MODULE_axi.v, MODULE.h, MODULE.json, MODULE.core, and in tb: MODULE_tb.sv, MODULE_vectors.hex,
+/// MODULE_axi_harness.cpp, MODULE_scene.txt, Makefile. The same bytes for the same arguments.
+[[nodiscard]] std::vector<host::File> core_files(const Core& core, const Library& library, CoreTest test);
 
 }  // namespace hitpipe::rtl

@@ -14,10 +14,6 @@ int whole_bytes(int bits) {
   return (bits + 7) / 8 * 8;
 }
 
-std::string bits_of(const std::string& word, int high, int low) {
-  return high == low ? fmt::format("{}[{}]", word, low) : fmt::format("{}[{}:{}]", word, high, low);
-}
-
 /// What the wrapper's text has for each operand of a channel, whose beat is `word`.
 struct OperandText {
   OperandText(const std::vector<Port>& ports, const std::string& word) {
@@ -25,8 +21,8 @@ struct OperandText {
       const int high = field.offset + field.width - 1;
       const int end = field.offset + whole_bytes(field.width) - 1;
       layout += fmt::format("//   {:>4}:{:<4} {}\n", high, field.offset, field.name);
-      bits.push_back(bits_of(word, high, field.offset));
-      if (end > high) padding.push_back(bits_of(word, end, high + 1));
+      bits.push_back(bit_range(word, high, field.offset));
+      if (end > high) padding.push_back(bit_range(word, end, high + 1));
     }
   }
 
@@ -146,6 +142,10 @@ Json stream_side(const std::vector<Port>& ports) {
 }
 
 }  // namespace
+
+std::string bit_range(const std::string& word, int high, int low) {
+  return high == low ? fmt::format("{}[{}]", word, low) : fmt::format("{}[{}:{}]", word, high, low);
+}
 
 std::vector<StreamField> stream_fields(const std::vector<Port>& ports) {
   std::vector<StreamField> fields;

@@ -23,6 +23,8 @@ struct StreamField {
   int width;
 };
 [[nodiscard]] std::vector<StreamField> stream_fields(const std::vector<Port>& ports);
+/// "word[high:low]"
+[[nodiscard]] std::string bit_range(const std::string& word, int high, int low);
 /// The width of tdata, a whole number of bytes.
 [[nodiscard]] int stream_bits(const std::vector<Port>& ports);
 

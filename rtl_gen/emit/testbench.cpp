@@ -416,10 +416,10 @@ std::string testbench_makefile() {
 #   make harness      the C++ program that drives the unit as Verilator compiles it
 #   make waves        the testbench in Icarus Verilog; writes UNIT.vcd
 #   make clean        removes all that these have written
-# A unit in a wrapper has a testbench for each wrapper too; the C++ program drives the unit itself.
+# A unit in a wrapper has a testbench for each wrapper too; the C++ program drives the unit itself. Of a core it is a small system.
 # With WAVES=vcd or WAVES=fst each of them writes waves in that format. UNITS=NAME takes one unit of several.
 UNITS := $(patsubst %_tb.sv,%,$(wildcard *_tb.sv))
-BARE := $(filter $(UNITS),$(patsubst %_harness.cpp,%,$(wildcard *_harness.cpp)))
+BARE := $(filter $(UNITS) $(UNITS:%=%_axi),$(patsubst %_harness.cpp,%,$(wildcard *_harness.cpp)))
 IVERILOG := iverilog
 VVP := vvp
 VERILATOR := verilator
@@ -460,8 +460,8 @@ $(UNITS:%=verilator-%): verilator-%:
 
 $(BARE:%=harness-%): harness-%:
 	@mkdir -p $(call BUILD,harness)
-	@cp $*_harness.cpp $(call BUILD,harness)
-	$(COMPILE) $(call BUILD,harness) --cc --exe --build --top-module $* ../$*.v $*_harness.cpp
+	@cp $*_harness.cpp $(wildcard ../*.h) $(call BUILD,harness)
+	$(COMPILE) $(call BUILD,harness) --cc --exe --build --top-module $* -y .. ../$*.v $*_harness.cpp
 	$(call BUILD,harness)/V$*
 
 clean:

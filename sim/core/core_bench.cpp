@@ -1,5 +1,6 @@
 #include "sim/core/core_bench.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 #include <string_view>
@@ -27,6 +28,38 @@ consteval std::size_t place_of(std::string_view name) {
 
 }  // namespace
 
+std::vector<Word> ray_fields(const rtl::Core& core, const CoreJob& job) {
+  const ref::IntRay& ray = job.ray;
+  const hls::RayBits& bits = core.options.bits;
+  const ref::IntMajorRay box_ray = ref::major_ray(ray, bits.boxes());
+  const auto m = static_cast<std::size_t>(box_ray.axes[0]), a = static_cast<std::size_t>(box_ray.axes[1]),
+             b = static_cast<std::size_t>(box_ray.axes[2]);
+  const auto flag = [](bool is) -> Word { return is ? 1 : 0; };
+  const auto origin = [&](std::size_t axis) {
+    return static_cast<Word>(ray.origin[axis]) & rtl::ones_below(bits.point());
+  };
+  const auto slope = [&](std::size_t axis) { return static_cast<Word>(std::abs(ray.direction[axis])); };
+  const ref::MajorQuotient &of_a = box_ray.quotient[0], &of_b = box_ray.quotient[1];
+  return {flag(job.any),
+          flag(m == 1),
+          flag(m == 2),
+          flag(ray.negative[m]),
+          flag(ray.negative[a]),
+          flag(ray.negative[b]),
+          origin(m),
+          origin(a),
+          origin(b),
+          slope(a),
+          slope(b),
+          of_a.mantissa_low,
+          of_a.mantissa_high,
+          static_cast<Word>(of_a.exponent),
+          of_b.mantissa_low,
+          of_b.mantissa_high,
+          static_cast<Word>(of_b.exponent),
+          static_cast<Word>(ray.length)};
+}
+
 CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const ref::CoreImage& image,
                      const MemoryOptions& memory, const CoreBenchOptions& options)
     : core_(core),
@@ -39,12 +72,8 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
     throw std::invalid_argument(fmt::format("the image has {} blocks, but the core reads {} at most",
                                             image.blocks.size(), most_blocks));
   for (const rtl::CorePort& port : core.ports) {
-    if (port.pin.is_input)
-      input_masks_.push_back(rtl::ones_below(port.pin.width));
-    else
-      outputs_.push_back(0);
+    (port.pin.is_input ? inputs_ : outputs_).push_back(0);
   }
-  inputs_.resize(input_masks_.size());
   inputs_[place_of("base")] = options.base;
   inputs_[place_of("last")] = image.blocks.size() - 1;
   inputs_[place_of("most_steps")] = options.most_steps;
@@ -54,34 +83,9 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
 }
 
 void CoreBench::show(const CoreJob& job, std::size_t tag) {
-  const ref::IntRay& ray = job.ray;
-  const ref::IntMajorRay box_ray = ref::major_ray(ray, core_.options.bits.boxes());
-  const auto put = [&](std::size_t place, std::int64_t value) {
-    inputs_[place] = static_cast<Word>(value) & input_masks_[place];
-  };
-  const auto axis = [&](int ray_axis) {
-    return static_cast<std::size_t>(box_ray.axes[static_cast<std::size_t>(ray_axis)]);
-  };
-  const std::size_t m = axis(0), a = axis(1), b = axis(2);
-  put(place_of("ray_tag"), static_cast<std::int64_t>(tag));
-  put(place_of("ray_any"), job.any ? 1 : 0);
-  put(place_of("ray_major_y"), m == 1 ? 1 : 0);
-  put(place_of("ray_major_z"), m == 2 ? 1 : 0);
-  put(place_of("ray_back_m"), ray.negative[m] ? 1 : 0);
-  put(place_of("ray_back_a"), ray.negative[a] ? 1 : 0);
-  put(place_of("ray_back_b"), ray.negative[b] ? 1 : 0);
-  put(place_of("ray_origin_m"), ray.origin[m]);
-  put(place_of("ray_origin_a"), ray.origin[a]);
-  put(place_of("ray_origin_b"), ray.origin[b]);
-  put(place_of("ray_s_a"), std::abs(ray.direction[a]));
-  put(place_of("ray_s_b"), std::abs(ray.direction[b]));
-  put(place_of("ray_floor_a"), box_ray.quotient[0].mantissa_low);
-  put(place_of("ray_ceil_a"), box_ray.quotient[0].mantissa_high);
-  put(place_of("ray_exp_a"), box_ray.quotient[0].exponent);
-  put(place_of("ray_floor_b"), box_ray.quotient[1].mantissa_low);
-  put(place_of("ray_ceil_b"), box_ray.quotient[1].mantissa_high);
-  put(place_of("ray_exp_b"), box_ray.quotient[1].exponent);
-  put(place_of("ray_length"), ray.length);
+  const std::vector<Word> fields = ray_fields(core_, job);
+  std::copy(fields.begin(), fields.end(), inputs_.begin() + place_of("ray_any"));
+  inputs_[place_of("ray_tag")] = tag;
 }
 
 void CoreBench::take_block() {

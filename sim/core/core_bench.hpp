@@ -27,6 +27,9 @@ struct CoreAnswer {
   bool failed = false;
 };
 
+/// The job's ray as the core is given it: the ports ray_any to ray_length, in their order.
+[[nodiscard]] std::vector<rtl::Word> ray_fields(const rtl::Core& core, const CoreJob& job);
+
 struct CoreCounts {
   std::uint64_t rays = 0, cycles = 0;
   std::uint64_t records = 0, triangles = 0;  ///< blocks that were read
@@ -70,7 +73,6 @@ class CoreBench {
   MemoryModel memory_;
   ref::adversary::Random random_;
   std::vector<rtl::Word> inputs_, outputs_;
-  std::vector<rtl::Word> input_masks_;
   std::optional<MemoryAnswer> block_;
   CoreCounts counts_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "sim/core/core_bench.hpp"
 #include "sim/core/native_core.hpp"
@@ -61,9 +62,19 @@ ref::Scene random_scene(std::uint32_t triangles, Random& random) {
   return scene;
 }
 
+/// By a test of each triangle.
+ref::IntHit nearest(const ref::IntRay& ray, const ref::IntMesh& mesh, const hls::WorldBits& world) {
+  ref::IntHit best{.triangle = ref::IntHit::none, .t = ray.length};
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto crossing = ref::int_crossing(ray, mesh.triangles[i], world);
+    if (crossing) ref::keep_better(crossing->t, i, best);
+  }
+  return best;
+}
+
 }  // namespace
 
-std::vector<rtl::MachineCycle> core_cycles(const rtl::Core& core, int cycles, std::uint64_t seed) {
+rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   const hls::WorldBits world = core.options.bits.world();
   Random random(seed);
   // A tree of n leaves has less than n records beside the root's own.
@@ -72,21 +83,30 @@ std::vector<rtl::MachineCycle> core_cycles(const rtl::Core& core, int cycles, st
   const ref::IntScene scene = ref::int_scene(random_scene(triangles, random), world,
                                              {.builder = ref::Builder::sah, .max_triangles = 2});
   const ref::CoreImage image = ref::core_image(scene);
+  const auto job = [&]() -> CoreJob {
+    const ref::Ray ray{.origin = point(random), .direction = point(random), .length = 2.0F};
+    return {ref::int_ray(ray, world), random.below(3) == 0};
+  };
+
   Recorder recorder(core, static_cast<std::size_t>(cycles));
   CoreBench bench(core, recorder, image,
                   {.least_latency = 1, .most_latency = 40, .refused_percent = 10, .seed = seed},
                   {.base = 5, .held_percent = 30, .seed = seed});
-  std::vector<CoreJob> jobs;
   while (!recorder.full()) {
-    jobs.clear();
-    for (int i = 0; i < 100; ++i) {
-      const ref::Ray ray{.origin = point(random), .direction = point(random), .length = 2.0F};
-      jobs.push_back({ref::int_ray(ray, world), random.below(3) == 0});
-    }
+    std::vector<CoreJob> jobs(100);
+    std::generate(jobs.begin(), jobs.end(), job);
     std::vector<CoreAnswer> answers(jobs.size());
     bench.run(jobs, answers);
   }
-  return recorder.cycles;
+
+  rtl::CoreTest test{.cycles = std::move(recorder.cycles), .scene = {.blocks = image.blocks, .rays = {}}};
+  for (int i = 0; i < 1000; ++i) {
+    const CoreJob next = job();
+    const ref::IntHit hit = nearest(next.ray, scene.mesh, world);
+    test.scene.rays.push_back(
+        {ray_fields(core, next), next.any, hit.triangle, static_cast<std::uint64_t>(hit.t)});
+  }
+  return test;
 }
 
 }  // namespace hitpipe::sim

@@ -1,0 +1,309 @@
+#include "rtl_gen/core/axi.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "hls/machines/registers.hpp"
+#include "rtl_gen/machine/module.hpp"
+
+namespace hitpipe::rtl {
+
+namespace {
+
+constexpr int counter_bits = 40;
+
+/// Ports of the core whose name begins so, without its beginning, but valid, ready and tag.
+std::vector<Port> ports_of(const Core& core, std::string_view before) {
+  std::vector<Port> ports;
+  for (const CorePort& port : core.ports) {
+    const std::string& name = port.pin.name;
+    if (!name.starts_with(before)) continue;
+    const std::string rest = name.substr(before.size());
+    if (rest == "valid" || rest == "ready" || rest == "tag") continue;
+    ports.push_back({rest, port.pin.width, port.pin.is_signed});
+    ports.back().comment = port.pin.comment;
+  }
+  return ports;
+}
+
+int width_of(const Core& core, std::string_view name) {
+  const auto found = std::find_if(core.ports.begin(), core.ports.end(),
+                                  [&](const CorePort& port) { return port.pin.name == name; });
+  return found->pin.width;
+}
+
+MachineGraph registers_of(const Core& core, std::string& bits) {
+  const Format format = hls::RegisterBits{core.options.address_bits, core.options.byte_bits,
+                                          core.options.ray_bits(), counter_bits};
+  bits = to_string(format);
+  return machine_called("registers")->graph(format);
+}
+
+ModuleInterface interface_of(const Core& core) {
+  using Role = Pin::Role;
+  ModuleInterface made{axi_module(core),
+                       {{"aclk", Role::clock, "", true}, {"aresetn", Role::reset, "", true}}};
+  const auto add = [&](const std::string& channel, bool is_input,
+                       const std::vector<std::pair<std::string, int>>& data) {
+    made.pins.push_back({channel + "valid", Role::valid, channel, is_input});
+    made.pins.push_back({channel + "ready", Role::ready, channel, !is_input});
+    for (const auto& [name, width] : data)
+      made.pins.push_back({channel + name, Role::data, channel, is_input, width});
+  };
+  const int tag = core.options.tag_bits, id = width_of(core, "request_id");
+  add("s_axi_aw", true, {{"addr", 8}});
+  add("s_axi_w", true, {{"data", 32}, {"strb", 4}});
+  add("s_axi_b", false, {{"resp", 2}});
+  add("s_axi_ar", true, {{"addr", 8}});
+  add("s_axi_r", false, {{"data", 32}, {"resp", 2}});
+  add("s_axis_ray_t", true, {{"data", stream_bits(ray_ports(core))}, {"id", tag}});
+  add("m_axis_hit_t", false, {{"data", stream_bits(hit_ports(core))}, {"id", tag}});
+  add("m_axi_ar", false,
+      {{"addr", core.options.byte_bits},
+       {"id", id},
+       {"len", 8},
+       {"size", 3},
+       {"burst", 2},
+       {"cache", 4},
+       {"prot", 3}});
+  add("m_axi_r", true, {{"data", 256}, {"id", id}, {"resp", 2}, {"last", 1}});
+  return made;
+}
+
+std::string layout(const std::vector<Port>& ports) {
+  std::string text;
+  for (const StreamField& field : stream_fields(ports))
+    text += fmt::format("//   {:>4}:{:<4} {}\n", field.offset + field.width - 1, field.offset, field.name);
+  return text;
+}
+
+/// What each port of the core and of its registers is joined to.
+class Connections {
+ public:
+  explicit Connections(const Core& core) {
+    for (const StreamField& field : stream_fields(ray_ports(core)))
+      ends_["ray_" + field.name] =
+          bit_range("s_axis_ray_tdata", field.offset + field.width - 1, field.offset);
+    for (const auto& [port, pin] :
+         std::vector<std::pair<const char*, const char*>>{{"clk", "aclk"},
+                                                          {"rst", "~aresetn"},
+                                                          {"ray_valid", "s_axis_ray_tvalid"},
+                                                          {"ray_ready", "s_axis_ray_tready"},
+                                                          {"ray_tag", "s_axis_ray_tid"},
+                                                          {"hit_valid", "m_axis_hit_tvalid"},
+                                                          {"hit_ready", "m_axis_hit_tready"},
+                                                          {"hit_tag", "m_axis_hit_tid"},
+                                                          {"request_valid", "m_axi_arvalid"},
+                                                          {"request_ready", "m_axi_arready"},
+                                                          {"request_address", "m_axi_araddr"},
+                                                          {"request_id", "m_axi_arid"},
+                                                          {"read_valid", "m_axi_rvalid"},
+                                                          {"read_id", "m_axi_rid"},
+                                                          {"read_word_0", "m_axi_rdata[63:0]"},
+                                                          {"read_word_1", "m_axi_rdata[127:64]"},
+                                                          {"read_word_2", "m_axi_rdata[191:128]"},
+                                                          {"read_word_3", "m_axi_rdata[255:192]"}})
+      ends_[port] = pin;
+    for (const char* const lite :
+         {"awvalid", "awready", "awaddr", "wvalid", "wready", "wdata", "wstrb", "bvalid", "bready", "bresp",
+          "arvalid", "arready", "araddr", "rvalid", "rready", "rdata", "rresp"})
+      ends_[lite] = fmt::format("s_axi_{}", lite);
+  }
+
+  [[nodiscard]] std::string instance(const ModuleInterface& inside, const std::string& name) const {
+    std::vector<std::string> list;
+    for (const Pin& pin : inside.pins) {
+      const auto found = ends_.find(pin.name);
+      list.push_back(fmt::format("    .{}({})", pin.name, found == ends_.end() ? pin.name : found->second));
+    }
+    return fmt::format("  {} {} (\n{}\n  );\n", inside.module, name, fmt::join(list, ",\n"));
+  }
+
+ private:
+  std::map<std::string, std::string, std::less<>> ends_;
+};
+
+/// The fields of a word, the high ones first, with zeros between.
+std::string joined(const std::vector<Port>& ports, std::string_view before) {
+  std::vector<std::string> parts;
+  for (const StreamField& field : stream_fields(ports)) {
+    const int padding = (8 - field.width % 8) % 8;
+    parts.push_back(fmt::format("{}{}", before, field.name));
+    if (padding > 0) parts.push_back(fmt::format("{}'d0", padding));
+  }
+  std::reverse(parts.begin(), parts.end());
+  return fmt::format("{{{}}}", fmt::join(parts, ", "));
+}
+
+std::vector<std::string> padding_of(const std::vector<Port>& ports, const std::string& word) {
+  std::vector<std::string> parts;
+  for (const StreamField& field : stream_fields(ports))
+    if (field.width % 8 != 0)
+      parts.push_back(
+          bit_range(word, (field.offset + field.width + 7) / 8 * 8 - 1, field.offset + field.width));
+  return parts;
+}
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+std::string c_fields(const std::vector<Port>& ports) {
+  std::string text;
+  for (const Port& port : ports)
+    text += fmt::format("  {} {};{}\n", port.is_signed ? "int64_t" : "uint64_t", port.name,
+                        port.comment.empty() ? "" : fmt::format(" /* {} */", port.comment));
+  return text;
+}
+
+}  // namespace
+
+std::string axi_module(const Core& core) {
+  return core.module + "_axi";
+}
+std::vector<Port> ray_ports(const Core& core) {
+  return ports_of(core, "ray_");
+}
+std::vector<Port> hit_ports(const Core& core) {
+  return ports_of(core, "hit_");
+}
+
+std::string axi_verilog(const Core& core) {
+  std::string bits;
+  const MachineGraph graph = registers_of(core, bits);
+  const std::string registers = core.module + "_registers";
+  const Connections connections(core);
+  std::string wires;
+  for (const Port& port : hit_ports(core))
+    wires += fmt::format("  wire {}hit_{};\n", vector_range(port.width), port.name);
+  for (const char* const name : {"base", "last", "most_steps", "most_rays"})
+    wires += fmt::format("  wire {}{};\n", vector_range(width_of(core, name)), name);
+  std::vector<std::string> unused = padding_of(ray_ports(core), "s_axis_ray_tdata");
+  unused.insert(unused.end(), {"m_axi_rresp", "m_axi_rlast"});
+  return fmt::format(
+             R"(// The core {0} behind AXI: rays and answers by AXI4-Stream, registers by AXI4-Lite, blocks by AXI4.
+// Fields of s_axis_ray_tdata:
+{1}// Fields of m_axis_hit_tdata:
+{2}// Generated by hitpipe; do not edit.
+{3}{4}
+{5}
+{6}
+  assign m_axis_hit_tdata = {7};
+  // A block is one beat of 32 bytes. It is taken at once.
+  assign m_axi_arlen = 8'd0;
+  assign m_axi_arsize = 3'd5;
+  assign m_axi_arburst = 2'd1;
+  assign m_axi_arcache = 4'd3;
+  assign m_axi_arprot = 3'd0;
+  assign m_axi_rready = 1'b1;
+
+  wire unused = &{{1'b0, {8}}};
+endmodule
+
+/* verilator lint_off DECLFILENAME */
+
+)",
+             core.module, layout(ray_ports(core)), layout(hit_ports(core)), interface_of(core).head(), wires,
+             connections.instance(core.interface(), "core_i"),
+             connections.instance(machine_interface(registers, graph), "registers_i"),
+             joined(hit_ports(core), "hit_"), fmt::join(unused, ", ")) +
+         to_verilog(graph, {.module = registers, .bits = bits}) + "/* verilator lint_on DECLFILENAME */\n";
+}
+
+std::string c_header(const Core& core) {
+  const std::string name = core.module, upper_name = upper(name);
+  std::string registers, pack, unpack;
+  const auto at = [&](const char* what, int place) {
+    registers += fmt::format("#define {}_{} 0x{:02x}\n", upper_name, what, 4 * place);
+  };
+  at("REG_IDENTITY", hls::registers::identity_at);
+  at("REG_VERSION", hls::registers::version_at);
+  at("REG_BASE_LOW", hls::registers::base_at);
+  at("REG_BASE_HIGH", hls::registers::high_base_at);
+  at("REG_LAST_BLOCK", hls::registers::last_at);
+  at("REG_MOST_STEPS", hls::registers::most_steps_at);
+  at("REG_MOST_RAYS", hls::registers::most_rays_at);
+  at("REG_CLEAR_COUNTERS", hls::registers::clear_at);
+  int place = hls::registers::counters_at;
+  for (const char* const counter :
+       {"CYCLES", "RAYS", "ANSWERS", "HITS", "RECORDS", "TRIANGLES", "IDLE", "REFUSED"}) {
+    at(fmt::format("COUNT_{}", counter).c_str(), place);
+    place += 2;
+  }
+  for (const StreamField& field : stream_fields(ray_ports(core)))
+    pack += fmt::format("  {}_put(bytes + {}, {}, (uint64_t)ray->{});\n", name, field.offset / 8,
+                        (field.width + 7) / 8, field.name);
+  for (const StreamField& field : stream_fields(hit_ports(core)))
+    unpack += fmt::format("  hit->{} = {}_get(bytes + {}, {});\n", field.name, name, field.offset / 8,
+                          (field.width + 7) / 8);
+  return fmt::format(
+      R"(/* Registers and records of {0}_axi, {1}, {2} rays in flight. Generated by hitpipe; do not edit. */
+#ifndef {3}_H
+#define {3}_H
+
+#include <stdint.h>
+
+/* Registers of 32 bits; a counter has two, the low one first. */
+{4}
+#define {3}_IDENTITY 0x{5:08x}u
+#define {3}_RAYS {2}
+#define {3}_TAG_BITS {12}
+#define {3}_BLOCK_BYTES 32
+#define {3}_NO_HIT 0xffffffffu
+
+#define {3}_RAY_BYTES {6}
+#define {3}_HIT_BYTES {7}
+
+/* What a beat of s_axis_ray says. */
+struct {0}_ray {{
+{8}}};
+/* What a beat of m_axis_hit says. */
+struct {0}_hit {{
+{9}}};
+
+static inline void {0}_put(uint8_t* bytes, int count, uint64_t value) {{
+  for (int i = 0; i < count; ++i) bytes[i] = (uint8_t)(value >> 8 * i);
+}}
+static inline uint64_t {0}_get(const uint8_t* bytes, int count) {{
+  uint64_t value = 0;
+  for (int i = 0; i < count; ++i) value |= (uint64_t)bytes[i] << 8 * i;
+  return value;
+}}
+
+static inline void {0}_pack_ray(uint8_t* bytes, const struct {0}_ray* ray) {{
+{10}}}
+static inline void {0}_unpack_hit(struct {0}_hit* hit, const uint8_t* bytes) {{
+{11}}}
+
+#endif
+)",
+      name, to_string(Format(core.options.bits)), core.options.rays, upper_name, registers,
+      hls::registers::identity, stream_bits(ray_ports(core)) / 8, stream_bits(hit_ports(core)) / 8,
+      c_fields(ray_ports(core)), c_fields(hit_ports(core)), pack, unpack, core.options.tag_bits);
+}
+
+Json axi_json(const Core& core) {
+  const auto side = [](const std::vector<Port>& ports) {
+    Json fields = Json::array();
+    for (const StreamField& field : stream_fields(ports))
+      fields.push_back({{"name", field.name}, {"offset", field.offset}, {"width", field.width}});
+    return Json{{"tdata_bits", stream_bits(ports)}, {"fields", fields}};
+  };
+  return {{"module", axi_module(core)},
+          {"verilog", axi_module(core) + ".v"},
+          {"header", core.module + ".h"},
+          {"s_axis_ray", side(ray_ports(core))},
+          {"m_axis_hit", side(hit_ports(core))}};
+}
+
+}  // namespace hitpipe::rtl

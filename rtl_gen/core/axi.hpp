@@ -1,0 +1,27 @@
+// A core behind AXI (docs/core.md): the module MODULE_axi contains the core and its registers. Rays come and
+// answers leave by AXI4-Stream, the host writes and reads registers by AXI4-Lite, and blocks are read by
+// AXI4: one beat of 256 bits a request, in any order.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rtl_gen/component/library.hpp"
+#include "rtl_gen/core/core.hpp"
+#include "rtl_gen/emit/axi_stream.hpp"
+
+namespace hitpipe::rtl {
+
+[[nodiscard]] std::string axi_module(const Core& core);
+/// Fields of s_axis_ray_tdata and m_axis_hit_tdata. The tag is tid.
+[[nodiscard]] std::vector<Port> ray_ports(const Core& core);
+[[nodiscard]] std::vector<Port> hit_ports(const Core& core);
+
+/// The wrapper and its registers in Verilog-2001, without the core.
+[[nodiscard]] std::string axi_verilog(const Core& core);
+/// MODULE.h: registers and records for software in C.
+[[nodiscard]] std::string c_header(const Core& core);
+/// The object `axi` of the manifest: module, and the fields of both streams.
+[[nodiscard]] Json axi_json(const Core& core);
+
+}  // namespace hitpipe::rtl

@@ -1,0 +1,31 @@
+// A small system around a core as a C++ program for Verilator: a memory, and a host that loads an image,
+// sends rays and compares answers. It is the pattern for a system of one's own.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rtl_gen/core/core.hpp"
+#include "rtl_gen/graph/word.hpp"
+
+namespace hitpipe::rtl {
+
+/// What the program loads: the blocks of an image, and rays with their answers.
+struct CoreScene {
+  struct Ray {
+    std::vector<Word> fields;  ///< in the order of ray_ports()
+    bool any;
+    std::uint64_t number, t;  ///< of the nearest triangle; without one all ones, and the ray's length
+  };
+  std::vector<std::array<std::uint64_t, 4>> blocks;
+  std::vector<Ray> rays;
+};
+
+/// tb/MODULE_axi_harness.cpp
+[[nodiscard]] std::string system_program(const Core& core);
+/// tb/MODULE_scene.txt
+[[nodiscard]] std::string scene_text(const Core& core, const CoreScene& scene);
+
+}  // namespace hitpipe::rtl
