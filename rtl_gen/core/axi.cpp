@@ -258,6 +258,7 @@ std::string c_header(const Core& core) {
 #define {3}_IDENTITY 0x{5:08x}u
 #define {3}_RAYS {2}
 #define {3}_TAG_BITS {12}
+#define {3}_ADDRESS_BITS {13}
 #define {3}_BLOCK_BYTES 32
 #define {3}_NO_HIT 0xffffffffu
 
@@ -289,7 +290,8 @@ static inline void {0}_unpack_hit(struct {0}_hit* hit, const uint8_t* bytes) {{
 )",
       name, to_string(Format(core.options.bits)), core.options.rays, upper_name, registers,
       hls::registers::identity, stream_bits(ray_ports(core)) / 8, stream_bits(hit_ports(core)) / 8,
-      c_fields(ray_ports(core)), c_fields(hit_ports(core)), pack, unpack, core.options.tag_bits);
+      c_fields(ray_ports(core)), c_fields(hit_ports(core)), pack, unpack, core.options.tag_bits,
+      core.options.byte_bits);
 }
 
 Json axi_json(const Core& core) {

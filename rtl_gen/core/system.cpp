@@ -109,8 +109,7 @@ class System {
     top.aclk = 0;
     top.eval();
     if (top.aresetn && top.m_axi_arvalid && top.m_axi_arready)
-      reads_.push_back({top.m_axi_araddr / CORE_MODULE_BLOCK_BYTES - first_block, cycle_ + random_() % 60,
-                        static_cast<uint32_t>(top.m_axi_arid)});
+      reads_.push_back({block_at(top.m_axi_araddr), cycle_ + random_() % 60, static_cast<uint32_t>(top.m_axi_arid)});
     top.aclk = 1;
     top.eval();
     ++cycle_;
@@ -122,6 +121,11 @@ class System {
     uint64_t block, due;
     uint32_t id;
   };
+  // Addresses go round at their last bit.
+  static uint64_t block_at(uint64_t address) {
+    return (address - first_block * CORE_MODULE_BLOCK_BYTES) << (64 - CORE_MODULE_ADDRESS_BITS) >>
+           (64 - CORE_MODULE_ADDRESS_BITS) >> 5;
+  }
   std::vector<Read> reads_;
   std::mt19937 random_;
   uint64_t cycle_ = 0;

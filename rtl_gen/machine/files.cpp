@@ -18,10 +18,10 @@ CycleTest cycle_test(const MachineGraph& graph, NativeMachine& native, const std
   CycleTest test{.module = module, .inputs = {}, .outputs = {}, .registers = {}, .cycles = {}};
   for (const hls::Field& field : graph.inputs) test.inputs.push_back({field.name, field.width});
   for (const hls::Field& field : graph.outputs) test.outputs.push_back({field.name, field.width});
-  test.begins_with = "    // The C++ begins with zeros everywhere.\n";
+  test.begins_with = "    // The C++ begins with the values of a reset, and zeros elsewhere.\n";
   for (const hls::Field& field : graph.state) {
     test.registers.push_back({field.name, field.width});
-    test.begins_with += fmt::format("    dut.{} = 0;\n", field.name);
+    test.begins_with += fmt::format("    dut.{} = {};\n", field.name, field.reset);
   }
   for (const hls::MemoryShape& memory : graph.memories) {
     test.begins_with +=

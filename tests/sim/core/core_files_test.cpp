@@ -1,0 +1,138 @@
+// The files of a core: testbench and system pass in the simulators, and see damage. The tools have nothing to
+// say of the Verilog.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/files.hpp"
+#include "rtl_gen/core/files.hpp"
+#include "sim/core/core_vectors.hpp"
+#include "tests/message_of.hpp"
+#include "tests/rtl_gen/text.hpp"
+#include "tests/rtl_gen/tool.hpp"
+
+namespace hitpipe::sim::core_files_test {
+namespace {
+
+using testing::HasSubstr;
+
+const rtl::Library& library() {
+  static const rtl::Library own = rtl::library_called(rtl::default_library);
+  return own;
+}
+
+std::vector<host::File> files_of(const rtl::CoreOptions& options, const std::string& module = "core") {
+  const rtl::Core core = rtl::make_core(options, library(), module);
+  return rtl::core_files(core, library(), core_test(core, 2000, 7));
+}
+
+/// The C++ compiler optimises nothing, and compiles Verilator's own code once for all tests.
+rtl::ToolResult made(const std::filesystem::path& folder, const std::string& target) {
+  return rtl::run_tool(folder, "make", "make",
+                       fmt::format("-s -C tb {} OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0 "
+                                   "OBJCACHE='sh " HITPIPE_SOURCE "/tests/rtl_gen/emit/kept_object.sh'",
+                                   target));
+}
+
+struct Kind {
+  const char* name;
+  rtl::CoreOptions options;
+};
+
+class CoreFiles : public testing::TestWithParam<Kind> {};
+
+TEST_P(CoreFiles, PassInAllTools) {
+  const host::ScratchFolder folder("core-files");
+  host::write_files(folder.path(), files_of(GetParam().options));
+  rtl::expect_silent_tools(folder.path(), {{"core_axi", "core"}});
+  for (const char* const target : {"icarus", "verilator"}) {
+    const rtl::ToolResult result = made(folder.path(), target);
+    EXPECT_EQ(result.status, 0) << result.output;
+    EXPECT_THAT(result.output, HasSubstr("PASS 2000 cycles"));
+  }
+  const rtl::ToolResult system = made(folder.path(), "harness");
+  EXPECT_EQ(system.status, 0) << system.output;
+  EXPECT_THAT(system.output, HasSubstr("PASS 1000 rays"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, CoreFiles,
+                         testing::Values(Kind{"Usual", {.bits = {12, 1, 7, 0, 12, 0}}},
+                                         Kind{"OneRay",
+                                              {.bits = {10, 2, 6, -1, 9, 2},
+                                               .rays = 1,
+                                               .stack_bits = 1,
+                                               .levels = 20,
+                                               .address_bits = 4,
+                                               .byte_bits = 9,
+                                               .tag_bits = 1,
+                                               .triangle_interval = 3}},
+                                         Kind{"ManyRays",
+                                              {.bits = {16, 0, 8, 0, 14, 0},
+                                               .rays = 200,
+                                               .stack_bits = 2,
+                                               .address_bits = 32,
+                                               .byte_bits = 64,
+                                               .tag_bits = 40,
+                                               .triangle_interval = 9}}),
+                         [](const auto& each) { return each.param.name; });
+
+/// A change of one file, and what sees it.
+struct Damage {
+  const char *name, *file, *good, *bad, *target;
+};
+
+class DamagedCore : public testing::TestWithParam<Damage> {};
+
+TEST_P(DamagedCore, IsSeen) {
+  const Damage& damage = GetParam();
+  const host::ScratchFolder folder("damaged-core");
+  std::vector<host::File> files = files_of({.bits = {12, 1, 7, 0, 12, 0}});
+  for (host::File& file : files)
+    if (file.name == damage.file) file.contents = rtl::replaced(file.contents, damage.good, damage.bad);
+  host::write_files(folder.path(), files);
+  const rtl::ToolResult result = made(folder.path(), damage.target);
+  EXPECT_NE(result.status, 0);
+  EXPECT_THAT(result.output, HasSubstr("FAIL"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, DamagedCore,
+    testing::Values(
+        Damage{"StaleTag", "core.v", "tags[leaving_ray]", "tags[ray_1]", "icarus"},
+        Damage{"StaleTagInTheSystem", "core.v", "tags[leaving_ray]", "tags[ray_1]", "harness"},
+        Damage{"HalvesOfAWordTradePlaces", "core_axi.v", "(m_axi_rdata[63:0])",
+               "({m_axi_rdata[31:0], m_axi_rdata[63:32]})", "harness"},
+        Damage{"AnyForNearest", "core_axi.v", ".ray_any(s_axis_ray_tdata[0])",
+               ".ray_any(~s_axis_ray_tdata[0])", "harness"},
+        Damage{"WriteToAnotherRegister", "core.h", "REG_LAST_BLOCK 0x18", "REG_LAST_BLOCK 0x1c", "harness"},
+        Damage{"AnswersAreCountedAlways", "core_axi.v", "count_answers <= next_count_answers_value",
+               "count_answers <= next_count_answers_value + 40'h1", "harness"}),
+    [](const auto& each) { return each.param.name; });
+
+TEST(CoreFiles, HaveTheModulesName) {
+  const std::vector<host::File> files = files_of({.bits = {12, 1, 7, 0, 12, 0}}, "tracer");
+  std::vector<std::string> names;
+  for (const host::File& file : files) names.push_back(file.name);
+  EXPECT_THAT(names, testing::ElementsAre("tracer.v", "tracer_axi.v", "tracer.h", "tracer.json",
+                                          "tracer.core", "tb/tracer_tb.sv", "tb/tracer_vectors.hex",
+                                          "tb/tracer_axi_harness.cpp", "tb/tracer_scene.txt", "tb/Makefile"));
+  for (const host::File& file : files) EXPECT_EQ(rtl::times(file.contents, "core_module"), 0) << file.name;
+  const auto manifest = nlohmann::json::parse(files[3].contents);
+  EXPECT_EQ(manifest["module"], "tracer");
+  EXPECT_EQ(manifest["axi"]["module"], "tracer_axi");
+  EXPECT_EQ(manifest["parts"].size(), 11U);
+}
+
+TEST(Core, RefusesOptions) {
+  const auto said = [](const rtl::CoreOptions& options) {
+    return message_of<std::runtime_error>([&] { (void)rtl::make_core(options, library()); });
+  };
+  EXPECT_EQ(said({.rays = 257}), "rays in flight 257: allowed is 1 to 256");
+  EXPECT_EQ(said({.address_bits = 28}), "bits of an address 32: allowed is 33 to 64");
+  EXPECT_EQ(said({.triangle_interval = 2}), "cycles from triangle to triangle 2: allowed is 3 to 64");
+  EXPECT_THAT(said({.bits = {25, 1, 11, 0, 20, 0}}), HasSubstr("core: there is no format 25+1/11s20"));
+}
+
+}  // namespace
+}  // namespace hitpipe::sim::core_files_test
