@@ -10,7 +10,9 @@
 #include "area_model/price.hpp"
 #include "area_model/triangle_unit.hpp"
 #include "cli/commands.hpp"
+#include "cli/commands/cores.hpp"
 #include "cli/commands/machines.hpp"
+#include "cli/options/core_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/area_text.hpp"
@@ -27,6 +29,7 @@ using area::Price;
 
 struct AreaOptions {
   DesignsChoice units;
+  CoreChoice core;
   Account account = Account::built;
   rtl::FlowControl flow_control = rtl::FlowControl::stall;
   std::string library{rtl::default_library};
@@ -293,7 +296,24 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
           by_stage, "a shared component works in several stages");
   command->add_flag("--triangle", options->triangle,
                     "Price a float triangle test too, which hitpipe does not emit");
-  command->callback([options, flow, command] {
+  add_count_option(*command, "--rays", options->core.options.rays, {1, rtl::CoreOptions::most_rays},
+                   "Of a core: rays in flight")
+      ->capture_default_str();
+  std::vector<std::string> of_core = add_core_options(*command, options->core);
+  of_core.emplace_back("--rays");
+  command->callback([options, flow, command, of_core] {
+    const std::optional<std::string> bits =
+        options->units.bits.empty() ? std::nullopt : std::optional(options->units.bits.front());
+    std::vector<std::string> allowed{"design", "--bits", "--library", "--format"};
+    if (options->units.names == std::vector<std::string>{core_name}) {
+      allowed.insert(allowed.end(), of_core.begin(), of_core.end());
+      allow_only(*command, "core is a core", allowed);
+      print_core_price(options->core.core(bits), options->library, options->format);
+      return;
+    }
+    for (const std::string& name : of_core)
+      if (command->count(name) > 0)
+        throw std::runtime_error(fmt::format("{}: allowed with {} only", name, core_name));
     if (flow->count() > 0 && options->account == Account::printed)
       throw std::runtime_error(
           "--flow-control: the printed account counts latches as the thesis does; allowed with --account "
@@ -303,11 +323,8 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
       print_prices(*options);
       return;
     }
-    allow_only(*command, fmt::format("{} is a machine", machines.front()->name),
-               {"design", "--bits", "--library", "--format"});
-    print_machine_prices(
-        machines, options->units.bits.empty() ? std::nullopt : std::optional(options->units.bits.front()),
-        options->library, options->format);
+    allow_only(*command, fmt::format("{} is a machine", machines.front()->name), allowed);
+    print_machine_prices(machines, bits, options->library, options->format);
   });
   return command;
 }

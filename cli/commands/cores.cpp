@@ -1,10 +1,14 @@
 #include "cli/commands/cores.hpp"
 
+#include <cstdint>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "area_model/figure.hpp"
+#include "area_model/price.hpp"
 #include "host/files.hpp"
 #include "rtl_gen/core/files.hpp"
 #include "rtl_gen/verilog/names.hpp"
@@ -33,6 +37,49 @@ void emit_core(const rtl::CoreOptions& core_options, const CoreRtl& options) {
                 {"cycles", options.cycles},
                 {"files", names}};
   fmt::print("{}", record_text(row, options.format));
+}
+
+void print_core_price(const rtl::CoreOptions& core_options, const std::string& library_name,
+                      OutputFormat format) {
+  const rtl::Library library = rtl::library_called(library_name);
+  const rtl::Core core = rtl::make_core(core_options, library);
+  std::vector<Row> rows;
+  std::int64_t all_area = 0, all_memory = 0;
+  rtl::ChipCells all_taken;
+  const auto add = [&](std::string_view part, const std::string& bits, std::int64_t memory, std::int64_t area,
+                       const rtl::ChipCells& taken) {
+    Row row{{"part", part}, {"bits", bits}, {"memory_bits", memory}};
+    if (library.chip() == nullptr) {
+      const std::string digits = area::area_mm2(area);
+      row["area_mm2"] = format == OutputFormat::json ? Row::parse(digits) : Row(digits);
+    } else {
+      row["lut"] = taken.luts;
+      row["ff"] = taken.registers;
+      row["dsp"] = taken.blocks;
+    }
+    rows.push_back(row);
+  };
+  for (const rtl::CorePart& part : core.parts) {
+    std::int64_t memory = 0, area = 0;
+    rtl::ChipCells taken;
+    if (part.graph) {
+      const area::MachinePrice price = area::price(*part.graph, library);
+      memory = price.memory_bits;
+      area = price.area_um2;
+      taken = price.taken;
+    } else {
+      const area::Price price =
+          area::price(*part.pipeline, *part.design, part.format, library, rtl::FlowControl::none);
+      area = price.area_um2;
+      taken = price.taken;
+    }
+    add(part.name, rtl::to_string(part.format), memory, area, taken);
+    all_memory += memory;
+    all_area += area;
+    all_taken += taken;
+  }
+  add("core", rtl::to_string(rtl::Format(core.options.bits)), all_memory, all_area, all_taken);
+  fmt::print("{}", table_text(rows, format));
 }
 
 }  // namespace hitpipe::cli

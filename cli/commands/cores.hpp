@@ -1,4 +1,4 @@
-// What the command `rtl` does with a core in place of a design.
+// What the commands `rtl` and `area` do with a core in place of a design.
 #pragma once
 
 #include <cstdint>
@@ -22,5 +22,9 @@ struct CoreRtl {
 };
 /// Writes the files of a core and says which. Throws as rtl::make_core() and host::write_files() do.
 void emit_core(const rtl::CoreOptions& core, const CoreRtl& options);
+
+/// Prints what each part of a core takes, and all of them. Bits of memories are apart. Throws as
+/// rtl::make_core() and area::price() do.
+void print_core_price(const rtl::CoreOptions& core, const std::string& library, OutputFormat format);
 
 }  // namespace hitpipe::cli
