@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -105,8 +107,8 @@ void trace_scene(TraceCommand command, int& exit_code) {
     rtl::CoreOptions core = command.core.core(std::nullopt);
     core.bits = ray_bits;
     core.rays = rays;
-    core.address_bits = 32;
-    core.byte_bits = 64;
+    while (image.blocks.size() > std::uint64_t{1} << core.address_bits) ++core.address_bits;
+    core.byte_bits = std::max(core.byte_bits, core.address_bits + 5);
     rows.push_back(traced(command, core, image, picture, right));
   }
   fmt::print("{}", table_text(rows, command.format));

@@ -12,13 +12,13 @@
 namespace hitpipe {
 namespace hls {
 
-/// The format "tTcCdDiI", for example t20c1d21i5.
+/// The format "tTcCdDiI", for example t20c1d20i5.
 ///   T  bits of a distance;  C  low bits of it that a box distance has not;  D  bits of a box distance, at
 ///   least T - C;  I  bits of a ray's number
 struct BestBits {
   int distance = 20;  ///< T
   int dropped = 1;    ///< C
-  int box = 21;       ///< D
+  int box = 20;       ///< D
   int ray = 5;        ///< I
 
   static constexpr FormatField fields[] = {
@@ -223,7 +223,7 @@ struct BestHits {
   static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = BestBits;
-  using BuiltIn = FormatList<BestFormat<20, 1, 21, 5>>;
+  using BuiltIn = FormatList<BestFormat<20, 1, 20, 5>>;
   template <class D, class F>
   using State = best_hits::State<D, F>;
   template <class D, class F>

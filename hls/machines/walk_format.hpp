@@ -1,4 +1,4 @@
-// The format of the walker: "dDaAlLkKiI", for example d21a24l60k3i5.
+// The format of the walker: "dDaAlLkKiI", for example d20a24l60k3i5.
 //   D  bits of a box distance, the length of int_major_pair's format
 //   A  bits of a block's number in memory
 //   L  levels of records that a path may have: bits of the trail
@@ -14,7 +14,7 @@ namespace hls {
 
 /// A format whose widths are known at run time.
 struct WalkBits {
-  int distance = 21;  ///< D
+  int distance = 20;  ///< D
   int address = 24;   ///< A
   int levels = 60;    ///< L
   int stack = 3;      ///< K
@@ -32,7 +32,7 @@ struct WalkBits {
   }
 };
 
-/// The same with widths known when the code is compiled: WalkFormat<21, 24, 60, 3, 5> is d21a24l60k3i5.
+/// The same with widths known when the code is compiled: WalkFormat<20, 24, 60, 3, 5> is d20a24l60k3i5.
 template <int Distance, int Address, int Levels, int Stack, int Ray>
 struct WalkFormat {
   static constexpr WalkBits bits{Distance, Address, Levels, Stack, Ray};
