@@ -223,7 +223,7 @@ struct BestHits {
   static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = BestBits;
-  using BuiltIn = FormatList<BestFormat<20, 1, 20, 5>>;
+  using BuiltIn = FormatList<BestFormat<20, 1, 20, 5>, BestFormat<20, 1, 20, 7>>;
   template <class D, class F>
   using State = best_hits::State<D, F>;
   template <class D, class F>

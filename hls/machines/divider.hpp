@@ -153,7 +153,7 @@ struct Divider {
   static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = CoreBits;
-  using BuiltIn = FormatList<CoreFormat<20, 1, 20, 0, 0, 5>>;
+  using BuiltIn = FormatList<CoreFormat<20, 1, 20, 0, 0, 5>, CoreFormat<20, 1, 20, 0, 0, 7>>;
   template <class D, class F>
   using State = divider::State<D, F>;
   template <class D, class F>

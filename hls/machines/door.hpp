@@ -137,7 +137,7 @@ struct Door {
   static constexpr const char* summary = "gives each new ray a number";
   static constexpr const char* header = __FILE__;
   using Bits = DoorBits;
-  using BuiltIn = FormatList<DoorFormat<20, 5>>;
+  using BuiltIn = FormatList<DoorFormat<20, 5>, DoorFormat<20, 7>>;
   template <class D, class F>
   using State = door::State<D, F>;
   template <class D, class F>

@@ -237,7 +237,7 @@ struct PairFeed {
   static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = PairFeedBits;
-  using BuiltIn = FormatList<PairFeedFormat<20, 1, 11, 0, 24, 5>>;
+  using BuiltIn = FormatList<PairFeedFormat<20, 1, 11, 0, 24, 5>, PairFeedFormat<20, 1, 11, 0, 24, 7>>;
   template <class D, class F>
   using State = pair_feed::State<D, F>;
   template <class D, class F>

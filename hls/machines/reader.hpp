@@ -172,7 +172,7 @@ struct Reader {
   static constexpr const char* summary = "asks memory for records, and for a leaf's triangles in turn";
   static constexpr const char* header = __FILE__;
   using Bits = ReaderBits;
-  using BuiltIn = FormatList<ReaderFormat<24, 5>>;
+  using BuiltIn = FormatList<ReaderFormat<24, 5>, ReaderFormat<24, 7>>;
   template <class D, class F>
   using State = reader::State<D, F>;
   template <class D, class F>

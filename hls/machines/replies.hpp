@@ -156,7 +156,7 @@ struct Replies {
   static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = ReplyBits;
-  using BuiltIn = FormatList<ReplyFormat<20, 16, 5>>;
+  using BuiltIn = FormatList<ReplyFormat<20, 16, 5>, ReplyFormat<20, 16, 7>>;
   template <class D, class F>
   using State = replies::State<D, F>;
   template <class D, class F>

@@ -133,7 +133,7 @@ struct Requests {
   static constexpr const char* summary = "requests to memory, with their addresses";
   static constexpr const char* header = __FILE__;
   using Bits = RequestBits;
-  using BuiltIn = FormatList<RequestFormat<24, 32, 5>>;
+  using BuiltIn = FormatList<RequestFormat<24, 32, 5>, RequestFormat<24, 32, 7>>;
   template <class D, class F>
   using State = requests::State<D, F>;
   template <class D, class F>

@@ -241,7 +241,7 @@ struct Walker {
   static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = WalkBits;
-  using BuiltIn = FormatList<WalkFormat<20, 24, 60, 3, 5>>;
+  using BuiltIn = FormatList<WalkFormat<20, 24, 60, 3, 5>, WalkFormat<20, 24, 60, 3, 7>>;
   template <class D, class F>
   using State = walker::State<D, F>;
   template <class D, class F>

@@ -42,7 +42,7 @@ struct IntMajorPair {
   static constexpr DesignKind kind = pair_kind;
   static constexpr const char* header = __FILE__;
   using Bits = MajorBits;
-  using BuiltIn = FormatList<MajorFormat<20, 1, 13>>;
+  using BuiltIn = FormatList<MajorFormat<20, 1, 13>, MajorFormat<20, 1, 11, 0, 20>>;
   template <class D, class F>
   using Operands = IntMajorPairOperands<D, F>;
   template <class D, class F>

@@ -68,11 +68,12 @@ class UnitInCore final : public Part {
 
   void give() override {
     const Stage& last = stages_[next_];
+    if (in_ready_ != nullptr) *in_ready_ = phase_ == 0 ? 1 : 0;
     *out_valid_ = last.valid ? 1 : 0;
+    if (!last.valid) return;
     *out_tag_ = last.tag;
     for (std::size_t i = 0; i < results_.size(); ++i)
       *results_[i].at = static_cast<Word>(last.results[i]) & results_[i].mask;
-    if (in_ready_ != nullptr) *in_ready_ = phase_ == 0 ? 1 : 0;
   }
 
   void step(bool reset) override {
