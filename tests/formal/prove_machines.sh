@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Proves properties of machines with yosys and z3, by induction, for two rays: prove_machines.sh HITPIPE FOLDER
+# tests/formal/machines/NAME.v has the properties of a machine, as text inside its module. Prints a table of machine,
+# format, result, seconds; false when anything was not proved, or when damage was not found.
+set -uo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/proofs.sh"
+hitpipe=$(realpath "$1")
+rm -rf "$2"
+mkdir -p "$2"
+cd "$2" || exit 1
+failed=0
+
+# properties NAME FORMAT [DAMAGE]: makes the machine's Verilog with its properties, changed by an expression of sed.
+properties() {
+  local name=$1 format=$2 damage=${3:-}
+  "$hitpipe" rtl "$name" --bits "$format" --name "$name" --vectors 1 --out . >rtl.log || return 1
+  cp "$name.v" whole.v
+  [[ -z $damage ]] || { sed -i "$damage" "$name.v"; ! cmp -s "$name.v" whole.v || return 1; }
+  sed -i '/^endmodule/d' "$name.v"
+  {
+    echo '  reg was_reset = 1'\''b0;'
+    echo '  always @(posedge clk) was_reset <= was_reset | rst;'
+    echo '  always @* if (!was_reset) assume (rst);'
+    cat "$formal/machines/$name.v"
+    echo endmodule
+  } >>"$name.v"
+  yosys -q -p "read_verilog -formal $name.v; prep -top $name; memory_map; opt_clean; write_smt2 -wires $name.smt2" >"$name.log" 2>&1
+}
+
+solve() {
+  timeout 60 yosys-smtbmc --noprogress -s z3 "${symbolic[@]}" "$@"
+}
+# From the first reset on, whatever comes before, and the covers are met.
+holds() {
+  solve --presat -t 4 "$1.smt2" >>"$1.log" 2>&1 && solve -i -t 4 "$1.smt2" >>"$1.log" 2>&1
+}
+reached() {
+  solve -c -t 20 "$1.smt2" >"$1.cover.log" 2>&1
+}
+
+row() {
+  local what=$1 format=$2 result=$3 began=$4
+  [[ $result == NOT* ]] && failed=1
+  printf '%-44s %-9s %-10s %6s\n' "$what" "$format" "$result" \
+    "$(awk -v a="$began" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }')"
+}
+
+# machine NAME FORMAT WHAT DAMAGE
+machine() {
+  local began=$EPOCHREALTIME result='NOT PROVED'
+  properties "$1" "$2" && holds "$1" && reached "$1" && result=proved
+  row "$1: $3" "$2" "$result" "$began"
+  began=$EPOCHREALTIME
+  result='NOT FOUND'
+  properties "$1" "$2" "$4" && ! holds "$1" && grep -q 'Status: FAILED' "$1.log" && result=found
+  row "$1: damage" "$2" "$result" "$began"
+}
+
+printf '%-44s %-9s %-10s %6s\n' proof format result seconds
+machine door t4i1 'a number is in one place' 's/has <= next_has_value/has <= next_has_value | has/'
+machine requests a4h9i1 'all leave once, in order, and stay' 's/there_2 <= waits/there_2 <= waits \& ~there_2/'
+machine replies t4g1i1 'one answer a ray, with its tag' 's/tags\[leaving_ray\]/tags[ray_1]/'
+exit $failed
