@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -18,6 +19,7 @@
 #include "cli/options/world_options.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "host/files.hpp"
 #include "rtl_gen/catalogue/format.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/core/core.hpp"
@@ -26,6 +28,7 @@
 #include "sim/core/picture_rays.hpp"
 #include "sim/machine/verilated_machine.hpp"
 #include "sw_ref/core/core_image.hpp"
+#include "sw_ref/render/image_file.hpp"
 
 namespace hitpipe::cli {
 
@@ -40,6 +43,7 @@ struct TraceCommand {
   std::vector<int> latency{100};
   sim::MemoryOptions memory;
   bool native = false;
+  std::string out;  ///< empty: no picture is written
   OutputFormat format = OutputFormat::text;
 };
 
@@ -89,7 +93,14 @@ void trace_scene(TraceCommand command, int& exit_code) {
     throw std::runtime_error(fmt::format("--latency {},{}: the first is the least", command.latency.front(),
                                          command.latency.back()));
   std::optional<Progress> progress("reading the scene");
-  const ref::IntScene scene = ref::int_scene(command.scene.load(), bits, command.build);
+  const ref::Scene loaded = command.scene.load();
+  const std::filesystem::path picture_file =
+      std::filesystem::path(command.out) / (std::filesystem::path(loaded.name).stem().string() + ".png");
+  if (!command.out.empty()) {
+    host::make_folder(command.out);
+    ref::check_image_place(picture_file);
+  }
+  const ref::IntScene scene = ref::int_scene(loaded, bits, command.build);
   const ref::CoreImage image = ref::core_image(scene);
   const hls::MajorBits boxes = usual_box_format(bits);
   const hls::RayBits ray_bits{bits.coord,     bits.finer, boxes.mantissa,
@@ -113,6 +124,9 @@ void trace_scene(TraceCommand command, int& exit_code) {
   }
   fmt::print("{}", table_text(rows, command.format));
   if (!right) exit_code = 1;
+  // Software's picture, so it is the core's only if all answers are the same.
+  if (right && !command.out.empty())
+    ref::write_image(picture_file, command.scene.width, command.scene.height, picture.image);
 }
 
 }  // namespace
@@ -154,6 +168,8 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
          "KiB of a cache with 8 ways and lines of 64 bytes, a power of two; 0 is none", 0, 65'536);
   command->add_flag("--native", options->native,
                     "The core as C++, which is the same in every cycle; else as Verilog");
+  add_folder_option(*command, options->out,
+                    "Folder for the picture that the answers make, SCENE.png; written when all are right");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { trace_scene(*options, exit_code); });
   return command;

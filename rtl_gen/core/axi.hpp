@@ -19,8 +19,6 @@ namespace hitpipe::rtl {
 
 /// The wrapper and its registers in Verilog-2001, without the core.
 [[nodiscard]] std::string axi_verilog(const Core& core);
-/// MODULE.h: registers and records for software in C.
-[[nodiscard]] std::string c_header(const Core& core);
 /// The object `axi` of the manifest: module, and the fields of both streams.
 [[nodiscard]] Json axi_json(const Core& core);
 

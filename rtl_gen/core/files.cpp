@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "rtl_gen/core/axi.hpp"
+#include "rtl_gen/core/c_header.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 

@@ -1,12 +1,12 @@
 #include "rtl_gen/core/system.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "rtl_gen/core/axi.hpp"
+#include "rtl_gen/core/c_header.hpp"
 
 namespace hitpipe::rtl {
 
@@ -209,17 +209,14 @@ int main() {
 }
 )";
 
-std::string with_name(std::string_view text, const std::string& module) {
-  std::string upper = module;
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+std::string with_name(std::string_view text, const Core& core) {
   std::string made;
   while (!text.empty()) {
     const std::size_t low = text.find("core_module"), high = text.find("CORE_MODULE");
     const std::size_t at = std::min(low, high);
     made += text.substr(0, at);
     if (at == std::string_view::npos) break;
-    made += at == low ? module : upper;
+    made += at == low ? core.module : macro_name(core);
     text.remove_prefix(at + std::string_view("core_module").size());
   }
   return made;
@@ -248,7 +245,7 @@ std::string scene_text(const Core& core, const CoreScene& scene) {
 }
 
 std::string system_program(const Core& core) {
-  return with_name(program, core.module);
+  return with_name(program, core);
 }
 
 }  // namespace hitpipe::rtl

@@ -1,5 +1,7 @@
 #include "sim/core/picture_rays.hpp"
 
+#include <utility>
+
 #include "sw_ref/world/int_ray.hpp"
 #include "sw_ref/world/int_tracer.hpp"
 
@@ -49,7 +51,9 @@ PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image
   const ref::IntSurfaces surfaces(scene);
   render.surfaces = &surfaces;
   render.threads = 1;
-  kept.work = ref::render(scene.scene, tracer, render).counts.total();
+  ref::RenderResult rendered = ref::render(scene.scene, tracer, render);
+  kept.work = rendered.counts.total();
+  kept.image = std::move(rendered.image);
   kept.restarts = tracer.restarts();
   return kept;
 }

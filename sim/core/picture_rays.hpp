@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "sim/core/core_bench.hpp"
 #include "sw_ref/core/core_tracer.hpp"
 #include "sw_ref/render/render.hpp"
@@ -16,6 +18,7 @@ struct PictureRays {
   std::vector<CoreJob> jobs;
   std::vector<std::uint32_t> triangles;  ///< by job, as TraceJob::triangles
   ref::TraceCounts work;
+  std::vector<glm::vec3> image;  ///< that software's answers make; linear
   std::uint64_t restarts = 0;
 
   /// How many answers are not software's: the triangle, or for any hit whether there is one; or failed.

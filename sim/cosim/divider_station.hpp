@@ -59,16 +59,16 @@ class DividerStation {
       const std::uint32_t place = free_.front();
       free_.pop_front();
       owners_[place] = next.ray;
-      in[0] = 1;
-      in[1] = place;
+      in[0] = in[1] = 1;
+      in[2] = place;
       for (std::size_t i = 0; i < next.halves.size(); ++i)
-        in[2 + i] = static_cast<rtl::Word>(static_cast<std::uint64_t>(next.halves[i]));
+        in[3 + i] = static_cast<rtl::Word>(static_cast<std::uint64_t>(next.halves[i]));
       waiting_.pop_front();
     }
     const BestHit found = best(owners_[asked_]);
-    in[6] = found.number;
-    in[7] = static_cast<rtl::Word>(found.t);
-    in[8] = found.best_number;
+    in[7] = found.number;
+    in[8] = static_cast<rtl::Word>(found.t);
+    in[9] = found.best_number;
     Outputs out, expected;
     native_->outputs(expected.data());
     verilog_->outputs(out.data());
@@ -89,7 +89,7 @@ class DividerStation {
   }
 
  private:
-  using Inputs = std::array<rtl::Word, 9>;
+  using Inputs = std::array<rtl::Word, 10>;
   using Outputs = std::array<rtl::Word, 4>;
   static constexpr int longest_silence = 100;
   struct Waiting {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "sw_ref/render/image_file.hpp"
 #include "tests/cli/program.hpp"
 
 namespace hitpipe::cli::trace_command_test {
@@ -60,6 +61,19 @@ TEST(TraceCommand, VerilogPrintsWhatSoftwarePrints) {
   const Outcome verilog = run_hitpipe(words(more));
   EXPECT_EQ(verilog.exit_code, 0) << verilog.err;
   EXPECT_EQ(verilog.out, run_hitpipe(native).out);
+}
+
+TEST(TraceCommand, WritesThePictureOfItsAnswers) {
+  const sim::TemporaryFolder folder;
+  const std::string out = (folder.path() / "core").string();
+  rows_of({"--out", out});
+  const ref::StoredImage picture = ref::read_image(folder.path() / "core" / "spheres.png");
+  const std::string rendered = (folder.path() / "rendered.png").string();
+  EXPECT_EQ(run_hitpipe({"render", "--scene", "spheres", "--width", "24", "--height", "24", "--world",
+                         "integer", "--builder", "sah", "--max-triangles", "2", "--out", rendered})
+                .exit_code,
+            0);
+  EXPECT_EQ(picture.values, ref::read_image(rendered).values);
 }
 
 TEST(TraceCommand, RefusesWhatItCannotDo) {
