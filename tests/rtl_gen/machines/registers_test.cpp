@@ -12,51 +12,53 @@ namespace {
 
 class CoreRegisters : public testing::Test {
  protected:
+  void SetUp() override { registers_.give(); }
+
   enum class Order { together, address_first, word_first };
 
   void write(Word address, Word word, Order order = Order::together, Word strobes = 15) {
-    registers_["awaddr"] = address;
-    registers_["wdata"] = word;
-    registers_["wstrb"] = strobes;
-    registers_["awvalid"] = order != Order::word_first;
-    registers_["wvalid"] = order != Order::address_first;
-    ASSERT_TRUE(registers_("awready") && registers_("wready"));
-    registers_.step();
+    registers_.in["awaddr"] = address;
+    registers_.in["wdata"] = word;
+    registers_.in["wstrb"] = strobes;
+    registers_.in["awvalid"] = order != Order::word_first;
+    registers_.in["wvalid"] = order != Order::address_first;
+    ASSERT_TRUE(registers_.out["awready"] && registers_.out["wready"]);
+    cycle();
     if (order != Order::together) {
       for (int i = 0; i < 3; ++i) {
-        ASSERT_EQ(registers_("bvalid"), 0U);
-        registers_["awvalid"] = registers_["wvalid"] = 0;
-        registers_.step();
+        ASSERT_EQ(registers_.out["bvalid"], 0U);
+        registers_.in["awvalid"] = registers_.in["wvalid"] = 0;
+        cycle();
       }
-      registers_["awvalid"] = order == Order::word_first;
-      registers_["wvalid"] = order == Order::address_first;
-      registers_.step();
+      registers_.in["awvalid"] = order == Order::word_first;
+      registers_.in["wvalid"] = order == Order::address_first;
+      cycle();
     }
-    registers_["awvalid"] = registers_["wvalid"] = 0;
-    registers_.step();
-    ASSERT_EQ(registers_("bvalid"), 1U);
-    registers_.step();
-    ASSERT_EQ(registers_("bvalid"), 1U) << "it is held until it is taken";
-    registers_["bready"] = 1;
-    registers_.step();
-    registers_["bready"] = 0;
-    ASSERT_EQ(registers_("bvalid"), 0U);
+    registers_.in["awvalid"] = registers_.in["wvalid"] = 0;
+    cycle();
+    ASSERT_EQ(registers_.out["bvalid"], 1U);
+    cycle();
+    ASSERT_EQ(registers_.out["bvalid"], 1U) << "it is held until it is taken";
+    registers_.in["bready"] = 1;
+    cycle();
+    registers_.in["bready"] = 0;
+    ASSERT_EQ(registers_.out["bvalid"], 0U);
   }
   std::uint64_t read(Word address) {
-    registers_["araddr"] = address;
-    registers_["arvalid"] = 1;
-    registers_.step();
-    registers_["arvalid"] = 0;
-    registers_.step();
-    EXPECT_EQ(registers_("rvalid"), 1U);
-    const auto word = static_cast<std::uint64_t>(registers_("rdata"));
-    registers_.step();
-    EXPECT_EQ(registers_("rvalid"), 1U) << "it is held until it is taken";
-    EXPECT_EQ(registers_("rdata"), word);
-    registers_["rready"] = 1;
-    registers_.step();
-    registers_["rready"] = 0;
-    EXPECT_EQ(registers_("rvalid"), 0U);
+    registers_.in["araddr"] = address;
+    registers_.in["arvalid"] = 1;
+    cycle();
+    registers_.in["arvalid"] = 0;
+    cycle();
+    EXPECT_EQ(registers_.out["rvalid"], 1U);
+    const auto word = static_cast<std::uint64_t>(registers_.out["rdata"]);
+    cycle();
+    EXPECT_EQ(registers_.out["rvalid"], 1U) << "it is held until it is taken";
+    EXPECT_EQ(registers_.out["rdata"], word);
+    registers_.in["rready"] = 1;
+    cycle();
+    registers_.in["rready"] = 0;
+    EXPECT_EQ(registers_.out["rvalid"], 0U);
     return word;
   }
   std::uint64_t counter(int number) {
@@ -65,7 +67,12 @@ class CoreRegisters : public testing::Test {
     return low | read(address + 4) << 32;
   }
 
-  NamedPorts registers_{"registers", hls::RegisterBits{20, 40, 6, 36}};
+  void cycle() {
+    registers_.step();
+    registers_.give();
+  }
+
+  NamedMachine registers_{"registers", hls::RegisterBits{20, 40, 6, 36}};
 };
 
 TEST_F(CoreRegisters, KeepWhatIsWritten) {
@@ -85,10 +92,10 @@ TEST_F(CoreRegisters, KeepWhatIsWritten) {
     EXPECT_EQ(read(0x18), (0xbcdefU ^ change)) << "of 20 bits";
     EXPECT_EQ(read(0x1c), 0x54321U ^ change);
     EXPECT_EQ(read(0x20), 0x55U) << "of 7 bits";
-    EXPECT_EQ(registers_("base"), (Word{0x9887654321U} ^ change) >> 5);
-    EXPECT_EQ(registers_("last"), 0xbcdefU ^ change);
-    EXPECT_EQ(registers_("most_steps"), 0x54321U ^ change);
-    EXPECT_EQ(registers_("most_rays"), 0x55U);
+    EXPECT_EQ(registers_.out["base"], (Word{0x9887654321U} ^ change) >> 5);
+    EXPECT_EQ(registers_.out["last"], 0xbcdefU ^ change);
+    EXPECT_EQ(registers_.out["most_steps"], 0x54321U ^ change);
+    EXPECT_EQ(registers_.out["most_rays"], 0x55U);
   }
 }
 
@@ -110,11 +117,11 @@ TEST_F(CoreRegisters, CountWhatHappens) {
   const std::uint64_t before = counter(cycles), idle_before = counter(idle);
   EXPECT_LT(before, 20U);
   const auto happens = [&](const std::vector<const char*>& ports, Word number, Word id, int times) {
-    for (const char* const port : ports) registers_[port] = 1;
-    registers_["hit_number"] = number;
-    registers_["request_id"] = id;
-    for (int i = 0; i < times; ++i) registers_.step();
-    for (const char* const port : ports) registers_[port] = 0;
+    for (const char* const port : ports) registers_.in[port] = 1;
+    registers_.in["hit_number"] = number;
+    registers_.in["request_id"] = id;
+    for (int i = 0; i < times; ++i) cycle();
+    for (const char* const port : ports) registers_.in[port] = 0;
   };
   const Word none = ones_below(32), triangle = 1U << 6;
   happens({"ray_valid"}, 0, 0, 3);
