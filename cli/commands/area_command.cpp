@@ -296,11 +296,7 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
           by_stage, "a shared component works in several stages");
   command->add_flag("--triangle", options->triangle,
                     "Price a float triangle test too, which hitpipe does not emit");
-  add_count_option(*command, "--rays", options->core.options.rays, {1, rtl::CoreOptions::most_rays},
-                   "Of a core: rays in flight")
-      ->capture_default_str();
-  std::vector<std::string> of_core = add_core_options(*command, options->core);
-  of_core.emplace_back("--rays");
+  const std::vector<std::string> of_core = add_one_core_options(*command, options->core);
   command->callback([options, flow, command, of_core] {
     const std::optional<std::string> bits =
         options->units.bits.empty() ? std::nullopt : std::optional(options->units.bits.front());

@@ -31,11 +31,17 @@ std::vector<std::string> add_core_options(CLI::App& command, CoreChoice& choice)
   return {"--stack", "--triangle-ii"};
 }
 
-std::vector<std::string> add_core_port_options(CLI::App& command, CoreChoice& choice) {
-  rtl::CoreOptions& options = choice.options;
-  add_count_option(command, "--rays", options.rays, {1, rtl::CoreOptions::most_rays},
+std::vector<std::string> add_one_core_options(CLI::App& command, CoreChoice& choice) {
+  add_count_option(command, "--rays", choice.options.rays, {1, rtl::CoreOptions::most_rays},
                    "Of a core: rays in flight")
       ->capture_default_str();
+  std::vector<std::string> names = add_core_options(command, choice);
+  names.emplace_back("--rays");
+  return names;
+}
+
+std::vector<std::string> add_core_port_options(CLI::App& command, CoreChoice& choice) {
+  rtl::CoreOptions& options = choice.options;
   add_count_option(command, "--block-bits", options.address_bits, {4, 32},
                    "Of a core: bits of a block's number in the image; a block has 32 bytes")
       ->capture_default_str();
@@ -44,7 +50,7 @@ std::vector<std::string> add_core_port_options(CLI::App& command, CoreChoice& ch
       ->capture_default_str();
   add_count_option(command, "--tag-bits", options.tag_bits, {1, 64}, "Of a core: bits of a ray's tag")
       ->capture_default_str();
-  return {"--rays", "--block-bits", "--address-bits", "--tag-bits"};
+  return {"--block-bits", "--address-bits", "--tag-bits"};
 }
 
 }  // namespace hitpipe::cli

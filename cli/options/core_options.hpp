@@ -22,9 +22,13 @@ struct CoreChoice {
   [[nodiscard]] rtl::CoreOptions core(const std::optional<std::string>& bits) const;
 };
 
-/// Options that every command with a core has. Gives their names.
+// Each of these adds options and gives their names.
+
+/// --stack and --triangle-ii.
 std::vector<std::string> add_core_options(CLI::App& command, CoreChoice& choice);
-/// What only Verilog that is written needs to know: rays in flight, and widths of ports.
+/// These and --rays, for a command with one core.
+std::vector<std::string> add_one_core_options(CLI::App& command, CoreChoice& choice);
+/// Widths of ports, which only Verilog that is written needs to know.
 std::vector<std::string> add_core_port_options(CLI::App& command, CoreChoice& choice);
 
 }  // namespace hitpipe::cli

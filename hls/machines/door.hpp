@@ -79,7 +79,7 @@ struct Inputs {
   bit valid;  ///< a ray comes; it begins if `ready` is 1
   Word<D, typename W::Distance> length;
   bit any;                               ///< it wants any hit, else the nearest
-  Word<D, typename W::Count> most_rays;  ///< in flight, 1..2^I; constant
+  Word<D, typename W::Count> most_rays;  ///< in flight, 1 or more; there are 2^I numbers
   bit takes;                             ///< best_hits takes a ray in this cycle
   bit freed;                             ///< an answer has left
   Word<D, typename W::Ray> freed_ray;
@@ -163,7 +163,7 @@ struct Door {
     state.any = select(accepts, in.any, state.any);
     state.begins = accepts | (state.begins & ~in.takes);
 
-    const Bit never_given = as("never_given", Bit(state.given < in.most_rays));
+    const Bit never_given = as("never_given", Bit(state.given < in.most_rays) & ~Bit(bit_at(state.given, i)));
     const Bit from_free = as("from_free", ~state.has & ~never_given & state.free.there);
     const Bit from_given = as("from_given", ~state.has & never_given);
     state.next = select(state.has, state.next,

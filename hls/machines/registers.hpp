@@ -5,7 +5,7 @@
 //   0x10  base address of the image: low word, a multiple of 32; 0x14: high word
 //   0x18  number of the image's last block
 //   0x1c  records that a ray may test
-//   0x20  rays in flight; 0 after a reset, and then no ray begins
+//   0x20  rays in flight; 0 after a reset, and then no ray begins. Only a reset makes them fewer
 //   0x24  counters: a write makes all 0
 //   0x40  counters, of two words each, the low one first: cycles, rays that have begun, answers, answers with
 //         a hit, records that were asked for, triangles that were asked for, cycles without a request, cycles

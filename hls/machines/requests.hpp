@@ -152,7 +152,7 @@ struct Requests {
   template <class D, class F, class Memory>
   static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in, Memories<Memory>&) {
     using Bit = typename D::bit;
-    const Request<D, F> fresh{Bit(in.asks & ~state.second.there),
+    const Request<D, F> fresh{in.asks,
                               as("block", as_unsigned(resize(in.base + in.wanted, format.bytes - 5_w))),
                               cat(in.triangle, in.asker)};
     const Bit holds = as("holds", state.first.there & ~in.taken);

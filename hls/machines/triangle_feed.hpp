@@ -1,7 +1,7 @@
 // What int_triangle is given (docs/core.md): a triangle that memory gives, and the ray that wanted it. The
 // unit takes a test in some cycles only, so triangles wait in a queue. A ray wants one triangle at a time, so
 // the queue has a place for each. When the oldest is there, the words of its ray are asked for; from the next
-// cycle on the unit may take the test. A test begins every three cycles at most.
+// cycle on the unit may take the test. A test begins every two cycles at most.
 #pragma once
 
 #include "hls/machines/core_ports.hpp"

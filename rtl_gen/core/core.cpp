@@ -102,6 +102,8 @@ class Maker {
     core_.clock_ps = std::max(core_.clock_ps, part.pipeline->schedule.clock_ps);
     part.interface = unit_interface(module_of(core_, name), design.ports(format),
                                     result_ports(design.results(format)), FlowControl::none, interval);
+    for (Pin& pin : part.interface.pins)
+      if (pin.role == Pin::Role::tag) pin.width = core_.options.ray_bits();
     core_.parts.push_back(std::move(part));
   }
 
@@ -123,17 +125,12 @@ class Maker {
              return std::any_of(port.ends.begin(), port.ends.end(), ends_there);
            });
   }
-  [[nodiscard]] int width_of(const Pin& pin) const {
-    return pin.width == Pin::tag_width ? core_.options.ray_bits() : pin.width;
-  }
-
   void join(const Wire& wire) {
     const CoreWire made{place_of(wire.from), pin_place(core_.part(wire.from), wire.output), place_of(wire.to),
                         pin_place(core_.part(wire.to), wire.input)};
     const Pin& output = core_.parts[made.from].interface.pins[made.output];
     const Pin& input = core_.parts[made.to].interface.pins[made.input];
-    if (output.is_input || !input.is_input || width_of(output) != width_of(input) ||
-        is_driven(made.to, made.input))
+    if (output.is_input || !input.is_input || output.width != input.width || is_driven(made.to, made.input))
       throw std::logic_error(fmt::format("core: no wire leads from {}.{} to {}.{}", wire.from, wire.output,
                                          wire.to, wire.input));
     core_.wires.push_back(made);
@@ -156,11 +153,11 @@ class Maker {
     if (port.ends.empty()) throw std::logic_error(fmt::format("core: no part has the pin {}", of.name));
     const CorePort::End& first = port.ends.front();
     const Pin& pin = core_.parts[first.part].interface.pins[first.pin];
-    port.pin.width = width_of(pin);
+    port.pin.width = pin.width;
     port.pin.is_signed = pin.is_signed;
     port.pin.comment = of.comment;
     for (const CorePort::End& end : port.ends)
-      if (width_of(core_.parts[end.part].interface.pins[end.pin]) != port.pin.width)
+      if (core_.parts[end.part].interface.pins[end.pin].width != port.pin.width)
         throw std::logic_error(fmt::format("core: {} has two widths", of.name));
     core_.ports.push_back(std::move(port));
   }
@@ -178,7 +175,7 @@ class Nets {
     std::string text;
     for (const CorePart& part : core_.parts)
       for (const Pin& pin : part.interface.pins)
-        if (!pin.is_input) text += fmt::format("  wire {}{};\n", vector_range(width_of(pin)), net(part, pin));
+        if (!pin.is_input) text += fmt::format("  wire {}{};\n", vector_range(pin.width), net(part, pin));
     return text;
   }
   [[nodiscard]] std::string instance(std::size_t place) const {
@@ -206,9 +203,6 @@ class Nets {
   }
 
  private:
-  [[nodiscard]] int width_of(const Pin& pin) const {
-    return pin.width == Pin::tag_width ? core_.options.ray_bits() : pin.width;
-  }
   static std::string net(const CorePart& part, const Pin& pin) {
     return fmt::format("{}_{}", part.name, pin.name);
   }

@@ -164,7 +164,7 @@ inline constexpr std::array core_pins{
             "address of the image, divided by 32; constant while rays are in flight, as all below"},
     CorePin{"last", "", "number of the image's last block"},
     CorePin{"most_steps", "", "records that a ray may test, 1 or more"},
-    CorePin{"most_rays", "", "rays in flight, 1 or more"},
+    CorePin{"most_rays", "", "rays in flight; it only grows until the next reset"},
 };
 
 }  // namespace hitpipe::rtl

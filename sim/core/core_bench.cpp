@@ -102,9 +102,12 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
                     const std::function<void(double)>& progress) {
   constexpr std::size_t nothing = ~std::size_t{0};
   // A tag has few bits, so it is a place among the jobs in flight.
-  std::vector<std::size_t> in_flight(static_cast<std::size_t>(core_.options.rays), nothing);
+  const Word tags = rtl::ones_below(core_.options.tag_bits) + 1;
+  std::vector<std::size_t> in_flight(
+      static_cast<std::size_t>(std::min(tags, static_cast<Word>(core_.options.rays))), nothing);
   std::vector<std::size_t> free_tags;
   for (std::size_t tag = in_flight.size(); tag-- > 0;) free_tags.push_back(tag);
+  const auto block_mask = static_cast<std::uint64_t>(rtl::ones_below(core_.options.byte_bits - 5));
   std::size_t next = 0, ended = 0, offered = nothing;  // the tag of the job `next`
   std::uint64_t silent = 0;
   while (ended < jobs.size()) {
@@ -131,7 +134,8 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
     if (asks && ready) {
       const auto block = static_cast<std::uint64_t>(out(place_of("request_address")) / ref::core_block_bytes);
       const auto id = static_cast<std::uint32_t>(out(place_of("request_id")));
-      memory_.ask(static_cast<std::uint32_t>(block - options_.base), id);
+      // Addresses go round at their last bit.
+      memory_.ask(static_cast<std::uint32_t>((block - options_.base) & block_mask), id);
       ++((id >> core_.options.ray_bits()) != 0 ? counts_.triangles : counts_.records);
     }
     take_block();

@@ -8,10 +8,10 @@
     end
   end
 
-  // Only numbers in flight come back. The number of rays does not change.
+  // Only numbers in flight come back. The number of rays is any, and does not change.
   (* anyconst *) reg [1:0] rays;
   always @* begin
-    assume (most_rays == rays && rays >= 2'd1 && rays <= 2'd2);
+    assume (most_rays == rays);
     if (freed) assume (flying[freed_ray]);
   end
 
@@ -24,7 +24,7 @@
   wire [1:0] not_given = 2'd3 << given;
   // Every number is in one place.
   always @(posedge clk) if (was_reset & ~rst) begin
-    assert (given <= rays);
+    assert (given <= rays && given <= 2'd2);
     assert (free_used <= 2'd2);
     assert (!free_there || (free_used != 2'd0 && free_rays_word == free_rays[free_oldest]));
     assert ((flying ^ in_first ^ in_second ^ is_next ^ not_given) == 2'd3);

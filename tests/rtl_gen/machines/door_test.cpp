@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -149,6 +150,19 @@ INSTANTIATE_TEST_SUITE_P(Formats, DoorWith,
                            return Format(each.param.bits).identifier() + "_" +
                                   std::to_string(each.param.most_rays);
                          });
+
+TEST(Door, HasNoMoreRaysThanNumbers) {
+  NamedMachine door("door", hls::DoorBits{20, 3});
+  door.in["most_rays"] = 15;
+  door.in["ray_valid"] = door.in["takes"] = 1;
+  std::vector<Word> numbers;
+  for (int cycle = 0; cycle < 100; ++cycle) {
+    door.give();
+    if (door.out["ray_ready"] != 0) numbers.push_back(door.out["begun_at"]);
+    door.step();
+  }
+  EXPECT_EQ(numbers, (std::vector<Word>{0, 1, 2, 3, 4, 5, 6, 7}));
+}
 
 TEST(Door, LetsARayInEverySecondCycle) {
   Traveller rays({{}, 8}, 14);

@@ -2,6 +2,7 @@
 #include "hls/machines/registers.hpp"
 
 #include <cstdint>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -25,9 +26,13 @@ class CoreRegisters : public testing::Test {
     ASSERT_TRUE(registers_.out["awready"] && registers_.out["wready"]);
     cycle();
     if (order != Order::together) {
+      // What waits for the other is kept.
+      for (const char* const port :
+           order == Order::word_first ? std::vector{"wdata", "wstrb"} : std::vector{"awaddr"})
+        registers_.in[port] ^= 15;
+      registers_.in["awvalid"] = registers_.in["wvalid"] = 0;
       for (int i = 0; i < 3; ++i) {
         ASSERT_EQ(registers_.out["bvalid"], 0U);
-        registers_.in["awvalid"] = registers_.in["wvalid"] = 0;
         cycle();
       }
       registers_.in["awvalid"] = order == Order::word_first;
@@ -109,6 +114,42 @@ TEST_F(CoreRegisters, TakeSingleBytesAndOnlyWhatTheyHave) {
   EXPECT_EQ(read(0x00), 0x48697470U);
   for (const Word address : {0x08U, 0x0cU, 0x24U, 0x28U, 0x3cU, 0x80U, 0xfcU}) EXPECT_EQ(read(address), 0U);
   EXPECT_EQ(read(0x1b), 0x17799U) << "two low bits of an address are ignored";
+}
+
+TEST_F(CoreRegisters, HoldAnAnswerWhileTheNextIsWanted) {
+  write(0x18, 0x12345);
+  registers_.in["arvalid"] = 1;
+  registers_.in["araddr"] = 0x18;
+  cycle();
+  registers_.in["araddr"] = 0x00;
+  for (int i = 0; i < 4; ++i) cycle();
+  registers_.in["arvalid"] = 0;
+  EXPECT_EQ(registers_.out["rdata"], 0x12345U);
+  registers_.in["rready"] = 1;
+  cycle();
+  EXPECT_EQ(registers_.out["rvalid"], 1U);
+  EXPECT_EQ(registers_.out["rdata"], 0x48697470U);
+  cycle();
+  EXPECT_EQ(registers_.out["rvalid"], 0U);
+
+  registers_.in["awvalid"] = registers_.in["wvalid"] = 1;
+  registers_.in["awaddr"] = 0x18;
+  registers_.in["wstrb"] = 15;
+  registers_.in["wdata"] = 1;
+  cycle();
+  cycle();
+  registers_.in["wdata"] = 2;
+  cycle();
+  registers_.in["awvalid"] = registers_.in["wvalid"] = 0;
+  for (int i = 0; i < 4; ++i) cycle();
+  EXPECT_EQ(registers_.out["bvalid"], 1U);
+  EXPECT_EQ(registers_.out["last"], 1U) << "the second write waits for the first one's answer";
+  registers_.in["bready"] = 1;
+  cycle();
+  registers_.in["bready"] = 0;
+  cycle();
+  EXPECT_EQ(registers_.out["bvalid"], 1U);
+  EXPECT_EQ(registers_.out["last"], 2U);
 }
 
 TEST_F(CoreRegisters, CountWhatHappens) {

@@ -241,6 +241,19 @@ TEST(CoreWithADamagedImage, AnswersEveryRay) {
   }
 }
 
+TEST(CoreBench, TakesFewTagsAndAddressesThatGoRound) {
+  const Picture picture(4, 24);
+  rtl::CoreOptions options = options_of(12, 2, 12);
+  options.byte_bits = 17;
+  options.tag_bits = 2;
+  const rtl::Core core = rtl::make_core(options, library());
+  NativeCore native(core);
+  CoreBench bench(core, native, picture.image, {.least_latency = 1, .most_latency = 20}, {.base = 4'000});
+  std::vector<CoreAnswer> answers(picture.rays.jobs.size());
+  bench.run(picture.rays.jobs, answers);
+  expect_right(picture, bench, answers);
+}
+
 TEST(CoreBench, RefusesALargeImage) {
   const Picture picture(8, 4);
   const rtl::Core core = rtl::make_core(options_of(8, 3, 4), library());
