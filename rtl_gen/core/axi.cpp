@@ -77,20 +77,12 @@ ModuleInterface interface_of(const Core& core) {
   return made;
 }
 
-std::string layout(const std::vector<Port>& ports) {
-  std::string text;
-  for (const StreamField& field : stream_fields(ports))
-    text += fmt::format("//   {:>4}:{:<4} {}\n", field.offset + field.width - 1, field.offset, field.name);
-  return text;
-}
-
 /// What each port of the core and of its registers is joined to.
 class Connections {
  public:
-  explicit Connections(const Core& core) {
-    for (const StreamField& field : stream_fields(ray_ports(core)))
-      ends_["ray_" + field.name] =
-          bit_range("s_axis_ray_tdata", field.offset + field.width - 1, field.offset);
+  /// `bits` are those of the beat of a ray, for each of its fields.
+  Connections(const std::vector<Port>& fields, const std::vector<std::string>& bits) {
+    for (std::size_t i = 0; i < fields.size(); ++i) ends_["ray_" + fields[i].name] = bits[i];
     for (const auto& [port, pin] :
          std::vector<std::pair<const char*, const char*>>{{"clk", "aclk"},
                                                           {"rst", "~aresetn"},
@@ -142,15 +134,6 @@ std::string joined(const std::vector<Port>& ports, std::string_view before) {
   return fmt::format("{{{}}}", fmt::join(parts, ", "));
 }
 
-std::vector<std::string> padding_of(const std::vector<Port>& ports, const std::string& word) {
-  std::vector<std::string> parts;
-  for (const StreamField& field : stream_fields(ports))
-    if (field.width % 8 != 0)
-      parts.push_back(
-          bit_range(word, (field.offset + field.width + 7) / 8 * 8 - 1, field.offset + field.width));
-  return parts;
-}
-
 }  // namespace
 
 std::string axi_module(const Core& core) {
@@ -167,13 +150,14 @@ std::string axi_verilog(const Core& core) {
   std::string bits;
   const MachineGraph graph = registers_of(core, bits);
   const std::string registers = core.module + "_registers";
-  const Connections connections(core);
+  const BeatText ray(ray_ports(core), "s_axis_ray_tdata"), hit(hit_ports(core), "m_axis_hit_tdata");
+  const Connections connections(ray_ports(core), ray.bits);
   std::string wires;
   for (const Port& port : hit_ports(core))
     wires += fmt::format("  wire {}hit_{};\n", vector_range(port.width), port.name);
   for (const char* const name : {"base", "last", "most_steps", "most_rays"})
     wires += fmt::format("  wire {}{};\n", vector_range(width_of(core, name)), name);
-  std::vector<std::string> unused = padding_of(ray_ports(core), "s_axis_ray_tdata");
+  std::vector<std::string> unused = ray.padding;
   unused.insert(unused.end(), {"m_axi_rresp", "m_axi_rlast"});
   return fmt::format(
              R"(// The core {0} behind AXI: rays and answers by AXI4-Stream, registers by AXI4-Lite, blocks by AXI4.
@@ -198,7 +182,7 @@ endmodule
 /* verilator lint_off DECLFILENAME */
 
 )",
-             core.module, layout(ray_ports(core)), layout(hit_ports(core)), interface_of(core).head(), wires,
+             core.module, ray.layout, hit.layout, interface_of(core).head(), wires,
              connections.instance(core.interface(), "core_i"),
              connections.instance(machine_interface(registers, graph), "registers_i"),
              joined(hit_ports(core), "hit_"), fmt::join(unused, ", ")) +

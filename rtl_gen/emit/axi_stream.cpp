@@ -14,22 +14,9 @@ int whole_bytes(int bits) {
   return (bits + 7) / 8 * 8;
 }
 
-/// What the wrapper's text has for each operand of a channel, whose beat is `word`.
-struct OperandText {
-  OperandText(const std::vector<Port>& ports, const std::string& word) {
-    for (const StreamField& field : stream_fields(ports)) {
-      const int high = field.offset + field.width - 1;
-      const int end = field.offset + whole_bytes(field.width) - 1;
-      layout += fmt::format("//   {:>4}:{:<4} {}\n", high, field.offset, field.name);
-      bits.push_back(bit_range(word, high, field.offset));
-      if (end > high) padding.push_back(bit_range(word, end, high + 1));
-    }
-  }
-
-  std::string layout;
-  std::vector<std::string> bits;  ///< of the beat
-  std::vector<std::string> padding;
-};
+std::string bits_of(const std::string& word, int high, int low) {
+  return high == low ? fmt::format("{}[{}]", word, low) : fmt::format("{}[{}:{}]", word, high, low);
+}
 
 /// What the wrapper's text has for each result.
 struct StreamText {
@@ -103,7 +90,7 @@ struct Wrapper {
   StreamText result;
   bool has_rays;
   bool stalls;
-  OperandText tests, rays;
+  BeatText tests, rays;
 };
 
 /// A test waits for a write to its slot, which is known within the cycle. Here s_axis_tready follows from a
@@ -143,10 +130,6 @@ Json stream_side(const std::vector<Port>& ports) {
 
 }  // namespace
 
-std::string bit_range(const std::string& word, int high, int low) {
-  return high == low ? fmt::format("{}[{}]", word, low) : fmt::format("{}[{}:{}]", word, high, low);
-}
-
 std::vector<StreamField> stream_fields(const std::vector<Port>& ports) {
   std::vector<StreamField> fields;
   int offset = 0;
@@ -155,6 +138,16 @@ std::vector<StreamField> stream_fields(const std::vector<Port>& ports) {
     offset += whole_bytes(port.width);
   }
   return fields;
+}
+
+BeatText::BeatText(const std::vector<Port>& ports, const std::string& word) {
+  for (const StreamField& field : stream_fields(ports)) {
+    const int high = field.offset + field.width - 1;
+    const int end = field.offset + whole_bytes(field.width) - 1;
+    layout += fmt::format("//   {:>4}:{:<4} {}\n", high, field.offset, field.name);
+    bits.push_back(bits_of(word, high, field.offset));
+    if (end > high) padding.push_back(bits_of(word, end, high + 1));
+  }
 }
 
 int stream_bits(const std::vector<Port>& ports) {

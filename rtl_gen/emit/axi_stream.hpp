@@ -23,10 +23,18 @@ struct StreamField {
   int width;
 };
 [[nodiscard]] std::vector<StreamField> stream_fields(const std::vector<Port>& ports);
-/// "word[high:low]"
-[[nodiscard]] std::string bit_range(const std::string& word, int high, int low);
 /// The width of tdata, a whole number of bytes.
 [[nodiscard]] int stream_bits(const std::vector<Port>& ports);
+
+/// What a wrapper's text has for each field of a beat.
+struct BeatText {
+  /// `word` is the name of the beat.
+  BeatText(const std::vector<Port>& ports, const std::string& word);
+
+  std::string layout;                ///< a comment line for each
+  std::vector<std::string> bits;     ///< "word[high:low]"
+  std::vector<std::string> padding;  ///< the bits above each field that has any
+};
 
 /// The name of the wrapper of a unit's module.
 [[nodiscard]] std::string stream_module(const std::string& module);
