@@ -30,6 +30,7 @@ void emit_core(const rtl::CoreOptions& core_options, const CoreRtl& options) {
   const Row row{{"core", module},
                 {"bits", rtl::to_string(rtl::Format(core.options.bits))},
                 {"rays", core.options.rays},
+                {"door", rtl::door_name(core.options.door)},
                 {"pair_latency", core.part("pair").pipeline->latency()},
                 {"triangle_latency", core.part("triangle").pipeline->latency()},
                 {"clock_ps", core.clock_ps},
@@ -69,7 +70,7 @@ void print_core_price(const rtl::CoreOptions& core_options, const std::string& l
       taken = price.taken;
     } else {
       const area::Price price =
-          area::price(*part.pipeline, *part.design, part.format, library, rtl::FlowControl::none);
+          area::price(*part.pipeline, *part.design, part.format, library, part.interface.flow_control());
       area = price.area_um2;
       taken = price.taken;
     }

@@ -28,7 +28,13 @@ std::vector<std::string> add_core_options(CLI::App& command, CoreChoice& choice)
                    {rtl::CoreOptions::least_triangle_interval, 64},
                    "Of a core: cycles from one triangle test to the next")
       ->capture_default_str();
-  return {"--stack", "--triangle-ii"};
+  Choices<rtl::Door> doors;
+  for (const auto door : {rtl::Door::integer, rtl::Door::binary32})
+    doors.emplace_back(rtl::door_name(door), door);
+  add_choice_option(command, "--door", choice.options.door, doors,
+                    "Of a core: rays come as integers of the unit int_ray, or as floats, and this unit is in "
+                    "the core");
+  return {"--stack", "--triangle-ii", "--door"};
 }
 
 std::vector<std::string> add_one_core_options(CLI::App& command, CoreChoice& choice) {

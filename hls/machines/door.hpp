@@ -78,6 +78,7 @@ struct Inputs {
 
   bit valid;  ///< a ray comes; it begins if `ready` is 1
   Word<D, typename W::Distance> length;
+  bit error;                             ///< it is no ray: it goes nowhere
   bit any;                               ///< it wants any hit, else the nearest
   Word<D, typename W::Count> most_rays;  ///< in flight, 1 or more; there are 2^I numbers
   bit takes;                             ///< best_hits takes a ray in this cycle
@@ -89,6 +90,7 @@ struct Inputs {
     const DoorBits bits = format;
     visit(data_field("ray_valid", 1), self.valid);
     visit(data_field("ray_length", bits.distance), self.length);
+    visit(data_field("ray_error", 1), self.error);
     visit(data_field("ray_any", 1), self.any);
     visit(data_field("most_rays", bits.ray + 1), self.most_rays);
     visit(data_field("takes", 1), self.takes);
@@ -159,7 +161,8 @@ struct Door {
     const auto i = format.ray;
     const Bit accepts = as("accepts", in.valid & ready<D>(state));
     state.begun = select(accepts, state.next, state.begun);
-    state.length = select(accepts, in.length, state.length);
+    const auto length = in.length & spread(Bit(~in.error), format.distance);
+    state.length = select(accepts, as_unsigned(length), state.length);
     state.any = select(accepts, in.any, state.any);
     state.begins = accepts | (state.begins & ~in.takes);
 

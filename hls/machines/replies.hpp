@@ -1,5 +1,6 @@
 // Answers of rays, on their way out (docs/core.md). Each waits in a queue with a place for every ray, and
-// leaves with the tag with which its ray came. Then the ray's number is free.
+// leaves with the tag with which its ray came. Then the ray's number is free. The answer of what was no ray
+// has failed.
 #pragma once
 
 #include "hls/box/format.hpp"
@@ -87,6 +88,7 @@ struct Inputs {
   bit valid, ready;  ///< both are 1: a ray begins
   Word<D, typename W::Ray> at;
   Word<D, typename W::Tag> tag;
+  bit error;    ///< it is no ray
   bit answers;  ///< best_hits has the answer of a ray
   Word<D, typename W::Ray> answered;
   Word<D, typename W::Distance> t;
@@ -101,6 +103,7 @@ struct Inputs {
     visit(data_field("ray_ready", 1), self.ready);
     visit(data_field("begun_at", bits.ray), self.at);
     visit(data_field("ray_tag", bits.tag), self.tag);
+    visit(data_field("ray_error", 1), self.error);
     visit(data_field("answer", 1), self.answers);
     visit(data_field("answered", bits.ray), self.answered);
     visit(data_field("answer_t", bits.distance), self.t);
@@ -139,14 +142,14 @@ struct Outputs {
 template <class Memory>
 struct Memories {
   Memory waiting;  ///< the queue
-  Memory tags;     ///< by ray
+  Memory tags;     ///< by ray, with its error above
 
   template <class Format, class Self, class Visit>
   static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
     const ReplyBits bits = format;
     using W = Widths<ReplyBits>;
     visit(MemoryShape{"waiting", bits.rays(), W::answer_of(bits), MemoryKind::block}, self.waiting);
-    visit(MemoryShape{"tags", bits.rays(), bits.tag, MemoryKind::block}, self.tags);
+    visit(MemoryShape{"tags", bits.rays(), bits.tag + 1, MemoryKind::block}, self.tags);
   }
 };
 
@@ -169,7 +172,13 @@ struct Replies {
   template <class D, class F, class Memory>
   static constexpr Outputs<D, F> outputs(const F& format, const State<D, F>& state,
                                          Memories<Memory>& memories) {
-    return {state.there,    memories.tags.word(format.tag), state.t, state.number, state.failed, state.freed,
+    const auto tag = memories.tags.word(format.tag + 1_w);
+    return {state.there,
+            slice(tag, format.tag - 1_w, 0_w),
+            state.t,
+            state.number,
+            state.failed | typename D::bit(bit_at(tag, format.tag)),
+            state.freed,
             state.freed_ray};
   }
 
@@ -180,7 +189,7 @@ struct Replies {
     const auto i = format.ray;
     const auto number_bits = Widths<F>::number_of(format);
     const auto failed_at = number_bits + format.distance;
-    memories.tags.write(as("ray_begins", in.valid & in.ready), in.at, in.tag);
+    memories.tags.write(as("ray_begins", in.valid & in.ready), in.at, cat(in.error, in.tag));
     memories.waiting.write(in.answers, as("place", state.queue.place(i)),
                            cat(cat(in.answered, in.failed), cat(in.t, in.number)));
 

@@ -13,11 +13,18 @@ namespace hitpipe::rtl {
 
 namespace {
 
+bool is_float(const Port& port) {
+  return port.kind == hls::Kind::real;
+}
+
 std::string c_fields(const std::vector<Port>& ports) {
   std::string text;
   for (const Port& port : ports)
-    text += fmt::format("  {} {};{}\n", port.is_signed ? "int64_t" : "uint64_t", port.name,
-                        port.comment.empty() ? "" : fmt::format(" /* {} */", port.comment));
+    text += fmt::format("  {} {};{}\n",
+                        is_float(port)   ? "float"
+                        : port.is_signed ? "int64_t"
+                                         : "uint64_t",
+                        port.name, port.comment.empty() ? "" : fmt::format(" /* {} */", port.comment));
   return text;
 }
 
@@ -50,9 +57,22 @@ std::string c_header(const Core& core) {
     at(fmt::format("COUNT_{}", counter).c_str(), place);
     place += 2;
   }
-  for (const StreamField& field : stream_fields(ray_ports(core)))
-    pack += fmt::format("  {}_put(bytes + {}, {}, (uint64_t)ray->{});\n", name, field.offset / 8,
-                        (field.width + 7) / 8, field.name);
+  const std::vector<Port> ray = ray_ports(core);
+  const std::string bits_of = std::none_of(ray.begin(), ray.end(), is_float) ? ""
+                                                                             : fmt::format(R"(
+static inline uint64_t {}_bits_of(float value) {{
+  uint32_t bits;
+  memcpy(&bits, &value, sizeof bits);
+  return bits;
+}})",
+                                                                                           name);
+  const std::vector<StreamField> ray_fields = stream_fields(ray);
+  for (std::size_t i = 0; i < ray.size(); ++i) {
+    const std::string value = is_float(ray[i]) ? fmt::format("{}_bits_of(ray->{})", name, ray[i].name)
+                                               : fmt::format("(uint64_t)ray->{}", ray[i].name);
+    pack += fmt::format("  {}_put(bytes + {}, {}, {});\n", name, ray_fields[i].offset / 8,
+                        (ray_fields[i].width + 7) / 8, value);
+  }
   for (const StreamField& field : stream_fields(hit_ports(core)))
     unpack += fmt::format("  hit->{} = {}_get(bytes + {}, {});\n", field.name, name, field.offset / 8,
                           (field.width + 7) / 8);
@@ -62,6 +82,7 @@ std::string c_header(const Core& core) {
 #define {3}_H
 
 #include <stdint.h>
+#include <string.h>
 
 /* Registers of 32 bits; a counter has two, the low one first. */
 {4}
@@ -89,7 +110,7 @@ static inline uint64_t {0}_get(const uint8_t* bytes, int count) {{
   uint64_t value = 0;
   for (int i = 0; i < count; ++i) value |= (uint64_t)bytes[i] << 8 * i;
   return value;
-}}
+}}{14}
 
 static inline void {0}_pack_ray(uint8_t* bytes, const struct {0}_ray* ray) {{
 {10}}}
@@ -101,7 +122,7 @@ static inline void {0}_unpack_hit(struct {0}_hit* hit, const uint8_t* bytes) {{
       name, to_string(Format(core.options.bits)), core.options.rays, upper_name, registers,
       hls::registers::identity, stream_bits(ray_ports(core)) / 8, stream_bits(hit_ports(core)) / 8,
       c_fields(ray_ports(core)), c_fields(hit_ports(core)), pack, unpack, core.options.tag_bits,
-      core.options.byte_bits);
+      core.options.byte_bits, bits_of);
 }
 
 }  // namespace hitpipe::rtl

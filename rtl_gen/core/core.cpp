@@ -68,14 +68,16 @@ class Maker {
     add_machine("divider", hls::CoreBits{bits.world(), ray});
     add_machine("best_hits", hls::BestBits{t, bits.finer + bits.fraction - bits.box_fraction, box, ray});
     add_machine("replies", hls::ReplyBits{t, options.tag_bits, ray});
-    add_unit("pair", find_design("int_major_pair"), bits.boxes(), 1);
-    add_unit("triangle", find_design("int_triangle"), bits.world(), options.triangle_interval);
+    add_unit("pair", "int_major_pair", bits.boxes(), 1);
+    add_unit("triangle", "int_triangle", bits.world(), options.triangle_interval);
+    if (options.door == Door::binary32) add_ray_unit();
 
     for (const Wire& wire : core_wires) join(wire);
     for (const auto& [feed, unit] : {std::pair{"pair_feed", "pair"}, {"triangle_feed", "triangle"}})
       for (const Port& operand : core_.part(unit).interface.operands())
         join({feed, operand.name, unit, operand.name});
-    for (const CorePin& pin : core_pins) add_port(pin);
+    for (const CorePin& pin : core_pins)
+      if (options.door == Door::integer || !pin.name.starts_with("ray_")) add_port(pin);
     for (const CorePart& part : core_.parts)
       for (const Pin& pin : part.interface.pins)
         if (pin.is_input && pin.role != Pin::Role::clock && pin.role != Pin::Role::reset &&
@@ -93,7 +95,9 @@ class Maker {
     core_.parts.push_back(std::move(part));
   }
 
-  void add_unit(std::string_view name, const Design& design, const Format& format, int interval) {
+  void add_unit(std::string_view name, const std::string& design_name, const Format& format, int interval,
+                FlowControl flow = FlowControl::none) {
+    const Design& design = find_design(design_name);
     CorePart part{.name = name, .format = format, .interface = {}, .design = &design};
     const Graph graph = design.trace(format);
     part.pipeline = make_pipeline(graph, library_, std::nullopt, interval);
@@ -101,21 +105,58 @@ class Maker {
       part.pipeline = make_pipeline(graph, library_, core_.clock_ps, interval);
     core_.clock_ps = std::max(core_.clock_ps, part.pipeline->schedule.clock_ps);
     part.interface = unit_interface(module_of(core_, name), design.ports(format),
-                                    result_ports(design.results(format)), FlowControl::none, interval);
+                                    result_ports(design.results(format)), flow, interval);
     for (Pin& pin : part.interface.pins)
       if (pin.role == Pin::Role::tag) pin.width = core_.options.ray_bits();
     core_.parts.push_back(std::move(part));
   }
 
+  /// It waits for the door.
+  void add_ray_unit() {
+    add_unit("ray", "int_ray", core_.options.bits, CoreOptions::door_interval, FlowControl::stall);
+    CorePart& unit = core_.parts.back();
+    std::vector<Pin> pins;
+    for (Pin& pin : unit.interface.pins) {
+      if (pin.role == Pin::Role::tag) pin.width = core_.options.tag_bits;
+      pins.push_back(pin);
+      if (pin.role == Pin::Role::tag)
+        pins.push_back({pin.is_input ? "in_any" : "out_any", Pin::Role::tag, pin.channel, pin.is_input});
+    }
+    unit.interface.pins = std::move(pins);
+
+    join({"door", "ray_ready", "ray", "out_ready"});
+    for (const Pin& pin : unit.interface.pins) {
+      if (pin.is_input) continue;
+      const auto named = std::find_if(ray_unit_results.begin(), ray_unit_results.end(),
+                                      [&](const RayResult& result) { return result.output == pin.name; });
+      const std::string input =
+          named != ray_unit_results.end() ? std::string(named->input) : fmt::format("ray_{}", pin.name);
+      for (const CorePart& part : core_.parts)
+        if (part.machine != nullptr && has_pin(part, input)) join({"ray", pin.name, part.name, input});
+    }
+    const std::size_t place = place_of("ray");
+    for (const RayPin& pin : ray_unit_pins)
+      add_port(std::string(pin.name), pin.comment, {{place, pin_place(unit, pin.pin)}});
+    for (const Port& operand : unit.design->ports(unit.format))
+      add_port("ray_" + operand.name, description(operand), {{place, pin_place(unit, operand.name)}});
+  }
+
   [[nodiscard]] std::size_t place_of(std::string_view name) const {
     return static_cast<std::size_t>(&core_.part(name) - core_.parts.data());
   }
-  [[nodiscard]] static std::size_t pin_place(const CorePart& part, std::string_view name) {
+  /// Behind the last place: there is none.
+  [[nodiscard]] static std::size_t find_pin(const CorePart& part, std::string_view name) {
     const std::vector<Pin>& pins = part.interface.pins;
-    const auto found =
-        std::find_if(pins.begin(), pins.end(), [&](const Pin& pin) { return pin.name == name; });
-    if (found == pins.end()) throw std::logic_error(fmt::format("core: there is no {}.{}", part.name, name));
-    return static_cast<std::size_t>(found - pins.begin());
+    return static_cast<std::size_t>(
+        std::find_if(pins.begin(), pins.end(), [&](const Pin& pin) { return pin.name == name; }) -
+        pins.begin());
+  }
+  [[nodiscard]] static bool has_pin(const CorePart& part, std::string_view name) {
+    return find_pin(part, name) < part.interface.pins.size();
+  }
+  [[nodiscard]] static std::size_t pin_place(const CorePart& part, std::string_view name) {
+    if (!has_pin(part, name)) throw std::logic_error(fmt::format("core: there is no {}.{}", part.name, name));
+    return find_pin(part, name);
   }
   [[nodiscard]] bool is_driven(std::size_t part, std::size_t pin) const {
     const auto ends_there = [&](const auto& end) { return end.part == part && end.pin == pin; };
@@ -137,29 +178,29 @@ class Maker {
   }
 
   void add_port(const CorePin& of) {
-    CorePort port{.pin = {.name = std::string(of.name),
-                          .role = Pin::Role::data,
-                          .channel = "",
-                          .is_input = of.from.empty()},
-                  .ends = {}};
+    std::vector<CorePort::End> ends;
     for (std::size_t i = 0; i < core_.parts.size(); ++i) {
       const CorePart& part = core_.parts[i];
-      if (!of.from.empty() && part.name != of.from) continue;
-      const std::vector<Pin>& pins = part.interface.pins;
-      for (std::size_t j = 0; j < pins.size(); ++j)
-        if (pins[j].name == of.name && pins[j].is_input == of.from.empty() && !is_driven(i, j))
-          port.ends.push_back({i, j});
+      if (part.machine == nullptr || (!of.from.empty() && part.name != of.from) || !has_pin(part, of.name))
+        continue;
+      const std::size_t pin = find_pin(part, of.name);
+      if (part.interface.pins[pin].is_input == of.from.empty() && !is_driven(i, pin))
+        ends.push_back({i, pin});
     }
-    if (port.ends.empty()) throw std::logic_error(fmt::format("core: no part has the pin {}", of.name));
-    const CorePort::End& first = port.ends.front();
-    const Pin& pin = core_.parts[first.part].interface.pins[first.pin];
-    port.pin.width = pin.width;
-    port.pin.is_signed = pin.is_signed;
-    port.pin.comment = of.comment;
-    for (const CorePort::End& end : port.ends)
-      if (core_.parts[end.part].interface.pins[end.pin].width != port.pin.width)
-        throw std::logic_error(fmt::format("core: {} has two widths", of.name));
-    core_.ports.push_back(std::move(port));
+    if (ends.empty()) throw std::logic_error(fmt::format("core: no part has the pin {}", of.name));
+    add_port(std::string(of.name), of.comment, std::move(ends));
+  }
+  void add_port(const std::string& name, std::string_view comment, std::vector<CorePort::End> ends) {
+    const auto pin_of = [&](const CorePort::End& end) -> const Pin& {
+      return core_.parts[end.part].interface.pins[end.pin];
+    };
+    const Pin& first = pin_of(ends.front());
+    for (const CorePort::End& end : ends)
+      if (pin_of(end).width != first.width)
+        throw std::logic_error(fmt::format("core: {} has two widths", name));
+    core_.ports.push_back(
+        {{name, Pin::Role::data, "", first.is_input, first.width, first.is_signed, std::string(comment)},
+         std::move(ends)});
   }
 
   Core core_;
@@ -180,15 +221,28 @@ class Nets {
   }
   [[nodiscard]] std::string instance(std::size_t place) const {
     const CorePart& part = core_.parts[place];
+    const std::vector<Pin>& pins = part.interface.pins;
+    const auto wire = [&](const Pin& pin) {
+      return pin.is_input ? source(place, static_cast<std::size_t>(&pin - pins.data())) : net(part, pin);
+    };
     std::vector<std::string> connections;
-    for (std::size_t i = 0; i < part.interface.pins.size(); ++i) {
-      const Pin& pin = part.interface.pins[i];
-      connections.push_back(
-          fmt::format("    .{}({})", pin.name, pin.is_input ? source(place, i) : net(part, pin)));
+    int tag_bits = 0;
+    for (const bool is_input : {true, false}) {
+      std::vector<std::string> tags;  // the last is above
+      tag_bits = 0;
+      for (const Pin& pin : pins) {
+        if (pin.role != Pin::Role::tag || pin.is_input != is_input) continue;
+        tags.insert(tags.begin(), wire(pin));
+        tag_bits += pin.width;
+      }
+      if (!tags.empty())
+        connections.push_back(
+            fmt::format("    .{}({{{}}})", is_input ? "in_tag" : "out_tag", fmt::join(tags, ", ")));
     }
-    const std::string tags =
-        part.design == nullptr ? "" : fmt::format(" #(.TAG_BITS({}))", core_.options.ray_bits());
-    return fmt::format("  {}{} {} (\n{}\n  );\n", part.interface.module, tags, part.name,
+    for (const Pin& pin : pins)
+      if (pin.role != Pin::Role::tag) connections.push_back(fmt::format("    .{}({})", pin.name, wire(pin)));
+    const std::string parameters = tag_bits == 0 ? "" : fmt::format(" #(.TAG_BITS({}))", tag_bits);
+    return fmt::format("  {}{} {} (\n{}\n  );\n", part.interface.module, parameters, part.name,
                        fmt::join(connections, ",\n"));
   }
   [[nodiscard]] std::string outputs() const {
@@ -225,7 +279,7 @@ std::string part_verilog(const CorePart& part, const Library& library) {
   return to_verilog(*part.pipeline, library,
                     {.module_name = part.interface.module,
                      .bits = bits,
-                     .flow_control = FlowControl::none,
+                     .flow_control = part.interface.flow_control(),
                      .operands = part.design->ports(part.format),
                      .results = part.design->results(part.format)});
 }

@@ -2,6 +2,7 @@
 // datapaths. The top module, and the software that runs cycle by cycle, are made from this value.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,9 +17,19 @@
 
 namespace hitpipe::rtl {
 
+/// What a core is given: rays as the unit int_ray makes them, or binary32, which this unit in it makes
+/// integers.
+enum class Door { integer, binary32 };
+/// In the order of the enumeration.
+inline constexpr std::array<std::string_view, 2> door_names{"integer", "float"};
+[[nodiscard]] constexpr std::string_view door_name(Door door) {
+  return door_names[static_cast<std::size_t>(door)];
+}
+
 struct CoreOptions {
   static constexpr int most_rays = 256;
   static constexpr int least_triangle_interval = 3;  ///< triangle_feed begins no more tests
+  static constexpr int door_interval = 8;            ///< cycles from ray to ray of an int_ray in a core
 
   hls::RayBits bits{};        ///< rays, boxes and triangles
   int rays = 32;              ///< in flight, 1..256
@@ -28,6 +39,7 @@ struct CoreOptions {
   int byte_bits = 32;         ///< of an address, at least address_bits + 5, at most 64
   int tag_bits = 16;          ///< of a ray's tag, 1..64
   int triangle_interval = 4;  ///< cycles from one triangle's test to the next, 3..64
+  Door door = Door::integer;
 
   /// Bits of a ray's number.
   [[nodiscard]] int ray_bits() const;
@@ -37,7 +49,9 @@ struct CoreOptions {
 struct CorePart {
   std::string_view name;
   Format format;
-  ModuleInterface interface;  ///< a unit's tags are numbers of rays
+  /// A unit's tags are numbers of rays. Those of `ray` are a tag and what the ray wants, in_tag and in_any,
+  /// which are one port of the module.
+  ModuleInterface interface;
   const Machine* machine = nullptr;
   std::optional<MachineGraph> graph{};
   const Design* design = nullptr;

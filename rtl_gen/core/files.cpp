@@ -73,6 +73,7 @@ Json manifest_of(const Core& core, const Library& library) {
   return {{"module", core.module},
           {"bits", to_string(Format(options.bits))},
           {"rays", options.rays},
+          {"door", door_name(options.door)},
           {"stack", 1 << options.stack_bits},
           {"levels", options.levels},
           {"address_bits", options.address_bits},

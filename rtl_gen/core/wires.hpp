@@ -126,6 +126,7 @@ inline constexpr std::array core_pins{
     CorePin{"ray_ready", "door", "it begins at a clock edge with both high"},
     CorePin{"ray_tag", "", "comes back with its answer"},
     CorePin{"ray_any", "", "1: any hit will do; 0: the nearest"},
+    CorePin{"ray_error", "", "1: it is no ray; its answer has failed"},
     CorePin{"ray_major_y", "", "1: the major axis is y"},
     CorePin{"ray_major_z", "", "1: the major axis is z; x when both are 0"},
     CorePin{"ray_back_m", "", "1: the direction is negative on the major axis"},
@@ -147,7 +148,7 @@ inline constexpr std::array core_pins{
     CorePin{"hit_ready", "", "it has left at a clock edge with both high"},
     CorePin{"hit_tag", "replies", ""},
     CorePin{"hit_failed", "replies",
-            "1: at a bound of the walk, or outside the image; the rest means nothing"},
+            "1: no ray, at a bound of the walk, or outside the image; the rest means nothing"},
     CorePin{"hit_number", "replies", "of the triangle; all ones: no hit"},
     CorePin{"hit_t", "replies", "T of the hit; without one the ray's length"},
     CorePin{"request_valid", "requests", "a block of 32 bytes is wanted"},
@@ -165,6 +166,28 @@ inline constexpr std::array core_pins{
     CorePin{"last", "", "number of the image's last block"},
     CorePin{"most_steps", "", "records that a ray may test, 1 or more"},
     CorePin{"most_rays", "", "rays in flight; it only grows until the next reset"},
+};
+
+/// With floats at the door, the unit `ray`, an int_ray, has the pins of a ray. Its operands are pins too:
+/// ray_ox, ray_oy, ...
+struct RayPin {
+  std::string_view name, pin, comment;
+};
+inline constexpr std::array ray_unit_pins{
+    RayPin{"ray_valid", "in_valid", "a new ray, in floats"},
+    RayPin{"ray_ready", "in_ready", "it is taken at a clock edge with both high"},
+    RayPin{"ray_tag", "in_tag", "comes back with its answer"},
+    RayPin{"ray_any", "in_any", "1: any hit will do; 0: the nearest"},
+};
+/// And an output of this unit goes to every machine that has the input "ray_OUTPUT", but for these.
+struct RayResult {
+  std::string_view output, input;
+};
+inline constexpr std::array ray_unit_results{
+    RayResult{"out_valid", "ray_valid"},
+    RayResult{"out_tag", "ray_tag"},
+    RayResult{"out_any", "ray_any"},
+    RayResult{"t_end", "ray_length"},
 };
 
 }  // namespace hitpipe::rtl

@@ -1,14 +1,16 @@
 #include "sim/core/core_bench.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <cstdlib>
 #include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "rtl_gen/core/wires.hpp"
 #include "rtl_gen/graph/word.hpp"
+#include "sw_ref/world/int_ray.hpp"
 
 namespace hitpipe::sim {
 
@@ -16,31 +18,40 @@ namespace {
 
 using rtl::Word;
 
-/// The place of a pin among the core's inputs, or among its outputs.
-consteval std::size_t place_of(std::string_view name) {
+/// The place of a port among the core's inputs, or among its outputs.
+std::size_t place_of(const rtl::Core& core, std::string_view name) {
   std::size_t inputs = 0, outputs = 0;
-  for (const rtl::CorePin& pin : rtl::core_pins) {
-    if (pin.name == name) return pin.from.empty() ? inputs : outputs;
-    ++(pin.from.empty() ? inputs : outputs);
+  for (const rtl::CorePort& port : core.ports) {
+    std::size_t& count = port.pin.is_input ? inputs : outputs;
+    if (port.pin.name == name) return count;
+    ++count;
   }
-  throw "no such pin";
+  throw std::logic_error(fmt::format("the core has no port {}", name));
 }
 
 }  // namespace
 
 std::vector<Word> ray_fields(const rtl::Core& core, const CoreJob& job) {
-  const ref::IntRay& ray = job.ray;
+  const auto flag = [](bool is) -> Word { return is ? 1 : 0; };
+  if (core.options.door == rtl::Door::binary32) {
+    std::vector<Word> fields{flag(job.any)};
+    for (const glm::vec3& vector : {job.ray.origin, job.ray.direction})
+      for (int axis = 0; axis < 3; ++axis) fields.push_back(std::bit_cast<std::uint32_t>(vector[axis]));
+    fields.push_back(std::bit_cast<std::uint32_t>(job.ray.length));
+    return fields;
+  }
   const hls::RayBits& bits = core.options.bits;
+  const ref::IntRay ray = ref::int_ray(job.ray, bits.world());
   const ref::IntMajorRay box_ray = ref::major_ray(ray, bits.boxes());
   const auto m = static_cast<std::size_t>(box_ray.axes[0]), a = static_cast<std::size_t>(box_ray.axes[1]),
              b = static_cast<std::size_t>(box_ray.axes[2]);
-  const auto flag = [](bool is) -> Word { return is ? 1 : 0; };
   const auto origin = [&](std::size_t axis) {
     return static_cast<Word>(ray.origin[axis]) & rtl::ones_below(bits.point());
   };
   const auto slope = [&](std::size_t axis) { return static_cast<Word>(std::abs(ray.direction[axis])); };
   const ref::MajorQuotient &of_a = box_ray.quotient[0], &of_b = box_ray.quotient[1];
   return {flag(job.any),
+          flag(false),  // no error
           flag(m == 1),
           flag(m == 2),
           flag(ray.negative[m]),
@@ -60,12 +71,36 @@ std::vector<Word> ray_fields(const rtl::Core& core, const CoreJob& job) {
           static_cast<Word>(ray.length)};
 }
 
+CoreBench::Places::Places(const rtl::Core& core)
+    : ray_valid(place_of(core, "ray_valid")),
+      ray_ready(place_of(core, "ray_ready")),
+      ray_tag(place_of(core, "ray_tag")),
+      ray_any(place_of(core, "ray_any")),
+      hit_valid(place_of(core, "hit_valid")),
+      hit_ready(place_of(core, "hit_ready")),
+      hit_tag(place_of(core, "hit_tag")),
+      hit_failed(place_of(core, "hit_failed")),
+      hit_number(place_of(core, "hit_number")),
+      hit_t(place_of(core, "hit_t")),
+      request_valid(place_of(core, "request_valid")),
+      request_ready(place_of(core, "request_ready")),
+      request_address(place_of(core, "request_address")),
+      request_id(place_of(core, "request_id")),
+      read_valid(place_of(core, "read_valid")),
+      read_id(place_of(core, "read_id")),
+      read_word(place_of(core, "read_word_0")),
+      base(place_of(core, "base")),
+      last(place_of(core, "last")),
+      most_steps(place_of(core, "most_steps")),
+      most_rays(place_of(core, "most_rays")) {}
+
 CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const ref::CoreImage& image,
                      const MemoryOptions& memory, const CoreBenchOptions& options)
     : core_(core),
       machine_(machine),
       options_(options),
       memory_(image.blocks, memory),
+      at_(core),
       random_(options.seed) {
   const std::uint64_t most_blocks = std::uint64_t{1} << core.options.address_bits;
   if (image.blocks.size() > most_blocks)
@@ -74,28 +109,28 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
   for (const rtl::CorePort& port : core.ports) {
     (port.pin.is_input ? inputs_ : outputs_).push_back(0);
   }
-  inputs_[place_of("base")] = options.base;
-  inputs_[place_of("last")] = image.blocks.size() - 1;
-  inputs_[place_of("most_steps")] = options.most_steps;
-  inputs_[place_of("most_rays")] = static_cast<Word>(core.options.rays);
+  inputs_[at_.base] = options.base;
+  inputs_[at_.last] = image.blocks.size() - 1;
+  inputs_[at_.most_steps] = options.most_steps;
+  inputs_[at_.most_rays] = static_cast<Word>(core.options.rays);
   machine_.outputs(outputs_.data());
   machine_.step(inputs_.data(), true);
 }
 
 void CoreBench::show(const CoreJob& job, std::size_t tag) {
   const std::vector<Word> fields = ray_fields(core_, job);
-  std::copy(fields.begin(), fields.end(), inputs_.begin() + place_of("ray_any"));
-  inputs_[place_of("ray_tag")] = tag;
+  std::copy(fields.begin(), fields.end(), inputs_.begin() + static_cast<std::ptrdiff_t>(at_.ray_any));
+  inputs_[at_.ray_tag] = tag;
 }
 
 void CoreBench::take_block() {
-  inputs_[place_of("read_valid")] = block_ ? 1 : 0;
+  inputs_[at_.read_valid] = block_ ? 1 : 0;
   if (!block_) return;
-  inputs_[place_of("read_id")] = block_->tag;
-  inputs_[place_of("read_word_0")] = block_->block[0];
-  inputs_[place_of("read_word_1")] = block_->block[1];
-  inputs_[place_of("read_word_2")] = block_->block[2];
-  inputs_[place_of("read_word_3")] = block_->block[3];
+  inputs_[at_.read_id] = block_->tag;
+  inputs_[at_.read_word] = block_->block[0];
+  inputs_[at_.read_word + 1] = block_->block[1];
+  inputs_[at_.read_word + 2] = block_->block[2];
+  inputs_[at_.read_word + 3] = block_->block[3];
 }
 
 void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
@@ -119,21 +154,21 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
       free_tags.pop_back();
       show(jobs[next], offered);
     }
-    inputs_[place_of("ray_valid")] = offered != nothing ? 1 : 0;
-    if (offered != nothing && out(place_of("ray_ready")) != 0) {
+    inputs_[at_.ray_valid] = offered != nothing ? 1 : 0;
+    if (offered != nothing && out(at_.ray_ready) != 0) {
       in_flight[offered] = next++;
       offered = nothing;
       ++counts_.rays;
     }
 
-    const bool asks = out(place_of("request_valid")) != 0;
+    const bool asks = out(at_.request_valid) != 0;
     const bool ready = memory_.ready();
-    inputs_[place_of("request_ready")] = ready ? 1 : 0;
+    inputs_[at_.request_ready] = ready ? 1 : 0;
     counts_.idle += asks ? 0 : 1;
     counts_.refused += asks && !ready ? 1 : 0;
     if (asks && ready) {
-      const auto block = static_cast<std::uint64_t>(out(place_of("request_address")) / ref::core_block_bytes);
-      const auto id = static_cast<std::uint32_t>(out(place_of("request_id")));
+      const auto block = static_cast<std::uint64_t>(out(at_.request_address) / ref::core_block_bytes);
+      const auto id = static_cast<std::uint32_t>(out(at_.request_id));
       // Addresses go round at their last bit.
       memory_.ask(static_cast<std::uint32_t>((block - options_.base) & block_mask), id);
       ++((id >> core_.options.ray_bits()) != 0 ? counts_.triangles : counts_.records);
@@ -142,17 +177,17 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
 
     const bool takes =
         options_.held_percent == 0 || random_.below(100) >= static_cast<std::uint64_t>(options_.held_percent);
-    inputs_[place_of("hit_ready")] = takes ? 1 : 0;
+    inputs_[at_.hit_ready] = takes ? 1 : 0;
     ++silent;
-    if (takes && out(place_of("hit_valid")) != 0) {
-      const auto tag = static_cast<std::size_t>(out(place_of("hit_tag")));
+    if (takes && out(at_.hit_valid) != 0) {
+      const auto tag = static_cast<std::size_t>(out(at_.hit_tag));
       if (tag >= in_flight.size() || in_flight[tag] == nothing)
         throw std::logic_error(
             fmt::format("the core answers a ray with the tag {}, which it does not have", tag));
       CoreAnswer& answer = answers[in_flight[tag]];
-      answer = {.hit = {.triangle = static_cast<std::uint32_t>(out(place_of("hit_number"))),
-                        .t = static_cast<std::int64_t>(out(place_of("hit_t")))},
-                .failed = out(place_of("hit_failed")) != 0};
+      answer = {.hit = {.triangle = static_cast<std::uint32_t>(out(at_.hit_number)),
+                        .t = static_cast<std::int64_t>(out(at_.hit_t))},
+                .failed = out(at_.hit_failed) != 0};
       counts_.failed += answer.failed ? 1 : 0;
       in_flight[tag] = nothing;
       free_tags.push_back(tag);

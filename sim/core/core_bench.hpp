@@ -13,13 +13,13 @@
 #include "sim/core/memory_model.hpp"
 #include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
-#include "sw_ref/world/int_ray.hpp"
+#include "sw_ref/scene/ray.hpp"
 #include "sw_ref/world/int_triangle.hpp"
 
 namespace hitpipe::sim {
 
 struct CoreJob {
-  ref::IntRay ray;
+  ref::Ray ray;
   bool any = false;  ///< any hit will do
 };
 struct CoreAnswer {
@@ -27,7 +27,8 @@ struct CoreAnswer {
   bool failed = false;
 };
 
-/// The job's ray as the core is given it: the ports ray_any to ray_length, in their order.
+/// The job's ray as the core is given it: the ports ray_any to ray_length or ray_len, in their order. Throws
+/// as ref::int_ray() does where the core takes integers.
 [[nodiscard]] std::vector<rtl::Word> ray_fields(const rtl::Core& core, const CoreJob& job);
 
 struct CoreCounts {
@@ -71,6 +72,14 @@ class CoreBench {
   rtl::NativeMachine& machine_;
   CoreBenchOptions options_;
   MemoryModel memory_;
+  /// Places of ports among the inputs or the outputs.
+  struct Places {
+    explicit Places(const rtl::Core& core);
+    std::size_t ray_valid, ray_ready, ray_tag, ray_any, hit_valid, hit_ready, hit_tag, hit_failed, hit_number,
+        hit_t, request_valid, request_ready, request_address, request_id, read_valid, read_id, read_word,
+        base, last, most_steps, most_rays;
+  };
+  Places at_;
   ref::adversary::Random random_;
   std::vector<rtl::Word> inputs_, outputs_;
   std::optional<MemoryAnswer> block_;

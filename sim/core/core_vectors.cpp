@@ -8,6 +8,7 @@
 #include "sim/core/native_core.hpp"
 #include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
+#include "sw_ref/world/int_ray.hpp"
 #include "sw_ref/world/int_scene.hpp"
 
 namespace hitpipe::sim {
@@ -85,7 +86,7 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   const ref::CoreImage image = ref::core_image(scene);
   const auto job = [&]() -> CoreJob {
     const ref::Ray ray{.origin = point(random), .direction = point(random), .length = 2.0F};
-    return {ref::int_ray(ray, world), random.below(3) == 0};
+    return {ray, random.below(3) == 0};
   };
 
   Recorder recorder(core, static_cast<std::size_t>(cycles));
@@ -102,9 +103,8 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   rtl::CoreTest test{.cycles = std::move(recorder.cycles), .scene = {.blocks = image.blocks, .rays = {}}};
   for (int i = 0; i < 1000; ++i) {
     const CoreJob next = job();
-    const ref::IntHit hit = nearest(next.ray, scene.mesh, world);
-    test.scene.rays.push_back(
-        {ray_fields(core, next), next.any, hit.triangle, static_cast<std::uint64_t>(hit.t)});
+    const ref::IntHit hit = nearest(ref::int_ray(next.ray, world), scene.mesh, world);
+    test.scene.rays.push_back({ray_fields(core, next), hit.triangle, static_cast<std::uint64_t>(hit.t)});
   }
   return test;
 }

@@ -20,6 +20,8 @@ class Part {
   Part& operator=(const Part&) = delete;
 
   virtual void give() = 0;
+  /// An output that depends on an input: whether a unit that stalls takes a test.
+  virtual void give_ready() {}
   virtual void step(bool reset) = 0;
   [[nodiscard]] Word* pin(std::size_t place) { return &pins_[place]; }
 
@@ -45,7 +47,6 @@ class MachineInCore final : public Part {
   Word *inputs_, *outputs_;
 };
 
-/// Without flow control.
 class UnitInCore final : public Part {
  public:
   explicit UnitInCore(const rtl::CorePart& part)
@@ -57,26 +58,34 @@ class UnitInCore final : public Part {
       const Pin& pin = part.interface.pins[i];
       Word* const at = &pins_[i];
       if (pin.role == Pin::Role::valid) (pin.is_input ? in_valid_ : out_valid_) = at;
-      if (pin.role == Pin::Role::tag) (pin.is_input ? in_tag_ : out_tag_) = at;
-      if (pin.role == Pin::Role::ready) in_ready_ = at;
+      if (pin.role == Pin::Role::tag) (pin.is_input ? in_tags_ : out_tags_).push_back(at);
+      if (pin.role == Pin::Role::ready) (pin.is_input ? out_ready_ : in_ready_) = at;
       if (pin.role != Pin::Role::data) continue;
       (pin.is_input ? operands_ : results_).push_back({at, rtl::ones_below(pin.width)});
     }
     operand_numbers_.resize(operands_.size());
-    for (Stage& stage : stages_) stage.results.resize(results_.size());
+    for (Stage& stage : stages_) {
+      stage.tags.resize(in_tags_.size());
+      stage.results.resize(results_.size());
+    }
   }
 
   void give() override {
     const Stage& last = stages_[next_];
-    if (in_ready_ != nullptr) *in_ready_ = phase_ == 0 ? 1 : 0;
+    if (out_ready_ == nullptr) give_ready();
     *out_valid_ = last.valid ? 1 : 0;
     if (!last.valid) return;
-    *out_tag_ = last.tag;
+    for (std::size_t i = 0; i < out_tags_.size(); ++i) *out_tags_[i] = last.tags[i];
     for (std::size_t i = 0; i < results_.size(); ++i)
       *results_[i].at = static_cast<Word>(last.results[i]) & results_[i].mask;
   }
 
+  void give_ready() override {
+    if (in_ready_ != nullptr) *in_ready_ = advances() && phase_ == 0 ? 1 : 0;
+  }
+
   void step(bool reset) override {
+    if (!reset && !advances()) return;
     Stage& first = stages_[next_];
     next_ = next_ + 1 == stages_.size() ? 0 : next_ + 1;
     first.valid = *in_valid_ != 0 && phase_ == 0;
@@ -86,7 +95,7 @@ class UnitInCore final : public Part {
       phase_ = 0;
     }
     if (!first.valid) return;
-    first.tag = *in_tag_;
+    for (std::size_t i = 0; i < in_tags_.size(); ++i) first.tags[i] = *in_tags_[i];
     for (std::size_t i = 0; i < operands_.size(); ++i)
       operand_numbers_[i] = static_cast<std::int64_t>(*operands_[i].at);
     evaluate_(operand_numbers_.data(), first.results.data());
@@ -99,16 +108,21 @@ class UnitInCore final : public Part {
   };
   struct Stage {
     bool valid = false;
-    Word tag = 0;
+    std::vector<Word> tags{};
     std::vector<std::int64_t> results{};
   };
+
+  /// While a result waits, the whole pipeline stands still.
+  [[nodiscard]] bool advances() const {
+    return out_ready_ == nullptr || *out_ready_ != 0 || !stages_[next_].valid;
+  }
 
   rtl::Evaluate evaluate_;
   std::vector<Stage> stages_;
   std::size_t next_ = 0;  ///< the oldest stage; the next test takes its place
   int interval_, phase_ = 0;
-  Word *in_valid_ = nullptr, *in_ready_ = nullptr, *in_tag_ = nullptr;
-  Word *out_valid_ = nullptr, *out_tag_ = nullptr;
+  Word *in_valid_ = nullptr, *in_ready_ = nullptr, *out_valid_ = nullptr, *out_ready_ = nullptr;
+  std::vector<Word*> in_tags_, out_tags_;
   std::vector<Data> operands_, results_;
   std::vector<std::int64_t> operand_numbers_;
 };
@@ -137,17 +151,21 @@ NativeCore::NativeCore(const rtl::Core& core) {
 }
 NativeCore::~NativeCore() = default;
 
-void NativeCore::outputs(rtl::Word* outputs) {
+void NativeCore::settle() {
   for (const auto& part : parts_) part->give();
-  given_ = true;
+  for (const Copy& wire : wires_) *wire.to = *wire.from;
+  for (const auto& part : parts_) part->give_ready();
+}
+
+void NativeCore::outputs(rtl::Word* outputs) {
+  settle();
+  settled_ = true;
   for (const rtl::Word* const output : outputs_) *outputs++ = *output;
 }
 
 void NativeCore::step(const rtl::Word* inputs, bool reset) {
-  if (!given_)
-    for (const auto& part : parts_) part->give();
-  given_ = false;
-  for (const Copy& wire : wires_) *wire.to = *wire.from;
+  if (!settled_) settle();
+  settled_ = false;
   for (const std::vector<rtl::Word*>& places : inputs_) {
     for (rtl::Word* const place : places) *place = *inputs;
     ++inputs;

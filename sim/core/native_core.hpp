@@ -27,6 +27,9 @@ class NativeCore final : public rtl::NativeMachine {
 
  private:
   NativeCore(const NativeCore&) = delete;
+  /// Gives all outputs, and takes them to the inputs that wires lead to.
+  void settle();
+
   struct Copy {
     const rtl::Word* from;
     rtl::Word* to;
@@ -36,7 +39,7 @@ class NativeCore final : public rtl::NativeMachine {
   std::vector<Copy> wires_;
   std::vector<std::vector<rtl::Word*>> inputs_;  ///< by input of the core: where it goes
   std::vector<const rtl::Word*> outputs_;
-  bool given_ = false;  ///< the parts have given this cycle's outputs
+  bool settled_ = false;  ///< the wires have this cycle's values
 };
 
 }  // namespace hitpipe::sim

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "sw_ref/world/int_ray.hpp"
 #include "sw_ref/world/int_tracer.hpp"
 
 namespace hitpipe::sim {
@@ -13,12 +12,12 @@ namespace {
 class RecordingTracer final : public ref::Tracer {
  public:
   RecordingTracer(const ref::CoreImage& image, const ref::CoreTracerOptions& options, PictureRays& kept)
-      : core_(image, options), world_(options.world), kept_(kept) {}
+      : core_(image, options), kept_(kept) {}
 
   void trace(const ref::TraceJob& job, ref::TraceCounts& counts) const override {
     core_.trace(job, counts);
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
-      kept_.jobs.push_back({ref::int_ray(job.rays[i], world_), job.query == ref::Query::any});
+      kept_.jobs.push_back({job.rays[i], job.query == ref::Query::any});
       kept_.triangles.push_back(job.triangles[i]);
     }
   }
@@ -28,7 +27,6 @@ class RecordingTracer final : public ref::Tracer {
 
  private:
   ref::CoreTracer core_;
-  hls::WorldBits world_;
   PictureRays& kept_;
 };
 

@@ -1,13 +1,14 @@
   // Rays from their beginning to the edge at which their number comes back, and those whose answer has come.
   reg [1:0] flying, answered_rays;
-  // Their tags.
-  reg [1:0] tag_of;
+  // Their tags, and whether they are no rays.
+  reg [1:0] tag_of, error_of;
   always @(posedge clk) begin
     if (rst) {flying, answered_rays} <= 4'd0;
     else begin
       if (ray_valid & ray_ready) begin
         flying[begun_at] <= 1'b1;
         tag_of[begun_at] <= ray_tag;
+        error_of[begun_at] <= ray_error;
       end
       if (answer) answered_rays[answered] <= 1'b1;
       if (freed) begin
@@ -38,10 +39,11 @@
     assert ((in_second & (leaving | leaves_now)) == 2'd0);
     assert ((leaving & leaves_now) == 2'd0);
     assert ((answered_rays & ~flying) == 2'd0);
-    assert (!flying[0] || tags[0] == tag_of[0]);
-    assert (!flying[1] || tags[1] == tag_of[1]);
-    // An answer has its ray's tag.
+    assert (!flying[0] || tags[0] == {error_of[0], tag_of[0]});
+    assert (!flying[1] || tags[1] == {error_of[1], tag_of[1]});
+    // An answer has its ray's tag, and has failed if this was no ray.
     assert (!hit_valid || hit_tag == tag_of[ray_1]);
+    assert (!hit_valid || hit_failed == (failed_1 | error_of[ray_1]));
     cover (hit_valid && used == 2'd1);
     cover (answered_rays == 2'd3);
   end

@@ -87,7 +87,7 @@ class Traveller {
     ASSERT_LT(number, static_cast<Word>(kind_.most_rays));
     ASSERT_FALSE(in_flight_[static_cast<std::size_t>(number)]) << "a second ray has this number";
     in_flight_[static_cast<std::size_t>(number)] = true;
-    shown_ = {number, door_.in["ray_length"], door_.in["ray_any"]};
+    shown_ = {number, door_.in["ray_error"] != 0 ? 0 : door_.in["ray_length"], door_.in["ray_any"]};
     ++begun_;
     most_flying_ = std::max(most_flying_, ++flying_);
     quiet_ = 0;

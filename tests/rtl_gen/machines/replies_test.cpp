@@ -24,7 +24,10 @@ struct Answer {
 class Rays {
  public:
   Rays(const hls::ReplyBits& bits, unsigned seed)
-      : machine_("replies", bits), random_(seed), tags_(static_cast<std::size_t>(bits.rays())) {
+      : machine_("replies", bits),
+        random_(seed),
+        tags_(static_cast<std::size_t>(bits.rays())),
+        errors_(tags_.size()) {
     for (Word ray = 0; ray < tags_.size(); ++ray) idle_.push_back(ray);
   }
 
@@ -90,20 +93,22 @@ class Rays {
     const Word ray = any_of(idle_);
     machine_.in["begun_at"] = ray;
     tags_[static_cast<std::size_t>(ray)] = machine_.in["ray_tag"];
+    errors_[static_cast<std::size_t>(ray)] = machine_.in["ray_error"];
     begun_.push_back(ray);
   }
   void answer() {
     const Word ray = any_of(begun_);
     machine_.in["answered"] = ray;
     waiting_.push_back({ray, tags_[static_cast<std::size_t>(ray)], machine_.in["answer_t"],
-                        machine_.in["answer_number"], machine_.in["answer_failed"], cycle_});
+                        machine_.in["answer_number"],
+                        machine_.in["answer_failed"] | errors_[static_cast<std::size_t>(ray)], cycle_});
   }
 
   NamedMachine machine_;
   Seeded random_;
-  std::vector<Word> tags_;  ///< by ray
-  std::deque<Word> idle_;   ///< numbers without a ray
-  std::deque<Word> begun_;  ///< rays without an answer
+  std::vector<Word> tags_, errors_;  ///< by ray
+  std::deque<Word> idle_;            ///< numbers without a ray
+  std::deque<Word> begun_;           ///< rays without an answer
   std::deque<Answer> waiting_;
   std::deque<Word> left_;  ///< whose numbers come back now
   int cycle_ = 0, answers_left_ = 0;

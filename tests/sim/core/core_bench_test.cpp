@@ -3,6 +3,8 @@
 // images end too.
 #include "sim/core/core_bench.hpp"
 
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "sim/core/native_core.hpp"
 #include "sim/core/picture_rays.hpp"
 #include "sim/machine/verilated_machine.hpp"
+#include "sw_ref/world/int_ray.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rtl_gen/text.hpp"
 #include "tests/sim/small_scene.hpp"
@@ -97,8 +100,8 @@ void expect_right(const Picture& picture, const CoreBench& bench, const std::vec
     const CoreJob& job = picture.rays.jobs[i];
     any += job.any ? 1 : 0;
     if (job.any || !answers[i].hit.found()) continue;
-    const auto crossing =
-        ref::int_crossing(job.ray, picture.scene.mesh.triangles[picture.rays.triangles[i]], world);
+    const auto crossing = ref::int_crossing(ref::int_ray(job.ray, world),
+                                            picture.scene.mesh.triangles[picture.rays.triangles[i]], world);
     ASSERT_TRUE(crossing);
     ASSERT_EQ(answers[i].hit.t, crossing->t) << "ray " << i;
   }
@@ -160,6 +163,43 @@ INSTANTIATE_TEST_SUITE_P(Formats, CoreInVerilog,
                          testing::Values(bits, hls::RayBits{}, hls::RayBits{16, 2, 9, -1, 14, 3},
                                          hls::RayBits{24, 1, 14, 1, 24, 1}, hls::RayBits{8, 0, 4, 0, 8, 0}),
                          [](const auto& each) { return rtl::Format(each.param).identifier(); });
+
+/// Rays that a unit int_ray in the core makes integers, among some that are no rays.
+TEST(CoreWithFloats, AnswersAsWithIntegers) {
+  const Picture picture(4, 12);
+  rtl::CoreOptions options = options_of(12, 2);
+  options.door = rtl::Door::binary32;
+  options.tag_bits = 7;
+  const rtl::Core core = rtl::make_core(options, library());
+  BothCores both(core, rtl::to_verilog(core, library()));
+  CoreBench bench(core, both, picture.image, {.least_latency = 1, .most_latency = 60, .refused_percent = 20},
+                  far_image);
+  std::vector<CoreAnswer> answers(picture.rays.jobs.size());
+  bench.run(picture.rays.jobs, answers);
+  expect_right(picture, bench, answers);
+
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const ref::Ray none[] = {{.origin = {0, 0, 0}, .direction = {0, 0, 0}},
+                           {.origin = {0, 1.5F, 0}, .direction = {1, 0, 0}},
+                           {.origin = {0, 0, 0}, .direction = {1, nan, 0}},
+                           {.origin = {0, 0, nan}, .direction = {0, 1, 0}},
+                           {.origin = {0, 0, 0}, .direction = {0, 1, 0}, .length = -1},
+                           {.origin = {0, 0, 0}, .direction = {0, ref::Ray::infinite, 0}}};
+  std::vector<CoreJob> jobs;
+  for (std::size_t i = 0; i < picture.rays.jobs.size(); ++i) {
+    jobs.push_back(picture.rays.jobs[i]);
+    jobs.push_back({none[i % std::size(none)]});
+  }
+  std::vector<CoreAnswer> mixed(jobs.size());
+  bench.run(jobs, mixed);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    ASSERT_EQ(mixed[2 * i].hit.triangle, answers[i].hit.triangle) << "ray " << i;
+    ASSERT_EQ(mixed[2 * i].hit.t, answers[i].hit.t) << "ray " << i;
+    ASSERT_FALSE(mixed[2 * i].failed) << "ray " << i;
+    ASSERT_TRUE(mixed[2 * i + 1].failed) << "behind ray " << i;
+  }
+  EXPECT_EQ(both.first_difference, "");
+}
 
 /// A change of the core's Verilog, and what shows it: a wrong answer, or that the core is not the software's
 /// in some cycle.

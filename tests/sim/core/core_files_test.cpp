@@ -74,7 +74,12 @@ INSTANTIATE_TEST_SUITE_P(Kinds, CoreFiles,
                                                .address_bits = 32,
                                                .byte_bits = 64,
                                                .tag_bits = 40,
-                                               .triangle_interval = 9}}),
+                                               .triangle_interval = 9}},
+                                         Kind{"Floats",
+                                              {.bits = {14, 1, 7, 0, 12, 1},
+                                               .rays = 9,
+                                               .tag_bits = 64,
+                                               .door = rtl::Door::binary32}}),
                          [](const auto& each) { return each.param.name; });
 
 /// A change of one file, and what sees it.
