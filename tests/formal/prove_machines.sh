@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Proves properties of machines with yosys and z3, by induction, for two rays: prove_machines.sh HITPIPE FOLDER
+# Proves properties of machines with yosys and z3, by induction, for two or four rays: prove_machines.sh HITPIPE FOLDER
 # tests/formal/machines/NAME.v has the properties of a machine, as text inside its module. Prints a table of machine,
 # format, result, seconds; false when anything was not proved, or when damage was not found.
 set -uo pipefail
@@ -60,4 +60,6 @@ printf '%-44s %-9s %-10s %6s\n' proof format result seconds
 machine door t4i1 'a number is in one place' 's/has <= next_has_value/has <= next_has_value | has/'
 machine requests a4h9i1 'all leave once, in order, and stay' 's/there_2 <= waits/there_2 <= waits \& ~there_2/'
 machine replies t4g1i1 'one answer a ray, with its tag' 's/tags\[leaving_ray\]/tags[ray_1]/'
+# A ray waits for its leaf's word only if two other rays go to leaves meanwhile. So there are four rays.
+machine reader a4i2 'a leaf in turn, a ray in one place' "s/settled_1 <= ~writes/settled_1 <= 1'b1/"
 exit $failed

@@ -1,0 +1,107 @@
+  // Rays outside: those that may go, those whose triangle is on its way, those whose hit is compared.
+  reg [3:0] walking, testing, comparing;
+  always @(posedge clk) begin
+    if (rst) {walking, testing, comparing} <= 12'hf00;
+    else begin
+      if (go) walking[goer] <= 1'b0;
+      if (asks & granted & triangle) testing[asker] <= 1'b1;
+      if (asks & granted & ~triangle) walking[asker] <= 1'b1;
+      if (tested) testing[tester] <= 1'b0;
+      if (tested & hit) comparing[tester] <= 1'b1;
+      if (divides) comparing[divided_ray] <= 1'b0;
+      if (done) walking[of] <= 1'b1;
+    end
+  end
+  // What comes in is of a ray that is there. A leaf has a triangle. The image stays while a ray is in flight.
+  reg [3:0] last_before;
+  always @(posedge clk) last_before <= last;
+  always @* begin
+    if (go) assume (walking[goer] && triangles != 8'd0);
+    if (tested) assume (testing[tester]);
+    if (divides) assume (comparing[divided_ray]);
+    if (walking != 4'hf) assume (last == last_before);
+  end
+
+  // The ray at each place of the queues.
+  wire [3:0] goes_at [0:3], missed_at [0:3], divided_at [0:3];
+  genvar p;
+  generate
+    for (p = 0; p < 4; p = p + 1) begin : place
+      wire [1:0] goes_turn = p - goes_oldest, missed_turn = p - missed_oldest, divided_turn = p - divided_oldest;
+      assign goes_at[p] = goes_turn < goes_used ? 4'd1 << go_words[p][7:6] : 4'd0;
+      assign missed_at[p] = missed_turn < missed_used ? 4'd1 << missed_rays[p] : 4'd0;
+      assign divided_at[p] = divided_turn < divided_used ? 4'd1 << divided_rays[p][2:1] : 4'd0;
+    end
+  endgenerate
+  wire [3:0] in_goes = goes_at[0] | goes_at[1] | goes_at[2] | goes_at[3];
+  wire [3:0] in_missed = missed_at[0] | missed_at[1] | missed_at[2] | missed_at[3];
+  wire [3:0] in_divided = divided_at[0] | divided_at[1] | divided_at[2] | divided_at[3];
+  wire [3:0] in_stage = there_1 ? 4'd1 << ray_1 : 4'd0;
+  function [2:0] count(input [3:0] rays);
+    count = rays[0] + rays[1] + rays[2] + rays[3];
+  endfunction
+
+  // Every ray is in one place. A queue has as many words as rays, so it has none twice and cannot overflow.
+  genvar r;
+  generate
+    for (r = 0; r < 4; r = r + 1) begin : ray
+      wire [6:0] places = {in_goes[r], in_missed[r], in_divided[r], in_stage[r],
+                           walking[r], testing[r], comparing[r]};
+      always @(posedge clk) if (was_reset & ~rst) assert (places != 7'd0 && (places & (places - 7'd1)) == 7'd0);
+    end
+  endgenerate
+  always @(posedge clk) if (was_reset & ~rst) begin
+    assert (goes_used == count(in_goes) && missed_used == count(in_missed) && divided_used == count(in_divided));
+    assert (!goes_there || (goes_used != 3'd0 && go_words_word == go_words[goes_oldest]));
+    assert (!missed_there || (missed_used != 3'd0 && missed_rays_word == missed_rays[missed_oldest]));
+    assert (!divided_there || (divided_used != 3'd0 && divided_rays_word == divided_rays[divided_oldest]));
+    cover (lost && triangle && !stops_1);
+    cover (goes_used == 3'd4);
+  end
+
+  // Any ray, and what it wants next: a record, or the first of the triangles that are left, or nothing since a hit.
+  (* anyconst *) reg [1:0] one;
+  reg is_record, stops_here;
+  reg [4:0] next_block;
+  reg [7:0] left;
+  always @(posedge clk) begin
+    if (go & goer == one)
+      {is_record, stops_here, next_block, left} <= {triangles == 8'hff, 2'd0, block, triangles};
+    else if (asks & granted & asker == one) {next_block, left} <= {next_block + 5'd1, left - 8'd1};
+    if (divides & divided_ray == one) stops_here <= stops;
+  end
+
+  // A leaf's word is of the triangle that comes next. Before the first is asked for, it is of the second.
+  wire in_leaf = in_missed[one] | in_divided[one] | in_stage[one] | testing[one] | comparing[one];
+  wire [12:0] leaf_word = writes & writer == one ? leaf : leaves[one];
+  wire [4:0] behind = next_block + 5'd1, end_of_image = last + 5'd1;
+  integer q;
+  always @(posedge clk) if (was_reset & ~rst) begin
+    for (q = 0; q < 4; q = q + 1) begin
+      assert (!goes_at[q][one] || go_words[q][5:0] == {next_block > last, !is_record, next_block[3:0]});
+      assert (!divided_at[q][one] || divided_rays[q][0] == stops_here);
+    end
+    if (in_goes[one]) begin
+      assert (!next_block[4] && left != 8'd0);
+      assert (is_record || leaf_word == {behind == end_of_image, left - 8'd1, behind[3:0]});
+    end
+    if (in_leaf) begin
+      assert (!is_record && next_block <= end_of_image);
+      assert (leaf_word == {next_block == end_of_image, left, next_block[3:0]});
+    end
+    assert (!writes || writer != one || in_leaf);
+    assert (!stops_here || in_divided[one] || in_stage[one] || walking[one]);
+    assert (!in_stage[one] || stops_1 == stops_here);
+    assert (!in_stage[one] || !settled_1 || leaves_word == leaves[one]);
+    // A block that is asked for is the next one, and in the image. So triangles come in turn, each once.
+    if (asks && asker == one) begin
+      assert (triangle == !is_record && wanted == next_block && wanted <= last);
+      assert (left != 8'd0 && !stops_here);
+    end
+    // A ray is done when no triangle is left, when its hit said so, or when the next block is not in the image.
+    if (done && of == one) begin
+      assert (stopped == (lost | stops_here));
+      assert (stopped || left == 8'd0);
+      assert (!lost || (next_block > last && left != 8'd0 && !stops_here));
+    end
+  end
