@@ -27,4 +27,5 @@ set(HITPIPE_MACHINES
   replies
   registers
   requests
+  beats
 )

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +12,8 @@
 #include "area_model/price.hpp"
 #include "host/files.hpp"
 #include "rtl_gen/core/files.hpp"
+#include "rtl_gen/core/picture.hpp"
+#include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/verilog/names.hpp"
 #include "sim/core/core_vectors.hpp"
 
@@ -21,8 +24,10 @@ void emit_core(const rtl::CoreOptions& core_options, const CoreRtl& options) {
   rtl::check_module_name(module);
   const rtl::Library library = rtl::library_called(options.library);
   const rtl::Core core = rtl::make_core(core_options, library, module);
-  const std::vector<host::File> files =
+  std::vector<host::File> files =
       rtl::core_files(core, library, sim::core_test(core, options.cycles, options.seed));
+  if (auto drawings = rtl::draw({{module + ".dot", rtl::to_dot(core)}}))
+    files.push_back(std::move(drawings->front()));
   host::write_files(options.out, files);
   std::vector<std::string> names;
   for (const host::File& file : files)

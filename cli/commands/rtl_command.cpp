@@ -125,7 +125,8 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
           ->capture_default_str();
   add_seed_option(*command, options->seed);
   std::vector<std::string> of_core = add_core_port_options(*command, options->core);
-  for (const std::string& name : add_one_core_options(*command, options->core)) of_core.push_back(name);
+  for (const auto& add : {add_core_bus_options, add_one_core_options})
+    for (const std::string& name : add(*command, options->core)) of_core.push_back(name);
   add_format_option(*command, options->format);
   command->callback([options, command, flow, cycles, of_core] {
     options->flow_control_given = flow->count() > 0;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -68,20 +69,38 @@ Row traced(const TraceCommand& command, rtl::CoreOptions options, const ref::Cor
           counts.triangles == picture.work.triangles_loaded;
   const auto rays = static_cast<double>(counts.rays);
   const auto cycles = static_cast<double>(counts.cycles);
-  const auto pct = [&](std::uint64_t of, double whole) { return 100 * static_cast<double>(of) / whole; };
+  const auto pct = [](auto of, double whole) { return 100 * static_cast<double>(of) / whole; };
   Row row{{"in_flight", options.rays},
           {"rays", counts.rays},
           {"wrong", wrong},
           {"reads_a_ray", static_cast<double>(counts.records + counts.triangles) / rays},
+          {"restarts_a_ray", static_cast<double>(picture.restarts) / rays},
+          {"bytes_a_ray", static_cast<double>(memory.bytes_read) / rays},
           {"cycles_a_ray", cycles / rays},
           {"mrays_s", 1e6 / core.clock_ps / (cycles / rays)},
-          {"port_busy_pct", pct(counts.records + counts.triangles, cycles)}};
-  if (command.memory.refused_percent > 0) row["refused_pct"] = pct(counts.refused, cycles);
-  if (command.memory.cache_kib > 0) {
-    row["bytes_a_ray"] = static_cast<double>(memory.bytes_read) / rays;
-    row["hits_pct"] = pct(memory.hits, static_cast<double>(memory.requests));
-  }
+          {"port_busy_pct", pct(counts.records + counts.triangles, cycles)},
+          {"pair_busy_pct", pct(counts.records, cycles)},
+          {"triangle_busy_pct",
+           pct(counts.triangles * static_cast<std::uint64_t>(options.triangle_interval), cycles)},
+          {"refused_pct", pct(counts.refused, cycles)},
+          {"idle_memory_pct", pct(counts.waiting, cycles)},
+          {"idle_inside_pct", pct(counts.inside, cycles)},
+          {"idle_few_rays_pct", pct(counts.few_rays, cycles)}};
+  if (command.memory.cache_kib > 0)
+    row["cache_hits_pct"] = pct(memory.hits, static_cast<double>(memory.requests));
   return row;
+}
+
+/// A line for each figure, since there are more of them than cores.
+std::vector<Row> turned(const std::vector<Row>& rows) {
+  std::vector<Row> lines;
+  for (const auto& [key, first] : rows.front().items()) {
+    if (key == "in_flight") continue;
+    Row line{{"rays in flight", key}};
+    for (const Row& row : rows) line[row.at("in_flight").dump()] = row.at(key);
+    lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 void trace_scene(TraceCommand command, int& exit_code) {
@@ -89,6 +108,9 @@ void trace_scene(TraceCommand command, int& exit_code) {
   command.build.threads = command.scene.threads;
   command.memory.least_latency = command.latency.front();
   command.memory.most_latency = command.latency.back();
+  const rtl::CoreOptions& bus = command.core.options;
+  command.memory.in_order = bus.has_one_id();
+  command.memory.interval = std::max(1, 256 / bus.data_bits);
   if (command.memory.least_latency > command.memory.most_latency)
     throw std::runtime_error(fmt::format("--latency {},{}: the first is the least", command.latency.front(),
                                          command.latency.back()));
@@ -122,7 +144,7 @@ void trace_scene(TraceCommand command, int& exit_code) {
     core.byte_bits = std::max(core.byte_bits, core.address_bits + 5);
     rows.push_back(traced(command, core, image, picture, right));
   }
-  fmt::print("{}", table_text(rows, command.format));
+  fmt::print("{}", table_text(command.format == OutputFormat::text ? turned(rows) : rows, command.format));
   if (!right) exit_code = 1;
   // Software's picture, so it is the core's only if all answers are the same.
   if (right && !command.out.empty())
@@ -161,7 +183,7 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
       ->capture_default_str()
       ->transform(number_from(1, sim::MemoryOptions::most_cycles))
       ->type_name("N");
-  command->add_flag("--in-order", options->memory.in_order, "Memory answers in the order of the requests");
+  add_core_bus_options(*command, options->core);
   number("--refuse", options->memory.refused_percent, "Percent of cycles in which memory takes no request", 0,
          99);
   number("--cache", options->memory.cache_kib,

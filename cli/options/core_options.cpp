@@ -46,6 +46,18 @@ std::vector<std::string> add_one_core_options(CLI::App& command, CoreChoice& cho
   return names;
 }
 
+std::vector<std::string> add_core_bus_options(CLI::App& command, CoreChoice& choice) {
+  rtl::CoreOptions& options = choice.options;
+  Choices<int> widths;
+  for (const int width : {64, 128, 256, 512}) widths.emplace_back(fmt::format("{}", width), width);
+  add_choice_option(command, "--data-bits", options.data_bits, widths,
+                    "Of a core: width of the AXI bus to memory; a block has 256 bits");
+  command.add_flag("--in-order", options.in_order,
+                   "Of a core: all AXI requests have one identifier, so memory answers in their order; else "
+                   "each ray has its own. A bus that has not 256 bits is always so");
+  return {"--data-bits", "--in-order"};
+}
+
 std::vector<std::string> add_core_port_options(CLI::App& command, CoreChoice& choice) {
   rtl::CoreOptions& options = choice.options;
   add_count_option(command, "--block-bits", options.address_bits, {4, 32},

@@ -28,6 +28,8 @@ struct CoreChoice {
 std::vector<std::string> add_core_options(CLI::App& command, CoreChoice& choice);
 /// These and --rays, for a command with one core.
 std::vector<std::string> add_one_core_options(CLI::App& command, CoreChoice& choice);
+/// The AXI bus to memory: --data-bits and --in-order.
+std::vector<std::string> add_core_bus_options(CLI::App& command, CoreChoice& choice);
 /// Widths of ports, which only Verilog that is written needs to know.
 std::vector<std::string> add_core_port_options(CLI::App& command, CoreChoice& choice);
 

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "hls/machines/beats.hpp"
 #include "hls/machines/registers.hpp"
 #include "rtl_gen/machine/module.hpp"
 
@@ -17,7 +18,7 @@ namespace hitpipe::rtl {
 
 namespace {
 
-constexpr int counter_bits = 40;
+constexpr int counter_bits = 40, block_bits = 256;
 
 /// Ports of the core whose name begins so, without its beginning, but valid, ready and tag.
 std::vector<Port> ports_of(const Core& core, std::string_view before) {
@@ -44,12 +45,19 @@ int width_of(const Core& core, std::string_view name) {
   return found->pin.width;
 }
 
-MachineGraph registers_of(const Core& core, std::string& bits) {
-  const Format format = hls::RegisterBits{core.options.address_bits, core.options.byte_bits,
-                                          core.options.ray_bits(), counter_bits};
-  bits = to_string(format);
-  return machine_called("registers")->graph(format);
-}
+/// A machine around the core.
+struct Around {
+  Around(const Core& core, const std::string& name, const Format& format)
+      : module(core.module + "_" + name),
+        graph(machine_called(name)->graph(format)),
+        interface(machine_interface(module, graph)),
+        verilog(to_verilog(graph, {.module = module, .bits = to_string(format)})) {}
+
+  std::string module;
+  MachineGraph graph;
+  ModuleInterface interface;
+  std::string verilog;
+};
 
 ModuleInterface interface_of(const Core& core) {
   using Role = Pin::Role;
@@ -62,7 +70,13 @@ ModuleInterface interface_of(const Core& core) {
     for (const auto& [name, width] : data)
       made.pins.push_back({channel + name, Role::data, channel, is_input, width});
   };
-  const int tag = core.options.tag_bits, id = width_of(core, "request_id");
+  const int tag = core.options.tag_bits;
+  const std::vector<std::pair<std::string, int>> none, id{{"id", width_of(core, "request_id")}};
+  const auto& ids = core.options.has_one_id() ? none : id;
+  const auto with_ids = [&](std::vector<std::pair<std::string, int>> data) {
+    data.insert(data.begin() + 1, ids.begin(), ids.end());
+    return data;
+  };
   add("s_axi_aw", true, {{"addr", 8}});
   add("s_axi_w", true, {{"data", 32}, {"strb", 4}});
   add("s_axi_b", false, {{"resp", 2}});
@@ -71,14 +85,13 @@ ModuleInterface interface_of(const Core& core) {
   add("s_axis_ray_t", true, {{"data", stream_bits(ray_ports(core))}, {"id", tag}});
   add("m_axis_hit_t", false, {{"data", stream_bits(hit_ports(core))}, {"id", tag}});
   add("m_axi_ar", false,
-      {{"addr", core.options.byte_bits},
-       {"id", id},
-       {"len", 8},
-       {"size", 3},
-       {"burst", 2},
-       {"cache", 4},
-       {"prot", 3}});
-  add("m_axi_r", true, {{"data", 256}, {"id", id}, {"resp", 2}, {"last", 1}});
+      with_ids({{"addr", core.options.byte_bits},
+                {"len", 8},
+                {"size", 3},
+                {"burst", 2},
+                {"cache", 4},
+                {"prot", 3}}));
+  add("m_axi_r", true, with_ids({{"data", core.options.data_bits}, {"resp", 2}, {"last", 1}}));
   return made;
 }
 
@@ -86,7 +99,7 @@ ModuleInterface interface_of(const Core& core) {
 class Connections {
  public:
   /// `bits` are those of the beat of a ray, for each of its fields.
-  Connections(const std::vector<Port>& fields, const std::vector<std::string>& bits) {
+  Connections(const std::vector<Port>& fields, const std::vector<std::string>& bits, bool has_one_id) {
     for (std::size_t i = 0; i < fields.size(); ++i) ends_["ray_" + fields[i].name] = bits[i];
     for (const auto& [port, pin] :
          std::vector<std::pair<const char*, const char*>>{{"clk", "aclk"},
@@ -100,14 +113,18 @@ class Connections {
                                                           {"request_valid", "m_axi_arvalid"},
                                                           {"request_ready", "m_axi_arready"},
                                                           {"request_address", "m_axi_araddr"},
-                                                          {"request_id", "m_axi_arid"},
-                                                          {"read_valid", "m_axi_rvalid"},
-                                                          {"read_id", "m_axi_rid"},
-                                                          {"read_word_0", "m_axi_rdata[63:0]"},
-                                                          {"read_word_1", "m_axi_rdata[127:64]"},
-                                                          {"read_word_2", "m_axi_rdata[191:128]"},
-                                                          {"read_word_3", "m_axi_rdata[255:192]"}})
+                                                          {"request_upper", "m_axi_araddr[5]"},
+                                                          {"beat_valid", "m_axi_rvalid"},
+                                                          {"beat_ready", "m_axi_rready"}})
       ends_[port] = pin;
+    for (int i = 0; i < 8; ++i)
+      ends_[fmt::format("{}_{}", has_one_id ? "beat" : "read_word", i)] =
+          fmt::format("m_axi_rdata[{}:{}]", 64 * i + 63, 64 * i);
+    if (!has_one_id) {
+      ends_["request_id"] = "m_axi_arid";
+      ends_["read_id"] = "m_axi_rid";
+      ends_["read_valid"] = "m_axi_rvalid";
+    }
     for (const char* const lite :
          {"awvalid", "awready", "awaddr", "wvalid", "wready", "wdata", "wstrb", "bvalid", "bready", "bresp",
           "arvalid", "arready", "araddr", "rvalid", "rready", "rdata", "rresp"})
@@ -152,18 +169,34 @@ std::vector<Port> hit_ports(const Core& core) {
 }
 
 std::string axi_verilog(const Core& core) {
-  std::string bits;
-  const MachineGraph graph = registers_of(core, bits);
-  const std::string registers = core.module + "_registers";
+  const CoreOptions& options = core.options;
+  const Around registers(
+      core, "registers",
+      hls::RegisterBits{options.address_bits, options.byte_bits, options.ray_bits(), counter_bits});
   const BeatText ray(ray_ports(core), "s_axis_ray_tdata"), hit(hit_ports(core), "m_axis_hit_tdata");
-  const Connections connections(ray_ports(core), ray.bits);
+  const Connections connections(ray_ports(core), ray.bits, options.has_one_id());
   std::string wires;
-  for (const Port& port : hit_ports(core))
-    wires += fmt::format("  wire {}hit_{};\n", vector_range(port.width), port.name);
-  for (const char* const name : {"base", "last", "most_steps", "most_rays"})
-    wires += fmt::format("  wire {}{};\n", vector_range(width_of(core, name)), name);
+  const auto wire = [&](const std::string& name, int width) {
+    wires += fmt::format("  wire {}{};\n", vector_range(width), name);
+  };
+  for (const Port& port : hit_ports(core)) wire("hit_" + port.name, port.width);
+  for (const char* const name : {"base", "last", "most_steps", "most_rays"}) wire(name, width_of(core, name));
+  std::string instances = connections.instance(core.interface(), "core_i") +
+                          connections.instance(registers.interface, "registers_i");
+  std::string modules = registers.verilog,
+              ready = "  assign m_axi_rready = 1'b1;  // a block is taken at once\n";
+  if (options.has_one_id()) {
+    const Around beats(core, "beats", hls::BeatBits{options.data_bits, options.ray_bits()});
+    for (const char* const name :
+         {"request_id", "read_valid", "read_id", "read_word_0", "read_word_1", "read_word_2", "read_word_3"})
+      wire(name, width_of(core, name));
+    instances += connections.instance(beats.interface, "beats_i");
+    modules += "\n" + beats.verilog;
+    ready.clear();
+  }
   std::vector<std::string> unused = ray.padding;
   unused.insert(unused.end(), {"m_axi_rresp", "m_axi_rlast"});
+  const int beats = std::max(1, block_bits / options.data_bits);
   return fmt::format(
              R"(// The core {0} behind AXI: rays and answers by AXI4-Stream, registers by AXI4-Lite, blocks by AXI4.
 // Fields of s_axis_ray_tdata:
@@ -171,27 +204,24 @@ std::string axi_verilog(const Core& core) {
 {2}// Generated by hitpipe; do not edit.
 {3}{4}
 {5}
-{6}
-  assign m_axis_hit_tdata = {7};
-  // A block is one beat of 32 bytes. It is taken at once.
-  assign m_axi_arlen = 8'd0;
-  assign m_axi_arsize = 3'd5;
+  assign m_axis_hit_tdata = {6};
+  // A block has 32 bytes and is aligned to 32.
+  assign m_axi_arlen = 8'd{7};
+  assign m_axi_arsize = 3'd{8};
   assign m_axi_arburst = 2'd1;
   assign m_axi_arcache = 4'd3;
   assign m_axi_arprot = 3'd0;
-  assign m_axi_rready = 1'b1;
-
-  wire unused = &{{1'b0, {8}}};
+{9}
+  wire unused = &{{1'b0, {10}}};
 endmodule
 
 /* verilator lint_off DECLFILENAME */
 
 )",
-             core.module, ray.layout, hit.layout, interface_of(core).head(), wires,
-             connections.instance(core.interface(), "core_i"),
-             connections.instance(machine_interface(registers, graph), "registers_i"),
-             joined(hit_ports(core), "hit_"), fmt::join(unused, ", ")) +
-         to_verilog(graph, {.module = registers, .bits = bits}) + "/* verilator lint_on DECLFILENAME */\n";
+             core.module, ray.layout, hit.layout, interface_of(core).head(), wires, instances,
+             joined(hit_ports(core), "hit_"), beats - 1, hls::count_bits(block_bits / beats / 8), ready,
+             fmt::join(unused, ", ")) +
+         modules + "/* verilator lint_on DECLFILENAME */\n";
 }
 
 Json axi_json(const Core& core) {
@@ -204,6 +234,8 @@ Json axi_json(const Core& core) {
   return {{"module", axi_module(core)},
           {"verilog", axi_module(core) + ".v"},
           {"header", core.module + ".h"},
+          {"data_bits", core.options.data_bits},
+          {"has_one_id", core.options.has_one_id()},
           {"s_axis_ray", side(ray_ports(core))},
           {"m_axis_hit", side(hit_ports(core))}};
 }

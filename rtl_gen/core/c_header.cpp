@@ -91,6 +91,8 @@ static inline uint64_t {}_bits_of(float value) {{
 #define {3}_TAG_BITS {12}
 #define {3}_ADDRESS_BITS {13}
 #define {3}_BLOCK_BYTES 32
+#define {3}_BEAT_BYTES {15}
+#define {3}_HAS_ONE_ID {16}
 #define {3}_NO_HIT 0xffffffffu
 
 #define {3}_RAY_BYTES {6}
@@ -122,7 +124,7 @@ static inline void {0}_unpack_hit(struct {0}_hit* hit, const uint8_t* bytes) {{
       name, to_string(Format(core.options.bits)), core.options.rays, upper_name, registers,
       hls::registers::identity, stream_bits(ray_ports(core)) / 8, stream_bits(hit_ports(core)) / 8,
       c_fields(ray_ports(core)), c_fields(hit_ports(core)), pack, unpack, core.options.tag_bits,
-      core.options.byte_bits, bits_of);
+      core.options.byte_bits, bits_of, core.options.data_bits / 8, core.options.has_one_id() ? 1 : 0);
 }
 
 }  // namespace hitpipe::rtl

@@ -38,6 +38,9 @@ void check(const CoreOptions& options) {
   within("bits of a block's number", options.address_bits, 4, 32);
   within("bits of an address", options.byte_bits, options.address_bits + 5, 64);
   within("bits of a tag", options.tag_bits, 1, 64);
+  if (options.data_bits < 64 || options.data_bits > 512 || (options.data_bits & (options.data_bits - 1)) != 0)
+    throw std::runtime_error(
+        fmt::format("bits of the memory bus {}: allowed is 64, 128, 256, 512", options.data_bits));
   within("cycles from triangle to triangle", options.triangle_interval, CoreOptions::least_triangle_interval,
          64);
 }

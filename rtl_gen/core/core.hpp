@@ -40,6 +40,11 @@ struct CoreOptions {
   int tag_bits = 16;          ///< of a ray's tag, 1..64
   int triangle_interval = 4;  ///< cycles from one triangle's test to the next, 3..64
   Door door = Door::integer;
+  int data_bits = 256;    ///< of the AXI bus to memory: 64, 128, 256, 512
+  bool in_order = false;  ///< all requests on this bus have one identifier
+
+  /// A bus of another width than a block's is one with one identifier.
+  [[nodiscard]] bool has_one_id() const { return in_order || data_bits != 256; }
 
   /// Bits of a ray's number.
   [[nodiscard]] int ray_bits() const;

@@ -9,6 +9,7 @@
 
 #include "rtl_gen/core/axi.hpp"
 #include "rtl_gen/core/c_header.hpp"
+#include "rtl_gen/core/picture.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 
@@ -157,6 +158,7 @@ std::vector<host::File> core_files(const Core& core, const Library& library, Cor
           {core.module + ".h", c_header(core)},
           {core.module + ".json", manifest_of(core, library).dump(2) + "\n"},
           {core.module + ".core", fusesoc_text(core)},
+          {core.module + ".dot", to_dot(core)},
           {"tb/" + core.module + "_tb.sv", testbench_text(cycles)},
           {"tb/" + core.module + "_vectors.hex", vectors_text(cycles)},
           {"tb/" + axi_module(core) + "_harness.cpp", system_program(core)},

@@ -17,8 +17,9 @@ struct CoreTest {
   CoreScene scene;                   ///< for the system around MODULE_axi
 };
 
-/// MODULE.v, MODULE_axi.v, MODULE.h, MODULE.json, MODULE.core, and in tb: MODULE_tb.sv, MODULE_vectors.hex,
-/// MODULE_axi_harness.cpp, MODULE_scene.txt, Makefile. The same bytes for the same arguments.
+/// MODULE.v, MODULE_axi.v, MODULE.h, MODULE.json, MODULE.core, MODULE.dot, and in tb: MODULE_tb.sv,
+/// MODULE_vectors.hex, MODULE_axi_harness.cpp, MODULE_scene.txt, Makefile. The same bytes for the same
+/// arguments.
 [[nodiscard]] std::vector<host::File> core_files(const Core& core, const Library& library, CoreTest test);
 
 }  // namespace hitpipe::rtl

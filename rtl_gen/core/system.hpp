@@ -16,7 +16,7 @@ namespace hitpipe::rtl {
 struct CoreScene {
   struct Ray {
     std::vector<Word> fields;  ///< in the order of ray_ports()
-    std::uint64_t number, t;  ///< of the nearest triangle; without one all ones, and the ray's length
+    std::uint64_t number, t;   ///< of the nearest triangle; without one all ones, and the ray's length
   };
   std::vector<std::array<std::uint64_t, 4>> blocks;
   std::vector<Ray> rays;

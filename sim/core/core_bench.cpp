@@ -145,6 +145,7 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
   const auto block_mask = static_cast<std::uint64_t>(rtl::ones_below(core_.options.byte_bits - 5));
   std::size_t next = 0, ended = 0, offered = nothing;  // the tag of the job `next`
   std::uint64_t silent = 0;
+  std::size_t flying = 0, reading = 0;  // rays in flight, and those of them that wait for memory
   while (ended < jobs.size()) {
     machine_.outputs(outputs_.data());
     const auto out = [&](std::size_t place) { return outputs_[place]; };
@@ -154,23 +155,32 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
       free_tags.pop_back();
       show(jobs[next], offered);
     }
+    bool accepts = false;
     inputs_[at_.ray_valid] = offered != nothing ? 1 : 0;
     if (offered != nothing && out(at_.ray_ready) != 0) {
       in_flight[offered] = next++;
       offered = nothing;
+      accepts = true;
       ++counts_.rays;
     }
 
     const bool asks = out(at_.request_valid) != 0;
     const bool ready = memory_.ready();
     inputs_[at_.request_ready] = ready ? 1 : 0;
-    counts_.idle += asks ? 0 : 1;
-    counts_.refused += asks && !ready ? 1 : 0;
+    if (asks) {
+      counts_.refused += ready ? 0 : 1;
+    } else {
+      const auto room = static_cast<double>(in_flight.size());
+      counts_.few_rays += static_cast<double>(in_flight.size() - flying) / room;
+      counts_.waiting += static_cast<double>(reading) / room;
+      counts_.inside += static_cast<double>(flying - reading) / room;
+    }
     if (asks && ready) {
       const auto block = static_cast<std::uint64_t>(out(at_.request_address) / ref::core_block_bytes);
       const auto id = static_cast<std::uint32_t>(out(at_.request_id));
       // Addresses go round at their last bit.
       memory_.ask(static_cast<std::uint32_t>((block - options_.base) & block_mask), id);
+      ++reading;
       ++((id >> core_.options.ray_bits()) != 0 ? counts_.triangles : counts_.records);
     }
     take_block();
@@ -190,6 +200,7 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
                 .failed = out(at_.hit_failed) != 0};
       counts_.failed += answer.failed ? 1 : 0;
       in_flight[tag] = nothing;
+      --flying;
       free_tags.push_back(tag);
       ++ended;
       silent = 0;
@@ -200,6 +211,8 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
     }
     machine_.step(inputs_.data(), false);
     block_ = memory_.step();
+    reading -= block_ ? 1 : 0;
+    flying += accepts ? 1 : 0;
     ++counts_.cycles;
   }
 }

@@ -35,9 +35,10 @@ struct CoreCounts {
   std::uint64_t rays = 0, cycles = 0;
   std::uint64_t records = 0, triangles = 0;  ///< blocks that were read
   std::uint64_t failed = 0;
-  /// Cycles in which the core asked for nothing: with too few rays in flight all of them wait for memory or
-  /// for a unit. And cycles in which memory refused its request.
-  std::uint64_t idle = 0, refused = 0;
+  std::uint64_t refused = 0;  ///< cycles in which memory took no request
+  /// Cycles in which the core asked for nothing. Each is divided by where the rays were that it has room for:
+  /// there were none for it, they waited for memory, or they were in its queues and units.
+  double few_rays = 0, waiting = 0, inside = 0;
 };
 
 struct CoreBenchOptions {

@@ -7,7 +7,7 @@ namespace hitpipe::cli::wrong_use_test {
 namespace {
 
 TEST_F(WrongUseOf, TheCommandLine) {
-  rejected({{"rtl int_slabs --colour 3 --out OUT", "--colour: no such option; the nearest is --out;"},
+  rejected({{"rtl int_slabs --colour 3 --out OUT", "--colour: no such option; the nearest is --door;"},
             {"rtl int_slabs 3 --bit", "--bit: no such option; the nearest is --bits;"},
             {"rtl int_slabs 3 4 --out OUT", "3: a word too many;"},
             {"cosim int_slabs --sceen spheres", "--sceen: no such option; the nearest is --scene;"},

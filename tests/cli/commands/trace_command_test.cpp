@@ -38,10 +38,32 @@ TEST(TraceCommand, MoreRaysInFlightKeepThePortBusy) {
   }
 }
 
+TEST(TraceCommand, SaysWhyCyclesWereLost) {
+  const std::vector<std::string> shares{"port_busy_pct", "refused_pct", "idle_memory_pct", "idle_inside_pct",
+                                        "idle_few_rays_pct"};
+  // Each memory, and the cause that takes most of its cycles.
+  const std::vector<std::pair<std::vector<std::string>, std::string>> causes{
+      {{"--rays", "2"}, "idle_memory_pct"},
+      {{"--rays", "2", "--latency", "1", "--triangle-ii", "64"}, "idle_inside_pct"},
+      {{"--rays", "64", "--refuse", "80"}, "refused_pct"},
+      {{"--rays", "64", "--latency", "4"}, "port_busy_pct"}};
+  for (const auto& [more, cause] : causes) {
+    const nlohmann::json row = rows_of(more).at(0);
+    double sum = 0;
+    for (const std::string& share : shares) {
+      sum += row.at(share).get<double>();
+      EXPECT_LE(row.at(share), row.at(cause)) << share << ", where most should be " << cause;
+    }
+    EXPECT_NEAR(sum, 100, 1e-6) << cause;
+  }
+}
+
 TEST(TraceCommand, MemoriesOfEveryKindGiveTheSameAnswers) {
   const nlohmann::json plain = rows_of({});
   for (const auto& more : {std::vector<std::string>{"--latency", "1,200"},
                            {"--latency", "20", "--in-order"},
+                           {"--data-bits", "64"},
+                           {"--door", "float", "--data-bits", "512"},
                            {"--refuse", "50"},
                            {"--bits", "20+1s20", "--triangle-ii", "8"}}) {
     const nlohmann::json rows = rows_of(more);
@@ -49,7 +71,7 @@ TEST(TraceCommand, MemoriesOfEveryKindGiveTheSameAnswers) {
     EXPECT_EQ(rows.at(0).at("reads_a_ray"), plain.at(0).at("reads_a_ray"));
   }
   const nlohmann::json cached = rows_of({"--cache", "64"});
-  EXPECT_GT(cached.at(0).at("hits_pct"), 50);
+  EXPECT_GT(cached.at(0).at("cache_hits_pct"), 50);
   EXPECT_LT(cached.at(0).at("bytes_a_ray"), 32 * plain.at(0).at("reads_a_ray").get<double>());
   EXPECT_GT(rows_of({"--refuse", "50"}).at(0).at("refused_pct"), 40);
 }

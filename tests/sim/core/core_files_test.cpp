@@ -79,7 +79,12 @@ INSTANTIATE_TEST_SUITE_P(Kinds, CoreFiles,
                                               {.bits = {14, 1, 7, 0, 12, 1},
                                                .rays = 9,
                                                .tag_bits = 64,
-                                               .door = rtl::Door::binary32}}),
+                                               .door = rtl::Door::binary32,
+                                               .data_bits = 64}},
+                                         Kind{"HalfABlock",
+                                              {.bits = {12, 1, 7, 0, 12, 0}, .rays = 40, .data_bits = 128}},
+                                         Kind{"InOrder", {.bits = {8, 0, 4, 0, 8, 0}, .in_order = true}},
+                                         Kind{"TwoBlocks", {.bits = {8, 0, 4, 0, 8, 0}, .data_bits = 512}}),
                          [](const auto& each) { return each.param.name; });
 
 /// A change of one file, and what sees it.
@@ -119,9 +124,10 @@ TEST(CoreFiles, HaveTheModulesName) {
   const std::vector<host::File> files = files_of({.bits = {12, 1, 7, 0, 12, 0}}, "tracer");
   std::vector<std::string> names;
   for (const host::File& file : files) names.push_back(file.name);
-  EXPECT_THAT(names, testing::ElementsAre("tracer.v", "tracer_axi.v", "tracer.h", "tracer.json",
-                                          "tracer.core", "tb/tracer_tb.sv", "tb/tracer_vectors.hex",
-                                          "tb/tracer_axi_harness.cpp", "tb/tracer_scene.txt", "tb/Makefile"));
+  EXPECT_THAT(names,
+              testing::ElementsAre("tracer.v", "tracer_axi.v", "tracer.h", "tracer.json", "tracer.core",
+                                   "tracer.dot", "tb/tracer_tb.sv", "tb/tracer_vectors.hex",
+                                   "tb/tracer_axi_harness.cpp", "tb/tracer_scene.txt", "tb/Makefile"));
   for (const host::File& file : files) EXPECT_EQ(rtl::times(file.contents, "core_module"), 0) << file.name;
   const auto manifest = nlohmann::json::parse(files[3].contents);
   EXPECT_EQ(manifest["module"], "tracer");
