@@ -312,6 +312,11 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
     allowed.insert(allowed.end(), of_core.begin(), of_core.end());
     allow_only(*command, "core is a core", allowed);
     check_named(*options);
+    int& seeds = options->options.seeds;
+    if (command->count("--seeds") > 0 && seeds != 0)
+      throw std::runtime_error(
+          fmt::format("--seeds {}: no chip that is placed has room for a core; allowed is 0", seeds));
+    seeds = 0;
     options->options.folder = options->out;
     exit_code = map_core(options->core.core(options->choice.bits), options->target, options->options,
                          options->format);

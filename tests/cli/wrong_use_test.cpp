@@ -352,6 +352,8 @@ TEST_F(WrongUseOf, TargetsAndBoards) {
        {"implement core --out OUT --target xc7 --ii 2", "--ii" + of_core},
        {"implement core --out OUT --target xc7 --clock-ps auto", "--clock-ps" + of_core},
        {"implement core --out OUT --board icebreaker", "--board" + of_core},
+       {"implement core --out OUT --target ice40_hx --seeds 1",
+        "--seeds 1: no chip that is placed has room for a core; allowed is 0"},
        {on_chip + "xc7 --seeds 101", "--seeds: Value 101 not in range 0 to 100;"},
        {on_chip + "xc7 --simulate 9",
         "target xc7: has no simulation models of its cells, so its netlist cannot be simulated"}});
