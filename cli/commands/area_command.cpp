@@ -307,9 +307,7 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
       print_core_price(options->core.core(bits), options->library, options->format);
       return;
     }
-    for (const std::string& name : of_core)
-      if (command->count(name) > 0)
-        throw std::runtime_error(fmt::format("{}: allowed with {} only", name, core_name));
+    refuse_core_options(*command, of_core);
     if (flow->count() > 0 && options->account == Account::printed)
       throw std::runtime_error(
           "--flow-control: the printed account counts latches as the thesis does; allowed with --account "

@@ -2,20 +2,27 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "area_model/figure.hpp"
 #include "area_model/price.hpp"
+#include "cli/text/implementation_text.hpp"
+#include "cli/text/progress.hpp"
 #include "host/files.hpp"
 #include "rtl_gen/core/files.hpp"
 #include "rtl_gen/core/picture.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/verilog/names.hpp"
 #include "sim/core/core_vectors.hpp"
+#include "sim/implement/core_implementation.hpp"
+#include "sim/implement/target.hpp"
 
 namespace hitpipe::cli {
 
@@ -86,6 +93,36 @@ void print_core_price(const rtl::CoreOptions& core_options, const std::string& l
   }
   add("core", rtl::to_string(rtl::Format(core.options.bits)), all_memory, all_area, all_taken);
   fmt::print("{}", table_text(rows, format));
+}
+
+int map_core(const rtl::CoreOptions& core_options, const std::string& target_name,
+             const sim::ImplementOptions& given, OutputFormat format) {
+  const sim::Target target = sim::target_called(target_name);
+  std::optional<Progress> progress;
+  sim::ImplementOptions options = given;
+  options.progress = [&](const std::string& step) { progress.emplace(step); };
+  const sim::CoreImplementation core = sim::implement_core(core_options, target, options);
+  progress.reset();
+
+  const std::string bits = rtl::to_string(rtl::Format(core_options.bits));
+  Row row{{"core", core.chip.module}, {"bits", bits},        {"rays", core_options.rays},
+          {"target", target.name},    {"chip", target.chip}, {"library", core.chip.library},
+          {"clock_ps", core.clock_ps}};
+  row.update(taken_row(core.chip));
+  row["memory_bits"] = core.memory_bits;
+  row.update(tools_row(target, core.chip));
+  keep_and_print(std::move(row), options.folder / target.name / (core.chip.module + "_implementation.json"),
+                 format);
+  const std::string fault = fault_of(target, core.chip);
+  if (fault.empty()) return 0;
+  fmt::print(stderr, "hitpipe: core {} {}\n", bits, fault);
+  return 1;
+}
+
+void refuse_core_options(const CLI::App& command, const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (command.count(name) > 0)
+      throw std::runtime_error(fmt::format("{}: allowed with {} only", name, core_name));
 }
 
 }  // namespace hitpipe::cli

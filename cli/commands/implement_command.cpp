@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -8,9 +7,13 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/cores.hpp"
+#include "cli/commands/machines.hpp"
 #include "cli/options/board_options.hpp"
+#include "cli/options/core_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/implementation_text.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
@@ -33,6 +36,7 @@ constexpr const char* automatic = "auto";
 
 struct ImplementCommand {
   DesignChoice choice;
+  CoreChoice core;
   std::string target;
   BoardChoice board;
   sim::ImplementOptions options;
@@ -41,35 +45,8 @@ struct ImplementCommand {
   OutputFormat format = OutputFormat::text;
 };
 
-/// To as many digits as a tool's result is worth.
-Row rounded(std::optional<double> value) {
-  if (!value) return nullptr;
-  return std::round(*value * 100) / 100;
-}
-
-Row count_row(const sim::Implementation& unit, std::string_view resource) {
-  const sim::ResourceCount* const count = unit.count_of(resource);
-  return count == nullptr ? Row(nullptr) : Row(count->used);
-}
-
-/// The resource of which the unit takes the largest part of the chip.
-std::pair<Row, Row> largest_share(const sim::Implementation& unit) {
-  std::pair<Row, Row> largest{nullptr, nullptr};
-  double most = -1;
-  for (const sim::ResourceCount& count : unit.counts) {
-    if (!count.available || *count.available == 0) continue;
-    const double share = 100.0 * count.used / *count.available;
-    if (share <= most) continue;
-    most = share;
-    largest = {rounded(share), count.name};
-  }
-  return largest;
-}
-
 Row record(const ImplementCommand& command, const sim::Target& target, const sim::Implementation& unit) {
   const rtl::Design& design = command.choice.design();
-  const auto [share, share_of] = largest_share(unit);
-  const bool placed = unit.placed && !unit.placed->seeds.empty();
   const std::optional<double> fmax = unit.fmax_mhz();
   const int interval = command.options.interval;
   Row row{{"design", design.name},   {"bits", rtl::to_string(command.choice.format())},
@@ -77,50 +54,18 @@ Row record(const ImplementCommand& command, const sim::Target& target, const sim
           {"library", unit.library}, {"flow_control", rtl::flow_control_name(command.options.flow_control)},
           {"module", unit.module},   {"latency", unit.latency}};
   if (interval > 1) row["ii"] = interval;
-  row["cells"] = unit.synthesis.cell_count();
-  for (const std::string_view resource : sim::resource_names)
-    row[std::string(resource)] = count_row(unit, resource);
+  row.update(taken_row(unit));
   row.update(
-      {{"chip_share_pct", share},
-       {"chip_share_of", share_of},
-       {"cell_area_um2", rounded(unit.synthesis.area_um2)},
-       {"seeds", placed ? Row(unit.placed->seeds.size()) : Row(nullptr)},
-       {"fmax_mhz", rounded(fmax)},
-       {"fmax_best_mhz", placed ? rounded(unit.placed->best().fmax_mhz) : Row(nullptr)},
-       {"critical_path_ns", rounded(unit.critical_path_ns)},
-       {"critical_from", placed ? Row(unit.placed->median().critical.from) : Row(nullptr)},
-       {"critical_to", placed ? Row(unit.placed->median().critical.to) : Row(nullptr)},
-       {"latency_ns", unit.critical_path_ns ? rounded(unit.latency * *unit.critical_path_ns) : Row(nullptr)},
+      {{"latency_ns", unit.critical_path_ns ? rounded(unit.latency * *unit.critical_path_ns) : Row(nullptr)},
        {"boxes_per_test", design.kind.objects},
        {"million_hits_per_s", fmax ? rounded(*fmax * design.kind.objects / interval) : Row(nullptr)},
        {"energy_pj_per_box",
         unit.energy ? rounded(unit.energy->pj_per_test / design.kind.objects) : Row(nullptr)},
        {"energy_sequential_pct", unit.energy ? rounded(unit.energy->sequential_pct) : Row(nullptr)},
        {"cycles_per_test", unit.energy ? rounded(unit.energy->cycles_per_test) : Row(nullptr)},
-       {"netlist", unit.simulated ? Row(unit.simulated->said) : Row(nullptr)},
-       {"not_placed", target.placement ? Row(nullptr) : Row(target.not_placed)},
-       {"tools", fmt::format("{}", fmt::join(unit.tools, "; "))}});
+       {"netlist", unit.simulated ? Row(unit.simulated->said) : Row(nullptr)}});
+  row.update(tools_row(target, unit));
   return row;
-}
-
-/// For a reader: only what there is.
-Row without_nothing(const Row& row) {
-  Row left;
-  for (const auto& [key, value] : row.items())
-    if (!value.is_null()) left[key] = value;
-  return left;
-}
-
-/// What is wrong with the unit in this target; empty when nothing is.
-std::string wrong(const sim::Target& target, const sim::Implementation& unit) {
-  if (unit.simulated && !unit.simulated->agrees)
-    return fmt::format("its netlist is wrong: {}", unit.simulated->said);
-  if (const std::string excess = unit.excess(); !excess.empty())
-    return fmt::format("does not fit {}: {}", target.chip, excess);
-  if (unit.placed && !unit.placed->why_not.empty())
-    return fmt::format("fits {}, but not with the shift registers around it: {}", target.chip,
-                       unit.placed->why_not);
-  return "";
 }
 
 /// A schedule that was tried.
@@ -154,7 +99,7 @@ std::vector<TriedClock> try_clocks(const ImplementCommand& command, const sim::T
       given.progress(fmt::format("{} ps: {}", clock_ps, step));
     };
     sim::Implementation unit = sim::implement_unit(design, format, target, options);
-    std::string why = wrong(target, unit);
+    std::string why = fault_of(target, unit);
     tried.push_back({clock_ps, options.folder.string(), std::move(unit), std::move(why)});
   }
   return tried;
@@ -233,6 +178,11 @@ int implement_on_board(const DesignChoice& choice, const BoardChoice& board_choi
   return 1;
 }
 
+void check_named(const ImplementCommand& command) {
+  if (command.choice.name.empty() || command.target.empty())
+    throw std::runtime_error("implement: name a design and a --target, or a --board");
+}
+
 int implement(const ImplementCommand& command) {
   if (!command.board.name.empty()) {
     sim::ImplementOptions options = command.options;
@@ -247,8 +197,7 @@ int implement(const ImplementCommand& command) {
           fmt::format("--target {}: the chip on {} is {}", command.target, command.board.name, target));
     return implement_on_board(command.choice, command.board, options, command.format);
   }
-  if (command.choice.name.empty() || command.target.empty())
-    throw std::runtime_error("implement: name a design and a --target, or a --board");
+  check_named(command);
   const rtl::Design& design = command.choice.design();
   const rtl::Format format = command.choice.format();
   const sim::Target target = sim::target_called(command.target);
@@ -271,13 +220,9 @@ int implement(const ImplementCommand& command) {
     row["tried"] = clock_rows(tried);
     if (command.format == OutputFormat::text) fmt::print("{}", clock_table(tried));
   }
-  host::write_file(folder / (unit.module + "_implementation.json"), record_text(row, OutputFormat::json));
-  row["files"] = folder.string();
-  if (command.format == OutputFormat::text) row.erase("tried");
-  fmt::print("{}",
-             record_text(command.format == OutputFormat::text ? without_nothing(row) : row, command.format));
+  keep_and_print(row, folder / (unit.module + "_implementation.json"), command.format);
   if (!unit.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
-  std::string what = wrong(target, unit);
+  std::string what = fault_of(target, unit);
   if (what.empty()) return 0;
   if (!unit.excess().empty() && (!unit.simulated || unit.simulated->agrees)) {
     if (!tried.empty()) options.clock_ps = best->clock_ps;
@@ -291,13 +236,13 @@ int implement(const ImplementCommand& command) {
 }  // namespace
 
 CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
-  CLI::App* const command =
-      program.add_subcommand("implement", "Map a unit to a chip or standard cells: counts, clock, netlist");
+  CLI::App* const command = program.add_subcommand(
+      "implement", "Map a unit or a core to a chip or standard cells: counts, clock, netlist");
   const auto options = std::make_shared<ImplementCommand>();
   sim::ImplementOptions& how = options->options;
   add_design_options(*command, options->choice);
   command->get_option("design")->required(false)->description(
-      "A name that `hitpipe list designs` shows. Default: the usual unit of the board");
+      "A name that `hitpipe list designs` shows, or core. Default: the usual unit of the board");
   as_input(command->add_option("--target", options->target,
                                fmt::format("A built-in target ({}) or a file NAME.json; a board has its own",
                                            fmt::join(sim::target_names(), ", "))))
@@ -353,8 +298,29 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
       {{"icarus", sim::Simulator::icarus}, {"verilator", sim::Simulator::verilator}},
       "What simulates the netlist");
   add_seed_option(*command, how.seed);
+  std::vector<std::string> of_core = add_core_port_options(*command, options->core);
+  for (const std::string& name : add_one_core_options(*command, options->core)) of_core.push_back(name);
   add_format_option(*command, options->format);
-  command->callback([options, &exit_code] { exit_code = implement(*options); });
+  command->callback([options, command, of_core, &exit_code] {
+    if (options->choice.name != core_name) {
+      refuse_core_options(*command, of_core);
+      exit_code = implement(*options);
+      return;
+    }
+    std::vector<std::string> allowed{"design",    "--bits", "--target", "--out",
+                                     "--library", "--name", "--seeds",  "--format"};
+    allowed.insert(allowed.end(), of_core.begin(), of_core.end());
+    allow_only(*command, "core is a core", allowed);
+    check_named(*options);
+    int& seeds = options->options.seeds;
+    if (command->count("--seeds") > 0 && seeds != 0)
+      throw std::runtime_error(
+          fmt::format("--seeds {}: no chip that is placed has room for a core; allowed is 0", seeds));
+    seeds = 0;
+    options->options.folder = options->out;
+    exit_code = map_core(options->core.core(options->choice.bits), options->target, options->options,
+                         options->format);
+  });
   return command;
 }
 

@@ -147,9 +147,7 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
     }
     const rtl::Machine* const machine = rtl::machine_called(options->choice.name);
     if (machine == nullptr) {
-      for (const std::string& name : of_core)
-        if (command->count(name) > 0)
-          throw std::runtime_error(fmt::format("{}: allowed with {} only", name, core_name));
+      refuse_core_options(*command, of_core);
       emit_rtl(*options);
       return;
     }

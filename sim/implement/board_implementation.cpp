@@ -53,27 +53,19 @@ BoardImplementation implement_board(const rtl::Design& design, const rtl::Format
   const bool drawn = rtl::write_unit(bench.kept(), emitted).drawn;
   host::write_files(bench.kept(), {top_file});
 
-  options.progress("synthesising");
   BoardImplementation result{
-      .chip = {.module = top,
-               .library = library.name(),
-               .latency = pipeline.latency(),
-               .synthesis = synthesise(target, {top, {emitted.verilog, top_file}}, tools.yosys, bench),
-               .counts = {},
-               .tools = {tools.yosys.release(), tools.nextpnr->release()},
-               .drawn = drawn},
+      .chip = map_module(target, {top, {emitted.verilog, top_file}}, tools, bench, options.progress),
       .bitstream = {}};
   Implementation& chip = result.chip;
-  chip.counts = chip.synthesis.counts;
-  options.progress("packing");
-  for (const ResourceCount& count : pack(target, chip.synthesis, *tools.nextpnr, bench))
-    chip.counts.push_back(count);
+  chip.library = library.name();
+  chip.latency = pipeline.latency();
+  chip.drawn = drawn;
   if (!chip.excess().empty()) return result;
   chip.placed = place_and_route(
       target,
       {.top = top,
        .netlist = chip.synthesis.json(),
-       .clock = "clk",
+       .clock = module_clock,
        .pcf = board.pin_constraints(),
        .seeds = options.seeds,
        .bitstream = true,

@@ -16,8 +16,8 @@
 namespace hitpipe::sim {
 
 /// The resources that a target may count, in the order in which they are printed.
-inline constexpr std::string_view resource_names[] = {"luts", "registers", "dsps",
-                                                      "rams", "carries",   "logic_cells"};
+inline constexpr std::string_view resource_names[] = {"luts",     "registers", "dsps",       "rams",
+                                                      "lut_rams", "carries",   "logic_cells"};
 
 struct Resource {
   std::string name;                                ///< one of resource_names

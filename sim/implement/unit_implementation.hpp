@@ -3,17 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
-#include "sim/implement/energy.hpp"
-#include "sim/implement/netlist_simulation.hpp"
-#include "sim/implement/place_and_route.hpp"
-#include "sim/implement/target.hpp"
+#include "sim/implement/module_implementation.hpp"
 #include "sim/vectors/design_vectors.hpp"
 
 namespace hitpipe::sim {
@@ -30,27 +25,7 @@ struct ImplementOptions {
   std::optional<int> simulate{};  ///< how many vectors go through the netlist
   Simulator simulator = Simulator::icarus;
   std::uint64_t seed = usual_seed;  ///< of the vectors
-  /// Told what is being done.
-  std::function<void(const std::string& step)> progress = [](const std::string&) {};
-};
-
-struct Implementation {
-  std::string module;
-  std::string library;
-  int latency = 0;
-  Synthesis synthesis;
-  std::vector<ResourceCount> counts;     ///< of the unit alone, in the order of the target
-  std::optional<PlacedDesign> placed{};  ///< nothing when the target is not placed, or the unit does not fit
-  std::optional<double> critical_path_ns{};  ///< of standard cells, or of the median seed
-  std::optional<NetlistAnswer> simulated{};
-  std::optional<Energy> energy{};  ///< of standard cells that Icarus has simulated
-  std::vector<std::string> tools;  ///< versions
-  bool drawn = true;               ///< false: Graphviz is not installed
-
-  [[nodiscard]] const ResourceCount* count_of(std::string_view resource) const;
-  /// What is used beyond what the chip has: "12 of 8 dsps"; empty when the unit fits.
-  [[nodiscard]] std::string excess() const;
-  [[nodiscard]] std::optional<double> fmax_mhz() const;
+  StepListener progress = [](const std::string&) {};
 };
 
 /// Makes a folder in options.folder that is named after the target. Writes the unit to it as

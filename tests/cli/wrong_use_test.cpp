@@ -325,6 +325,9 @@ TEST_F(WrongUseOf, TargetsAndBoards) {
   const std::string named = "implement: name a design and a --target, or a --board";
   const std::string on_board = "implement --out OUT --board ";
   const std::string on_chip = "implement int_slabs --bits 6/6 --out OUT --target ";
+  const std::string of_core =
+      ": core is a core; allowed with one are design, --bits, --target, --out, --library, --name, --seeds, "
+      "--format, --block-bits, --address-bits, --tag-bits, --stack, --triangle-ii, --rays";
   rejected(
       {{"implement int_slabs --out OUT", named},
        {"implement --target ice40_up5k --out OUT", named},
@@ -337,6 +340,20 @@ TEST_F(WrongUseOf, TargetsAndBoards) {
         "target stratix: unknown; there are ecp5, ice40_hx, ice40_up5k, osu018, xc7, and any file whose name "
         "ends "
         "in .json"},
+       {on_chip + "xc7 --rays 8", "--rays: allowed with core only"},
+       {"implement core --out OUT", named},
+       {"implement core --out OUT --target xc7 --bits 20/24",
+        "bits 20/24: allowed is n+g/psS or n+g/pfBsStF with n in 8..24, g in 0..3, p in 4..32, B in -2..3, S "
+        "in "
+        "8..32, F in 1..8 and B at most g+F, for example 20+1/11s20"},
+       {"implement core --out OUT --target xc7 --stack 6", "--stack 6: allowed is a power of two"},
+       {"implement core --out OUT --target xc7 --simulate 9", "--simulate" + of_core},
+       {"implement core --out OUT --target xc7 --flow-control none", "--flow-control" + of_core},
+       {"implement core --out OUT --target xc7 --ii 2", "--ii" + of_core},
+       {"implement core --out OUT --target xc7 --clock-ps auto", "--clock-ps" + of_core},
+       {"implement core --out OUT --board icebreaker", "--board" + of_core},
+       {"implement core --out OUT --target ice40_hx --seeds 1",
+        "--seeds 1: no chip that is placed has room for a core; allowed is 0"},
        {on_chip + "xc7 --seeds 101", "--seeds: Value 101 not in range 0 to 100;"},
        {on_chip + "xc7 --simulate 9",
         "target xc7: has no simulation models of its cells, so its netlist cannot be simulated"}});

@@ -133,6 +133,31 @@ TEST_F(ImplementCommand, UnitThatDoesNotFitIsToldAnOptionThatDoes) {
   EXPECT_EQ(told.exit_code, 0) << told.err;
 }
 
+/// No cells are chosen, so that it is quick.
+TEST_F(ImplementCommand, CoreIsMappedAsAUnitIs) {
+  const std::filesystem::path file = folder_.write("words.json", R"({
+    "name": "words", "chip": "Words", "library": "xc7",
+    "synthesis": ["prep -flatten -top {top}", "chtype -set MEMORY t:$mem_v2", "chtype -set OTHER t:$*"],
+    "resources": {"luts": {"cells": {"OTHER": 1}, "available": 10}, "rams": {"cells": {"MEMORY": 1}}},
+    "not_placed": "it is too small"})");
+  const Outcome outcome =
+      run_hitpipe({"implement", "core", "--bits", "8+0/4s8", "--rays", "4", "--stack", "2", "--name",
+                   "tracer", "--target", file.string(), "--out", out_.string(), "--format", "json"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  auto object = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(object["core"], "tracer");
+  EXPECT_EQ(object["rays"], 4);
+  EXPECT_EQ(object["library"], "xc7");
+  EXPECT_GT(object["rams"], 20);
+  EXPECT_GT(object["memory_bits"], object["rams"]);
+  EXPECT_EQ(object["cells"], object["luts"].get<int>() + object["rams"].get<int>());
+  EXPECT_EQ(outcome.err, fmt::format("hitpipe: core 8+0/4s8 does not fit Words: {} of 10 luts\n",
+                                     object["luts"].get<int>()));
+  object.erase("files");
+  EXPECT_EQ(nlohmann::json::parse(contents_of(out_ / "words" / "tracer_implementation.json")), object);
+  EXPECT_THAT(contents_of(out_ / "words" / "tracer.v"), HasSubstr("module tracer_walker"));
+}
+
 TEST_F(ImplementCommand, MissingToolNamesItsPackage) {
   const auto missing = [&](const std::string& target, const std::string& variable,
                            const std::vector<std::string>& more = {}) {

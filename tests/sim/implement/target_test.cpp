@@ -84,9 +84,9 @@ TEST(Target, WrongEntryRejected) {
   EXPECT_EQ(refusal("\"A small chip\"", "3"), "small.json: chip: is not a text");
   EXPECT_EQ(refusal("\"small\"", "\"a/b\""), "small.json: name: is empty or has a slash, a blank or a point");
   EXPECT_EQ(refusal("[\"synth -top {top}\"]", "\"synth\""), "small.json: synthesis: is not a list of texts");
-  EXPECT_EQ(
-      refusal("\"luts\"", "\"lots\""),
-      "small.json: resources: lots: unknown; allowed are luts, registers, dsps, rams, carries, logic_cells");
+  EXPECT_EQ(refusal("\"luts\"", "\"lots\""),
+            "small.json: resources: lots: unknown; allowed are luts, registers, dsps, rams, lut_rams, "
+            "carries, logic_cells");
   EXPECT_EQ(refusal("\"available\": 7", "\"available\": -7"),
             "small.json: resources: logic_cells: available: is not a whole number from 0 to 10^9");
   EXPECT_EQ(refusal("\"packed\": \"LC\", ", ""),

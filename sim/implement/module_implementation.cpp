@@ -1,0 +1,88 @@
+#include "sim/implement/module_implementation.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "sim/implement/shift_harness.hpp"
+
+namespace hitpipe::sim {
+
+namespace {
+
+/// The module as the counted netlist has it, between shift registers. Returns the netlist's name.
+std::string synthesise_harness(const Target& target, const Synthesis& module, const Tool& yosys,
+                               const Workbench& bench) {
+  const std::string top = harness_module(module.top);
+  const std::string netlist = top + ".json";
+  bench.put_and_keep({top + ".v", shift_harness(module.top, module_clock,
+                                                ports_of_netlist(bench.read(module.json()), module.top))});
+  // While it is a black box, its cells stay as they are.
+  const std::string script = fmt::format(
+      "read_json {}\nsetattr -mod -set blackbox 1 {}\nread_verilog {}.v\n{}"
+      "setattr -mod -unset blackbox ={}\nflatten\nopt_clean -purge\nwrite_json {}\n",
+      module.json(), module.top, top, synthesis_lines(target, top), module.top, netlist);
+  bench.put_and_keep({top + ".ys", script});
+  bench.run(yosys, {"-s", top + ".ys"}, top + ".log");
+  return netlist;
+}
+
+}  // namespace
+
+const ResourceCount* Implementation::count_of(std::string_view resource) const {
+  const auto found = std::find_if(counts.begin(), counts.end(),
+                                  [&](const ResourceCount& count) { return count.name == resource; });
+  return found == counts.end() ? nullptr : &*found;
+}
+
+std::string Implementation::excess() const {
+  std::vector<std::string> beyond;
+  for (const ResourceCount& count : counts)
+    if (!count.fits()) beyond.push_back(count.text());
+  return fmt::format("{}", fmt::join(beyond, ", "));
+}
+
+std::optional<double> Implementation::fmax_mhz() const {
+  if (!critical_path_ns) return std::nullopt;
+  return 1000 / *critical_path_ns;
+}
+
+Implementation map_module(const Target& target, const ChipSources& sources, const ChipTools& tools,
+                          const Workbench& bench, const StepListener& progress) {
+  progress("synthesising");
+  Implementation result{.module = sources.top,
+                        .synthesis = synthesise(target, sources, tools.yosys, bench),
+                        .counts = {},
+                        .tools = {tools.yosys.release()}};
+  result.counts = result.synthesis.counts;
+  if (tools.nextpnr) {
+    result.tools.push_back(tools.nextpnr->release());
+    progress("packing");
+    for (const ResourceCount& count : pack(target, result.synthesis, *tools.nextpnr, bench))
+      result.counts.push_back(count);
+  }
+  return result;
+}
+
+void place_or_time(Implementation& module, const Target& target, const ChipTools& tools,
+                   const Workbench& bench, int seeds, const StepListener& progress) {
+  if (tools.nextpnr && module.excess().empty() && seeds > 0) {
+    module.placed = place_and_route(
+        target,
+        {.top = harness_module(module.module),
+         .netlist = synthesise_harness(target, module.synthesis, tools.yosys, bench),
+         .clock = module_clock,
+         .seeds = seeds,
+         .progress = [&](int seed) { progress(fmt::format("placing, seed {} of {}", seed, seeds)); }},
+        *tools.nextpnr, bench);
+    if (!module.placed->seeds.empty()) module.critical_path_ns = 1000 / module.placed->median().fmax_mhz;
+  }
+  if (tools.sta) {
+    progress("timing the cells");
+    module.tools.push_back("OpenSTA " + tools.sta->release());
+    module.critical_path_ns = critical_path_ns(target, module.synthesis, module_clock, *tools.sta, bench);
+  }
+}
+
+}  // namespace hitpipe::sim
