@@ -3,25 +3,15 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include "driver.h"
-#include "system.hpp"
 
-static System chip;
-void bus_write(uint32_t address, uint32_t value) {
-  chip.write(address - CORE_REGISTERS, value);
-}
-uint32_t bus_read(uint32_t address) {
-  return chip.read(address - CORE_REGISTERS);
-}
-bool fifo_send(uint32_t tag, const uint8_t* bytes) {
-  return chip.send(tag, bytes);
-}
-bool fifo_take(uint32_t* tag, uint8_t* bytes) {
-  return chip.take(tag, bytes);
-}
+uint32_t place_image(const char* file_name);  // the system puts the file into memory, and says where
 
 constexpr int width = 160, height = 120, pixels = width * height;  // a pixel's number is its ray's tag
 static_assert(pixels <= 1 << CORE_TAG_BITS);
@@ -59,15 +49,12 @@ double distance_of(const core_hit& hit, const core_ray& ray) {
 int main(int count, char** arguments) {
   if (count != 3) return std::fprintf(stderr, "core_system scene.bin picture.pgm\n"), 2;
 
-  // The image may be anywhere in memory, at a multiple of 32.
-  constexpr std::uint32_t at = 0x1000;
-  std::ifstream file(arguments[1], std::ios::binary);
-  chip.memory.resize(at);
-  chip.memory.insert(chip.memory.end(), std::istreambuf_iterator<char>(file), {});
-  const auto blocks = static_cast<uint32_t>((chip.memory.size() - at) / CORE_BLOCK_BYTES);
-  if (blocks == 0) return std::fprintf(stderr, "%s cannot be read\n", arguments[1]), 2;
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(arguments[1], error);
+  if (error || bytes < CORE_BLOCK_BYTES) return std::fprintf(stderr, "%s cannot be read\n", arguments[1]), 2;
+  const auto blocks = static_cast<uint32_t>(bytes / CORE_BLOCK_BYTES);
+  if (!core_start(place_image(arguments[1]), blocks)) return std::fprintf(stderr, "no core\n"), 1;
 
-  if (!core_start(at, blocks)) return std::fprintf(stderr, "no core\n"), 1;
   std::vector<uint8_t> picture(pixels), answers(pixels);
   uint64_t failed = 0, hits = 0;
   int sent = 0, taken = 0;

@@ -1,15 +1,17 @@
 // In place of a chip: the core as Verilator compiles it, a bus, two FIFOs, and a memory with a fixed latency.
-#pragma once
-
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <deque>
+#include <fstream>
+#include <iterator>
 #include <vector>
 
 #include "Vcore_axi.h"
-#include "core.h"
+#include "driver.h"
+
+namespace {
 
 class System {
  public:
@@ -103,3 +105,32 @@ class System {
   std::deque<Read> reads_;
   std::uint64_t cycle_ = 0;
 };
+
+System chip;
+
+}  // namespace
+
+void bus_write(uint32_t address, uint32_t value) {
+  chip.write(address - CORE_REGISTERS, value);
+}
+
+uint32_t bus_read(uint32_t address) {
+  return chip.read(address - CORE_REGISTERS);
+}
+
+bool fifo_send(uint32_t tag, const uint8_t* bytes) {
+  return chip.send(tag, bytes);
+}
+
+bool fifo_take(uint32_t* tag, uint8_t* bytes) {
+  return chip.take(tag, bytes);
+}
+
+// An image may be anywhere in memory, at a multiple of 32.
+uint32_t place_image(const char* file_name) {
+  constexpr uint32_t address = 0x1000;
+  std::ifstream file(file_name, std::ios::binary);
+  chip.memory.resize(address);
+  chip.memory.insert(chip.memory.end(), std::istreambuf_iterator<char>(file), {});
+  return address;
+}
