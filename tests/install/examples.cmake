@@ -1,4 +1,4 @@
-# Builds and runs the examples against the prefix. Damage to the Verilog or to one operand makes the Verilated one fail.
+# Builds and runs the examples against the prefix. Damage to Verilog, to an operand or to an image makes them fail.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE ${WORK})
 
@@ -36,3 +36,28 @@ file(TOUCH ${example}/main.cpp)
 damage(${built}/rtl/int_slabs.v "$signed(it_far) < $signed(it_near)" "$signed(it_near) < $signed(it_far)")
 run(${CMAKE_COMMAND} --build ${built})
 expect(1 "${mismatches}" ${built}/verilated_unit)
+
+# The core in a system, with the driver as C. A depth map of `hitpipe render --world integer --bits 16+1s16` has as many
+# pixels that are not sky.
+set(system ${SOURCE}/examples/core_system)
+set(built ${WORK}/core_system)
+build(${system} ${built} -DCMAKE_UNITY_BUILD=ON)
+run(${CXX} -x c -std=c99 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I${built}/rtl ${system}/driver.h)
+set(program ${built}/core_system ${built}/scene.bin ${built}/picture.pgm)
+expect(0 "^19200 rays, 19200 answers, 11948 hits, 0 failed\n[0-9]+ cycles, [1-9][0-9]* blocks read\n$" ${program})
+file(SIZE ${built}/picture.pgm bytes)
+if(NOT bytes EQUAL 19215)
+  message(FATAL_ERROR "picture.pgm has ${bytes} bytes")
+endif()
+
+# The image: its second half is missing. Rays that are led there fail, and all are answered.
+file(SIZE ${built}/scene.bin bytes)
+math(EXPR half "${bytes} / 2")
+execute_process(COMMAND head -c ${half} ${built}/scene.bin OUTPUT_FILE ${built}/half.bin COMMAND_ERROR_IS_FATAL ANY)
+expect(1 "^19200 rays, 19200 answers, [0-9]+ hits, [1-9][0-9]* failed\n" ${built}/core_system ${built}/half.bin
+       ${built}/picture.pgm)
+
+# The Verilog: the core is given another tag, so a pixel has two answers and another has none.
+damage(${built}/rtl/core_axi.v ".ray_tag(s_axis_ray_tid)" ".ray_tag(s_axis_ray_tid | 16'd1)")
+run(${CMAKE_COMMAND} --build ${built})
+expect(1 "^19200 rays, 19200 answers, 11948 hits, 0 failed\n" ${program})

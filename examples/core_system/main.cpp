@@ -1,0 +1,90 @@
+// A picture by the core: core_system scene.bin picture.pgm. It shows the scene `spheres` of hitpipe.
+#include <algorithm>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "driver.h"
+
+uint32_t place_image(const char* file_name);  // the system puts the file into memory, and says where
+
+constexpr int width = 160, height = 120, pixels = width * height;  // a pixel's number is its ray's tag
+static_assert(pixels <= 1 << CORE_TAG_BITS);
+
+// A ray is in the image's cube, [-1, 1]. hitpipe moves a scene into it so that mesh, eye and lights just fit;
+// the longest side of `spheres` is z, from -9 to 9.4. So this is the ray of `hitpipe render` through a pixel.
+core_ray camera_ray(int pixel) {
+  constexpr double eye[] = {0.5, 3.9, 9.4}, target[] = {0, 1.42, 0}, centre[] = {0, 4.25, 0.2};
+  constexpr double scale = (1 - 0x1p-10) / 9.2, fov = 39 * 3.14159265358979 / 180;
+  const double fx = target[0] - eye[0], fy = target[1] - eye[1], fz = target[2] - eye[2];  // forward
+  const double flat = std::hypot(fx, fz), whole = std::hypot(flat, fy);
+  const double side = 2 * std::tan(fov / 2) / height * whole;
+  const double x = (pixel % width + 0.5 - width / 2.0) * side,
+               y = (height / 2.0 - pixel / width - 0.5) * side;
+  const double dx = fx - x * fz / flat - y * fx * fy / flat / whole, dy = fy + y * flat / whole;
+  const double dz = fz + x * fx / flat - y * fz * fy / flat / whole, length = std::hypot(dx, dy, dz);
+  const auto in_cube = [&](int axis) { return static_cast<float>((eye[axis] - centre[axis]) * scale); };
+  return {0,
+          in_cube(0),
+          in_cube(1),
+          in_cube(2),
+          static_cast<float>(dx / length),
+          static_cast<float>(dy / length),
+          static_cast<float>(dz / length),
+          INFINITY};
+}
+
+// T counts units of the origin's grid along the largest component of the direction. In the format 16+1 they
+// are (2^14 - 1) * 2 from the middle of the cube to its side.
+double distance_of(const core_hit& hit, const core_ray& ray) {
+  const float largest = std::max({std::abs(ray.dx), std::abs(ray.dy), std::abs(ray.dz)});
+  return static_cast<double>(hit.t) / 32766 / largest;
+}
+
+int main(int count, char** arguments) {
+  if (count != 3) return std::fprintf(stderr, "core_system scene.bin picture.pgm\n"), 2;
+
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(arguments[1], error);
+  if (error || bytes < CORE_BLOCK_BYTES) return std::fprintf(stderr, "%s cannot be read\n", arguments[1]), 2;
+  const auto blocks = static_cast<uint32_t>(bytes / CORE_BLOCK_BYTES);
+  if (!core_start(place_image(arguments[1]), blocks)) return std::fprintf(stderr, "no core\n"), 1;
+
+  std::vector<uint8_t> picture(pixels), answers(pixels);
+  uint64_t failed = 0, hits = 0;
+  int sent = 0, taken = 0;
+  for (int silent = 0; taken < pixels && silent < 100'000; ++silent) {
+    if (sent < pixels) {
+      const core_ray ray = camera_ray(sent);
+      if (core_send(static_cast<uint32_t>(sent), &ray)) ++sent;
+    }
+    uint32_t pixel;
+    core_hit hit;
+    while (core_take(&pixel, &hit)) {
+      silent = 0, ++taken, ++answers.at(pixel);
+      failed += hit.failed;
+      if (hit.failed || hit.number == CORE_NO_HIT) continue;
+      ++hits;
+      const double distance = distance_of(hit, camera_ray(static_cast<int>(pixel)));
+      picture[pixel] = static_cast<uint8_t>(std::min(255.0, 120 / distance / distance));  // a lamp at the eye
+    }
+  }
+
+  std::ofstream(arguments[2], std::ios::binary) << "P5 " << width << " " << height << " 255\n"
+                                                << std::string(picture.begin(), picture.end());
+  const uint64_t rays = core_count(CORE_COUNT_RAYS), answered = core_count(CORE_COUNT_ANSWERS);
+  std::printf("%" PRIu64 " rays, %" PRIu64 " answers, %" PRIu64 " hits, %" PRIu64 " failed\n", rays, answered,
+              core_count(CORE_COUNT_HITS), failed);
+  std::printf("%" PRIu64 " cycles, %" PRIu64 " blocks read\n", core_count(CORE_COUNT_CYCLES),
+              core_count(CORE_COUNT_RECORDS) + core_count(CORE_COUNT_TRIANGLES));
+  // Every ray has one answer, and the core has counted what came.
+  const bool once = std::all_of(answers.begin(), answers.end(), [](uint8_t n) { return n == 1; });
+  return once && rays == pixels && answered == pixels && core_count(CORE_COUNT_HITS) == hits && failed == 0
+             ? 0
+             : 1;
+}
