@@ -39,11 +39,10 @@ core_ray camera_ray(int pixel) {
           INFINITY};
 }
 
-// T counts units of the origin's grid along the largest component of the direction. In the format 16+1 they
-// are (2^14 - 1) * 2 from the middle of the cube to its side.
+// T counts along the largest component of the direction, CORE_T_ONE from the middle of the cube to its side.
 double distance_of(const core_hit& hit, const core_ray& ray) {
   const float largest = std::max({std::abs(ray.dx), std::abs(ray.dy), std::abs(ray.dz)});
-  return static_cast<double>(hit.t) / 32766 / largest;
+  return static_cast<double>(hit.t) / CORE_T_ONE / largest;
 }
 
 int main(int count, char** arguments) {

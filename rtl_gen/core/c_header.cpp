@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <vector>
 
 #include <fmt/format.h>
@@ -39,6 +40,7 @@ std::string macro_name(const Core& core) {
 
 std::string c_header(const Core& core) {
   const std::string name = core.module, upper_name = macro_name(core);
+  const hls::RayBits& bits = core.options.bits;
   std::string registers, pack, unpack;
   const auto at = [&](const char* what, int place) {
     registers += fmt::format("#define {}_{} 0x{:02x}\n", upper_name, what, 4 * place);
@@ -94,6 +96,8 @@ static inline uint64_t {}_bits_of(float value) {{
 #define {3}_BEAT_BYTES {15}
 #define {3}_HAS_ONE_ID {16}
 #define {3}_NO_HIT 0xffffffffu
+/* T from the middle of the cube to its side, along the largest component of the direction. */
+#define {3}_T_ONE {17}
 
 #define {3}_RAY_BYTES {6}
 #define {3}_HIT_BYTES {7}
@@ -124,7 +128,8 @@ static inline void {0}_unpack_hit(struct {0}_hit* hit, const uint8_t* bytes) {{
       name, to_string(Format(core.options.bits)), core.options.rays, upper_name, registers,
       hls::registers::identity, stream_bits(ray_ports(core)) / 8, stream_bits(hit_ports(core)) / 8,
       c_fields(ray_ports(core)), c_fields(hit_ports(core)), pack, unpack, core.options.tag_bits,
-      core.options.byte_bits, bits_of, core.options.data_bits / 8, core.options.has_one_id() ? 1 : 0);
+      core.options.byte_bits, bits_of, core.options.data_bits / 8, core.options.has_one_id() ? 1 : 0,
+      ((std::int64_t{1} << (bits.coord - 2)) - 1) << (bits.finer + bits.fraction));
 }
 
 }  // namespace hitpipe::rtl
