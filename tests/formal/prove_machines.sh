@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Proves properties of machines with yosys and z3, by induction, for two or four rays: prove_machines.sh HITPIPE FOLDER
-# tests/formal/machines/NAME.v has the properties of a machine, as text inside its module. Prints a table of machine,
-# format, result, seconds; false when anything was not proved, or when damage was not found.
+# tests/formal/machines/NAME.v has the properties of a machine, as text inside its module; NAME_FORMAT.v is text before
+# it, of one format. Prints a table of machine, format, result, seconds; false when anything was not proved, or when
+# damage was not found.
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/proofs.sh"
 hitpipe=$(realpath "$1")
@@ -13,6 +14,8 @@ failed=0
 # properties NAME FORMAT [DAMAGE]: makes the machine's Verilog with its properties, changed by an expression of sed.
 properties() {
   local name=$1 format=$2 damage=${3:-}
+  local texts=("$formal/machines/$name.v")
+  [[ ! -f $formal/machines/${name}_$format.v ]] || texts=("$formal/machines/${name}_$format.v" "${texts[@]}")
   "$hitpipe" rtl "$name" --bits "$format" --name "$name" --vectors 1 --out . >rtl.log || return 1
   cp "$name.v" whole.v
   [[ -z $damage ]] || { sed -i "$damage" "$name.v"; ! cmp -s "$name.v" whole.v || return 1; }
@@ -21,7 +24,7 @@ properties() {
     echo '  reg was_reset = 1'\''b0;'
     echo '  always @(posedge clk) was_reset <= was_reset | rst;'
     echo '  always @* if (!was_reset) assume (rst);'
-    cat "$formal/machines/$name.v"
+    cat "${texts[@]}"
     echo endmodule
   } >>"$name.v"
   yosys -q -p "read_verilog -formal $name.v; prep -top $name; memory_map; opt_clean; write_smt2 -wires $name.smt2" >"$name.log" 2>&1
@@ -62,4 +65,7 @@ machine requests a4h9i1 'all leave once, in order, and stay' 's/there_2 <= waits
 machine replies t4g1i1 'one answer a ray, with its tag' 's/tags\[leaving_ray\]/tags[ray_1]/'
 # A ray waits for its leaf's word only if two other rays go to leaves meanwhile. So there are four rays.
 machine reader a4i2 'a leaf in turn, a ray in one place' "s/settled_1 <= ~writes/settled_1 <= 1'b1/"
+machine beats d64i1 'a block a request, in order, whole' 's/askers\[next_oldest_value\]/askers[oldest]/'
+machine beats d512i1 'a block a request, in order, its half' 's/askers_word\[2\] ? beat_5/askers_word[1] ? beat_5/'
+machine best_hits t4c1d4i1 'an answer is the best of its hits' 's/improves = divided_1 & closer_1/improves = divided_1/'
 exit $failed
