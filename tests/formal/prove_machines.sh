@@ -67,5 +67,6 @@ machine replies t4g1i1 'one answer a ray, with its tag' 's/tags\[leaving_ray\]/t
 machine reader a4i2 'a leaf in turn, a ray in one place' "s/settled_1 <= ~writes/settled_1 <= 1'b1/"
 machine beats d64i1 'a block a request, in order, whole' 's/askers\[next_oldest_value\]/askers[oldest]/'
 machine beats d512i1 'a block a request, in order, its half' 's/askers_word\[2\] ? beat_5/askers_word[1] ? beat_5/'
+machine divider 8+0s8i1 'each hit is compared once' 's/wire loads = .*;/wire loads = there \& ~divides;/'
 machine best_hits t4c1d4i1 'an answer is the best of its hits' 's/improves = divided_1 & closer_1/improves = divided_1/'
 exit $failed
