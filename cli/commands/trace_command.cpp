@@ -110,7 +110,7 @@ void trace_scene(TraceCommand command, int& exit_code) {
   command.memory.most_latency = command.latency.back();
   const rtl::CoreOptions& bus = command.core.options;
   command.memory.in_order = bus.has_one_id();
-  command.memory.interval = std::max(1, 256 / bus.data_bits);
+  command.memory.interval = bus.beats();
   if (command.memory.least_latency > command.memory.most_latency)
     throw std::runtime_error(fmt::format("--latency {},{}: the first is the least", command.latency.front(),
                                          command.latency.back()));

@@ -18,7 +18,7 @@ namespace hitpipe::rtl {
 
 namespace {
 
-constexpr int counter_bits = 40, block_bits = 256;
+constexpr int counter_bits = 40;
 
 /// Ports of the core whose name begins so, without its beginning, but valid, ready and tag.
 std::vector<Port> ports_of(const Core& core, std::string_view before) {
@@ -196,7 +196,6 @@ std::string axi_verilog(const Core& core) {
   }
   std::vector<std::string> unused = ray.padding;
   unused.insert(unused.end(), {"m_axi_rresp", "m_axi_rlast"});
-  const int beats = std::max(1, block_bits / options.data_bits);
   return fmt::format(
              R"(// The core {0} behind AXI: rays and answers by AXI4-Stream, registers by AXI4-Lite, blocks by AXI4.
 // Fields of s_axis_ray_tdata:
@@ -219,8 +218,8 @@ endmodule
 
 )",
              core.module, ray.layout, hit.layout, interface_of(core).head(), wires, instances,
-             joined(hit_ports(core), "hit_"), beats - 1, hls::count_bits(block_bits / beats / 8), ready,
-             fmt::join(unused, ", ")) +
+             joined(hit_ports(core), "hit_"), options.beats() - 1,
+             hls::count_bits(CoreOptions::block_bits / options.beats() / 8), ready, fmt::join(unused, ", ")) +
          modules + "/* verilator lint_on DECLFILENAME */\n";
 }
 

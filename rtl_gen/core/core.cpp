@@ -135,7 +135,7 @@ class Maker {
       const std::string input =
           named != ray_unit_results.end() ? std::string(named->input) : fmt::format("ray_{}", pin.name);
       for (const CorePart& part : core_.parts)
-        if (part.machine != nullptr && has_pin(part, input)) join({"ray", pin.name, part.name, input});
+        if (part.machine != nullptr && find_pin(part, input)) join({"ray", pin.name, part.name, input});
     }
     const std::size_t place = place_of("ray");
     for (const RayPin& pin : ray_unit_pins)
@@ -147,19 +147,17 @@ class Maker {
   [[nodiscard]] std::size_t place_of(std::string_view name) const {
     return static_cast<std::size_t>(&core_.part(name) - core_.parts.data());
   }
-  /// Behind the last place: there is none.
-  [[nodiscard]] static std::size_t find_pin(const CorePart& part, std::string_view name) {
+  [[nodiscard]] static std::optional<std::size_t> find_pin(const CorePart& part, std::string_view name) {
     const std::vector<Pin>& pins = part.interface.pins;
-    return static_cast<std::size_t>(
-        std::find_if(pins.begin(), pins.end(), [&](const Pin& pin) { return pin.name == name; }) -
-        pins.begin());
-  }
-  [[nodiscard]] static bool has_pin(const CorePart& part, std::string_view name) {
-    return find_pin(part, name) < part.interface.pins.size();
+    const auto found =
+        std::find_if(pins.begin(), pins.end(), [&](const Pin& pin) { return pin.name == name; });
+    if (found == pins.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - pins.begin());
   }
   [[nodiscard]] static std::size_t pin_place(const CorePart& part, std::string_view name) {
-    if (!has_pin(part, name)) throw std::logic_error(fmt::format("core: there is no {}.{}", part.name, name));
-    return find_pin(part, name);
+    const std::optional<std::size_t> place = find_pin(part, name);
+    if (!place) throw std::logic_error(fmt::format("core: there is no {}.{}", part.name, name));
+    return *place;
   }
   [[nodiscard]] bool is_driven(std::size_t part, std::size_t pin) const {
     const auto ends_there = [&](const auto& end) { return end.part == part && end.pin == pin; };
@@ -184,11 +182,10 @@ class Maker {
     std::vector<CorePort::End> ends;
     for (std::size_t i = 0; i < core_.parts.size(); ++i) {
       const CorePart& part = core_.parts[i];
-      if (part.machine == nullptr || (!of.from.empty() && part.name != of.from) || !has_pin(part, of.name))
-        continue;
-      const std::size_t pin = find_pin(part, of.name);
-      if (part.interface.pins[pin].is_input == of.from.empty() && !is_driven(i, pin))
-        ends.push_back({i, pin});
+      if (part.machine == nullptr || (!of.from.empty() && part.name != of.from)) continue;
+      const std::optional<std::size_t> pin = find_pin(part, of.name);
+      if (pin && part.interface.pins[*pin].is_input == of.from.empty() && !is_driven(i, *pin))
+        ends.push_back({i, *pin});
     }
     if (ends.empty()) throw std::logic_error(fmt::format("core: no part has the pin {}", of.name));
     add_port(std::string(of.name), of.comment, std::move(ends));

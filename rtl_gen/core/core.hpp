@@ -29,6 +29,7 @@ inline constexpr std::array<std::string_view, 2> door_names{"integer", "float"};
 struct CoreOptions {
   static constexpr int most_rays = 256;
   static constexpr int least_triangle_interval = 3;  ///< triangle_feed begins no more tests
+  static constexpr int block_bits = 256;             ///< what a request reads
   static constexpr int door_interval = 8;            ///< cycles from ray to ray of an int_ray in a core
 
   hls::RayBits bits{};        ///< rays, boxes and triangles
@@ -44,7 +45,9 @@ struct CoreOptions {
   bool in_order = false;  ///< all requests on this bus have one identifier
 
   /// A bus of another width than a block's is one with one identifier.
-  [[nodiscard]] bool has_one_id() const { return in_order || data_bits != 256; }
+  [[nodiscard]] bool has_one_id() const { return in_order || data_bits != block_bits; }
+  /// Cycles in which this bus carries a block; the widest has room for two blocks.
+  [[nodiscard]] int beats() const { return data_bits < block_bits ? block_bits / data_bits : 1; }
 
   /// Bits of a ray's number.
   [[nodiscard]] int ray_bits() const;

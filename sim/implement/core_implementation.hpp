@@ -1,4 +1,4 @@
-// A traversal core in a target, mapped as a unit is.
+// Maps a traversal core to a target, as a unit is mapped.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// In place of a processor: the SoC as Verilator compiles it, and a bus master. What it runs is the main.cpp
-// of
+// In place of a processor: the SoC as Verilator compiles it, and a bus master. It runs main.cpp of
 // ../core_system, as firmware would.
 #include <generated/csr.h>
 #include <generated/mem.h>
