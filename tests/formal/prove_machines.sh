@@ -35,31 +35,40 @@ solve() {
 }
 # From the first reset on, whatever comes before, and the covers are met.
 holds() {
-  solve --presat -t 4 "$1.smt2" >>"$1.log" 2>&1 && solve -i -t 4 "$1.smt2" >>"$1.log" 2>&1
+  solve -i -t 4 "$1.smt2" >>"$1.log" 2>&1 && solve --presat -t 4 "$1.smt2" >>"$1.log" 2>&1
 }
+# reached NAME [CYCLES]: with a number, the wire `reached` is 1 after so many cycles; covers of many would take minutes.
 reached() {
-  solve -c -t 20 "$1.smt2" >"$1.cover.log" 2>&1
+  local name=$1 cycles=${2:-} how=(-c -t 20)
+  if [[ -n $cycles ]]; then
+    printf 'state %d\nassume (= [reached] true)\n' "$cycles" >"$name.smtc"
+    how=(-g -t "$cycles:$((cycles + 1))" --smtc "$name.smtc")
+  fi
+  solve "${how[@]}" "$name.smt2" >"$name.cover.log" 2>&1
 }
 
 row() {
   local what=$1 format=$2 result=$3 began=$4
   [[ $result == NOT* ]] && failed=1
-  printf '%-44s %-9s %-10s %6s\n' "$what" "$format" "$result" \
+  printf '%-44s %-10s %-10s %6s\n' "$what" "$format" "$result" \
     "$(awk -v a="$began" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }')"
 }
 
-# machine NAME FORMAT WHAT DAMAGE
+# damage NAME FORMAT WHAT EXPRESSION
+damage() {
+  local began=$EPOCHREALTIME result='NOT FOUND'
+  properties "$1" "$2" "$4" && ! holds "$1" && grep -q 'Status: FAILED' "$1.log" && result=found
+  row "$1: $3" "$2" "$result" "$began"
+}
+# machine NAME FORMAT WHAT DAMAGE [CYCLES]
 machine() {
   local began=$EPOCHREALTIME result='NOT PROVED'
-  properties "$1" "$2" && holds "$1" && reached "$1" && result=proved
+  properties "$1" "$2" && holds "$1" && reached "$1" "${5:-}" && result=proved
   row "$1: $3" "$2" "$result" "$began"
-  began=$EPOCHREALTIME
-  result='NOT FOUND'
-  properties "$1" "$2" "$4" && ! holds "$1" && grep -q 'Status: FAILED' "$1.log" && result=found
-  row "$1: damage" "$2" "$result" "$began"
+  damage "$1" "$2" damage "$4"
 }
 
-printf '%-44s %-9s %-10s %6s\n' proof format result seconds
+printf '%-44s %-10s %-10s %6s\n' proof format result seconds
 machine door t4i1 'a number is in one place' 's/has <= next_has_value/has <= next_has_value | has/'
 machine requests a4h9i1 'all leave once, in order, and stay' 's/there_2 <= waits/there_2 <= waits \& ~there_2/'
 machine replies t4g1i1 'one answer a ray, with its tag' 's/tags\[leaving_ray\]/tags[ray_1]/'
@@ -69,4 +78,14 @@ machine beats d64i1 'a block a request, in order, whole' 's/askers\[next_oldest_
 machine beats d512i1 'a block a request, in order, its half' 's/askers_word\[2\] ? beat_5/askers_word[1] ? beat_5/'
 machine divider 8+0s8i1 'each hit is compared once' 's/wire loads = .*;/wire loads = there \& ~divides;/'
 machine best_hits t4c1d4i1 'an answer is the best of its hits' 's/improves = divided_1 & closer_1/improves = divided_1/'
+machine pair_feed 8+0/4a4i1 'a record once, with its ray' 's/intervals\[read_id\[0\]\]/intervals[ray_1]/'
+machine triangle_feed 8+0s8i1 'a triangle once, with its ray' \
+  's/next_ready_value = there & ~taken/next_ready_value = there/'
+# A restart that forgets what is done.
+machine walker d4a4l4k1i1 'a walk is that of its ray alone' \
+  's/trail_2_value_mux = pops ? sum\[3:0\]/& \& {4{~next_some_2_value_eq}}/' 18
+damage walker d4a4l4k1i1 'a child dropped on a full stack' \
+  's/wire pushes = pushes_and & walker_eq/& \& ~walks_word[22]/'
+damage walker d4a4l4k1i1 'a walk that ends before its last pop' \
+  's/value_and_2 = pops & sum\[4\]/value_and_2 = pops \& (sum[4] | next_some_2_value_eq)/'
 exit $failed
