@@ -24,6 +24,7 @@ set(HITPIPE_MACHINES
   door
   pair_feed
   triangle_feed
+  serial_triangle
   replies
   registers
   requests

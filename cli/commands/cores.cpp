@@ -39,16 +39,16 @@ void emit_core(const rtl::CoreOptions& core_options, const CoreRtl& options) {
   std::vector<std::string> names;
   for (const host::File& file : files)
     names.push_back((std::filesystem::path(options.out) / file.name).string());
-  const Row row{{"core", module},
-                {"bits", rtl::to_string(rtl::Format(core.options.bits))},
-                {"rays", core.options.rays},
-                {"door", rtl::door_name(core.options.door)},
-                {"pair_latency", core.part("pair").pipeline->latency()},
-                {"triangle_latency", core.part("triangle").pipeline->latency()},
-                {"clock_ps", core.clock_ps},
-                {"library", library.name()},
-                {"cycles", options.cycles},
-                {"files", names}};
+  Row row{{"core", module},
+          {"bits", rtl::to_string(rtl::Format(core.options.bits))},
+          {"rays", core.options.rays},
+          {"door", rtl::door_name(core.options.door)}};
+  for (const rtl::CorePart& part : core.parts)
+    if (part.pipeline) row[fmt::format("{}_latency", part.name)] = part.pipeline->latency();
+  row.update(Row{{"clock_ps", core.clock_ps},
+                 {"library", library.name()},
+                 {"cycles", options.cycles},
+                 {"files", names}});
   fmt::print("{}", record_text(row, options.format));
 }
 

@@ -307,8 +307,8 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
       exit_code = implement(*options);
       return;
     }
-    std::vector<std::string> allowed{"design",    "--bits", "--target", "--out",
-                                     "--library", "--name", "--seeds",  "--format"};
+    std::vector<std::string> allowed{"design", "--bits",  "--target", "--out",     "--library",
+                                     "--name", "--seeds", "--format", "--clock-ps"};
     allowed.insert(allowed.end(), of_core.begin(), of_core.end());
     allow_only(*command, "core is a core", allowed);
     check_named(*options);
@@ -317,6 +317,9 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
       throw std::runtime_error(
           fmt::format("--seeds {}: no chip that is placed has room for a core; allowed is 0", seeds));
     seeds = 0;
+    if (options->tries_clocks)
+      throw std::runtime_error("--clock-ps auto: allowed with a unit; of a core give a number");
+    options->core.options.clock_ps = options->options.clock_ps;
     options->options.folder = options->out;
     exit_code = map_core(options->core.core(options->choice.bits), options->target, options->options,
                          options->format);

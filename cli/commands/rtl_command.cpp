@@ -134,8 +134,10 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
     std::vector<std::string> allowed{"design", "--bits",    "--out",  "--library",
                                      "--name", "--vectors", "--seed", "--format"};
     if (options->choice.name == core_name) {
+      allowed.emplace_back("--clock-ps");
       allowed.insert(allowed.end(), of_core.begin(), of_core.end());
       allow_only(*command, "core is a core", allowed);
+      options->core.options.clock_ps = options->clock_ps;
       emit_core(options->core.core(options->choice.bits),
                 {.out = options->out,
                  .library = options->library,

@@ -1,6 +1,7 @@
 #include "cli/options/core_options.hpp"
 
 #include <stdexcept>
+#include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,17 +25,34 @@ std::vector<std::string> add_core_options(CLI::App& command, CoreChoice& choice)
   add_count_option(command, "--stack", choice.places, {2, 64},
                    "Of a core: places of a ray's stack, a power of two")
       ->capture_default_str();
-  add_count_option(command, "--triangle-ii", choice.options.triangle_interval,
-                   {rtl::CoreOptions::least_triangle_interval, 64},
-                   "Of a core: cycles from one triangle test to the next")
+  add_count_option(command, "--levels", choice.options.levels, {2, rtl::CoreOptions::most_levels},
+                   "Of a core: records on a path through the image")
       ->capture_default_str();
+  constexpr const char* serial = "serial";
+  command
+      .add_option_function<std::string>(
+          "--triangle-ii",
+          [&choice](const std::string& text) {
+            choice.options.triangle_interval = text == serial ? 0 : std::stoi(text);
+          },
+          fmt::format("Of a core: cycles from one triangle test to the next ({} to 64); or `{}`: a machine "
+                      "with one multiplier takes some hundred cycles for one",
+                      rtl::CoreOptions::least_triangle_interval, serial))
+      ->transform(CLI::Validator(
+          [](std::string& text) {
+            return text == serial ? std::string()
+                                  : number_from(rtl::CoreOptions::least_triangle_interval, 64)(text);
+          },
+          ""))
+      ->default_str(fmt::format("{}", choice.options.triangle_interval))
+      ->type_name("N|serial");
   Choices<rtl::Door> doors;
   for (const auto door : {rtl::Door::integer, rtl::Door::binary32})
     doors.emplace_back(rtl::door_name(door), door);
   add_choice_option(command, "--door", choice.options.door, doors,
                     "Of a core: rays come as integers of the unit int_ray, or as floats, and this unit is in "
                     "the core");
-  return {"--stack", "--triangle-ii", "--door"};
+  return {"--stack", "--levels", "--triangle-ii", "--door"};
 }
 
 std::vector<std::string> add_one_core_options(CLI::App& command, CoreChoice& choice) {

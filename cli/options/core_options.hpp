@@ -24,7 +24,7 @@ struct CoreChoice {
 
 // Each of these adds options and gives their names.
 
-/// --stack, --triangle-ii and --door.
+/// --stack, --levels, --triangle-ii and --door.
 std::vector<std::string> add_core_options(CLI::App& command, CoreChoice& choice);
 /// These and --rays, for a command with one core.
 std::vector<std::string> add_one_core_options(CLI::App& command, CoreChoice& choice);

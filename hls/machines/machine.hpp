@@ -13,8 +13,8 @@
 // A memory has one port to write and one to read. A word that is read while it is written is the old one.
 //   memory.write(enable, place, word)
 //   memory.read(place, width)   kind lookup: the word at that place, in the same cycle
-//   memory.ask(place)           kind block: which word the next cycle wants
-//   memory.word(width)          kind block: the word that the last cycle asked for
+//   memory.ask(place)           kinds block and rom: which word the next cycle wants
+//   memory.word(width)          kinds block and rom: the word that the last cycle asked for
 #pragma once
 
 #include <cstdint>
@@ -42,6 +42,7 @@ constexpr Field control_field(const char* name, int width, std::int64_t reset = 
 enum class MemoryKind {
   lookup,  ///< small: lookup tables of a chip, or registers
   block,   ///< large: a chip's block RAM
+  rom,     ///< read as a block memory; it is never written
 };
 
 struct MemoryShape {
@@ -49,6 +50,15 @@ struct MemoryShape {
   int words;  ///< a power of two, at least 2
   int width;  ///< bits of a word, 1..128
   MemoryKind kind;
+  const std::uint32_t* contents = nullptr;  ///< of a rom: its words, of at most 32 bits
+
+  /// The word comes in the next cycle.
+  constexpr bool is_late() const { return kind != MemoryKind::lookup; }
+  constexpr bool is_written() const { return kind != MemoryKind::rom; }
+  constexpr const char* kind_name() const {
+    if (kind == MemoryKind::rom) return "rom";
+    return kind == MemoryKind::block ? "block" : "lookup";
+  }
 };
 
 }  // namespace hls

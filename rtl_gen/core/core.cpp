@@ -34,15 +34,16 @@ void check(const CoreOptions& options) {
                                          Format(options.bits).family().allowed()));
   within("rays in flight", options.rays, 1, CoreOptions::most_rays);
   within("bits of places on a stack", options.stack_bits, 1, 6);
-  within("levels", options.levels, 2, 60);
+  within("levels", options.levels, 2, CoreOptions::most_levels);
   within("bits of a block's number", options.address_bits, 4, 32);
   within("bits of an address", options.byte_bits, options.address_bits + 5, 64);
   within("bits of a tag", options.tag_bits, 1, 64);
   if (options.data_bits < 64 || options.data_bits > 512 || (options.data_bits & (options.data_bits - 1)) != 0)
     throw std::runtime_error(
         fmt::format("bits of the memory bus {}: allowed is 64, 128, 256, 512", options.data_bits));
-  within("cycles from triangle to triangle", options.triangle_interval, CoreOptions::least_triangle_interval,
-         64);
+  if (!options.serial())
+    within("cycles from triangle to triangle", options.triangle_interval,
+           CoreOptions::least_triangle_interval, 64);
 }
 
 std::string module_of(const Core& core, std::string_view part) {
@@ -67,18 +68,27 @@ class Maker {
     add_machine("requests", hls::RequestBits{address, options.byte_bits, ray});
     add_machine("pair_feed",
                 hls::PairFeedBits{bits.coord, bits.finer, bits.mantissa, bits.box_fraction, address, ray});
-    add_machine("triangle_feed", hls::CoreBits{bits.world(), ray});
-    add_machine("divider", hls::CoreBits{bits.world(), ray});
+    const hls::CoreBits triangles{bits.world(), ray};
+    if (options.serial()) {
+      add_machine("serial_triangle", triangles);
+    } else {
+      add_machine("triangle_feed", triangles);
+      add_machine("divider", triangles);
+    }
     add_machine("best_hits", hls::BestBits{t, bits.finer + bits.fraction - bits.box_fraction, box, ray});
     add_machine("replies", hls::ReplyBits{t, options.tag_bits, ray});
     add_unit("pair", "int_major_pair", bits.boxes(), 1);
-    add_unit("triangle", "int_triangle", bits.world(), options.triangle_interval);
+    if (!options.serial()) add_unit("triangle", "int_triangle", bits.world(), options.triangle_interval);
     if (options.door == Door::binary32) add_ray_unit();
 
     for (const Wire& wire : core_wires) join(wire);
-    for (const auto& [feed, unit] : {std::pair{"pair_feed", "pair"}, {"triangle_feed", "triangle"}})
-      for (const Port& operand : core_.part(unit).interface.operands())
-        join({feed, operand.name, unit, operand.name});
+    join_operands("pair_feed", "pair");
+    if (options.serial()) {
+      for (const Wire& wire : serial_triangle_wires) join(wire);
+    } else {
+      for (const Wire& wire : triangle_unit_wires) join(wire);
+      join_operands("triangle_feed", "triangle");
+    }
     for (const CorePin& pin : core_pins)
       if (options.door == Door::integer || !pin.name.starts_with("ray_")) add_port(pin);
     for (const CorePart& part : core_.parts)
@@ -103,9 +113,10 @@ class Maker {
     const Design& design = find_design(design_name);
     CorePart part{.name = name, .format = format, .interface = {}, .design = &design};
     const Graph graph = design.trace(format);
+    const int clock_ps = std::max(core_.clock_ps, core_.options.clock_ps.value_or(0));
     part.pipeline = make_pipeline(graph, library_, std::nullopt, interval);
-    if (part.pipeline->schedule.clock_ps < core_.clock_ps)
-      part.pipeline = make_pipeline(graph, library_, core_.clock_ps, interval);
+    if (part.pipeline->schedule.clock_ps < clock_ps)
+      part.pipeline = make_pipeline(graph, library_, clock_ps, interval);
     core_.clock_ps = std::max(core_.clock_ps, part.pipeline->schedule.clock_ps);
     part.interface = unit_interface(module_of(core_, name), design.ports(format),
                                     result_ports(design.results(format)), flow, interval);
@@ -176,6 +187,11 @@ class Maker {
       throw std::logic_error(fmt::format("core: no wire leads from {}.{} to {}.{}", wire.from, wire.output,
                                          wire.to, wire.input));
     core_.wires.push_back(made);
+  }
+
+  void join_operands(std::string_view feed, std::string_view unit) {
+    for (const Port& operand : core_.part(unit).interface.operands())
+      join({feed, operand.name, unit, operand.name});
   }
 
   void add_port(const CorePin& of) {

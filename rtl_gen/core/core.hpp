@@ -28,21 +28,27 @@ inline constexpr std::array<std::string_view, 2> door_names{"integer", "float"};
 
 struct CoreOptions {
   static constexpr int most_rays = 256;
+  static constexpr int most_levels = 60;
   static constexpr int least_triangle_interval = 3;  ///< triangle_feed begins no more tests
   static constexpr int block_bits = 256;             ///< what a request reads
   static constexpr int door_interval = 8;            ///< cycles from ray to ray of an int_ray in a core
 
-  hls::RayBits bits{};        ///< rays, boxes and triangles
-  int rays = 32;              ///< in flight, 1..256
-  int stack_bits = 3;         ///< a ray's stack has 2^stack_bits places, 1..6
-  int levels = 60;            ///< of records on a path, 2..60
-  int address_bits = 24;      ///< of a block's number, 4..32
-  int byte_bits = 32;         ///< of an address, at least address_bits + 5, at most 64
-  int tag_bits = 16;          ///< of a ray's tag, 1..64
-  int triangle_interval = 4;  ///< cycles from one triangle's test to the next, 3..64
+  hls::RayBits bits{};       ///< rays, boxes and triangles
+  int rays = 32;             ///< in flight, 1..256
+  int stack_bits = 3;        ///< a ray's stack has 2^stack_bits places, 1..6
+  int levels = most_levels;  ///< of records on a path, 2..60
+  int address_bits = 24;     ///< of a block's number, 4..32
+  int byte_bits = 32;        ///< of an address, at least address_bits + 5, at most 64
+  int tag_bits = 16;         ///< of a ray's tag, 1..64
+  /// Cycles from one triangle's test to the next, 3..64; or 0: a machine with one multiplier tests triangles,
+  /// in some hundred cycles each.
+  int triangle_interval = 4;
   Door door = Door::integer;
-  int data_bits = 256;    ///< of the AXI bus to memory: 64, 128, 256, 512
-  bool in_order = false;  ///< all requests on this bus have one identifier
+  int data_bits = 256;            ///< of the AXI bus to memory: 64, 128, 256, 512
+  bool in_order = false;          ///< all requests on this bus have one identifier
+  std::optional<int> clock_ps{};  ///< of the units; else that of the slowest machine
+
+  [[nodiscard]] bool serial() const { return triangle_interval == 0; }
 
   /// A bus of another width than a block's is one with one identifier.
   [[nodiscard]] bool has_one_id() const { return in_order || data_bits != block_bits; }
@@ -93,9 +99,9 @@ struct Core {
   [[nodiscard]] ModuleInterface interface() const;
 };
 
-/// Units are scheduled for the clock of the slowest machine, or for their own slowest component if that is
-/// slower. Throws std::runtime_error, one line, for options outside their limits, and std::logic_error when a
-/// wire is missing or does not fit.
+/// Units are scheduled for the clock that is given or that of the slowest machine, or for their own slowest
+/// component if that is slower. Throws std::runtime_error, one line, for options outside their limits, and
+/// std::logic_error when a wire is missing or does not fit.
 [[nodiscard]] Core make_core(const CoreOptions& options, const Library& library,
                              const std::string& module = "core");
 

@@ -1,6 +1,6 @@
 // How the machines and units of a core are joined (docs/core.md). The top module of a core and its software
-// are made from these lists. Operands of a unit have a wire each from the machine that feeds it, with the
-// operands' names; make_core() adds these.
+// are made from these lists; of the wires around the triangle test a core has one list. Operands of a unit
+// have a wire each from the machine that feeds it, with the operands' names; make_core() adds these.
 #pragma once
 
 #include <array>
@@ -18,8 +18,6 @@ inline constexpr std::array core_wires{
     // A new ray begins.
     Wire{"door", "ray_ready", "pair_feed", "ray_ready"},
     Wire{"door", "begun_at", "pair_feed", "begun_at"},
-    Wire{"door", "ray_ready", "triangle_feed", "ray_ready"},
-    Wire{"door", "begun_at", "triangle_feed", "begun_at"},
     Wire{"door", "ray_ready", "replies", "ray_ready"},
     Wire{"door", "begun_at", "replies", "begun_at"},
     Wire{"door", "new_ray", "best_hits", "new_ray"},
@@ -62,6 +60,37 @@ inline constexpr std::array core_wires{
     Wire{"pair", "near_1", "walker", "near_1"},
     Wire{"pair", "far_1", "walker", "far_1"},
     Wire{"pair", "second_first", "walker", "second_first"},
+    // A hit was compared with the best one.
+    Wire{"best_hits", "divided", "reader", "divides"},
+    Wire{"best_hits", "divided_ray", "reader", "divided_ray"},
+    Wire{"best_hits", "divided_stops", "reader", "stops"},
+    // A leaf is done.
+    Wire{"reader", "done", "best_hits", "leaf"},
+    Wire{"reader", "of", "best_hits", "leaf_ray"},
+    Wire{"reader", "stopped", "best_hits", "stops"},
+    Wire{"reader", "lost", "best_hits", "lost"},
+    Wire{"best_hits", "leaf_done", "walker", "leaf"},
+    Wire{"best_hits", "leaf_done_ray", "walker", "leaf_ray"},
+    Wire{"best_hits", "leaf_done_cut", "walker", "cut"},
+    Wire{"best_hits", "leaf_done_stops", "walker", "stops"},
+    Wire{"best_hits", "leaf_done_lost", "walker", "lost"},
+    // A walk ends.
+    Wire{"walker", "ended", "best_hits", "ended"},
+    Wire{"walker", "of", "best_hits", "ender"},
+    Wire{"walker", "failed", "best_hits", "failed"},
+    Wire{"best_hits", "answers", "replies", "answer"},
+    Wire{"best_hits", "answered", "replies", "answered"},
+    Wire{"best_hits", "answer_t", "replies", "answer_t"},
+    Wire{"best_hits", "answer_number", "replies", "answer_number"},
+    Wire{"best_hits", "answer_failed", "replies", "answer_failed"},
+    Wire{"replies", "freed", "door", "freed"},
+    Wire{"replies", "freed_ray", "door", "freed_ray"},
+};
+
+/// With the unit int_triangle.
+inline constexpr std::array triangle_unit_wires{
+    Wire{"door", "ray_ready", "triangle_feed", "ray_ready"},
+    Wire{"door", "begun_at", "triangle_feed", "begun_at"},
     // A triangle has come and is tested.
     Wire{"triangle_feed", "reads", "best_hits", "reads"},
     Wire{"triangle_feed", "read_ray", "best_hits", "read_ray"},
@@ -87,30 +116,25 @@ inline constexpr std::array core_wires{
     Wire{"best_hits", "asked_number", "divider", "number"},
     Wire{"best_hits", "best", "divider", "best"},
     Wire{"best_hits", "best_number", "divider", "best_number"},
-    Wire{"best_hits", "divided", "reader", "divides"},
-    Wire{"best_hits", "divided_ray", "reader", "divided_ray"},
-    Wire{"best_hits", "divided_stops", "reader", "stops"},
-    // A leaf is done.
-    Wire{"reader", "done", "best_hits", "leaf"},
-    Wire{"reader", "of", "best_hits", "leaf_ray"},
-    Wire{"reader", "stopped", "best_hits", "stops"},
-    Wire{"reader", "lost", "best_hits", "lost"},
-    Wire{"best_hits", "leaf_done", "walker", "leaf"},
-    Wire{"best_hits", "leaf_done_ray", "walker", "leaf_ray"},
-    Wire{"best_hits", "leaf_done_cut", "walker", "cut"},
-    Wire{"best_hits", "leaf_done_stops", "walker", "stops"},
-    Wire{"best_hits", "leaf_done_lost", "walker", "lost"},
-    // A walk ends.
-    Wire{"walker", "ended", "best_hits", "ended"},
-    Wire{"walker", "of", "best_hits", "ender"},
-    Wire{"walker", "failed", "best_hits", "failed"},
-    Wire{"best_hits", "answers", "replies", "answer"},
-    Wire{"best_hits", "answered", "replies", "answered"},
-    Wire{"best_hits", "answer_t", "replies", "answer_t"},
-    Wire{"best_hits", "answer_number", "replies", "answer_number"},
-    Wire{"best_hits", "answer_failed", "replies", "answer_failed"},
-    Wire{"replies", "freed", "door", "freed"},
-    Wire{"replies", "freed_ray", "door", "freed_ray"},
+};
+
+/// With the machine serial_triangle in place of this unit, its feed and the divider.
+inline constexpr std::array serial_triangle_wires{
+    Wire{"door", "ray_ready", "serial_triangle", "ray_ready"},
+    Wire{"door", "begun_at", "serial_triangle", "begun_at"},
+    Wire{"serial_triangle", "reads", "best_hits", "reads"},
+    Wire{"serial_triangle", "read_ray", "best_hits", "read_ray"},
+    Wire{"serial_triangle", "number", "best_hits", "number"},
+    Wire{"serial_triangle", "tested", "reader", "tested"},
+    Wire{"serial_triangle", "asked", "reader", "tester"},
+    Wire{"serial_triangle", "hit", "reader", "hit"},
+    Wire{"serial_triangle", "asked", "best_hits", "asked"},
+    Wire{"serial_triangle", "done", "best_hits", "done"},
+    Wire{"serial_triangle", "t", "best_hits", "t"},
+    Wire{"serial_triangle", "closer", "best_hits", "closer"},
+    Wire{"best_hits", "asked_number", "serial_triangle", "asked_number"},
+    Wire{"best_hits", "best", "serial_triangle", "best"},
+    Wire{"best_hits", "best_number", "serial_triangle", "best_number"},
 };
 
 /// A pin of the core, and what it tells the reader of the Verilog. An input goes to every machine that has an

@@ -24,10 +24,10 @@ CycleTest cycle_test(const MachineGraph& graph, NativeMachine& native, const std
     test.begins_with += fmt::format("    dut.{} = {};\n", field.name, field.reset);
   }
   for (const hls::MemoryShape& memory : graph.memories) {
-    test.begins_with +=
-        fmt::format("    for (i = 0; i < {0}; i = i + 1) dut.{1}[i] = 0;\n", memory.words, memory.name);
-    if (memory.kind == hls::MemoryKind::block)
-      test.begins_with += fmt::format("    dut.{}_word = 0;\n", memory.name);
+    if (memory.is_written())
+      test.begins_with +=
+          fmt::format("    for (i = 0; i < {0}; i = i + 1) dut.{1}[i] = 0;\n", memory.words, memory.name);
+    if (memory.is_late()) test.begins_with += fmt::format("    dut.{}_word = 0;\n", memory.name);
   }
   RandomCycles cycles(graph, options.seed);
   for (int i = 0; i < options.cycles; ++i) {
@@ -55,7 +55,7 @@ Json machine_manifest(const MachineGraph& graph, const Machine& machine, const F
     memories.push_back({{"name", memory.name},
                         {"words", memory.words},
                         {"width", memory.width},
-                        {"kind", memory.kind == hls::MemoryKind::block ? "block" : "lookup"}});
+                        {"kind", memory.kind_name()}});
   const MachinePath path = longest_path(graph, library);
   return {{"machine", machine.name},
           {"bits", to_string(format)},

@@ -92,7 +92,11 @@ class Rules {
     }
     const int place_bits = std::countr_zero(words);
     expect_input(memory_port(memory, "word"), memory.width);
-    expect_output(memory_port(memory, memory.kind == hls::MemoryKind::block ? "asked" : "read"), place_bits);
+    expect_output(memory_port(memory, memory.is_late() ? "asked" : "read"), place_bits);
+    if (!memory.is_written()) {
+      if (memory.contents == nullptr) add("{} is never written, and has no contents", memory.name);
+      return;
+    }
     expect_output(memory_port(memory, "writes"), 1);
     expect_output(memory_port(memory, "place"), place_bits);
     expect_output(memory_port(memory, "written"), memory.width);

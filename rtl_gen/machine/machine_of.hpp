@@ -1,6 +1,7 @@
 // A machine of hls/machines from its one template: its graph, and its software.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <memory>
@@ -39,11 +40,11 @@ class TracedMemory {
   }
   template <class Place>
   void ask(const Place& place) {
-    assert(shape_.kind == hls::MemoryKind::block);
+    assert(shape_.is_late());
     output("asked", place);
   }
   [[nodiscard]] Trace::uint word([[maybe_unused]] int width) const {
-    assert(shape_.kind == hls::MemoryKind::block && width == shape_.width);
+    assert(shape_.is_late() && width == shape_.width);
     return word_;
   }
   template <class Place, class Written>
@@ -87,7 +88,10 @@ void set_pattern(hls::SizedInt<S, W>& x, Word pattern, int width) {
 template <class D>
 class HostMemory {
  public:
-  void declare(const hls::MemoryShape& shape) { words_.assign(static_cast<std::size_t>(shape.words), 0); }
+  void declare(const hls::MemoryShape& shape) {
+    words_.assign(static_cast<std::size_t>(shape.words), 0);
+    if (shape.contents != nullptr) std::copy_n(shape.contents, words_.size(), words_.begin());
+  }
   template <class Place, class W>
   hls::Word<D, W> read(const Place& place, const W& width) const {
     return as_word(words_[static_cast<std::size_t>(pattern_of(place))], width);

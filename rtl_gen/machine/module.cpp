@@ -62,11 +62,8 @@ class Times {
         if (last == no_node || ready_ps(source) > ready_ps(last)) last = source;
       }
       const Cell cell = timing_(id);
-      if (cell.stages > 1)
-        throw std::runtime_error(
-            fmt::format("machine {}: its step has a {} of {} bits, which takes {} cycles", graph_.name(),
-                        op_name(graph_[id].op), graph_[id].width, cell.stages));
-      ready_[id] = ready_ps(last) + cell.delay_ps;
+      // A component with stages has no latches here: its stages follow each other in one cycle.
+      ready_[id] = ready_ps(last) + std::max(1, cell.stages) * cell.delay_ps;
       after_[id] = last;
     }
   }
@@ -92,6 +89,13 @@ class Times {
 std::string at_edge(const std::string& assignments) {
   if (assignments.empty()) return "";
   return fmt::format("  always @(posedge clk) begin\n{}  end\n", assignments);
+}
+
+std::string contents_of(const hls::MemoryShape& memory) {
+  std::string text = "  initial begin\n";
+  for (int i = 0; i < memory.words; ++i)
+    text += fmt::format("    {}[{}] = {}'h{:x};\n", memory.name, i, memory.width, memory.contents[i]);
+  return text + "  end\n";
 }
 
 }  // namespace
@@ -155,10 +159,10 @@ std::string to_verilog(const MachineGraph& machine, const MachineModule& options
                         field.has_reset ? fmt::format("  // {} after a reset", field.reset) : "");
   if (!machine.memories.empty()) text += "\n  // Memories.\n";
   for (const hls::MemoryShape& memory : machine.memories) {
-    const bool block = memory.kind == hls::MemoryKind::block;
+    const bool late = memory.is_late();
     text += fmt::format("  reg {0}{1} [0:{2}];\n  {3} {0}{4};{5}\n", vector_range(memory.width), memory.name,
-                        memory.words - 1, block ? "reg" : "wire", memory_port(memory, "word"),
-                        block ? "  // the word that the last cycle asked for" : "");
+                        memory.words - 1, late ? "reg" : "wire", memory_port(memory, "word"),
+                        late ? "  // the word that the last cycle asked for" : "");
   }
   text += body.text();
 
@@ -187,9 +191,13 @@ std::string to_verilog(const MachineGraph& machine, const MachineModule& options
   text += at_edge(data);
   for (const hls::MemoryShape& memory : machine.memories) {
     const auto of = [&](const char* what) { return value(memory_port(memory, what)); };
-    std::string edge =
-        fmt::format("    if ({}) {}[{}] <= {};\n", of("writes"), memory.name, of("place"), of("written"));
-    if (memory.kind == hls::MemoryKind::block)
+    std::string edge;
+    if (memory.is_written())
+      edge =
+          fmt::format("    if ({}) {}[{}] <= {};\n", of("writes"), memory.name, of("place"), of("written"));
+    else
+      text += "\n" + contents_of(memory);
+    if (memory.is_late())
       edge += fmt::format("    {} <= {}[{}];\n", memory_port(memory, "word"), memory.name, of("asked"));
     text += "\n" + at_edge(edge);
     if (memory.kind == hls::MemoryKind::lookup)

@@ -138,15 +138,21 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"Cached", 32, 3, {.cache_kib = 4}}),
     [](const auto& each) { return each.param.name; });
 
+struct Form {
+  hls::RayBits bits;
+  int triangle_interval = 4;  ///< 0: one multiplier
+};
+
 /// In every format: with a fraction of T and of box distances, and with the smallest numbers.
-class CoreInVerilog : public testing::TestWithParam<hls::RayBits> {};
+class CoreInVerilog : public testing::TestWithParam<Form> {};
 
 TEST_P(CoreInVerilog, IsTheSameInEveryCycle) {
-  const hls::RayBits format = GetParam();
+  const hls::RayBits& format = GetParam().bits;
   const Picture picture(4, 12, format.world(), format.boxes());
   rtl::CoreOptions options = options_of(12, 2);
   options.bits = format;
   options.tag_bits = 4;
+  options.triangle_interval = GetParam().triangle_interval;
   const rtl::Core core = rtl::make_core(options, library());
   BothCores both(core, rtl::to_verilog(core, library()));
   CoreBench bench(core, both, picture.image, {.least_latency = 1, .most_latency = 60, .refused_percent = 20},
@@ -160,9 +166,13 @@ TEST_P(CoreInVerilog, IsTheSameInEveryCycle) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, CoreInVerilog,
-                         testing::Values(bits, hls::RayBits{}, hls::RayBits{16, 2, 9, -1, 14, 3},
-                                         hls::RayBits{24, 1, 14, 1, 24, 1}, hls::RayBits{8, 0, 4, 0, 8, 0}),
-                         [](const auto& each) { return rtl::Format(each.param).identifier(); });
+                         testing::Values(Form{bits}, Form{hls::RayBits{}}, Form{{16, 2, 9, -1, 14, 3}},
+                                         Form{{24, 1, 14, 1, 24, 1}}, Form{{8, 0, 4, 0, 8, 0}}, Form{bits, 0},
+                                         Form{{24, 1, 14, 1, 24, 1}, 0}),
+                         [](const auto& each) {
+                           return rtl::Format(each.param.bits).identifier() +
+                                  (each.param.triangle_interval == 0 ? "_serial" : "");
+                         });
 
 /// Rays that a unit int_ray in the core makes integers, among some that are no rays.
 TEST(CoreWithFloats, AnswersAsWithIntegers) {
