@@ -1,6 +1,6 @@
 #include "cli/commands/cores.hpp"
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -11,8 +11,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "area_model/core_price.hpp"
 #include "area_model/figure.hpp"
-#include "area_model/price.hpp"
 #include "cli/text/implementation_text.hpp"
 #include "cli/text/progress.hpp"
 #include "host/files.hpp"
@@ -56,42 +56,23 @@ void print_core_price(const rtl::CoreOptions& core_options, const std::string& l
                       OutputFormat format) {
   const rtl::Library library = rtl::library_called(library_name);
   const rtl::Core core = rtl::make_core(core_options, library);
+  const area::CorePrice price = area::price(core, library);
   std::vector<Row> rows;
-  std::int64_t all_area = 0, all_memory = 0;
-  rtl::ChipCells all_taken;
-  const auto add = [&](std::string_view part, const std::string& bits, std::int64_t memory, std::int64_t area,
-                       const rtl::ChipCells& taken) {
-    Row row{{"part", part}, {"bits", bits}, {"memory_bits", memory}};
+  const auto add = [&](std::string_view part, const rtl::Format& bits, const area::CorePartPrice& of) {
+    Row row{{"part", part}, {"bits", rtl::to_string(bits)}, {"memory_bits", of.memory_bits}};
     if (library.chip() == nullptr) {
-      const std::string digits = area::area_mm2(area);
+      const std::string digits = area::area_mm2(of.area_um2);
       row["area_mm2"] = format == OutputFormat::json ? Row::parse(digits) : Row(digits);
     } else {
-      row["lut"] = taken.luts;
-      row["ff"] = taken.registers;
-      row["dsp"] = taken.blocks;
+      row["lut"] = of.taken.luts;
+      row["ff"] = of.taken.registers;
+      row["dsp"] = of.taken.blocks;
     }
     rows.push_back(row);
   };
-  for (const rtl::CorePart& part : core.parts) {
-    std::int64_t memory = 0, area = 0;
-    rtl::ChipCells taken;
-    if (part.graph) {
-      const area::MachinePrice price = area::price(*part.graph, library);
-      memory = price.memory_bits;
-      area = price.area_um2;
-      taken = price.taken;
-    } else {
-      const area::Price price =
-          area::price(*part.pipeline, *part.design, part.format, library, part.interface.flow_control());
-      area = price.area_um2;
-      taken = price.taken;
-    }
-    add(part.name, rtl::to_string(part.format), memory, area, taken);
-    all_memory += memory;
-    all_area += area;
-    all_taken += taken;
-  }
-  add("core", rtl::to_string(rtl::Format(core.options.bits)), all_memory, all_area, all_taken);
+  for (std::size_t i = 0; i < core.parts.size(); ++i)
+    add(core.parts[i].name, core.parts[i].format, price.parts[i]);
+  add("core", core.options.bits, price.all);
   fmt::print("{}", table_text(rows, format));
 }
 

@@ -27,7 +27,7 @@ namespace {
 
 struct ImageCommand {
   SceneChoice scene;
-  ref::BuildOptions build{.builder = ref::Builder::sah, .max_triangles = 2};
+  ref::BuildOptions build = ref::image_build;
   std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
   std::string out;
   std::vector<int> places;

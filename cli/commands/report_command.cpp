@@ -13,6 +13,7 @@
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/report/core_plot.hpp"
 #include "cli/report/report_sections.hpp"
 #include "cli/report/report_sweep.hpp"
 #include "cli/text/progress.hpp"
@@ -54,10 +55,10 @@ std::string quoted(const std::string& word) {
 }
 
 /// Which of the options that the user gave.
-enum class Given { all, of_scene, of_sweep };
+enum class Given { all, of_view, of_scene, of_sweep };
 
 /// The options as the user gave them. Options of the scene go to pictures and to a sweep, options of costs
-/// to a sweep alone.
+/// to a sweep alone. A view is a scene without the picture's size.
 std::string options_given(const CLI::App& command, Given which) {
   std::string text;
   for (const CLI::Option* const option : command.get_options()) {
@@ -66,7 +67,9 @@ std::string options_given(const CLI::App& command, Given which) {
                           !name.starts_with("--image-") && name != "--tests" && name != "--seed" &&
                           name != "--threads" && name != "--format";
     const bool of_cost = name == "--library" || name.starts_with("--triangle-");
-    if (option->count() == 0 || (which != Given::all && !of_scene) || (which == Given::of_scene && of_cost))
+    const bool of_size = name == "--width" || name == "--height";
+    if (option->count() == 0 || (which != Given::all && !of_scene) ||
+        (which != Given::all && which != Given::of_sweep && of_cost) || (which == Given::of_view && of_size))
       continue;
     for (const std::string& result : option->results())
       text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, quoted(result));
@@ -104,8 +107,8 @@ std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& comm
            fmt::format("{} primary, {} secondary, {} shadow; {} outside the cube, which no unit takes",
                        sum("rays_primary"), sum("rays_secondary"), sum("rays_shadow"), sum("rays_rejected"))},
           {"Files beside this page",
-           "rows.csv, pictures.csv, pipelines.csv, stability.csv, stiffness.csv, integer_world.csv, the "
-           "diagrams as SVG and "
+           "rows.csv, pictures.csv, pipelines.csv, stability.csv, stiffness.csv, integer_world.csv, "
+           "core.csv, the diagrams as SVG and "
            "the pictures as PNG; the page itself needs none of them"}};
 }
 
@@ -116,8 +119,8 @@ int report(const ReportCommand& command, const CLI::App& options) {
   if (const std::string why = sim::why_not_traced(command.image.design()); !why.empty())
     throw std::runtime_error(why);
   // What --rows may name.
-  for (const char* const name :
-       {"rows.csv", "pictures.csv", "pipelines.csv", "stability.csv", "stiffness.csv", "integer_world.csv"})
+  for (const char* const name : {"rows.csv", "pictures.csv", "pipelines.csv", "stability.csv",
+                                 "stiffness.csv", "integer_world.csv", "core.csv"})
     host::announce_output("--out", fs::path(command.out) / name);
   const rtl::Format image_format = command.image.format();
   const rtl::Library library = command.cost.load();
@@ -195,6 +198,15 @@ int report(const ReportCommand& command, const CLI::App& options) {
   facts.world_command = fmt::format("hitpipe sweep int_triangle {}{} --mantissas {} --out integer_world.csv",
                                     options_given(options, Given::of_scene), library_option, world_mantissa);
   facts.world_diagram = draw_world(facts.world);
+  progress.emplace("tracing with cores");
+  facts.core = measure_core(scene, {.library = &library,
+                                    .library_option = library_option,
+                                    .scene_options = options_given(options, Given::of_view),
+                                    .width = command.scene.width,
+                                    .height = command.scene.height,
+                                    .threads = command.scene.threads,
+                                    .progress = [&](double share) { progress->show(share); }});
+  facts.core_drawings = draw_core(scene.name, facts.core);
   progress.emplace("rendering");
   facts.pictures = make_pictures(scene, bvh,
                                  {.design = &command.image.design(),
@@ -219,7 +231,9 @@ int report(const ReportCommand& command, const CLI::App& options) {
       {"stiffness.svg", facts.stiffness_diagram.svg},
       {"integer_world.csv", table_text(facts.world, OutputFormat::csv)},
       {"integer_world.svg", facts.world_diagram.svg}};
-  for (const Drawing& d : facts.diagrams) files.push_back({d.file, d.svg});
+  if (!facts.core.rows.empty()) files.push_back({"core.csv", table_text(facts.core.rows, OutputFormat::csv)});
+  for (const auto& drawings : {facts.diagrams, facts.core_drawings})
+    for (const Drawing& d : drawings) files.push_back({d.file, d.svg});
   files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());
   files.push_back({"index.html", report_html(facts)});
   host::write_files(command.out, files);
@@ -231,13 +245,15 @@ int report(const ReportCommand& command, const CLI::App& options) {
   for (const Stability& s : facts.stability)
     wrong.false_misses += rtl::find_design(s.design).conservative ? s.all.false_misses : 0;
   wrong.false_misses += wrong_answers(facts.stiffness);
+  wrong.core_answers = facts.core.wrong() + facts.core.other_reads();
   const std::string page = (fs::path(command.out) / "index.html").string();
   fmt::print("{}", record_text({{"page", page},
                                 {"rows", facts.rows.size()},
                                 {"false_misses", wrong.false_misses},
                                 {"rtl_mismatches", wrong.rtl_mismatches},
                                 {"different_triangles", wrong.different_triangles},
-                                {"different_pixels", wrong.different_pixels}},
+                                {"different_pixels", wrong.different_pixels},
+                                {"core_answers", wrong.core_answers}},
                                command.format));
   if (facts.schematics.empty())
     fmt::print(

@@ -15,16 +15,18 @@
 #include "cli/commands.hpp"
 #include "cli/options/build_options.hpp"
 #include "cli/options/core_options.hpp"
+#include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "cli/text/trace_text.hpp"
 #include "host/files.hpp"
 #include "rtl_gen/catalogue/format.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/core/core.hpp"
-#include "sim/core/core_bench.hpp"
+#include "sim/core/core_trace.hpp"
 #include "sim/core/native_core.hpp"
 #include "sim/core/picture_rays.hpp"
 #include "sim/machine/verilated_machine.hpp"
@@ -37,60 +39,30 @@ namespace {
 
 struct TraceCommand {
   SceneChoice scene;
-  ref::BuildOptions build{.builder = ref::Builder::sah, .max_triangles = 2};
+  ref::BuildOptions build = ref::image_build;
   std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
   std::vector<int> rays{128};
   CoreChoice core;
   std::vector<int> latency{100};
   sim::MemoryOptions memory;
+  std::string library{rtl::default_library};
   bool native = false;
   std::string out;  ///< empty: no picture is written
   OutputFormat format = OutputFormat::text;
 };
 
-/// One core, of the command's options and so many rays in flight.
-Row traced(const TraceCommand& command, rtl::CoreOptions options, const ref::CoreImage& image,
-           const sim::PictureRays& picture, bool& right) {
-  const rtl::Library library = rtl::library_called(rtl::default_library);
-  Progress progress(fmt::format("tracing with {} rays in flight", options.rays));
-  const rtl::Core core = rtl::make_core(options, library);
+Row traced(const TraceCommand& command, const rtl::Core& core, const rtl::Library& library,
+           const ref::CoreImage& image, const sim::PictureRays& picture, bool& right) {
+  Progress progress(fmt::format("tracing with {} rays in flight", core.options.rays));
   std::unique_ptr<rtl::NativeMachine> machine;
   if (command.native)
     machine = std::make_unique<sim::NativeCore>(core);
   else
     machine = std::make_unique<sim::VerilatedMachine>(core, rtl::to_verilog(core, library));
-  sim::CoreBench bench(core, *machine, image, command.memory);
-  std::vector<sim::CoreAnswer> answers(picture.jobs.size());
-  bench.run(picture.jobs, answers, [&](double share) { progress.show(share); });
-  const sim::CoreCounts& counts = bench.counts();
-  const sim::MemoryCounts& memory = bench.memory_counts();
-  const std::uint64_t wrong = picture.wrong(answers);
-  right = right && wrong == 0 && counts.records == picture.work.nodes_loaded &&
-          counts.triangles == picture.work.triangles_loaded;
-  const auto rays = static_cast<double>(counts.rays);
-  const auto cycles = static_cast<double>(counts.cycles);
-  const auto pct = [](auto of, double whole) { return 100 * static_cast<double>(of) / whole; };
-  Row row{{"in_flight", options.rays},
-          {"rays", counts.rays},
-          {"wrong", wrong},
-          {"reads_a_ray", static_cast<double>(counts.records + counts.triangles) / rays},
-          {"restarts_a_ray", static_cast<double>(picture.restarts) / rays},
-          {"bytes_a_ray", static_cast<double>(memory.bytes_read) / rays},
-          {"cycles_a_ray", cycles / rays},
-          {"mrays_s", 1e6 / core.clock_ps / (cycles / rays)},
-          {"port_busy_pct", pct(counts.records + counts.triangles, cycles)},
-          {"pair_busy_pct", pct(counts.records, cycles)}};
-  // A serial test has no fixed time.
-  if (!options.serial())
-    row["triangle_busy_pct"] =
-        pct(counts.triangles * static_cast<std::uint64_t>(options.triangle_interval), cycles);
-  row.update(Row{{"refused_pct", pct(counts.refused, cycles)},
-                 {"idle_memory_pct", pct(counts.waiting, cycles)},
-                 {"idle_inside_pct", pct(counts.inside, cycles)},
-                 {"idle_few_rays_pct", pct(counts.few_rays, cycles)}});
-  if (command.memory.cache_kib > 0)
-    row["cache_hits_pct"] = pct(memory.hits, static_cast<double>(memory.requests));
-  return row;
+  const sim::CoreTrace trace = sim::trace_core(core, *machine, image, picture, command.memory,
+                                               [&](double share) { progress.show(share); });
+  right = right && trace.right();
+  return trace_row(core, trace, command.memory.cache_kib > 0);
 }
 
 /// A line for each figure, since there are more of them than cores.
@@ -107,6 +79,7 @@ std::vector<Row> turned(const std::vector<Row>& rows) {
 
 void trace_scene(TraceCommand command, int& exit_code) {
   const auto bits = rtl::parse_bits<hls::WorldBits>(command.bits);
+  const rtl::Library library = rtl::library_called(command.library);
   command.build.threads = command.scene.threads;
   command.memory.least_latency = command.latency.front();
   command.memory.most_latency = command.latency.back();
@@ -130,26 +103,25 @@ void trace_scene(TraceCommand command, int& exit_code) {
     throw std::runtime_error(
         fmt::format("--levels {}: the scene has {} records on a path; allowed is {} to {}",
                     command.core.options.levels, image.levels, image.levels, rtl::CoreOptions::most_levels));
-  const hls::MajorBits boxes = usual_box_format(bits);
-  const hls::RayBits ray_bits{bits.coord,     bits.finer, boxes.mantissa,
-                              boxes.fraction, bits.slope, bits.fraction};
   progress.emplace("walking in software");
   const sim::PictureRays picture = sim::picture_rays(
-      scene, image, {.world = bits, .boxes = boxes, .places = command.core.places},
+      scene, image, {.world = bits, .boxes = usual_box_format(bits), .places = command.core.places},
       {.width = command.scene.width, .height = command.scene.height, .progress = [&](double share) {
          progress->show(share);
        }});
+  progress.emplace("making the core");
+  std::vector<rtl::CoreOptions> options;
+  for (const int rays : command.rays) {
+    rtl::CoreOptions& core = options.emplace_back(command.core.core(std::nullopt));
+    core.bits = usual_ray_format(bits);
+    core.rays = rays;
+    sim::make_room(core, image);
+  }
+  const std::vector<rtl::Core> cores = rtl::make_cores(options, library);
   progress.reset();
   bool right = true;
   std::vector<Row> rows;
-  for (const int rays : command.rays) {
-    rtl::CoreOptions core = command.core.core(std::nullopt);
-    core.bits = ray_bits;
-    core.rays = rays;
-    while (image.blocks.size() > std::uint64_t{1} << core.address_bits) ++core.address_bits;
-    core.byte_bits = std::max(core.byte_bits, core.address_bits + 5);
-    rows.push_back(traced(command, core, image, picture, right));
-  }
+  for (const rtl::Core& core : cores) rows.push_back(traced(command, core, library, image, picture, right));
   fmt::print("{}", table_text(command.format == OutputFormat::text ? turned(rows) : rows, command.format));
   if (!right) exit_code = 1;
   // Software's picture, so it is the core's only if all answers are the same.
@@ -194,6 +166,7 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
          99);
   number("--cache", options->memory.cache_kib,
          "KiB of a cache with 8 ways and lines of 64 bytes, a power of two; 0 is none", 0, 65'536);
+  add_library_option(*command, options->library);
   command->add_flag("--native", options->native,
                     "The core as C++, which is the same in every cycle; else as Verilog");
   add_folder_option(*command, options->out,

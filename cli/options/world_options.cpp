@@ -25,6 +25,11 @@ hls::MajorBits usual_box_format(const hls::WorldBits& world) {
   return {world.coord, world.finer, 11, 0, world.slope};
 }
 
+hls::RayBits usual_ray_format(const hls::WorldBits& world) {
+  const hls::MajorBits boxes = usual_box_format(world);
+  return {world.coord, world.finer, boxes.mantissa, boxes.fraction, world.slope, world.fraction};
+}
+
 void add_box_format_option(CLI::App& command, BoxFormatChoice& choice, const std::string& otherwise) {
   command
       .add_option(

@@ -6,6 +6,7 @@
 
 #include "cli/text/table.hpp"
 #include "hls/box/major_format.hpp"
+#include "hls/world/ray_format.hpp"
 #include "hls/world/world_format.hpp"
 #include "sw_ref/world/int_scene.hpp"
 
@@ -25,6 +26,8 @@ struct BoxFormatChoice {
 
 /// The box format of a world unless the user names one: p is 11, and box distances have no fraction bits.
 [[nodiscard]] hls::MajorBits usual_box_format(const hls::WorldBits& world);
+/// The rays of a world with such boxes.
+[[nodiscard]] hls::RayBits usual_ray_format(const hls::WorldBits& world);
 
 /// Adds --boxes. `otherwise` tells the help what is used without it.
 void add_box_format_option(CLI::App& command, BoxFormatChoice& choice, const std::string& otherwise);

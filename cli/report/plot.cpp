@@ -17,6 +17,16 @@ namespace hitpipe::cli {
 
 namespace {
 
+constexpr int picture_width = 1000;
+// Edges of the plot as fractions of the picture's width.
+constexpr double plot_left = 0.085;
+constexpr double plot_right = 0.985;
+// In pixels. The picture grows with its key, and the plot keeps its size.
+constexpr int plot_height = 470;
+constexpr int above_plot = 46;
+constexpr int axis_height = 56;  // numbers and text below the plot
+constexpr int key_line_height = 20;
+
 constexpr double margin = 0.03;         // of the length, so that marks at the ends are whole
 constexpr double least_decade = 10;     // of the ends, when there is a place for "≤ 0"
 constexpr double least_ratio = 1.05;    // of the ends, when all data is one number
@@ -112,6 +122,10 @@ struct MarkRow {
   }
 };
 
+const char* gnuplot_name(Align align) {
+  return align == Align::left ? "left" : align == Align::right ? "right" : "center";
+}
+
 void stand_side_by_side(std::vector<UnitMark>& marks) {
   std::vector<MarkRow> rows;
   for (std::size_t i = 0; i < marks.size(); ++i) rows.push_back({{i}, marks[i].place});
@@ -155,6 +169,29 @@ std::string run_gnuplot(const std::string& command, const std::string& script) {
   return std::move(plotted.out);
 }
 
+std::string plot_head(const std::string& title, std::size_t key_entries) {
+  const int key_lines = static_cast<int>((key_entries + plot_key_columns - 1) / plot_key_columns);
+  const int below_plot = axis_height + key_lines * key_line_height;
+  const int height = above_plot + plot_height + below_plot;
+  const double bottom = static_cast<double>(below_plot) / height;
+  const double top = static_cast<double>(below_plot + plot_height) / height;
+  return fmt::format(
+      "set terminal svg size {},{} font 'sans-serif,12' background 'white' noenhanced\n"
+      "set encoding utf8\nset title {} font ',14'\nset lmargin at screen {}\nset rmargin at screen {}\n"
+      "set bmargin at screen {}\nset tmargin at screen {}\nset grid lc rgb '#dddddd'\n"
+      "set style textbox opaque margins 0.2,0.2 fc rgb 'white' noborder\n"
+      "set key at screen 0.5,0.005 center bottom horizontal Left reverse samplen 1.5 width 1 maxcols {}\n",
+      picture_width, height, gnuplot_string(title), plot_left, plot_right, bottom, top, plot_key_columns);
+}
+
+Mark plot_size() {
+  return {picture_width * (plot_right - plot_left), plot_height};
+}
+
+std::string data_block(const std::string& name, const std::string& lines) {
+  return fmt::format("${} << END\n{}END\n", name, lines);
+}
+
 LogAxis::LogAxis(std::span<const double> values) {
   double least = 0;
   double most = 0;
@@ -193,6 +230,28 @@ std::string LogAxis::tics() const {
   if (zero_ > 0) texts.push_back(fmt::format("'≤ 0' {}", zero_));
   for (const double tic : chosen) texts.push_back(fmt::format("'{:.4g}' {:.4g}", tic, tic));
   return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string mark_labels(std::span<const UnitMark> marks, const Mark& size) {
+  std::vector<Mark> places;
+  std::vector<std::string> texts;
+  for (const UnitMark& mark : marks) {
+    places.push_back(mark.place);
+    texts.push_back(mark.name);
+  }
+  const std::vector<LabelPlace> found = place_labels(places, texts, size);
+  std::string text;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const LabelPlace& p = found[i];
+    text += fmt::format("set label {} at graph {:.4f},{:.4f} {} front boxed\n", gnuplot_string(texts[i]),
+                        p.anchor() / size.x, p.middle / size.y, gnuplot_name(p.align));
+    if (p.line) {
+      text +=
+          fmt::format("set arrow from graph {:.4f},{:.4f} to graph {:.4f},{:.4f} nohead lc rgb '#666666'\n",
+                      places[i].x / size.x, places[i].y / size.y, p.anchor() / size.x, p.middle / size.y);
+    }
+  }
+  return text;
 }
 
 std::vector<UnitMark> unit_marks(std::span<const sim::SweepRow> units, std::span<const Mark> places) {

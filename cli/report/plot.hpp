@@ -2,6 +2,7 @@
 // pixels from the lower left corner of the plot.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +18,15 @@ namespace hitpipe::cli {
 /// The output of gnuplot for the program `script`. Throws std::runtime_error, one line that begins with
 /// `command`, when gnuplot is missing or fails.
 [[nodiscard]] std::string run_gnuplot(const std::string& command, const std::string& script);
+
+/// Settings of a large plot with this title. The key is below it and has several columns.
+inline constexpr std::size_t plot_key_columns = 3;
+[[nodiscard]] std::string plot_head(const std::string& title, std::size_t key_entries);
+/// What marks lie in, in pixels.
+[[nodiscard]] Mark plot_size();
+
+/// A block of data with a name.
+[[nodiscard]] std::string data_block(const std::string& name, const std::string& lines);
 
 /// A logarithmic axis that ends where its data does.
 class LogAxis {
@@ -45,6 +55,9 @@ struct UnitMark {
   std::string name;  ///< formats of the design, such as "24/24,28,32"; the design where it has one format
   Mark place;
 };
+
+/// A label beside each mark. A line leads to each label that had to move away.
+[[nodiscard]] std::string mark_labels(std::span<const UnitMark> marks, const Mark& size);
 
 /// Units of a design that would cover one another share a mark that names them all; marks of different
 /// designs that would cover one another stand side by side. `places[i]` is unit i's position. Marks are

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "area_model/price.hpp"
+#include "cli/report/core_facts.hpp"
 #include "cli/report/report_pictures.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "cli/text/stiffness_report.hpp"
@@ -84,6 +85,8 @@ struct ReportFacts {
   std::vector<Row> world;  ///< of the integer world, by format
   std::string world_command;
   Drawing world_diagram;
+  CoreFacts core;
+  std::vector<Drawing> core_drawings;
   std::uint64_t seed = 1;
   std::vector<Schematic> schematics;
 };

@@ -90,7 +90,7 @@ std::string inline_svg(std::string svg, int number, const std::string& alternati
 using Words = std::pair<std::string_view, std::string_view>;
 
 /// The longest endings first.
-constexpr std::array<Words, 10> unit_words{{{"_mm2_ns", ", mm² ns"},
+constexpr std::array<Words, 13> unit_words{{{"_mm2_ns", ", mm² ns"},
                                             {"_mm2_ms", ", mm² ms"},
                                             {"_lut_ms", ", LUT ms"},
                                             {"_lut", ", LUT"},
@@ -99,7 +99,10 @@ constexpr std::array<Words, 10> unit_words{{{"_mm2_ns", ", mm² ns"},
                                             {"_mhz", ", MHz"},
                                             {"_pct", ", %"},
                                             {"_ns", ", ns"},
-                                            {"_ms", ", ms"}}};
+                                            {"_ms", ", ms"},
+                                            {"_kib", ", KiB"},
+                                            {"mrays_s", "million rays a second"},
+                                            {"_a_ray", " a ray"}}};
 
 constexpr std::array<Words, 5> heading_words{{{"stage delay", "clock period"},
                                               {"area delay", "area × clock period"},
@@ -271,6 +274,21 @@ std::string column_heading(std::string_view column) {
       heading.replace(at, name.size(), text);
   }
   return heading + unit;
+}
+
+PageTable page_table(const std::string& caption, const std::vector<Row>& rows) {
+  PageTable table{caption, {}, {}};
+  if (rows.empty()) return table;
+  for (const auto& [key, value] : rows.front().items()) table.columns.push_back(column_heading(key));
+  for (const Row& row : rows) {
+    std::vector<std::string> cells;
+    for (const auto& [key, value] : row.items())
+      cells.push_back(value.is_null()     ? ""
+                      : value.is_string() ? value.get<std::string>()
+                                          : readable_number(value.dump()));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
 }
 
 }  // namespace hitpipe::cli

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/text/table.hpp"
+
 namespace hitpipe::cli {
 
 /// Escapes text so that HTML shows it literally, in attributes too.
@@ -70,6 +72,9 @@ class Page {
   std::vector<std::pair<std::string, std::string>> contents_;  // identifier and heading
   int drawings_ = 0;
 };
+
+/// The cells of rows, formatted for readers.
+[[nodiscard]] PageTable page_table(const std::string& caption, const std::vector<Row>& rows);
 
 /// A heading in words: a column of a CSV file is called "clock_mhz", on a page "clock, MHz". Text that is no
 /// name of a column stays as it is.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "area_model/figure.hpp"
+#include "cli/report/core_section.hpp"
 #include "cli/report/report_page.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "sw_ref/judge/interval.hpp"
@@ -48,22 +49,6 @@ std::size_t line_of(std::size_t row) {
 
 std::string readable_cell(const sim::SweepRow& row, const std::string& column) {
   return readable_number(cell(row, column));
-}
-
-/// The cells of rows, formatted for readers.
-PageTable page_table(const std::string& caption, const std::vector<Row>& rows) {
-  PageTable table{caption, {}, {}};
-  if (rows.empty()) return table;
-  for (const auto& [key, value] : rows.front().items()) table.columns.push_back(column_heading(key));
-  for (const Row& row : rows) {
-    std::vector<std::string> cells;
-    for (const auto& [key, value] : row.items())
-      cells.push_back(value.is_null()     ? ""
-                      : value.is_string() ? value.get<std::string>()
-                                          : readable_number(value.dump()));
-    table.rows.push_back(std::move(cells));
-  }
-  return table;
 }
 
 PageTable sweep_table(const std::string& what, Rows rows, int rays, const std::vector<std::string>& shown) {
@@ -219,6 +204,8 @@ std::vector<std::string> commands_of(const ReportFacts& facts) {
   lines.push_back(facts.stiffness_command);
   lines.emplace_back("# The integer world");
   lines.push_back(facts.world_command);
+  if (!facts.core.commands.empty()) lines.emplace_back("# The core");
+  lines.insert(lines.end(), facts.core.commands.begin(), facts.core.commands.end());
   lines.emplace_back("# The schematics");
   for (const rtl::Design& design : rtl::designs())
     lines.push_back(fmt::format("hitpipe rtl {} --out FOLDER", design.name));
@@ -386,6 +373,8 @@ std::string report_html(const ReportFacts& facts) {
          {"scene", "rays", "different_rays", "pixels", "different_pixels", "triangles"})
       row.erase(counted);
   page.table(page_table("What the bits change and cost.", world));
+
+  add_core_section(page, facts);
 
   page.heading("Schematics");
   if (facts.schematics.empty()) page.paragraph("Not drawn: Graphviz was not installed.");

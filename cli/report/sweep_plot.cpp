@@ -17,17 +17,6 @@ namespace hitpipe::cli {
 
 namespace {
 
-constexpr int picture_width = 1000;
-// Edges of the plot as fractions of the picture's width.
-constexpr double plot_left = 0.085;
-constexpr double plot_right = 0.985;
-// In pixels. The picture grows with its key, and the plot keeps its size.
-constexpr int plot_height = 470;
-constexpr int above_plot = 46;
-constexpr int axis_height = 56;  // numbers and text below the plot
-constexpr int key_line_height = 20;
-constexpr std::size_t key_columns = 3;
-
 constexpr std::array design_colours{"#0072B2", "#D55E00", "#806000", "#000000", "#00664B", "#CC79A7",
                                     "#56B4E9", "#8C6D31", "#444444", "#7A1F5C", "#004C77", "#8F3F00"};
 constexpr std::array design_shapes{7, 5, 8, 13, 10, 9, 11, 15, 4, 6, 12, 14};
@@ -68,55 +57,8 @@ std::vector<double> column(std::span<const sim::SweepRow> units, std::string_vie
   return values;
 }
 
-/// The key has several columns.
-std::string head(const std::string& title, std::size_t key_entries) {
-  const int key_lines = static_cast<int>((key_entries + key_columns - 1) / key_columns);
-  const int below_plot = axis_height + key_lines * key_line_height;
-  const int height = above_plot + plot_height + below_plot;
-  const double bottom = static_cast<double>(below_plot) / height;
-  const double top = static_cast<double>(below_plot + plot_height) / height;
-  return fmt::format(
-      "set terminal svg size {},{} font 'sans-serif,12' background 'white' noenhanced\n"
-      "set encoding utf8\nset title {} font ',14'\nset lmargin at screen {}\nset rmargin at screen {}\n"
-      "set bmargin at screen {}\nset tmargin at screen {}\nset grid lc rgb '#dddddd'\n"
-      "set style textbox opaque margins 0.2,0.2 fc rgb 'white' noborder\n"
-      "set key at screen 0.5,0.005 center bottom horizontal Left reverse samplen 1.5 width 1 maxcols {}\n",
-      picture_width, height, gnuplot_string(title), plot_left, plot_right, bottom, top, key_columns);
-}
-
 DesignStyle style_of(const std::string& design) {
   return design_style(rtl::place_of(rtl::find_design(design)).value());
-}
-
-std::string block(const std::string& name, const std::string& lines) {
-  return fmt::format("${} << END\n{}END\n", name, lines);
-}
-
-const char* gnuplot_name(Align align) {
-  return align == Align::left ? "left" : align == Align::right ? "right" : "center";
-}
-
-/// A label beside each mark. A line leads to each label that had to move away.
-std::string labels(const std::vector<UnitMark>& marks, const Mark& size) {
-  std::vector<Mark> places;
-  std::vector<std::string> texts;
-  for (const UnitMark& mark : marks) {
-    places.push_back(mark.place);
-    texts.push_back(mark.name);
-  }
-  const std::vector<LabelPlace> found = place_labels(places, texts, size);
-  std::string text;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const LabelPlace& p = found[i];
-    text += fmt::format("set label {} at graph {:.4f},{:.4f} {} front boxed\n", gnuplot_string(texts[i]),
-                        p.anchor() / size.x, p.middle / size.y, gnuplot_name(p.align));
-    if (p.line) {
-      text +=
-          fmt::format("set arrow from graph {:.4f},{:.4f} to graph {:.4f},{:.4f} nohead lc rgb '#666666'\n",
-                      places[i].x / size.x, places[i].y / size.y, p.anchor() / size.x, p.middle / size.y);
-    }
-  }
-  return text;
 }
 
 /// The thesis's units with their occupancy by rays in flight.
@@ -213,7 +155,7 @@ std::string diagram_script(const std::string& scene, std::span<const sim::SweepR
   const std::vector<double> errors = column(units, diagram.error);
   const LogAxis x(costs);
   const LogAxis y(errors);
-  const Mark size{picture_width * (plot_right - plot_left), plot_height};
+  const Mark size = plot_size();
   std::vector<CostAndError> all;
   std::vector<Mark> places;
   for (std::size_t i = 0; i < units.size(); ++i) {
@@ -232,16 +174,16 @@ std::string diagram_script(const std::string& scene, std::span<const sim::SweepR
         fmt::format("{:.6g} {:.6g}\n", x.at(mark.place.x / size.x), y.at(mark.place.y / size.y));
   }
   constexpr std::size_t other_key_entries = 1;  // the front
-  std::string text = head(scene + ": " + diagram.title, designs.size() + other_key_entries);
+  std::string text = plot_head(scene + ": " + diagram.title, designs.size() + other_key_entries);
   text += fmt::format("set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", x.least(),
                       x.most(), y.least(), y.most());
   text += fmt::format("set xtics ({})\nset ytics ({})\nset xlabel {}\nset ylabel {}\n", x.tics(), y.tics(),
                       gnuplot_string(diagram.cost_label), gnuplot_string(diagram.error_label));
-  text += labels(marks, size) + block("front", front);
+  text += mark_labels(marks, size) + data_block("front", front);
   std::string plot = "plot $front using 1:2 with steps lc rgb '#888888' lw 1.5 dt 2 title 'Pareto front'";
   for (std::size_t i = 0; i < designs.size(); ++i) {
     const DesignStyle style = style_of(designs[i]);
-    text += block(fmt::format("units{}", i), points[designs[i]]);
+    text += data_block(fmt::format("units{}", i), points[designs[i]]);
     plot += fmt::format(", $units{} using 1:2 with points lc rgb '{}' pt {} ps {:g} lw 1.5 title {}", i,
                         style.colour, style.shape, style.size, gnuplot_string(designs[i]));
   }
@@ -265,9 +207,9 @@ std::string rate_script(const std::string& scene, std::span<const sim::SweepRow>
     }
   const LogAxis x(rates);
   const LogAxis y(areas);
-  const Mark size{picture_width * (plot_right - plot_left), plot_height};
+  const Mark size = plot_size();
   constexpr std::size_t other_key_entries = 1;  // the front
-  std::string text = head(scene + ": area and boxes a second", lines.size() + other_key_entries);
+  std::string text = plot_head(scene + ": area and boxes a second", lines.size() + other_key_entries);
   text += fmt::format(
       "set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset xtics ({})\nset ytics "
       "({})\n"
@@ -288,7 +230,7 @@ std::string rate_script(const std::string& scene, std::span<const sim::SweepRow>
     }
     const sim::SweepRow& first = lines[i].rows.front();
     const DesignStyle style = style_of(first.design);
-    text += block(fmt::format("unit{}", i), points);
+    text += data_block(fmt::format("unit{}", i), points);
     plot += fmt::format(", $unit{} using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 title {}", i,
                         style.colour, style.shape, style.size,
                         gnuplot_string(rtl::find_design(first.design).name_at(lines[i].format)));
@@ -296,7 +238,7 @@ std::string rate_script(const std::string& scene, std::span<const sim::SweepRow>
   std::string front;
   for (const CostAndError& at : pareto_front(all))
     front += fmt::format("{:.6g} {:.6g}\n", 1000 / at.cost, at.error);
-  return text + labels(marks, size) + block("front", front) + plot + "\n";
+  return text + mark_labels(marks, size) + data_block("front", front) + plot + "\n";
 }
 
 std::string occupancy_script(const std::string& scene, std::span<const sim::SweepRow> units) {
@@ -307,8 +249,8 @@ std::string occupancy_script(const std::string& scene, std::span<const sim::Swee
   std::vector<int> tics;
   for (const auto& [rays, occupancy] : all_rays) tics.push_back(rays);
   // Long names: one line of the key for each.
-  std::string text =
-      head(scene + ": occupancy of the pipeline against rays in flight", key_columns * lines.size());
+  std::string text = plot_head(scene + ": occupancy of the pipeline against rays in flight",
+                               plot_key_columns * lines.size());
   text += fmt::format(
       "set key maxcols 1\nset logscale x 2\nset xrange [{}:{}]\nset yrange [0:101]\nset xtics ({})\n"
       "set xlabel 'rays in flight'\nset ylabel 'cycles that begin a test, %'\n",
@@ -318,7 +260,7 @@ std::string occupancy_script(const std::string& scene, std::span<const sim::Swee
     const DesignStyle style = style_of(lines[i].design);
     std::string points;
     for (const auto& [rays, occupancy] : lines[i].by_rays) points += fmt::format("{} {}\n", rays, occupancy);
-    text += block(fmt::format("unit{}", i), points);
+    text += data_block(fmt::format("unit{}", i), points);
     plot +=
         fmt::format("{} $unit{} using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 dt {} title {}",
                     i == 0 ? "plot" : ",", i, style.colour, style.shape, style.size, i + 1,

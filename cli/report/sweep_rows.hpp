@@ -35,9 +35,10 @@ struct Wrong {
   std::uint64_t rtl_mismatches = 0;
   std::uint64_t different_triangles = 0;
   std::uint64_t different_pixels = 0;
+  std::uint64_t core_answers = 0;  ///< that are not software's
 
   [[nodiscard]] bool any() const {
-    return false_misses + rtl_mismatches + different_triangles + different_pixels > 0;
+    return false_misses + rtl_mismatches + different_triangles + different_pixels + core_answers > 0;
   }
 };
 [[nodiscard]] Wrong wrong_in(std::span<const sim::SweepRow> rows);

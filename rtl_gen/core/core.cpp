@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -50,11 +53,35 @@ std::string module_of(const Core& core, std::string_view part) {
   return fmt::format("{}_{}", core.module, part);
 }
 
+/// Pipelines of units by one library, each made once.
+class Units {
+ public:
+  explicit Units(const Library& library) : library_(library) {}
+
+  /// For this clock, or for the unit's own one if that is longer.
+  const Pipeline& pipeline(const Design& design, const Format& format, int interval, int clock_ps) {
+    const Key key{design.name, to_string(format), interval, clock_ps};
+    const auto made = made_.find(key);
+    if (made != made_.end()) return made->second;
+    const Graph graph = design.trace(format);
+    std::optional<int> clock;
+    if (own_clock_ps(graph, library_, interval) < clock_ps) clock = clock_ps;
+    return made_.emplace(key, make_pipeline(graph, library_, clock, interval)).first->second;
+  }
+  [[nodiscard]] const Library& library() const { return library_; }
+
+ private:
+  using Key = std::tuple<std::string_view, std::string, int, int>;
+
+  const Library& library_;
+  std::map<Key, Pipeline> made_;
+};
+
 class Maker {
  public:
-  Maker(const CoreOptions& options, const Library& library, const std::string& module)
+  Maker(const CoreOptions& options, Units& units, const std::string& module)
       : core_{.options = options, .module = module, .clock_ps = 0, .parts = {}, .wires = {}, .ports = {}},
-        library_(library) {}
+        units_(units) {}
 
   Core made() && {
     const hls::RayBits& bits = core_.options.bits;
@@ -104,7 +131,7 @@ class Maker {
     CorePart part{.name = name, .format = format, .interface = {}, .machine = machine_called(name)};
     part.graph = part.machine->graph(format);
     part.interface = machine_interface(module_of(core_, name), *part.graph);
-    core_.clock_ps = std::max(core_.clock_ps, longest_path(*part.graph, library_).clock_ps);
+    core_.clock_ps = std::max(core_.clock_ps, longest_path(*part.graph, units_.library()).clock_ps);
     core_.parts.push_back(std::move(part));
   }
 
@@ -112,11 +139,8 @@ class Maker {
                 FlowControl flow = FlowControl::none) {
     const Design& design = find_design(design_name);
     CorePart part{.name = name, .format = format, .interface = {}, .design = &design};
-    const Graph graph = design.trace(format);
     const int clock_ps = std::max(core_.clock_ps, core_.options.clock_ps.value_or(0));
-    part.pipeline = make_pipeline(graph, library_, std::nullopt, interval);
-    if (part.pipeline->schedule.clock_ps < clock_ps)
-      part.pipeline = make_pipeline(graph, library_, clock_ps, interval);
+    part.pipeline = units_.pipeline(design, format, interval, clock_ps);
     core_.clock_ps = std::max(core_.clock_ps, part.pipeline->schedule.clock_ps);
     part.interface = unit_interface(module_of(core_, name), design.ports(format),
                                     result_ports(design.results(format)), flow, interval);
@@ -220,7 +244,7 @@ class Maker {
   }
 
   Core core_;
-  const Library& library_;
+  Units& units_;
 };
 
 /// "walker_goes": the wire of an output. A pin of the core has its own name.
@@ -320,8 +344,17 @@ ModuleInterface Core::interface() const {
 }
 
 Core make_core(const CoreOptions& options, const Library& library, const std::string& module) {
-  check(options);
-  return Maker(options, library, module).made();
+  return std::move(make_cores({&options, 1}, library, module).front());
+}
+
+std::vector<Core> make_cores(std::span<const CoreOptions> options, const Library& library,
+                             const std::string& module) {
+  for (const CoreOptions& each : options) check(each);
+  Units units(library);
+  std::vector<Core> cores;
+  cores.reserve(options.size());
+  for (const CoreOptions& each : options) cores.push_back(Maker(each, units, module).made());
+  return cores;
 }
 
 std::string to_verilog(const Core& core, const Library& library) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -104,6 +105,9 @@ struct Core {
 /// std::logic_error when a wire is missing or does not fit.
 [[nodiscard]] Core make_core(const CoreOptions& options, const Library& library,
                              const std::string& module = "core");
+/// The same for each of the options, in their order; what they have in common is scheduled once.
+[[nodiscard]] std::vector<Core> make_cores(std::span<const CoreOptions> options, const Library& library,
+                                           const std::string& module = "core");
 
 /// The top module, then one for each part. The same core gives the same bytes.
 [[nodiscard]] std::string to_verilog(const Core& core, const Library& library);

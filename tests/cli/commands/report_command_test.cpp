@@ -1,5 +1,6 @@
 // `hitpipe report`: one page with its rows in a file beside it, where every number can be found.
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -80,6 +81,10 @@ TEST_F(ReportCommand, WritesThePageAndWhatItsNumbersComeFrom) {
   EXPECT_THAT(outcome_.out, HasSubstr(fmt::format("rows                 {}\n",
                                                   thesis_units * rays_in_flight + Others().designs.size())));
   EXPECT_EQ(files_below(out()), (std::vector<std::string>{"box_tests.png",
+                                                          "core.csv",
+                                                          "core_busy.svg",
+                                                          "core_cache.svg",
+                                                          "core_rate.svg",
                                                           "error_area.svg",
                                                           "error_area_run_time.svg",
                                                           "error_run_time.svg",
@@ -258,6 +263,112 @@ TEST_F(ReportCommand, AsksTheQuestionOfTheIntegerWorld) {
   EXPECT_EQ(rows, contents_of(file));
   EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 6) << "a head and five formats";
   EXPECT_THAT(page_, HasSubstr("24+1s24"));
+}
+
+/// The rows of core.csv as values by column.
+std::vector<std::map<std::string, std::string>> core_rows(const fs::path& folder) {
+  const auto cells = [](const std::string& line) {
+    std::vector<std::string> made;
+    std::istringstream text(line + ",");
+    for (std::string cell; std::getline(text, cell, ',');) made.push_back(cell);
+    return made;
+  };
+  std::vector<std::map<std::string, std::string>> rows;
+  const std::vector<std::string> lines = lines_of(contents_of(folder / "core.csv"));
+  const std::vector<std::string> columns = cells(lines.front());
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::vector<std::string> values = cells(lines[i]);
+    EXPECT_EQ(values.size(), columns.size()) << lines[i];
+    auto& row = rows.emplace_back();
+    for (std::size_t c = 0; c < std::min(values.size(), columns.size()); ++c) row[columns[c]] = values[c];
+  }
+  return rows;
+}
+
+TEST_F(ReportCommand, CoresAnswerEveryRayRight) {
+  const auto rows = core_rows(out());
+  // Two formats with three intervals and two numbers of rays; three latencies with seven numbers of rays, of
+  // which two are among these; three caches.
+  EXPECT_EQ(rows.size(), 2U * 3U * 2U + 3U * 7U - 2U + 3U);
+  std::uint64_t answers = 0;
+  for (const auto& row : rows) {
+    EXPECT_EQ(row.at("wrong"), "0");
+    EXPECT_GT(std::stod(row.at("mrays_s")), 0);
+    EXPECT_GT(std::stod(row.at("area_mm2")), 0.5);
+    answers += std::stoull(row.at("rays"));
+  }
+  EXPECT_THAT(page_, HasSubstr(">The core</h2>"));
+  EXPECT_THAT(page_,
+              HasSubstr(fmt::format("wrong answers 0 of {}, rows with other reads than software&#39;s 0",
+                                    readable_number(std::to_string(answers)))));
+  EXPECT_THAT(outcome_.out, HasSubstr("core_answers         0\n"));
+}
+
+/// What the plots of the core must show whatever the scene is.
+TEST_F(ReportCommand, CoresAreBusierWithMoreRaysAndReadLessWithACache) {
+  const auto rows = core_rows(out());
+  const auto value = [&](std::map<std::string, std::string> of, const std::string& column) {
+    of.insert({{"bits", "20+1/11s20"},
+               {"triangle_ii", "4"},
+               {"latency", "100"},
+               {"cache_kib", "0"},
+               {"in_flight", "128"}});
+    for (const auto& row : rows)
+      if (std::includes(row.begin(), row.end(), of.begin(), of.end())) return std::stod(row.at(column));
+    ADD_FAILURE() << "no such row";
+    return 0.0;
+  };
+  for (const char* const latency : {"20", "100", "200"}) {
+    const double few = value({{"latency", latency}, {"in_flight", "8"}}, "port_busy_pct");
+    EXPECT_LT(2 * few, value({{"latency", latency}, {"in_flight", "128"}}, "port_busy_pct")) << latency;
+    EXPECT_LT(value({{"latency", "200"}, {"in_flight", "8"}}, "port_busy_pct"), few + 1e-9) << latency;
+  }
+  double bytes = value({}, "bytes_a_ray");
+  for (const char* const cache : {"4", "16", "64"}) {
+    const double cached = value({{"cache_kib", cache}}, "bytes_a_ray");
+    EXPECT_LE(cached, bytes) << cache;
+    bytes = cached;
+  }
+  EXPECT_LT(bytes, 0.9 * value({}, "bytes_a_ray"));
+  for (const char* const bits : {"16+1/11s16", "20+1/11s20"}) {
+    EXPECT_LT(value({{"bits", bits}, {"triangle_ii", "16"}}, "area_mm2"),
+              value({{"bits", bits}, {"triangle_ii", "4"}}, "area_mm2"));
+    EXPECT_LT(value({{"bits", bits}, {"in_flight", "32"}}, "memory_bits"),
+              value({{"bits", bits}}, "memory_bits"));
+  }
+  EXPECT_LT(value({{"bits", "16+1/11s16"}}, "area_mm2"), value({}, "area_mm2"));
+}
+
+/// Of one row, and of the numbers of rays that a command of the page has.
+TEST_F(ReportCommand, NamesCommandsThatTraceTheSameCores) {
+  const auto of_trace = [](const std::string& command) {
+    std::istringstream words(command);
+    std::vector<std::string> arguments;
+    for (std::string word; words >> word;) arguments.push_back(word);
+    EXPECT_EQ(arguments.front(), "hitpipe");
+    arguments.erase(arguments.begin());
+    const Outcome outcome = run_hitpipe(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return lines_of(outcome.out);
+  };
+  const std::string csv = contents_of(out() / "core.csv");
+  std::size_t run = 0;
+  for (const auto& row : core_rows(out())) {
+    const bool small =
+        row.at("bits") == "16+1/11s16" && row.at("triangle_ii") == "8" && row.at("in_flight") == "32";
+    if (!small && row.at("cache_kib") != "4") continue;
+    ++run;
+    const std::vector<std::string> traced = of_trace(row.at("command"));
+    ASSERT_EQ(traced.size(), 2U);
+    EXPECT_THAT(csv, HasSubstr("," + traced[0] + ","));
+    EXPECT_THAT(csv, HasSubstr("," + traced[1] + ","));
+  }
+  EXPECT_EQ(run, 2U);
+  const std::string of_page =
+      "hitpipe trace --native --scene spheres --width 8 --height 8 --bits 20+1s20 "
+      "--triangle-ii 4 --rays 8,16,32,64,128,192,256 --latency 20 --format csv";
+  EXPECT_THAT(page_, HasSubstr(of_page + "\n"));
+  for (const std::string& line : of_trace(of_page)) EXPECT_THAT(csv, HasSubstr("," + line + ","));
 }
 
 TEST_F(ReportCommand, RowsThatAreGivenMakeTheSamePage) {

@@ -1,0 +1,28 @@
+#include "sim/core/core_trace.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace hitpipe::sim {
+
+void make_room(rtl::CoreOptions& options, const ref::CoreImage& image) {
+  while (image.blocks.size() > std::uint64_t{1} << options.address_bits) ++options.address_bits;
+  options.byte_bits = std::max(options.byte_bits, options.address_bits + 5);
+}
+
+CoreTrace trace_core(const rtl::Core& core, rtl::NativeMachine& machine, const ref::CoreImage& image,
+                     const PictureRays& picture, const MemoryOptions& memory,
+                     const std::function<void(double)>& progress) {
+  CoreBench bench(core, machine, image, memory);
+  std::vector<CoreAnswer> answers(picture.jobs.size());
+  bench.run(picture.jobs, answers, progress);
+  const CoreCounts& counts = bench.counts();
+  return {.counts = counts,
+          .memory = bench.memory_counts(),
+          .wrong = picture.wrong(answers),
+          .same_reads = counts.records == picture.work.nodes_loaded &&
+                        counts.triangles == picture.work.triangles_loaded,
+          .restarts = picture.restarts};
+}
+
+}  // namespace hitpipe::sim

@@ -1,0 +1,42 @@
+// A picture's rays through a core, cycle by cycle: whether its answers are software's, and how busy it was.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "sim/core/core_bench.hpp"
+#include "sim/core/picture_rays.hpp"
+
+namespace hitpipe::sim {
+
+struct CoreTrace {
+  CoreCounts counts;
+  MemoryCounts memory;
+  std::uint64_t wrong = 0;     ///< answers that are not software's
+  bool same_reads = false;     ///< as many records and triangles as in software
+  std::uint64_t restarts = 0;  ///< of the walks in software
+
+  [[nodiscard]] bool right() const { return wrong == 0 && same_reads; }
+  [[nodiscard]] std::uint64_t blocks() const { return counts.records + counts.triangles; }
+  [[nodiscard]] double a_ray(std::uint64_t count) const {
+    return static_cast<double>(count) / static_cast<double>(counts.rays);
+  }
+  /// Percent of all cycles.
+  [[nodiscard]] double cycles_pct(double count) const {
+    return 100 * count / static_cast<double>(counts.cycles);
+  }
+  [[nodiscard]] double port_busy_pct() const { return cycles_pct(static_cast<double>(blocks())); }
+  [[nodiscard]] double bytes_a_ray() const { return a_ray(memory.bytes_read); }
+  [[nodiscard]] double mrays_s(int clock_ps) const { return 1e6 / clock_ps / a_ray(counts.cycles); }
+};
+
+/// Makes the numbers of blocks and the addresses of a core long enough for an image.
+void make_room(rtl::CoreOptions& options, const ref::CoreImage& image);
+
+/// `machine` has the core's ports, and `picture` has a ray. Throws as CoreBench does.
+[[nodiscard]] CoreTrace trace_core(const rtl::Core& core, rtl::NativeMachine& machine,
+                                   const ref::CoreImage& image, const PictureRays& picture,
+                                   const MemoryOptions& memory,
+                                   const std::function<void(double)>& progress = {});
+
+}  // namespace hitpipe::sim
