@@ -26,6 +26,7 @@ set(HITPIPE_MACHINES
   triangle_feed
   serial_triangle
   replies
+  weights
   registers
   requests
   beats

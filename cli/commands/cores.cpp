@@ -17,7 +17,6 @@
 #include "cli/text/progress.hpp"
 #include "host/files.hpp"
 #include "rtl_gen/core/files.hpp"
-#include "rtl_gen/core/picture.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/verilog/names.hpp"
 #include "sim/core/core_vectors.hpp"
@@ -33,8 +32,7 @@ void emit_core(const rtl::CoreOptions& core_options, const CoreRtl& options) {
   const rtl::Core core = rtl::make_core(core_options, library, module);
   std::vector<host::File> files =
       rtl::core_files(core, library, sim::core_test(core, options.cycles, options.seed));
-  if (auto drawings = rtl::draw({{module + ".dot", rtl::to_dot(core)}}))
-    files.push_back(std::move(drawings->front()));
+  rtl::add_drawings(files);
   host::write_files(options.out, files);
   std::vector<std::string> names;
   for (const host::File& file : files)

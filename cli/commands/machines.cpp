@@ -11,6 +11,7 @@
 #include "area_model/figure.hpp"
 #include "area_model/price.hpp"
 #include "host/files.hpp"
+#include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/machine/files.hpp"
 #include "rtl_gen/verilog/names.hpp"
 
@@ -48,8 +49,9 @@ void emit_machine(const rtl::Machine& machine, const std::optional<std::string>&
   if (!options.module.empty()) rtl::check_module_name(options.module);
   const rtl::Format format = format_of(machine, bits);
   const rtl::Library library = rtl::library_called(options.library);
-  const std::vector<host::File> files = rtl::machine_files(
+  std::vector<host::File> files = rtl::machine_files(
       machine, format, library, {.module = options.module, .cycles = options.cycles, .seed = options.seed});
+  rtl::add_drawings(files);
   host::write_files(options.out, files);
   Row row = machine_row(machine, format, library, options.format);
   row["cycles"] = options.cycles;

@@ -52,7 +52,9 @@ std::vector<std::string> add_core_options(CLI::App& command, CoreChoice& choice)
   add_choice_option(command, "--door", choice.options.door, doors,
                     "Of a core: rays come as integers of the unit int_ray, or as floats, and this unit is in "
                     "the core");
-  return {"--stack", "--levels", "--triangle-ii", "--door"};
+  command.add_flag("--barycentrics", choice.options.weights,
+                   "Of a core: answers say where in its triangle a ray hits");
+  return {"--stack", "--levels", "--triangle-ii", "--door", "--barycentrics"};
 }
 
 std::vector<std::string> add_one_core_options(CLI::App& command, CoreChoice& choice) {
@@ -86,7 +88,11 @@ std::vector<std::string> add_core_port_options(CLI::App& command, CoreChoice& ch
       ->capture_default_str();
   add_count_option(command, "--tag-bits", options.tag_bits, {1, 64}, "Of a core: bits of a ray's tag")
       ->capture_default_str();
-  return {"--block-bits", "--address-bits", "--tag-bits"};
+  add_count_option(command, "--block-rams", options.block_rams, {0, rtl::CoreOptions::most_block_rams},
+                   "Of a core: mark memories for so many block RAMs of 16 bits, as iCE40 has them, where "
+                   "Yosys takes registers")
+      ->capture_default_str();
+  return {"--block-bits", "--address-bits", "--tag-bits", "--block-rams"};
 }
 
 }  // namespace hitpipe::cli

@@ -24,13 +24,13 @@ struct CoreChoice {
 
 // Each of these adds options and gives their names.
 
-/// --stack, --levels, --triangle-ii and --door.
+/// --stack, --levels, --triangle-ii, --door and --barycentrics.
 std::vector<std::string> add_core_options(CLI::App& command, CoreChoice& choice);
 /// These and --rays, for a command with one core.
 std::vector<std::string> add_one_core_options(CLI::App& command, CoreChoice& choice);
 /// The AXI bus to memory: --data-bits and --in-order.
 std::vector<std::string> add_core_bus_options(CLI::App& command, CoreChoice& choice);
-/// Widths of ports, which only Verilog that is written needs to know.
+/// Widths of ports and block RAMs, which only Verilog that is written needs to know.
 std::vector<std::string> add_core_port_options(CLI::App& command, CoreChoice& choice);
 
 }  // namespace hitpipe::cli

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
+#include <span>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -17,7 +19,9 @@
 #include "hls/machines/replies.hpp"
 #include "hls/machines/requests.hpp"
 #include "hls/machines/walk_format.hpp"
+#include "hls/machines/weights.hpp"
 #include "hls/world/core_format.hpp"
+#include "rtl_gen/core/block_rams.hpp"
 #include "rtl_gen/core/wires.hpp"
 #include "rtl_gen/machine/module.hpp"
 #include "rtl_gen/verilog/module.hpp"
@@ -40,10 +44,14 @@ void check(const CoreOptions& options) {
   within("levels", options.levels, 2, CoreOptions::most_levels);
   within("bits of a block's number", options.address_bits, 4, 32);
   within("bits of an address", options.byte_bits, options.address_bits + 5, 64);
+  within("block RAMs", options.block_rams, 0, CoreOptions::most_block_rams);
   within("bits of a tag", options.tag_bits, 1, 64);
   if (options.data_bits < 64 || options.data_bits > 512 || (options.data_bits & (options.data_bits - 1)) != 0)
     throw std::runtime_error(
         fmt::format("bits of the memory bus {}: allowed is 64, 128, 256, 512", options.data_bits));
+  if (options.serial() && options.weights)
+    throw std::runtime_error(
+        "weights of the corners: allowed with a triangle unit, not with the serial test");
   if (!options.serial())
     within("cycles from triangle to triangle", options.triangle_interval,
            CoreOptions::least_triangle_interval, 64);
@@ -104,20 +112,33 @@ class Maker {
     }
     add_machine("best_hits", hls::BestBits{t, bits.finer + bits.fraction - bits.box_fraction, box, ray});
     add_machine("replies", hls::ReplyBits{t, options.tag_bits, ray});
+    hls::WorldBits tests = bits.world();
+    tests.weights = options.weights ? 1 : 0;
+    if (options.weights)
+      add_machine(weights_part, hls::WeightBits{tests.determinant(), tests.edge(), t, options.tag_bits, ray});
     add_unit("pair", "int_major_pair", bits.boxes(), 1);
-    if (!options.serial()) add_unit("triangle", "int_triangle", bits.world(), options.triangle_interval);
+    if (!options.serial()) add_unit("triangle", "int_triangle", tests, options.triangle_interval);
     if (options.door == Door::binary32) add_ray_unit();
 
-    for (const Wire& wire : core_wires) join(wire);
+    join_all(core_wires);
     join_operands("pair_feed", "pair");
     if (options.serial()) {
-      for (const Wire& wire : serial_triangle_wires) join(wire);
+      join_all(serial_triangle_wires);
     } else {
-      for (const Wire& wire : triangle_unit_wires) join(wire);
+      join_all(triangle_unit_wires);
       join_operands("triangle_feed", "triangle");
     }
-    for (const CorePin& pin : core_pins)
-      if (options.door == Door::integer || !pin.name.starts_with("ray_")) add_port(pin);
+    if (options.weights)
+      join_all(weight_wires);
+    else
+      join_all(plain_answer_wires);
+    for (CorePin pin : core_pins) {
+      if (options.door != Door::integer && pin.name.starts_with("ray_")) continue;
+      if (options.weights && pin.from == "replies") pin.from = weights_part;
+      add_port(pin);
+    }
+    if (options.weights)
+      for (const CorePin& pin : weight_pins) add_port(pin);
     for (const CorePart& part : core_.parts)
       for (const Pin& pin : part.interface.pins)
         if (pin.is_input && pin.role != Pin::Role::clock && pin.role != Pin::Role::reset &&
@@ -213,6 +234,9 @@ class Maker {
     core_.wires.push_back(made);
   }
 
+  void join_all(std::span<const Wire> wires) {
+    for (const Wire& wire : wires) join(wire);
+  }
   void join_operands(std::string_view feed, std::string_view unit) {
     for (const Port& operand : core_.part(unit).interface.operands())
       join({feed, operand.name, unit, operand.name});
@@ -313,9 +337,12 @@ class Nets {
   const Core& core_;
 };
 
-std::string part_verilog(const CorePart& part, const Library& library) {
+std::string part_verilog(const CorePart& part, const Library& library,
+                         const std::set<std::string>& in_block_rams) {
   const std::string bits = to_string(part.format);
-  if (part.graph) return to_verilog(*part.graph, {.module = part.interface.module, .bits = bits});
+  if (part.graph)
+    return to_verilog(*part.graph,
+                      {.module = part.interface.module, .bits = bits, .in_block_rams = in_block_rams});
   return to_verilog(*part.pipeline, library,
                     {.module_name = part.interface.module,
                      .bits = bits,
@@ -367,7 +394,8 @@ std::string to_verilog(const Core& core, const Library& library) {
   for (std::size_t i = 0; i < core.parts.size(); ++i) text += nets.instance(i) + "\n";
   text += nets.outputs() + "endmodule\n";
   text += "\n/* verilator lint_off DECLFILENAME */\n";
-  for (const CorePart& part : core.parts) text += "\n" + part_verilog(part, library);
+  auto marked = in_block_rams(core, core.options.block_rams);
+  for (const CorePart& part : core.parts) text += "\n" + part_verilog(part, library, marked[part.name]);
   return text + "/* verilator lint_on DECLFILENAME */\n";
 }
 

@@ -30,6 +30,7 @@ inline constexpr std::array<std::string_view, 2> door_names{"integer", "float"};
 struct CoreOptions {
   static constexpr int most_rays = 256;
   static constexpr int most_levels = 60;
+  static constexpr int most_block_rams = 1000;
   static constexpr int least_triangle_interval = 3;  ///< triangle_feed begins no more tests
   static constexpr int block_bits = 256;             ///< what a request reads
   static constexpr int door_interval = 8;            ///< cycles from ray to ray of an int_ray in a core
@@ -45,9 +46,11 @@ struct CoreOptions {
   /// in some hundred cycles each.
   int triangle_interval = 4;
   Door door = Door::integer;
+  bool weights = false;           ///< answers say where in its triangle a ray hits; with a triangle unit only
   int data_bits = 256;            ///< of the AXI bus to memory: 64, 128, 256, 512
   bool in_order = false;          ///< all requests on this bus have one identifier
   std::optional<int> clock_ps{};  ///< of the units; else that of the slowest machine
+  int block_rams = 0;  ///< the Verilog marks memories for so many block RAMs of 16 bits (block_rams.hpp)
 
   [[nodiscard]] bool serial() const { return triangle_interval == 0; }
 

@@ -1,5 +1,6 @@
 // How the machines and units of a core are joined (docs/core.md). The top module of a core and its software
-// are made from these lists; of the wires around the triangle test a core has one list. Operands of a unit
+// are made from these lists. Of the wires around the triangle test, and of those behind `replies`, a core has
+// one list. Operands of a unit
 // have a wire each from the machine that feeds it, with the operands' names; make_core() adds these.
 #pragma once
 
@@ -83,8 +84,38 @@ inline constexpr std::array core_wires{
     Wire{"best_hits", "answer_t", "replies", "answer_t"},
     Wire{"best_hits", "answer_number", "replies", "answer_number"},
     Wire{"best_hits", "answer_failed", "replies", "answer_failed"},
+};
+
+/// An answer that has left frees its ray's number.
+inline constexpr std::array plain_answer_wires{
     Wire{"replies", "freed", "door", "freed"},
     Wire{"replies", "freed_ray", "door", "freed_ray"},
+};
+
+/// With weights: the machine that keeps them stands behind `replies`.
+inline constexpr std::array weight_wires{
+    Wire{"triangle", "out_valid", "weights", "tested"},
+    Wire{"triangle", "hit", "weights", "test_hit"},
+    Wire{"triangle", "out_tag", "weights", "tester"},
+    Wire{"triangle", "det_high", "weights", "det_high"},
+    Wire{"triangle", "det_low", "weights", "det_low"},
+    Wire{"triangle", "u_high", "weights", "u_high"},
+    Wire{"triangle", "u_low", "weights", "u_low"},
+    Wire{"triangle", "v_high", "weights", "v_high"},
+    Wire{"triangle", "v_low", "weights", "v_low"},
+    Wire{"divider", "asked", "weights", "asked"},
+    Wire{"divider", "done", "weights", "done"},
+    Wire{"divider", "closer", "weights", "closer"},
+    Wire{"replies", "hit_valid", "weights", "answer"},
+    Wire{"replies", "hit_tag", "weights", "answer_tag"},
+    Wire{"replies", "hit_failed", "weights", "answer_failed"},
+    Wire{"replies", "hit_number", "weights", "answer_number"},
+    Wire{"replies", "hit_t", "weights", "answer_t"},
+    Wire{"replies", "freed", "weights", "left"},
+    Wire{"replies", "freed_ray", "weights", "left_ray"},
+    Wire{"weights", "takes", "replies", "hit_ready"},
+    Wire{"weights", "freed", "door", "freed"},
+    Wire{"weights", "freed_ray", "door", "freed_ray"},
 };
 
 /// With the unit int_triangle.
@@ -190,6 +221,17 @@ inline constexpr std::array core_pins{
     CorePin{"last", "", "number of the image's last block"},
     CorePin{"most_steps", "", "records that a ray may test, 1 or more"},
     CorePin{"most_rays", "", "rays in flight; it only grows until the next reset"},
+};
+
+/// With weights, answers come from this machine, and these pins are there too.
+inline constexpr std::string_view weights_part = "weights";
+inline constexpr std::array weight_pins{
+    CorePin{"hit_det_high", weights_part, "det, u and v of the hit; weight 1 is |u| / (2^g |det|)"},
+    CorePin{"hit_det_low", weights_part, ""},
+    CorePin{"hit_u_high", weights_part, ""},
+    CorePin{"hit_u_low", weights_part, ""},
+    CorePin{"hit_v_high", weights_part, "weight 2 is |v| / (2^g |det|)"},
+    CorePin{"hit_v_low", weights_part, ""},
 };
 
 /// With floats at the door, the unit `ray`, an int_ray, has the pins of a ray. Its operands are pins too:

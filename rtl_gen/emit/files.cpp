@@ -277,4 +277,12 @@ std::optional<std::vector<File>> draw(const std::vector<File>& schematics) {
   return drawings;
 }
 
+void add_drawings(std::vector<File>& files) {
+  std::vector<File> schematics;
+  for (const File& file : files)
+    if (file.name.ends_with(".dot")) schematics.push_back(file);
+  if (auto drawings = draw(schematics))
+    for (File& drawing : *drawings) files.push_back(std::move(drawing));
+}
+
 }  // namespace hitpipe::rtl

@@ -77,5 +77,7 @@ struct EmittedDesign {
 /// An .svg for each .dot, drawn by Graphviz's dot; nothing when dot is not installed. Throws
 /// std::runtime_error when dot fails.
 [[nodiscard]] std::optional<std::vector<File>> draw(const std::vector<File>& schematics);
+/// Adds what draw() makes of each .dot among the files.
+void add_drawings(std::vector<File>& files);
 
 }  // namespace hitpipe::rtl

@@ -7,6 +7,7 @@
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/machine/cycle_test.hpp"
 #include "rtl_gen/machine/module.hpp"
+#include "rtl_gen/machine/picture.hpp"
 
 namespace hitpipe::rtl {
 
@@ -97,6 +98,7 @@ std::vector<host::File> machine_files(const Machine& machine, const Format& form
   const CycleTest test = cycle_test(graph, *machine.native(format), module, options);
   return {{module + ".v", to_verilog(graph, {.module = module, .bits = to_string(format)})},
           {module + ".json", machine_manifest(graph, machine, format, library, module).dump(2) + "\n"},
+          {module + ".dot", to_dot(graph, fmt::format("{} {}", machine.name, to_string(format)))},
           {"tb/" + module + "_tb.sv", testbench_text(test)},
           {"tb/" + module + "_vectors.hex", vectors_text(test)},
           {"tb/Makefile", testbench_makefile()}};

@@ -34,8 +34,8 @@ struct MachineFilesOptions {
   std::uint64_t seed = 1;
 };
 
-/// MODULE.v, MODULE.json, tb/MODULE_tb.sv, tb/MODULE_vectors.hex, tb/Makefile. The same bytes for the same
-/// arguments. Throws as Machine::graph() and longest_path() do.
+/// MODULE.v, MODULE.json, MODULE.dot, tb/MODULE_tb.sv, tb/MODULE_vectors.hex, tb/Makefile. The same bytes for
+/// the same arguments. Throws as Machine::graph() and longest_path() do.
 [[nodiscard]] std::vector<host::File> machine_files(const Machine& machine, const Format& format,
                                                     const Library& library,
                                                     const MachineFilesOptions& options = {});

@@ -102,17 +102,8 @@ class Rules {
     expect_output(memory_port(memory, "written"), memory.width);
   }
 
-  /// The inputs that a node depends on.
-  std::vector<std::set<std::string>> dependences() const {
-    std::vector<std::set<std::string>> known(graph_.size());
-    for (NodeId id = 0; id < graph_.size(); ++id) {
-      if (graph_[id].op == Op::input) known[id].insert(graph_[id].name);
-      for (const NodeId arg : graph_[id].operands()) known[id].insert(known[arg].begin(), known[arg].end());
-    }
-    return known;
-  }
   void check_paths() {
-    const auto known = dependences();
+    const auto known = dependences(graph_);
     std::set<std::string> outputs, inputs, places, words;
     for (const hls::Field& field : machine_.outputs) outputs.insert(field.name);
     for (const hls::Field& field : machine_.inputs) inputs.insert(field.name);
@@ -145,6 +136,15 @@ void check_format(const Machine& machine, const Format& format) {
 
 }  // namespace
 
+std::vector<std::set<std::string>> dependences(const Graph& graph) {
+  std::vector<std::set<std::string>> known(graph.size());
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    if (graph[id].op == Op::input) known[id].insert(graph[id].name);
+    for (const NodeId arg : graph[id].operands()) known[id].insert(known[arg].begin(), known[arg].end());
+  }
+  return known;
+}
+
 std::string memory_port(const hls::MemoryShape& memory, std::string_view what) {
   return fmt::format("{}_{}", memory.name, what);
 }
@@ -165,9 +165,9 @@ MachineGraph Machine::graph(const Format& format) const {
   return made;
 }
 
-std::unique_ptr<NativeMachine> Machine::native(const Format& format) const {
+std::unique_ptr<NativeMachine> Machine::native(const Format& format, Collision collision) const {
   check_format(*this, format);
-  return native_at(format);
+  return native_at(format, collision);
 }
 
 std::string Machine::module_at(const Format& format) const {

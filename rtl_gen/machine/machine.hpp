@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,15 @@ struct MachineGraph {
 /// depends on an input, and no place of a lookup memory depends on a word that one gives.
 [[nodiscard]] std::vector<std::string> verify(const MachineGraph& machine);
 
+/// Of each node, the inputs of the graph that it depends on.
+[[nodiscard]] std::vector<std::set<std::string>> dependences(const Graph& graph);
+
+/// What a block memory gives when the word is written in the cycle in which it is asked for.
+enum class Collision {
+  old_word,  ///< as machine.hpp says
+  any_word,  ///< as some block RAMs do: a machine that never uses such a word cannot tell
+};
+
 /// A machine as software, one instance. Numbers are the low bits of words, in the order of the graph's names.
 class NativeMachine {
  public:
@@ -53,13 +63,14 @@ struct Machine {
   std::string_view summary;
   Format default_format;
   MachineGraph (*graph_at)(const Format&);
-  std::unique_ptr<NativeMachine> (*native_at)(const Format&);
+  std::unique_ptr<NativeMachine> (*native_at)(const Format&, Collision);
 
   /// As a user writes it. Throws std::runtime_error, one line, that says what is allowed.
   [[nodiscard]] Format parse_format(std::string_view text) const;
   /// Throw std::runtime_error, one line, when there is no such format.
   [[nodiscard]] MachineGraph graph(const Format& format) const;
-  [[nodiscard]] std::unique_ptr<NativeMachine> native(const Format& format) const;
+  [[nodiscard]] std::unique_ptr<NativeMachine> native(const Format& format,
+                                                      Collision collision = Collision::old_word) const;
   /// The name of its Verilog module.
   [[nodiscard]] std::string module_at(const Format& format) const;
 };

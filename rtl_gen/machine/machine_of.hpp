@@ -88,7 +88,9 @@ void set_pattern(hls::SizedInt<S, W>& x, Word pattern, int width) {
 template <class D>
 class HostMemory {
  public:
-  void declare(const hls::MemoryShape& shape) {
+  void declare(const hls::MemoryShape& shape, Collision collision) {
+    spoils_ = collision == Collision::any_word;
+    width_ = shape.width;
     words_.assign(static_cast<std::size_t>(shape.words), 0);
     if (shape.contents != nullptr) std::copy_n(shape.contents, words_.size(), words_.begin());
   }
@@ -111,9 +113,9 @@ class HostMemory {
     place_ = static_cast<std::size_t>(pattern_of(place));
     written_ = pattern_of(word);
   }
-  /// The clock edge. A word that is read while it is written is the old one.
+  /// The clock edge.
   void clock() {
-    word_ = words_[asked_];
+    word_ = spoils_ && writes_ && place_ == asked_ ? ~written_ & ones_below(width_) : words_[asked_];
     if (writes_) words_[place_] = written_;
     writes_ = false;
   }
@@ -129,15 +131,17 @@ class HostMemory {
   std::vector<Word> words_;
   Word word_ = 0, written_ = 0;
   std::size_t asked_ = 0, place_ = 0;
-  bool writes_ = false;
+  int width_ = 0;
+  bool writes_ = false, spoils_ = false;
 };
 
 template <class M, class D, class F>
 class NativeMachineOf final : public NativeMachine {
  public:
-  explicit NativeMachineOf(const F& format) : format_(format) {
-    memories_.for_each(format_, memories_,
-                       [](const hls::MemoryShape& shape, auto& memory) { memory.declare(shape); });
+  NativeMachineOf(const F& format, Collision collision) : format_(format) {
+    memories_.for_each(format_, memories_, [&](const hls::MemoryShape& shape, auto& memory) {
+      memory.declare(shape, collision);
+    });
     state_.for_each(format_, state_, [](const hls::Field& field, auto& x) {
       set_pattern(x, static_cast<Word>(field.reset), field.width);
     });
@@ -210,7 +214,7 @@ MachineGraph traced_machine(const typename M::Bits& format) {
 }
 
 template <class M>
-std::unique_ptr<NativeMachine> native_machine(const typename M::Bits& format) {
+std::unique_ptr<NativeMachine> native_machine(const typename M::Bits& format, Collision collision) {
   using Any = std::conditional_t < requires {
     requires M::wide;
   }
@@ -218,12 +222,12 @@ std::unique_ptr<NativeMachine> native_machine(const typename M::Bits& format) {
   std::unique_ptr<NativeMachine> made;
   const auto choose = [&]<class... F>(hls::FormatList<F...>) {
     ((format == typename M::Bits(F{})
-          ? void(made = std::make_unique<detail::NativeMachineOf<M, hls::Native, F>>(F{}))
+          ? void(made = std::make_unique<detail::NativeMachineOf<M, hls::Native, F>>(F{}, collision))
           : void()),
      ...);
   };
   choose(typename M::BuiltIn());
-  if (!made) made = std::make_unique<detail::NativeMachineOf<M, Any, typename M::Bits>>(format);
+  if (!made) made = std::make_unique<detail::NativeMachineOf<M, Any, typename M::Bits>>(format, collision);
   return made;
 }
 
@@ -234,7 +238,8 @@ Machine machine_of() {
           .summary = M::summary,
           .default_format = Bits{},
           .graph_at = [](const Format& format) { return traced_machine<M>(format.as<Bits>()); },
-          .native_at = [](const Format& format) { return native_machine<M>(format.as<Bits>()); }};
+          .native_at = [](const Format& format,
+                          Collision collision) { return native_machine<M>(format.as<Bits>(), collision); }};
 }
 
 }  // namespace hitpipe::rtl

@@ -160,6 +160,7 @@ std::string to_verilog(const MachineGraph& machine, const MachineModule& options
   if (!machine.memories.empty()) text += "\n  // Memories.\n";
   for (const hls::MemoryShape& memory : machine.memories) {
     const bool late = memory.is_late();
+    if (options.in_block_rams.contains(memory.name)) text += "  (* no_rw_check, ram_style = \"block\" *)\n";
     text += fmt::format("  reg {0}{1} [0:{2}];\n  {3} {0}{4};{5}\n", vector_range(memory.width), memory.name,
                         memory.words - 1, late ? "reg" : "wire", memory_port(memory, "word"),
                         late ? "  // the word that the last cycle asked for" : "");

@@ -72,7 +72,8 @@ std::vector<Word> ray_fields(const rtl::Core& core, const CoreJob& job) {
 }
 
 CoreBench::Places::Places(const rtl::Core& core)
-    : ray_valid(place_of(core, "ray_valid")),
+    : det_high(core.options.weights ? std::optional(place_of(core, "hit_det_high")) : std::nullopt),
+      ray_valid(place_of(core, "ray_valid")),
       ray_ready(place_of(core, "ray_ready")),
       ray_tag(place_of(core, "ray_tag")),
       ray_any(place_of(core, "ray_any")),
@@ -131,6 +132,15 @@ void CoreBench::take_block() {
   inputs_[at_.read_word + 1] = block_->block[1];
   inputs_[at_.read_word + 2] = block_->block[2];
   inputs_[at_.read_word + 3] = block_->block[3];
+}
+
+CoreWeights CoreBench::weights() const {
+  const hls::WorldBits world = core_.options.bits.world();
+  const auto number = [&](std::size_t high, int width) {
+    const Word* const halves = &outputs_[*at_.det_high + high];
+    return rtl::number_of(halves[0] << (width / 2) | halves[1], width);
+  };
+  return {number(0, world.determinant()), number(2, world.edge()), number(4, world.edge())};
 }
 
 void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
@@ -198,6 +208,7 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
       answer = {.hit = {.triangle = static_cast<std::uint32_t>(out(at_.hit_number)),
                         .t = static_cast<std::int64_t>(out(at_.hit_t))},
                 .failed = out(at_.hit_failed) != 0};
+      if (at_.det_high) answer.weights = weights();
       counts_.failed += answer.failed ? 1 : 0;
       in_flight[tag] = nothing;
       --flying;

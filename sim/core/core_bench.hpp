@@ -22,9 +22,14 @@ struct CoreJob {
   ref::Ray ray;
   bool any = false;  ///< any hit will do
 };
+/// What int_triangle says of the hit (hls/world/triangle_operands.hpp).
+struct CoreWeights {
+  ref::Int128 det = 0, u = 0, v = 0;
+};
 struct CoreAnswer {
   ref::IntHit hit;  ///< t is the ray's length where nothing is hit
   bool failed = false;
+  std::optional<CoreWeights> weights{};  ///< of a core that gives them
 };
 
 /// The job's ray as the core is given it: the ports ray_any to ray_length or ray_len, in their order. Throws
@@ -68,6 +73,7 @@ class CoreBench {
  private:
   void show(const CoreJob& job, std::size_t tag);
   void take_block();
+  [[nodiscard]] CoreWeights weights() const;
 
   const rtl::Core& core_;
   rtl::NativeMachine& machine_;
@@ -76,6 +82,7 @@ class CoreBench {
   /// Places of ports among the inputs or the outputs.
   struct Places {
     explicit Places(const rtl::Core& core);
+    std::optional<std::size_t> det_high;  ///< the first of six ports
     std::size_t ray_valid, ray_ready, ray_tag, ray_any, hit_valid, hit_ready, hit_tag, hit_failed, hit_number,
         hit_t, request_valid, request_ready, request_address, request_id, read_valid, read_id, read_word,
         base, last, most_steps, most_rays;

@@ -34,9 +34,9 @@ namespace {
 /// Its pins are clk, rst, the inputs and the outputs.
 class MachineInCore final : public Part {
  public:
-  explicit MachineInCore(const rtl::CorePart& part)
+  MachineInCore(const rtl::CorePart& part, rtl::Collision collision)
       : Part(part),
-        machine_(part.machine->native(part.format)),
+        machine_(part.machine->native(part.format, collision)),
         inputs_(pins_.data() + 2),
         outputs_(inputs_ + part.graph->inputs.size()) {}
   void give() override { machine_->outputs(outputs_); }
@@ -131,10 +131,10 @@ class UnitInCore final : public Part {
 
 }  // namespace core_parts
 
-NativeCore::NativeCore(const rtl::Core& core) {
+NativeCore::NativeCore(const rtl::Core& core, rtl::Collision collision) {
   for (const rtl::CorePart& part : core.parts) {
     if (part.machine != nullptr)
-      parts_.push_back(std::make_unique<core_parts::MachineInCore>(part));
+      parts_.push_back(std::make_unique<core_parts::MachineInCore>(part, collision));
     else
       parts_.push_back(std::make_unique<core_parts::UnitInCore>(part));
   }

@@ -17,7 +17,7 @@ class Part;
 /// Its inputs and outputs are the core's ports, in their order. It shows no registers.
 class NativeCore final : public rtl::NativeMachine {
  public:
-  explicit NativeCore(const rtl::Core& core);
+  explicit NativeCore(const rtl::Core& core, rtl::Collision collision = rtl::Collision::old_word);
   ~NativeCore() override;
   NativeCore& operator=(const NativeCore&) = delete;
 

@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "sw_ref/world/int_ray.hpp"
 #include "sw_ref/world/int_tracer.hpp"
+#include "sw_ref/world/int_triangle.hpp"
 
 namespace hitpipe::sim {
 
@@ -30,6 +32,18 @@ class RecordingTracer final : public ref::Tracer {
   PictureRays& kept_;
 };
 
+/// Whether the answer's weights are those of the triangle that it names.
+bool has_its_weights(const CoreJob& job, const CoreAnswer& answer, const ref::IntScene* of) {
+  if (!answer.weights || !answer.hit.found()) return true;
+  const ref::IntScene& scene = *of;
+  const auto crossing = ref::int_crossing(ref::int_ray(job.ray, scene.bits),
+                                          scene.mesh.triangles[answer.hit.triangle], scene.bits);
+  const auto size = [&](ref::Int128 x, int shift) { return (x < 0 ? -x : x) << shift; };
+  const int g = scene.bits.finer;
+  return crossing && size(answer.weights->det, 2 * g) == crossing->det &&
+         size(answer.weights->u, g) == crossing->e[1] && size(answer.weights->v, g) == crossing->e[2];
+}
+
 }  // namespace
 
 std::uint64_t PictureRays::wrong(std::span<const CoreAnswer> answers) const {
@@ -37,7 +51,7 @@ std::uint64_t PictureRays::wrong(std::span<const CoreAnswer> answers) const {
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const bool same = jobs[i].any ? answers[i].hit.found() == (triangles[i] != ref::IntHit::none)
                                   : answers[i].hit.triangle == triangles[i];
-    if (!same || answers[i].failed) ++count;
+    if (!same || answers[i].failed || !has_its_weights(jobs[i], answers[i], scene)) ++count;
   }
   return count;
 }
@@ -45,6 +59,7 @@ std::uint64_t PictureRays::wrong(std::span<const CoreAnswer> answers) const {
 PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image,
                          const ref::CoreTracerOptions& options, ref::RenderOptions render) {
   PictureRays kept;
+  kept.scene = &scene;
   const RecordingTracer tracer(image, options, kept);
   const ref::IntSurfaces surfaces(scene);
   render.surfaces = &surfaces;

@@ -15,17 +15,20 @@
 namespace hitpipe::sim {
 
 struct PictureRays {
+  const ref::IntScene* scene = nullptr;  ///< that it shows; only weights are compared with it
   std::vector<CoreJob> jobs;
   std::vector<std::uint32_t> triangles;  ///< by job, as TraceJob::triangles
   ref::TraceCounts work;
   std::vector<glm::vec3> image;  ///< that software's answers make; linear
   std::uint64_t restarts = 0;
 
-  /// How many answers are not software's: the triangle, or for any hit whether there is one; or failed.
+  /// How many answers are not software's: the triangle, or for any hit whether there is one; or failed, or
+  /// with weights that are not those of its triangle.
   [[nodiscard]] std::uint64_t wrong(std::span<const CoreAnswer> answers) const;
 };
 
-/// Renders the picture with one thread, so the rays are in one order. `image` is of `scene`. Throws as
+/// Renders the picture with one thread, so the rays are in one order. `image` is of `scene`, which must
+/// outlive the result where answers have weights. Throws as
 /// render() and CoreTracer do.
 [[nodiscard]] PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image,
                                        const ref::CoreTracerOptions& options, ref::RenderOptions render);

@@ -126,6 +126,25 @@ TEST_P(CoreWith, AnswersAndReadsAsSoftwareDoes) {
   expect_right(picture, bench, answers);
 }
 
+/// A block RAM may give any word that is read while it is written. No machine of a core uses one.
+TEST_P(CoreWith, NeedsNoWordThatIsReadWhileItIsWritten) {
+  const Kind& kind = GetParam();
+  const Picture picture(1 << kind.stack_bits, 24);
+  for (const int triangle_interval : {4, 0}) {
+    rtl::CoreOptions options = options_of(kind.rays, kind.stack_bits);
+    options.triangle_interval = triangle_interval;
+    const rtl::Core core = rtl::make_core(options, library());
+    NativeCore usual(core), spoilt(core, rtl::Collision::any_word);
+    std::vector<CoreAnswer> answers(picture.rays.jobs.size());
+    CoreBench bench(core, usual, picture.image, kind.memory, far_image);
+    bench.run(picture.rays.jobs, answers);
+    CoreBench spoilt_bench(core, spoilt, picture.image, kind.memory, far_image);
+    spoilt_bench.run(picture.rays.jobs, answers);
+    expect_right(picture, spoilt_bench, answers);
+    EXPECT_EQ(spoilt_bench.counts().cycles, bench.counts().cycles);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Memories, CoreWith,
     testing::Values(Kind{"AtOnce", 128, 3, {.least_latency = 1, .most_latency = 1}},
@@ -141,6 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
 struct Form {
   hls::RayBits bits;
   int triangle_interval = 4;  ///< 0: one multiplier
+  bool weights = false;
 };
 
 /// In every format: with a fraction of T and of box distances, and with the smallest numbers.
@@ -153,12 +173,14 @@ TEST_P(CoreInVerilog, IsTheSameInEveryCycle) {
   options.bits = format;
   options.tag_bits = 4;
   options.triangle_interval = GetParam().triangle_interval;
+  options.weights = GetParam().weights;
   const rtl::Core core = rtl::make_core(options, library());
   BothCores both(core, rtl::to_verilog(core, library()));
   CoreBench bench(core, both, picture.image, {.least_latency = 1, .most_latency = 60, .refused_percent = 20},
                   far_image);
   std::vector<CoreAnswer> answers(picture.rays.jobs.size());
   bench.run(picture.rays.jobs, answers);
+  EXPECT_EQ(answers.front().weights.has_value(), options.weights);
   EXPECT_EQ(both.first_difference, "");
   EXPECT_EQ(picture.rays.wrong(answers), 0U);
   EXPECT_EQ(bench.counts().records, picture.rays.work.nodes_loaded);
@@ -171,7 +193,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, CoreInVerilog,
                                          Form{{24, 1, 14, 1, 24, 1}, 0}),
                          [](const auto& each) {
                            return rtl::Format(each.param.bits).identifier() +
-                                  (each.param.triangle_interval == 0 ? "_serial" : "");
+                                  (each.param.triangle_interval == 0 ? "_serial" : "") +
+                                  (each.param.weights ? "_weights" : "");
                          });
 
 /// Rays that a unit int_ray in the core makes integers, among some that are no rays.

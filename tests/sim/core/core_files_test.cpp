@@ -87,7 +87,9 @@ INSTANTIATE_TEST_SUITE_P(Kinds, CoreFiles,
                                                .stack_bits = 1,
                                                .levels = 24,
                                                .triangle_interval = 0,
-                                               .clock_ps = 40'000}},
+                                               .clock_ps = 40'000,
+                                               .block_rams = 26}},
+                                         Kind{"Weights", {.bits = {12, 1, 7, 0, 12, 0}, .weights = true}},
                                          Kind{"HalfABlock",
                                               {.bits = {12, 1, 7, 0, 12, 0}, .rays = 40, .data_bits = 128}},
                                          Kind{"InOrder", {.bits = {8, 0, 4, 0, 8, 0}, .in_order = true}},
@@ -149,6 +151,7 @@ TEST(Core, RefusesOptions) {
   EXPECT_EQ(said({.rays = 257}), "rays in flight 257: allowed is 1 to 256");
   EXPECT_EQ(said({.address_bits = 28}), "bits of an address 32: allowed is 33 to 64");
   EXPECT_EQ(said({.triangle_interval = 2}), "cycles from triangle to triangle 2: allowed is 3 to 64");
+  EXPECT_THAT(said({.triangle_interval = 0, .weights = true}), HasSubstr("not with the serial test"));
   EXPECT_THAT(said({.bits = {25, 1, 11, 0, 20, 0}}), HasSubstr("core: there is no format 25+1/11s20"));
 }
 
