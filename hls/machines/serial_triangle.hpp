@@ -211,73 +211,26 @@ struct SerialTriangle {
                                          (has<D, program::checks_num>(code) & negative)));
     const Bit hits = as("hits", state.multiplied & has<D, program::checks_num>(code) & ~negative);
     const Bit ends = as("ends", misses | hits);
-    const Bit begins = as("begins", state.queue.ready & ~state.works);
     const Bit leaves = as("leaves", (state.tested & ~state.hit) | state.answers);
 
     store<D>(format, state, memories);
-
-    // The accumulator: a sum, or twice the remainder with |det| taken away or added.
-    const auto quotient_bits = format.distance();
-    const auto sum_bits = sum_width(format);
-    const auto num = slice(state.sum, format.volume() - 2_w, 0_w);  // if it is hit
-    const auto whole = cat(num, D::lit(0, format.slope + format.fraction));
-    const auto first_remainder =
-        resize(as_signed(cat(D::lit(0, 1_w), slice(whole, width_of(whole) - 1_w, quotient_bits))), sum_bits);
-    const auto brings_down = format.slope + format.fraction < quotient_bits;  // else all that is left is 0
     const Bit divides = as("divides", any<D>(state.left));
-    const auto digit = either(
-        brings_down, state.quotient, [&](const auto& q) { return bit_at(q, quotient_bits - 1_w); },
-        [&](const auto&) { return D::lit(0, 1_w); });
-    const auto word = word_width(format);
-    const auto raised = cat(slice(state.sum, sum_bits - word, 0_w), D::lit(0, word - 1_w));
-    const auto doubled = cat(slice(state.sum, sum_bits - 2_w, 0_w), digit);
-    const auto moved =
-        select(divides, doubled, select(has<D, program::raises>(code), raised, as_unsigned(state.sum)));
-    const auto kept = select(hits, as_unsigned(first_remainder), moved);
-    const Bit drops = as("drops", has<D, program::begins>(code) & ~divides);
-    const auto base = kept & spread(Bit(~drops), sum_bits);
-    const auto change =
-        as("change", select(divides, resize(state.det, sum_bits), resize(state.product, sum_bits)));
-    // num is made positive if it is a hit's: det's sign, the other one if the direction is negative.
-    const Bit turns = has<D, program::turns>(code) & ~(Bit(sign(state.det)) ^ triangle.back_m);
-    const Bit minus = as("minus", select(divides, same, Bit(has<D, program::subtracts>(code) ^ turns)));
-    const auto doubly = as_signed(cat(base, D::lit(1, 1_w))) +
-                        as_signed(cat(change ^ as_signed(spread(minus, sum_bits)), minus));
-    const auto sum = as("sum_next", as_signed(slice(doubly, sum_bits, 1_w)));
-
-    const auto next_quotient = cat(slice(state.quotient, quotient_bits - 2_w, 0_w), Bit(~Bit(sign(sum))));
-    const auto t = state.quotient;
-    state.closer = Bit(cat(t, in.number) < cat(in.best, in.best_number));
-    state.quotient =
-        change_if(brings_down, select(divides, next_quotient, state.quotient),
-                  [&](const auto& q) { return select(hits, slice(whole, quotient_bits - 1_w, 0_w), q); });
+    const auto sum = as("sum_next", next_sum<D>(format, state, hits, divides, same, triangle.back_m));
+    state.closer = Bit(cat(state.quotient, in.number) < cat(in.best, in.best_number));
+    state.quotient = next_quotient<D>(format, state, hits, divides, sum);
+    state.answers = state.compares;
+    state.compares = as("last", Bit(state.left == D::lit(1, left_width(format))));
+    state.left = select(hits, D::lit(format.distance(), left_width(format)),
+                        resize(as_unsigned(state.left - divides), left_width(format)));
     state.det = select(Bit(state.multiplied & has<D, program::checks_det>(code)),
                        as_signed(slice(state.sum, format.determinant() - 1_w, 0_w)), state.det);
     state.sum = sum;
     state.product = product_of<D>(format, state.code_2, triangle, memories);
-    state.answers = state.compares;
-    state.compares = as("last", Bit(state.left == D::lit(1, left_width(format))));
-    state.left = select(hits, D::lit(quotient_bits, left_width(format)),
-                        resize(as_unsigned(state.left - divides), left_width(format)));
 
-    // The next instruction.
-    const auto place_bits = width_of(state.place);
-    const auto instruction = memories.instructions.word(Widths<F>::instruction_of(format));
-    memories.instructions.ask(state.place);
-    state.place =
-        select(state.fetches, resize(state.place + D::lit(1, 1_w), place_bits), D::lit(0, place_bits));
-    const Bit goes_on = ~ends;
-    state.multiplied = state.reads_words & goes_on;
-    state.reads_words = state.fetched & goes_on;
-    state.fetched = state.fetches & goes_on;
-    state.fetches = begins | (state.fetches & goes_on);
-    state.code_3 = state.code_2;
-    state.code_2 = instruction;
-    memories.words_0.ask(part_of<program::first_place, program::place_bits>(instruction));
-    memories.words_1.ask(part_of<program::second_place, program::place_bits>(instruction));
+    fetch(format, state, as("begins", state.queue.ready & ~state.works), ends, memories);
     state.tested = ends;
     state.hit = hits;
-    state.works = begins | (state.works & ~leaves);
+    state.works = (state.queue.ready & ~state.works) | (state.works & ~leaves);
     state.queue.step(format, in.triangle, leaves, memories.queue);
   }
 
@@ -289,6 +242,73 @@ struct SerialTriangle {
   template <int At, int Bits, class Code>
   static constexpr auto part_of(const Code& code) {
     return slice(code, Width<At + Bits - 1>(), Width<At>());
+  }
+
+  /// The next instruction, and the words of the one that has come.
+  template <class F, class State, class Bit, class Memory>
+  static constexpr void fetch(const F& format, State& state, const Bit& begins, const Bit& ends,
+                              Memories<Memory>& memories) {
+    const auto place_bits = width_of(state.place);
+    const auto instruction = memories.instructions.word(Widths<F>::instruction_of(format));
+    memories.instructions.ask(state.place);
+    state.place = resize(state.place + state.fetches, place_bits) & spread(state.fetches, place_bits);
+    state.multiplied = state.reads_words & ~ends;
+    state.reads_words = state.fetched & ~ends;
+    state.fetched = state.fetches & ~ends;
+    state.fetches = begins | (state.fetches & ~ends);
+    state.code_3 = state.code_2;
+    state.code_2 = instruction;
+    memories.words_0.ask(part_of<program::first_place, program::place_bits>(instruction));
+    memories.words_1.ask(part_of<program::second_place, program::place_bits>(instruction));
+  }
+
+  /// |num| 2^(S+F), if it is a hit.
+  template <class D, class F>
+  static constexpr auto dividend(const F& format, const State<D, F>& state) {
+    return cat(slice(state.sum, format.volume() - 2_w, 0_w), D::lit(0, format.slope + format.fraction));
+  }
+
+  /// The accumulator: a sum; or twice the remainder, with |det| taken away or added.
+  template <class D, class F, class Bit>
+  static constexpr auto next_sum(const F& format, const State<D, F>& state, const Bit& hits,
+                                 const Bit& divides, const Bit& same, const Bit& back_m) {
+    const auto& code = state.code_3;
+    const auto bits = sum_width(format);
+    const auto quotient_bits = format.distance();
+    const auto word = word_width(format);
+    const auto whole = dividend<D>(format, state);
+    const auto remainder =
+        resize(as_signed(cat(D::lit(0, 1_w), slice(whole, width_of(whole) - 1_w, quotient_bits))), bits);
+    const auto digit = either(
+        brings_down(format), state.quotient, [&](const auto& q) { return bit_at(q, quotient_bits - 1_w); },
+        [&](const auto&) { return D::lit(0, 1_w); });
+    const auto raised = cat(slice(state.sum, bits - word, 0_w), D::lit(0, word - 1_w));
+    const auto doubled = cat(slice(state.sum, bits - 2_w, 0_w), digit);
+    const auto moved =
+        select(divides, doubled, select(has<D, program::raises>(code), raised, as_unsigned(state.sum)));
+    const Bit drops = as("drops", has<D, program::begins>(code) & ~divides);
+    const auto base = select(hits, as_unsigned(remainder), moved) & spread(Bit(~drops), bits);
+    const auto change = as("change", select(divides, resize(state.det, bits), resize(state.product, bits)));
+    // num is made positive if it is a hit's: det's sign, the other one if the direction is negative.
+    const Bit turns = has<D, program::turns>(code) & ~(Bit(sign(state.det)) ^ back_m);
+    const Bit minus = as("minus", select(divides, same, Bit(has<D, program::subtracts>(code) ^ turns)));
+    const auto sum =
+        as_signed(cat(base, D::lit(1, 1_w))) + as_signed(cat(change ^ as_signed(spread(minus, bits)), minus));
+    return as_signed(slice(sum, bits, 1_w));
+  }
+  /// The low bits of the dividend enter the remainder; else they are 0.
+  template <class F>
+  static constexpr auto brings_down(const F& format) {
+    return format.slope + format.fraction < format.distance();
+  }
+  template <class D, class F, class Bit, class Sum>
+  static constexpr auto next_quotient(const F& format, const State<D, F>& state, const Bit& hits,
+                                      const Bit& divides, const Sum& remainder) {
+    const auto bits = format.distance();
+    const auto longer = cat(slice(state.quotient, bits - 2_w, 0_w), Bit(~Bit(sign(remainder))));
+    return change_if(brings_down(format), select(divides, longer, state.quotient), [&](const auto& q) {
+      return select(hits, slice(dividend<D>(format, state), bits - 1_w, 0_w), q);
+    });
   }
 
   /// What an instruction adds: a product of two words, or a word from outside.

@@ -1,5 +1,6 @@
 #include "rtl_gen/core/files.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "rtl_gen/core/axi.hpp"
 #include "rtl_gen/core/c_header.hpp"
 #include "rtl_gen/core/picture.hpp"
+#include "rtl_gen/core/wires.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 
@@ -17,11 +19,14 @@ namespace hitpipe::rtl {
 
 namespace {
 
-/// Outputs beside a valid bit mean nothing without it.
-std::string valid_of(std::string_view output) {
+/// Outputs beside a valid bit mean nothing without it, and weights nothing without a hit.
+std::string meaning_of(std::string_view output) {
+  const auto is_output = [&](const CorePin& pin) { return pin.name == output; };
+  if (std::any_of(weight_pins.begin(), weight_pins.end(), is_output))
+    return "want_hit_valid && !want_hit_failed && want_hit_number != 32'hffffffff";
   for (const std::string_view channel : {"hit", "request"})
     if (output.substr(0, output.find('_')) == channel && !output.ends_with("_valid"))
-      return fmt::format("{}_valid", channel);
+      return fmt::format("want_{}_valid", channel);
   return "";
 }
 
@@ -35,7 +40,7 @@ CycleTest test_of(const Core& core, std::vector<MachineCycle> cycles) {
     if (port.pin.is_input)
       test.inputs.push_back({port.pin.name, port.pin.width});
     else
-      test.outputs.push_back({port.pin.name, port.pin.width, valid_of(port.pin.name)});
+      test.outputs.push_back({port.pin.name, port.pin.width, meaning_of(port.pin.name)});
   }
   return test;
 }

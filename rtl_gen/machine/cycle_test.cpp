@@ -41,7 +41,7 @@ std::string comparisons(const std::vector<CycleTest::Pin>& pins, const std::stri
         "      if ({2}{0}{1} !== want_{1}) begin\n"
         "        $display(\"FAIL cycle %0d: {1} is %h, expected %h\", i, {0}{1}, want_{1});\n"
         "        $fatal;\n      end\n",
-        owner, pin.name, pin.when.empty() ? "" : fmt::format("want_{} && ", pin.when));
+        owner, pin.name, pin.when.empty() ? "" : fmt::format("{} && ", pin.when));
   return text;
 }
 

@@ -20,7 +20,7 @@ struct CycleTest {
   struct Pin {
     std::string name;
     int width;
-    std::string when{};  ///< of an output: it means something where this output is 1; empty: always
+    std::string when{};  ///< of an output: it means something where this holds, "want_valid"; empty: always
   };
 
   std::string module;

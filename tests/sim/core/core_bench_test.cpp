@@ -190,7 +190,8 @@ TEST_P(CoreInVerilog, IsTheSameInEveryCycle) {
 INSTANTIATE_TEST_SUITE_P(Formats, CoreInVerilog,
                          testing::Values(Form{bits}, Form{hls::RayBits{}}, Form{{16, 2, 9, -1, 14, 3}},
                                          Form{{24, 1, 14, 1, 24, 1}}, Form{{8, 0, 4, 0, 8, 0}}, Form{bits, 0},
-                                         Form{{24, 1, 14, 1, 24, 1}, 0}),
+                                         Form{{24, 1, 14, 1, 24, 1}, 0}, Form{bits, 4, true},
+                                         Form{{24, 3, 14, 0, 32, 0}, 7, true}),
                          [](const auto& each) {
                            return rtl::Format(each.param.bits).identifier() +
                                   (each.param.triangle_interval == 0 ? "_serial" : "") +
