@@ -29,4 +29,5 @@ set(HITPIPE_MACHINES
   registers
   requests
   beats
+  scene_memory
 )

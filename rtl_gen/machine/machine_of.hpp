@@ -53,6 +53,11 @@ class TracedMemory {
     output("place", place);
     output("written", word);
   }
+  template <class Place, class Written>
+  void access(const Trace::bit& writes, const Place& place, const Written& word) {
+    assert(shape_.kind == hls::MemoryKind::single);
+    write(writes, place, word);
+  }
 
  private:
   template <class X>
@@ -111,9 +116,15 @@ class HostMemory {
     place_ = static_cast<std::size_t>(pattern_of(place));
     written_ = pattern_of(word);
   }
+  template <class Place, class Written>
+  void access(const typename D::bit& writes, const Place& place, const Written& word) {
+    write(writes, place, word);
+    if (!writes_) ask(place);
+    holds_ = writes_;
+  }
   /// The clock edge. A word that is read while it is written is the old one.
   void clock() {
-    word_ = words_[asked_];
+    if (!holds_) word_ = words_[asked_];
     if (writes_) words_[place_] = written_;
     writes_ = false;
   }
@@ -130,6 +141,7 @@ class HostMemory {
   Word word_ = 0, written_ = 0;
   std::size_t asked_ = 0, place_ = 0;
   bool writes_ = false;
+  bool holds_ = false;  ///< it keeps the word that it gives: its one port writes
 };
 
 template <class M, class D, class F>
