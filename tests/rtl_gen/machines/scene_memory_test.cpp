@@ -10,7 +10,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "rtl_gen/machine/module.hpp"
 #include "tests/rtl_gen/machines/named_ports.hpp"
+#include "tests/rtl_gen/text.hpp"
+#include "tests/rtl_gen/tool.hpp"
 
 namespace hitpipe::rtl::scene_memory_test {
 namespace {
@@ -107,6 +110,17 @@ TEST(SceneMemory, BlockTakesFourCycles) {
   Traffic traffic(5);
   for (int i = 0; i < 4001; ++i) traffic.cycle(8, 0);
   EXPECT_EQ(traffic.blocks(), 1000);
+}
+
+/// All of the single-port memory of an iCE40 UP5K, and no block RAM.
+TEST(SceneMemory, IsTheLargeMemoryOfAChip) {
+  const Format format = hls::SceneMemoryBits{};
+  const ScratchFolder folder;
+  write_text(folder / "memory.v",
+             to_verilog(machine_called("scene_memory")->graph(format), {.module = "memory"}));
+  expect_silence(folder.path(), "yosys",
+                 "-q -p 'read_verilog memory.v; synth_ice40 -device u -top memory; "
+                 "select -assert-count 4 t:SB_SPRAM256KA; select -assert-none t:SB_RAM40_4K'");
 }
 
 }  // namespace
