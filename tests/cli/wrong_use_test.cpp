@@ -328,6 +328,7 @@ TEST_F(WrongUseOf, Words) {
 TEST_F(WrongUseOf, TargetsAndBoards) {
   const std::string named = "implement: name a design and a --target, or a --board";
   const std::string on_board = "implement --out OUT --board ";
+  const std::string of_number = "--clock-ps auto: allowed with a unit; of a core give a number";
   const std::string on_chip = "implement int_slabs --bits 6/6 --out OUT --target ";
   const std::string of_core = ": core is a core; allowed with one are design, --bits, --target...";
   rejected(
@@ -352,12 +353,11 @@ TEST_F(WrongUseOf, TargetsAndBoards) {
        {"implement core --out OUT --target xc7 --simulate 9", "--simulate" + of_core},
        {"implement core --out OUT --target xc7 --flow-control none", "--flow-control" + of_core},
        {"implement core --out OUT --target xc7 --ii 2", "--ii" + of_core},
-       {"implement core --out OUT --target xc7 --clock-ps auto", "--clock-ps" + of_core},
+       {"implement core --out OUT --target xc7 --clock-ps auto", of_number},
        {"implement core --out OUT --board icebreaker --rays 3",
         "--rays: core is the core of the board; allowed with one are design, --bits, --board, --baud, --out, "
         "--library, --name, --seeds, --format, --clock-ps"},
-       {"implement core --out OUT --board icebreaker --clock-ps auto",
-        "--clock-ps auto: allowed with a unit"},
+       {"implement core --out OUT --board icebreaker --clock-ps auto", of_number},
        {"implement core --out OUT --target ice40_hx --seeds 1",
         "--seeds 1: no chip that is placed has room for a core; allowed is 0"},
        {on_chip + "xc7 --seeds 101", "--seeds: Value 101 not in range 0 to 100;"},
