@@ -30,4 +30,5 @@ set(HITPIPE_MACHINES
   registers
   requests
   beats
+  scene_memory
 )

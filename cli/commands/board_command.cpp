@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/board_core.hpp"
+#include "cli/commands/cores.hpp"
+#include "cli/commands/machines.hpp"
 #include "cli/options/board_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/scene_options.hpp"
@@ -40,6 +43,7 @@ struct BoardCommand {
   std::uint64_t tests = 10'000;
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> only;
+  std::string out;  ///< of a core's picture; empty: no picture is written
   OutputFormat format = OutputFormat::text;
 };
 
@@ -162,6 +166,27 @@ int simulate(const BoardCommand& command) {
   return 0;
 }
 
+int core_command(const BoardCommand& command, const CLI::App& parsed) {
+  const BoardCore core{.bits = command.choice.bits,
+                       .board = command.board,
+                       .port = command.port,
+                       .scene = command.scene,
+                       .out = command.out,
+                       .format = command.format};
+  std::vector<std::string> allowed{"design", "--bits", "--board", "--format"};
+  if (command.simulate) {
+    allowed.emplace_back("--simulate");
+    allow_only(parsed, "core is simulated", allowed);
+    return simulate_core(core);
+  }
+  allowed.insert(allowed.end(), {"--port", "--baud", "--scene", "--triangles", "--eye", "--target", "--up",
+                                 "--fov", "--orthographic", "--perspective", "--light", "--sun", "--width",
+                                 "--height", "--threads", "--out"});
+  allow_only(parsed, "core is a core", allowed);
+  if (core.scene.name.empty()) throw std::runtime_error("board core: give a --scene");
+  return trace_by_board(core);
+}
+
 }  // namespace
 
 CLI::App* add_board_command(CLI::App& program, int& exit_code) {
@@ -170,8 +195,8 @@ CLI::App* add_board_command(CLI::App& program, int& exit_code) {
   const auto options = std::make_shared<BoardCommand>();
   add_design_options(*command, options->choice);
   command->get_option("design")->required(false)->description(
-      "A name that `hitpipe list designs` shows. Default: the unit that `hitpipe implement` puts on the "
-      "board");
+      "A name that `hitpipe list designs` shows, or core. Default: the unit that `hitpipe implement` puts on "
+      "the board");
   const CLI::Option* const port =
       command->add_option("--port", options->port, "The board's serial port, for example /dev/ttyUSB1")
           ->type_name("DEVICE");
@@ -190,10 +215,19 @@ CLI::App* add_board_command(CLI::App& program, int& exit_code) {
   add_scene_options(*command, options->scene);
   command->get_option("--scene")->required(false);
   add_bounces_option(*command, options->light);
+  add_folder_option(
+      *command, options->out,
+      "Of a core: folder for the picture that the answers make, SCENE.png; written when all are "
+      "right");
   add_format_option(*command, options->format);
-  command->callback([options, &exit_code] {
+  command->callback([options, command, &exit_code] {
     if (!options->simulate && options->port.empty())
       throw std::runtime_error("board: give the board's --port, or --simulate to be one");
+    if (options->choice.name == core_name) {
+      exit_code = core_command(*options, *command);
+      return;
+    }
+    refuse_core_options(*command, {"--out"});
     exit_code = options->simulate ? simulate(*options) : stream(*options);
   });
   return command;

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
+#include "cli/commands/board_chips.hpp"
 #include "cli/commands/cores.hpp"
 #include "cli/commands/machines.hpp"
 #include "cli/options/board_options.hpp"
@@ -20,7 +21,6 @@
 #include "host/text.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
-#include "sim/implement/board_implementation.hpp"
 #include "sim/implement/clocks.hpp"
 #include "sim/implement/fitting_option.hpp"
 #include "sim/implement/unit_implementation.hpp"
@@ -131,51 +131,6 @@ std::string clock_table(const std::vector<TriedClock>& tried) {
     if (row["fmax_mhz"].is_null()) row["fmax_mhz"] = "-";
   }
   return table_text(rows, OutputFormat::text) + below + "\n";
-}
-
-/// Why there is no bitstream.
-std::string obstacle(const sim::Implementation& chip, const rtl::Board& board) {
-  if (const std::string excess = chip.excess(); !excess.empty()) return "does not fit: " + excess;
-  if (chip.placed->seeds.empty()) return "does not fit: " + chip.placed->why_not;
-  return fmt::format("reaches {:.2f} MHz, and the board's clock has {:.2f}", chip.placed->best().fmax_mhz,
-                     board.clock_hz / 1e6);
-}
-
-/// A bitstream, and what the whole chip takes. The board's usual unit when the choice names none. Returns the
-/// exit code.
-int implement_on_board(const DesignChoice& choice, const BoardChoice& board_choice,
-                       const sim::ImplementOptions& given, OutputFormat format) {
-  const rtl::Board board = board_choice.board();
-  const DesignChoice unit = board_choice.unit(choice);
-  const rtl::Design& design = unit.design();
-  const int baud = board_choice.baud.value_or(board.baud);
-  std::optional<Progress> progress;
-  sim::ImplementOptions options = given;
-  options.progress = [&](const std::string& step) { progress.emplace(step); };
-  const sim::BoardImplementation made = sim::implement_board(design, unit.format(), board, baud, options);
-  progress.reset();
-
-  const sim::Implementation& chip = made.chip;
-  const bool placed = chip.placed && !chip.placed->seeds.empty();
-  Row row{{"design", design.name},   {"bits", rtl::to_string(unit.format())},
-          {"board", board.name},     {"target", board.target},
-          {"library", chip.library}, {"module", chip.module},
-          {"latency", chip.latency}};
-  for (const sim::ResourceCount& count : chip.counts) row[count.name] = count.used;
-  row.update({{"seeds", placed ? Row(chip.placed->seeds.size()) : Row(nullptr)},
-              {"fmax_mhz", placed ? rounded(chip.placed->median().fmax_mhz) : Row(nullptr)},
-              {"fmax_best_mhz", placed ? rounded(chip.placed->best().fmax_mhz) : Row(nullptr)},
-              {"clock_mhz", rounded(board.clock_hz / 1e6)},
-              {"baud", baud},
-              {"bitstream", made.bitstream ? Row(made.bitstream->string()) : Row(nullptr)},
-              {"bitstream_bytes", made.bitstream ? Row(fs::file_size(*made.bitstream)) : Row(nullptr)},
-              {"tools", fmt::format("{}", fmt::join(chip.tools, "; "))}});
-  fmt::print("{}", record_text(row, format));
-  if (!chip.drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
-  if (made.bitstream) return 0;
-  fmt::print(stderr, "hitpipe: {} {} on {} {}\n", design.name, rtl::to_string(unit.format()), board.name,
-             obstacle(chip, board));
-  return 1;
 }
 
 void check_named(const ImplementCommand& command) {
@@ -305,6 +260,17 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
     if (options->choice.name != core_name) {
       refuse_core_options(*command, of_core);
       exit_code = implement(*options);
+      return;
+    }
+    if (!options->board.name.empty()) {
+      allow_only(*command, "core is the core of the board",
+                 {"design", "--bits", "--board", "--baud", "--out", "--library", "--name", "--seeds",
+                  "--format", "--clock-ps"});
+      if (options->tries_clocks)
+        throw std::runtime_error("--clock-ps auto: allowed with a unit; of a core give a number");
+      options->options.folder = options->out;
+      exit_code =
+          implement_core_on_board(options->choice.bits, options->board, options->options, options->format);
       return;
     }
     std::vector<std::string> allowed{"design", "--bits",  "--target", "--out",     "--library",

@@ -15,6 +15,9 @@
 //   memory.read(place, width)   kind lookup: the word at that place, in the same cycle
 //   memory.ask(place)           kinds block and rom: which word the next cycle wants
 //   memory.word(width)          kinds block and rom: the word that the last cycle asked for
+// A memory of kind single has one port for both:
+//   memory.access(writes, place, word)  writes the word if `writes` is 1, else asks for that at the place
+//   memory.word(width)                  the word that the last cycle without a write asked for
 #pragma once
 
 #include <cstdint>
@@ -43,6 +46,7 @@ enum class MemoryKind {
   lookup,  ///< small: lookup tables of a chip, or registers
   block,   ///< large: a chip's block RAM
   rom,     ///< read as a block memory; it is never written
+  single,  ///< very large: writes or reads a word in a cycle, as the single-port memory of a chip does
 };
 
 struct MemoryShape {
@@ -57,6 +61,7 @@ struct MemoryShape {
   constexpr bool is_written() const { return kind != MemoryKind::rom; }
   constexpr const char* kind_name() const {
     if (kind == MemoryKind::rom) return "rom";
+    if (kind == MemoryKind::single) return "single";
     return kind == MemoryKind::block ? "block" : "lookup";
   }
 };

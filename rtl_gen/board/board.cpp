@@ -11,6 +11,7 @@
 
 #include "host/text.hpp"
 #include "rtl_gen/board/top.hpp"
+#include "rtl_gen/catalogue/format.hpp"
 
 namespace hitpipe::rtl {
 
@@ -20,6 +21,23 @@ namespace {
 constexpr int least_clocks_per_bit = 4;
 // Ten bits in a row must not drift by half a bit: each side may be off by this much.
 constexpr double most_baud_error = 0.02;
+
+/// The core whose image lies in a memory of the chip (rtl_gen/board/core_top.hpp). Its triangle test is the
+/// small one.
+CoreOptions core_of(const nlohmann::ordered_json& json) {
+  CoreOptions core;
+  core.bits = parse_bits<hls::RayBits>(json.at("bits").get<std::string>());
+  core.rays = json.at("rays").get<int>();
+  core.stack_bits = json.at("stack_bits").get<int>();
+  core.levels = json.at("levels").get<int>();
+  core.address_bits = json.at("address_bits").get<int>();
+  core.byte_bits = core.address_bits + 5;
+  core.tag_bits = 8;
+  core.triangle_interval = 0;
+  core.clock_ps = json.at("clock_ps").get<int>();
+  core.block_rams = json.at("block_rams").get<int>();
+  return core;
+}
 
 }  // namespace
 
@@ -66,6 +84,7 @@ Board parse_board(const BoardFile& file) {
     board.baud = json.at("baud").get<int>();
     for (const auto& [port, pin] : json.at("pins").items())
       board.pins.push_back({port, pin.is_string() ? pin.get<std::string>() : pin.dump()});
+    if (json.contains("core")) board.core = core_of(json.at("core"));
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(fmt::format("board {}: {}", file.name, error.what()));
   }

@@ -1,12 +1,15 @@
-// A circuit board on which a unit can run: its chip, its clock and its pins. Each file boards/NAME.json is
-// compiled in under the name NAME; there is no list of them.
+// A circuit board on which a unit or a core can run: its chip, its clock and its pins. Each file
+// boards/NAME.json is compiled in under the name NAME; there is no list of them.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "rtl_gen/core/core.hpp"
 
 namespace hitpipe::rtl {
 
@@ -33,6 +36,8 @@ struct Board {
   int clock_hz = 0;
   int baud = 0;  ///< of the serial line, unless the user chooses another
   std::vector<BoardPin> pins;
+  /// The usual core on it, whose image a memory of the chip has room for; of a chip without one nothing.
+  std::optional<CoreOptions> core;
 
   /// The clock period for which units are scheduled here, in ps: half of the board's. The other half is for
   /// wires, whose delays a component library only guesses. A shorter one would only cost registers.

@@ -92,7 +92,8 @@ class Rules {
     }
     const int place_bits = std::countr_zero(words);
     expect_input(memory_port(memory, "word"), memory.width);
-    expect_output(memory_port(memory, memory.is_late() ? "asked" : "read"), place_bits);
+    if (memory.kind != hls::MemoryKind::single)
+      expect_output(memory_port(memory, memory.is_late() ? "asked" : "read"), place_bits);
     if (!memory.is_written()) {
       if (memory.contents == nullptr) add("{} is never written, and has no contents", memory.name);
       return;

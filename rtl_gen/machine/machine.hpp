@@ -23,7 +23,7 @@ struct MachineGraph {
   std::vector<hls::MemoryShape> memories;
   /// Inputs: the state, the inputs, and MEMORY_word of each memory. Outputs: next_REGISTER, the outputs, and
   /// of each memory MEMORY_asked or MEMORY_read (the place that is read), MEMORY_writes, MEMORY_place and
-  /// MEMORY_written.
+  /// MEMORY_written. A memory of kind single reads at MEMORY_place.
   Graph graph;
 };
 

@@ -53,6 +53,11 @@ class TracedMemory {
     output("place", place);
     output("written", word);
   }
+  template <class Place, class Written>
+  void access(const Trace::bit& writes, const Place& place, const Written& word) {
+    assert(shape_.kind == hls::MemoryKind::single);
+    write(writes, place, word);
+  }
 
  private:
   template <class X>
@@ -113,9 +118,16 @@ class HostMemory {
     place_ = static_cast<std::size_t>(pattern_of(place));
     written_ = pattern_of(word);
   }
+  template <class Place, class Written>
+  void access(const typename D::bit& writes, const Place& place, const Written& word) {
+    write(writes, place, word);
+    if (!writes_) ask(place);
+    holds_ = writes_;
+  }
   /// The clock edge.
   void clock() {
-    word_ = spoils_ && writes_ && place_ == asked_ ? ~written_ & ones_below(width_) : words_[asked_];
+    const bool spoilt = spoils_ && writes_ && place_ == asked_;
+    if (!holds_) word_ = spoilt ? ~written_ & ones_below(width_) : words_[asked_];
     if (writes_) words_[place_] = written_;
     writes_ = false;
   }
@@ -133,6 +145,7 @@ class HostMemory {
   std::size_t asked_ = 0, place_ = 0;
   int width_ = 0;
   bool writes_ = false, spoils_ = false;
+  bool holds_ = false;  ///< it keeps the word that it gives: its one port writes
 };
 
 template <class M, class D, class F>

@@ -161,6 +161,8 @@ std::string to_verilog(const MachineGraph& machine, const MachineModule& options
   for (const hls::MemoryShape& memory : machine.memories) {
     const bool late = memory.is_late();
     if (options.in_block_rams.contains(memory.name)) text += "  (* no_rw_check, ram_style = \"block\" *)\n";
+    // Without this mark Yosys takes many block RAMs, or has too few.
+    if (memory.kind == hls::MemoryKind::single) text += "  (* ram_style = \"huge\" *)\n";
     text += fmt::format("  reg {0}{1} [0:{2}];\n  {3} {0}{4};{5}\n", vector_range(memory.width), memory.name,
                         memory.words - 1, late ? "reg" : "wire", memory_port(memory, "word"),
                         late ? "  // the word that the last cycle asked for" : "");
@@ -198,7 +200,9 @@ std::string to_verilog(const MachineGraph& machine, const MachineModule& options
           fmt::format("    if ({}) {}[{}] <= {};\n", of("writes"), memory.name, of("place"), of("written"));
     else
       text += "\n" + contents_of(memory);
-    if (memory.is_late())
+    if (memory.kind == hls::MemoryKind::single)
+      edge += fmt::format("    else {} <= {}[{}];\n", memory_port(memory, "word"), memory.name, of("place"));
+    else if (memory.is_late())
       edge += fmt::format("    {} <= {}[{}];\n", memory_port(memory, "word"), memory.name, of("asked"));
     text += "\n" + at_edge(edge);
     if (memory.kind == hls::MemoryKind::lookup)

@@ -2,7 +2,6 @@
 // test whose frame or answer was damaged is sent again.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,7 +11,7 @@
 #include "host/serial_port.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/prune/draw.hpp"
-#include "sim/board/frame.hpp"
+#include "sim/board/frame_link.hpp"
 
 namespace hitpipe::sim {
 
@@ -41,11 +40,7 @@ struct NumberedTest {
 
 class BoardLink {
  public:
-  /// How long nothing may come before all is sent again, and how often that is tried.
-  struct Patience {
-    std::chrono::milliseconds silence{1000};
-    int tries = 4;
-  };
+  using Patience = FrameLink::Patience;
 
   BoardLink(host::SerialPort& port, const rtl::Design& design, const rtl::Format& format)
       : BoardLink(port, design, format, Patience{}) {}
@@ -54,7 +49,7 @@ class BoardLink {
 
   /// What the board says that it is (rtl::board_identity). Throws std::runtime_error, one line, when nothing
   /// answers.
-  [[nodiscard]] std::string identity();
+  [[nodiscard]] std::string identity() { return link_.identity(); }
   /// Throws std::runtime_error, one line, when the board has another unit.
   void require_same_unit();
 
@@ -62,34 +57,12 @@ class BoardLink {
   [[nodiscard]] BoardCounts run(const std::function<std::optional<NumberedTest>()>& next);
 
  private:
-  struct Waiting {
-    NumberedTest numbered;
-    std::string frame;
-    char tag;
-    int sendings = 1;
-  };
-
-  /// The payloads of the sound frames that have come.
-  [[nodiscard]] std::vector<std::string> exchange(std::chrono::milliseconds wait);
-  void send(const Waiting& test);
-  void fill(const std::function<std::optional<NumberedTest>()>& next);
-  /// Whether it was the answer to a test that waits.
-  bool receive(const std::string& payload);
-  void send_again(std::size_t first_ones);
-
-  host::SerialPort& port_;
+  FrameLink link_;
   const rtl::Design& design_;
   rtl::Format format_;
-  Patience patience_;
   std::vector<rtl::Port> operands_;
   std::vector<rtl::Port> results_;
   rtl::Verdict verdict_;
-  FrameReader reader_;
-  std::string out_;
-  std::vector<Waiting> waiting_;  ///< in the order in which they were sent
-  bool more_ = true;
-  unsigned next_tag_ = 0;
-  BoardCounts counts_;
 };
 
 }  // namespace hitpipe::sim

@@ -75,8 +75,6 @@ HITPIPE_ENTRY int hitpipe_board_cycle(void* model, int rx) {{
 }
 
 constexpr int power_on_clocks = 100;  // longer than reset
-// Longer than any unit needs to answer.
-constexpr int quiet_clocks = 1000;
 constexpr int clocks_per_exchange = 400;
 
 }  // namespace
@@ -98,17 +96,18 @@ void SimulatedBoard::run(const std::function<bool()>& stop) {
   ByteSender to_board(options_.clocks_per_bit);
   ByteReceiver from_board(options_.clocks_per_bit);
   std::string out;
-  std::uint64_t come = 0;
+  std::uint64_t come = 0, gone = 0;
   int quiet = 0;
   while (!stop()) {
     constexpr std::chrono::milliseconds patience{20};
-    const bool sleeping = quiet >= quiet_clocks;
+    const bool sleeping = quiet >= options_.quiet_clocks;
     for (const char byte : line_.exchange(out, sleeping ? patience : std::chrono::milliseconds{0}))
       if (!options_.loses(come++)) to_board.send(byte);
     if (sleeping && to_board.idle()) continue;
     for (int clock = 0; clock < clocks_per_exchange; ++clock) {
       quiet = to_board.idle() && from_board.idle() ? quiet + 1 : 0;
-      if (const std::optional<char> byte = from_board.see(cycle_(model_, to_board.level()))) out += *byte;
+      const std::optional<char> byte = from_board.see(cycle_(model_, to_board.level()));
+      if (byte && !options_.loses_answer(gone++)) out += *byte;
     }
   }
 }

@@ -14,6 +14,10 @@ namespace hitpipe::sim {
 
 /// Far fewer than on a board, so that less is simulated.
 inline constexpr int simulated_clocks_per_bit = 4;
+/// Cycles in which nothing is on the line, after which the clock stands still: longer than any unit needs to
+/// answer, and longer than nearly all rays take in a core.
+inline constexpr int unit_quiet_clocks = 1000;
+inline constexpr int core_quiet_clocks = 200'000;
 
 class SimulatedBoard {
  public:
@@ -23,6 +27,9 @@ class SimulatedBoard {
     int clocks_per_bit = simulated_clocks_per_bit;  ///< as the Verilog has it
     /// Whether the byte of that number is lost on its way to the board.
     std::function<bool(std::uint64_t)> loses = [](std::uint64_t) { return false; };
+    /// Likewise on its way from the board.
+    std::function<bool(std::uint64_t)> loses_answer = [](std::uint64_t) { return false; };
+    int quiet_clocks = unit_quiet_clocks;
   };
 
   /// Throws as ModelLibrary and host::SerialPort::pseudo_terminal() do.

@@ -7,7 +7,7 @@
 
 namespace hitpipe::sim {
 
-inline constexpr std::uint32_t no_node = 0xFFFF'FFFF;
+inline constexpr std::uint32_t no_place = 0xFFFF'FFFF;
 
 /// A free node's `next` is the next free one.
 template <class Node>
@@ -20,7 +20,7 @@ class NodePool {
   template <class... Members>
   std::uint32_t take(Members... members) {
     const std::uint32_t place = free_;
-    if (place == no_node) {
+    if (place == no_place) {
       nodes_.push_back({members...});
       return static_cast<std::uint32_t>(nodes_.size() - 1);
     }
@@ -35,19 +35,19 @@ class NodePool {
 
  private:
   std::vector<Node> nodes_;
-  std::uint32_t free_ = no_node;
+  std::uint32_t free_ = no_place;
 };
 
 /// First in, first out. A node can be in one queue for each of its members that link.
 template <class Node, std::uint32_t Node::*link = &Node::next>
 class LinkedQueue {
  public:
-  [[nodiscard]] bool empty() const { return first_ == no_node; }
-  /// no_node when it is empty.
+  [[nodiscard]] bool empty() const { return first_ == no_place; }
+  /// no_place when it is empty.
   [[nodiscard]] std::uint32_t first() const { return first_; }
 
   void push(NodePool<Node>& pool, std::uint32_t place) {
-    pool[place].*link = no_node;
+    pool[place].*link = no_place;
     append(pool, place, place);
   }
   /// Takes the first entry out. It must not be empty.
@@ -60,7 +60,7 @@ class LinkedQueue {
   void take_all(NodePool<Node>& pool, LinkedQueue& other) {
     if (other.empty()) return;
     append(pool, other.first_, other.last_);
-    other.first_ = no_node;
+    other.first_ = no_place;
   }
 
  private:
@@ -73,8 +73,8 @@ class LinkedQueue {
     last_ = last;
   }
 
-  std::uint32_t first_ = no_node;
-  std::uint32_t last_ = no_node;  ///< says nothing while it is empty
+  std::uint32_t first_ = no_place;
+  std::uint32_t last_ = no_place;  ///< says nothing while it is empty
 };
 
 }  // namespace hitpipe::sim

@@ -54,7 +54,7 @@ MemoryModel::MemoryModel(std::span<const ref::CoreBlock> blocks, const MemoryOpt
       cache_(options.cache_kib) {
   if (!options.in_order && options.least_latency < options.most_latency)
     calendar_.resize(std::bit_ceil(static_cast<std::size_t>(options.most_latency)));
-  if (options.cache_kib > 0) on_their_way_.resize(buckets, no_node);
+  if (options.cache_kib > 0) on_their_way_.resize(buckets, no_place);
   decide_ready();
 }
 
@@ -88,7 +88,7 @@ void MemoryModel::ask(std::uint32_t block, std::uint32_t tag) {
 bool MemoryModel::merge(std::uint32_t request) {
   const std::uint32_t line = line_of(requests_[request].block);
   std::uint32_t& bucket = on_their_way_[line % buckets];
-  for (std::uint32_t read = bucket; read != no_node; read = requests_[read].next_of_bucket) {
+  for (std::uint32_t read = bucket; read != no_place; read = requests_[read].next_of_bucket) {
     if (line_of(requests_[read].block) != line) continue;
     requests_[read].merged.push(requests_, request);
     ++counts_.merged;

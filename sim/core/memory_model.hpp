@@ -87,10 +87,10 @@ class MemoryModel {
     std::uint64_t number;  ///< requests before it
     /// The first cycle in which memory can give it; when it is given, in which it can be answered.
     std::uint64_t ready = 0;
-    bool given = false;                      ///< by memory or the cache
-    std::uint32_t next = no_node;            ///< to be answered
-    std::uint32_t next_read = no_node;       ///< to be given, or in `merged`
-    std::uint32_t next_of_bucket = no_node;  ///< on its way
+    bool given = false;                       ///< by memory or the cache
+    std::uint32_t next = no_place;            ///< to be answered
+    std::uint32_t next_read = no_place;       ///< to be given, or in `merged`
+    std::uint32_t next_of_bucket = no_place;  ///< on its way
     using Reads = LinkedQueue<Request, &Request::next_read>;
     Reads merged{};  ///< the others that wait for this read
   };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "host/process.hpp"
+#include "rtl_gen/board/core_top.hpp"
 #include "rtl_gen/board/top.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
@@ -25,45 +26,38 @@ Tool find_icepack() {
   return icepack;
 }
 
-}  // namespace
+/// The chip of a board, and what makes it.
+struct BoardBench {
+  BoardBench(const rtl::Board& of_board, const ImplementOptions& given)
+      : board(of_board),
+        options(given),
+        target(target_called(of_board.target)),
+        library(rtl::library_called(given.library.empty() ? target.library : given.library)),
+        tools(find_chip_tools(target)),
+        icepack(find_icepack()),
+        bench(given.folder / target.name) {}
 
-BoardImplementation implement_board(const rtl::Design& design, const rtl::Format& format,
-                                    const rtl::Board& board, int baud, const ImplementOptions& options) {
-  if (!options.module.empty()) rtl::check_module_name(options.module);
-  const Target target = target_called(board.target);
-  if (!target.placement)
-    throw std::runtime_error(
-        fmt::format("board {}: its target {} is not placed: {}", board.name, target.name, target.not_placed));
-  const int clocks_per_bit = board.clocks_per_bit(baud);
-  const rtl::Library library =
-      rtl::library_called(options.library.empty() ? target.library : options.library);
-  const ChipTools tools = find_chip_tools(target);
-  const Tool icepack = find_icepack();
-  const Workbench bench(options.folder / target.name);
+  const rtl::Board& board;
+  const ImplementOptions& options;
+  Target target;
+  rtl::Library library;
+  ChipTools tools;
+  Tool icepack;
+  Workbench bench;
 
-  options.progress("writing the unit");
-  const rtl::Pipeline pipeline = rtl::make_pipeline(
-      design.trace(format), library, options.clock_ps.value_or(board.unit_clock_ps()), options.interval);
-  const rtl::VectorSet vectors = design_vectors(design, format, usual_vectors, options.seed);
-  const rtl::EmittedDesign emitted =
-      rtl::emit(design, format, library, pipeline, {.module = options.module, .vectors = &vectors});
-  const std::string top = rtl::board_module(emitted.module);
-  const host::File top_file{
-      top + ".v", rtl::board_top(rtl::board_unit(design, format, emitted.module, pipeline), clocks_per_bit)};
-  const bool drawn = rtl::write_unit(bench.kept(), emitted).drawn;
-  host::write_files(bench.kept(), {top_file});
+  /// Synthesises, places and packs. The files of the sources are written already.
+  [[nodiscard]] BoardImplementation run(const ChipSources& sources) const;
+};
 
-  BoardImplementation result{
-      .chip = map_module(target, {top, {emitted.verilog, top_file}}, tools, bench, options.progress),
-      .bitstream = {}};
+BoardImplementation BoardBench::run(const ChipSources& sources) const {
+  BoardImplementation result{.chip = map_module(target, sources, tools, bench, options.progress),
+                             .bitstream = {}};
   Implementation& chip = result.chip;
   chip.library = library.name();
-  chip.latency = pipeline.latency();
-  chip.drawn = drawn;
   if (!chip.excess().empty()) return result;
   chip.placed = place_and_route(
       target,
-      {.top = top,
+      {.top = sources.top,
        .netlist = chip.synthesis.json(),
        .clock = module_clock,
        .pcf = board.pin_constraints(),
@@ -76,11 +70,61 @@ BoardImplementation implement_board(const rtl::Design& design, const rtl::Format
   chip.critical_path_ns = 1000 / chip.placed->median().fmax_mhz;
   const PlacedSeed best = chip.placed->best();
   if (best.fmax_mhz * 1e6 < board.clock_hz) return result;
-  const std::string bitstream = top + ".bin";
-  bench.run(icepack, {fmt::format("{}_{}.asc", top, best.seed), bitstream}, top + "_icepack.log");
+  const std::string bitstream = sources.top + ".bin";
+  bench.run(icepack, {fmt::format("{}_{}.asc", sources.top, best.seed), bitstream},
+            sources.top + "_icepack.log");
   bench.keep(bitstream);
   result.bitstream = bench.kept() / bitstream;
   return result;
+}
+
+/// What is refused before tools are looked for. Returns the clock cycles of a bit.
+int checked_clocks(const rtl::Board& board, int baud, const ImplementOptions& options) {
+  if (!options.module.empty()) rtl::check_module_name(options.module);
+  const Target target = target_called(board.target);
+  if (!target.placement)
+    throw std::runtime_error(
+        fmt::format("board {}: its target {} is not placed: {}", board.name, target.name, target.not_placed));
+  return board.clocks_per_bit(baud);
+}
+
+}  // namespace
+
+BoardImplementation implement_board(const rtl::Design& design, const rtl::Format& format,
+                                    const rtl::Board& board, int baud, const ImplementOptions& options) {
+  const int clocks_per_bit = checked_clocks(board, baud, options);
+  const BoardBench made(board, options);
+
+  options.progress("writing the unit");
+  const rtl::Pipeline pipeline = rtl::make_pipeline(
+      design.trace(format), made.library, options.clock_ps.value_or(board.unit_clock_ps()), options.interval);
+  const rtl::VectorSet vectors = design_vectors(design, format, usual_vectors, options.seed);
+  const rtl::EmittedDesign emitted =
+      rtl::emit(design, format, made.library, pipeline, {.module = options.module, .vectors = &vectors});
+  const std::string top = rtl::board_module(emitted.module);
+  const host::File top_file{
+      top + ".v", rtl::board_top(rtl::board_unit(design, format, emitted.module, pipeline), clocks_per_bit)};
+  const bool drawn = rtl::write_unit(made.bench.kept(), emitted).drawn;
+  host::write_files(made.bench.kept(), {top_file});
+  BoardImplementation result = made.run({top, {emitted.verilog, top_file}});
+  result.chip.latency = pipeline.latency();
+  result.chip.drawn = drawn;
+  return result;
+}
+
+BoardImplementation implement_core_board(const rtl::CoreOptions& core_options, const rtl::Board& board,
+                                         int baud, const ImplementOptions& options) {
+  const int clocks_per_bit = checked_clocks(board, baud, options);
+  const BoardBench made(board, options);
+
+  options.progress("writing the core");
+  const rtl::Core core =
+      rtl::make_core(core_options, made.library, options.module.empty() ? "core" : options.module);
+  const std::string top = rtl::board_module(core.module);
+  const host::File core_file{core.module + ".v", rtl::to_verilog(core, made.library)};
+  const host::File top_file{top + ".v", rtl::core_board_top(core, clocks_per_bit)};
+  host::write_files(made.bench.kept(), {core_file, top_file});
+  return made.run({top, {core_file, top_file}});
 }
 
 }  // namespace hitpipe::sim

@@ -311,6 +311,10 @@ TEST_F(WrongUseOf, Words) {
        {"table --judge 4.2 --out page.txt", "--out: page.txt does not end in .md;"},
        {"table 4.1 --scene Bunny", "--scene: Bunny is not NAME=SCENE; give for example Bunny=bunny.ply;"},
        {"board int_slabs", "board: give the board's --port, or --simulate to be one"},
+       {"board core --port x", "board core: give a --scene"},
+       {"board core --simulate --scene spheres",
+        "--scene: core is simulated; allowed with one are design, --bits, --board, --format, --simulate"},
+       {"board int_slabs --simulate --out OUT", "--out: allowed with core only"},
        {"check --scene spheres int_slabs", "--scene requires --stiff;"}});
   for (const std::string bounds : {"0,0,0,1,1", "0,0,0,1,1,1,1", "0,0,0,1,1,x", "0,0,0,1,1,1,"})
     rejected({{"operands int_slabs --rays a --boxes b --out OUT.csv --bounds " + bounds,
@@ -324,6 +328,7 @@ TEST_F(WrongUseOf, Words) {
 TEST_F(WrongUseOf, TargetsAndBoards) {
   const std::string named = "implement: name a design and a --target, or a --board";
   const std::string on_board = "implement --out OUT --board ";
+  const std::string of_number = "--clock-ps auto: allowed with a unit; of a core give a number";
   const std::string on_chip = "implement int_slabs --bits 6/6 --out OUT --target ";
   const std::string of_core = ": core is a core; allowed with one are design, --bits, --target...";
   rejected(
@@ -348,8 +353,11 @@ TEST_F(WrongUseOf, TargetsAndBoards) {
        {"implement core --out OUT --target xc7 --simulate 9", "--simulate" + of_core},
        {"implement core --out OUT --target xc7 --flow-control none", "--flow-control" + of_core},
        {"implement core --out OUT --target xc7 --ii 2", "--ii" + of_core},
-       {"implement core --out OUT --target xc7 --clock-ps auto", "--clock-ps" + of_core},
-       {"implement core --out OUT --board icebreaker", "--board" + of_core},
+       {"implement core --out OUT --target xc7 --clock-ps auto", of_number},
+       {"implement core --out OUT --board icebreaker --rays 3",
+        "--rays: core is the core of the board; allowed with one are design, --bits, --board, --baud, --out, "
+        "--library, --name, --seeds, --format, --clock-ps"},
+       {"implement core --out OUT --board icebreaker --clock-ps auto", of_number},
        {"implement core --out OUT --target ice40_hx --seeds 1",
         "--seeds 1: no chip that is placed has room for a core; allowed is 0"},
        {on_chip + "xc7 --seeds 101", "--seeds: Value 101 not in range 0 to 100;"},

@@ -1,8 +1,12 @@
 // `hitpipe board` against the top module behind a pseudo-terminal: counts, exit codes, and one line for each
 // thing that can be wrong.
+#include <array>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +15,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/pseudo_terminal.hpp"
 #include "tests/sim/board/served_board.hpp"
+#include "tests/sim/temporary_folder.hpp"
 
 namespace hitpipe::cli::board_command_test {
 namespace {
@@ -81,25 +86,72 @@ TEST(BoardCommand, WhatIsWrongIsOneLine) {
 }
 
 /// The program as a board in a process of its own, which tells its number and then its port.
-TEST(BoardCommand, SimulatesABoard) {
-  SKIP_WITHOUT_PSEUDO_TERMINAL();
+class Process {
+ public:
+  explicit Process(const std::string& arguments)
+      : program_(popen(
+            ("echo $$; exec " HITPIPE_PROGRAM " " + arguments + " --format csv 2>/dev/null").c_str(), "r")) {
+    std::array<char, 512> line{};
+    while (lines_.size() < 3 && program_ != nullptr &&
+           std::fgets(line.data(), line.size(), program_.get()) != nullptr)
+      lines_.emplace_back(line.data());
+  }
+  ~Process() {
+    if (!lines_.empty()) kill(std::stoi(lines_[0]), SIGTERM);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  [[nodiscard]] std::string said() const { return lines_.size() < 3 ? "" : lines_[2]; }
+  [[nodiscard]] std::string port() const {
+    const std::size_t at = said().find("/dev/pts/");
+    return at == std::string::npos ? "" : said().substr(at, said().find(',', at) - at);
+  }
+
+ private:
   struct Close {
     void operator()(std::FILE* file) const { pclose(file); }
   };
-  const std::unique_ptr<std::FILE, Close> program(popen(
-      "echo $$; exec " HITPIPE_PROGRAM " board int_slabs --bits 6/6 --simulate --format csv 2>/dev/null",
-      "r"));
-  ASSERT_TRUE(program);
-  std::vector<std::string> lines;
-  std::array<char, 512> line{};
-  while (lines.size() < 3 && std::fgets(line.data(), line.size(), program.get()) != nullptr)
-    lines.emplace_back(line.data());
-  ASSERT_EQ(lines.size(), 3U);
-  EXPECT_THAT(lines[2], testing::StartsWith("int_slabs,6/6,/dev/pts/"));
-  const std::size_t at = lines[2].find("/dev/pts/");
-  const Outcome outcome = board(lines[2].substr(at, lines[2].find(',', at) - at), {"--tests", "50"});
+  std::unique_ptr<std::FILE, Close> program_;
+  std::vector<std::string> lines_;
+};
+
+TEST(BoardCommand, SimulatesABoard) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
+  const Process program("board int_slabs --bits 6/6 --simulate");
+  EXPECT_THAT(program.said(), testing::StartsWith("int_slabs,6/6,/dev/pts/"));
+  const Outcome outcome = board(program.port(), {"--tests", "50"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  kill(std::stoi(lines[0]), SIGTERM);
+}
+
+TEST(BoardCommand, TracesAPictureByACore) {
+  SKIP_WITHOUT_PSEUDO_TERMINAL();
+  const Process program("board core --bits 8+0/5s8 --simulate");
+  EXPECT_THAT(program.said(), testing::StartsWith("core,8+0/5s8,/dev/pts/"));
+  const sim::TemporaryFolder folder;
+  const std::string out = (folder.path() / "picture").string();
+  const auto trace = [&](const std::vector<std::string>& more) {
+    return run_hitpipe(with({"board", "core", "--port", program.port(), "--scene", "waves", "--width", "8",
+                             "--height", "8", "--format", "json"},
+                            more));
+  };
+  const Outcome outcome = trace({"--bits", "8+0/5s8", "--triangles", "1000", "--out", out});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["wrong"], 0);
+  EXPECT_EQ(json["sent_again"], 0);
+  EXPECT_GT(json["hits"], 10);
+  EXPECT_TRUE(std::filesystem::exists(out + "/waves.png"));
+
+  const Outcome large = trace({"--bits", "8+0/5s8", "--triangles", "20000"});
+  EXPECT_EQ(large.exit_code, 2);
+  EXPECT_THAT(large.err,
+              testing::MatchesRegex("hitpipe: the scene's image has [0-9]+ blocks of 32 bytes, and "
+                                    "the memory of the board's chip has room for 4096\n"));
+  const Outcome other = trace({});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, testing::StartsWith("hitpipe: " + program.port() +
+                                             ": the board has \"hitpipe 1 core 8+0/5s8 "));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "rtl_gen/board/top.hpp"
 #include "rtl_gen/verilog/module.hpp"
@@ -35,16 +36,17 @@ inline SimulatedBoard::Options setup_of(const BoardUnderTest& board) {
   return {.module = rtl::board_module(unit), .verilog = verilog, .loses = board.loses};
 }
 
-class ServedBoard {
+/// A board that a thread runs.
+class RunningBoard {
  public:
-  explicit ServedBoard(const BoardUnderTest& board = {})
-      : board_(setup_of(board)), thread_([this] { board_.run([this] { return stop_.load(); }); }) {}
-  ~ServedBoard() {
+  explicit RunningBoard(SimulatedBoard::Options options)
+      : board_(std::move(options)), thread_([this] { board_.run([this] { return stop_.load(); }); }) {}
+  ~RunningBoard() {
     stop_ = true;
     thread_.join();
   }
-  ServedBoard(const ServedBoard&) = delete;
-  ServedBoard& operator=(const ServedBoard&) = delete;
+  RunningBoard(const RunningBoard&) = delete;
+  RunningBoard& operator=(const RunningBoard&) = delete;
 
   [[nodiscard]] const std::string& port() const { return board_.port(); }
 
@@ -52,6 +54,11 @@ class ServedBoard {
   SimulatedBoard board_;
   std::atomic<bool> stop_ = false;
   std::thread thread_;
+};
+
+class ServedBoard : public RunningBoard {
+ public:
+  explicit ServedBoard(const BoardUnderTest& board = {}) : RunningBoard(setup_of(board)) {}
 };
 
 }  // namespace hitpipe::sim

@@ -1,0 +1,130 @@
+#include "cli/commands/board_core.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/commands/board_chips.hpp"
+#include "cli/commands/cores.hpp"
+#include "cli/text/progress.hpp"
+#include "host/files.hpp"
+#include "host/serial_port.hpp"
+#include "rtl_gen/board/core_top.hpp"
+#include "rtl_gen/board/top.hpp"
+#include "rtl_gen/catalogue/format.hpp"
+#include "rtl_gen/component/library.hpp"
+#include "sim/board/core_link.hpp"
+#include "sim/board/simulated_board.hpp"
+#include "sim/core/picture_rays.hpp"
+#include "sim/implement/target.hpp"
+#include "sw_ref/render/image_file.hpp"
+
+namespace hitpipe::cli {
+
+namespace {
+
+/// As `hitpipe implement` puts it on the board.
+rtl::Library library_of(const rtl::Board& board) {
+  return rtl::library_called(sim::target_called(board.target).library);
+}
+
+std::string text_of(const rtl::Core& core) {
+  return rtl::to_string(rtl::Format(core.options.bits));
+}
+
+}  // namespace
+
+int trace_by_board(const BoardCore& choice) {
+  const rtl::Board board = choice.board.board();
+  const rtl::CoreOptions options = core_on_board(board, choice.bits);
+  const int baud = choice.board.baud.value_or(board.baud);
+  host::SerialPort port = host::SerialPort::open(choice.port, baud);
+  std::optional<Progress> progress("making the core");
+  const rtl::Core core = rtl::make_core(options, library_of(board), core_name);
+  sim::CoreLink link(port, core);
+  link.require_same_core();
+
+  progress.emplace("reading the scene");
+  const ref::Scene loaded = choice.scene.load();
+  const std::filesystem::path picture_file =
+      std::filesystem::path(choice.out) / (std::filesystem::path(loaded.name).stem().string() + ".png");
+  if (!choice.out.empty()) {
+    host::make_folder(choice.out);
+    ref::check_image_place(picture_file);
+  }
+  ref::BuildOptions build = ref::image_build;
+  build.threads = choice.scene.threads;
+  const ref::IntScene scene = ref::int_scene(loaded, options.bits.world(), build);
+  const ref::CoreImage image = ref::core_image(scene);
+  sim::check_fits(core, image);
+  progress.emplace("walking in software");
+  const sim::PictureRays picture = sim::picture_rays(
+      scene, image,
+      {.world = options.bits.world(), .boxes = options.bits.boxes(), .places = 1 << options.stack_bits},
+      {.width = choice.scene.width, .height = choice.scene.height, .progress = [&](double share) {
+         progress->show(share);
+       }});
+  progress.emplace("writing the image");
+  const auto show = [&](double share) { progress->show(share); };
+  const sim::FrameLink::Counts written = link.write(image, show);
+  progress.emplace("tracing");
+  std::vector<sim::CoreAnswer> answers(picture.jobs.size());
+  const sim::FrameLink::Counts traced = link.run(picture.jobs, answers, show);
+  progress.reset();
+
+  const std::uint64_t wrong = picture.wrong(answers);
+  const auto hits = std::count_if(answers.begin(), answers.end(),
+                                  [](const sim::CoreAnswer& answer) { return answer.hit.found(); });
+  fmt::print("{}", record_text({{"core", core_name},
+                                {"bits", text_of(core)},
+                                {"port", choice.port},
+                                {"baud", baud},
+                                {"scene", choice.scene.name},
+                                {"blocks", image.blocks.size()},
+                                {"image_seconds", written.seconds},
+                                {"rays", traced.answered},
+                                {"hits", hits},
+                                {"wrong", wrong},
+                                {"sent_again", written.resent + traced.resent},
+                                {"bytes_sent", written.bytes_sent + traced.bytes_sent},
+                                {"bytes_received", written.bytes_received + traced.bytes_received},
+                                {"seconds", traced.seconds},
+                                {"rays_per_s", static_cast<double>(traced.answered) / traced.seconds}},
+                               choice.format));
+  if (wrong > 0) {
+    fmt::print(stderr, "hitpipe: {} of {} answers are not those of software\n", wrong, answers.size());
+    return 1;
+  }
+  // Software's picture, which is the board's since all answers are the same.
+  if (!choice.out.empty())
+    ref::write_image(picture_file, choice.scene.width, choice.scene.height, picture.image);
+  return 0;
+}
+
+int simulate_core(const BoardCore& choice) {
+  const rtl::Board board = choice.board.board();
+  std::optional<Progress> progress("compiling the Verilog");
+  const rtl::Library library = library_of(board);
+  const rtl::Core core = rtl::make_core(core_on_board(board, choice.bits), library, core_name);
+  sim::SimulatedBoard simulated(
+      {.module = rtl::board_module(core.module),
+       .verilog = rtl::core_board_top(core, sim::simulated_clocks_per_bit) + rtl::to_verilog(core, library),
+       .quiet_clocks = sim::core_quiet_clocks});
+  progress.reset();
+  const std::string bits = text_of(core);
+  fmt::print(
+      "{}", record_text({{"core", core_name},
+                         {"bits", bits},
+                         {"port", simulated.port()},
+                         {"trace_with", fmt::format("hitpipe board core{} --port {} --scene SCENE",
+                                                    choice.bits ? " --bits " + bits : "", simulated.port())}},
+                        choice.format));
+  std::fflush(stdout);
+  simulated.run([] { return false; });
+  return 0;
+}
+
+}  // namespace hitpipe::cli
