@@ -50,7 +50,7 @@ reached() {
 row() {
   local what=$1 format=$2 result=$3 began=$4
   [[ $result == NOT* ]] && failed=1
-  printf '%-44s %-10s %-10s %6s\n' "$what" "$format" "$result" \
+  printf '%-44s %-12s %-10s %6s\n' "$what" "$format" "$result" \
     "$(awk -v a="$began" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }')"
 }
 
@@ -68,7 +68,7 @@ machine() {
   damage "$1" "$2" damage "$4"
 }
 
-printf '%-44s %-10s %-10s %6s\n' proof format result seconds
+printf '%-44s %-12s %-10s %6s\n' proof format result seconds
 machine door t4i1 'a number is in one place' 's/has <= next_has_value/has <= next_has_value | has/'
 machine requests a4h9i1 'all leave once, in order, and stay' 's/there_2 <= waits/there_2 <= waits \& ~there_2/'
 machine replies t4g1i1 'one answer a ray, with its tag' 's/tags\[leaving_ray\]/tags[ray_1]/'
@@ -78,6 +78,7 @@ machine beats d64i1 'a block a request, in order, whole' 's/askers\[next_oldest_
 machine beats d512i1 'a block a request, in order, its half' 's/askers_word\[2\] ? beat_5/askers_word[1] ? beat_5/'
 machine divider 8+0s8i1 'each hit is compared once' 's/wire loads = .*;/wire loads = there \& ~divides;/'
 machine best_hits t4c1d4i1 'an answer is the best of its hits' 's/improves = divided_1 & closer_1/improves = divided_1/'
+machine weights d25e25t4g1i1 'an answer has its best hit' 's/best_det\[ray_wanted\]/best_det[ray]/'
 machine pair_feed 8+0/4a4i1 'a record once, with its ray' 's/intervals\[read_id\[0\]\]/intervals[ray_1]/'
 machine triangle_feed 8+0s8i1 'a triangle once, with its ray' \
   's/next_ready_value = there & ~taken/next_ready_value = there/'
