@@ -280,8 +280,9 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
     check_named(*options);
     int& seeds = options->options.seeds;
     if (command->count("--seeds") > 0 && seeds != 0)
-      throw std::runtime_error(
-          fmt::format("--seeds {}: no chip that is placed has room for a core; allowed is 0", seeds));
+      throw std::runtime_error(fmt::format(
+          "--seeds {}: a core alone has more pins than a chip that is placed; allowed is 0, or a --board",
+          seeds));
     seeds = 0;
     if (options->tries_clocks)
       throw std::runtime_error("--clock-ps auto: allowed with a unit; of a core give a number");

@@ -359,7 +359,7 @@ TEST_F(WrongUseOf, TargetsAndBoards) {
         "--library, --name, --seeds, --format, --clock-ps"},
        {"implement core --out OUT --board icebreaker --clock-ps auto", of_number},
        {"implement core --out OUT --target ice40_hx --seeds 1",
-        "--seeds 1: no chip that is placed has room for a core; allowed is 0"},
+        "--seeds 1: a core alone has more pins than a chip that is placed; allowed is 0, or a --board"},
        {on_chip + "xc7 --seeds 101", "--seeds: Value 101 not in range 0 to 100;"},
        {on_chip + "xc7 --simulate 9",
         "target xc7: has no simulation models of its cells, so its netlist cannot be simulated"}});
