@@ -44,8 +44,8 @@ struct Outputs {
   Coord x0, y0, z0, x1, y1, z1, x2, y2, z2;
 
   template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const CoreBits bits = format;
+  static constexpr void for_each(const Format& of, Self& self, Visit&& visit) {
+    const CoreBits bits = of;
     visit(data_field("reads", 1), self.reads);
     visit(data_field("read_ray", bits.ray), self.reader);
     visit(data_field("number", triangle_number_bits), self.number);
