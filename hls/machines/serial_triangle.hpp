@@ -1,5 +1,5 @@
-// The triangle test of small chips (docs/core.md): one multiplier that adds up. It takes the place of
-// triangle_feed, int_triangle and divider, and gives what they give. A test takes some hundred cycles. The
+// The triangle test of small chips (docs/core.md): one multiplier that adds up. It stands in place
+// of triangle_feed, int_triangle and divider, with the same answers. A test takes some hundred cycles. The
 // oldest triangle is tested by triangle_program, which ends as soon as the triangle is missed. If it is hit,
 // the accumulator holds num in the end, and
 //   T = floor(2^(S+F) |num| / |det|)

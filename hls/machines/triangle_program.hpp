@@ -16,8 +16,8 @@ namespace triangle_program {
 
 /// Parts of an instruction, from its lowest bit on. An instruction of zeros changes nothing.
 constexpr int place_bits = 5;
-/// Places of the two words that are multiplied. Of an instruction that does not multiply, the first one says
-/// a Source in its low bits and a ray axis above them.
+/// Places of the two words that are multiplied. If an instruction does not multiply, the first place is a
+/// Source in the low bits, and a ray axis above them.
 constexpr int first_place = 0, second_place = first_place + place_bits;
 constexpr int source_bits = 3;
 /// The place of a stored word.

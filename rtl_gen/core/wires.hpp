@@ -1,7 +1,7 @@
 // How the machines and units of a core are joined (docs/core.md). The top module of a core and its software
 // are made from these lists. Of the wires around the triangle test, and of those behind `replies`, a core has
-// one list. Operands of a unit
-// have a wire each from the machine that feeds it, with the operands' names; make_core() adds these.
+// one list. Operands of a unit have a wire each from the machine that feeds it, with the operands' names;
+// make_core() adds these.
 #pragma once
 
 #include <array>
