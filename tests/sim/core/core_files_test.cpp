@@ -144,6 +144,34 @@ TEST(CoreFiles, HaveTheModulesName) {
   EXPECT_EQ(manifest["parts"].size(), 11U);
 }
 
+/// det is -4096, u 2048 and v -1024, and origins are twice as fine as corners.
+TEST(CoreHeader, GivesWeightsAndSigns) {
+  const host::ScratchFolder folder("core-header");
+  host::write_files(folder.path(), files_of({.bits = {12, 1, 7, 0, 12, 0}, .weights = true}));
+  host::write_files(folder.path(), {{"weights.c", R"(#include "core.h"
+int main(void) {
+  uint8_t bytes[CORE_HIT_BYTES];
+  memset(bytes, 0xff, sizeof bytes);
+  struct core_hit hit;
+  core_unpack_hit(&hit, bytes);
+  if (hit.det_high != -1 || hit.u_high != -1 || hit.v_high != -1) return 1;
+  hit.det_high = hit.v_high = -1;
+  hit.det_low = (1 << 18) - 4096;
+  hit.u_high = 0;
+  hit.u_low = 2048;
+  hit.v_low = (1 << 19) - 1024;
+  double weight_1, weight_2;
+  core_weights(&hit, &weight_1, &weight_2);
+  return weight_1 == 0.25 && weight_2 == 0.125 ? 0 : 2;
+}
+)"}});
+  const rtl::ToolResult built =
+      rtl::run_tool(folder.path(), "g++", "g++", "-x c -Wall -Wextra -o weights weights.c -lm");
+  ASSERT_EQ(built.status, 0) << built.output;
+  EXPECT_EQ(built.output, "");
+  EXPECT_EQ(rtl::run_tool(folder.path(), "g++", "./weights", "").status, 0);
+}
+
 TEST(Core, RefusesOptions) {
   const auto said = [](const rtl::CoreOptions& options) {
     return message_of<std::runtime_error>([&] { (void)rtl::make_core(options, library()); });
