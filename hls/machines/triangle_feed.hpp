@@ -59,8 +59,8 @@ struct Outputs {
     visit(data_field("origin_b", bits.point(), true), self.origin_b);
     visit(data_field("slope_a", bits.direction(), true), self.slope_a);
     visit(data_field("slope_b", bits.direction(), true), self.slope_b);
-    const auto coordinate = [&](const char* name, auto& of) {
-      visit(data_field(name, bits.coord, true), of);
+    const auto coordinate = [&](const char* name, auto& value) {
+      visit(data_field(name, bits.coord, true), value);
     };
     coordinate("x0", self.x0);
     coordinate("y0", self.y0);
