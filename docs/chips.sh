@@ -62,8 +62,8 @@ for unit in units:
         print("| " + " | ".join(cells) + " |")
         whole[unit, target] = cells
 
-print("\n| unit | UP5K, % of chip | MHz | HX8K, % of chip | MHz | ECP5: LUT | DSP | Artix-7: LUT | DSP | OSU: mm² | MHz |")
-print("|---|" + "--:|" * 10)
+print("\n| unit | UP5K, % of chip | MHz | HX8K, % of chip | MHz | ECP5: LUT | DSP | MHz | Artix-7: LUT | DSP | OSU: mm² | MHz |")
+print("|---|" + "--:|" * 11)
 for unit in units:
     if not all((unit, target) in whole for target in ("ice40_up5k", "ice40_hx", "ecp5", "xc7", "osu018")):
         continue
@@ -73,6 +73,6 @@ for unit in units:
         return [share.split(" ")[0], clock.split(" / ")[0] if clock[:1].isdigit() else ""]
 
     ecp5, xc7, osu = (whole[unit, target] for target in ("ecp5", "xc7", "osu018"))
-    cells = [unit, *placed("ice40_up5k"), *placed("ice40_hx"), ecp5[2], ecp5[4], xc7[2], xc7[4], osu[8], osu[7]]
+    cells = [unit, *placed("ice40_up5k"), *placed("ice40_hx"), ecp5[2], ecp5[4], placed("ecp5")[1], xc7[2], xc7[4], osu[8], osu[7]]
     print("| " + " | ".join(cells) + " |")
 PYTHON

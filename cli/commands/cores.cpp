@@ -89,7 +89,7 @@ int map_core(const rtl::CoreOptions& core_options, const std::string& target_nam
           {"clock_ps", core.clock_ps}};
   row.update(taken_row(core.chip));
   row["memory_bits"] = core.memory_bits;
-  row.update(tools_row(target, core.chip));
+  row.update(tools_row(core.chip));
   keep_and_print(std::move(row), options.folder / target.name / (core.chip.module + "_implementation.json"),
                  format);
   const std::string fault = fault_of(target, core.chip);

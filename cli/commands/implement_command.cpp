@@ -64,7 +64,7 @@ Row record(const ImplementCommand& command, const sim::Target& target, const sim
        {"energy_sequential_pct", unit.energy ? rounded(unit.energy->sequential_pct) : Row(nullptr)},
        {"cycles_per_test", unit.energy ? rounded(unit.energy->cycles_per_test) : Row(nullptr)},
        {"netlist", unit.simulated ? Row(unit.simulated->said) : Row(nullptr)}});
-  row.update(tools_row(target, unit));
+  row.update(tools_row(unit));
   return row;
 }
 

@@ -66,8 +66,8 @@ Row taken_row(const sim::Implementation& module) {
   return row;
 }
 
-Row tools_row(const sim::Target& target, const sim::Implementation& module) {
-  return {{"not_placed", target.placement ? Row(nullptr) : Row(target.not_placed)},
+Row tools_row(const sim::Implementation& module) {
+  return {{"not_placed", module.not_placed.empty() ? Row(nullptr) : Row(module.not_placed)},
           {"tools", fmt::format("{}", fmt::join(module.tools, "; "))}};
 }
 

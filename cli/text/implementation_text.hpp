@@ -17,7 +17,7 @@ namespace hitpipe::cli {
 /// Cells of each kind, the part of the chip, area, and clock.
 [[nodiscard]] Row taken_row(const sim::Implementation& module);
 /// The last keys: why there is no placement, and the tools.
-[[nodiscard]] Row tools_row(const sim::Target& target, const sim::Implementation& module);
+[[nodiscard]] Row tools_row(const sim::Implementation& module);
 
 /// What is wrong with the module in this target; empty when nothing is.
 [[nodiscard]] std::string fault_of(const sim::Target& target, const sim::Implementation& module);

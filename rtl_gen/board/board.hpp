@@ -45,8 +45,6 @@ struct Board {
   /// Clock cycles for a bit of the serial line. Throws std::runtime_error, one line, when the clock does not
   /// give that rate within 2 %, or has fewer than 4 cycles a bit.
   [[nodiscard]] int clocks_per_bit(int baud_rate) const;
-  /// The pins in the form that nextpnr-ice40 reads (.pcf).
-  [[nodiscard]] std::string pin_constraints() const;
 };
 
 [[nodiscard]] std::vector<std::string> board_names();

@@ -16,14 +16,17 @@ namespace hitpipe::sim {
 
 namespace {
 
-/// It has no option that prints a version, and its help ends with exit code 1.
-Tool find_icepack() {
-  Tool icepack{host::program_of("ICEPACK", "icepack"), ""};
-  if (icepack.run({"-h"}).not_found())
-    throw std::runtime_error(
-        fmt::format("{}: cannot be run; install the package fpga-icestorm or set ICEPACK to the program",
-                    icepack.name()));
-  return icepack;
+/// icepack has no option that prints a version, and its help ends with exit code 1.
+Tool find_packer(const TargetProgram& program) {
+  Tool packer{host::program_of(program.variable().c_str(), program.name), ""};
+  if (packer.run({"-h"}).not_found()) throw cannot_be_run(packer, program.package, program.variable());
+  return packer;
+}
+
+/// The placer of a board's target, which must be there.
+const Tool& placer_in(const ChipTools& tools, const TargetProgram& program) {
+  if (!tools.placer) throw cannot_be_run({{program.name}, ""}, program.package, program.variable());
+  return *tools.placer;
 }
 
 /// The chip of a board, and what makes it.
@@ -34,7 +37,8 @@ struct BoardBench {
         target(target_called(of_board.target)),
         library(rtl::library_called(given.library.empty() ? target.library : given.library)),
         tools(find_chip_tools(target)),
-        icepack(find_icepack()),
+        placer(placer_in(tools, target.placer->program)),
+        packer(find_packer(target.placer->board->packer)),
         bench(given.folder / target.name) {}
 
   const rtl::Board& board;
@@ -42,7 +46,8 @@ struct BoardBench {
   Target target;
   rtl::Library library;
   ChipTools tools;
-  Tool icepack;
+  Tool placer;
+  Tool packer;
   Workbench bench;
 
   /// Synthesises, places and packs. The files of the sources are written already.
@@ -60,19 +65,19 @@ BoardImplementation BoardBench::run(const ChipSources& sources) const {
       {.top = sources.top,
        .netlist = chip.synthesis.json(),
        .clock = module_clock,
-       .pcf = board.pin_constraints(),
+       .board = &board,
        .seeds = options.seeds,
-       .bitstream = true,
        .progress =
            [&](int seed) { options.progress(fmt::format("placing, seed {} of {}", seed, options.seeds)); }},
-      *tools.nextpnr, bench);
+      placer, bench);
   if (chip.placed->seeds.empty()) return result;
   chip.critical_path_ns = 1000 / chip.placed->median().fmax_mhz;
   const PlacedSeed best = chip.placed->best();
   if (best.fmax_mhz * 1e6 < board.clock_hz) return result;
-  const std::string bitstream = sources.top + ".bin";
-  bench.run(icepack, {fmt::format("{}_{}.asc", sources.top, best.seed), bitstream},
-            sources.top + "_icepack.log");
+  const BoardFlow& flow = *target.placer->board;
+  const std::string bitstream = flow.bitstream_file(sources.top);
+  bench.run(packer, {flow.placed_file(sources.top, best.seed), bitstream},
+            fmt::format("{}_{}.log", sources.top, flow.packer.name));
   bench.keep(bitstream);
   result.bitstream = bench.kept() / bitstream;
   return result;
@@ -82,9 +87,9 @@ BoardImplementation BoardBench::run(const ChipSources& sources) const {
 int checked_clocks(const rtl::Board& board, int baud, const ImplementOptions& options) {
   if (!options.module.empty()) rtl::check_module_name(options.module);
   const Target target = target_called(board.target);
-  if (!target.placement)
+  if (!target.placer || !target.placer->board)
     throw std::runtime_error(
-        fmt::format("board {}: its target {} is not placed: {}", board.name, target.name, target.not_placed));
+        fmt::format("board {}: nothing makes a bitstream for its target {}", board.name, target.name));
   return board.clocks_per_bit(baud);
 }
 

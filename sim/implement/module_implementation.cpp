@@ -56,18 +56,20 @@ Implementation map_module(const Target& target, const ChipSources& sources, cons
                         .counts = {},
                         .tools = {tools.yosys.release()}};
   result.counts = result.synthesis.counts;
-  if (tools.nextpnr) {
-    result.tools.push_back(tools.nextpnr->release());
+  if (tools.placer) {
+    result.tools.push_back(tools.placer->release());
     progress("packing");
-    for (const ResourceCount& count : pack(target, result.synthesis, *tools.nextpnr, bench))
+    for (const ResourceCount& count : pack(target, result.synthesis, *tools.placer, bench))
       result.counts.push_back(count);
+  } else {
+    result.not_placed = target.not_placed;
   }
   return result;
 }
 
 void place_or_time(Implementation& module, const Target& target, const ChipTools& tools,
                    const Workbench& bench, int seeds, const StepListener& progress) {
-  if (tools.nextpnr && module.excess().empty() && seeds > 0) {
+  if (tools.placer && module.excess().empty() && seeds > 0) {
     module.placed = place_and_route(
         target,
         {.top = harness_module(module.module),
@@ -75,7 +77,7 @@ void place_or_time(Implementation& module, const Target& target, const ChipTools
          .clock = module_clock,
          .seeds = seeds,
          .progress = [&](int seed) { progress(fmt::format("placing, seed {} of {}", seed, seeds)); }},
-        *tools.nextpnr, bench);
+        *tools.placer, bench);
     if (!module.placed->seeds.empty()) module.critical_path_ns = 1000 / module.placed->median().fmax_mhz;
   }
   if (tools.sta) {

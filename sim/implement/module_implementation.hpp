@@ -30,6 +30,7 @@ struct Implementation {
       placed{};  ///< nothing when the target is not placed, or the module does not fit
   std::optional<double> critical_path_ns{};  ///< of standard cells, or of the median seed
   std::vector<std::string> tools;            ///< versions
+  std::string not_placed{};                  ///< why no placer has seen it
   std::string library{};                     ///< that drives the schedule
   int latency = 0;                           ///< of a unit
   std::optional<NetlistAnswer> simulated{};

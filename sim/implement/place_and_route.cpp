@@ -14,9 +14,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// nextpnr calls a clock that comes from a pin and drives a global net "clk$SB_IO_IN_$glb_clk".
+/// Whether the clock's name is the net's, or stands between dollar signs in it.
 bool is_clock(const std::string& net, const std::string& clock) {
-  return net == clock || net.starts_with(clock + "$");
+  return fmt::format("${}$", net).find(fmt::format("${}$", clock)) != std::string::npos;
 }
 
 CriticalPath critical_path(const Json& report, const std::string& net) {
@@ -88,11 +88,11 @@ int packed_count(const std::string& log, const std::string& resource) {
   return static_cast<int>(std::strtol(log.c_str() + at + resource.size() + 1, nullptr, 10));
 }
 
-std::vector<ResourceCount> pack(const Target& target, const Synthesis& netlist, const Tool& nextpnr,
+std::vector<ResourceCount> pack(const Target& target, const Synthesis& netlist, const Tool& placer,
                                 const Workbench& bench) {
-  std::vector<std::string> arguments = *target.placement;
+  std::vector<std::string> arguments = target.placer.value().options;
   arguments.insert(arguments.end(), {"--json", netlist.json(), "--top", netlist.top, "--pack-only"});
-  const std::string log = bench.run(nextpnr, arguments, netlist.top + "_pack.log");
+  const std::string log = bench.run(placer, arguments, netlist.top + "_pack.log");
   std::vector<ResourceCount> counts;
   for (const Resource& resource : target.resources)
     if (!resource.packed.empty())
@@ -100,32 +100,33 @@ std::vector<ResourceCount> pack(const Target& target, const Synthesis& netlist, 
   return counts;
 }
 
-PlacedDesign place_and_route(const Target& target, const PlaceRequest& request, const Tool& nextpnr,
+PlacedDesign place_and_route(const Target& target, const PlaceRequest& request, const Tool& placer,
                              const Workbench& bench) {
   PlacedDesign placed;
   for (int seed = 1; seed <= request.seeds; ++seed) {
     request.progress(seed);
     const std::string name = fmt::format("{}_place_{}", request.top, seed);
     const std::string report = name + ".json";
-    std::vector<std::string> arguments = *target.placement;
+    std::vector<std::string> arguments = target.placer.value().options;
     // A clock that is not reached is a result, not an error.
     arguments.insert(arguments.end(), {"--json", request.netlist, "--top", request.top, "--seed",
                                        std::to_string(seed), "--report", report, "--timing-allow-fail"});
-    if (!request.pcf.empty()) {
-      bench.put_and_keep({request.top + ".pcf", request.pcf});
-      arguments.insert(arguments.end(), {"--pcf", request.top + ".pcf"});
+    if (request.board != nullptr) {
+      const BoardFlow& flow = target.placer->board.value();
+      const std::string pins = flow.pins_file(request.top);
+      bench.put_and_keep({pins, flow.pin_constraints(*request.board)});
+      arguments.insert(arguments.end(),
+                       {flow.pins_option, pins, flow.placed_option, flow.placed_file(request.top, seed)});
     }
-    const std::string bitstream = fmt::format("{}_{}.asc", request.top, seed);
-    if (request.bitstream) arguments.insert(arguments.end(), {"--asc", bitstream});
-    const host::Outcome outcome = bench.try_run(nextpnr, arguments, name + ".log");
+    const host::Outcome outcome = bench.try_run(placer, arguments, name + ".log");
     if (!outcome.succeeded()) {
       const std::string error = error_in(outcome.err + outcome.out);
       if (is_lack_of_room(error)) return {{}, error};
-      throw std::runtime_error(fmt::format("{}: {}; its output is in {}", nextpnr.name(), outcome.failure(),
+      throw std::runtime_error(fmt::format("{}: {}; its output is in {}", placer.name(), outcome.failure(),
                                            (bench.kept() / (name + ".log")).string()));
     }
     bench.keep(report);
-    if (request.bitstream) bench.keep(bitstream);
+    if (request.board != nullptr) bench.keep(target.placer->board->placed_file(request.top, seed));
     placed.seeds.push_back(read_report(bench.read(report), request.clock));
     placed.seeds.back().seed = seed;
   }

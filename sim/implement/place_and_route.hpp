@@ -1,4 +1,4 @@
-// Placing and routing with nextpnr-ice40, with several seeds, and what its reports say.
+// Placing and routing with the target's nextpnr, with several seeds, and what its reports say.
 #pragma once
 
 #include <functional>
@@ -39,25 +39,27 @@ struct PlaceRequest {
   std::string top;      ///< its netlist is TOP_netlist.json or what `netlist` names
   std::string netlist;  ///< JSON in the workbench
   std::string clock;    ///< of the top; its frequency is reported
-  std::string pcf{};    ///< pins; empty: as nextpnr likes
+  const rtl::Board* board =
+      nullptr;  ///< has pins and a file for its packer; without it pins are as nextpnr likes
   int seeds = 1;
-  bool bitstream = false;  ///< keeps TOP_SEED.asc for icepack
   /// Told before each seed.
   std::function<void(int seed)> progress = [](int) {};
 };
 
-/// What a report in JSON says of the clock. Throws std::runtime_error, one line, when it says nothing of it.
+/// What a report in JSON says of the clock. nextpnr puts words between dollar signs around the clock's name,
+/// as in "clk$SB_IO_IN_$glb_clk" and "$glbnet$clk". Throws std::runtime_error, one line, when it says nothing
+/// of it.
 [[nodiscard]] PlacedSeed read_report(const std::string& json, const std::string& clock);
 /// The resources in "Device utilisation" of a log.
 [[nodiscard]] int packed_count(const std::string& log, const std::string& resource);
 
 /// Packs a netlist and counts what the target counts in that way.
 [[nodiscard]] std::vector<ResourceCount> pack(const Target& target, const Synthesis& netlist,
-                                              const Tool& nextpnr, const Workbench& bench);
+                                              const Tool& placer, const Workbench& bench);
 
 /// Keeps a log and a report for each seed. A design that does not go in is a result; throws
 /// std::runtime_error, one line, when nextpnr fails otherwise.
 [[nodiscard]] PlacedDesign place_and_route(const Target& target, const PlaceRequest& request,
-                                           const Tool& nextpnr, const Workbench& bench);
+                                           const Tool& placer, const Workbench& bench);
 
 }  // namespace hitpipe::sim

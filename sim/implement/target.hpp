@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "rtl_gen/board/board.hpp"
 #include "sim/model/tool.hpp"
 
 namespace hitpipe::sim {
@@ -32,6 +33,38 @@ struct Models {
   std::vector<std::string> verilator_options;
 };
 
+/// A program, the Debian package that has it, and the variable that names another: for nextpnr-ice40 it is
+/// $NEXTPNR_ICE40.
+struct TargetProgram {
+  std::string name;
+  std::string package;  ///< empty: Debian 12 has none
+
+  [[nodiscard]] std::string variable() const;
+};
+
+/// How a board's pins go into the placer, and how a bitstream comes out. An option's word is the ending of
+/// its file: "--pcf" reads TOP.pcf.
+struct BoardFlow {
+  std::string pins_option;
+  std::string pin_line;  ///< "{port}" and "{pin}" stand for what they name
+  std::string placed_option;
+  TargetProgram packer;   ///< its arguments are the placed file and the bitstream
+  std::string bitstream;  ///< ending of its file
+
+  [[nodiscard]] std::string pins_file(const std::string& top) const;
+  [[nodiscard]] std::string placed_file(const std::string& top, int seed) const;
+  [[nodiscard]] std::string bitstream_file(const std::string& top) const { return top + bitstream; }
+  /// The contents of pins_file().
+  [[nodiscard]] std::string pin_constraints(const rtl::Board& board) const;
+};
+
+/// One of nextpnr's programs, and how it takes a netlist of the target.
+struct Placer {
+  TargetProgram program;
+  std::vector<std::string> options;
+  std::optional<BoardFlow> board;
+};
+
 struct Target {
   std::string name;
   std::string chip;                    ///< its name in full
@@ -41,9 +74,9 @@ struct Target {
   std::vector<Resource> resources;
   std::string liberty;  ///< of standard cells: they have an area, OpenSTA times them
   std::string package;  ///< the Debian package of the Liberty file
-  std::optional<std::vector<std::string>> placement;  ///< options of nextpnr-ice40
-  std::string not_placed;                             ///< why it is not placed
-  std::optional<Models> models;                       ///< without them a netlist cannot be simulated
+  std::optional<Placer> placer;
+  std::string not_placed;        ///< why it is not placed: never, or where there is no `placer` to be found
+  std::optional<Models> models;  ///< without them a netlist cannot be simulated
 
   /// Throws std::runtime_error, one line with `origin` and the wrong entry.
   [[nodiscard]] static Target from_json(std::string_view text, const std::string& origin);
@@ -64,12 +97,12 @@ struct BuiltInTarget {
 /// The programs that put Verilog into a target. They are looked for before anything long begins.
 struct ChipTools {
   Tool yosys;
-  std::optional<Tool> nextpnr;  ///< where the target is placed
-  std::optional<Tool> sta;      ///< where it is timed by OpenSTA
+  std::optional<Tool> placer;  ///< where the target is placed
+  std::optional<Tool> sta;     ///< where it is timed by OpenSTA
 };
 
-/// $YOSYS, $NEXTPNR_ICE40, $STA, or the programs of these names. Throws as find_tool() does; also when the
-/// Liberty file is not there.
+/// $YOSYS, the target's placer, $STA, or the programs of these names. Throws as find_tool() does; also when
+/// the Liberty file is not there. A placer that no variable names may be missing where the target says why.
 [[nodiscard]] ChipTools find_chip_tools(const Target& target);
 
 }  // namespace hitpipe::sim

@@ -1,7 +1,5 @@
 #include "sim/model/tool.hpp"
 
-#include <stdexcept>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -33,6 +31,12 @@ std::string Tool::answer(const std::vector<std::string>& arguments) const {
   return outcome.succeeded() ? without_last_newlines(outcome.out) : "";
 }
 
+std::runtime_error cannot_be_run(const Tool& tool, std::string_view package, const std::string& variable) {
+  const std::string install = package.empty() ? "" : fmt::format("install the package {} or ", package);
+  return std::runtime_error(
+      fmt::format("{}: cannot be run; {}set {} to the program", tool.name(), install, variable));
+}
+
 Tool find_tool(const char* variable, const std::string& otherwise, std::string_view package,
                const std::string& version_option) {
   Tool tool{host::program_of(variable, otherwise), ""};
@@ -42,9 +46,7 @@ Tool find_tool(const char* variable, const std::string& otherwise, std::string_v
   if (asked.stopped_after.count() != 0)
     throw std::runtime_error(fmt::format("{} {}: {}", tool.name(), version_option, asked.failure()));
   if (asked.succeeded()) tool.version = without_last_newlines(asked.out.empty() ? asked.err : asked.out);
-  if (tool.version.empty())
-    throw std::runtime_error(fmt::format("{}: cannot be run; install the package {} or set {} to the program",
-                                         tool.name(), package, variable));
+  if (tool.version.empty()) throw cannot_be_run(tool, package, variable);
   return tool;
 }
 

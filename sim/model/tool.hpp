@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,9 +26,14 @@ struct Tool {
   [[nodiscard]] std::string release() const { return version.substr(0, version.find('\n')); }
 };
 
+/// One line: the program cannot be run, and the package that has it, unless that is empty, or the variable
+/// would help.
+[[nodiscard]] std::runtime_error cannot_be_run(const Tool& tool, std::string_view package,
+                                               const std::string& variable);
+
 /// Takes $variable, or `otherwise` if that is not set. A program given by a path can also be run from another
-/// folder. Its version may also be on standard error. Throws std::runtime_error, one line that names the
-/// package, when the program does not print its version.
+/// folder. Its version may also be on standard error. Throws cannot_be_run() when the program does not print
+/// its version.
 [[nodiscard]] Tool find_tool(const char* variable, const std::string& otherwise, std::string_view package,
                              const std::string& version_option = "--version");
 

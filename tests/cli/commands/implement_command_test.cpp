@@ -26,13 +26,78 @@ class ImplementCommand : public testing::Test {
 };
 
 TEST_F(ImplementCommand, StopsAtCountsWhereNothingPlacesAndSaysSo) {
-  const Outcome outcome = run({"--target", "ecp5"});
+  const Outcome outcome = run({"--target", "xc7"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              StartsWith("design          int_slabs\nbits            6/6\ntarget          ecp5\n"));
-  EXPECT_THAT(outcome.out, HasSubstr("\nnot_placed      Debian 12 has no nextpnr for ECP5\n"));
+              StartsWith("design          int_slabs\nbits            6/6\ntarget          xc7\n"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("\nnot_placed      Debian 12 has no place and route for 7-series chips\n"));
   EXPECT_THAT(outcome.out, HasSubstr("\nluts  "));
   EXPECT_THAT(outcome.out, Not(HasSubstr("fmax")));
+}
+
+/// A placer that no package brings may be missing, but not if the user names it.
+TEST_F(ImplementCommand, PlacerThatDebianDoesNotHaveMayBeMissing) {
+  const std::filesystem::path file = folder_.write("far.json", R"({
+    "name": "far", "chip": "Far", "library": "ecp5", "synthesis": ["synth_ecp5 -top {top}"],
+    "resources": {"luts": {"cells": {"LUT4": 1}}, "logic_cells": {"packed": "CELLS"}},
+    "place": {"program": "nextpnr-nowhere", "options": []}, "not_placed": "nobody has nextpnr-nowhere"})");
+  const Outcome outcome = run({"--target", file.string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\nnot_placed      nobody has nextpnr-nowhere\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("logic_cells")));
+  const Outcome named = run({"--target", file.string()}, {{"NEXTPNR_NOWHERE", "/nowhere/tool"}});
+  EXPECT_EQ(named.exit_code, 2);
+  EXPECT_EQ(named.err, "hitpipe: /nowhere/tool: cannot be run; set NEXTPNR_NOWHERE to the program\n");
+}
+
+/// A stand-in answers as nextpnr-ecp5 does: its arguments, and what is read of its log and report.
+TEST_F(ImplementCommand, PlacesOnEcp5) {
+  const std::filesystem::path placer = folder_.write_program("placer", R"(#!/bin/sh
+case "$*" in *--version*) echo 'nextpnr-ecp5 stand-in' >&2; exit 0;; esac
+echo "arguments: $*"
+printf 'Info: Device utilisation:\nInfo: \t        TRELLIS_COMB:   321/24288     1%%\n'
+while [ $# -gt 0 ]; do
+  if [ "$1" = --seed ]; then seed=$2; fi
+  if [ "$1" = --report ]; then report=$2; fi
+  shift
+done
+[ -z "$report" ] || cat > "$report" <<END
+{"critical_paths": [{"from": "posedge \$glbnet\$clk", "to": "posedge \$glbnet\$clk", "path": [
+  {"delay": 0.5, "type": "clk-to-q", "from": {"cell": "a", "port": "CLK"}, "to": {"cell": "a", "port": "Q"}},
+  {"delay": 1.5, "type": "routing", "from": {"cell": "a", "port": "Q"}, "to": {"cell": "b", "port": "D"}}]}],
+ "fmax": {"\$glbnet\$clk": {"achieved": 12$seed.5}, "\$glbnet\$shift_clk": {"achieved": 300}}}
+END
+)");
+  const Outcome outcome =
+      run({"--target", "ecp5", "--seeds", "3", "--format", "json"}, {{"NEXTPNR_ECP5", placer.string()}});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto object = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(object["logic_cells"], 321);
+  EXPECT_EQ(object["fmax_mhz"], 122.5);
+  EXPECT_EQ(object["fmax_best_mhz"], 123.5);
+  EXPECT_EQ(object["critical_from"], "a");
+  EXPECT_EQ(object["critical_to"], "b");
+  EXPECT_TRUE(object["not_placed"].is_null());
+  EXPECT_THAT(object["tools"].get<std::string>(), HasSubstr("nextpnr-ecp5 stand-in"));
+  EXPECT_THAT(contents_of(out_ / "ecp5" / "int_slabs_6_6_pack.log"),
+              StartsWith("arguments: --25k --package CABGA381 --speed 6 --lpf-allow-unconstrained --json "
+                         "int_slabs_6_6_netlist.json --top int_slabs_6_6 --pack-only\n"));
+  EXPECT_THAT(contents_of(out_ / "ecp5" / "int_slabs_6_6_harness_place_3.log"),
+              StartsWith("arguments: --25k --package CABGA381 --speed 6 --lpf-allow-unconstrained --json "
+                         "int_slabs_6_6_harness.json --top int_slabs_6_6_harness --seed 3 --report "));
+}
+
+/// With nextpnr-ecp5 itself, which is no package of Debian 12.
+TEST_F(ImplementCommand, PlacesOnEcp5WithNextpnr) {
+  const Outcome outcome = run({"--target", "ecp5", "--seeds", "1", "--format", "json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto object = nlohmann::json::parse(outcome.out);
+  if (!object["not_placed"].is_null()) GTEST_SKIP() << object["not_placed"].get<std::string>();
+  EXPECT_EQ(object["logic_cells"], object["luts"]);
+  EXPECT_GT(object["fmax_mhz"], 50);
+  EXPECT_LT(object["fmax_mhz"], 500);
+  EXPECT_NE(object["critical_from"], object["critical_to"]);
 }
 
 TEST_F(ImplementCommand, PrintsTheSameAsJsonAndKeepsIt) {

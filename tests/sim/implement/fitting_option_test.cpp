@@ -17,7 +17,7 @@ using testing::StartsWith;
 /// A chip that has only so many of one resource. It is not placed, which takes less time.
 Target with_at_most(const char* name, const std::string& resource, int available) {
   Target target = target_called(name);
-  target.placement.reset();
+  target.placer.reset();
   target.not_placed = "not in this test";
   for (Resource& each : target.resources)
     if (each.name == resource) each.available = available;

@@ -23,7 +23,7 @@ using testing::StartsWith;
 /// A target without placement: what is counted and simulated, in less time.
 Target mapped_only(const char* name) {
   Target target = target_called(name);
-  target.placement.reset();
+  target.placer.reset();
   target.not_placed = "not in this test";
   return target;
 }
