@@ -56,9 +56,13 @@ class HlsTools : public testing::Test {
       if (line.starts_with("> ")) list.push_back(line.substr(2));
     return list;
   }
-  /// What a stand-in for Bambu prints, its arguments one a line, when the script runs it.
+  /// What the script prints with a stand-in for Bambu: its arguments one a line, then the test program's
+  /// line.
   std::vector<std::string> bambu(const std::string& settings) {
-    write_text(folder / "bin/bambu", "#!/bin/sh\nprintf '%s\\n' \"$@\"\n");
+    write_text(folder / "bin/bambu",
+               "#!/bin/sh\nprintf '%s\\n' \"$@\"\n"
+               "mkdir -p HLS_output/simulation\n"
+               "echo 9 vectors, 0 mismatches >HLS_output/simulation/testbench.log\n");
     std::istringstream lines(
         run_tool(folder.path(), "", "env", settings + " PATH=\"$PWD/bin:$PATH\" ./*_bambu.sh").output);
     std::vector<std::string> list;
@@ -235,7 +239,7 @@ TEST_F(HlsTools, BambuGetsItsOptions) {
                   "--compiler=I386_CLANG16", "-O3", "-p=hitpipe_int_plucker=1", "--device=some-device",
                   "--clock-period=4", "--simulate", "--simulator=VERILATOR",
                   "--generate-tb=" + hls + "/int_plucker_csim.cpp",
-                  "--tb-arg=" + hls + "/../tb/int_plucker_vectors.hex"));
+                  "--tb-arg=" + hls + "/../tb/int_plucker_vectors.hex", "9 vectors, 0 mismatches"));
   EXPECT_TRUE(std::filesystem::is_directory(folder / "hitpipe_int_plucker"));
 }
 
