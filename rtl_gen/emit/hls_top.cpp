@@ -133,7 +133,7 @@ bambu "$here/$module.cpp" --top-fname="hitpipe_$module" --generate-interface=INF
   --device="${{DEVICE:-xc7a100t-1csg324-VVD}}" --clock-period="${{CLOCK:-5}}" \
   --simulate --simulator=VERILATOR --generate-tb="$here/${{module}}_csim.cpp" \
   --tb-arg="$here/../tb/${{module}}_vectors.hex"
-tail -n 1 HLS_output/simulation/testbench.log
+grep mismatches HLS_output/simulation/testbench.log
 )sh",
                      title, module, include_setting, interval);
 }
