@@ -22,7 +22,7 @@ help:
 	@echo 'make prove     the Verilog equals its combinational form: yosys and z3; DESIGN=x BITS=y II=N proves one unit'
 	@echo 'make prove-all-widths  int_major never misses, for all widths: Coq'
 	@echo 'make netlists  the netlists in chip cells and standard cells equal the C++ for 10^5 vectors a design'
-	@echo 'make hls-check  C++14 tops with the integers in HITPIPE_VENDOR_AP_INT=DIR or HITPIPE_AC_TYPES=DIR'
+	@echo 'make hls-check  C++14 tops with the integers in HITPIPE_VENDOR_AP_INT=DIR or HITPIPE_AC_TYPES=DIR, and by bambu'
 	@echo 'make alone     every source and header compiles by itself; FILES="WORD..." takes those whose path holds a word'
 	@echo 'make fresh     make demo and make test in a Debian 12 of its own with git and make only; needs root'
 	@echo 'make clean     removes build folders and out/'

@@ -11,6 +11,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "host/cannot.hpp"
@@ -26,6 +27,12 @@ namespace {
 std::string prefix_aside(const fs::path& place) {
   constexpr std::size_t longest = 100;
   return fmt::format(".{}.hitpipe-", place.filename().string().substr(0, longest));
+}
+
+void fill(PendingFile& file, std::string_view contents) {
+  file.write(contents);
+  if (contents.starts_with("#!")) file.make_program();
+  file.close();
 }
 
 }  // namespace
@@ -76,6 +83,13 @@ void PendingFile::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) cannot("write the file", place_, errno);
 }
 
+void PendingFile::make_program() {
+  struct stat status {};
+  if (fstat(fileno(file_), &status) != 0 ||
+      fchmod(fileno(file_), status.st_mode | (status.st_mode & (S_IRUSR | S_IRGRP | S_IROTH)) >> 2U) != 0)
+    cannot("write the file", place_, errno);
+}
+
 void PendingFile::close() {
   // A file system that cannot be synchronised says EINVAL.
   if (std::fflush(file_) != 0 || (fsync(fileno(file_)) != 0 && errno != EINVAL))
@@ -94,16 +108,14 @@ void write_files(const fs::path& folder, const std::vector<File>& files) {
   std::deque<PendingFile> pending;
   for (const File& file : files) {
     pending.emplace_back(folder / file.name);
-    pending.back().write(file.contents);
-    pending.back().close();
+    fill(pending.back(), file.contents);
   }
   for (PendingFile& file : pending) file.rename();
 }
 
 void write_file(const fs::path& file, std::string_view contents) {
   PendingFile pending(file);
-  pending.write(contents);
-  pending.close();
+  fill(pending, contents);
   pending.rename();
 }
 

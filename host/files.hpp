@@ -41,6 +41,8 @@ class PendingFile {
   PendingFile& operator=(const PendingFile&) = delete;
 
   void write(std::string_view text);
+  /// Those who may read the file may run it too.
+  void make_program();
   /// Nothing more is written. The bytes are on the disk, so a file of this name is whole even after a crash.
   void close();
   /// The file has been closed.
@@ -52,8 +54,9 @@ class PendingFile {
   std::FILE* file_ = nullptr;
 };
 
-/// Writes each file whole. No file takes its place before all are written, but a crash between two may leave
-/// the first without the second. Makes their folders. Throws std::runtime_error, naming file and reason.
+/// Writes each file whole. A file that begins with #! is a program that can be run. No file takes its place
+/// before all are written, but a crash between two may leave the first without the second. Makes their
+/// folders. Throws std::runtime_error, naming file and reason.
 void write_files(const std::filesystem::path& folder, const std::vector<File>& files);
 
 /// Writes one file as write_files() does.

@@ -118,7 +118,7 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
                    "and its tests name its slot; N is rounded up to a power of two");
   command->add_flag("--hls", options->hls,
                     "Also write hls/: the design as a C++ top function for high-level synthesis, with "
-                    "scripts for Vitis HLS and Catapult");
+                    "scripts for Vitis HLS, Catapult and Bambu");
   CLI::Option* const cycles =
       add_count_option(*command, "--vectors", options->vectors, {1, 10'000'000},
                        "Vectors of the testbench; of a machine its cycles, by default 2000")

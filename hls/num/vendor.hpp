@@ -71,7 +71,7 @@ template <class Bit, class T, int W = hitpipe::hls::VendorShape<T>::width>
 inline typename std::enable_if<std::is_same<Bit, ::ap_uint<1>>::value, T>::type select(const Bit& bit,
                                                                                        const T& a,
                                                                                        const T& b) {
-  return bit.to_bool() ? a : b;
+  return bit != 0 ? a : b;
 }
 
 template <int To, class T>

@@ -1,7 +1,11 @@
-// The value domain and the types of a top function: ac_int with HITPIPE_AC_TYPES, a vendor's ap_int.h with
-// HITPIPE_VENDOR or where a synthesiser runs (__SYNTHESIS__), else hitpipe's own integers. hitpipe's integers
-// need C++20, the others C++14.
+// The value domain and the types of a top function: ac_int with HITPIPE_AC_TYPES or where Bambu reads it
+// (__BAMBU__), a vendor's ap_int.h with HITPIPE_VENDOR or where another synthesiser runs (__SYNTHESIS__),
+// else hitpipe's own integers. hitpipe's integers need C++20, the others C++14.
 #pragma once
+
+#if defined(__BAMBU__) && !defined(HITPIPE_AC_TYPES)
+#define HITPIPE_AC_TYPES
+#endif
 
 #if defined(HITPIPE_AC_TYPES)
 #include "hls/num/ac_types.hpp"

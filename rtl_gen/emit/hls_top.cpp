@@ -9,6 +9,11 @@ namespace hitpipe::rtl {
 
 namespace {
 
+/// What a script says of the folder of hitpipe's headers.
+constexpr const char* include_setting =
+    "# INCLUDE   the folder that holds hitpipe's hls/: its sources, or include/hitpipe where it is installed "
+    "(. unless given)\n";
+
 /// Where the script, hitpipe's headers and the vectors are; what a user may set in the environment.
 constexpr const char* settings_by_place = R"(proc setting {name otherwise} {
   if {[info exists ::env($name)]} { return $::env($name) }
@@ -27,13 +32,12 @@ std::string vitis_tcl(const std::string& title, const std::string& module) {
   return fmt::format(
              R"(# {} through Vitis HLS: C simulation, synthesis, export as IP. Settings come from the environment.
 #   INCLUDE=/path/to/hitpipe PART=xc7a100tcsg324-1 vitis_hls -f {}_vitis_hls.tcl
-# INCLUDE   the folder that holds hitpipe's hls/: its sources, or include/hitpipe where it is installed (. unless given)
-# PART      the device
+{}# PART      the device
 # CLOCK     period in ns (5 unless given)
 # PROJECT   folder to work in (hitpipe_<module> unless given)
 set module {}
 )",
-             title, module, module) +
+             title, module, include_setting, module) +
          settings_by_place + R"(set flags "-std=c++14 -I$include -DHITPIPE_VENDOR"
 
 open_project -reset [setting PROJECT hitpipe_$module]
@@ -77,12 +81,11 @@ std::string catapult_tcl(const std::string& title, const std::string& module, in
   return fmt::format(
              R"(# {} through Catapult. Settings come from the environment.
 #   INCLUDE=/path/to/hitpipe catapult -shell -file {}_catapult.tcl
-# INCLUDE   the folder that holds hitpipe's hls/: its sources, or include/hitpipe where it is installed (. unless given)
-# LIBRARY   the component library, with its options (nangate-45nm_beh unless given)
+{}# LIBRARY   the component library, with its options (nangate-45nm_beh unless given)
 # CLOCK     period in ns (2 unless given)
 set module {}
 )",
-             title, module, module) +
+             title, module, include_setting, module) +
          settings_by_place + R"(
 solution new -state initial
 solution options defaults
@@ -105,10 +108,41 @@ directive set /hitpipe_$module/core/main -PIPELINE_INIT_INTERVAL )" +
          fmt::format("{}\ngo architect\ngo extract\n", interval);
 }
 
+std::string bambu_sh(const std::string& title, const std::string& module, int interval) {
+  return fmt::format(R"sh(#!/bin/sh
+# {0} through Bambu: synthesis, and co-simulation with the vectors of the C simulation. Settings come from the
+# environment.
+#   INCLUDE=/path/to/hitpipe ./{1}_bambu.sh
+{2}# DEVICE    the device, as Bambu names it (xc7a100t-1csg324-VVD unless given)
+# CLOCK     period in ns (5 unless given)
+# PROJECT   folder to work in (hitpipe_<module> unless given)
+set -eu
+module={1}
+here=$(cd "$(dirname "$0")" && pwd)
+include=${{INCLUDE:-.}}
+if [ ! -e "$include/hls/top/top_domain.hpp" ]; then
+  echo "INCLUDE=$include: there is no hls/top/top_domain.hpp in that folder" >&2
+  exit 1
+fi
+include=$(cd "$include" && pwd)
+project=${{PROJECT:-hitpipe_$module}}
+mkdir -p "$project"
+cd "$project"
+bambu "$here/$module.cpp" --top-fname="hitpipe_$module" --generate-interface=INFER \
+  "-I$include" -DHITPIPE_AC_TYPES --std=c++14 --compiler=I386_CLANG16 -O3 "-p=hitpipe_$module={3}" \
+  --device="${{DEVICE:-xc7a100t-1csg324-VVD}}" --clock-period="${{CLOCK:-5}}" \
+  --simulate --simulator=VERILATOR --generate-tb="$here/${{module}}_csim.cpp" \
+  --tb-arg="$here/../tb/${{module}}_vectors.hex"
+grep mismatches HLS_output/simulation/testbench.log
+)sh",
+                     title, module, include_setting, interval);
+}
+
 std::vector<host::File> hls_scripts(const std::string& title, const std::string& module, int interval) {
   return {{module + "_vitis_hls.tcl", vitis_tcl(title, module)},
           {module + "_hls.cfg", vitis_cfg(title, module)},
-          {module + "_catapult.tcl", catapult_tcl(title, module, interval)}};
+          {module + "_catapult.tcl", catapult_tcl(title, module, interval)},
+          {module + "_bambu.sh", bambu_sh(title, module, interval)}};
 }
 
 constexpr std::size_t columns = 110;  // as .clang-format has it
@@ -159,34 +193,50 @@ std::string header(const Design& design, const Format& format, const std::string
 
 #include "hls/top/top_domain.hpp"
 
+extern "C" {{
 {}
+}}
 )",
                      design.name_at(format), design.summary, design.name, design.bits_option(format),
                      options_of(design, format, module, interval),
                      signature(design, format, module, "hitpipe::hls::top::", ");"));
 }
 
+std::string interfaces(const Design& design, const Format& format) {
+  std::string operands, results, bambu_results;
+  for (const Port& port : design.ports(format))
+    operands += fmt::format("#pragma HLS INTERFACE mode = ap_none port = {}\n", port.name);
+  for (const hls::Result& result : design.results(format)) {
+    results += fmt::format("#pragma HLS INTERFACE mode = ap_vld port = {}\n", result.name);
+    bambu_results += fmt::format("#pragma HLS INTERFACE mode = ap_none port = {}\n", result.name);
+  }
+  return fmt::format("{}#if defined(__BAMBU__)\n{}#else\n{}#endif\n", operands, bambu_results, results);
+}
+
 std::string source(const Design& design, const Format& format, const std::string& module, int interval) {
-  std::string interfaces, operands, results;
-  for (const Port& port : design.ports(format)) {
-    interfaces += fmt::format("#pragma HLS INTERFACE mode = ap_none port = {}\n", port.name);
+  std::string operands, results;
+  for (const Port& port : design.ports(format))
     operands +=
         fmt::format("  in.{}{} = {};\n", port.name, port.kind == hls::Kind::real ? ".bits" : "", port.name);
-  }
-  for (const hls::Result& result : design.results(format)) {
-    interfaces += fmt::format("#pragma HLS INTERFACE mode = ap_vld port = {}\n", result.name);
+  for (const hls::Result& result : design.results(format))
     results += fmt::format("  {} = out.{};\n", result.name, result.name);
-  }
   return fmt::format(
-      R"(// {rate}: operands are plain ports, taken when the block starts; a result comes with a valid bit.
+      R"(// {rate}: operands are plain ports, taken when the block starts. A result comes with a valid bit,
+// in Bambu without one, which would stay 0 in a pipeline.
 #include "{name}.hpp"
 
+#if defined(__BAMBU__)  // it passes what a function that stays a call takes in a memory, wrong in a pipeline
+#pragma clang attribute push(__attribute__((always_inline)), apply_to = function)
+#endif
 #include "{header}"
+#if defined(__BAMBU__)
+#pragma clang attribute pop
+#endif
 
 using namespace hitpipe::hls;
 
 {signature}
-#if defined(__SYNTHESIS__) && !defined(HITPIPE_AC_TYPES)
+#if defined(__BAMBU__) || (defined(__SYNTHESIS__) && !defined(HITPIPE_AC_TYPES))
 #pragma HLS PIPELINE II = {interval}
 {interfaces}#endif
   using Format = {format};
@@ -197,7 +247,7 @@ using namespace hitpipe::hls;
       fmt::arg("rate", interval == 1 ? "One test a cycle" : fmt::format("A test every {} cycles", interval)),
       fmt::arg("interval", interval), fmt::arg("name", module), fmt::arg("header", design.source.header),
       fmt::arg("signature", signature(design, format, module, "top::", ") {")),
-      fmt::arg("interfaces", interfaces), fmt::arg("format", format.type()),
+      fmt::arg("interfaces", interfaces(design, format)), fmt::arg("format", format.type()),
       fmt::arg("pipeline", design.source.pipeline), fmt::arg("operands", operands),
       fmt::arg("results", results));
 }

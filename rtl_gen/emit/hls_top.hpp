@@ -14,7 +14,7 @@ struct HlsTop {
   host::File header;                ///< <module>.hpp
   host::File source;                ///< <module>.cpp
   host::File csim;                  ///< <module>_csim.cpp: a program that replays vectors through the top
-  std::vector<host::File> scripts;  ///< for Vitis HLS, the unified Vitis compiler and Catapult
+  std::vector<host::File> scripts;  ///< for Vitis HLS, the unified Vitis compiler, Catapult and Bambu
 
   [[nodiscard]] std::vector<host::File> files() const;
 };

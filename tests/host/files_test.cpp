@@ -72,6 +72,16 @@ TEST(WriteFiles, CreatesFoldersAndReplacesFiles) {
   EXPECT_EQ(read_text(out / "tb" / "b.v"), "second\n");
 }
 
+TEST(WriteFiles, ScriptIsAProgram) {
+  const ScratchFolder folder;
+  host::write_files(folder.path(), {{"script", "#!/bin/sh\n"}, {"text", "echo #!/bin/sh\n"}});
+  const auto may = [&](const char* name, int right) { return access((folder / name).c_str(), right) == 0; };
+  EXPECT_TRUE(may("script", R_OK | X_OK));
+  EXPECT_FALSE(may("text", X_OK));
+  host::write_file(folder / "alone", "#!/bin/sh\n");
+  EXPECT_TRUE(may("alone", X_OK));
+}
+
 TEST(WriteFiles, KeepsEveryByte) {
   const ScratchFolder folder;
   const std::string bytes("a\r\nb\0c\n", 7);

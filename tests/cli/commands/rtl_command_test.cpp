@@ -119,9 +119,10 @@ TEST_F(RtlCommand, WritesTheTopFunctionOnlyWhenAsked) {
       run_hitpipe({"rtl", "int_slabs", "--bits", "20/24", "--hls", "--out", out_.string()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   std::vector<std::string> expected = all_files;
-  expected.insert(std::find(expected.begin(), expected.end(), "int_slabs.core"),
-                  {"hls/int_slabs.cpp", "hls/int_slabs.hpp", "hls/int_slabs_catapult.tcl",
-                   "hls/int_slabs_csim.cpp", "hls/int_slabs_hls.cfg", "hls/int_slabs_vitis_hls.tcl"});
+  expected.insert(
+      std::find(expected.begin(), expected.end(), "int_slabs.core"),
+      {"hls/int_slabs.cpp", "hls/int_slabs.hpp", "hls/int_slabs_bambu.sh", "hls/int_slabs_catapult.tcl",
+       "hls/int_slabs_csim.cpp", "hls/int_slabs_hls.cfg", "hls/int_slabs_vitis_hls.tcl"});
   EXPECT_EQ(files_below(out_), expected);
   EXPECT_THAT(outcome.out, HasSubstr((out_ / "hls/int_slabs.cpp").string() + "\n"));
   EXPECT_THAT(contents_of(out_ / "hls/int_slabs.cpp"), HasSubstr("using Format = IntFormat<20, 24>;"));

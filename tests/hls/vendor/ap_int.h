@@ -53,7 +53,6 @@ class ApBase {
     return ApBase<W + W2, false>::of(static_cast<wide>(above | below));
   }
   ap<W, S> operator~() const { return of(~value_); }
-  bool to_bool() const { return value_ != 0; }
   std::uint64_t to_uint64() const { return static_cast<std::uint64_t>(value_); }
 
  private:
@@ -108,6 +107,10 @@ bool operator==(const ApBase<A, SA>& a, const ApBase<B, SB>& b) {
 template <int A, bool SA, int B, bool SB>
 bool operator!=(const ApBase<A, SA>& a, const ApBase<B, SB>& b) {
   return !(a == b);
+}
+template <int A, bool SA>
+bool operator!=(const ApBase<A, SA>& a, int b) {
+  return a.value() != b;
 }
 
 }  // namespace word

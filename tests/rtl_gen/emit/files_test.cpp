@@ -58,7 +58,8 @@ TEST(Emit, AddsTheTopFunctionOnlyWhenAsked) {
     EXPECT_EQ(names_of(with.hls),
               (std::vector<std::string>{"hls/" + d.design + ".hpp", "hls/" + d.design + ".cpp",
                                         "hls/" + d.design + "_csim.cpp", "hls/" + d.design + "_vitis_hls.tcl",
-                                        "hls/" + d.design + "_hls.cfg", "hls/" + d.design + "_catapult.tcl"}))
+                                        "hls/" + d.design + "_hls.cfg", "hls/" + d.design + "_catapult.tcl",
+                                        "hls/" + d.design + "_bambu.sh"}))
         << d;
     std::vector<std::string> names = names_of(with.files());
     std::erase_if(names, [](const std::string& name) { return name.starts_with("hls/"); });

@@ -56,6 +56,20 @@ class HlsTools : public testing::Test {
       if (line.starts_with("> ")) list.push_back(line.substr(2));
     return list;
   }
+  /// What the script prints with a stand-in for Bambu: its arguments one a line, then the test program's
+  /// line.
+  std::vector<std::string> bambu(const std::string& settings) {
+    write_text(
+        folder / "bin/bambu",
+        "#!/bin/sh\nprintf '%s\\n' \"$@\"\n"
+        "mkdir -p HLS_output/simulation\n"
+        "printf 'vectors: 9 vectors, 0 mismatches\\n- finish\\n' >HLS_output/simulation/testbench.log\n");
+    std::istringstream lines(
+        run_tool(folder.path(), "", "env", settings + " PATH=\"$PWD/bin:$PATH\" ./*_bambu.sh").output);
+    std::vector<std::string> list;
+    for (std::string line; std::getline(lines, line);) list.push_back(line);
+    return list;
+  }
   /// Compiles the test program with the top that it is for, and runs it on vectors of which half hit.
   std::string simulated(const std::string& design, const Format& format) {
     const std::vector<Port> ports = find_design(design).ports(format);
@@ -80,26 +94,30 @@ class HlsTools : public testing::Test {
 TEST(HlsTop, HeaderIsTheFunctionWithAnArgumentForEachPort) {
   EXPECT_THAT(
       top_of("int_slabs", "20/24").header.contents,
-      AllOf(StartsWith("// Top function of int_slabs 20/24 for high-level synthesis: integer slabs test, "
-                       "figures 7.4-7.6.\n// Written by `hitpipe rtl int_slabs --bits 20/24 --hls`.\n"
-                       "#pragma once\n\n#include \"hls/top/top_domain.hpp\"\n\n"
-                       "void hitpipe_int_slabs(hitpipe::hls::top::Integer<20> irx, hitpipe::"),
-            HasSubstr("hitpipe::hls::top::Bit rinf, "),
-            EndsWith("hitpipe::hls::top::Integer<20> izmax, hitpipe::hls::top::Bit& hit);\n")));
+      AllOf(
+          StartsWith("// Top function of int_slabs 20/24 for high-level synthesis: integer slabs test, "
+                     "figures 7.4-7.6.\n// Written by `hitpipe rtl int_slabs --bits 20/24 --hls`.\n"
+                     "#pragma once\n\n#include \"hls/top/top_domain.hpp\"\n\n"
+                     "extern \"C\" {\nvoid hitpipe_int_slabs(hitpipe::hls::top::Integer<20> irx, hitpipe::"),
+          HasSubstr("hitpipe::hls::top::Bit rinf, "),
+          EndsWith("hitpipe::hls::top::Integer<20> izmax, hitpipe::hls::top::Bit& hit);\n}\n")));
 }
 
 TEST(HlsTop, SourceSetsOperandsAndReturnsResults) {
   EXPECT_THAT(
       top_of("fp_slabs", "fp32").source.contents,
-      AllOf(StartsWith(
-                "// One test a cycle: operands are plain ports, taken when the block starts; a result comes "
-                "with a valid bit.\n#include \"fp_slabs.hpp\"\n\n#include \"hls/pipelines/fp_slabs.hpp\"\n\n"
-                "using namespace hitpipe::hls;\n\nvoid hitpipe_fp_slabs(top::Pattern<32> rx, "),
-            HasSubstr(", top::Bit& hit) {\n#if defined(__SYNTHESIS__) && !defined(HITPIPE_AC_TYPES)\n"
+      AllOf(StartsWith("// One test a cycle: operands are plain ports, taken when the block starts. "),
+            HasSubstr("\n#include \"fp_slabs.hpp\"\n\n#if defined(__BAMBU__)"),
+            HasSubstr("\n#endif\n#include \"hls/pipelines/fp_slabs.hpp\"\n#if defined(__BAMBU__)\n"
+                      "#pragma clang attribute pop\n#endif\n\nusing namespace hitpipe::hls;\n\n"
+                      "void hitpipe_fp_slabs(top::Pattern<32> rx, "),
+            HasSubstr(", top::Bit& hit) {\n"
+                      "#if defined(__BAMBU__) || (defined(__SYNTHESIS__) && !defined(HITPIPE_AC_TYPES))\n"
                       "#pragma HLS PIPELINE II = 1\n#pragma HLS INTERFACE mode = ap_none port = rx\n"),
-            HasSubstr(
-                "#pragma HLS INTERFACE mode = ap_vld port = hit\n#endif\n  using Format = FpFormat<8, 23>;\n"
-                "  FpSlabs::Operands<top::Domain, Format> in;\n  in.rx.bits = rx;\n"),
+            HasSubstr("#pragma HLS INTERFACE mode = ap_none port = hit\n#else\n"
+                      "#pragma HLS INTERFACE mode = ap_vld port = hit\n#endif\n#endif\n"
+                      "  using Format = FpFormat<8, 23>;\n"
+                      "  FpSlabs::Operands<top::Domain, Format> in;\n  in.rx.bits = rx;\n"),
             HasSubstr("\n  in.rinf = rinf;\n"),
             EndsWith("  in.zmax.bits = zmax;\n  const auto out = FpSlabs::test<top::Domain>(Format(), in);\n"
                      "  hit = out.hit;\n}\n")));
@@ -114,6 +132,7 @@ TEST(HlsTop, TellsTheToolsTheInterval) {
   EXPECT_THAT(top.source.contents, HasSubstr("\n#pragma HLS PIPELINE II = 3\n"));
   EXPECT_THAT(top.scripts.at(2).contents,
               HasSubstr("\ndirective set /hitpipe_$module/core/main -PIPELINE_INIT_INTERVAL 3\n"));
+  EXPECT_THAT(top.scripts.at(3).contents, HasSubstr(" \"-p=hitpipe_$module=3\" "));
 }
 
 TEST(HlsTop, CsimReplaysVectorsThroughTheTop) {
@@ -143,8 +162,9 @@ TEST(HlsTop, HasEveryPortOfEveryDesignOnce) {
     for (const Port& port : design.ports(design.default_format))
       EXPECT_EQ(times(text, "ap_none port = " + port.name + "\n"), 1) << design.name << " " << port.name;
     for (const hls::Result& result : design.results(design.default_format))
-      EXPECT_EQ(times(text, std::string("ap_vld port = ") + result.name + "\n"), 1)
-          << design.name << result.name;
+      for (const char* const mode : {"ap_vld", "ap_none"})
+        EXPECT_EQ(times(text, std::string(mode) + " port = " + result.name + "\n"), 1)
+            << design.name << result.name;
   }
 }
 
@@ -210,6 +230,20 @@ TEST_F(HlsTools, CatapultGetsTheStepsInOrder) {
                           "go architect", "go extract"));
 }
 
+TEST_F(HlsTools, BambuGetsItsOptions) {
+  write(top_of("int_plucker", "20/24"));
+  const std::string hls = folder.path().string();
+  EXPECT_THAT(
+      bambu(sources + " DEVICE=some-device CLOCK=4"),
+      ElementsAre(hls + "/int_plucker.cpp", "--top-fname=hitpipe_int_plucker", "--generate-interface=INFER",
+                  std::string("-I") + HITPIPE_SOURCE, "-DHITPIPE_AC_TYPES", "--std=c++14",
+                  "--compiler=I386_CLANG16", "-O3", "-p=hitpipe_int_plucker=1", "--device=some-device",
+                  "--clock-period=4", "--simulate", "--simulator=VERILATOR",
+                  "--generate-tb=" + hls + "/int_plucker_csim.cpp",
+                  "--tb-arg=" + hls + "/../tb/int_plucker_vectors.hex", "vectors: 9 vectors, 0 mismatches"));
+  EXPECT_TRUE(std::filesystem::is_directory(folder / "hitpipe_int_plucker"));
+}
+
 TEST_F(HlsTools, UnifiedVitisReadsFilesThatAreThere) {
   const HlsTop top = top_of("int_plucker", "12/12");
   write(top);
@@ -232,6 +266,8 @@ TEST_F(HlsTools, FolderWithoutTheHeadersRejected) {
     EXPECT_THAT(commands(tool, "INCLUDE=/nowhere"),
                 ElementsAre("error INCLUDE=/nowhere: there is no hls/top/top_domain.hpp in that folder"));
   }
+  EXPECT_THAT(bambu("INCLUDE=/nowhere"),
+              ElementsAre("INCLUDE=/nowhere: there is no hls/top/top_domain.hpp in that folder"));
 }
 
 TEST_F(HlsTools, TestProgramPasses) {
