@@ -175,6 +175,32 @@ std::vector<Count> count_logic(const Graph& graph, const rtl::Schedule& schedule
   return tally.counts();
 }
 
+int packed_bits(const Graph& graph, const rtl::SharedSchedule& shared, const rtl::Placement& placement) {
+  const auto& [schedule, binding] = shared;
+  std::vector<bool> read_at_once(graph.size());
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    if (!is_root(graph[id].op) || graph[id].op == Op::input) continue;
+    rtl::for_each_source(graph, id, [&](NodeId source, rtl::Word) {
+      const rtl::Slot& slot = schedule.slots[source];
+      if (!slot.latched && slot.finish == schedule.slots[id].stage) read_at_once[source] = true;
+    });
+  }
+  const auto is_made_here = [&](NodeId value, int boundary) {
+    const Op op = graph[value].op;
+    return op != Op::input && op != Op::mul && !read_at_once[value] &&
+           schedule.slots[value].finish == boundary;
+  };
+  int bits = 0;
+  for (const rtl::Register& r : placement.registers)
+    if (!r.in_block && is_made_here(r.value, r.boundary)) bits += r.width();
+  // The operands of shared components are latched behind their multiplexers.
+  const rtl::RegisterTable registers(placement, binding.interval);
+  for (const auto& [instance, operations] : binding.instances())
+    for (std::size_t place = 0; place < graph[operations.front()].operands().size(); ++place)
+      if (is_selected(graph, operations, place)) bits += graph[graph[operations.front()].args[place]].width;
+  return bits;
+}
+
 rtl::Component register_of(rtl::FlowControl flow, const rtl::Library& library) {
   return flow == rtl::FlowControl::stall && library.has(Component::latch_enable) ? Component::latch_enable
                                                                                  : Component::latch;

@@ -72,6 +72,10 @@ enum class Gates { left_out, counted };
 /// The same without valid and tag bits, of any scheduled graph.
 [[nodiscard]] std::vector<Count> count_logic(const rtl::Graph& graph, const rtl::Schedule& schedule,
                                              const rtl::Placement& placement, Gates gates);
+/// The bits of the registers that latch what lookup tables make in the stage before, where nothing else reads
+/// it: a chip may have such a table and its register in one cell.
+[[nodiscard]] int packed_bits(const rtl::Graph& graph, const rtl::SharedSchedule& shared,
+                              const rtl::Placement& placement);
 [[nodiscard]] std::vector<Count> count_printed(const rtl::Pipeline& pipeline, const rtl::Format& format,
                                                const rtl::ThesisAccounting& printed);
 

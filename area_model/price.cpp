@@ -21,8 +21,7 @@ std::int64_t as_printed(std::int64_t area_um2) {
 }
 
 /// The cells of a unit on a chip: of its parts, which are gates, adders and blocks like all others.
-rtl::ChipCells taken_by(const rtl::Submodule& unit, const rtl::Library& library, int clock_ps) {
-  const rtl::DividedUnit inside = rtl::divided(unit, library, clock_ps);
+rtl::ChipCells taken_by(const rtl::DividedUnit& inside, const rtl::Library& library) {
   rtl::ChipCells taken;
   for (const Count& count : count_logic(inside.body, inside.schedule, inside.placement, Gates::counted)) {
     if (count.part.purpose == Purpose::block) continue;
@@ -37,10 +36,10 @@ class PartPrices {
   PartPrices(const rtl::Pipeline& pipeline, const rtl::Library& library) : library_(library) {
     if (library.chip() == nullptr) return;
     for (const auto& unit : pipeline.graph.submodules()) {
-      units_[{rtl::component_called(unit->component), unit->bits}] = {
-          .bits = unit->bits,
-          .estimated = true,
-          .taken = taken_by(*unit, library, pipeline.schedule.clock_ps)};
+      const rtl::DividedUnit inside = rtl::divided(*unit, library, pipeline.schedule.clock_ps);
+      const std::pair part(rtl::component_called(unit->component), unit->bits);
+      units_[part] = {.bits = unit->bits, .estimated = true, .taken = taken_by(inside, library)};
+      packed_[part] = packed_bits(inside.body, {inside.schedule, {}}, inside.placement);
     }
   }
 
@@ -61,9 +60,16 @@ class PartPrices {
             .estimated = cell.estimated && library_.chip() == nullptr};
   }
 
+  /// Register bits inside n parts that are in the cells of their tables.
+  [[nodiscard]] std::int64_t packed(const Part& part, int n) const {
+    const auto unit = packed_.find({part.component, part.bits});
+    return unit == packed_.end() ? 0 : std::int64_t{n} * unit->second;
+  }
+
  private:
   const rtl::Library& library_;
   std::map<std::pair<rtl::Component, int>, rtl::Cell> units_;
+  std::map<std::pair<rtl::Component, int>, int> packed_;
 };
 
 /// Prices the counts of a pipeline; the total is left to the caller.
@@ -91,6 +97,12 @@ Price priced(const rtl::Pipeline& pipeline, const std::vector<Count>& counts, co
   }
   for (const auto& [part, n] : totals) price.lines.push_back(prices.line(part, n));
   for (const Line& line : price.lines) price.taken += line.taken;
+  if (library.chip() != nullptr && library.chip()->packs_registers) {
+    std::int64_t packed =
+        packed_bits(pipeline.graph, {pipeline.schedule, pipeline.binding}, pipeline.placement);
+    for (const auto& [part, n] : totals) packed += prices.packed(part, n);
+    price.logic_cells = price.taken.luts + price.taken.registers - packed;
+  }
   return price;
 }
 

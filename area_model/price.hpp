@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,7 @@ struct Price {
   std::vector<StagePrice> by_stage;  ///< every stage from 0 on
   std::int64_t area_um2 = 0;         ///< built: exact; printed: of rows rounded to 0.0001 mm2 as in Table 7.2
   rtl::ChipCells taken{};
+  std::optional<std::int64_t> logic_cells{};  ///< of a chip that has a table and a register in each
   int stages = 0;
   int stage_delay_ps = 0;
 

@@ -149,6 +149,7 @@ std::vector<Row> chip_rows(const std::vector<Price>& prices, const rtl::Library&
     row.update(unit_row(p, format));
     row["delay_estimated"] = library.chip()->estimated;
     append_cells(row, p.taken, *library.chip());
+    row["logic_cells"] = p.logic_cells ? Row(*p.logic_cells) : Row(nullptr);
     row["boxes_per_test"] = p.boxes;
     append_parts(row, p.lines, parts);
     rows.push_back(std::move(row));
@@ -197,6 +198,7 @@ std::vector<Row> rate_rows(const std::vector<RatedPrice>& units, const rtl::Libr
     row["boxes_per_second"] = p.boxes_per_second();
     if (library.chip() != nullptr) {
       append_cells(row, p.taken, *library.chip());
+      row["logic_cells"] = p.logic_cells ? Row(*p.logic_cells) : Row(nullptr);
       row["lut_of_ii_1_pct"] = figure(area::percent(p.taken.luts, every_cycle.taken.luts), format);
     } else {
       row["area_mm2"] = figure(area::area_mm2(p.area_um2), format);

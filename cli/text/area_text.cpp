@@ -218,14 +218,20 @@ std::string chip_text(const std::vector<Price>& prices, const rtl::Library& libr
   std::vector<Cells> rows{
       {"design", "bits", "stages", "delay", "clock", "latency", "LUT", "FF", block_name(chip)},
       {"", "", "", "ns", "MHz", "ns", "", "", ""}};
+  if (chip.packs_registers) {
+    rows[0].emplace_back("cells");
+    rows[1].emplace_back();
+  }
   const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
   for (const Price& p : prices) {
     rows.push_back({std::string(p.design), rtl::to_string(p.format), count(p.stages),
                     area::delay_ns(p.stage_delay_ps), area::clock_mhz(p), area::delay_ns(p.latency_ps()),
                     count(p.taken.luts), count(p.taken.registers), count(p.taken.blocks)});
+    if (p.logic_cells) rows.back().push_back(count(*p.logic_cells));
   }
   const std::string note =
-      fmt::format("On {}.{}\n", chip.device, chip.estimated ? " Delays are estimated." : "");
+      fmt::format("On {}.{}{}\n", chip.device, chip.estimated ? " Delays are estimated." : "",
+                  chip.packs_registers ? " A logic cell has a table and the register behind it." : "");
   return aligned(rows, 2) + note +
          part_columns("count", prices, [&](const Line& line) { return count(line.n); }) +
          part_columns(

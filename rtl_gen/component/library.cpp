@@ -94,7 +94,8 @@ Cell Library::on_chip(Component component, int bits) const {
       cell.taken.blocks = 1;
       break;
     default:
-      cell.delay_ps = chip_->carry_delay(bits);
+      cell.delay_ps =
+          component == Component::int_compare ? chip_->compare_delay(bits) : chip_->carry_delay(bits);
       cell.taken.luts = chip_->carry_luts(bits);
       break;
   }

@@ -60,18 +60,21 @@ struct Chip {
   std::string device;
   bool estimated = false;  ///< the delays
   int lut_inputs = 0;
-  int register_delay_ps = 0;  ///< clock to output, and setup
+  bool packs_registers = false;  ///< a register has the lookup table before it in its own cell, and no other
+  int register_delay_ps = 0;     ///< clock to output, the first net, and setup
   int gate_delay_ps = 0;
   int mux_delay_ps = 0;
-  int carry_delay_ps = 0;          ///< of an adder or comparator without bits
+  int carry_delay_ps = 0;          ///< of an adder or subtractor without bits
+  int compare_delay_ps = 0;        ///< of a comparator without bits: its carry leaves the chain
   int carry_delay_ps_per_bit = 0;  ///< and what each bit adds
   int gate_luts_pct = 0;  ///< lookup tables for 100 bits; less than 100 where tables take several gates
   int mux_luts_pct = 0;
   int carry_luts_pct = 0;
   std::optional<Block> block;
 
-  /// An adder, subtractor or comparator.
+  /// An adder or subtractor.
   [[nodiscard]] int carry_delay(int bits) const { return carry_delay_ps + carry_delay_ps_per_bit * bits; }
+  [[nodiscard]] int compare_delay(int bits) const { return compare_delay_ps + carry_delay_ps_per_bit * bits; }
   [[nodiscard]] int gate_luts(int bits) const { return rounded_up(bits * gate_luts_pct); }
   [[nodiscard]] int mux_luts(int bits) const { return rounded_up(bits * mux_luts_pct); }
   [[nodiscard]] int carry_luts(int bits) const { return rounded_up(bits * carry_luts_pct); }

@@ -2,6 +2,7 @@
 #include "area_model/count.hpp"
 
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -48,6 +49,41 @@ Graph smaller_of_difference() {
   const NodeId difference = g.binary(Op::sub, a, b);
   g.output("smaller", g.mux(g.binary(Op::less, difference, c, true), difference, c));
   return g;
+}
+
+int packed_in(const Graph& graph, std::optional<int> clock_ps = {}) {
+  const rtl::Pipeline p = make_pipeline(graph, unit_library(), clock_ps);
+  return packed_bits(p.graph, {p.schedule, p.binding}, p.placement);
+}
+
+/// A register shares a cell with the table before it: not an input's, not one that only passes a value on,
+/// and not behind a table that something else reads.
+TEST(PackedBits, AreThoseBehindTheirOwnTables) {
+  // The difference is latched behind its tables (8), and so is the smaller value (8). c waits in two
+  // registers.
+  EXPECT_EQ(packed_in(smaller_of_difference()), 16);
+  Graph read_twice("toy");
+  const auto [a, b] = two_inputs(read_twice);
+  const NodeId both = read_twice.binary(Op::bit_and, a, b);
+  read_twice.output("both", both);
+  read_twice.output("other", read_twice.binary(Op::bit_xor, both, b));
+  EXPECT_EQ(packed_in(read_twice), 16) << "the second gate has a stage of its own";
+  EXPECT_EQ(packed_in(read_twice, 1000), 8) << "it reads the first one in the same stage";
+}
+
+TEST(PackedBits, MakeLogicCellsOfTablesAndRegisters) {
+  const rtl::Design& design = rtl::find_design("int_slabs");
+  const rtl::Library up5k = rtl::library_called("ice40_up5k");
+  const rtl::Pipeline p = make_pipeline(design.trace(design.parse_format("8/8")), up5k);
+  const Price of = price(p, design, design.parse_format("8/8"), up5k);
+  ASSERT_TRUE(of.logic_cells);
+  EXPECT_EQ(*of.logic_cells,
+            of.taken.luts + of.taken.registers - packed_bits(p.graph, {p.schedule, p.binding}, p.placement));
+  EXPECT_LT(*of.logic_cells, of.taken.luts + of.taken.registers);
+  const rtl::Library xc7 = rtl::library_called("xc7");
+  EXPECT_FALSE(price(make_pipeline(design.trace(design.parse_format("8/8")), xc7), design,
+                     design.parse_format("8/8"), xc7)
+                   .logic_cells);
 }
 
 TEST(CountBuilt, CountsEveryRegisterAndComponentWithValidAndTag) {

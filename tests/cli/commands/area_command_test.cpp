@@ -259,6 +259,13 @@ TEST(AreaOnAChip, PrintsTheSameFiguresInEveryFormat) {
     }
   }
   EXPECT_EQ(list[0].at("dsp"), 6);
+  // A table and the register behind it are one cell.
+  for (const Json& row : list) {
+    EXPECT_GT(row.at("logic_cells"), row.at("lut"));
+    EXPECT_LT(row.at("logic_cells").get<int>(), row.at("lut").get<int>() + row.at("ff").get<int>());
+  }
+  EXPECT_THAT(printed({"int_slabs", "--library", "ice40_up5k"}),
+              testing::ContainsRegex("LUT  *FF  *SB_MAC16  *cells\n"));
 }
 
 /// Six products, then three, two and one.

