@@ -42,7 +42,7 @@ CoreOptions core_of(const nlohmann::ordered_json& json) {
 }  // namespace
 
 int Board::unit_clock_ps() const {
-  return static_cast<int>(500'000'000'000 / clock_hz);
+  return static_cast<int>(750'000'000'000 / clock_hz);
 }
 
 int Board::clocks_per_bit(int baud_rate) const {

@@ -39,8 +39,8 @@ struct Board {
   /// The usual core on it, whose image a memory of the chip has room for; of a chip without one nothing.
   std::optional<CoreOptions> core;
 
-  /// The clock period for which units are scheduled here, in ps: half of the board's. The other half is for
-  /// wires, whose delays a component library only guesses. A shorter one would only cost registers.
+  /// The clock period for which units are scheduled here, in ps: three quarters of the board's. A unit may be
+  /// a quarter slower than its component library says. A shorter period would only cost registers.
   [[nodiscard]] int unit_clock_ps() const;
   /// Clock cycles for a bit of the serial line. Throws std::runtime_error, one line, when the clock does not
   /// give that rate within 2 %, or has fewer than 4 cycles a bit.

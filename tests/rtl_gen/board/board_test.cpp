@@ -36,8 +36,8 @@ TEST(Board, ClockGivesOnlyRatesWithinTwoPercent) {
   EXPECT_NE(refused(0), "");
 }
 
-TEST(Board, UnitHasHalfOfTheClockPeriod) {
-  EXPECT_EQ(find_board("icebreaker").unit_clock_ps(), 41'666);
+TEST(Board, UnitHasThreeQuartersOfTheClockPeriod) {
+  EXPECT_EQ(find_board("icebreaker").unit_clock_ps(), 62'500);
 }
 
 TEST(Board, UnknownNameIsRefused) {
