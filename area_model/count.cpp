@@ -176,7 +176,8 @@ std::vector<Count> count_logic(const Graph& graph, const rtl::Schedule& schedule
 }
 
 int packed_bits(const Graph& graph, const rtl::SharedSchedule& shared, const rtl::Placement& placement) {
-  const auto& [schedule, binding] = shared;
+  const rtl::Schedule& schedule = shared.schedule;
+  const rtl::Binding& binding = shared.binding;
   std::vector<bool> read_at_once(graph.size());
   for (NodeId id = 0; id < graph.size(); ++id) {
     if (!is_root(graph[id].op) || graph[id].op == Op::input) continue;
