@@ -231,8 +231,8 @@ std::string chip_text(const std::vector<Price>& prices, const rtl::Library& libr
   }
   const std::string note =
       fmt::format("On {}.{}{}\n", chip.device, chip.estimated ? " Delays are estimated." : "",
-                  chip.packs_registers ? " A logic cell has a table and the register behind it." : "");
-  return aligned(rows, 2) + note +
+                  chip.packs_registers ? "\nA cell has a table and the register behind it." : "");
+  return fitted(rows) + note +
          part_columns("count", prices, [&](const Line& line) { return count(line.n); }) +
          part_columns(
              "LUT", prices, [&](const Line& line) { return count(line.taken.luts); },
