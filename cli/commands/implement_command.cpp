@@ -225,7 +225,8 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
           },
           fmt::format(
               "Clock period in picoseconds for the schedule (1 to 1000000000); by default what the slowest "
-              "component needs, on a board half of its clock. With `{}` up to {} schedules are tried, "
+              "component needs, on a board three quarters of its clock. With `{}` up to {} schedules are "
+              "tried, "
               "each in a folder of its own, and the fastest that fits is the result",
               automatic, most_clocks))
       ->transform(CLI::Validator(

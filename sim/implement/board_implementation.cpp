@@ -23,7 +23,7 @@ Tool find_packer(const TargetProgram& program) {
   return packer;
 }
 
-/// The placer of a board's target, which must be there.
+/// A board needs its target's placer. Throws cannot_be_run() where that is missing.
 const Tool& placer_in(const ChipTools& tools, const TargetProgram& program) {
   if (!tools.placer) throw cannot_be_run({{program.name}, ""}, program.package, program.variable());
   return *tools.placer;

@@ -39,8 +39,9 @@ struct PlaceRequest {
   std::string top;      ///< its netlist is TOP_netlist.json or what `netlist` names
   std::string netlist;  ///< JSON in the workbench
   std::string clock;    ///< of the top; its frequency is reported
-  const rtl::Board* board =
-      nullptr;  ///< has pins and a file for its packer; without it pins are as nextpnr likes
+  /// Its pins are used, and each seed leaves a file for its packer. Without a board pins are as nextpnr
+  /// likes.
+  const rtl::Board* board = nullptr;
   int seeds = 1;
   /// Told before each seed.
   std::function<void(int seed)> progress = [](int) {};

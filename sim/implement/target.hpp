@@ -102,7 +102,8 @@ struct ChipTools {
 };
 
 /// $YOSYS, the target's placer, $STA, or the programs of these names. Throws as find_tool() does; also when
-/// the Liberty file is not there. A placer that no variable names may be missing where the target says why.
+/// the Liberty file is not there. A target that says why it is not placed needs no placer, unless a variable
+/// names one.
 [[nodiscard]] ChipTools find_chip_tools(const Target& target);
 
 }  // namespace hitpipe::sim

@@ -1,6 +1,6 @@
 // No top function reaches what a synthesiser cannot have: recursion, dynamic memory, virtual calls,
 // exceptions, function pointers, the standard library. Clang's intermediate code of the tops is read for
-// them. For Bambu no function of hitpipe stays a call.
+// them. For Bambu, Clang must put every function of hitpipe inline.
 #include <fstream>
 #include <map>
 #include <regex>
