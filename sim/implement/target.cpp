@@ -58,6 +58,13 @@ struct Entry {
     for (const OrderedJson& each : json) all.push_back(Entry{each, path}.text());
     return all;
   }
+  /// A text, or a list of its lines.
+  [[nodiscard]] std::string lines() const {
+    if (!json.is_array()) return text();
+    std::string all;
+    for (const std::string& line : texts()) all += line + "\n";
+    return all;
+  }
   [[nodiscard]] std::vector<std::string> texts(const char* key) const {
     return has(key) ? at(key).texts() : std::vector<std::string>{};
   }
@@ -168,7 +175,7 @@ Target Target::from_json(std::string_view text, const std::string& origin) {
     const Entry files = file.at("files");
     if (!files.json.is_object()) files.fail("is not an object");
     for (const auto& [name, contents] : files.json.items())
-      target.files.emplace_back(name, files.inside(name, contents).text());
+      target.files.emplace_back(name, files.inside(name, contents).lines());
   }
   if (file.has("place")) target.placer = placer_of(file.at("place"));
   if (file.has("models")) target.models = models_of(file.at("models"));

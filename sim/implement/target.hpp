@@ -70,7 +70,7 @@ struct Target {
   std::string chip;                    ///< its name in full
   std::string library;                 ///< the component library, as rtl::library_called() takes it
   std::vector<std::string> synthesis;  ///< lines for Yosys; "{top}" and "{liberty}" stand for what they name
-  std::vector<std::pair<std::string, std::string>> files;  ///< that these lines read: name and contents
+  std::vector<std::pair<std::string, std::string>> files;  ///< that the tools read: name and contents
   std::vector<Resource> resources;
   std::string liberty;  ///< of standard cells: they have an area, OpenSTA times them
   std::string package;  ///< the Debian package of the Liberty file

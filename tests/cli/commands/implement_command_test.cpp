@@ -100,6 +100,20 @@ TEST_F(ImplementCommand, PlacesOnEcp5WithNextpnr) {
   EXPECT_NE(object["critical_from"], object["critical_to"]);
 }
 
+/// A further chip is a file of one's own, and nothing else.
+TEST_F(ImplementCommand, PlacesOnTheChipOfAFile) {
+  const Outcome outcome =
+      run({"--target", HITPIPE_SOURCE "/examples/own_chip/grid.json", "--seeds", "1", "--format", "json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto object = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(object["target"], "grid");
+  EXPECT_GE(object["logic_cells"], object["luts"]);
+  EXPECT_LE(object["logic_cells"], 2048);
+  EXPECT_GT(object["fmax_mhz"], 10);
+  EXPECT_LT(object["fmax_mhz"], 1000 / 0.9) << "a register and its setup take 0.9 ns";
+  EXPECT_THAT(object["critical_from"].get<std::string>(), HasSubstr("unit."));
+}
+
 TEST_F(ImplementCommand, PrintsTheSameAsJsonAndKeepsIt) {
   const Outcome outcome = run(
       {"--target", "ice40_hx", "--seeds", "0", "--simulate", "50", "--name", "box_test", "--format", "json"});
