@@ -23,7 +23,7 @@ for unit in "${units[@]}"; do
     [[ -n $print || -s $result ]] && continue
     # 1 says that the unit does not fit, which is a result.
     code=0
-    build/hitpipe implement "$design" --bits "$bits" --target "$target" --seeds 5 --format json \
+    build/hitpipe implement "$design" --bits "$bits" --target "$target" --seeds 3 --format json \
       --out "$out/${design}_${bits//\//_}" >"$result.new" || code=$?
     [[ $code -le 1 ]] || { echo "docs/chips.sh: $design $bits in $target failed" >&2; rm -f "$result.new"; exit 2; }
     mv "$result.new" "$result"
@@ -33,7 +33,7 @@ python3 - "$out" "${units[@]}" <<'PYTHON'
 import json, os, sys
 
 out, units, whole = sys.argv[1], sys.argv[2:], {}
-print("| unit | in | LUT | FF | DSP | carry | largest part of the chip | MHz, median / best of 5 | mm² | latency, ns | million HIT a second |")
+print("| unit | in | LUT | FF | DSP | carry | largest part of the chip | MHz, median / best of 3 | mm² | latency, ns | million HIT a second |")
 print("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|")
 for unit in units:
     for target in ("ice40_up5k", "ice40_hx", "ecp5", "xc7", "osu018"):

@@ -33,6 +33,7 @@ struct AreaOptions {
   Account account = Account::built;
   rtl::FlowControl flow_control = rtl::FlowControl::stall;
   std::string library{rtl::default_library};
+  std::optional<int> block_luts;
   OutputFormat format = OutputFormat::text;
   bool by_stage = false;
   std::vector<int> intervals;
@@ -174,15 +175,36 @@ std::vector<Row> chip_stage_rows(const std::vector<Price>& prices, const rtl::Li
   return rows;
 }
 
+/// A line for each unit that would take more blocks if they were worth no lookup tables.
+std::string other_plans(const std::vector<ChosenUnit>& units, const std::vector<Price>& prices,
+                        const rtl::Library& library, const AreaOptions& options) {
+  if (!library.chip()->block) return "";
+  const rtl::Block& block = *library.chip()->block;
+  const rtl::Library free_blocks = library.with_block_luts(0);
+  std::string text;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const auto& [design, format] = units[i];
+    const rtl::ChipCells other =
+        area::price(*design, format, free_blocks, options.account, options.flow_control).taken;
+    if (other.blocks == prices[i].taken.blocks) continue;
+    text += fmt::format("{} {} with --block-luts 0: {} {}, {} LUT, {} FF\n", design->name,
+                        rtl::to_string(format), other.blocks, block.name, other.luts, other.registers);
+  }
+  if (!text.empty())
+    text = fmt::format("A product's odd bits take a block where logic would take more than {} LUT.\n{}",
+                       block.luts, text);
+  return text;
+}
+
 std::string chip_prices(const std::vector<Price>& prices, const rtl::Library& library,
-                        const AreaOptions& options) {
+                        const std::vector<ChosenUnit>& units, const AreaOptions& options) {
   if (options.by_stage) {
     return options.format == OutputFormat::text
                ? chip_by_stage_text(prices, *library.chip())
                : table_text(chip_stage_rows(prices, library), options.format);
   }
   return options.format == OutputFormat::text
-             ? chip_text(prices, library)
+             ? chip_text(prices, library, other_plans(units, prices, library, options))
              : table_text(chip_rows(prices, library, options.format), options.format);
 }
 
@@ -244,7 +266,7 @@ std::vector<const rtl::Machine*> machines_in(const AreaOptions& options) {
 }
 
 void print_prices(const AreaOptions& options) {
-  const rtl::Library library = rtl::library_called(options.library);
+  const rtl::Library library = rtl::library_called(options.library, options.block_luts);
   if (!options.intervals.empty()) {
     print_rates(options, library);
     return;
@@ -252,10 +274,11 @@ void print_prices(const AreaOptions& options) {
   const auto priced = [&](const rtl::Design& design, const rtl::Format& format) {
     return area::price(design, format, library, options.account, options.flow_control);
   };
+  const std::vector<ChosenUnit> units = chosen(options);
   std::vector<Price> prices;
-  for (const ChosenUnit& unit : chosen(options)) prices.push_back(priced(*unit.design, unit.format));
+  for (const ChosenUnit& unit : units) prices.push_back(priced(*unit.design, unit.format));
   if (library.chip() != nullptr) {
-    fmt::print("{}", chip_prices(prices, library, options));
+    fmt::print("{}", chip_prices(prices, library, units, options));
     return;
   }
   if (options.by_stage) {
@@ -286,6 +309,7 @@ CLI::App* add_area_command(CLI::App& program, int& /*exit_code*/) {
                              {{"printed", Account::printed}, {"built", Account::built}},
                              "built: all that is emitted; printed: counted as the thesis counts");
   add_library_option(*command, options->library);
+  add_block_luts_option(*command, options->block_luts);
   CLI::Option* const flow =
       add_flow_control_option(*command, options->flow_control,
                               ". Registers with an enable cost more where the library has latch_enable");

@@ -89,7 +89,7 @@ std::vector<TriedClock> try_clocks(const ImplementCommand& command, const sim::T
                                    const sim::ImplementOptions& given) {
   const rtl::Design& design = command.choice.design();
   const rtl::Format format = command.choice.format();
-  const rtl::Library library = rtl::library_called(given.library.empty() ? target.library : given.library);
+  const rtl::Library library = given.library_for(target);
   std::vector<TriedClock> tried;
   for (const int clock_ps : sim::clocks_to_try(design.trace(format), library, most_clocks)) {
     sim::ImplementOptions options = given;
@@ -216,6 +216,7 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
                            "NAME.json. Default: the target's",
                            fmt::join(rtl::built_in_names(), ", "))))
       ->type_name("NAME|FILE");
+  add_block_luts_option(*command, how.block_luts);
   command
       ->add_option_function<std::string>(
           "--clock-ps",
@@ -225,9 +226,9 @@ CLI::App* add_implement_command(CLI::App& program, int& exit_code) {
           },
           fmt::format(
               "Clock period in picoseconds for the schedule (1 to 1000000000); by default what the slowest "
-              "component needs, on a board three quarters of its clock. With `{}` up to {} schedules are "
-              "tried, "
-              "each in a folder of its own, and the fastest that fits is the result",
+              "component needs, on iCE40 up to a quarter more, on a board three quarters of its clock. With "
+              "`{}` up to {} schedules are tried, each in a folder of its own, and the fastest that fits is "
+              "the result",
               automatic, most_clocks))
       ->transform(CLI::Validator(
           [](std::string& text) {

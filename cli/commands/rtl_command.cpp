@@ -29,6 +29,7 @@ struct RtlOptions {
   CoreChoice core;
   std::string out;
   std::string library{rtl::default_library};
+  std::optional<int> block_luts;
   std::optional<std::string> name;
   std::optional<int> clock_ps;
   int interval = 1;
@@ -54,7 +55,7 @@ void emit_rtl(const RtlOptions& options) {
   const rtl::Design& design = options.choice.design();
   const rtl::Format format = options.choice.format();
   if (options.name) rtl::check_module_name(*options.name);
-  const rtl::Library library = rtl::library_called(options.library);
+  const rtl::Library library = rtl::library_called(options.library, options.block_luts);
   const rtl::Pipeline pipeline =
       rtl::make_pipeline(design.trace(format), library, options.clock_ps, options.interval);
   const rtl::FlowControl flow = flow_control_of(options, pipeline);
@@ -96,8 +97,10 @@ CLI::App* add_rtl_command(CLI::App& program, int& /*exit_code*/) {
   add_design_options(*command, options->choice);
   add_folder_option(*command, options->out, "Folder to write to; made if it is not there")->required();
   add_library_option(*command, options->library);
+  add_block_luts_option(*command, options->block_luts);
   add_count_option(*command, "--clock-ps", options->clock_ps, {1, 1'000'000'000},
-                   "Clock period in picoseconds; by default what the slowest component needs");
+                   "Clock period in picoseconds; by default what the slowest component needs, on iCE40 up to "
+                   "a quarter more");
   add_interval_option(*command, options->interval);
   command
       ->add_option("--name", options->name,

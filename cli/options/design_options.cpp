@@ -146,6 +146,12 @@ void add_library_option(CLI::App& command, std::string& library) {
       ->capture_default_str();
 }
 
+void add_block_luts_option(CLI::App& command, std::optional<int>& block_luts) {
+  add_count_option(command, "--block-luts", block_luts, {0, 1'000'000},
+                   "Lookup tables that a multiplier block is worth: an odd piece of a product takes a block "
+                   "only if logic would take more. Default: the library's");
+}
+
 CLI::Option* add_interval_option(CLI::App& command, int& value, const std::string& more) {
   return add_count_option(command, "--ii", value, {1, rtl::most_interval},
                           "Initiation interval: a test may begin every N cycles, and operations share "

@@ -61,6 +61,8 @@ CLI::Option* add_bits_option(CLI::App& command, DesignsChoice& choice, const std
 
 /// --library. `library` holds the default; rtl::library_called() reads it.
 void add_library_option(CLI::App& command, std::string& library);
+/// --block-luts, as rtl::library_called() takes it.
+void add_block_luts_option(CLI::App& command, std::optional<int>& block_luts);
 
 /// Adds --ii, of commands that make a unit. `more` ends its help.
 CLI::Option* add_interval_option(CLI::App& command, int& value, const std::string& more = "");

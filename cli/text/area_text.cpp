@@ -213,7 +213,8 @@ std::string by_stage_text(const std::vector<Price>& prices) {
                               .total = [&](const Price& price) { return column(price.area_um2); }});
 }
 
-std::string chip_text(const std::vector<Price>& prices, const rtl::Library& library) {
+std::string chip_text(const std::vector<Price>& prices, const rtl::Library& library,
+                      const std::string& notes) {
   const rtl::Chip& chip = *library.chip();
   std::vector<Cells> rows{
       {"design", "bits", "stages", "delay", "clock", "latency", "LUT", "FF", block_name(chip)},
@@ -232,7 +233,7 @@ std::string chip_text(const std::vector<Price>& prices, const rtl::Library& libr
   const std::string note =
       fmt::format("On {}.{}{}\n", chip.device, chip.estimated ? " Delays are estimated." : "",
                   chip.packs_registers ? "\nA cell has a table and the register behind it." : "");
-  return fitted(rows) + note +
+  return fitted(rows) + note + notes +
          part_columns("count", prices, [&](const Line& line) { return count(line.n); }) +
          part_columns(
              "LUT", prices, [&](const Line& line) { return count(line.taken.luts); },

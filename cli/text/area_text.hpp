@@ -17,8 +17,10 @@ namespace hitpipe::cli {
 
 [[nodiscard]] std::string by_stage_text(const std::vector<area::Price>& prices);
 
-/// The same for the library of a chip: lookup tables, registers and blocks in place of areas.
-[[nodiscard]] std::string chip_text(const std::vector<area::Price>& prices, const rtl::Library& library);
+/// The same for the library of a chip: lookup tables, registers and blocks in place of areas. The notes,
+/// lines, follow the units.
+[[nodiscard]] std::string chip_text(const std::vector<area::Price>& prices, const rtl::Library& library,
+                                    const std::string& notes);
 [[nodiscard]] std::string chip_by_stage_text(const std::vector<area::Price>& prices, const rtl::Chip& chip);
 
 /// A unit beside the same unit with a test in every cycle.

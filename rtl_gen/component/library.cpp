@@ -96,6 +96,7 @@ Cell Library::on_chip(Component component, int bits) const {
     default:
       cell.delay_ps =
           component == Component::int_compare ? chip_->compare_delay(bits) : chip_->carry_delay(bits);
+      cell.ripple_ps = chip_->carry_delay_ps_per_bit * bits;
       cell.taken.luts = chip_->carry_luts(bits);
       break;
   }
@@ -188,7 +189,10 @@ Cell timing_of(const Graph& graph, NodeId node, const Library& library) {
   }
   if (is_component(n.op)) {
     const ComponentUse use = component_of(graph, node);
-    return library.timing(use.component, use.bits);
+    Cell cell = library.timing(use.component, use.bits);
+    const bool inverts = (n.op == Op::sub || n.op == Op::less) && graph[n.args[1]].op != Op::constant;
+    if (library.chip() != nullptr && inverts) cell.subtrahend_ps = library.chip()->subtrahend_delay_ps;
+    return cell;
   }
   return {.bits = graph[node].width, .delay_ps = library.gate_delay_ps()};
 }

@@ -67,6 +67,7 @@ struct Chip {
   int carry_delay_ps = 0;          ///< of an adder or subtractor without bits
   int compare_delay_ps = 0;        ///< of a comparator without bits: its carry leaves the chain
   int carry_delay_ps_per_bit = 0;  ///< and what each bit adds
+  int subtrahend_delay_ps = 0;     ///< the tables that invert a subtrahend, or the second of two compared
   int gate_luts_pct = 0;  ///< lookup tables for 100 bits; less than 100 where tables take several gates
   int mux_luts_pct = 0;
   int carry_luts_pct = 0;
@@ -109,6 +110,8 @@ struct Cell {
   int delay_ps = 0;
   int stages = 0;
   bool estimated = false;  ///< the data file says so, or the row follows from a law
+  int ripple_ps = 0;       ///< of the delay: from the lowest bit to the highest, along a carry chain
+  int subtrahend_ps = 0;   ///< what the second operand takes more, unless a table makes it
   ChipCells taken{};
 };
 
@@ -147,6 +150,11 @@ class Library {
   [[nodiscard]] bool has(Component component) const;
   [[nodiscard]] int latch_delay_ps() const { return timing(Component::latch, 1).delay_ps; }
   [[nodiscard]] int gate_delay_ps() const { return gate_delay_ps_; }
+  /// From one bit of a carry chain to the next; 0 for a library of cells, whose carries are trees.
+  [[nodiscard]] int carry_delay_ps_per_bit() const { return chip_ ? chip_->carry_delay_ps_per_bit : 0; }
+  /// The same with a block that is worth so many lookup tables. Its name says so, as it would be typed after
+  /// --library. Throws std::runtime_error, one line, if the library has no blocks.
+  [[nodiscard]] Library with_block_luts(int luts) const;
   /// The chip; null for a library of cells with areas.
   [[nodiscard]] const Chip* chip() const { return chip_ ? &*chip_ : nullptr; }
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -192,6 +200,8 @@ inline constexpr std::string_view default_library = "thesis_250nm";
 /// The library of a built-in name, or of a file whose name ends in .json. Throws std::runtime_error with one
 /// line; for an unknown name it says which names there are.
 [[nodiscard]] Library library_called(std::string_view name_or_file);
+/// The same with_block_luts(), if there are any.
+[[nodiscard]] Library library_called(std::string_view name_or_file, std::optional<int> block_luts);
 
 /// What a node costs: the component, and the width at which the library is asked. Wires and inputs cost
 /// nothing. Gates cost something on a chip only; is_component() leaves them out.

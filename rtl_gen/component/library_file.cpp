@@ -124,6 +124,9 @@ Chip chip_from(const nlohmann::json& json, std::string_view origin) {
                 count_of(carry, carry.contains("compare_delay_ps") ? "compare_delay_ps" : "delay_ps",
                          carry_where, delay_limits),
             .carry_delay_ps_per_bit = count_of(carry, "delay_ps_per_bit", carry_where, bit_delay_limits),
+            .subtrahend_delay_ps = carry.contains("subtrahend_delay_ps")
+                                       ? count_of(carry, "subtrahend_delay_ps", carry_where, delay_limits)
+                                       : 0,
             .gate_luts_pct = count_of(gate, "luts_pct", gate_where, percent_limits),
             .mux_luts_pct = count_of(mux, "luts_pct", mux_where, percent_limits),
             .carry_luts_pct = count_of(carry, "luts_pct", carry_where, percent_limits),
@@ -222,6 +225,22 @@ Library library_called(std::string_view name_or_file) {
                     host::shortened(name_or_file), fmt::join(built_in_names(), ", ")));
   }
   return Library::from_json(found->json, fmt::format("{}.json", found->name));
+}
+
+Library Library::with_block_luts(int luts) const {
+  if (!chip_ || !chip_->block)
+    throw std::runtime_error(fmt::format(
+        "--block-luts: the library {} has no multiplier blocks; allowed with one of a chip that has them",
+        host::shortened(name_)));
+  Library other = *this;
+  other.name_ += fmt::format(" --block-luts {}", luts);
+  other.chip_->block->luts = luts;
+  return other;
+}
+
+Library library_called(std::string_view name_or_file, std::optional<int> block_luts) {
+  Library library = library_called(name_or_file);
+  return block_luts ? library.with_block_luts(*block_luts) : library;
 }
 
 const Library& Library::thesis() {

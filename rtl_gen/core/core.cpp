@@ -66,14 +66,13 @@ class Units {
  public:
   explicit Units(const Library& library) : library_(library) {}
 
-  /// For this clock, or for the unit's own one if that is longer.
+  /// For this clock, or for the unit's shortest one if that is longer.
   const Pipeline& pipeline(const Design& design, const Format& format, int interval, int clock_ps) {
     const Key key{design.name, to_string(format), interval, clock_ps};
     const auto made = made_.find(key);
     if (made != made_.end()) return made->second;
     const Graph graph = design.trace(format);
-    std::optional<int> clock;
-    if (own_clock_ps(graph, library_, interval) < clock_ps) clock = clock_ps;
+    const int clock = std::max(clock_ps, shortest_clock_ps(graph, library_, interval));
     return made_.emplace(key, make_pipeline(graph, library_, clock, interval)).first->second;
   }
   [[nodiscard]] const Library& library() const { return library_; }

@@ -8,6 +8,7 @@
 
 #include "rtl_gen/graph/canonical.hpp"
 #include "rtl_gen/graph/sources.hpp"
+#include "rtl_gen/schedule/chaining.hpp"
 #include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/verilog/body.hpp"
 
@@ -34,7 +35,11 @@ std::string shown_name(const hls::Field& field) {
 class Times {
  public:
   Times(const Graph& graph, const std::vector<hls::MemoryShape>& memories, const Library& library)
-      : graph_(graph), timing_(graph_, library), ready_(graph_.size(), 0), after_(graph_.size(), no_node) {
+      : graph_(graph),
+        timing_(graph_, library),
+        ps_per_bit_(library.carry_delay_ps_per_bit()),
+        ready_(graph_.size()),
+        after_(graph_.size(), no_node) {
     run();
     for (const hls::MemoryShape& memory : memories)
       if (memory.kind == hls::MemoryKind::lookup) read(memory, library);
@@ -45,26 +50,26 @@ class Times {
   [[nodiscard]] NodeId last_source(NodeId value) const {
     NodeId last = no_node;
     for_each_source_of(graph_, value, [&](NodeId source, Word) {
-      if (last == no_node || ready_[source] > ready_[last]) last = source;
+      if (last == no_node || ready_ps(source) > ready_ps(last)) last = source;
     });
     return last;
   }
-  [[nodiscard]] int ready_ps(NodeId root) const { return root == no_node ? 0 : ready_[root]; }
+  [[nodiscard]] int ready_ps(NodeId root) const { return root == no_node ? 0 : ready_[root].all_ps; }
   [[nodiscard]] NodeId after(NodeId root) const { return after_[root]; }
 
  private:
   void run() {
     for (NodeId id = 0; id < graph_.size(); ++id) {
       if (!is_root(graph_[id].op) || graph_[id].op == Op::input) continue;
-      NodeId last = no_node;
-      for (const NodeId arg : graph_[id].operands()) {
-        const NodeId source = last_source(arg);
-        if (last == no_node || ready_ps(source) > ready_ps(last)) last = source;
-      }
-      const Cell cell = timing_(id);
+      for_each_source(graph_, id, [&](NodeId source, Word) {
+        if (after_[id] == no_node || ready_ps(source) > ready_ps(after_[id])) after_[id] = source;
+      });
       // A component with stages has no latches here: its stages follow each other in one cycle.
-      ready_[id] = ready_ps(last) + std::max(1, cell.stages) * cell.delay_ps;
-      after_[id] = last;
+      Cell cell = timing_(id);
+      cell.delay_ps *= std::max(1, cell.stages);
+      const Arrival operands =
+          operands_of(graph_, id, cell, ps_per_bit_, [&](NodeId source) { return ready_[source]; });
+      ready_[id] = result_of(graph_[id].op, cell, operands);
     }
   }
   /// A multiplexer of all words.
@@ -74,14 +79,16 @@ class Times {
     const int levels = std::countr_zero(static_cast<unsigned>(memory.words));
     for (const NodeId id : graph_.inputs())
       if (graph_[id].name == word) {
-        ready_[id] = ready_ps(place) + levels * library.timing(Component::mux2, memory.width).delay_ps;
+        const int ps = ready_ps(place) + levels * library.timing(Component::mux2, memory.width).delay_ps;
+        ready_[id] = {ps, ps};
         after_[id] = place;
       }
   }
 
   const Graph& graph_;
   NodeTiming timing_;
-  std::vector<int> ready_;
+  int ps_per_bit_;
+  std::vector<Arrival> ready_;
   std::vector<NodeId> after_;
 };
 

@@ -23,7 +23,7 @@ SlowestStage slowest_stage(const Graph& graph, const Library& library, const Nod
   SlowestStage slowest{.clock_ps = library.latch_delay_ps()};
   for (NodeId id = 0; id < graph.size(); ++id) {
     if (!is_root(graph[id].op) || graph[id].op == Op::input) continue;
-    const int clock = timing(id).delay_ps + library.latch_delay_ps();
+    const int clock = result_of(graph[id].op, timing(id)).all_ps + library.latch_delay_ps();
     if (clock <= slowest.clock_ps) continue;
     slowest.clock_ps = clock;
     if (is_component(graph[id].op)) {
@@ -62,16 +62,18 @@ Schedule schedule_asap(const Graph& graph, const Library& library, std::optional
     if (n.op == Op::input) slot.latched = true;
     if (!is_root(n.op) || n.op == Op::input) continue;
 
-    auto [stage, start_ps] = earliest_start(graph, s, id);
     const Cell cell = timing(id);
-    if (start_ps + cell.delay_ps + s.latch_ps > s.clock_ps) {
-      ++stage;
-      start_ps = 0;
-    }
+    int stage = earliest_stage(graph, s, id);
+    const auto result_in = [&](int in) {
+      return result_of(n.op, cell, operands_in(graph, s, id, cell, library.carry_delay_ps_per_bit(), in));
+    };
+    if (result_in(stage).all_ps + s.latch_ps > s.clock_ps) ++stage;
+    const Arrival result = result_in(stage);
     slot.stage = stage;
     slot.latched = cell.stages > 0;
     slot.finish = stage + std::max(cell.stages, 1) - 1;
-    slot.ready_ps = slot.latched ? 0 : start_ps + cell.delay_ps;
+    slot.ready_ps = slot.latched ? 0 : result.all_ps;
+    slot.low_ps = slot.latched ? 0 : result.low_ps;
   }
   s.stages = last_stage(graph, s);
   require_legal(graph, verify(graph, library, s));

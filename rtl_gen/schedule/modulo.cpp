@@ -76,6 +76,7 @@ class ModuloList {
     for (const SharingGroup& group : problem.groups) {
       for (const NodeId id : group.operations) group_of_[id] = static_cast<int>(first_instance_.size());
       first_instance_.push_back(static_cast<int>(phases_.size()));
+      most_.push_back(most_operations(group, problem.interval));
       phases_.resize(phases_.size() + static_cast<std::size_t>(group.instances));
     }
     first_instance_.push_back(static_cast<int>(phases_.size()));
@@ -113,7 +114,7 @@ class ModuloList {
     }
     const std::vector<int> height = heights(graph_);
     std::set<std::tuple<int, int, NodeId>> ready;
-    const auto add = [&](NodeId id) { ready.insert({start_of(id).stage, -height[id], id}); };
+    const auto add = [&](NodeId id) { ready.insert({first_stage_of(id), -height[id], id}); };
     for (NodeId id = 0; id < graph_.size(); ++id)
       if (works(id) && waits[id] == 0) add(id);
     while (!ready.empty()) {
@@ -125,37 +126,41 @@ class ModuloList {
     }
   }
 
-  [[nodiscard]] Start start_of(NodeId id) const {
-    Start start = earliest_start(graph_, made_.schedule, id);
-    if (!earliest_.empty() && earliest_[id] > start.stage) start = {.stage = earliest_[id], .time_ps = 0};
-    return start;
+  [[nodiscard]] int first_stage_of(NodeId id) const {
+    return std::max(earliest_stage(graph_, made_.schedule, id), earliest_.empty() ? 0 : earliest_[id]);
   }
 
   void place(NodeId id) {
-    auto [stage, time_ps] = start_of(id);
+    int stage = first_stage_of(id);
     const Cell cell = timing_(id);
     const bool shares = group_of_[id] >= 0;
-    const int first_ps = shares ? selection_ps_ : cell.delay_ps;
-    if (time_ps + first_ps + made_.schedule.latch_ps > made_.schedule.clock_ps) {
-      ++stage;
-      time_ps = 0;
-    }
-    if (shares) {
-      while (!takes(id, stage)) ++stage;
-      time_ps = 0;
-    }
+    const Op op = graph_[id].op;
+    const auto operands = [&] {
+      // The tables that select an operand invert it too.
+      return operands_in(graph_, made_.schedule, id, shares ? Cell{} : cell,
+                         library_.carry_delay_ps_per_bit(), stage);
+    };
+    const int first_ps = shares ? operands().all_ps + selection_ps_ : result_of(op, cell, operands()).all_ps;
+    if (first_ps + made_.schedule.latch_ps > made_.schedule.clock_ps) ++stage;
+    while (shares && !takes(id, stage)) ++stage;
+    const Arrival result = shares ? result_of(op, cell) : result_of(op, cell, operands());
     Slot& slot = made_.schedule.slots[id];
     slot.stage = stage;
     slot.latched = cell.stages > 0;
     slot.finish = stage + (shares ? 1 : 0) + std::max(cell.stages, 1) - 1;
-    slot.ready_ps = slot.latched ? 0 : time_ps + cell.delay_ps;
+    slot.ready_ps = slot.latched ? 0 : result.all_ps;
+    slot.low_ps = slot.latched ? 0 : result.low_ps;
   }
 
   /// Takes an instance that is free in the stage modulo the interval; false: there is none.
   bool takes(NodeId id, int stage) {
     const auto group = static_cast<std::size_t>(group_of_[id]);
     const std::uint64_t phase = std::uint64_t{1} << (stage % made_.binding.interval);
-    const auto is_free = [&](int i) { return (phases_[static_cast<std::size_t>(i)] & phase) == 0; };
+    // No instance gets so many operations that another would have none: its multiplexer would be slower.
+    const auto is_free = [&](int i) {
+      const std::uint64_t taken = phases_[static_cast<std::size_t>(i)];
+      return (taken & phase) == 0 && std::popcount(taken) < most_[group];
+    };
     const int end = first_instance_[group + 1];
     int best = first_instance_[group];
     while (best < end && !is_free(best)) ++best;
@@ -210,6 +215,7 @@ class ModuloList {
   int selection_ps_;
   std::vector<int> group_of_;                      ///< by node; -1: it does not share
   std::vector<int> first_instance_;                ///< by group
+  std::vector<int> most_;                          ///< operations of an instance, by group
   std::vector<std::uint64_t> phases_;              ///< by instance: a bit for each phase that is taken
   std::vector<std::set<std::vector<int>>> reads_;  ///< by instance: what it reads at which place
 };

@@ -20,9 +20,7 @@ bool Register::holds() const {
   return std::any_of(all.begin(), all.end(), [](const Passing& p) { return p.last > p.boundary + 1; });
 }
 
-namespace {
-
-bool overlap(const Passing& x, const Passing& y, int interval) {
+bool in_one_cycle(const Passing& x, const Passing& y, int interval) {
   // The cycles from one value's first to the other's, modulo the interval.
   const auto after = [&](const Passing& from, const Passing& to) {
     return ((to.boundary - from.boundary) % interval + interval) % interval;
@@ -30,12 +28,14 @@ bool overlap(const Passing& x, const Passing& y, int interval) {
   return x.value != y.value && (after(x, y) < x.last - x.boundary || after(y, x) < y.last - y.boundary);
 }
 
+namespace {
+
 /// The bits that one register saves in place of two; 0 or less: they stay two.
 int saved_bits(const Register& x, const Register& y, int interval) {
   const std::vector<Passing> of_y = y.values();
   for (const Passing& a : x.values()) {
     for (const Passing& b : of_y)
-      if (overlap(a, b, interval)) return 0;
+      if (in_one_cycle(a, b, interval)) return 0;
   }
   return x.width() + y.width() - (std::max(x.high, y.high) - std::min(x.low, y.low) + 1);
 }

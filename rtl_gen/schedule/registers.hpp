@@ -38,6 +38,9 @@ struct Register {
   /// those of all of them.
   std::vector<Passing> others{};
 
+  /// It holds a value, but loads it again from registers that hold theirs for as long. So it needs no enable.
+  bool loads_again = false;
+
   /// In a unit that takes a test every N cycles: it loads in the phases of its values, their boundaries mod
   /// N, alone, because a later stage than the next reads one.
   [[nodiscard]] bool holds() const;
@@ -59,6 +62,13 @@ struct Placement {
 /// A test begins every `binding.interval` cycles.
 [[nodiscard]] Placement place_registers(const Graph& graph, const Schedule& schedule, Ports ports,
                                         const Binding& binding = {});
+
+/// Whether two values that pass through one register would be in it in the same cycle.
+[[nodiscard]] bool in_one_cycle(const Passing& x, const Passing& y, int interval);
+
+/// Marks the registers that load again, and lets those before them hold their values for as long.
+void drop_needless_enables(Placement& placement, const Graph& graph, const Schedule& schedule,
+                           const Binding& binding);
 
 /// Finds registers by what they hold.
 class RegisterTable {

@@ -5,7 +5,8 @@
 // follows them:
 //   1. Inputs come out of latches at the start of stage 1.
 //   2. A combinational node (0 internal stages) works within one stage, after its operands. Operands of the
-//      same stage are chained. Operands of an earlier stage come out of latches at time 0.
+//      same stage are chained. Operands of an earlier stage come out of latches at time 0. The low bits of a
+//      carry chain are there first, and a chain that begins with them need not wait for the others.
 //   3. A node with L internal stages fills L consecutive stages. Its value is always latched, so it is there
 //      at the start of the stage after them. Logic may be chained before its first stage.
 //   4. In every stage the longest chain and an output latch fit into the clock.
@@ -29,6 +30,7 @@ struct Slot {
   int finish = 0;        ///< last one; inputs: 0
   int ready_ps = 0;      ///< time within `finish` at which the value is there, if not latched
   bool latched = false;  ///< the value can be used only from stage finish + 1 on (inputs, rule 3)
+  int low_ps = 0;        ///< time within `finish` at which its lowest bit is there, if not latched
 };
 
 struct Schedule {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "rtl_gen/graph/sources.hpp"
+#include "rtl_gen/schedule/chaining.hpp"
 #include "rtl_gen/schedule/divided_unit.hpp"
 #include "rtl_gen/schedule/schedule.hpp"
 #include "rtl_gen/schedule/sharing.hpp"
@@ -27,16 +28,16 @@ struct Selections {
   [[nodiscard]] bool has(NodeId id) const { return binding != nullptr && binding->shares(id); }
 };
 
-/// `timing` gives the delay and the internal stages of a node.
+/// `timing` gives the delay and the internal stages of a node, `ps_per_bit` is the library's.
 std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedule,
-                                      const std::function<Cell(NodeId)>& timing, int latch_ps,
+                                      const std::function<Cell(NodeId)>& timing, int latch_ps, int ps_per_bit,
                                       const Selections& selections = {}) {
   std::vector<std::string> broken;
   if (schedule.slots.size() != graph.size()) {
     return {fmt::format("{} slots for {} nodes", schedule.slots.size(), graph.size())};
   }
   if (schedule.stages < 1) broken.push_back(fmt::format("{} stages, at least 1 is needed", schedule.stages));
-  std::vector<int> arrival(graph.size(), 0);  // within the finishing stage, for unlatched values
+  std::vector<Arrival> arrival(graph.size());  // within the finishing stage, for unlatched values
   for (NodeId id = 0; id < graph.size(); ++id) {
     const Node& n = graph[id];
     const Slot& slot = schedule.slots[id];
@@ -59,31 +60,34 @@ std::vector<std::string> broken_rules(const Graph& graph, const Schedule& schedu
                                    label(graph, id), cell.stages, selects ? " and a selection" : "",
                                    slot.stage, slot.finish));
     }
-    int chain = 0;
     for_each_source(graph, id, [&](NodeId source, Word) {
       const Slot& from = schedule.slots[source];
       const int usable = from.latched ? from.finish + 1 : from.finish;
       if (usable > slot.stage) {
         broken.push_back(fmt::format("{} starts in stage {} but reads {}, which is there in stage {}",
                                      label(graph, id), slot.stage, label(graph, source), usable));
-      } else if (usable == slot.stage && !from.latched) {
-        chain = std::max(chain, arrival[source]);
       }
     });
+    const auto chain = [&](const Cell& read_by) {
+      return operands_of(graph, id, read_by, ps_per_bit, [&](NodeId source) {
+        const Slot& from = schedule.slots[source];
+        return from.finish == slot.stage && !from.latched ? arrival[source] : Arrival{};
+      });
+    };
     if (selects) {
-      if (chain + selections.delay_ps + latch_ps > schedule.clock_ps) {
+      const int before_ps = chain({}).all_ps + selections.delay_ps;
+      if (before_ps + latch_ps > schedule.clock_ps) {
         broken.push_back(
             fmt::format("{}: {} ps of logic before its latched operands and a {} ps latch exceed "
                         "the clock of {} ps",
-                        label(graph, id), chain + selections.delay_ps, latch_ps, schedule.clock_ps));
+                        label(graph, id), before_ps, latch_ps, schedule.clock_ps));
       }
-      chain = 0;
     }
-    if (chain + cell.delay_ps + latch_ps > schedule.clock_ps) {
+    arrival[id] = selects ? result_of(n.op, cell) : result_of(n.op, cell, chain(cell));
+    if (arrival[id].all_ps + latch_ps > schedule.clock_ps) {
       broken.push_back(fmt::format("{}: {} ps of logic and a {} ps latch exceed the clock of {} ps",
-                                   label(graph, id), chain + cell.delay_ps, latch_ps, schedule.clock_ps));
+                                   label(graph, id), arrival[id].all_ps, latch_ps, schedule.clock_ps));
     }
-    arrival[id] = chain + cell.delay_ps;
   }
   for (const Output& out : graph.outputs()) {
     for_each_source_of(graph, out.node, [&](NodeId source, Word) {
@@ -112,7 +116,7 @@ bool one_kind(const Graph& graph, NodeId a, NodeId b) {
 
 std::vector<std::string> verify(const Graph& graph, const Library& library, const Schedule& schedule) {
   return broken_rules(graph, schedule, NodeTiming(graph, library, schedule.clock_ps),
-                      library.latch_delay_ps());
+                      library.latch_delay_ps(), library.carry_delay_ps_per_bit());
 }
 
 std::vector<std::string> verify(const Graph& graph, const Library& library, const Schedule& schedule,
@@ -120,9 +124,9 @@ std::vector<std::string> verify(const Graph& graph, const Library& library, cons
   if (binding.interval < 1) return {fmt::format("an interval of {} cycles", binding.interval)};
   std::size_t most = 1;
   for (const auto& [instance, operations] : binding.instances()) most = std::max(most, operations.size());
-  std::vector<std::string> broken =
-      broken_rules(graph, schedule, NodeTiming(graph, library, schedule.clock_ps), library.latch_delay_ps(),
-                   {&binding, selection_ps(library, static_cast<int>(most))});
+  std::vector<std::string> broken = broken_rules(
+      graph, schedule, NodeTiming(graph, library, schedule.clock_ps), library.latch_delay_ps(),
+      library.carry_delay_ps_per_bit(), {&binding, selection_ps(library, static_cast<int>(most))});
   if (schedule.slots.size() != graph.size()) return broken;
   std::map<std::pair<int, int>, NodeId> taken;  // by instance and phase
   std::map<int, NodeId> first;                  // by instance
@@ -146,7 +150,7 @@ std::vector<std::string> verify(const Graph& graph, const Library& library, cons
 
 std::vector<std::string> verify_stated(const Graph& graph, const Schedule& schedule) {
   return broken_rules(
-      graph, schedule, [](NodeId) { return Cell{}; }, 0);
+      graph, schedule, [](NodeId) { return Cell{}; }, 0, 0);
 }
 
 }  // namespace hitpipe::rtl

@@ -306,7 +306,7 @@ void Body::write_registers(int boundary) {
   const int interval = options_.binding.interval;
   const std::string& enable = options_.enable;
   const auto loads = [&](const Register& r) -> std::string {
-    if (!r.holds()) return enable;
+    if (!r.holds() || r.loads_again) return enable;
     std::set<int> phases;
     for (const Passing& p : r.values()) phases.insert(p.boundary % interval);
     std::vector<std::string> in;

@@ -35,7 +35,7 @@ struct BoardBench {
       : board(of_board),
         options(given),
         target(target_called(of_board.target)),
-        library(rtl::library_called(given.library.empty() ? target.library : given.library)),
+        library(given.library_for(target)),
         tools(find_chip_tools(target)),
         placer(placer_in(tools, target.placer->program)),
         packer(find_packer(target.placer->board->packer)),

@@ -5,7 +5,7 @@
 namespace hitpipe::sim {
 
 std::vector<int> clocks_to_try(const rtl::Graph& graph, const rtl::Library& library, std::size_t most) {
-  const rtl::Pipeline fastest = rtl::make_pipeline(graph, library);
+  const rtl::Pipeline fastest = rtl::make_pipeline(graph, library, rtl::shortest_clock_ps(graph, library));
   std::vector<int> clocks{fastest.schedule.clock_ps};
   int stages = fastest.schedule.stages;
   constexpr int slowest = 4;  // times the fastest

@@ -11,8 +11,7 @@ namespace hitpipe::sim {
 CoreImplementation implement_core(const rtl::CoreOptions& core_options, const Target& target,
                                   const ImplementOptions& options) {
   if (!options.module.empty()) rtl::check_module_name(options.module);
-  const rtl::Library library =
-      rtl::library_called(options.library.empty() ? target.library : options.library);
+  const rtl::Library library = options.library_for(target);
   const ChipTools tools = find_chip_tools(target);
   const rtl::Core core =
       rtl::make_core(core_options, library, options.module.empty() ? "core" : options.module);

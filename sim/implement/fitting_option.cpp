@@ -24,10 +24,6 @@ constexpr int intervals[] = {2, 3, 4, 6};
 /// A synthesis of more lookup tables and registers takes a minute and longer.
 constexpr int most_cells_to_synthesise = 15'000;
 
-rtl::Library library_of(const Target& target, const ImplementOptions& options) {
-  return rtl::library_called(options.library.empty() ? target.library : options.library);
-}
-
 /// What the area model says that a unit takes. Only ratios of these are used, so that where a library has no
 /// lookup tables an area stands for them.
 rtl::ChipCells modelled(const rtl::Design& design, const FittingCandidate& unit, const rtl::Library& library,
@@ -131,7 +127,7 @@ std::vector<FittingCandidate> fitting_candidates(const rtl::Design& design, cons
                                                  const Target& target, const ImplementOptions& options) {
   std::vector<FittingCandidate> candidates;
   const std::vector<int> clocks =
-      clocks_to_try(design.trace(format), library_of(target, options), most_clocks);
+      clocks_to_try(design.trace(format), options.library_for(target), most_clocks);
   for (const int clock_ps : clocks)
     if (clock_ps > options.clock_ps.value_or(clocks.front()))
       candidates.push_back({fmt::format("--clock-ps {}", clock_ps), format, clock_ps, options.interval});
@@ -150,7 +146,7 @@ std::vector<FittingCandidate> fitting_candidates(const rtl::Design& design, cons
 
 std::string fitting_option(const rtl::Design& design, const rtl::Format& format, const Target& target,
                            const ImplementOptions& options, const Implementation& unit) {
-  const rtl::Library library = library_of(target, options);
+  const rtl::Library library = options.library_for(target);
   const auto model = [&](const FittingCandidate& each) {
     return modelled(design, each, library, options.flow_control);
   };

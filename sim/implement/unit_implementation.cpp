@@ -11,11 +11,14 @@
 
 namespace hitpipe::sim {
 
+rtl::Library ImplementOptions::library_for(const Target& for_target) const {
+  return rtl::library_called(library.empty() ? for_target.library : library, block_luts);
+}
+
 Implementation implement_unit(const rtl::Design& design, const rtl::Format& format, const Target& target,
                               const ImplementOptions& options) {
   if (!options.module.empty()) rtl::check_module_name(options.module);
-  const rtl::Library library =
-      rtl::library_called(options.library.empty() ? target.library : options.library);
+  const rtl::Library library = options.library_for(target);
   const ChipTools tools = find_chip_tools(target);
   std::optional<SimulatorTools> simulator;
   if (options.simulate) {

@@ -15,8 +15,9 @@ namespace hitpipe::sim {
 
 struct ImplementOptions {
   std::filesystem::path folder;
-  std::string module{};   ///< empty: the design's own name
-  std::string library{};  ///< empty: the target's
+  std::string module{};             ///< empty: the design's own name
+  std::string library{};            ///< empty: the target's
+  std::optional<int> block_luts{};  ///< what a multiplier block is worth; nothing: as the library says
   std::optional<int> clock_ps{};
   int interval = 1;  ///< a test may begin every so many cycles
   /// Of the unit. A net that stops every register of a chip costs clock and cells.
@@ -26,6 +27,9 @@ struct ImplementOptions {
   Simulator simulator = Simulator::icarus;
   std::uint64_t seed = usual_seed;  ///< of the vectors
   StepListener progress = [](const std::string&) {};
+
+  /// The component library that drives the schedule. Throws std::runtime_error, one line.
+  [[nodiscard]] rtl::Library library_for(const Target& for_target) const;
 };
 
 /// Makes a folder in options.folder that is named after the target. Writes the unit to it as

@@ -269,6 +269,30 @@ TEST(AreaOnAChip, PrintsTheSameFiguresInEveryFormat) {
   EXPECT_LE(widest_line(text), 80U) << text;
 }
 
+/// The odd bits of a product of 20 x 24 bits are logic or a second block.
+TEST(AreaOnAChip, ABlockIsWorthWhatTheUserSays) {
+  const std::vector<std::string> unit{"int_slabs", "--library", "xc7"};
+  const std::string usual = printed(unit);
+  EXPECT_LE(widest_line(usual), 80U) << usual;
+  EXPECT_THAT(usual, testing::ContainsRegex("\nint_slabs  *20/24 .* 6\n"));
+  const auto of = [&](const char* luts) {
+    return Json::parse(printed(with(unit, {"--block-luts", luts, "--format", "json"}))).at(0);
+  };
+  const Json free = of("0");
+  EXPECT_EQ(free["dsp"], 12);
+  EXPECT_EQ(free["library"], "xc7 --block-luts 0");
+  EXPECT_THAT(usual, HasSubstr(fmt::format("\nA product's odd bits take a block where logic would take more "
+                                           "than 182 LUT.\nint_slabs 20/24 with --block-luts 0: 12 DSP48E1, "
+                                           "{} LUT, {} FF\n",
+                                           free["lut"].dump(), free["ff"].dump())));
+  EXPECT_EQ(of("182")["dsp"], 6);
+  EXPECT_GT(of("182")["lut"], free["lut"]);
+  EXPECT_THAT(printed(with(unit, {"--bits", "16/16"})), testing::Not(HasSubstr("--block-luts")));
+  rejected({"int_slabs", "--block-luts", "3"},
+           "--block-luts: the library thesis_250nm has no multiplier blocks; allowed with one of a chip that "
+           "has them");
+}
+
 /// Six products, then three, two and one.
 TEST(AreaAgainstRate, PrintsALineForEachInterval) {
   const std::vector<std::string> intervals{"int_slabs", "--bits",    "16/16", "--ii",

@@ -114,11 +114,30 @@ INSTANTIATE_TEST_SUITE_P(Units, ChipUnit,
                            return std::string(each.param.first) + "_" + each.param.second.design;
                          });
 
+/// A register takes a cell of its own in iCE40.
+TEST(ChipClock, TheUsualOneIsLongerWhereThatSavesCells) {
+  const Design& design = find_design("int_major_pair");
+  const Graph graph = design.trace(design.default_format);
+  const Library ice40 = library_called("ice40_up5k");
+  const int shortest = shortest_clock_ps(graph, ice40);
+  const Pipeline usual = make_pipeline(graph, ice40);
+  EXPECT_GT(usual.schedule.clock_ps, shortest);
+  EXPECT_LE(usual.schedule.clock_ps, shortest * 5 / 4);
+  const auto cells_times_time = [&](const Pipeline& p) {
+    return area::price(p, design, design.default_format, ice40).logic_cells.value() * p.schedule.clock_ps;
+  };
+  EXPECT_LT(cells_times_time(usual), cells_times_time(make_pipeline(graph, ice40, shortest)));
+  for (const char* const name : {"ecp5", "thesis_250nm"}) {
+    const Library other = library_called(name);
+    EXPECT_EQ(make_pipeline(graph, other).schedule.clock_ps, shortest_clock_ps(graph, other)) << name;
+  }
+}
+
 TEST(ChipClock, ALongerOneTakesStagesOutOfFloatOperatorsAndAnswersAlike) {
   const Library library = library_called("ice40_up5k");
   const DesignFormat unit{"fp_slabs_safe", "e5m10"};
   const Pipeline quick = make_pipeline(unit.found().trace(unit.parsed()), library);
-  const Pipeline slow = make_pipeline(unit.found().trace(unit.parsed()), library, 40'000);
+  const Pipeline slow = make_pipeline(unit.found().trace(unit.parsed()), library, 100'000);
   EXPECT_LT(2 * slow.latency(), quick.latency());
   const auto registers = [&](const Pipeline& p) {
     return area::price(p, unit.found(), unit.parsed(), library).taken.registers;
