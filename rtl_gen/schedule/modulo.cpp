@@ -136,7 +136,7 @@ class ModuloList {
     const bool shares = group_of_[id] >= 0;
     const Op op = graph_[id].op;
     const auto operands = [&] {
-      // The tables that select an operand invert it too.
+      // A shared operand is selected and latched, and inverted only behind the latch.
       return operands_in(graph_, made_.schedule, id, shares ? Cell{} : cell,
                          library_.carry_delay_ps_per_bit(), stage);
     };
