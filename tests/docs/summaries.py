@@ -42,7 +42,7 @@ clock = lambda row: '' if row[7].startswith(('does', 'not')) else row[7].split('
 short = table('docs/chips.md', '| unit | UP5K')
 for unit, *cells in short:
     up5k, hx, ecp5, xc7, osu = (chips[unit, target] for target in ('ice40_up5k', 'ice40_hx', 'ecp5', 'xc7', 'osu018'))
-    whole = [share(up5k), clock(up5k), share(hx), clock(hx), ecp5[2], ecp5[4], xc7[2], xc7[4], osu[8], clock(osu)]
+    whole = [share(up5k), clock(up5k), share(hx), clock(hx), ecp5[2], ecp5[4], clock(ecp5), xc7[2], xc7[4], osu[8], clock(osu)]
     same('docs/chips.md', unit, cells, whole)
 same('docs/chips.md', 'units', len(short), len(chips) // 5)
 
@@ -54,7 +54,7 @@ readme = table('README.md', '| unit, format |')
 otherwise, unit, chip = {}, '', ''
 for row in table('docs/chips.md', '| unit | in | N |'):
     unit, chip = row[0] or unit, row[1] or chip
-    cells, mhz = row[5].replace(',', ''), row[6]
+    cells, mhz = row[4].replace(',', ''), row[5]
     if chip == 'UP5K' and mhz:
         otherwise.setdefault(unit, []).append(f'{100 * int(cells) / 5280:.0f} %, {rounded(mhz)}')
 for unit, _, extra, on_up5k, on_ecp5, on_artix in readme:
@@ -71,6 +71,7 @@ for unit, _, extra, on_up5k, on_ecp5, on_artix in readme:
     if on_up5k.split(' (')[0] not in fits: same('README.md', f'{unit} on UP5K', on_up5k, fits)
     for chip, kept in (('ecp5', on_ecp5), ('xc7', on_artix)):
         row = chips[unit, chip]
-        same('README.md', f'{unit} in {chip}', kept, f'{row[2]}, {row[4]}')
+        placed = f', {rounded(clock(row))}' if clock(row) else ''
+        same('README.md', f'{unit} in {chip}', kept, f'{row[2]}, {row[4]}{placed}')
 if len(readme) < 5: wrong += 1
 sys.exit(wrong > 0)
