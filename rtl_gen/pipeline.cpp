@@ -16,7 +16,8 @@ Graph planned_graph(const Graph& traced, const Library& library, int interval) {
 /// How much longer the usual clock may be than the shortest.
 constexpr int most_longer_pct = 25;
 
-/// The shortest clock; but where a register takes a cell of its own, the one of least cells times time.
+/// The shortest clock. Where a register takes a cell of its own it is the one whose product of cells and time
+/// is the smallest.
 int usual_clock_ps(const Graph& planned, const Library& library) {
   const Schedule fastest = schedule_asap(planned, library);
   if (library.chip() == nullptr || !library.chip()->packs_registers) return fastest.clock_ps;

@@ -25,7 +25,7 @@ struct Arrival {
 };
 
 /// When the operands of a node are there. `arrival_of` says it of a root in the node's stage; of a value out
-/// of a latch it is {}. A subtrahend goes through tables that invert it, or through those that make it.
+/// of a latch it is {}. Tables invert a subtrahend. If a table makes it, that table inverts it too.
 template <class ArrivalOf>
 [[nodiscard]] Arrival operands_of(const Graph& graph, NodeId id, const Cell& cell, int ps_per_bit,
                                   ArrivalOf&& arrival_of) {
@@ -43,7 +43,7 @@ template <class ArrivalOf>
   return all;
 }
 
-/// When the result of a component or gate is there, whose operands are there.
+/// When the result of a component or gate is there. `operands` says when its operands are.
 [[nodiscard]] inline Arrival result_of(Op op, const Cell& cell, const Arrival& operands) {
   const int beside_ripple = cell.delay_ps - cell.ripple_ps;
   const int all = std::max(operands.low_ps + cell.delay_ps, operands.all_ps + beside_ripple);

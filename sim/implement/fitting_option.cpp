@@ -126,10 +126,12 @@ std::optional<std::vector<ResourceCount>> counts_if_it_fits(const rtl::Design& d
 std::vector<FittingCandidate> fitting_candidates(const rtl::Design& design, const rtl::Format& format,
                                                  const Target& target, const ImplementOptions& options) {
   std::vector<FittingCandidate> candidates;
-  const std::vector<int> clocks =
-      clocks_to_try(design.trace(format), options.library_for(target), most_clocks);
-  for (const int clock_ps : clocks)
-    if (clock_ps > options.clock_ps.value_or(clocks.front()))
+  const rtl::Graph graph = design.trace(format);
+  const rtl::Library library = options.library_for(target);
+  const int own_ps =
+      options.clock_ps ? *options.clock_ps : rtl::make_pipeline(graph, library).schedule.clock_ps;
+  for (const int clock_ps : clocks_to_try(graph, library, most_clocks))
+    if (clock_ps > own_ps)
       candidates.push_back({fmt::format("--clock-ps {}", clock_ps), format, clock_ps, options.interval});
   for (const int interval : intervals)
     if (interval > options.interval)

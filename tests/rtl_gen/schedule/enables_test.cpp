@@ -115,7 +115,7 @@ class Cycles {
   std::vector<Held> held_;
 };
 
-/// In stage 1 a gate, whose result stage 3 reads; its operands are read in stage `operands_until` too.
+/// A gate in stage 1, whose result is read in stage 3. Its operands are read in stage `operands_until` too.
 Placement of_a_gate(int interval, int operands_until) {
   Graph g("gate");
   const NodeId a = g.input("a", 8, false);
