@@ -31,7 +31,7 @@ import csv, sys
 folder, scenes = sys.argv[1], sys.argv[2:]
 
 def rows(file):
-    return list(csv.DictReader(line for line in open(file) if not line.startswith("#")))
+    return list(csv.DictReader(open(file)))
 
 measured = {scene: rows(f"{folder}/{scene}.csv") for scene in scenes}
 unit = lambda row: (row["design"], row["bits"])

@@ -15,11 +15,12 @@ cp "$out/stiffness.svg" "$folder/stiffness.svg"
 table() {
   awk -F, -v what="$1" '
     NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
-    { unit = $at["design"] " " $at["bits"]; ratio = $at["ratio"]
+    { bits = $at["bits"]; sub(/^n/, "", bits); unit = $at["design"] " " bits
+      ratio = $at["log2_ratio"] == "inf" ? "zero" : "2^" $at["log2_ratio"]
       if (!(unit in seen_unit)) { seen_unit[unit] = 1; units[++n_units] = unit }
       if (!(ratio in seen_ratio)) { seen_ratio[ratio] = 1; ratios[++n_ratios] = ratio }
       key = ratio SUBSEP unit
-      if ($at["rays"] == "") { misses[key] += $at["tests"] - $at["hits"]; false_hits[key] += $at["false_hits"] }
+      if ($at["rays"] == "") { misses[key] += $at["tests"] - $at["exact_hits"]; false_hits[key] += $at["false_hits"] }
       else { extra[key] = $at["extra_box_tests_pct"]; half[key] = ($at["extra_box_tests_pct_high"] - $at["extra_box_tests_pct_low"]) / 2 } }
     END {
       header = "| ratio |"; line = "|---|"

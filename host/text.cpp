@@ -34,6 +34,29 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t col
   return lines + "\n";
 }
 
+std::string shell_word(const std::string& word) {
+  const bool plain = !word.empty() && word.find_first_not_of(
+                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                          "0123456789_-+=./,:") == std::string::npos;
+  if (plain) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+namespace {
+
+/// Of a cell that is two numbers with a slash between them.
+bool looks_like_a_date(std::string_view cell) {
+  const std::size_t slash = cell.find('/');
+  const auto number = [](std::string_view part) {
+    return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  return slash != std::string_view::npos && number(cell.substr(0, slash)) && number(cell.substr(slash + 1));
+}
+
+}  // namespace
+
 std::vector<std::string> csv_cells(std::string_view line) {
   std::vector<std::string> cells(1);
   bool in_quotes = false;
@@ -48,6 +71,8 @@ std::vector<std::string> csv_cells(std::string_view line) {
       cells.back() += line[i];
     }
   }
+  for (std::string& cell : cells)
+    if (cell.starts_with('n') && looks_like_a_date(std::string_view(cell).substr(1))) cell.erase(0, 1);
   return cells;
 }
 
@@ -56,6 +81,7 @@ std::string csv_line(std::span<const std::string> cells) {
   for (const std::string& cell : cells) {
     if (&cell != cells.data()) line += ',';
     const bool plain = cell.find_first_of(",\"\r\n") == std::string::npos;
+    if (looks_like_a_date(cell)) line += 'n';
     if (!plain) line += '"';
     for (const char c : cell) line += c == '"' ? std::string("\"\"") : std::string(1, c);
     if (!plain) line += '"';

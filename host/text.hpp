@@ -25,10 +25,14 @@ inline constexpr std::size_t line_width = 80;
 [[nodiscard]] std::string wrapped(const std::string& text, std::size_t indent, std::size_t column = 0,
                                   std::size_t width = line_width);
 
-/// The cells of a CSV line, without quotes. A quote that is not closed extends to the end of the line.
+/// A word as a POSIX shell takes it: in quotes if it has characters that a shell reads.
+[[nodiscard]] std::string shell_word(const std::string& word);
+
+/// The cells of a CSV line as csv_line() got them. A quote that is not closed extends to the end of the line.
 [[nodiscard]] std::vector<std::string> csv_cells(std::string_view line);
 
-/// A CSV line with its newline. A cell with a comma, a quote or a line end is quoted.
+/// A CSV line with its newline. A cell with a comma, a quote or a line end is quoted. Two numbers with a
+/// slash between them get an n in front, n12/12, because a spreadsheet takes 12/12 for a date.
 [[nodiscard]] std::string csv_line(std::span<const std::string> cells);
 
 /// The number that the whole text is; nothing if it is none or too large for its type.

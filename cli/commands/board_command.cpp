@@ -13,6 +13,7 @@
 #include "cli/commands/machines.hpp"
 #include "cli/options/board_options.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
@@ -39,6 +40,7 @@ struct BoardCommand {
   std::string port;
   bool simulate = false;
   SceneChoice scene;
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   ref::WhittedOptions light;
   std::uint64_t tests = 10'000;
   std::uint64_t seed = 1;
@@ -49,7 +51,8 @@ struct BoardCommand {
 
 /// The scene and its hierarchy, which their tests need for as long as they are drawn.
 struct LoadedScene {
-  explicit LoadedScene(const SceneChoice& choice) : scene(choice.load()), bvh(ref::build_bvh(scene.mesh)) {}
+  LoadedScene(const SceneChoice& choice, const ref::HierarchyOptions& hierarchy)
+      : scene(choice.load()), bvh(ref::make_hierarchy(scene, hierarchy).bvh) {}
   ref::Scene scene;
   ref::Bvh bvh;
 };
@@ -93,7 +96,7 @@ int stream(const BoardCommand& command) {
   std::optional<LoadedScene> scene;
   std::unique_ptr<sim::BoardTests> tests;
   if (of_scene) {
-    scene.emplace(command.scene);
+    scene.emplace(command.scene, command.hierarchy);
     tests = sim::scene_tests(design, format, scene->scene, scene->bvh,
                              {.width = command.scene.width,
                               .height = command.scene.height,
@@ -171,6 +174,7 @@ int core_command(const BoardCommand& command, const CLI::App& parsed) {
                        .board = command.board,
                        .port = command.port,
                        .scene = command.scene,
+                       .hierarchy = command.hierarchy,
                        .out = command.out,
                        .format = command.format};
   std::vector<std::string> allowed{"design", "--bits", "--board", "--format"};
@@ -182,6 +186,8 @@ int core_command(const BoardCommand& command, const CLI::App& parsed) {
   allowed.insert(allowed.end(), {"--port", "--baud", "--scene", "--triangles", "--eye", "--target", "--up",
                                  "--fov", "--orthographic", "--perspective", "--light", "--sun", "--width",
                                  "--height", "--threads", "--out"});
+  for (const std::string_view name : hierarchy_option_names())
+    if (name != "--padding") allowed.emplace_back(name);
   allow_only(parsed, "core is a core", allowed);
   if (core.scene.name.empty()) throw std::runtime_error("board core: give a --scene");
   return trace_by_board(core);
@@ -214,6 +220,7 @@ CLI::App* add_board_command(CLI::App& program, int& exit_code) {
       ->type_name("N");
   add_scene_options(*command, options->scene);
   command->get_option("--scene")->required(false);
+  add_hierarchy_options(*command, options->hierarchy);
   add_bounces_option(*command, options->light);
   add_folder_option(
       *command, options->out,
@@ -221,6 +228,7 @@ CLI::App* add_board_command(CLI::App& program, int& exit_code) {
       "right");
   add_format_option(*command, options->format);
   command->callback([options, command, &exit_code] {
+    options->hierarchy.build.threads = options->scene.threads;
     if (!options->simulate && options->port.empty())
       throw std::runtime_error("board: give the board's --port, or --simulate to be one");
     if (options->choice.name == core_name) {

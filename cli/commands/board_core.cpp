@@ -55,9 +55,7 @@ int trace_by_board(const BoardCore& choice) {
     host::make_folder(choice.out);
     ref::check_image_place(picture_file);
   }
-  ref::BuildOptions build = ref::image_build;
-  build.threads = choice.scene.threads;
-  const ref::IntScene scene = ref::int_scene(loaded, options.bits.world(), build);
+  const ref::IntScene scene = ref::int_scene(loaded, options.bits.world(), choice.hierarchy);
   const ref::CoreImage image = ref::core_image(scene);
   sim::check_fits(core, image);
   progress.emplace("walking in software");

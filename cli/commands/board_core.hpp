@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/options/board_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/text/table.hpp"
 
@@ -15,6 +16,7 @@ struct BoardCore {
   BoardChoice board;
   std::string port{};
   SceneChoice scene{};
+  ref::HierarchyOptions hierarchy{};
   std::string out{};  ///< empty: no picture is written
   OutputFormat format = OutputFormat::text;
 };

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/options/build_options.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
@@ -29,8 +29,7 @@ namespace {
 
 struct BvhCommand {
   SceneChoice scene;
-  ref::BuildOptions build;
-  std::string bvh;
+  ref::HierarchyOptions hierarchy;
   std::string out;
   std::string records;
   DesignChoice unit;  ///< that reads the records
@@ -59,11 +58,11 @@ Row record(const BvhCommand& command, const ref::Scene& scene, const ref::Loaded
   Row row{{"scene", scene.name},
           {"triangles", scene.mesh.triangles.size()},
           {"degenerate_dropped", scene.mesh.dropped.size()}};
-  if (command.bvh.empty()) {
-    row["builder"] = builder_name(command.build.builder);
-    row["max_triangles"] = command.build.max_triangles;
+  if (command.hierarchy.file.empty()) {
+    row["builder"] = ref::builder_name(command.hierarchy.build.builder);
+    row["max_triangles"] = command.hierarchy.build.max_triangles;
   } else {
-    row["bvh"] = command.bvh;
+    row["bvh"] = command.hierarchy.file.string();
     row["bvh_boxes_grown"] = hierarchy.boxes_grown;
   }
   row.update({{"bvh_nodes", s.nodes},
@@ -76,7 +75,7 @@ Row record(const BvhCommand& command, const ref::Scene& scene, const ref::Loaded
               {"child_overlap_pct", 100.0 * s.child_overlap},
               {"node_bytes", s.node_bytes},
               {"order_bytes", s.order_bytes},
-              {command.bvh.empty() ? "build_seconds" : "read_seconds", seconds}});
+              {command.hierarchy.file.empty() ? "build_seconds" : "read_seconds", seconds}});
   return row;
 }
 
@@ -131,9 +130,10 @@ Row write_records(const BvhCommand& command, const ref::Bvh& bvh) {
 }
 
 void print_one(const BvhCommand& command, const ref::Scene& scene) {
-  std::optional<Progress> progress(command.bvh.empty() ? "building the hierarchy" : "reading the hierarchy");
+  std::optional<Progress> progress(command.hierarchy.file.empty() ? "building the hierarchy"
+                                                                  : "reading the hierarchy");
   const auto start = std::chrono::steady_clock::now();
-  const ref::LoadedBvh hierarchy = make_hierarchy(command.bvh, scene, command.build);
+  const ref::LoadedBvh hierarchy = ref::make_hierarchy(scene, command.hierarchy);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   Row row = record(command, scene, hierarchy, seconds.count());
   if (!command.out.empty()) {
@@ -148,7 +148,7 @@ void print_one(const BvhCommand& command, const ref::Scene& scene) {
 void print_sweep(const BvhCommand& command, const ref::Scene& scene) {
   std::optional<Progress> progress("building hierarchies");
   std::vector<Row> rows;
-  ref::sweep_max_triangles(scene.mesh, command.build, [&](const ref::SweepStep& step) {
+  ref::sweep_max_triangles(scene.mesh, command.hierarchy.build, [&](const ref::SweepStep& step) {
     const ref::BvhStatistics s = ref::statistics(step.bvh);
     rows.push_back({{"max_triangles", step.max_triangles},
                     {"bvh_nodes", s.nodes},
@@ -161,13 +161,13 @@ void print_sweep(const BvhCommand& command, const ref::Scene& scene) {
   progress.reset();
   if (command.format == OutputFormat::text) {
     fmt::print("{}: {} triangles, {}\n", scene.name, scene.mesh.triangles.size(),
-               builder_name(command.build.builder));
+               ref::builder_name(command.hierarchy.build.builder));
   }
   fmt::print("{}", table_text(rows, command.format));
 }
 
 void report(BvhCommand command) {
-  command.build.threads = command.scene.threads;
+  command.hierarchy.build.threads = command.scene.threads;
   if (!command.records.empty()) {
     static_cast<void>(is_binary(command.records));
     static_cast<void>(unit_of_records(command).format());
@@ -192,8 +192,7 @@ CLI::App* add_bvh_command(CLI::App& program, int& /*exit_code*/) {
   for (const char* const of_an_image : {"--width", "--height"}) {
     command->remove_option(command->get_option(of_an_image));
   }
-  add_build_options(*command, options->build);
-  add_bvh_file_option(*command, options->bvh);
+  add_hierarchy_options(*command, options->hierarchy);
   as_output(
       command->add_option("--out", options->out, "Write the hierarchy to this file, which --bvh reads"));
   const CLI::Option* const records = as_output(command->add_option(

@@ -15,6 +15,7 @@
 #include "cli/commands/triangle_check.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "hls/num/bits.hpp"
@@ -65,11 +66,16 @@ void add_share(Row& row, const std::string& name, const ref::GroupedRatio& share
 }
 
 Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim::CategoryResult* comparison) {
-  Row row{{"category", r.category},
-          {"tests", r.tests},
-          {"hits", r.hits},
-          {"false_misses", r.false_misses},
-          {"false_hits", r.false_hits}};
+  Row row;
+  if (command.format != OutputFormat::text)
+    row.update({{"design", command.choice.name},
+                {"bits", rtl::to_string(command.choice.format())},
+                {"seed", command.seed}});
+  row.update({{"category", r.category},
+              {"tests", r.tests},
+              {"exact_hits", r.hits},
+              {"false_misses", r.false_misses},
+              {"false_hits", r.false_hits}});
   if (command.format != OutputFormat::text) {
     add_share(row, "false_miss_pct", r.false_miss_share);
     add_share(row, "false_hit_pct", r.false_hit_share);
@@ -142,7 +148,9 @@ int judge(const CheckCommand& command) {
     if (other != nullptr) comparison_sum += *other;
   }
   sum.category = "all";
-  rows.push_back(row_of(command, sum, comparison.empty() ? nullptr : &comparison_sum));
+  // A table of categories has no row of another kind: whoever adds them up would count it twice.
+  if (command.format != OutputFormat::csv)
+    rows.push_back(row_of(command, sum, comparison.empty() ? nullptr : &comparison_sum));
   if (command.format == OutputFormat::text) {
     fmt::print("{} {}, seed {}\n", design.name, rtl::to_string(format), command.seed);
   }
@@ -230,6 +238,9 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
                "mesh file"))
       ->needs(is_stiff)
       ->type_name("NAME|FILE");
+  add_hierarchy_options(*command, stiff->hierarchy);
+  for (const std::string_view name : hierarchy_option_names())
+    command->get_option(std::string(name))->needs(is_stiff);
   add_large_count_option(*command, "--rays", stiff->rays, 1, 1'000'000'000,
                          "With --stiff: rays through the scene for each ratio (1 to 10^9)")
       ->needs(is_stiff);
@@ -238,15 +249,16 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
   for (const char* const other : {"--category", "--rtl", "--replay"})
     exclude(is_stiff, command->get_option(other), "stiff rays have cases of their own, and the C++ answers");
   add_format_option(*command, options->format);
-  command->callback([options, stiff, tests, &exit_code] {
+  command->callback([options, stiff, tests, command, &exit_code] {
     if (options->stiff) {
       if (tests->count() > 0) stiff->tests = options->tests;
       if (stiff->tests > most_stiff)
         throw std::runtime_error(fmt::format("--tests: with --stiff allowed is 1 to {}", most_stiff));
       stiff->seed = options->seed;
       stiff->threads = options->threads;
+      stiff->hierarchy.build.threads = options->threads;
       stiff->format = options->format;
-      exit_code = check_stiff_rays(*stiff);
+      exit_code = check_stiff_rays(*stiff, notes_of(*command));
       return;
     }
     options->choice = stiff->units.only("check");

@@ -10,8 +10,8 @@
 #include "cli/commands.hpp"
 #include "cli/commands/rescale.hpp"
 #include "cli/commands/world_cosim.hpp"
-#include "cli/options/build_options.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
@@ -38,7 +38,7 @@ struct CosimCommand {
   std::optional<std::string> box_unit;
   std::string library{rtl::default_library};
   SceneChoice scene;
-  std::string bvh;
+  ref::HierarchyOptions hierarchy;
   rtl::FlowControl flow_control = rtl::FlowControl::stall;
   int interval = 1;
   int rays_in_flight = 32;
@@ -70,7 +70,8 @@ Row record(const CosimCommand& command, const sim::Unit& unit, const ref::Scene&
               {"triangles", scene.mesh.triangles.size()},
               {"degenerate_dropped", scene.mesh.dropped.size()},
               {"bvh_nodes", hierarchy.bvh.nodes.size()}});
-  if (!command.bvh.empty()) row.update({{"bvh", command.bvh}, {"bvh_boxes_grown", hierarchy.boxes_grown}});
+  row["hierarchy"] = command.hierarchy.name();
+  if (!command.hierarchy.file.empty()) row["bvh_boxes_grown"] = hierarchy.boxes_grown;
   row.update({{"rays_primary", r.rays_primary},
               {"rays_secondary", r.rays_secondary},
               {"rays_shadow", r.rays_shadow},
@@ -126,12 +127,11 @@ int cosimulate_triangles(const CosimCommand& command) {
       throw std::runtime_error(
           fmt::format("{}: not for design {}, which tests triangles", option, command.choice.name));
   };
-  refuse(!command.bvh.empty(), "--bvh");
   refuse(!command.unit.empty(), "--unit");
   refuse(command.ray_slots.has_value(), "--ray-slots");
   refuse(command.referee, "--referee");
   refuse(command.bit_level, "--bit-level");
-  return cosimulate_world({command.choice, command.library, command.scene, command.boxes,
+  return cosimulate_world({command.choice, command.library, command.scene, command.hierarchy, command.boxes,
                            command.box_unit.value_or("int_major"), command.flow_control, command.interval,
                            command.rays_in_flight, command.light, command.out, command.format});
 }
@@ -154,7 +154,7 @@ int cosimulate(const CosimCommand& command) {
   const fs::path folder = command.out;
   const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
   if (!command.out.empty()) host::announce_output("--out", image);
-  const ref::LoadedBvh hierarchy = make_hierarchy(command.bvh, scene);
+  const ref::LoadedBvh hierarchy = ref::make_hierarchy(scene, command.hierarchy);
   progress.emplace("compiling the Verilog");
   const sim::VerilatedDesign verilated(unit);
   const bool emits = !command.out.empty() && command.unit.empty();
@@ -226,7 +226,7 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
                    "int_major_pair")
       ->type_name("NAME");
   add_scene_options(*command, options->scene);
-  add_bvh_file_option(*command, options->bvh);
+  add_hierarchy_options(*command, options->hierarchy);
   add_count_option(*command, "--rays-in-flight", options->rays_in_flight,
                    {1, sim::RayUnit::most_rays_in_flight}, "Rays that share one pipeline")
       ->capture_default_str();
@@ -244,6 +244,8 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
   const auto moves = std::make_shared<RescaleChoice>();
   add_rescale_options(*command, *moves, {"design", "--bits"});
   command->callback([options, moves, &exit_code] {
+    moves->build = options->hierarchy.build;
+    moves->build.threads = options->hierarchy.build.threads = options->scene.threads;
     exit_code = moves->asked ? rescale(options->scene, *moves, &options->choice, options->format)
                              : cosimulate(*options);
   });

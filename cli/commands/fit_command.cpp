@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
@@ -28,6 +29,7 @@ namespace {
 
 struct FitCommand {
   SceneChoice scene;
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   ref::WhittedOptions light;
   bool no_shadows = false;
   DesignsChoice units;
@@ -108,7 +110,8 @@ sim::SweepRow measured(const sim::FitResult& fitted, const sim::TriangleCost& tr
 }
 
 /// With `rated`, also how often the unit takes a test.
-Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std::string& scene, bool rated) {
+Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std::string& scene,
+           const std::string& hierarchy, bool rated) {
   const auto& [unit, vectors, result, rays_per_second, drawn] = fitted;
   Row left_out = Row::array();
   for (const sim::LeftOut& left : unit.left_out)
@@ -126,6 +129,7 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std
                                               : Row(nullptr)},
           {"formats_measured", unit.precision ? unit.precision->formats_measured : 0},
           {"scene", scene},
+          {"hierarchy", hierarchy},
           {"area_before_mm2", mm2(unit.price_before.area_um2)},
           {"area_after_mm2", mm2(unit.price.area_um2)},
           {"area_saved_pct", percent_of(unit.saved_um2(), unit.price_before.area_um2)},
@@ -201,6 +205,7 @@ int fit(const FitCommand& command) {
       .height = command.scene.height,
       .threads = command.scene.threads,
       .light = command.light,
+      .hierarchy = command.hierarchy,
       .keep_bits = command.keep_bits,
       .rate = {.interval = command.interval, .boxes_per_second = command.rate_boxes.value_or(0)},
       .rays_per_second = command.rate_rays.value_or(0),
@@ -226,8 +231,8 @@ int fit(const FitCommand& command) {
     const sim::FitResult fitted = sim::fit_to_scene(*wanted.design, wanted.before, scene, options, library);
     drawn = drawn && fitted.drawn;
     counted.push_back(measured(fitted, triangle));
-    reports.push_back({record(fitted, counted.back(), scene.scene.name, rated), fitted.unit.left_out,
-                       cost_text(counted.back()), fitted.vectors.first_mismatch});
+    reports.push_back({record(fitted, counted.back(), scene.scene.name, command.hierarchy.name(), rated),
+                       fitted.unit.left_out, cost_text(counted.back()), fitted.vectors.first_mismatch});
   }
   steps.end();
   fmt::print("{}", reports_text(reports, counted, scene, command.format));
@@ -249,6 +254,7 @@ CLI::App* add_fit_command(CLI::App& program, int& exit_code) {
       program.add_subcommand("fit", "Make the smallest unit of each design for a scene, and check it");
   const auto options = std::make_shared<FitCommand>();
   add_scene_options(*command, options->scene);
+  add_hierarchy_options(*command, options->hierarchy);
   add_bounces_option(*command, options->light);
   command->add_flag("--no-shadows", options->no_shadows, "Switch the lights off: no shadow rays");
   add_designs_option(*command, options->units, "all");
@@ -284,7 +290,10 @@ CLI::App* add_fit_command(CLI::App& program, int& exit_code) {
   add_folder_option(*command, options->out, "Folder for each design's Verilog, manifest and testbench")
       ->required();
   add_format_option(*command, options->format);
-  command->callback([options, &exit_code] { exit_code = fit(*options); });
+  command->callback([options, &exit_code] {
+    options->hierarchy.build.threads = options->scene.threads;
+    exit_code = fit(*options);
+  });
   return command;
 }
 

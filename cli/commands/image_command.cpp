@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/options/build_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 struct ImageCommand {
   SceneChoice scene;
-  ref::BuildOptions build = ref::image_build;
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
   std::string out;
   std::vector<int> places;
@@ -75,15 +75,14 @@ std::vector<Row> reads_of(const ImageCommand& command, const ref::IntScene& scen
 void write_image(ImageCommand command) {
   const auto bits = rtl::parse_bits<hls::WorldBits>(command.bits);
   if (!command.out.empty()) host::announce_output("--out", command.out);
-  command.build.threads = command.scene.threads;
+  command.hierarchy.build.threads = command.scene.threads;
   std::optional<Progress> progress("reading the scene");
-  const ref::IntScene scene = ref::int_scene(command.scene.load(), bits, command.build);
+  const ref::IntScene scene = ref::int_scene(command.scene.load(), bits, command.hierarchy);
   progress.emplace("writing the image");
   const ref::CoreImage image = ref::core_image(scene);
   Row row{{"scene", scene.scene.name},
           {"bits", rtl::to_string(rtl::Format(bits))},
-          {"builder", builder_name(command.build.builder)},
-          {"max_triangles", command.build.max_triangles},
+          {"hierarchy", command.hierarchy.name()},
           {"triangles", image.triangles},
           {"records", image.records},
           {"levels", image.levels},
@@ -109,9 +108,7 @@ CLI::App* add_image_command(CLI::App& program, int& /*exit_code*/) {
       program.add_subcommand("image", "Write a scene as the memory of a traversal core holds it");
   const auto options = std::make_shared<ImageCommand>();
   add_scene_options(*command, options->scene);
-  add_build_options(*command, options->build);
-  // Boxes of integers do not grow.
-  command->remove_option(command->get_option("--padding"));
+  add_hierarchy_options(*command, options->hierarchy, Boxes::integers);
   command->add_option("--bits", options->bits, "Format of the integer world, n+gsS")
       ->capture_default_str()
       ->type_name("FORMAT");

@@ -15,6 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
@@ -92,7 +93,7 @@ sim::OperandCounts judge_operands(const OperandsCommand& command, TestForm form,
       write);
 }
 
-int make_operands(const OperandsCommand& command) {
+int make_operands(const OperandsCommand& command, const CLI::App& parsed) {
   if (command.own.empty() && (command.files.rays.empty() || command.files.boxes.empty()))
     throw std::runtime_error("operands: give --rays and --boxes, or --operands");
   if (command.files.rays == "-" && command.files.boxes == "-")
@@ -113,6 +114,12 @@ int make_operands(const OperandsCommand& command) {
   std::optional<Progress> progress(std::in_place, "testing");
   const auto show = [&](double share) { progress->show(share); };
   Row row{{"design", design.name}, {"bits", rtl::to_string(format)}};
+  if (command.bounds) {
+    const ref::Normalisation& cube = sim::Placement(*command.bounds).transform();
+    row.update(
+        {{"offset", Row::array({cube.offset.x, cube.offset.y, cube.offset.z})}, {"scale", cube.scale}});
+  }
+  Row notes = row;
   sim::OperandCounts counts;
   if (command.own.empty()) {
     counts = judge_operands(command, form, write, show);
@@ -128,6 +135,11 @@ int make_operands(const OperandsCommand& command) {
   if (to_file) {
     file->close();
     file->rename();
+    if (form == TestForm::csv) {
+      notes.update(notes_of(parsed));
+      host::write_file(metadata_file(command.out),
+                       csv_metadata({std::filesystem::path(command.out).filename().string()}, notes));
+    }
   }
   progress.reset();
 
@@ -177,7 +189,7 @@ CLI::App* add_operands_command(CLI::App& program, int& exit_code) {
                    "Number of threads; results do not depend on it")
       ->capture_default_str();
   add_format_option(*command, options->format);
-  command->callback([options, &exit_code] { exit_code = make_operands(*options); });
+  command->callback([options, command, &exit_code] { exit_code = make_operands(*options, *command); });
   return command;
 }
 

@@ -9,7 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/commands/rescale.hpp"
-#include "cli/options/build_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
@@ -29,8 +29,7 @@ namespace {
 
 struct RenderCommand {
   SceneChoice scene;
-  ref::BuildOptions build;
-  std::string bvh;
+  ref::HierarchyOptions hierarchy;
   TraceChoice trace;
   BoxFormatChoice boxes;
   ref::WhittedOptions light;
@@ -124,18 +123,16 @@ struct Traced {
 /// In place: parts refer to each other.
 void make_traced(const RenderCommand& command, Traced& traced) {
   traced.scene = command.scene.load();
-  ref::BuildOptions build = command.build;
-  build.threads = command.scene.threads;
+  ref::HierarchyOptions hierarchy = command.hierarchy;
+  hierarchy.build.threads = command.scene.threads;
   if (command.trace.world == World::floats) {
-    traced.hierarchy = make_hierarchy(command.bvh, traced.scene, build);
+    traced.hierarchy = ref::make_hierarchy(traced.scene, hierarchy);
     traced.tracer = ref::make_tracer(traced.scene.mesh, traced.hierarchy.bvh, command.trace.options());
     return;
   }
-  if (!command.bvh.empty())
-    throw std::runtime_error("--bvh excludes --world integer: a hierarchy is built over the integer mesh");
   const hls::WorldBits bits = command.trace.world_bits();
   const auto boxes = command.boxes.format(bits);
-  traced.integers = ref::int_scene(traced.scene, bits, build);
+  traced.integers = ref::int_scene(traced.scene, bits, hierarchy);
   traced.surfaces.emplace(*traced.integers);
   traced.tracer =
       ref::int_tracer(traced.integers->mesh, traced.integers->hierarchy(), {.world = bits, .boxes = boxes});
@@ -182,8 +179,9 @@ void render_scene(const RenderCommand& command) {
           {"triangles", scene.mesh.triangles.size()},
           {"degenerate_dropped", scene.mesh.dropped.size()},
           {"bvh_nodes", tracer->node_count()}};
-  if (!command.bvh.empty())
-    row.update({{"bvh", command.bvh}, {"bvh_boxes_grown", traced.hierarchy.boxes_grown}});
+  row["hierarchy"] = command.hierarchy.name();
+  if (!command.hierarchy.file.empty() && !traced.integers)
+    row["bvh_boxes_grown"] = traced.hierarchy.boxes_grown;
   if (traced.integers) row.update(door_row(*traced.integers));
   row.update({{"bytes_per_node", tracer->bytes_per_node()},
               {"node_bytes", tracer->node_count() * tracer->bytes_per_node()},
@@ -221,8 +219,7 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
   const auto options = std::make_shared<RenderCommand>();
   add_scene_options(*command, options->scene);
   add_bounces_option(*command, options->light);
-  add_build_options(*command, options->build);
-  add_bvh_file_option(*command, options->bvh);
+  add_hierarchy_options(*command, options->hierarchy);
   add_trace_options(*command, options->trace);
   add_box_format_option(*command, options->boxes, "exact boxes");
   const auto file = [&](const char* name, std::string& value, const char* what) {

@@ -11,11 +11,13 @@
 #include "cli/commands/world_sweep.hpp"
 #include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/report/core_plot.hpp"
 #include "cli/report/report_sections.hpp"
 #include "cli/report/report_sweep.hpp"
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
@@ -32,6 +34,7 @@ constexpr int world_mantissa = 11;  ///< p of the boxes in the integer world
 
 struct ReportCommand {
   SceneChoice scene;
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   DesignChoice image;
   DesignsChoice swept;
   std::vector<int> intervals;  ///< empty: a test in every cycle
@@ -43,23 +46,13 @@ struct ReportCommand {
   OutputFormat format = OutputFormat::text;
 };
 
-/// Quoted for a shell.
-std::string quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                          "0123456789_-+=./,:") == std::string::npos;
-  if (plain) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 /// Which of the options that the user gave.
-enum class Given { all, of_view, of_scene, of_sweep };
+enum class Given { of_view, of_scene, of_sweep };
 
 /// The options as the user gave them. Options of the scene go to pictures and to a sweep, options of costs
-/// to a sweep alone. A view is a scene without the picture's size.
-std::string options_given(const CLI::App& command, Given which) {
+/// to a sweep alone. A view is a scene without the picture's size. Commands have other usual hierarchies, so
+/// for them the hierarchy is always said.
+std::string options_given(const CLI::App& command, Given which, const ref::HierarchyOptions& hierarchy) {
   std::string text;
   for (const CLI::Option* const option : command.get_options()) {
     const std::string name = option->get_name();
@@ -68,13 +61,17 @@ std::string options_given(const CLI::App& command, Given which) {
                           name != "--threads" && name != "--format";
     const bool of_cost = name == "--library" || name.starts_with("--triangle-");
     const bool of_size = name == "--width" || name == "--height";
-    if (option->count() == 0 || (which != Given::all && !of_scene) ||
-        (which != Given::all && which != Given::of_sweep && of_cost) || (which == Given::of_view && of_size))
+    const bool of_hierarchy =
+        std::ranges::find(hierarchy_option_names(), name) != hierarchy_option_names().end();
+    if (option->count() == 0 || of_hierarchy || !of_scene || (which != Given::of_sweep && of_cost) ||
+        (which == Given::of_view && of_size))
       continue;
     for (const std::string& result : option->results())
-      text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, quoted(result));
+      text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, host::shell_word(result));
   }
-  return text;
+  ref::HierarchyOptions said = hierarchy;
+  if (which == Given::of_view) said.build.padding = ref::BuildOptions{}.padding;  // a core's boxes have none
+  return text + " " + hierarchy_arguments(said);
 }
 
 /// The smallest format of a design among the rows. If there is none, the format that the design has.
@@ -101,6 +98,7 @@ std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& comm
   const auto sum = [&](const char* column) { return readable_number(cell(rows.front(), column)); };
   return {{"Scene", scene.name},
           {"Triangles", readable_number(std::to_string(scene.mesh.triangles.size()))},
+          {"Hierarchy", command.hierarchy.text()},
           {"Nodes of the hierarchy", readable_number(std::to_string(bvh.nodes.size()))},
           {"Image", fmt::format("{} x {} pixels", command.scene.width, command.scene.height)},
           {"Rays",
@@ -108,8 +106,8 @@ std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& comm
                        sum("rays_primary"), sum("rays_secondary"), sum("rays_shadow"), sum("rays_rejected"))},
           {"Files beside this page",
            "rows.csv, pictures.csv, pipelines.csv, stability.csv, stiffness.csv, integer_world.csv, "
-           "core.csv, the diagrams as SVG and "
-           "the pictures as PNG; the page itself needs none of them"}};
+           "core.csv, what they share in csv-metadata.json, the diagrams as SVG and the pictures as PNG; the "
+           "page itself needs none of them"}};
 }
 
 int report(const ReportCommand& command, const CLI::App& options) {
@@ -134,43 +132,45 @@ int report(const ReportCommand& command, const CLI::App& options) {
   }
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
-  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const ref::Bvh bvh = ref::make_hierarchy(scene, command.hierarchy).bvh;
   const std::string program = options.get_parent()->version();
   const sim::SweepOptions sweep{.width = command.scene.width,
                                 .height = command.scene.height,
                                 .threads = command.scene.threads,
+                                .program = program,
+                                .hierarchy = command.hierarchy.name(),
                                 .library = &library,
                                 .triangle = triangle,
                                 .progress = [&](double share) { progress->show(share); }};
   progress.emplace("sweeping");
-  sim::RowsFile rows = command.rows.empty()
-                           ? sim::resume({.scene = &scene,
-                                          .bvh = &bvh,
-                                          .points = points,
-                                          .options = sweep,
-                                          .program = program,
-                                          .file = fs::path(command.out) / "rows.csv",
-                                          .more = {}})
-                           : take_rows(command.rows, sim::about_sweep(program, scene, bvh, sweep));
+  std::vector<sim::SweepRow> rows = command.rows.empty()
+                                        ? sim::resume({.scene = &scene,
+                                                       .bvh = &bvh,
+                                                       .points = points,
+                                                       .options = sweep,
+                                                       .file = fs::path(command.out) / "rows.csv",
+                                                       .more = {}})
+                                        : take_rows(command.rows, sim::sweep_subject(scene, bvh, sweep));
   // The rows of a sweep have the cost that it was told, unless the user says another one now.
   if (command.cost.says_triangle())
-    for (sim::SweepRow& row : rows.rows) row.triangle = triangle;
+    for (sim::SweepRow& row : rows) row.triangle = triangle;
 
   ReportFacts facts;
   facts.version = program;
-  facts.command = "hitpipe report " + options_given(options, Given::all);
+  facts.command = command_line(options);
 
   facts.scene = scene.name;
-  facts.asked = asked(command, scene, bvh, rows.rows);
-  facts.rows = rows.rows;
-  facts.row_commands = sweep_commands(facts.rows, options_given(options, Given::of_sweep));
+  facts.asked = asked(command, scene, bvh, rows);
+  facts.rows = rows;
+  facts.row_commands = sweep_commands(facts.rows, options_given(options, Given::of_sweep, command.hierarchy));
   facts.seed = command.seed;
   progress.emplace("drawing");
   facts.diagrams = draw_diagrams(facts.rows);
   facts.schematics = draw_schematics();
-  const std::string library_option = command.cost.library == rtl::default_library
-                                         ? ""
-                                         : fmt::format(" --library {}", quoted(command.cost.library));
+  const std::string library_option =
+      command.cost.library == rtl::default_library
+          ? ""
+          : fmt::format(" --library {}", host::shell_word(command.cost.library));
   facts.prices = report_prices(facts.rows, library);
   facts.area_commands = price_commands(facts.prices, library_option);
   progress.emplace("judging");
@@ -189,23 +189,27 @@ int report(const ReportCommand& command, const CLI::App& options) {
                             .formats = usual_world_formats(),
                             .mantissas = {world_mantissa},
                             .scene = command.scene,
+                            .hierarchy = command.hierarchy,
                             .light = {},
                             .library = &library,
                             .interval = 1,
                             .out = {},
                             .format = OutputFormat::csv},
                            scene, [&](double share) { progress->show(share); });
-  facts.world_command = fmt::format("hitpipe sweep int_triangle {}{} --mantissas {} --out integer_world.csv",
-                                    options_given(options, Given::of_scene), library_option, world_mantissa);
+  facts.world_command =
+      fmt::format("hitpipe sweep int_triangle {}{} --mantissas {} --out integer_world.csv",
+                  options_given(options, Given::of_scene, command.hierarchy), library_option, world_mantissa);
   facts.world_diagram = draw_world(facts.world);
   progress.emplace("tracing with cores");
-  facts.core = measure_core(scene, {.library = &library,
-                                    .library_option = library_option,
-                                    .scene_options = options_given(options, Given::of_view),
-                                    .width = command.scene.width,
-                                    .height = command.scene.height,
-                                    .threads = command.scene.threads,
-                                    .progress = [&](double share) { progress->show(share); }});
+  facts.core =
+      measure_core(scene, {.library = &library,
+                           .library_option = library_option,
+                           .scene_options = options_given(options, Given::of_view, command.hierarchy),
+                           .hierarchy = command.hierarchy,
+                           .width = command.scene.width,
+                           .height = command.scene.height,
+                           .threads = command.scene.threads,
+                           .progress = [&](double share) { progress->show(share); }});
   facts.core_drawings = draw_core(scene.name, facts.core);
   progress.emplace("rendering");
   facts.pictures = make_pictures(scene, bvh,
@@ -214,7 +218,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                   .coarse = coarsest(facts.rows, command.image),
                                   .library = &library,
                                   .library_option = library_option,
-                                  .scene_options = options_given(options, Given::of_scene),
+                                  .scene_options = options_given(options, Given::of_scene, command.hierarchy),
                                   .width = command.scene.width,
                                   .height = command.scene.height,
                                   .threads = command.scene.threads,
@@ -223,7 +227,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   progress.reset();
 
   std::vector<host::File> files{
-      {"rows.csv", sim::to_text(rows)},
+      {"rows.csv", sim::to_csv(rows)},
       {"pictures.csv", table_text(facts.pictures.rows, OutputFormat::csv)},
       {"pipelines.csv", table_text(pipeline_rows(facts), OutputFormat::csv)},
       {"stability.csv", table_text(stability_rows(facts), OutputFormat::csv)},
@@ -234,6 +238,12 @@ int report(const ReportCommand& command, const CLI::App& options) {
   if (!facts.core.rows.empty()) files.push_back({"core.csv", table_text(facts.core.rows, OutputFormat::csv)});
   for (const auto& drawings : {facts.diagrams, facts.core_drawings})
     for (const Drawing& d : drawings) files.push_back({d.file, d.svg});
+  std::vector<std::string> tables;
+  for (const host::File& file : files)
+    if (file.name.ends_with(".csv")) tables.push_back(file.name);
+  Row notes = notes_of(options);
+  notes.update(camera_notes(scene));
+  files.push_back({"csv-metadata.json", csv_metadata(tables, notes)});
   files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());
   files.push_back({"index.html", report_html(facts)});
   host::write_files(command.out, files);
@@ -272,6 +282,7 @@ CLI::App* add_report_command(CLI::App& program, int& exit_code) {
       program.add_subcommand("report", "Measure all designs on a scene: error against cost, as HTML");
   const auto options = std::make_shared<ReportCommand>();
   add_scene_options(*command, options->scene);
+  add_hierarchy_options(*command, options->hierarchy);
   const CLI::Option* const rows =
       as_input(command->add_option(
                    "--rows", options->rows,
@@ -297,7 +308,10 @@ CLI::App* add_report_command(CLI::App& program, int& exit_code) {
   add_seed_option(*command, options->seed);
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
   add_format_option(*command, options->format);
-  command->callback([options, command, &exit_code] { exit_code = report(*options, *command); });
+  command->callback([options, command, &exit_code] {
+    options->hierarchy.build.threads = options->scene.threads;
+    exit_code = report(*options, *command);
+  });
   return command;
 }
 

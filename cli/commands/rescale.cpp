@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
@@ -100,7 +101,8 @@ Row short_row(const Row& row, bool judged) {
 int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const DesignChoice* design,
             OutputFormat format) {
   const bool judged = design != nullptr;
-  sim::PictureOptions options{.width = chosen.width, .height = chosen.height, .threads = chosen.threads};
+  sim::PictureOptions options{
+      .width = chosen.width, .height = chosen.height, .threads = chosen.threads, .build = choice.build};
   std::optional<sim::Unit> unit;
   if (judged) unit = sim::make_unit(design->design(), design->format(), rtl::Library::thesis());
 
@@ -152,6 +154,8 @@ void add_rescale_options(CLI::App& command, RescaleChoice& choice, const std::ve
                                    "--eye",         "--target", "--up",     "--fov",   "--orthographic",
                                    "--perspective", "--light",  "--sun",    "--width", "--height",
                                    "--threads",     "--format"};
+  for (const std::string_view name : hierarchy_option_names())
+    if (name != "--bvh") allowed.emplace_back(name);
   allowed.insert(allowed.end(), used.begin(), used.end());
   CLI::Option* const asked = command.add_flag(
       "--rescale", choice.asked,
@@ -176,8 +180,7 @@ void add_rescale_options(CLI::App& command, RescaleChoice& choice, const std::ve
   add("--offset", choice.offsets, parse_offset,
       "With --rescale: move, in units of the scene; repeat it for more")
       ->type_name("X,Y,Z");
-  exclude_all_but(command, asked, allowed,
-                  "it renders each picture with the usual hierarchy and unit, and writes none");
+  exclude_all_but(command, asked, allowed, "it builds the hierarchy of each picture, and writes none");
 }
 
 }  // namespace hitpipe::cli

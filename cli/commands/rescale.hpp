@@ -19,6 +19,7 @@ struct NamedTransform {
 
 struct RescaleChoice {
   bool asked = false;
+  ref::BuildOptions build{};  ///< of each picture's hierarchy; set by the command
   std::vector<NamedTransform> scales;
   std::vector<NamedTransform> offsets;
 };

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/stiffness_report.hpp"
 #include "host/files.hpp"
@@ -65,9 +66,11 @@ void measure(const StiffCheck& command, const CountedScene* loaded, std::vector<
 }
 
 void write(const StiffCheck& command, const std::vector<MeasuredDesign>& designs,
-           const std::vector<Row>& rows, const std::string& scene) {
-  std::vector<host::File> files{{"stiffness.csv", table_text(rows, OutputFormat::csv)},
-                                {"stiffness.svg", draw_plot(boxes_plot(designs))}};
+           const std::vector<Row>& rows, const std::string& scene, const Row& notes) {
+  std::vector<host::File> files{
+      {"stiffness.csv", table_text(rows, OutputFormat::csv)},
+      {metadata_file("stiffness.csv").string(), csv_metadata({"stiffness.csv"}, notes)},
+      {"stiffness.svg", draw_plot(boxes_plot(designs))}};
   if (!scene.empty()) {
     files.push_back({"stiffness_scene.svg", draw_plot(traversals_plot(designs, scene))});
   }
@@ -76,18 +79,18 @@ void write(const StiffCheck& command, const std::vector<MeasuredDesign>& designs
 
 }  // namespace
 
-int check_stiff_rays(const StiffCheck& command) {
+int check_stiff_rays(const StiffCheck& command, const Row& notes) {
   std::vector<MeasuredDesign> designs = chosen_designs(command);
   std::optional<CountedScene> loaded;
   if (!command.scene.empty()) {
     const Progress progress("reading the scene");
     loaded.emplace(CountedScene{ref::load_scene(command.scene), {}});
-    loaded->bvh = ref::build_bvh(loaded->scene.mesh);
+    loaded->bvh = ref::make_hierarchy(loaded->scene, command.hierarchy).bvh;
   }
   const std::string scene = loaded ? loaded->scene.name : "";
   measure(command, loaded ? &*loaded : nullptr, designs);
   const std::vector<Row> rows = stiffness_rows(designs, scene);
-  if (!command.out.empty()) write(command, designs, rows, scene);
+  if (!command.out.empty()) write(command, designs, rows, scene, notes);
   fmt::print("{}", command.format == OutputFormat::text ? stiffness_text(designs, scene)
                                                         : table_text(rows, command.format));
   const std::uint64_t wrong = wrong_answers(designs);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/options/design_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/text/table.hpp"
 
 namespace hitpipe::cli {
@@ -12,6 +13,7 @@ namespace hitpipe::cli {
 struct StiffCheck {
   DesignsChoice units;  ///< without names: the designs that never miss
   std::string scene;    ///< empty: only drawn boxes
+  ref::HierarchyOptions hierarchy;
   std::uint64_t tests = 60'000;
   std::uint64_t rays = 2'000;
   std::uint64_t seed = 1;
@@ -20,7 +22,7 @@ struct StiffCheck {
   OutputFormat format = OutputFormat::text;
 };
 
-/// Prints the table and returns the exit code.
-[[nodiscard]] int check_stiff_rays(const StiffCheck& command);
+/// Prints the table and returns the exit code. The notes go into the folder, beside the rows.
+[[nodiscard]] int check_stiff_rays(const StiffCheck& command, const Row& notes);
 
 }  // namespace hitpipe::cli

@@ -11,12 +11,15 @@
 #include "cli/commands/world_sweep.hpp"
 #include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/report/sweep_rows.hpp"
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "host/files.hpp"
 #include "host/text.hpp"
 #include "sim/cosim/ray_unit.hpp"
 #include "sim/software.hpp"
@@ -29,6 +32,7 @@ namespace {
 struct SweepCommand {
   std::vector<int> mantissas;  ///< of boxes in the integer world
   SceneChoice scene;
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   DesignsChoice units;
   std::vector<int> rays_in_flight{32};
   std::vector<int> intervals;  ///< empty: a test in every cycle
@@ -47,9 +51,9 @@ std::vector<sim::SweepPoint> plan(const SweepCommand& command, const rtl::Librar
 }
 
 /// Cells as in the file. In JSON, numbers are numbers.
-Row record(const sim::SweepRow& row, std::span<const sim::SweepColumn> columns) {
+Row record(const sim::SweepRow& row) {
   Row record;
-  for (const sim::SweepColumn& column : columns) {
+  for (const sim::SweepColumn& column : sim::sweep_columns) {
     const std::string cell = column.cell(row);
     record[std::string(column.name)] = column.is_text() ? Row(cell) : Row::parse(cell);
   }
@@ -62,7 +66,7 @@ std::string percent_text(double percent) {
 }
 
 /// Units are compared by the area for each box that a test answers for.
-std::string text_of(const std::vector<sim::SweepRow>& rows) {
+std::string text_of(const std::vector<sim::SweepRow>& rows, const std::string& hierarchy) {
   if (rows.empty()) return "";
   std::size_t name = 11;
   std::size_t bits = 5;
@@ -91,23 +95,24 @@ std::string text_of(const std::vector<sim::SweepRow>& rows) {
   if (several_boxes) text += "area: for each box that a test answers for; area*time: of the whole unit\n";
   std::vector<std::string> below = recommendation(rows);
   below.push_back(cost_caveat(rows.front()));
+  below.push_back(fmt::format("hierarchy: {}", hierarchy));
   for (const std::string& line : below) text += host::wrapped(line, 2);
   return text;
 }
 
 /// Prints the rows and returns the exit code.
-int report(const sim::RowsFile& rows, OutputFormat format) {
+int report(const std::vector<sim::SweepRow>& rows, const std::string& hierarchy, OutputFormat format) {
   if (format == OutputFormat::csv) {
-    fmt::print("{}", sim::to_csv(rows.rows));
+    fmt::print("{}", sim::to_csv(rows));
   } else if (format == OutputFormat::json) {
     std::vector<Row> records;
-    for (const sim::SweepRow& row : rows.rows) records.push_back(record(row, sim::columns_of(rows.rows)));
+    for (const sim::SweepRow& row : rows) records.push_back(record(row));
     fmt::print("{}", table_text(records, format));
   } else {
-    fmt::print("{}", text_of(rows.rows));
+    fmt::print("{}", text_of(rows, hierarchy));
   }
   int exit_code = 0;
-  for (const sim::SweepRow& row : rows.rows) {
+  for (const sim::SweepRow& row : rows) {
     if (row.verified(rtl::find_design(row.design).conservative)) continue;
     fmt::print(stderr,
                "hitpipe: {} {} on {}: {} RTL mismatches, {} different triangles, {} different pixels, {} "
@@ -130,20 +135,22 @@ const rtl::Design* triangle_unit_of(const SweepCommand& command) {
   return design.kind == hls::triangle_kind ? &design : nullptr;
 }
 
-int sweep_triangles(const SweepCommand& command, const rtl::Design& design, const rtl::Library& library) {
+int sweep_triangles(const SweepCommand& command, const CLI::App& parsed, const rtl::Design& design,
+                    const rtl::Library& library) {
   if (command.intervals.size() > 1)
     throw std::runtime_error("--ii: a sweep of a triangle unit takes one interval");
   if (!command.rows.empty()) throw std::runtime_error("--rows: a sweep of a triangle unit takes none");
   return sweep_world({&design, command.units.formats({&design}, world_formats).front().formats,
                       command.mantissas.empty() ? std::vector{9, 11, 13} : command.mantissas, command.scene,
-                      command.light, &library, command.intervals.empty() ? 1 : command.intervals.front(),
-                      command.out, command.format});
+                      command.hierarchy, command.light, &library,
+                      command.intervals.empty() ? 1 : command.intervals.front(), command.out, command.format},
+                     notes_of(parsed));
 }
 
-int sweep(const SweepCommand& command) {
+int sweep(const SweepCommand& command, const CLI::App& parsed) {
   const rtl::Library library = command.cost.load();
   if (const rtl::Design* const design = triangle_unit_of(command))
-    return sweep_triangles(command, *design, library);
+    return sweep_triangles(command, parsed, *design, library);
   if (!command.mantissas.empty())
     throw std::runtime_error("--mantissas: only a sweep of a triangle unit has boxes of its own");
   sim::ResumableSweep sweep{.scene = nullptr,
@@ -153,21 +160,25 @@ int sweep(const SweepCommand& command) {
                                         .height = command.scene.height,
                                         .threads = command.scene.threads,
                                         .light = command.light,
+                                        .program = "hitpipe " HITPIPE_VERSION,
+                                        .hierarchy = command.hierarchy.name(),
                                         .library = &library,
                                         .triangle = command.cost.triangle(library)},
-                            .program = "hitpipe " HITPIPE_VERSION,
                             .file = command.out,
                             .more = {command.rows.begin(), command.rows.end()}};
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
-  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const ref::Bvh bvh = ref::make_hierarchy(scene, command.hierarchy).bvh;
   sweep.scene = &scene;
   sweep.bvh = &bvh;
   progress.emplace("sweeping");
   sweep.options.progress = [&](double share) { progress->show(share); };
-  const sim::RowsFile rows = sim::resume(sweep);
+  Row notes = notes_of(parsed);
+  notes.update(camera_notes(scene));
+  host::write_file(metadata_file(command.out), csv_metadata({sweep.file.filename().string()}, notes));
+  const std::vector<sim::SweepRow> rows = sim::resume(sweep);
   progress.reset();
-  return report(rows, command.format);
+  return report(rows, command.hierarchy.text(), command.format);
 }
 
 }  // namespace
@@ -177,6 +188,7 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
       program.add_subcommand("sweep", "Measure error, run time and area in many formats; can be resumed");
   const auto options = std::make_shared<SweepCommand>();
   add_scene_options(*command, options->scene);
+  add_hierarchy_options(*command, options->hierarchy);
   add_designs_option(*command, options->units, "all");
   add_bits_option(*command, options->units,
                   "for n/t designs, n from 8 to 32 in steps of 4, each with t of n, n+4 and n+8");
@@ -199,7 +211,10 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
                           "File for the rows (.csv); rows that it already holds are not measured again"))
       ->required();
   add_format_option(*command, options->format);
-  command->callback([options, &exit_code] { exit_code = sweep(*options); });
+  command->callback([options, command, &exit_code] {
+    options->hierarchy.build.threads = options->scene.threads;
+    exit_code = sweep(*options, *command);
+  });
   return command;
 }
 

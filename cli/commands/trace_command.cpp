@@ -13,9 +13,9 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/options/build_options.hpp"
 #include "cli/options/core_options.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
@@ -39,7 +39,7 @@ namespace {
 
 struct TraceCommand {
   SceneChoice scene;
-  ref::BuildOptions build = ref::image_build;
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
   std::vector<int> rays{128};
   CoreChoice core;
@@ -80,7 +80,7 @@ std::vector<Row> turned(const std::vector<Row>& rows) {
 void trace_scene(TraceCommand command, int& exit_code) {
   const auto bits = rtl::parse_bits<hls::WorldBits>(command.bits);
   const rtl::Library library = rtl::library_called(command.library);
-  command.build.threads = command.scene.threads;
+  command.hierarchy.build.threads = command.scene.threads;
   command.memory.least_latency = command.latency.front();
   command.memory.most_latency = command.latency.back();
   const rtl::CoreOptions& bus = command.core.options;
@@ -97,7 +97,7 @@ void trace_scene(TraceCommand command, int& exit_code) {
     host::make_folder(command.out);
     ref::check_image_place(picture_file);
   }
-  const ref::IntScene scene = ref::int_scene(loaded, bits, command.build);
+  const ref::IntScene scene = ref::int_scene(loaded, bits, command.hierarchy);
   const ref::CoreImage image = ref::core_image(scene);
   if (image.levels > command.core.options.levels)
     throw std::runtime_error(
@@ -135,9 +135,7 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
   CLI::App* const command = program.add_subcommand("trace", "Trace a scene by a core, cycle by cycle");
   const auto options = std::make_shared<TraceCommand>();
   add_scene_options(*command, options->scene);
-  add_build_options(*command, options->build);
-  // Boxes of integers do not grow.
-  command->remove_option(command->get_option("--padding"));
+  add_hierarchy_options(*command, options->hierarchy, Boxes::integers);
   const auto number = [&](const char* name, int& value, const char* text, int least, int most) {
     command->add_option(name, value, fmt::format("{} ({} to {})", text, least, most))
         ->capture_default_str()

@@ -40,7 +40,7 @@ int cosimulate_world(const WorldCosim& command) {
     host::announce_output("--out", image);
     host::make_folder(folder);
   }
-  const ref::IntScene scene = ref::int_scene(loaded, world);
+  const ref::IntScene scene = ref::int_scene(loaded, world, command.hierarchy);
   const ref::IntSurfaces surfaces(scene);
   progress.emplace("compiling the Verilog");
   const sim::VerilatedDesign box_unit(unit_of(boxes, box_bits));

@@ -14,6 +14,7 @@ struct WorldCosim {
   DesignChoice choice;
   std::string library;
   SceneChoice scene;
+  ref::HierarchyOptions hierarchy;
   BoxFormatChoice boxes;
   std::string box_unit;  ///< the design that answers them
   rtl::FlowControl flow_control;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "area_model/price.hpp"
+#include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
@@ -36,7 +37,8 @@ std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, con
                                .boxes = {},
                                .width = command.scene.width,
                                .height = command.scene.height,
-                               .light = command.light};
+                               .light = command.light,
+                               .hierarchy = command.hierarchy};
   for (const int p : command.mantissas)
     options.boxes.push_back({world.coord, world.finer, p, 0, world.slope});
   const ref::IntError error = ref::int_error(scene, options);
@@ -51,6 +53,7 @@ std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, con
     const ref::TraceCounts& work = error.with[i];
     Row row{
         {"scene", scene.name},
+        {"hierarchy", command.hierarchy.name()},
         {"bits", rtl::to_string(format)},
         {"boxes", rtl::to_string(boxes)},
         {"rays", error.rays},
@@ -113,17 +116,20 @@ std::vector<Row> world_rows(const WorldSweep& command, const ref::Scene& scene,
   return rows;
 }
 
-int sweep_world(const WorldSweep& command) {
+int sweep_world(const WorldSweep& command, Row notes) {
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   host::announce_output("--out", command.out);
   progress.emplace("sweeping");
   const std::vector<Row> rows = world_rows(command, scene, [&](double share) { progress->show(share); });
   progress.reset();
-  host::write_file(command.out, table_text(rows, OutputFormat::csv));
+  notes.update(camera_notes(scene));
+  const std::filesystem::path file = command.out;
+  host::write_file(file, table_text(rows, OutputFormat::csv));
+  host::write_file(metadata_file(file), csv_metadata({file.filename().string()}, notes));
   if (command.format == OutputFormat::text) {
-    fmt::print("{}, {} x {}, {} triangles\n{}", scene.name, command.scene.width, command.scene.height,
-               scene.mesh.triangles.size(), text_of(rows));
+    fmt::print("{}, {} x {}, {} triangles, {}\n{}", scene.name, command.scene.width, command.scene.height,
+               scene.mesh.triangles.size(), command.hierarchy.text(), text_of(rows));
   } else {
     fmt::print("{}", table_text(rows, command.format));
   }

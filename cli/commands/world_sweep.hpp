@@ -19,6 +19,7 @@ struct WorldSweep {
   std::vector<rtl::Format> formats;
   std::vector<int> mantissas;  ///< p of the boxes; one row for each
   SceneChoice scene;
+  ref::HierarchyOptions hierarchy;
   ref::WhittedOptions light;
   const rtl::Library* library;
   int interval;
@@ -33,7 +34,7 @@ struct WorldSweep {
 [[nodiscard]] std::vector<Row> world_rows(const WorldSweep& command, const ref::Scene& scene,
                                           const std::function<void(double)>& progress = {});
 
-/// Writes the rows to the file, prints them and returns the exit code.
-[[nodiscard]] int sweep_world(const WorldSweep& command);
+/// Writes the rows to the file and the notes beside it, prints the rows and returns the exit code.
+[[nodiscard]] int sweep_world(const WorldSweep& command, Row notes);
 
 }  // namespace hitpipe::cli

@@ -58,10 +58,8 @@ struct Traced {
 };
 
 Traced traced_in_software(const ref::Scene& scene, const hls::WorldBits& world, const CoreFacts& facts,
-                          int threads) {
-  ref::BuildOptions build = ref::image_build;
-  build.threads = threads;
-  const ref::IntScene of_integers = ref::int_scene(scene, world, build);
+                          const ref::HierarchyOptions& hierarchy) {
+  const ref::IntScene of_integers = ref::int_scene(scene, world, hierarchy);
   Traced made{world, ref::core_image(of_integers), {}};
   made.picture =
       sim::picture_rays(of_integers, made.image,
@@ -199,7 +197,7 @@ CoreFacts measure_core(const ref::Scene& scene, const CoreMeasurement& how) {
   std::vector<Family> families;
   try {
     for (const hls::WorldBits& world : worlds)
-      traced.push_back(traced_in_software(scene, world, facts, how.threads));
+      traced.push_back(traced_in_software(scene, world, facts, how.hierarchy));
     families = families_of(facts, traced);
     host::for_each_index(families.size(), how.threads, [&](std::size_t i) {
       families[i].cores = rtl::make_cores(families[i].options, *how.library);

@@ -12,6 +12,7 @@
 #include "cli/text/table.hpp"
 #include "hls/world/world_format.hpp"
 #include "sim/core/core_trace.hpp"
+#include "sw_ref/hierarchy/load_bvh.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::cli {
@@ -52,7 +53,8 @@ struct CoreMeasurement {
   const rtl::Library* library;
   std::string library_option;  ///< " --library xc7", or nothing for the default; for the commands
   std::string scene_options;   ///< as a user writes them, without the picture's size; for the commands
-  int width = 256;             ///< of the report's pictures
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
+  int width = 256;  ///< of the report's pictures
   int height = 256;
   int threads = 1;
   std::function<void(double)> progress = [](double) {};

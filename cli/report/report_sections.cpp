@@ -255,7 +255,7 @@ std::vector<Row> stability_rows(const ReportFacts& facts) {
                     {"category", category},
                     {"tests", r.tests},
                     {"seed", facts.seed},
-                    {"hits", r.hits},
+                    {"exact_hits", r.hits},
                     {"false_misses", r.false_misses},
                     {"false_miss_pct", miss.percent},
                     {"false_miss_pct_low", miss.low},
@@ -265,10 +265,8 @@ std::vector<Row> stability_rows(const ReportFacts& facts) {
                     {"false_hit_pct_low", hit.low},
                     {"false_hit_pct_high", hit.high}});
   };
-  for (const Stability& s : facts.stability) {
+  for (const Stability& s : facts.stability)
     for (const sim::CategoryResult& r : s.categories) add(s, r.category, r);
-    add(s, "all", s.all);
-  }
   return rows;
 }
 

@@ -43,9 +43,9 @@ std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>
   return all;
 }
 
-sim::RowsFile take_rows(const std::filesystem::path& file, const std::string& about) {
-  sim::RowsFile rows = sim::read_rows_about(file, about);
-  if (rows.rows.empty()) throw std::runtime_error(fmt::format("{}: holds no rows", file.string()));
+std::vector<sim::SweepRow> take_rows(const std::filesystem::path& file, const sim::SweepSubject& subject) {
+  std::vector<sim::SweepRow> rows = sim::read_rows_of(file, subject);
+  if (rows.empty()) throw std::runtime_error(fmt::format("{}: holds no rows", file.string()));
   return rows;
 }
 

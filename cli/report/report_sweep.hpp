@@ -16,8 +16,9 @@ namespace hitpipe::cli {
                                                          const std::vector<int>& intervals,
                                                          const rtl::Library& library);
 
-/// The rows of `file`. Throws what sim::read_rows_about() throws, and throws when there are no rows.
-[[nodiscard]] sim::RowsFile take_rows(const std::filesystem::path& file, const std::string& about);
+/// The rows of `file`. Throws what sim::read_rows_of() throws, and throws when there are no rows.
+[[nodiscard]] std::vector<sim::SweepRow> take_rows(const std::filesystem::path& file,
+                                                   const sim::SweepSubject& subject);
 
 /// The commands of hitpipe sweep that measure these rows into rows.csv.
 [[nodiscard]] std::vector<std::string> sweep_commands(std::span<const sim::SweepRow> rows,

@@ -13,7 +13,7 @@ std::string ratio_text(sim::Stiffness stiffness) {
 Row row_of(const MeasuredDesign& d, const Measured& m, sim::Stiffness stiffness, const std::string& boxes) {
   return {{"design", d.design->name},
           {"bits", rtl::to_string(m.format)},
-          {"ratio", ratio_text(stiffness)},
+          {"log2_ratio", stiffness ? Row(*stiffness) : Row("inf")},
           {"boxes", boxes}};
 }
 
@@ -83,7 +83,7 @@ std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs, cons
       const auto add_boxes = [&](const sim::StiffBoxes& b, const std::string& kind) {
         Row row = row_of(d, m, b.stiffness, kind);
         row.update({{"tests", b.tests},
-                    {"hits", b.hits},
+                    {"exact_hits", b.hits},
                     {"false_misses", b.false_misses},
                     {"false_hits", b.false_hits},
                     {"false_hit_pct", b.false_hit_pct()},
@@ -99,11 +99,10 @@ std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs, cons
       };
       for (const sim::StiffBoxes& b : m.boxes)
         add_boxes(b, fmt::format("{} 2^-{}", b.aimed ? "aimed" : "anywhere", b.half_side));
-      for (const sim::StiffBoxes& b : m.all_boxes) add_boxes(b, "all");
       for (const sim::StiffTraversals& t : m.traversals) {
         Row row = row_of(d, m, t.stiffness, scene);
         row.update({{"tests", t.box_tests},
-                    {"hits", nullptr},
+                    {"exact_hits", nullptr},
                     {"false_misses", nullptr},
                     {"false_hits", nullptr},
                     {"false_hit_pct", nullptr},

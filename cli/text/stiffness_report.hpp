@@ -24,7 +24,8 @@ struct MeasuredDesign {
   std::vector<Measured> formats;
 };
 
-/// A row for each kind of box, one for all kinds, and one for the scene if one was traversed.
+/// A row for each kind of box, and one for the scene if one was traversed. log2_ratio is "inf" where a
+/// component is zero.
 [[nodiscard]] std::vector<Row> stiffness_rows(const std::vector<MeasuredDesign>& designs,
                                               const std::string& scene);
 

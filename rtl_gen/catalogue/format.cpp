@@ -69,6 +69,7 @@ std::string FormatFamily::identifier(const FormatNumbers& numbers) const {
 }
 
 std::optional<FormatNumbers> FormatFamily::parse(std::string_view text) const {
+  if (text.size() > 1 && text[0] == 'n' && text[1] >= '0' && text[1] <= '9') text.remove_prefix(1);
   if (alias != nullptr && text == alias) return usual;
   FormatNumbers numbers{};
   for (std::size_t i = 0; i < fields.size(); ++i) {

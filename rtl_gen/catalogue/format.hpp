@@ -33,7 +33,8 @@ struct FormatFamily {
   [[nodiscard]] std::string print(const FormatNumbers& numbers) const;
   /// "20_24": the same as a part of a Verilog or C++ identifier. No two formats of a family have the same.
   [[nodiscard]] std::string identifier(const FormatNumbers& numbers) const;
-  /// Nothing when the text is not spelled so; what it says may still be invalid.
+  /// Nothing when the text is not spelled so; what it says may still be invalid. An n in front of a digit,
+  /// which CSV files have, does not count.
   [[nodiscard]] std::optional<FormatNumbers> parse(std::string_view text) const;
   /// "IntFormat<20, 24>": the format as a type of hitpipe::hls. Throws std::runtime_error when there is none.
   [[nodiscard]] std::string type(const FormatNumbers& numbers) const;

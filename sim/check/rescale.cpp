@@ -29,7 +29,7 @@ std::vector<std::uint32_t> numbers_before_placing(const ref::Mesh& before, const
 
 Picture rendered(const ref::Scene& scene, const PictureOptions& options) {
   Picture picture;
-  const ref::Bvh bvh = ref::build_bvh(scene.mesh);
+  const ref::Bvh bvh = ref::build_bvh(scene.mesh, options.build);
   if (options.verilated == nullptr) {
     ref::RenderOptions rendering;
     rendering.width = options.width;

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "sim/unit/verilated_design.hpp"
+#include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::sim {
@@ -33,6 +34,7 @@ struct PictureOptions {
   int width = 256;
   int height = 256;
   int threads = 1;
+  ref::BuildOptions build{};  ///< of each picture's hierarchy
   const VerilatedDesign* verilated =
       nullptr;  ///< answers the box tests; null: conservative float slabs in software
 };

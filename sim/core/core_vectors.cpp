@@ -81,7 +81,8 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   // A tree of n leaves has less than n records beside the root's own.
   const std::uint64_t most_blocks = std::uint64_t{1} << core.options.address_bits;
   const auto triangles = static_cast<std::uint32_t>(std::min<std::uint64_t>(200, most_blocks / 2 - 1));
-  const ref::IntScene scene = ref::int_scene(random_scene(triangles, random), world, ref::image_build);
+  const ref::IntScene scene =
+      ref::int_scene(random_scene(triangles, random), world, {.build = ref::surface_area_build});
   const ref::CoreImage image = ref::core_image(scene);
   const auto job = [&]() -> CoreJob {
     const ref::Ray ray{.origin = point(random), .direction = point(random), .length = 2.0F};

@@ -11,6 +11,7 @@
 #include "sim/cosim/cosim.hpp"
 #include "sim/fit/fit.hpp"
 #include "sim/unit/drive.hpp"
+#include "sw_ref/hierarchy/load_bvh.hpp"
 
 namespace hitpipe::sim {
 
@@ -27,7 +28,8 @@ struct FitOptions {
   int height = 256;
   int threads = 1;
   ref::WhittedOptions light{};  ///< how far secondary rays are followed
-  double overhead_pct = 2.0;    ///< limit of the extra box tests from fewer bits and from rays without ends
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
+  double overhead_pct = 2.0;  ///< limit of the extra box tests from fewer bits and from rays without ends
   /// If there is one, the precision with the least cost is taken, and the limit only says where the search
   /// begins. With a rate the least area among units that reach it is taken instead. The limit then holds if
   /// there is no cost, or if the rate is one of boxes.

@@ -95,6 +95,11 @@ void TestLayout::add_columns() {
 }
 
 std::string TestLayout::head() const {
+  if (form_ == TestForm::csv) {
+    std::vector<std::string_view> names;
+    for (const Column& column : columns_) names.push_back(column.name);
+    return fmt::format("{}\n", fmt::join(names, ","));
+  }
   std::string about = form_ == TestForm::json
                           ? fmt::format("\"design\":\"{}\",\"bits\":\"{}\"", design_, bits_)
                           : fmt::format("{} {}", design_, bits_);
@@ -108,11 +113,6 @@ std::string TestLayout::head() const {
                           offset.z, cube.scale);
   }
   if (form_ == TestForm::json) return fmt::format("{{{}}}\n", about);
-  if (form_ == TestForm::csv) {
-    std::vector<std::string_view> names;
-    for (const Column& column : columns_) names.push_back(column.name);
-    return fmt::format("# {}\n{}\n", about, fmt::join(names, ","));
-  }
   std::vector<std::string> fields;
   for (const rtl::Port& port : ports_) fields.push_back(fmt::format("{}:{}", port.name, port.width));
   for (const hls::Result& result : results_)

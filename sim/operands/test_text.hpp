@@ -45,7 +45,7 @@ class TestLayout {
   /// For operands that the user gives. There is no ray and no box, so no exact answer either.
   TestLayout(const rtl::Design& design, const rtl::Format& format, TestForm form);
 
-  /// What stands before the first test.
+  /// What stands before the first test: of CSV the header alone.
   [[nodiscard]] std::string head() const;
   /// One line for each test. Hex has all tests of one call.
   void append(const JudgedTest& test, std::string& text) const;

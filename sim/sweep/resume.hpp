@@ -16,7 +16,6 @@ struct ResumableSweep {
   const ref::Bvh* bvh;
   std::vector<SweepPoint> points;  ///< of the whole sweep
   SweepOptions options;
-  std::string program;  ///< the caller's name and version, as written to the file
   std::filesystem::path file;
   std::vector<std::filesystem::path> more;  ///< files of rows that were measured elsewhere
 };
@@ -25,9 +24,10 @@ struct ResumableSweep {
 /// rows of the file. A last line that was cut short counts as missing. Throws what run_sweep(), read_rows()
 /// and write_rows() throw, and std::runtime_error, one line, when a file holds rows of another scene or other
 /// options.
-[[nodiscard]] RowsFile resume(const ResumableSweep& sweep);
+[[nodiscard]] std::vector<SweepRow> resume(const ResumableSweep& sweep);
 
-/// Throws what read_rows() throws, and std::runtime_error, one line, when the rows are not `about` this.
-[[nodiscard]] RowsFile read_rows_about(const std::filesystem::path& file, const std::string& about);
+/// Throws what read_rows() throws, and std::runtime_error, one line, when the rows are of something else.
+[[nodiscard]] std::vector<SweepRow> read_rows_of(const std::filesystem::path& file,
+                                                 const SweepSubject& subject);
 
 }  // namespace hitpipe::sim

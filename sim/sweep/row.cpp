@@ -194,42 +194,23 @@ double SweepColumn::number(const SweepRow& row) const {
   return number ? *number : throw std::invalid_argument(std::string(name));
 }
 
-std::span<const SweepColumn> columns_with(bool intervals) {
-  static const std::vector<SweepColumn> all = [] {
-    std::vector<SweepColumn> columns;
-    for (const SweepColumn& column : sweep_columns) {
-      columns.push_back(column);
-      if (column.name == "rays_in_flight")
-        columns.insert(columns.end(), interval_columns.begin(), interval_columns.end());
-    }
-    return columns;
-  }();
-  if (intervals) return all;
-  return sweep_columns;
-}
-
-std::span<const SweepColumn> columns_of(std::span<const SweepRow> rows) {
-  return columns_with(std::ranges::any_of(rows, [](const SweepRow& row) { return row.interval > 1; }));
-}
-
 const SweepColumn& sweep_column(std::string_view name) {
-  const std::span<const SweepColumn> all = columns_with(true);
-  const auto found = std::ranges::find(all, name, &SweepColumn::name);
-  if (found == all.end()) throw std::out_of_range(std::string(name));
+  const auto* const found = std::ranges::find(sweep_columns, name, &SweepColumn::name);
+  if (found == sweep_columns.end()) throw std::out_of_range(std::string(name));
   return *found;
 }
 
-std::vector<std::string> to_cells(const SweepRow& row, std::span<const SweepColumn> columns) {
+std::vector<std::string> to_cells(const SweepRow& row) {
   std::vector<std::string> cells;
-  for (const SweepColumn& column : columns) cells.push_back(column.cell(row));
+  for (const SweepColumn& column : sweep_columns) cells.push_back(column.cell(row));
   return cells;
 }
 
-SweepRow from_cells(const std::vector<std::string>& cells, std::span<const SweepColumn> columns) {
-  if (cells.size() != columns.size())
-    throw std::runtime_error(fmt::format("{} cells; a row has {}", cells.size(), columns.size()));
+SweepRow from_cells(const std::vector<std::string>& cells) {
+  if (cells.size() != sweep_columns.size())
+    throw std::runtime_error(fmt::format("{} cells; a row has {}", cells.size(), sweep_columns.size()));
   SweepRow r;
-  for (std::size_t i = 0; i < cells.size(); ++i) read_cell(columns[i], cells[i], r);
+  for (std::size_t i = 0; i < cells.size(); ++i) read_cell(sweep_columns[i], cells[i], r);
   if (r.interval < 1 || r.interval > rtl::most_interval)
     throw std::runtime_error(fmt::format("{} of ii is not in 1 to {}", r.interval, rtl::most_interval));
   if (r.boxes_per_test < 1)
@@ -239,11 +220,11 @@ SweepRow from_cells(const std::vector<std::string>& cells, std::span<const Sweep
   if (r.box_tests < r.unit_tests || r.box_tests / boxes + (r.box_tests % boxes != 0 ? 1 : 0) > r.unit_tests)
     throw std::runtime_error(fmt::format("{} of box_tests cannot be answered by {} tests of {} boxes",
                                          r.box_tests, r.unit_tests, r.boxes_per_test));
-  const std::vector<std::string> again = to_cells(r, columns);
+  const std::vector<std::string> again = to_cells(r);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] != again[i])
       throw std::runtime_error(fmt::format("{} of {} does not follow from the counts, which give {}",
-                                           cells[i], columns[i].name, again[i]));
+                                           cells[i], sweep_columns[i].name, again[i]));
   }
   return r;
 }

@@ -4,11 +4,12 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "sim/sweep/subject.hpp"
 
 namespace hitpipe::sim {
 
@@ -24,15 +25,9 @@ struct TriangleCost {
 /// A triangle in memory: three corners in binary32.
 inline constexpr int bytes_per_triangle = 36;
 
-struct SweepRow {
-  std::string scene;
-  std::uint64_t triangles = 0;
-  std::uint64_t bvh_nodes = 0;
-  int width = 0;
-  int height = 0;
+struct SweepRow : SweepSubject {
   int rays_in_flight = 0;
-  int interval = 1;     ///< a test may begin every so many cycles
-  std::string library;  ///< of components
+  int interval = 1;  ///< a test may begin every so many cycles
   std::string design;
   std::string bits;        ///< "20/24" or "fp32"
   int boxes_per_test = 1;  ///< that the design answers for
@@ -128,13 +123,19 @@ struct SweepColumn {
 
 /// The columns, in order. The last two are measured times. Only they differ between runs.
 inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
+    {"program", &SweepRow::program},
     {"scene", &SweepRow::scene},
+    {"content", &SweepRow::content},
     {"triangles", &SweepRow::triangles},
+    {"hierarchy", &SweepRow::hierarchy},
     {"bvh_nodes", &SweepRow::bvh_nodes},
     {"width", &SweepRow::width},
     {"height", &SweepRow::height},
-    {"rays_in_flight", &SweepRow::rays_in_flight},
+    {"bounces", &SweepRow::bounces},
     {"library", &SweepRow::library},
+    {"rays_in_flight", &SweepRow::rays_in_flight},
+    {"ii", &SweepRow::interval},
+    {"box_time_ns", &SweepRow::box_time_ns},
     {"design", &SweepRow::design},
     {"bits", &SweepRow::bits},
     {"boxes_per_test", &SweepRow::boxes_per_test},
@@ -193,28 +194,15 @@ inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
 });
 inline constexpr std::size_t sweep_time_columns = 2;
 
-/// Columns of a file that has rows with an interval of more than a cycle, behind rays_in_flight.
-inline constexpr auto interval_columns = std::to_array<SweepColumn>({
-    {"ii", &SweepRow::interval},
-    {"box_time_ns", &SweepRow::box_time_ns},
-});
-
-/// The columns of a file, with those of intervals or without.
-[[nodiscard]] std::span<const SweepColumn> columns_with(bool intervals);
-/// Of the file that holds these rows.
-[[nodiscard]] std::span<const SweepColumn> columns_of(std::span<const SweepRow> rows);
-
 /// Throws std::out_of_range for a name that is none.
 [[nodiscard]] const SweepColumn& sweep_column(std::string_view name);
 
 /// One cell for each column; from_cells() gives the same row.
-[[nodiscard]] std::vector<std::string> to_cells(const SweepRow& row,
-                                                std::span<const SweepColumn> columns = sweep_columns);
+[[nodiscard]] std::vector<std::string> to_cells(const SweepRow& row);
 
 /// Throws std::runtime_error, one line, for a wrong number of cells, a cell that is not a number of its type,
 /// a figure that does not follow from the counts, more box tests than the tests can have answered, or an
 /// interval that no unit has.
-[[nodiscard]] SweepRow from_cells(const std::vector<std::string>& cells,
-                                  std::span<const SweepColumn> columns = sweep_columns);
+[[nodiscard]] SweepRow from_cells(const std::vector<std::string>& cells);
 
 }  // namespace hitpipe::sim

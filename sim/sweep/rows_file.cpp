@@ -10,16 +10,6 @@
 
 namespace hitpipe::sim {
 
-namespace {
-
-std::string header(std::span<const SweepColumn> columns) {
-  std::vector<std::string> names;
-  for (const SweepColumn& column : columns) names.emplace_back(column.name);
-  return host::csv_line(names);
-}
-
-}  // namespace
-
 std::string printable(std::string text) {
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
@@ -27,55 +17,51 @@ std::string printable(std::string text) {
   return text;
 }
 
-std::string head_text(const std::string& about, bool intervals) {
-  return fmt::format("# {}\n{}", about, header(columns_with(intervals)));
+std::string rows_header() {
+  std::vector<std::string> names;
+  for (const SweepColumn& column : sweep_columns) names.emplace_back(column.name);
+  return host::csv_line(names);
 }
 
 std::string to_csv(std::span<const SweepRow> rows) {
-  const std::span<const SweepColumn> columns = columns_of(rows);
-  std::string text = header(columns);
-  for (const SweepRow& row : rows) text += host::csv_line(to_cells(row, columns));
+  std::string text = rows_header();
+  for (const SweepRow& row : rows) text += host::csv_line(to_cells(row));
   return text;
 }
 
-std::string to_text(const RowsFile& rows) {
-  return fmt::format("# {}\n{}", rows.about, to_csv(rows.rows));
-}
-
-RowsFile parse_rows(const std::string& text, const std::string& source) {
+std::vector<SweepRow> parse_rows(const std::string& text, const std::string& source) {
   const auto reject = [&](const std::string& why) {
     throw std::runtime_error(fmt::format("{}: {}; give a file that hitpipe sweep wrote", source, why));
   };
   if (!text.ends_with('\n')) reject("the last line is cut short");
-  RowsFile rows;
+  std::vector<SweepRow> rows;
   std::istringstream in(text);
   std::string line;
-  if (!std::getline(in, line) || !line.starts_with("# ")) reject("line 1 does not say what was measured");
-  rows.about = line.substr(2);
-  const bool has_header = static_cast<bool>(std::getline(in, line));
-  const bool intervals = has_header && line + '\n' == header(columns_with(true));
-  const std::span<const SweepColumn> columns = columns_with(intervals);
-  if (!has_header || line + '\n' != header(columns))
+  if (!std::getline(in, line) || line + '\n' != rows_header())
     throw std::runtime_error(
-        fmt::format("{}: line 2 is not the header of a sweep by this version, so its rows must be measured "
+        fmt::format("{}: line 1 is not the header of a sweep by this version, so its rows must be measured "
                     "again; give another file or remove it",
                     source));
-  for (int number = 3; std::getline(in, line); ++number) {
+  for (int number = 2; std::getline(in, line); ++number) {
     try {
-      rows.rows.push_back(from_cells(host::csv_cells(line), columns));
+      rows.push_back(from_cells(host::csv_cells(line)));
     } catch (const std::runtime_error& error) {
       reject(fmt::format("line {}: {}", number, error.what()));
     }
+    const SweepSubject& first = rows.front();
+    if (first != rows.back())
+      reject(fmt::format("line {} has a row of \"{}\", line 2 of \"{}\"", number, rows.back().text(),
+                         first.text()));
   }
   return rows;
 }
 
-RowsFile read_rows(const std::filesystem::path& file) {
+std::vector<SweepRow> read_rows(const std::filesystem::path& file) {
   return parse_rows(host::read_file(file, "cannot read the rows"), file.string());
 }
 
-void write_rows(const std::filesystem::path& file, const RowsFile& rows) {
-  host::write_file(file, to_text(rows));
+void write_rows(const std::filesystem::path& file, std::span<const SweepRow> rows) {
+  host::write_file(file, to_csv(rows));
 }
 
 }  // namespace hitpipe::sim

@@ -1,5 +1,5 @@
-// The CSV file that holds a sweep's whole state: a comment that says what was measured, the header, and the
-// finished rows. It is replaced as a whole or grows by a row; only a run that is killed while it writes can
+// The CSV file that holds a sweep's whole state: the header and the finished rows, each of which says what it
+// was measured on. It is replaced as a whole or grows by a row; only a run that is killed while it writes can
 // leave half a row at the end.
 #pragma once
 
@@ -12,31 +12,24 @@
 
 namespace hitpipe::sim {
 
-struct RowsFile {
-  std::string about;  ///< without "# " and the line end
-  std::vector<SweepRow> rows;
-};
-
-/// A name as a cell or a comment of the file: each control character becomes a blank. A scene's name can come
-/// from a file name, which may hold any.
+/// A name as a cell of the file: each control character becomes a blank. A scene's name can come from a file
+/// name, which may hold any.
 [[nodiscard]] std::string printable(std::string text);
 
-/// What a file begins with: the comment and the header, with the columns of intervals or without.
-[[nodiscard]] std::string head_text(const std::string& about, bool intervals);
+/// The first line, with its end.
+[[nodiscard]] std::string rows_header();
 
 /// The header and a line for each row.
 [[nodiscard]] std::string to_csv(std::span<const SweepRow> rows);
 
-/// The text of the file: the comment, then to_csv().
-[[nodiscard]] std::string to_text(const RowsFile& rows);
-
-/// Throws std::runtime_error, one line that names `source`, for text that to_text() cannot have written.
-[[nodiscard]] RowsFile parse_rows(const std::string& text, const std::string& source);
+/// Throws std::runtime_error, one line that names `source`, for text that to_csv() cannot have written, and
+/// for rows with different subjects.
+[[nodiscard]] std::vector<SweepRow> parse_rows(const std::string& text, const std::string& source);
 
 /// Throws what parse_rows() throws, and std::runtime_error when the file cannot be read.
-[[nodiscard]] RowsFile read_rows(const std::filesystem::path& file);
+[[nodiscard]] std::vector<SweepRow> read_rows(const std::filesystem::path& file);
 
-/// Writes a file beside it and renames that. Throws std::runtime_error, one line.
-void write_rows(const std::filesystem::path& file, const RowsFile& rows);
+/// Replaces the file as a whole. Throws std::runtime_error when it cannot be written.
+void write_rows(const std::filesystem::path& file, std::span<const SweepRow> rows);
 
 }  // namespace hitpipe::sim

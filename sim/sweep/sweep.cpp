@@ -18,7 +18,6 @@
 #include "sim/cosim/cosim.hpp"
 #include "sim/fit/fit.hpp"
 #include "sim/generic_tracer.hpp"
-#include "sim/sweep/rows_file.hpp"
 #include "sim/sweep/software_time.hpp"
 #include "sim/unit/verilated_design.hpp"
 #include "sw_ref/render/render.hpp"
@@ -56,6 +55,7 @@ class Run {
       : scene_(scene),
         bvh_(bvh),
         options_(options),
+        subject_(sweep_subject(scene, bvh, options)),
         finished_(finished),
         points_(longest_first(points)),
         reference_{render_reference(scene, bvh, options),
@@ -154,13 +154,8 @@ class Run {
                                            .light = options_.light,
                                            .progress = progress});
     SweepRow row = priced_row(*point.design, point.format, *unit.price);
-    row.scene = printable(scene_.name);
-    row.triangles = scene_.mesh.triangles.size();
-    row.bvh_nodes = bvh_.nodes.size();
-    row.width = options_.width;
-    row.height = options_.height;
+    static_cast<SweepSubject&>(row) = subject_;
     row.rays_in_flight = point.rays_in_flight;
-    row.library = printable(options_.library->name());
     row.bytes_per_node = static_cast<int>(bytes_per_node(*point.design, point.format));
     row.triangle = options_.triangle;
     add_counts(row, result);
@@ -183,6 +178,7 @@ class Run {
   const ref::Scene& scene_;
   const ref::Bvh& bvh_;
   const SweepOptions& options_;
+  const SweepSubject subject_;
   const std::function<void(const SweepRow&)>& finished_;
   const std::vector<SweepPoint> points_;
   const Reference reference_;

@@ -22,6 +22,8 @@ struct SweepOptions {
   int height = 256;
   int threads = 1;  ///< rows measured at the same time; no count depends on it
   ref::WhittedOptions light{};
+  std::string program{"hitpipe"};                         ///< the caller's name and version, as rows name it
+  std::string hierarchy{};                                ///< how it was made, as rows name it
   const rtl::Library* library = &rtl::Library::thesis();  ///< units are scheduled and priced by it
   TriangleCost triangle{};                                ///< decides no count
   /// Gets the finished share of the rows, 0..1, from any thread.
@@ -43,15 +45,12 @@ void add_counts(SweepRow& row, const CosimResult& result);
 /// more than that unit in the thesis's library. Throws std::runtime_error when it cannot price any.
 [[nodiscard]] TriangleCost triangle_cost(const rtl::Library& library);
 
-/// One line that states all that decides the counts of a row, apart from the row's own unit: scene, hierarchy
-/// (a hash of both), image, bounces, component library, and the program with the name that the caller gives
-/// it.
-[[nodiscard]] std::string about_sweep(const std::string& program, const ref::Scene& scene,
-                                      const ref::Bvh& bvh, const SweepOptions& options);
+[[nodiscard]] SweepSubject sweep_subject(const ref::Scene& scene, const ref::Bvh& bvh,
+                                         const SweepOptions& options);
 
-/// Measures each point, all on the same hierarchy, in an order of its own. `finished` gets each row as soon
-/// as it is known, from any thread, one at a time. Throws what cosimulate() and VerilatedDesign throw;
-/// `finished` has then had all rows that were finished before.
+/// Measures each point, all on the same hierarchy, in an order of its own.  `finished`
+/// gets each row as soon as it is known, from any thread, one at a time. Throws what cosimulate() and
+/// VerilatedDesign throw; `finished` has then had all rows that were finished before.
 void run_sweep(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const SweepPoint> points,
                const SweepOptions& options, const std::function<void(const SweepRow&)>& finished);
 

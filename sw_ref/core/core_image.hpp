@@ -53,9 +53,6 @@ struct CoreImage {
   [[nodiscard]] std::uint64_t bytes() const { return blocks.size() * core_block_bytes; }
 };
 
-/// How the hierarchy of an image is built, unless somebody says otherwise.
-inline constexpr BuildOptions image_build{.builder = Builder::sah, .max_triangles = 2};
-
 /// Triangles have the numbers of scene.mesh. A leaf with more triangles than a record can count is split into
 /// halves. Throws std::runtime_error, one line, when the hierarchy has more levels than the core's trail.
 [[nodiscard]] CoreImage core_image(const IntScene& scene);

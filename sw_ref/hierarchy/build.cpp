@@ -185,6 +185,10 @@ void append(Subtree& tree, std::size_t place, std::vector<BvhNode>& nodes) {
 
 }  // namespace
 
+std::string_view builder_name(Builder builder) {
+  return builder == Builder::sah ? "sah" : "median";
+}
+
 Bvh build_bvh(const Mesh& mesh, const BuildOptions& options) {
   check(mesh, options);
   Bvh bvh;

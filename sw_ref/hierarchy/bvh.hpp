@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "sw_ref/scene/aabb.hpp"
@@ -26,6 +27,9 @@ enum class Builder : std::uint8_t {
   sah,     ///< where the surface area heuristic finds it cheapest, in bins (Wald 2007)
 };
 
+/// "median" or "sah".
+[[nodiscard]] std::string_view builder_name(Builder builder);
+
 struct BuildOptions {
   static constexpr int deepest = 60;  ///< section 4.3; it sets the size of a traversal's stack
 
@@ -37,6 +41,10 @@ struct BuildOptions {
   int grid_bits = 0;  ///< n, 6..32: nor where it is narrower than a unit of the n-bit grid (section 6.1)
   int threads = 0;    ///< >= 1, 0: one a core; no bit of the hierarchy depends on it
 };
+
+/// What today's tracers build: surface areas, and two triangles a leaf, with which time and bytes of a ray
+/// are least on most scenes (docs/choosing.md). The default of what compares units, and of a core's image.
+inline constexpr BuildOptions surface_area_build{.builder = Builder::sah, .max_triangles = 2};
 
 struct Bvh {
   std::vector<BvhNode> nodes;        ///< nodes[0] is the root; pairs of children follow in depth-first order:

@@ -227,4 +227,21 @@ LoadedBvh load_bvh(const std::filesystem::path& path, const Scene& scene, float 
   return loaded;
 }
 
+std::string HierarchyOptions::name() const {
+  if (!file.empty()) return file.filename().string();
+  return fmt::format("{} {}", builder_name(build.builder), build.max_triangles);
+}
+
+std::string HierarchyOptions::text() const {
+  if (!file.empty()) return fmt::format("hierarchy of {}", file.filename().string());
+  return fmt::format("{}, at most {} triangle{} a leaf",
+                     build.builder == Builder::sah ? "surface-area tree" : "median split",
+                     build.max_triangles, build.max_triangles == 1 ? "" : "s");
+}
+
+LoadedBvh make_hierarchy(const Scene& scene, const HierarchyOptions& options) {
+  if (options.file.empty()) return {build_bvh(scene.mesh, options.build)};
+  return load_bvh(options.file, scene, options.build.padding);
+}
+
 }  // namespace hitpipe::ref

@@ -1,8 +1,10 @@
-// Takes a hierarchy from a file and gives it the form of our own (docs/scenes.md).
+// Where a hierarchy comes from: it is built, or taken from a file and given the form of our own
+// (docs/scenes.md).
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 
 #include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/scene/scene.hpp"
@@ -21,5 +23,18 @@ struct LoadedBvh {
 /// than BuildOptions::deepest levels.
 [[nodiscard]] LoadedBvh load_bvh(const std::filesystem::path& file, const Scene& scene,
                                  float padding = BuildOptions{}.padding);
+
+struct HierarchyOptions {
+  BuildOptions build{};
+  std::filesystem::path file{};  ///< empty: it is built; else `build` only says how boxes are padded
+
+  /// "median 6", "sah 2": the builder and the most triangles of a leaf; or the file's name.
+  [[nodiscard]] std::string name() const;
+  /// The same as a reader expects it: "surface-area tree, at most 2 triangles a leaf".
+  [[nodiscard]] std::string text() const;
+};
+
+/// Throws what build_bvh() and load_bvh() throw.
+[[nodiscard]] LoadedBvh make_hierarchy(const Scene& scene, const HierarchyOptions& options);
 
 }  // namespace hitpipe::ref

@@ -50,7 +50,7 @@ void compare_pixels(const std::vector<glm::vec3>& a, const std::vector<glm::vec3
 }  // namespace
 
 IntError int_error(const Scene& scene, const IntErrorOptions& options) {
-  const IntScene integers = int_scene(scene, options.world);
+  const IntScene integers = int_scene(scene, options.world, options.hierarchy);
   const FloatSurfaces float_surfaces(scene.mesh, int_offset(options.world));
   const IntSurfaces int_surfaces(integers);
   RenderOptions drawing;
@@ -59,7 +59,7 @@ IntError int_error(const Scene& scene, const IntErrorOptions& options) {
   drawing.light = options.light;
 
   std::vector<Batch> batches;
-  const Bvh bvh = build_bvh(scene.mesh);
+  const Bvh bvh = make_hierarchy(scene, options.hierarchy).bvh;
   RenderOptions recording = drawing;
   recording.surfaces = &float_surfaces;
   recording.traced = [&](RayKind, const TraceJob& job) {

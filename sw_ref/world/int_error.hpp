@@ -8,6 +8,7 @@
 
 #include "hls/box/major_format.hpp"
 #include "hls/world/world_format.hpp"
+#include "sw_ref/hierarchy/load_bvh.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "sw_ref/trace/tracer.hpp"
@@ -20,6 +21,7 @@ struct IntErrorOptions {
   int width = 128;
   int height = 128;
   WhittedOptions light{};
+  HierarchyOptions hierarchy{};  ///< of both worlds
 };
 
 struct IntError {
@@ -40,7 +42,7 @@ struct IntError {
 inline constexpr float same_colour = 1.0F / 256;
 
 /// Both worlds trace the rays of the float picture, whose rays leave surfaces as far as int_offset() says.
-/// Throws as int_scene() and int_tracer().
+/// Throws as make_hierarchy(), int_scene() and int_tracer().
 [[nodiscard]] IntError int_error(const Scene& scene, const IntErrorOptions& options);
 
 }  // namespace hitpipe::ref

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sw_ref/hierarchy/refit.hpp"
 #include "sw_ref/world/int_ray.hpp"
 
 namespace hitpipe::ref {
@@ -14,13 +15,15 @@ double int_offset(const hls::WorldBits& bits) {
   return std::max(shadow_offset, std::ldexp(1.0, 3 - bits.coord));
 }
 
-IntScene int_scene(const Scene& scene, const hls::WorldBits& bits, const BuildOptions& build) {
+IntScene int_scene(const Scene& scene, const hls::WorldBits& bits, const HierarchyOptions& hierarchy) {
   IntScene made{.bits = bits, .mesh = int_mesh(scene.mesh, bits.coord), .scene = scene, .bvh = {}};
   made.scene.mesh = made.mesh.mesh;
   if (made.mesh.triangles.empty()) return made;
-  BuildOptions exact = build;
-  exact.padding = 0.0F;
-  made.bvh = build_bvh(made.mesh.mesh, exact);
+  HierarchyOptions exact = hierarchy;
+  exact.build.padding = 0.0F;
+  made.bvh = exact.file.empty()
+                 ? build_bvh(made.mesh.mesh, exact.build)
+                 : refitted(make_hierarchy(scene, exact).bvh, made.mesh.mesh, made.mesh.numbers);
   return made;
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "hls/world/world_format.hpp"
-#include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/hierarchy/load_bvh.hpp"
 #include "sw_ref/render/shade.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "sw_ref/world/int_mesh.hpp"
@@ -24,10 +24,11 @@ struct IntScene {
   [[nodiscard]] const Bvh* hierarchy() const { return bvh ? &*bvh : nullptr; }
 };
 
-/// The scene's mesh must be in the cube. Boxes are not padded: the options' padding is ignored. Throws as
-/// int_mesh() and build_bvh().
+/// The scene's mesh must be in the cube. Boxes are not padded: the options' padding is ignored. A hierarchy
+/// of a file keeps its branches, and its boxes become those of the integer mesh. Throws as int_mesh() and
+/// make_hierarchy().
 [[nodiscard]] IntScene int_scene(const Scene& scene, const hls::WorldBits& bits,
-                                 const BuildOptions& build = {});
+                                 const HierarchyOptions& hierarchy = {});
 
 /// Surfaces from the triangle and the exact weights of its corners, so that an image is the same on every
 /// machine.

@@ -102,43 +102,42 @@ TEST_F(WrongUseOf, LongWords) {
 }
 
 TEST_F(WrongUseOf, OptionsThatExcludeEachOther) {
-  rejected(
-      {{"cosim int_slabs --scene spheres --bits 9/9 --unit DIR",
-        "--unit excludes --bits: the unit in the folder has its own, which its manifest says;"},
-       {"cosim int_slabs --scene spheres --unit DIR --flow-control none",
-        "--unit excludes --flow-control: the unit in the folder has its own, which its manifest says;"},
-       {"render --scene spheres --orthographic --perspective",
-        "--perspective excludes --orthographic: an image has one projection;"},
-       {"bvh --scene spheres --builder sah --bvh a.bvh",
-        "--bvh excludes --builder: the hierarchy of the file is built already;"},
-       {"render --scene spheres --max-depth 7 --bvh a.bvh",
-        "--bvh excludes --max-depth: the hierarchy of the file is built already;"},
-       {"bvh --scene spheres --sweep --max-triangles 4",
-        "--sweep excludes --max-triangles: it builds a hierarchy for each leaf size;"},
-       {"bvh --scene spheres --sweep --bvh a.bvh",
-        "--sweep excludes --bvh: it builds a hierarchy for each leaf size;"},
-       {"report --scene spheres --bits 9/9 --rows a.csv --out OUT",
-        "--bits excludes --rows: the rows of the file have their formats;"},
-       {"board --port x --simulate",
-        "--simulate excludes --port: the simulated board has a port of its own;"},
-       {"implement --board icebreaker --simulate 9 --out OUT",
-        "--simulate excludes --board: the vectors are for the unit alone, and on a board it stands "
-        "behind a "
-        "serial line;"},
-       {"fit --scene spheres --out OUT --rate-rays 1e6 --ii 2",
-        "--rate-rays excludes --ii: the rate decides the interval;"},
-       {"check int_slabs --stiff --rtl",
-        "--stiff excludes --rtl: stiff rays have cases of their own, and the C++ answers;"},
-       {"render --rescale --scene spheres --out OUT",
-        "--rescale excludes --out: it renders each picture with the usual hierarchy and unit, and writes "
-        "none;"},
-       {"cosim int_slabs --rescale --scene spheres --referee",
-        "--rescale excludes --referee: it renders each picture with the usual hierarchy and unit, and writes "
-        "none;"},
-       {"render --compare a b --scene spheres",
-        "--compare excludes --scene: two images are compared, and nothing is rendered;"},
-       {"operands int_slabs --operands a --rays b --out OUT",
-        "--operands excludes --rays: operands are what the unit takes, without a ray and a box;"}});
+  rejected({{"cosim int_slabs --scene spheres --bits 9/9 --unit DIR",
+             "--unit excludes --bits: the unit in the folder has its own, which its manifest says;"},
+            {"cosim int_slabs --scene spheres --unit DIR --flow-control none",
+             "--unit excludes --flow-control: the unit in the folder has its own, which its manifest says;"},
+            {"render --scene spheres --orthographic --perspective",
+             "--perspective excludes --orthographic: an image has one projection;"},
+            {"bvh --scene spheres --builder sah --bvh a.bvh",
+             "--bvh excludes --builder: the hierarchy of the file is built already;"},
+            {"render --scene spheres --max-depth 7 --bvh a.bvh",
+             "--bvh excludes --max-depth: the hierarchy of the file is built already;"},
+            {"bvh --scene spheres --sweep --max-triangles 4",
+             "--sweep excludes --max-triangles: it builds a hierarchy for each leaf size;"},
+            {"bvh --scene spheres --sweep --bvh a.bvh",
+             "--sweep excludes --bvh: it builds a hierarchy for each leaf size;"},
+            {"report --scene spheres --bits 9/9 --rows a.csv --out OUT",
+             "--bits excludes --rows: the rows of the file have their formats;"},
+            {"board --port x --simulate",
+             "--simulate excludes --port: the simulated board has a port of its own;"},
+            {"implement --board icebreaker --simulate 9 --out OUT",
+             "--simulate excludes --board: the vectors are for the unit alone, and on a board it stands "
+             "behind a "
+             "serial line;"},
+            {"fit --scene spheres --out OUT --rate-rays 1e6 --ii 2",
+             "--rate-rays excludes --ii: the rate decides the interval;"},
+            {"check int_slabs --stiff --rtl",
+             "--stiff excludes --rtl: stiff rays have cases of their own, and the C++ answers;"},
+            {"render --rescale --scene spheres --out OUT",
+             "--rescale excludes --out: it builds the hierarchy of each picture, and writes "
+             "none;"},
+            {"cosim int_slabs --rescale --scene spheres --referee",
+             "--rescale excludes --referee: it builds the hierarchy of each picture, and writes "
+             "none;"},
+            {"render --compare a b --scene spheres",
+             "--compare excludes --scene: two images are compared, and nothing is rendered;"},
+            {"operands int_slabs --operands a --rays b --out OUT",
+             "--operands excludes --rays: operands are what the unit takes, without a ray and a box;"}});
 }
 
 TEST_F(WrongUseOf, NamesOfDesignsAndFormats) {

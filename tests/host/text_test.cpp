@@ -24,6 +24,10 @@ TEST(Csv, LineHoldsItsCells) {
   EXPECT_EQ(csv_cells(std::string_view(line).substr(0, line.size() - 1)), cells);
   EXPECT_EQ(csv_line(std::vector<std::string>{"two\nlines", "\r"}), "\"two\nlines\",\"\r\"\n");
   EXPECT_EQ(csv_line({}), "\n");
+  // A spreadsheet would take the first for a date.
+  const std::vector<std::string> formats{"12/12", "20+1/12", "1/", "/2", "12/12/12", "n12/12"};
+  EXPECT_EQ(csv_line(formats), "n12/12,20+1/12,1/,/2,12/12/12,n12/12\n");
+  EXPECT_THAT(csv_cells("n12/12,n20/x,n"), testing::ElementsAre("12/12", "n20/x", "n"));
 }
 
 TEST(Csv, OpenQuoteEndsWithTheLine) {

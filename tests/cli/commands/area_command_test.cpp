@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/text.hpp"
 #include "tests/cli/program.hpp"
 
 namespace hitpipe::cli::area_command_test {
@@ -36,14 +37,6 @@ void rejected(const std::vector<std::string>& arguments, const std::string& mess
   EXPECT_EQ(outcome.err, "hitpipe: " + message + "\n");
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream text(line);
-  for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-  if (line.ends_with(',')) cells.emplace_back();
-  return cells;
-}
-
 TEST(AreaCommand, PrintsTable72AsCsvToTheLastDigit) {
   EXPECT_THAT(
       lines_of(printed({"--account", "printed", "--format", "csv"})),
@@ -57,13 +50,14 @@ TEST(AreaCommand, PrintsTable72AsCsvToTheLastDigit) {
           "10,",
           "fp_plucker,fp32,20,2.876,348,57.520,3.6624,190,10.533,190,1,3.6624,0,0,0,0,0,0,12,12,12,20,0,0,45,"
           "6,0,0,18,",
-          "int_slabs,24/"
+          "int_slabs,n24/"
           "24,5,3.176,315,15.880,1.0090,52,3.205,58,1,1.0090,0,6,0,6,0,6,0,0,0,6,0,38,0,0,0,16,0,",
-          "int_slabs,20/"
+          "int_slabs,n20/"
           "24,4,3.176,315,12.704,0.7075,37,2.247,41,1,0.7075,6,0,6,0,0,6,0,0,0,5,33,4,0,0,12,4,0,",
-          "int_plucker,24/24,5,3.176,315,15.880,1.9091,99,6.063,109,1,1.9091,0,12,0,12,0,12,0,0,0,5,0,27,0,6,"
+          "int_plucker,n24/"
+          "24,5,3.176,315,15.880,1.9091,99,6.063,109,1,1.9091,0,12,0,12,0,12,0,0,0,5,0,27,0,6,"
           "0,18,0,",
-          "int_plucker,20/"
+          "int_plucker,n20/"
           "24,4,3.176,315,12.704,1.3387,69,4.252,77,1,1.3387,6,6,12,0,6,6,0,0,0,4,15,12,0,6,18,"
           "0,0,int_compare_20"));
 }
@@ -72,11 +66,11 @@ TEST(AreaCommand, BuiltIsTheDefaultAndHasValidAndTagBits) {
   const auto lines = lines_of(printed({"--format", "csv"}));
   EXPECT_EQ(printed({"--format", "csv", "--account", "built"}), printed({"--format", "csv"}));
   ASSERT_EQ(lines.size(), 7U);
-  const std::vector<std::string> header = cells_of(lines[0]);
+  const std::vector<std::string> header = host::csv_cells(lines[0]);
   ASSERT_GE(header.size(), 3U);
   EXPECT_THAT(std::vector<std::string>(header.end() - 3, header.end()),
               ElementsAre("valid_1", "tag_16", "estimated"));
-  for (const std::string& line : lines) EXPECT_EQ(cells_of(line).size(), header.size()) << line;
+  for (const std::string& line : lines) EXPECT_EQ(host::csv_cells(line).size(), header.size()) << line;
   EXPECT_THAT(lines[6], testing::EndsWith(",5,5,int_subtract_25 int_compare_20 int_compare_25 tag_16"));
 }
 
@@ -84,10 +78,10 @@ TEST(AreaCommand, BuiltIsTheDefaultAndHasValidAndTagBits) {
 TEST(AreaCommand, PrintsTheSameFiguresAsJson) {
   const auto lines = lines_of(printed({"--format", "csv"}));
   const Json list = Json::parse(printed({"--format", "json"}));
-  const std::vector<std::string> header = cells_of(lines.at(0));
+  const std::vector<std::string> header = host::csv_cells(lines.at(0));
   ASSERT_EQ(list.size() + 1, lines.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::vector<std::string> cells = cells_of(lines[i + 1]);
+    const std::vector<std::string> cells = host::csv_cells(lines[i + 1]);
     ASSERT_EQ(list[i].size(), header.size());
     std::size_t column = 0;
     for (const auto& [key, value] : list[i].items()) {
@@ -167,7 +161,7 @@ TEST(AreaCommand, PrintsStagesAsCsvAndJson) {
             "design,bits,stage,area_mm2,int_subtract_24,int_multiply_24,int_compare_24,latch_1,latch_24,"
             "mux2_24,valid_1,tag_16,estimated");
   EXPECT_EQ(lines.size(), 7U);
-  EXPECT_EQ(lines.at(4), "int_slabs,24/24,3,0.0035,0,0,0,1,1,0,1,1,tag_16");
+  EXPECT_EQ(lines.at(4), "int_slabs,n24/24,3,0.0035,0,0,0,1,1,0,1,1,tag_16");
   const Json list = Json::parse(printed({"int_slabs", "int_plucker", "--by-stage", "--format", "json"}));
   EXPECT_EQ(list.size(), 5U + 5U);
   EXPECT_EQ(list.at(9).at("stage"), 4);
@@ -245,9 +239,9 @@ TEST(AreaOnAChip, PrintsTheSameFiguresInEveryFormat) {
   const auto lines = lines_of(printed(with(arguments, {"csv"})));
   ASSERT_EQ(list.size(), 2U);
   ASSERT_EQ(lines.size(), 3U);
-  const auto header = cells_of(lines[0]);
+  const auto header = host::csv_cells(lines[0]);
   for (std::size_t row = 0; row < list.size(); ++row) {
-    const auto cells = cells_of(lines[row + 1]);
+    const auto cells = host::csv_cells(lines[row + 1]);
     EXPECT_EQ(list[row].at("library"), "ice40_up5k");
     EXPECT_EQ(list[row].at("dsp_name"), "SB_MAC16");
     EXPECT_EQ(list[row].at("delay_estimated"), true);

@@ -119,7 +119,7 @@ class Process {
 TEST(BoardCommand, SimulatesABoard) {
   SKIP_WITHOUT_PSEUDO_TERMINAL();
   const Process program("board int_slabs --bits 6/6 --simulate");
-  EXPECT_THAT(program.said(), testing::StartsWith("int_slabs,6/6,/dev/pts/"));
+  EXPECT_THAT(program.said(), testing::StartsWith("int_slabs,n6/6,/dev/pts/"));
   const Outcome outcome = board(program.port(), {"--tests", "50"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }

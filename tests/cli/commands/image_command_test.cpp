@@ -27,7 +27,7 @@ TEST_F(ImageCommand, WritesTheBlocks) {
   const auto row = nlohmann::json::parse(outcome.out);
   const std::string bytes = contents_of(file_);
   EXPECT_EQ(bytes.size(), row.at("bytes").get<std::size_t>());
-  EXPECT_EQ(row.at("builder"), "sah");
+  EXPECT_EQ(row.at("hierarchy"), "sah 2");
   std::vector<ref::CoreBlock> blocks(bytes.size() / ref::core_block_bytes);
   std::memcpy(blocks.data(), bytes.data(), bytes.size());
   const ref::CoreImage image = ref::checked_image(std::move(blocks));

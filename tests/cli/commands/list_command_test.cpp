@@ -31,7 +31,7 @@ TEST(ListCommand, SaysTheSameInEveryFormat) {
   for (const ref::BuiltInScene& scene : ref::built_in_scenes()) scenes.emplace_back(scene.name);
   const List lists[] = {
       {"designs", designs, "design", "design,bits,misses,what,formats",
-       "int_slabs,20/24,never,\"integer slabs test, figures 7.4-7.6\",n/t with n in 6..32 and t in 6..2n-1",
+       "int_slabs,n20/24,never,\"integer slabs test, figures 7.4-7.6\",n/t with n in 6..32 and t in 6..2n-1",
        "design             bits        misses    what\n"},
       {"libraries", rtl::built_in_names(), "library", "library,of,counts,source", "",
        "thesis_250nm\n"

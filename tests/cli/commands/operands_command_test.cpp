@@ -60,15 +60,14 @@ TEST_F(OperandsCommand, WritesCsvAndPrintsTheCounts) {
             "operands      " +
                 out("o.csv") + "\n");
   const auto lines = lines_of(contents_of(out("o.csv")));
-  ASSERT_EQ(lines.size(), 4U);
-  EXPECT_EQ(lines[0], "# int_slabs 20/24; cube = (own - offset) * scale, offset 0 0 0, scale 1");
+  ASSERT_EQ(lines.size(), 3U);
   EXPECT_EQ(
-      lines[1],
+      lines[0],
       "ray,box,irx,iry,irz,irlen,iri_floor,iri_ceil,irj_floor,irj_ceil,irk_floor,irk_ceil,rinf,ixmin,ixmax,"
       "iymin,iymax,izmin,izmax,hit,exact_hit");
-  EXPECT_THAT(lines[2], StartsWith("1,1,-131071,0,0,"));
-  EXPECT_THAT(lines[2], testing::EndsWith(",1,1"));
-  EXPECT_THAT(lines[3], testing::EndsWith(",0,0"));
+  EXPECT_THAT(lines[1], StartsWith("1,1,-131071,0,0,"));
+  EXPECT_THAT(lines[1], testing::EndsWith(",1,1"));
+  EXPECT_THAT(lines[2], testing::EndsWith(",0,0"));
 }
 
 TEST_F(OperandsCommand, StandardOutputHasTheTestsAndStandardErrorTheCounts) {
@@ -102,8 +101,8 @@ TEST_F(OperandsCommand, JsonHasTheColumnsOfTheCsv) {
     names += (names.empty() ? "" : ",") + name;
     values += (values.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
   }
-  EXPECT_EQ(names, csv[1]);
-  EXPECT_EQ(values, csv[2]);
+  EXPECT_EQ(names, csv[0]);
+  EXPECT_EQ(values, csv[1]);
   EXPECT_EQ(test["rx"], "0xbf000000");
   EXPECT_EQ(test["ox"], "-0x1p-1");
 }
@@ -113,12 +112,20 @@ TEST_F(OperandsCommand, RecordsScaleAndOffsetOfTheBounds) {
       folder_.write("far.csv", "min_x,min_y,min_z,max_x,max_y,max_z\n100,100,100,300,200,200\n").string();
   rays_ = folder_.write("near.csv", "ox,oy,oz,dx,dy,dz\n100,150,150,1,0,0\n").string();
   const std::vector<std::string> bounds{"--bounds", "100,100,100,300,200,200", "--with-input"};
-  const auto csv = lines_of(operands("-", bounds).out);
-  ASSERT_EQ(csv.size(), 3U);
-  EXPECT_EQ(csv[0],
-            "# int_slabs 20/24; cube = (own - offset) * scale, offset 200 150 150, scale 0.009990234375");
-  EXPECT_THAT(csv[2], StartsWith("1,1,-0x1.ff8p-1,0x0p+0,0x0p+0,0x1p+0,0x0p+0,0x0p+0,inf,"));
-  EXPECT_THAT(csv[2], testing::EndsWith(",1,1"));
+  ASSERT_EQ(operands(out("o.csv"), bounds).exit_code, 0);
+  const auto csv = lines_of(contents_of(out("o.csv")));
+  ASSERT_EQ(csv.size(), 2U);
+  const auto about = nlohmann::json::parse(contents_of(out("o.csv-metadata.json")));
+  EXPECT_EQ(about.at("url"), "o.csv");
+  const auto& notes = about.at("notes").at(0);
+  EXPECT_EQ(notes.at("design"), "int_slabs");
+  EXPECT_EQ(notes.at("bits"), "20/24");
+  EXPECT_EQ(notes.at("offset"), (nlohmann::json{200, 150, 150}));
+  EXPECT_EQ(notes.at("scale"), 0.009990234375);
+  EXPECT_THAT(notes.at("command").get<std::string>(),
+              StartsWith("hitpipe operands int_slabs --rays " + rays_ + " --boxes "));
+  EXPECT_THAT(csv[1], StartsWith("1,1,-0x1.ff8p-1,0x0p+0,0x0p+0,0x1p+0,0x0p+0,0x0p+0,inf,"));
+  EXPECT_THAT(csv[1], testing::EndsWith(",1,1"));
 }
 
 /// The testbench that is written with the unit runs them in place of its own, which are as many.
@@ -166,9 +173,8 @@ TEST_F(OperandsCommand, OfOnesOwnGetTheResultsOfTheUnit) {
   const auto judged = lines_of(contents_of(out("o.csv")));
   const auto answered = lines_of(contents_of(out("r.csv")));
   ASSERT_EQ(answered.size(), judged.size());
-  EXPECT_EQ(answered[0], "# int_slabs 20/24");
-  EXPECT_EQ("ray,box," + answered[1] + ",exact_hit", judged[1]);
-  EXPECT_EQ("1,1," + answered[2] + ",1", judged[2]);
+  EXPECT_EQ("ray,box," + answered[0] + ",exact_hit", judged[0]);
+  EXPECT_EQ("1,1," + answered[1] + ",1", judged[1]);
   EXPECT_THAT(hitpipe(words + "- --as json").out, HasSubstr("{\"irx\":-131071,\"iry\":0,"));
 }
 

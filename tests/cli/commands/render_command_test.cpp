@@ -66,7 +66,8 @@ TEST(RenderCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(
       lines[0],
-      "scene,stands_for,triangles,degenerate_dropped,bvh_nodes,bytes_per_node,node_bytes,rays_primary,"
+      "scene,stands_for,triangles,degenerate_dropped,bvh_nodes,hierarchy,bytes_per_node,node_bytes,rays_"
+      "primary,"
       "rays_secondary,rays_shadow,stiff_rays_pct,zero_component_rays_pct,surface_points,light_evaluations,"
       "queue_bytes_primary,queue_bytes_secondary,queue_bytes_shadow,"
       "box_tests,box_tests_per_ray,box_tests_per_primary,box_tests_per_secondary,box_tests_per_shadow,"

@@ -94,14 +94,14 @@ TEST_F(SweepCommand, AddsTheRowsOfAnInterval) {
   EXPECT_LE(widest_line(outcome.out), 80U) << outcome.out;
   EXPECT_THAT(lines_of(outcome.out).at(0), testing::ContainsRegex("^design +bits +II +rays"));
   EXPECT_THAT(outcome.out, testing::ContainsRegex("\nint_slabs +6/6 +3 +8 "));
-  const std::vector<sim::SweepRow> all = sim::read_rows(rows).rows;
+  const std::vector<sim::SweepRow> all = sim::read_rows(rows);
   ASSERT_EQ(all.size(), 2 * all_rows);
   std::vector<sim::SweepRow> in_every_cycle;
   for (const sim::SweepRow& row : all) {
     if (row.interval == 1) in_every_cycle.push_back(row);
     EXPECT_EQ(row.rtl_mismatches, 0U);
   }
-  EXPECT_EQ(in_every_cycle, sim::read_rows(whole()).rows);
+  EXPECT_EQ(in_every_cycle, sim::read_rows(whole()));
   const json records = json::parse(run_hitpipe(with(sweep(rows, more), {"--format", "json"})).out);
   EXPECT_EQ(records.at(1).at("ii"), 3);
   for (const char* const bad : {"0", "65", "x", ""}) {
@@ -115,7 +115,7 @@ TEST_F(SweepCommand, AddsTheRowsOfAnInterval) {
 
 TEST_F(SweepCommand, FileDoesNotDependOnThreadsPartsOrOrder) {
   const std::string one = untimed(whole());
-  EXPECT_EQ(sim::read_rows(whole()).rows.size(), all_rows);
+  EXPECT_EQ(sim::read_rows(whole()).size(), all_rows);
 
   EXPECT_EQ(run_hitpipe(sweep(file("two.csv"), {"--threads", "2"})).exit_code, 0);
   EXPECT_EQ(untimed(file("two.csv")), one);
@@ -148,7 +148,7 @@ bool has_ended(pid_t child) {
 TEST_F(SweepCommand, KilledAtRandomMomentsComesToTheSameEnd) {
   const fs::path out = file("killed.csv");
   const auto finished = [&] {
-    return fs::exists(out) ? sim::read_rows(out).rows.size() : 0;  // throws for half a row
+    return fs::exists(out) ? sim::read_rows(out).size() : 0;  // throws for half a row
   };
   constexpr unsigned seed = 3;
   std::mt19937 random(seed);
@@ -200,12 +200,12 @@ TEST_F(SweepCommand, TakesTheRowsThatThereAre) {
   const Outcome outcome = run_hitpipe(sweep(rows, {"--triangle-ns", "5", "--triangle-mm2", "0.25"}),
                                       {{"VERILATOR", "/nonexistent"}});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const sim::RowsFile before = sim::read_rows(whole());
-  const sim::RowsFile after = sim::read_rows(rows);
-  ASSERT_EQ(after.rows.size(), before.rows.size());
-  for (std::size_t i = 0; i < after.rows.size(); ++i) {
-    EXPECT_EQ(after.rows[i].triangle, (sim::TriangleCost{5000, 250'000}));
-    EXPECT_EQ(after.rows[i].cycles, before.rows[i].cycles);
+  const std::vector<sim::SweepRow> before = sim::read_rows(whole());
+  const std::vector<sim::SweepRow> after = sim::read_rows(rows);
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(after[i].triangle, (sim::TriangleCost{5000, 250'000}));
+    EXPECT_EQ(after[i].cycles, before[i].cycles);
   }
 }
 
@@ -221,9 +221,8 @@ TEST_F(SweepCommand, PrintsTextThatFitsEightyColumnsAndJson) {
   EXPECT_THAT(text.out, HasSubstr("A triangle test is taken as 2.876 ns\n  of a unit of 7.886 mm²."));
   // A program that reads it finds the header first.
   const std::string csv = run_hitpipe(sweep(rows_file, {"--format", "csv"})).out;
-  EXPECT_THAT(csv, StartsWith("scene,triangles,"));
-  const std::string file = contents_of(rows_file);
-  EXPECT_EQ(csv, file.substr(file.find('\n') + 1));
+  EXPECT_THAT(csv, StartsWith("program,scene,content,triangles,"));
+  EXPECT_EQ(csv, contents_of(rows_file));
 
   const json rows = json::parse(run_hitpipe(sweep(rows_file, {"--format", "json"})).out);
   ASSERT_EQ(rows.size(), all_rows);
@@ -262,8 +261,8 @@ TEST_F(SweepCommand, PricesByTheLibraryOfAChip) {
   EXPECT_LE(widest_line(outcome.out), 80U) << outcome.out;
   EXPECT_THAT(outcome.out, testing::ContainsRegex(" LUT ms, of box tests alone[ \n]"));
   EXPECT_THAT(outcome.out, HasSubstr("weigh multiplier blocks"));
-  const sim::SweepRow chip = sim::read_rows(out).rows.at(0);
-  const sim::SweepRow cells = sim::read_rows(whole()).rows.at(2);
+  const sim::SweepRow chip = sim::read_rows(out).at(0);
+  const sim::SweepRow cells = sim::read_rows(whole()).at(2);
   ASSERT_EQ(cells.design, chip.design);
   EXPECT_EQ(chip.library, "xc7");
   EXPECT_TRUE(chip.on_chip());
@@ -276,9 +275,9 @@ TEST_F(SweepCommand, PricesByTheLibraryOfAChip) {
 }
 
 TEST_F(SweepCommand, RowThatIsNotVerifiedFails) {
-  sim::RowsFile rows = sim::read_rows(whole());
-  rows.rows[2].different_pixels = 7;
-  rows.rows[2].false_misses = 1;
+  std::vector<sim::SweepRow> rows = sim::read_rows(whole());
+  rows[2].different_pixels = 7;
+  rows[2].false_misses = 1;
   sim::write_rows(file("rows.csv"), rows);
   const Outcome outcome = run_hitpipe(sweep(file("rows.csv")));
   EXPECT_EQ(outcome.exit_code, 1);

@@ -49,7 +49,7 @@ const rtl::Core& small_core() {
 struct Picture {
   Picture() {
     const hls::RayBits& bits = small_core().options.bits;
-    world = ref::int_scene(scene, bits.world(), ref::image_build);
+    world = ref::int_scene(scene, bits.world(), {.build = ref::surface_area_build});
     image = ref::core_image(world);
     rays = picture_rays(
         world, image,

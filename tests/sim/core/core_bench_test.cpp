@@ -35,7 +35,7 @@ struct Picture {
 
   explicit Picture(int places, int size = 48, const hls::WorldBits& of = world,
                    const hls::MajorBits& with = boxes)
-      : scene(ref::int_scene(hills(), of, {.builder = ref::Builder::sah, .max_triangles = 2})),
+      : scene(ref::int_scene(hills(), of, {.build = {.builder = ref::Builder::sah, .max_triangles = 2}})),
         image(ref::core_image(scene)),
         rays(picture_rays(scene, image, {of, with, places}, {.width = size, .height = size})) {}
 };

@@ -21,8 +21,7 @@ class Resume : public testing::Test {
     return {.scene = &scene_,
             .bvh = &bvh_,
             .points = plan_sweep(designs, std::vector<int>{1, 8}),
-            .options = {.width = 12, .height = 8},
-            .program = "a test 1",
+            .options = {.width = 12, .height = 8, .program = "a test 1"},
             .file = folder_.path() / "rows.csv",
             .more = {}};
   }
@@ -36,29 +35,29 @@ class Resume : public testing::Test {
 };
 
 TEST_F(Resume, ReturnsWhatTheFileHolds) {
-  const RowsFile rows = resume(sweep());
-  ASSERT_EQ(rows.rows.size(), 2U);
-  EXPECT_THAT(rows.about, testing::StartsWith("a test 1 sweep: "));
-  EXPECT_EQ(rows.rows[0].rays_in_flight, 1);
-  EXPECT_EQ(rows.rows[1].rays_in_flight, 8);
-  EXPECT_EQ(to_text(rows), text());
+  const std::vector<SweepRow> rows = resume(sweep());
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].program, "a test 1");
+  EXPECT_EQ(rows[0].rays_in_flight, 1);
+  EXPECT_EQ(rows[1].rays_in_flight, 8);
+  EXPECT_EQ(to_csv(rows), text());
 }
 
 TEST_F(Resume, MeasuresOnlyWhatIsMissing) {
-  RowsFile rows = resume(sweep());
-  const RowsFile whole = rows;
+  std::vector<SweepRow> rows = resume(sweep());
+  const std::vector<SweepRow> whole = rows;
   // Without Verilator no row can be measured, and none is missing.
   {
     const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
-    EXPECT_EQ(to_text(resume(sweep())), to_text(whole));
-    rows.rows.pop_back();
+    EXPECT_EQ(to_csv(resume(sweep())), to_csv(whole));
+    rows.pop_back();
     write_rows(sweep().file, rows);
     EXPECT_THROW((void)resume(sweep()), std::runtime_error);
   }
-  const RowsFile again = resume(sweep());
-  ASSERT_EQ(again.rows.size(), 2U);
-  EXPECT_EQ(again.rows[0], whole.rows[0]);
-  EXPECT_EQ(again.rows[1].cycles, whole.rows[1].cycles);
+  const std::vector<SweepRow> again = resume(sweep());
+  ASSERT_EQ(again.size(), 2U);
+  EXPECT_EQ(again[0], whole[0]);
+  EXPECT_EQ(again[1].cycles, whole[1].cycles);
 }
 
 /// A row at one interval is none at another.
@@ -68,30 +67,30 @@ TEST_F(Resume, TellsIntervalsApart) {
   ResumableSweep both = at_one;
   both.points.push_back(both.points.front());
   both.points.back().interval = 3;
-  const RowsFile first = resume(at_one);
+  const std::vector<SweepRow> first = resume(at_one);
   const std::string without = text();
   {
     const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
     EXPECT_THROW((void)resume(both), std::runtime_error);
     EXPECT_EQ(text(), without);
   }
-  const RowsFile rows = resume(both);
-  ASSERT_EQ(rows.rows.size(), 2U);
-  EXPECT_EQ(rows.rows[0], first.rows[0]);
-  EXPECT_EQ(rows.rows[1].interval, 3);
-  EXPECT_EQ(rows.rows[1].hits, rows.rows[0].hits);
-  EXPECT_EQ(rows.rows[1].rtl_mismatches, 0U);
-  EXPECT_GT(rows.rows[1].cycles, rows.rows[0].cycles);
-  EXPECT_LT(rows.rows[1].area_um2, rows.rows[0].area_um2);
+  const std::vector<SweepRow> rows = resume(both);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0], first[0]);
+  EXPECT_EQ(rows[1].interval, 3);
+  EXPECT_EQ(rows[1].hits, rows[0].hits);
+  EXPECT_EQ(rows[1].rtl_mismatches, 0U);
+  EXPECT_GT(rows[1].cycles, rows[0].cycles);
+  EXPECT_LT(rows[1].area_um2, rows[0].area_um2);
   const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
-  EXPECT_EQ(to_text(resume(both)), text());
+  EXPECT_EQ(to_csv(resume(both)), text());
   ResumableSweep joined = both;
   joined.file = folder_.path() / "joined.csv";
   joined.more = {both.file};
-  EXPECT_EQ(to_text(resume(joined)), text());
+  EXPECT_EQ(to_csv(resume(joined)), text());
   // Cut within the header: nothing is there yet.
   host::write_file(joined.file, text().substr(0, text().find(",ii,") + 4));
-  EXPECT_EQ(to_text(resume(joined)), text());
+  EXPECT_EQ(to_csv(resume(joined)), text());
 }
 
 /// A row with its place at the end does not write the others again; any other row moves them.
@@ -102,26 +101,26 @@ TEST_F(Resume, AppendsARow) {
     std::error_code there_already;
     std::filesystem::create_hard_link(long_run.file, first, there_already);
   };
-  const RowsFile whole = resume(long_run);
-  ASSERT_EQ(whole.rows.size(), 2U);
-  EXPECT_EQ(read_rows(first).rows.size(), 2U) << "it is still the file of the beginning";
+  const std::vector<SweepRow> whole = resume(long_run);
+  ASSERT_EQ(whole.size(), 2U);
+  EXPECT_EQ(read_rows(first).size(), 2U) << "it is still the file of the beginning";
   EXPECT_TRUE(std::filesystem::equivalent(first, long_run.file));
-  EXPECT_EQ(to_text(whole), text());
+  EXPECT_EQ(to_csv(whole), text());
 
   // Somebody else has written to it meanwhile.
   std::filesystem::remove(long_run.file);
   long_run.options.progress = [&](double share) {
     if (share < 1.0) host::write_file(long_run.file, "gone");
   };
-  EXPECT_EQ(resume(long_run).rows.size(), 2U);
-  EXPECT_EQ(parse_rows(text(), "").rows.size(), 2U);
+  EXPECT_EQ(resume(long_run).size(), 2U);
+  EXPECT_EQ(parse_rows(text(), "").size(), 2U);
 
-  RowsFile gap = whole;
-  gap.rows.erase(gap.rows.begin());
+  std::vector<SweepRow> gap = whole;
+  gap.erase(gap.begin());
   write_rows(long_run.file, gap);
-  const RowsFile filled = resume(sweep());
-  EXPECT_EQ(filled.rows.size(), 2U);
-  EXPECT_EQ(to_text(filled), host::read_file(long_run.file));
+  const std::vector<SweepRow> filled = resume(sweep());
+  EXPECT_EQ(filled.size(), 2U);
+  EXPECT_EQ(to_csv(filled), host::read_file(long_run.file));
 }
 
 /// Two sweeps, perhaps on two machines, and one that joins their files and measures nothing.
@@ -132,19 +131,21 @@ TEST_F(Resume, TakesRowsThatWereMeasuredElsewhere) {
   one.file = folder_.path() / "one.csv";
   other.points.erase(other.points.begin());
   other.file = folder_.path() / "other.csv";
-  const std::vector<SweepRow> here = resume(one).rows;
-  const std::vector<SweepRow> there = resume(other).rows;
+  const std::vector<SweepRow> here = resume(one);
+  const std::vector<SweepRow> there = resume(other);
   const EnvironmentValue none("VERILATOR", "/nonexistent/verilator");
   ResumableSweep joined = sweep();
   joined.more = {other.file, one.file};
-  const RowsFile rows = resume(joined);
-  EXPECT_EQ(rows.rows, (std::vector{here.at(0), there.at(0)}));
-  EXPECT_EQ(to_text(rows), text());
-  write_rows(one.file, {"another sweep", here});
+  const std::vector<SweepRow> rows = resume(joined);
+  EXPECT_EQ(rows, (std::vector{here.at(0), there.at(0)}));
+  EXPECT_EQ(to_csv(rows), text());
+  SweepRow of_another = here.at(0);
+  of_another.bounces = 7;
+  write_rows(one.file, {&of_another, 1});
   joined.file = folder_.path() / "refused.csv";
   EXPECT_EQ(message_of<std::runtime_error>([&] { (void)resume(joined); }),
-            one.file.string() + ": holds rows of \"another sweep\", asked for are \"" + rows.about +
-                "\"; give another file or remove it");
+            one.file.string() + ": holds rows of \"" + of_another.text() + "\", asked for are \"" +
+                here.at(0).text() + "\"; give another file or remove it");
   EXPECT_FALSE(std::filesystem::exists(joined.file));
 }
 
@@ -156,10 +157,10 @@ TEST_F(Resume, MeasuresARowThatIsCutShortAgain) {
   for (const std::size_t length :
        {whole.size() - 1, rows + 5, rows, rows - 5, std::size_t{10}, std::size_t{0}}) {
     folder_.write("rows.csv", whole.substr(0, length));
-    const RowsFile again = resume(sweep());
-    ASSERT_EQ(again.rows.size(), 2U) << length;
-    EXPECT_EQ(again.rows[1].cycles, parse_rows(whole, "").rows[1].cycles);
-    EXPECT_EQ(to_text(again), text());
+    const std::vector<SweepRow> again = resume(sweep());
+    ASSERT_EQ(again.size(), 2U) << length;
+    EXPECT_EQ(again[1].cycles, parse_rows(whole, "")[1].cycles);
+    EXPECT_EQ(to_csv(again), text());
   }
   folder_.write("rows.csv", "no rows");
   EXPECT_EQ(message_of<std::runtime_error>([&] { (void)resume(sweep()); }),
@@ -173,7 +174,7 @@ TEST_F(Resume, RowsOfSomethingElseAreRefusedAndKept) {
   ResumableSweep other = sweep();
   other.options.width = 13;
   EXPECT_THAT(message_of([&] { (void)resume(other); }),
-              testing::AllOf(testing::StartsWith(other.file.string() + ": holds rows of \"a test 1 sweep: "),
+              testing::AllOf(testing::StartsWith(other.file.string() + ": holds rows of \"a test 1: "),
                              testing::EndsWith("\"; give another file or remove it")));
   EXPECT_EQ(text(), before);
 }

@@ -9,38 +9,44 @@
 namespace hitpipe::sim {
 
 inline SweepRow a_row() {
-  return {.scene = "two, \"quoted\"",
-          .triangles = 24578,
-          .bvh_nodes = 12119,
-          .width = 64,
-          .height = 48,
-          .rays_in_flight = 32,
-          .library = "thesis_250nm",
-          .design = "int_slabs",
-          .bits = "20/24",
-          .stages = 4,
-          .stage_delay_ps = 3176,
-          .area_um2 = 1'234'567,
-          .bytes_per_node = 23,
-          .triangle = {.delay_ps = 2876, .area_um2 = 10'000'000},
-          .rays_primary = 3072,
-          .rays_secondary = 1000,
-          .rays_shadow = 4000,
-          .rays_rejected = 72,
-          .unit_tests = 400'000,
-          .box_tests = 400'000,
-          .hits = 200'000,
-          .triangle_tests = 70'000,
-          .reference_box_tests = 400'800,
-          .reference_triangle_tests = 69'000,
-          .false_hits = 123,
-          .false_misses = 0,
-          .rtl_mismatches = 0,
-          .different_triangles = 0,
-          .different_pixels = 0,
-          .cycles = 500'000,
-          .rtl_seconds = 0.125,
-          .software_ratio = 1.75};
+  SweepRow row;
+  row.program = "hitpipe 1";
+  row.scene = "two, \"quoted\"";
+  row.content = "fnv1a-0123";
+  row.triangles = 24578;
+  row.hierarchy = "sah 2";
+  row.bvh_nodes = 12119;
+  row.width = 64;
+  row.height = 48;
+  row.bounces = 5;
+  row.library = "thesis_250nm";
+  row.rays_in_flight = 32;
+  row.design = "int_slabs";
+  row.bits = "20/24";
+  row.stages = 4;
+  row.stage_delay_ps = 3176;
+  row.area_um2 = 1'234'567;
+  row.bytes_per_node = 23;
+  row.triangle = {.delay_ps = 2876, .area_um2 = 10'000'000};
+  row.rays_primary = 3072;
+  row.rays_secondary = 1000;
+  row.rays_shadow = 4000;
+  row.rays_rejected = 72;
+  row.unit_tests = 400'000;
+  row.box_tests = 400'000;
+  row.hits = 200'000;
+  row.triangle_tests = 70'000;
+  row.reference_box_tests = 400'800;
+  row.reference_triangle_tests = 69'000;
+  row.false_hits = 123;
+  row.false_misses = 0;
+  row.rtl_mismatches = 0;
+  row.different_triangles = 0;
+  row.different_pixels = 0;
+  row.cycles = 500'000;
+  row.rtl_seconds = 0.125;
+  row.software_ratio = 1.75;
+  return row;
 }
 
 /// The same boxes in half the tests and cycles, by a unit of the same area.

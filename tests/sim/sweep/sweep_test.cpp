@@ -171,18 +171,20 @@ TEST(Sweep, FailureOfARowEndsItWithItsMessage) {
   EXPECT_THAT(message, StartsWith("/nonexistent/verilator: cannot be run; "));
 }
 
-TEST(AboutSweep, ChangesWithAllThatDecidesTheRows) {
+TEST(SweepSubject, ChangesWithAllThatDecidesTheRows) {
   const ref::Scene scene = hills();
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   std::set<std::string> all;
   const auto about = [&](const ref::Scene& s, const ref::Bvh& b, const SweepOptions& options) {
-    all.insert(about_sweep("hitpipe 1", s, b, options));
+    all.insert(sweep_subject(s, b, options).text());
   };
   about(scene, bvh, {});
   about(scene, bvh, {.threads = 7});  // the only one that changes nothing
   ASSERT_EQ(all.size(), 1U);
-  EXPECT_THAT(*all.begin(), testing::MatchesRegex("hitpipe 1 sweep: hills, content [0-9a-f]+, 256 x 256 "
-                                                  "pixels, 5 bounces, library thesis_250nm"));
+  EXPECT_THAT(*all.begin(),
+              testing::MatchesRegex("hitpipe: hills, content fnv1a-[0-9a-f]+, hierarchy , 256 x 256 "
+                                    "pixels, 5 bounces, library thesis_250nm"));
+  about(scene, bvh, {.program = "hitpipe 2"});
   about(scene, bvh, {.width = 255});
   about(scene, bvh, {.height = 255});
   about(scene, bvh, {.light = {.bounces = 4}});
@@ -200,7 +202,7 @@ TEST(AboutSweep, ChangesWithAllThatDecidesTheRows) {
   changed([](ref::Scene& s) { s.materials[0].reflect.x = 0.25F; });
   changed([](ref::Scene& s) { s.mesh.vertices[3].y += 0.001F; });
   changed([](ref::Scene& s) { s.name = "line\nbreak"; });
-  EXPECT_EQ(all.size(), 13U);
+  EXPECT_EQ(all.size(), 14U);
   for (const std::string& text : all) EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 

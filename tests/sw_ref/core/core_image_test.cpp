@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 
 IntScene hills_in(const hls::WorldBits& bits, int max_triangles) {
-  return int_scene(sim::hills(), bits, {.builder = Builder::sah, .max_triangles = max_triangles});
+  return int_scene(sim::hills(), bits, {.build = {.builder = Builder::sah, .max_triangles = max_triangles}});
 }
 
 TEST(CoreBlock, ReadsWhatWasWritten) {

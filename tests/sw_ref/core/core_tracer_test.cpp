@@ -34,7 +34,8 @@ Figures traced(const IntScene& scene, const CoreTracerOptions& options, int size
 
 TEST(CoreTracer, FindsWhatTheExactTraversalFinds) {
   const hls::WorldBits world{12, 1, 12, 0, 0};
-  const IntScene scene = int_scene(sim::hills(), world, {.builder = Builder::sah, .max_triangles = 2});
+  const IntScene scene =
+      int_scene(sim::hills(), world, {.build = {.builder = Builder::sah, .max_triangles = 2}});
   std::uint64_t last_reads = ~std::uint64_t{0};
   for (const int places : {0, 1, 2, 4, 8, 60}) {
     const Figures made = traced(scene, {world, {12, 1, 7, 0, 12}, places}, 48);
@@ -48,7 +49,8 @@ TEST(CoreTracer, FindsWhatTheExactTraversalFinds) {
 /// The model of the design: 18.2 blocks a ray for `spheres` with a surface-area tree, at most two triangles a
 /// leaf, and eight places.
 TEST(CoreTracer, SpheresTakeAsManyBlocksAsTheModel) {
-  const IntScene scene = int_scene(load_scene("spheres"), {}, {.builder = Builder::sah, .max_triangles = 2});
+  const IntScene scene =
+      int_scene(load_scene("spheres"), {}, {.build = {.builder = Builder::sah, .max_triangles = 2}});
   const Figures made = traced(scene, {}, 96);
   const double blocks = static_cast<double>(made.work.nodes_loaded + made.work.triangles_loaded) /
                         static_cast<double>(made.work.rays);

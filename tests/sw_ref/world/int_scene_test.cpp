@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "sw_ref/hierarchy/bvh_file.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/world/int_error.hpp"
 #include "sw_ref/world/int_tracer.hpp"
 #include "tests/sim/small_scene.hpp"
+#include "tests/sim/temporary_folder.hpp"
 
 namespace hitpipe::ref::int_scene_test {
 namespace {
@@ -36,6 +38,31 @@ TEST(IntScene, RaysStartTwoUnitsBesideTheirSurface) {
   EXPECT_EQ(int_offset({20, 1, 20, 0}), 0x1p-17);
   EXPECT_EQ(int_offset({16, 1, 16, 0}), 0x1p-13);
   EXPECT_EQ(int_offset({24, 1, 24, 0}), shadow_offset);
+}
+
+/// A hierarchy of a file keeps its branches. On a coarse grid some of its triangles are gone.
+TEST(IntScene, TakesTheHierarchyOfAFile) {
+  const Scene scene = sim::hills();
+  const sim::TemporaryFolder folder;
+  const std::filesystem::path file =
+      folder.write("hills.bvh", bvh_text(build_bvh(scene.mesh, {.max_triangles = 3}), scene.mesh));
+  for (const int n : {4, 5, 20}) {
+    const hls::WorldBits bits{n, 1, n, 0};
+    const IntScene own = int_scene(scene, bits);
+    const IntScene read = int_scene(scene, bits, {.file = file});
+    EXPECT_EQ(read.mesh.dropped, own.mesh.dropped);
+    EXPECT_EQ(n<20, read.mesh.dropped> 0);
+    EXPECT_EQ(read.bvh->order.size(), own.mesh.triangles.size());
+    const auto picture = [](const IntScene& of) {
+      const IntSurfaces surfaces(of);
+      RenderOptions options;
+      options.width = options.height = 24;
+      options.surfaces = &surfaces;
+      return hash_of(
+          render(of.scene, *int_tracer(of.mesh, of.hierarchy(), {.world = of.bits}), options).image);
+    };
+    EXPECT_EQ(picture(read), picture(own)) << n;
+  }
 }
 
 TEST(IntError, FallsWithTheBits) {

@@ -45,11 +45,22 @@ std::uint64_t content(const ref::Scene& scene, const ref::Bvh& bvh) {
 
 }  // namespace
 
-std::string about_sweep(const std::string& program, const ref::Scene& scene, const ref::Bvh& bvh,
-                        const SweepOptions& options) {
-  return fmt::format("{} sweep: {}, content {:016x}, {} x {} pixels, {} bounces, library {}", program,
-                     printable(scene.name), content(scene, bvh), options.width, options.height,
-                     options.light.bounces, printable(options.library->name()));
+SweepSubject sweep_subject(const ref::Scene& scene, const ref::Bvh& bvh, const SweepOptions& options) {
+  return {.program = printable(options.program),
+          .scene = printable(scene.name),
+          .content = fmt::format("fnv1a-{:016x}", content(scene, bvh)),
+          .triangles = scene.mesh.triangles.size(),
+          .hierarchy = printable(options.hierarchy),
+          .bvh_nodes = bvh.nodes.size(),
+          .width = options.width,
+          .height = options.height,
+          .bounces = options.light.bounces,
+          .library = printable(options.library->name())};
+}
+
+std::string SweepSubject::text() const {
+  return fmt::format("{}: {}, content {}, hierarchy {}, {} x {} pixels, {} bounces, library {}", program,
+                     scene, content, hierarchy, width, height, bounces, library);
 }
 
 }  // namespace hitpipe::sim

@@ -1,0 +1,34 @@
+// What CSV files cannot say of themselves: the program, the command line, the scene and its camera. It is in
+// a JSON file beside them, as the W3C's "Metadata Vocabulary for Tabular Data" describes it, so that a table
+// has nothing before its header.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/text/table.hpp"
+#include "sw_ref/scene/scene.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace hitpipe::cli {
+
+/// "hitpipe sweep --scene spheres ...": the words as the user gave them, for a shell.
+[[nodiscard]] std::string command_line(const CLI::App& command);
+
+/// Of a command that ran: its program and its command line.
+[[nodiscard]] Row notes_of(const CLI::App& command);
+
+/// What places the scene in the cube and the camera before it.
+[[nodiscard]] Row camera_notes(const ref::Scene& scene);
+
+/// The name of the JSON file beside a table: FILE-metadata.json.
+[[nodiscard]] std::filesystem::path metadata_file(const std::filesystem::path& table);
+
+/// For one table, or for all tables of a folder.
+[[nodiscard]] std::string csv_metadata(const std::vector<std::string>& tables, const Row& notes);
+
+}  // namespace hitpipe::cli

@@ -1,0 +1,27 @@
+// What decides the counts of a row, apart from the row's own unit: rows of one file have the same.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace hitpipe::sim {
+
+struct SweepSubject {
+  std::string program;  ///< the caller's name and version
+  std::string scene;
+  std::string content;  ///< a hash of mesh, materials, lights, camera and hierarchy
+  std::uint64_t triangles = 0;
+  std::string hierarchy;  ///< how it was made: ref::HierarchyOptions::name()
+  std::uint64_t bvh_nodes = 0;
+  int width = 0;
+  int height = 0;
+  int bounces = 0;
+  std::string library;  ///< of components
+
+  /// All of it in one line, for messages.
+  [[nodiscard]] std::string text() const;
+
+  friend bool operator==(const SweepSubject&, const SweepSubject&) = default;
+};
+
+}  // namespace hitpipe::sim
