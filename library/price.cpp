@@ -11,12 +11,13 @@ using namespace hitpipe::library;  // NOLINT(google-build-using-namespace): what
 hitpipe_status hitpipe_price(const char* design, const char* format, const char* library,
                              hitpipe_price_info* out) {
   return guarded([&] {
-    const auto [its_design, its_format] = chosen(design, format);
+    const Choice choice = chosen(design, format);
     hitpipe_price_info& place = given(out, "out");
     const bool is_default = library == nullptr || *library == '\0';
     place = or_refuse(HITPIPE_BAD_LIBRARY, [&]() -> hitpipe_price_info {
       const auto cells = hitpipe::rtl::library_called(is_default ? hitpipe::rtl::default_library : library);
-      const auto price = hitpipe::area::price(*its_design, its_format, cells, hitpipe::area::Account::built);
+      const auto price =
+          hitpipe::area::price(*choice.design, choice.format, cells, hitpipe::area::Account::built);
       return {.stages = price.stages,
               .stage_delay_ps = price.stage_delay_ps,
               .is_chip = cells.chip() == nullptr ? 0 : 1,

@@ -64,8 +64,8 @@ Items<hitpipe_box> boxes_of(const py::object& given, std::size_t tests, std::siz
   if (per_test != 1) allowed.push_back(static_cast<py::ssize_t>(per_test));
   if (!structured(array, "boxes", boxes_dtype())) allowed.insert(allowed.end(), {2, 3});
   if (shape_of(array) != allowed)
-    throw Refusal("boxes: shape is " + shape_text(shape_of(array)) + "; allowed for " + std::to_string(tests) +
-                  " rays is " + shape_text(allowed));
+    throw Refusal("boxes: shape is " + shape_text(shape_of(array)) + "; allowed for " +
+                  std::to_string(tests) + " rays is " + shape_text(allowed));
   return items<hitpipe_box>(array, tests * per_test);
 }
 
