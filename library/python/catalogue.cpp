@@ -22,6 +22,14 @@ std::string design_text(const DesignInfo& design) {
   return std::string("<hitpipe.Design ") + design.name + ": " + design.formats + ">";
 }
 
+std::string price_text(const PriceInfo& price) {
+  const std::string time = "<hitpipe.Price: " + std::to_string(price.stages) + " stages of " +
+                           std::to_string(price.stage_delay_ps) + " ps, ";
+  if (price.is_chip == 0) return time + std::to_string(price.area_um2) + " um2>";
+  return time + std::to_string(price.lookup_tables) + " lookup tables, " + std::to_string(price.registers) +
+         " registers, " + std::to_string(price.multiplier_blocks) + " multiplier blocks>";
+}
+
 PriceInfo priced(const std::string& design, const std::string& format, const std::string& library) {
   const py::gil_scoped_release others_run;
   return price(design, format, library);
@@ -62,9 +70,10 @@ void add_catalogue(py::module_& m) {
           "None where the library is not a chip's, as with the two that follow.")
       .def_property_readonly(
           "registers", [](const PriceInfo& price) { return where(price.is_chip != 0, price.registers); })
-      .def_property_readonly("multiplier_blocks", [](const PriceInfo& price) {
-        return where(price.is_chip != 0, price.multiplier_blocks);
-      });
+      .def_property_readonly(
+          "multiplier_blocks",
+          [](const PriceInfo& price) { return where(price.is_chip != 0, price.multiplier_blocks); })
+      .def("__repr__", price_text);
   m.def("price", priced, py::arg("design"), py::arg("format") = "", py::arg("library") = "",
         "The hitpipe.Price of a design at a format, \"\" for the default one. The library is a built-in one "
         "such as "

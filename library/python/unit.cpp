@@ -101,36 +101,45 @@ class PythonUnit {
   std::mutex one_thread_;
 };
 
+/// A port outlives its unit, which owns the name that C gives.
 template <class Info>
-std::string port_text(const Info& port) {
-  return std::string("<") + (port.is_signed != 0 ? "signed " : "") + port.name + ", " +
+struct Named : Info {
+  explicit Named(const Info& info) : Info(info), own_name(info.name) {}
+  std::string own_name;
+};
+using Port = Named<PortInfo>;
+using Result = Named<ResultInfo>;
+
+template <class Info>
+std::string port_text(const Named<Info>& port) {
+  return std::string("<") + (port.is_signed != 0 ? "signed " : "") + port.own_name + ", " +
          std::to_string(port.width) + " bits>";
 }
 
 void add_ports(py::module_& m) {
-  py::class_<PortInfo>(m, "Port", "A port for an operand, named as in the Verilog.")
-      .def_readonly("name", &PortInfo::name)
-      .def_readonly("width", &PortInfo::width, "In bits.")
-      .def_property_readonly("signed", [](const PortInfo& port) { return port.is_signed != 0; })
+  py::class_<Port>(m, "Port", "A port for an operand, named as in the Verilog.")
+      .def_readonly("name", &Port::own_name)
+      .def_readonly("width", &Port::width, "In bits.")
+      .def_property_readonly("signed", [](const Port& port) { return port.is_signed != 0; })
       .def_property_readonly(
-          "kind", [](const PortInfo& port) { return name_of(port.kind); },
+          "kind", [](const Port& port) { return name_of(port.kind); },
           "\"integer\", \"natural\", \"real\", the pattern of a float, or \"flag\".")
       .def_property_readonly(
-          "role", [](const PortInfo& port) { return name_of(port.role); },
+          "role", [](const Port& port) { return name_of(port.role); },
           "What it tells the unit, as in <hitpipe/ref.h>: \"plane_low\".")
-      .def_readonly("axis", &PortInfo::axis, "0, 1, 2, or -1 if it has none.")
-      .def_readonly("box", &PortInfo::box, "Of which box a plane is.")
-      .def_readonly("min", &PortInfo::min, "The set-up gives numbers from min to max.")
-      .def_readonly("max", &PortInfo::max)
+      .def_readonly("axis", &Port::axis, "0, 1, 2, or -1 if it has none.")
+      .def_readonly("box", &Port::box, "Of which box a plane is.")
+      .def_readonly("min", &Port::min, "The set-up gives numbers from min to max.")
+      .def_readonly("max", &Port::max)
       .def("__repr__", port_text<PortInfo>);
-  py::class_<ResultInfo>(m, "Result", "A port for a result, named as in the Verilog.")
-      .def_readonly("name", &ResultInfo::name)
-      .def_readonly("width", &ResultInfo::width, "In bits.")
-      .def_property_readonly("signed", [](const ResultInfo& result) { return result.is_signed != 0; })
+  py::class_<Result>(m, "Result", "A port for a result, named as in the Verilog.")
+      .def_readonly("name", &Result::own_name)
+      .def_readonly("width", &Result::width, "In bits.")
+      .def_property_readonly("signed", [](const Result& result) { return result.is_signed != 0; })
       .def_property_readonly(
-          "meaning", [](const ResultInfo& result) { return name_of(result.meaning); },
+          "meaning", [](const Result& result) { return name_of(result.meaning); },
           "As in <hitpipe/ref.h>: \"hit\".")
-      .def_readonly("box", &ResultInfo::box, "For which box it answers.")
+      .def_readonly("box", &Result::box, "For which box it answers.")
       .def("__repr__", port_text<ResultInfo>);
 }
 
@@ -154,15 +163,15 @@ void add_unit(py::module_& m) {
       .def_property_readonly(
           "ports",
           [](const PythonUnit& unit) {
-            return std::vector<PortInfo>(unit.own().ports().begin(), unit.own().ports().end());
+            return std::vector<Port>(unit.own().ports().begin(), unit.own().ports().end());
           },
-          "A list of hitpipe.Port, which live as long as the unit.", py::keep_alive<0, 1>())
+          "A list of hitpipe.Port.")
       .def_property_readonly(
           "results",
           [](const PythonUnit& unit) {
-            return std::vector<ResultInfo>(unit.own().results().begin(), unit.own().results().end());
+            return std::vector<Result>(unit.own().results().begin(), unit.own().results().end());
           },
-          "A list of hitpipe.Result.", py::keep_alive<0, 1>())
+          "A list of hitpipe.Result.")
       .def(
           "test_pairs",
           [](PythonUnit& unit, const py::object& rays, const py::object& boxes, bool exact, bool operands,
@@ -185,7 +194,11 @@ void add_unit(py::module_& m) {
           [](const PythonUnit& unit, const std::string& library) {
             return price(std::string(unit.own().design()), std::string(unit.own().format()), library);
           },
-          py::arg("library") = "", "As hitpipe.price() of this design and format.");
+          py::arg("library") = "", "As hitpipe.price() of this design and format.")
+      .def("__repr__", [](const PythonUnit& unit) {
+        return "<hitpipe.Unit " + std::string(unit.own().design()) + " " + std::string(unit.own().format()) +
+               ">";
+      });
 }
 
 }  // namespace hitpipe::python

@@ -51,6 +51,8 @@ class Catalogue(unittest.TestCase):
             price = hitpipe.Unit("int_slabs", bits).price("xc7")
             self.assertEqual((price.lookup_tables, price.registers, price.multiplier_blocks), (row["lut"], row["ff"], row["dsp"]))
             self.assertIsNone(price.area_um2)
+            self.assertEqual(repr(price), f"<hitpipe.Price: {price.stages} stages of {price.stage_delay_ps} ps, {row['lut']} lookup tables, "
+                                          f"{row['ff']} registers, {row['dsp']} multiplier blocks>")
 
     def test_ports_are_described(self):
         unit = hitpipe.Unit("int_slabs", "12/14")
@@ -58,7 +60,10 @@ class Catalogue(unittest.TestCase):
         port = unit.ports[0]
         self.assertEqual((port.name, port.width, port.signed, port.kind, port.role, port.axis), ("irx", 12, True, "integer", "origin", 0))
         self.assertEqual([(r.name, r.meaning, r.width) for r in unit.results], [("hit", "hit", 1)])
-        self.assertEqual(repr(port), "<signed irx, 12 bits>")
+        self.assertEqual((repr(port), repr(unit)), ("<signed irx, 12 bits>", "<hitpipe.Unit int_slabs 12/14>"))
+        # A port outlives its unit.
+        ports = [hitpipe.Unit("int_slabs").ports[i] for i in range(17)]
+        self.assertEqual([p.name for p in ports], [p.name for p in unit.ports])
         corners = [p for p in hitpipe.Unit("int_triangle").ports if p.role == "corner"]
         self.assertEqual({p.box for p in corners}, {0, 1, 2})
 
