@@ -1,8 +1,11 @@
 // Many rays, each with its own boxes, in one call: the answers of the same calls one by one.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "rtl_gen/catalogue/design.hpp"
+#include "sim/software.hpp"
 #include "tests/library/cases.hpp"
 #include "tests/message_of.hpp"
 
@@ -30,37 +33,54 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-TEST(LibraryPairs, AnswersAreThoseOfOneCallEachForEveryDesign) {
-  std::size_t designs_tested = 0;
-  for (const DesignInfo& design : designs()) {
-    SCOPED_TRACE(design.name);
-    Unit unit(design.name);
-    const Pairs pairs = pairs_of(unit.boxes_per_test(), 6);
-    if (!rtl::find_design(design.name).kind.of_boxes) {
-      EXPECT_EQ(message_of([&] { static_cast<void>(unit.test_pairs(pairs.rays, pairs.boxes)); }),
-                "design " + std::string(design.name) + ": tests no boxes; give it operands");
-      continue;
-    }
-    Answers expected;
-    for (std::size_t i = 0; i < pairs.rays.size(); ++i) {
-      unit.set_ray(pairs.rays[i]);
-      const Answers one =
-          unit.test(std::span(pairs.boxes).subspan(i * unit.boxes_per_test(), unit.boxes_per_test()));
-      append(expected.hit, one.hit);
-      append(expected.exact, one.exact);
-      append(expected.operands, one.operands);
-      append(expected.results, one.results);
-    }
-    const Answers found = unit.test_pairs(pairs.rays, pairs.boxes);
-    EXPECT_EQ(found.hit, expected.hit);
-    EXPECT_EQ(found.exact, expected.exact);
-    EXPECT_EQ(found.operands, expected.operands);
-    EXPECT_EQ(found.results, expected.results);
-    EXPECT_GT(std::ranges::count(found.hit, 1), 50);
-    EXPECT_GT(std::ranges::count(found.hit, 0), 50);
-    ++designs_tested;
+/// The default format, one that has no instance of its own, and one of the integer world.
+std::vector<std::string> formats_of(const DesignInfo& design) {
+  std::vector<std::string> formats{""};
+  const auto& swept = sim::software_of(rtl::find_design(design.name)).sweep_formats;
+  if (!swept.empty()) formats.push_back(to_string(swept.front()));
+  const std::string of_integer_world = "20+1/11s20";
+  if (hitpipe_check_format(design.name, of_integer_world.c_str()) == HITPIPE_OK)
+    formats.push_back(of_integer_world);
+  return formats;
+}
+
+void expect_those_of_one_call_each(Unit& unit, const Pairs& pairs) {
+  Answers expected;
+  for (std::size_t i = 0; i < pairs.rays.size(); ++i) {
+    unit.set_ray(pairs.rays[i]);
+    const Answers one =
+        unit.test(std::span(pairs.boxes).subspan(i * unit.boxes_per_test(), unit.boxes_per_test()));
+    append(expected.hit, one.hit);
+    append(expected.exact, one.exact);
+    append(expected.operands, one.operands);
+    append(expected.results, one.results);
   }
-  EXPECT_GE(designs_tested, 8U);
+  const Answers found = unit.test_pairs(pairs.rays, pairs.boxes);
+  EXPECT_EQ(found.hit, expected.hit);
+  EXPECT_EQ(found.exact, expected.exact);
+  EXPECT_EQ(found.operands, expected.operands);
+  EXPECT_EQ(found.results, expected.results);
+  EXPECT_GT(std::ranges::count(found.hit, 1), 50);
+  EXPECT_GT(std::ranges::count(found.hit, 0), 50);
+}
+
+TEST(LibraryPairs, AnswersAreThoseOfOneCallEachForEveryDesign) {
+  std::size_t units = 0;
+  for (const DesignInfo& design : designs()) {
+    for (const std::string& format : formats_of(design)) {
+      SCOPED_TRACE(std::string(design.name) + " " + format);
+      Unit unit(design.name, format);
+      const Pairs pairs = pairs_of(unit.boxes_per_test(), 6);
+      if (rtl::find_design(design.name).kind.of_boxes) {
+        expect_those_of_one_call_each(unit, pairs);
+        ++units;
+      } else {
+        EXPECT_EQ(message_of([&] { static_cast<void>(unit.test_pairs(pairs.rays, pairs.boxes)); }),
+                  "design " + std::string(design.name) + ": tests no boxes; give it operands");
+      }
+    }
+  }
+  EXPECT_GE(units, 14U);
 }
 
 TEST(LibraryPairs, ExactAnswersAreThoseOfOneCallEach) {
