@@ -14,7 +14,7 @@ help:
 	@echo 'make test      all tests but the long ones'
 	@echo 'make test-long  adds two designs in a copy of the tree; 10^6 exact triangle tests'
 	@echo 'make test-designs  all tests in a copy of the tree with two designs more'
-	@echo 'make build     the program, build/hitpipe, and the library hitpipe::ref'
+	@echo 'make build     the program, build/hitpipe, the library hitpipe::ref and the Python module'
 	@echo 'make bench     benchmarks'
 	@echo 'make lint      formatting and clang-tidy; make format mends the first'
 	@echo 'make sanitize  all tests under ASan and UBSan'
@@ -32,7 +32,7 @@ packages:
 
 build: packages
 	@cmake --preset release $(CONFIGURE) >build.log 2>&1 || { cat build.log; exit 1; }
-	@cmake --build --preset release -j $(JOBS) --target hitpipe hitpipe_ref
+	@cmake --build --preset release -j $(JOBS) --target hitpipe hitpipe_ref hitpipe_python
 
 demo: build
 	@build/hitpipe cosim int_slabs --bits 20/24 --scene spheres --width 512 --height 512 --referee --out out/demo

@@ -21,26 +21,30 @@ std::int64_t* append(std::span<const std::int64_t> numbers, std::int64_t* out) {
   return out == nullptr ? nullptr : std::copy(numbers.begin(), numbers.end(), out);
 }
 
-/// `meets` says whether the ray meets a box.
-template <class Meets>
-void judge(const Meets& meets, const std::vector<ref::Aabb>& boxes, std::uint8_t* met) {
-  for (const ref::Aabb& box : boxes) *met++ = flag(meets(box));
+/// Tests the started ray against the boxes of one test, and moves the places to those of the next one.
+void answer(sim::BoxTest& test, std::span<const ref::Aabb> boxes, hitpipe_answers& next) {
+  const auto answers =
+      boxes.size() == 2 ? test.siblings(boxes[0], boxes[1]) : std::array<bool, 2>{test.hit(boxes[0]), false};
+  if (next.hit != nullptr) {
+    for (std::size_t box = 0; box < boxes.size(); ++box) *next.hit++ = flag(answers[box]);
+  }
+  next.operands = append(test.operands(), next.operands);
+  next.results = append(test.results(), next.results);
 }
 
-void run(sim::BoxTest& test, std::size_t boxes_per_test, const std::vector<ref::Aabb>& boxes,
-         const hitpipe_answers& out) {
-  std::uint8_t* hit = out.hit;
-  std::int64_t* operands = out.operands;
-  std::int64_t* results = out.results;
-  for (std::size_t i = 0; i < boxes.size(); i += boxes_per_test) {
-    const auto answers = boxes_per_test == 2 ? test.siblings(boxes[i], boxes[i + 1])
-                                             : std::array<bool, 2>{test.hit(boxes[i]), false};
-    if (hit != nullptr) {
-      for (std::size_t box = 0; box < boxes_per_test; ++box) *hit++ = flag(answers[box]);
-    }
-    operands = append(test.operands(), operands);
-    results = append(test.results(), results);
-  }
+/// Whether the ray meets each box; moves the place to that of the next box.
+void judge(const sim::BoxTest& test, const ref::Ray& ray, std::span<const ref::Aabb> boxes,
+           hitpipe_answers& next) {
+  if (next.exact == nullptr) return;
+  for (const ref::Aabb& box : boxes) *next.exact++ = flag(test.meets(ray, box));
+}
+
+/// The unit's own test. Throws a Refusal if the design tests no boxes.
+sim::BoxTest& box_test(const hitpipe_unit& unit) {
+  if (unit.test == nullptr)
+    throw Refusal(HITPIPE_BAD_ARGUMENT,
+                  fmt::format("design {}: tests no boxes; give it operands", unit.name));
+  return *unit.test;
 }
 
 }  // namespace
@@ -54,7 +58,21 @@ hitpipe_status hitpipe_exact(const hitpipe_ray* ray, const hitpipe_box* boxes, s
   return guarded([&] {
     const hitpipe::ref::BoxReferee referee(checked(given(ray, "ray")));
     const auto own = checked(given(boxes, box_count));
-    judge([&](const auto& box) { return referee.meets(box); }, own, own.empty() ? met : &given(met, "met"));
+    if (own.empty()) return;
+    std::uint8_t* place = &given(met, "met");
+    for (const auto& box : own) *place++ = flag(referee.meets(box));
+  });
+}
+
+hitpipe_status hitpipe_exact_pairs(const hitpipe_ray* rays, const hitpipe_box* boxes, size_t pair_count,
+                                   uint8_t* met) {
+  return guarded([&] {
+    const auto own_rays = checked(given(rays, pair_count));
+    const auto own_boxes = checked(given(boxes, pair_count));
+    if (pair_count == 0) return;
+    std::uint8_t* place = &given(met, "met");
+    for (std::size_t i = 0; i < pair_count; ++i)
+      *place++ = flag(hitpipe::ref::ray_meets_box(own_rays[i], own_boxes[i]));
   });
 }
 
@@ -63,10 +81,7 @@ hitpipe_status hitpipe_set_ray(hitpipe_unit* unit, const hitpipe_ray* ray) {
     hitpipe_unit& its = given(unit, "unit");
     its.ray.reset();
     const hitpipe::ref::Ray own = checked(given(ray, "ray"));
-    if (its.test == nullptr)
-      throw Refusal(HITPIPE_BAD_ARGUMENT,
-                    fmt::format("design {}: tests no boxes; give it operands", its.name));
-    its.test->start(own);
+    box_test(its).start(own);
     its.ray = own;
   });
 }
@@ -83,14 +98,37 @@ hitpipe_status hitpipe_test(hitpipe_unit* unit, const hitpipe_box* boxes, size_t
                     fmt::format("design {}: {} boxes; a test takes {}, so allowed are multiples of {}",
                                 its.name, box_count, its.boxes_per_test, its.boxes_per_test));
     const auto own = checked(given(boxes, box_count));
-    run(*its.test, its.boxes_per_test, own, places);
-    if (places.exact != nullptr)
-      judge([&](const auto& box) { return its.test->meets(*its.ray, box); }, own, places.exact);
+    hitpipe_answers next = places;
+    for (std::size_t i = 0; i < own.size(); i += its.boxes_per_test) {
+      const std::span boxes_of_test = std::span(own).subspan(i, its.boxes_per_test);
+      answer(*its.test, boxes_of_test, next);
+      judge(*its.test, *its.ray, boxes_of_test, next);
+    }
   });
 }
 
-hitpipe_status hitpipe_run(const hitpipe_unit* unit, const int64_t* operands, size_t test_count,
-                           int64_t* results) {
+hitpipe_status hitpipe_test_pairs(hitpipe_unit* unit, const hitpipe_ray* rays, const hitpipe_box* boxes,
+                                  size_t test_count, const hitpipe_answers* out) {
+  return guarded([&] {
+    hitpipe_unit& its = given(unit, "unit");
+    hitpipe_answers next = given(out, "out");
+    hitpipe::sim::BoxTest& test = box_test(its);
+    if (test_count > SIZE_MAX / sizeof(hitpipe_box) / its.boxes_per_test) throw std::bad_alloc();
+    const auto own_rays = checked(given(rays, test_count));
+    const auto own_boxes = checked(given(boxes, test_count * its.boxes_per_test));
+    its.ray.reset();
+    for (std::size_t i = 0; i < test_count; ++i) {
+      const std::span boxes_of_test =
+          std::span(own_boxes).subspan(i * its.boxes_per_test, its.boxes_per_test);
+      test.start(own_rays[i]);
+      answer(test, boxes_of_test, next);
+      judge(test, own_rays[i], boxes_of_test, next);
+    }
+  });
+}
+
+hitpipe_status hitpipe_test_operands(const hitpipe_unit* unit, const int64_t* operands, size_t test_count,
+                                     int64_t* results) {
   return guarded([&] {
     const hitpipe_unit& its = given(unit, "unit");
     if (test_count == 0) return;

@@ -1,6 +1,7 @@
 // Designs and units: what there is, and what its ports are.
 #include <algorithm>
 
+#include "library/choice.hpp"
 #include "library/failure.hpp"
 #include "library/unit.hpp"
 
@@ -51,23 +52,9 @@ const std::vector<Facts>& facts() {
   return all;
 }
 
-template <class Found>
-auto or_refuse(hitpipe_status status, Found&& find) {
-  try {
-    return find();
-  } catch (const std::runtime_error& refused) {
-    throw Refusal(status, refused.what());
-  }
-}
-
 std::unique_ptr<hitpipe_unit> opened(const char* design_name, const char* format_text) {
-  const char* const name = &given(design_name, "design");
-  const rtl::Design& design = *or_refuse(HITPIPE_BAD_DESIGN, [&] { return &rtl::find_design(name); });
-  const bool is_default = format_text == nullptr || *format_text == '\0';
-  const rtl::Format format =
-      is_default ? design.default_format
-                 : or_refuse(HITPIPE_BAD_FORMAT, [&] { return design.parse_format(format_text); });
-  return std::make_unique<hitpipe_unit>(design, format);
+  const auto [design, format] = chosen(design_name, format_text);
+  return std::make_unique<hitpipe_unit>(*design, format);
 }
 
 /// What a function without a status answers: `none` for a null pointer, which hitpipe_error() then names.
@@ -111,6 +98,10 @@ hitpipe_status hitpipe_design(size_t index, hitpipe_design_info* out) {
                          .conservative = design.conservative ? 1 : 0,
                          .boxes_per_test = design.kind.objects};
   });
+}
+
+hitpipe_status hitpipe_check_format(const char* design, const char* format) {
+  return guarded([&] { static_cast<void>(chosen(design, format)); });
 }
 
 hitpipe_status hitpipe_open(const char* design, const char* format, hitpipe_unit** out) {

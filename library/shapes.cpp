@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -31,15 +32,31 @@ std::string why_refused(const ref::Aabb& box) {
   return "";
 }
 
+/// Throws a Refusal, which calls the ray by this name.
+void refuse_unless_acceptable(const ref::Ray& ray, std::string_view name) {
+  try {
+    ref::check_ray(ray, name);
+    ref::check_length(ray.length, name);
+  } catch (const std::logic_error& refused) {
+    throw Refusal(HITPIPE_BAD_RAY, refused.what());
+  }
+}
+
 }  // namespace
 
 ref::Ray checked(const hitpipe_ray& ray) {
   const ref::Ray own{vector(ray.origin), vector(ray.direction), ray.length};
-  try {
-    ref::check_ray(own, "ray");
-    ref::check_length(own.length, "ray");
-  } catch (const std::logic_error& refused) {
-    throw Refusal(HITPIPE_BAD_RAY, refused.what());
+  refuse_unless_acceptable(own, "ray");
+  return own;
+}
+
+std::vector<ref::Ray> checked(std::span<const hitpipe_ray> rays) {
+  std::vector<ref::Ray> own;
+  own.reserve(rays.size());
+  for (const hitpipe_ray& ray : rays) {
+    own.push_back({vector(ray.origin), vector(ray.direction), ray.length});
+    if (!ref::acceptable(own.back()))
+      refuse_unless_acceptable(own.back(), fmt::format("ray {}", own.size() - 1));
   }
   return own;
 }
@@ -53,6 +70,11 @@ std::vector<ref::Aabb> checked(std::span<const hitpipe_box> boxes) {
       throw Refusal(HITPIPE_BAD_BOX, fmt::format("box {}: {}", own.size() - 1, why_refused(own.back())));
   }
   return own;
+}
+
+std::span<const hitpipe_ray> given(const hitpipe_ray* rays, std::size_t count) {
+  if (count != 0) static_cast<void>(given(rays, "rays"));
+  return {rays, count};
 }
 
 std::span<const hitpipe_box> given(const hitpipe_box* boxes, std::size_t count) {

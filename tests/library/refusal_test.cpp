@@ -68,11 +68,11 @@ TEST(LibraryRefusal, NamesTheFirstBadOperand) {
   const std::size_t count = unit.ports().size();
   std::vector<std::int64_t> operands(2 * count);
   std::vector<std::int64_t> results(2, 7);
-  EXPECT_EQ(refusal([&] { check(hitpipe_run(nullptr, operands.data(), 2, results.data())); }),
+  EXPECT_EQ(refusal([&] { check(hitpipe_test_operands(nullptr, operands.data(), 2, results.data())); }),
             "1: unit: a null pointer is not allowed");
   const auto refused = [&](std::size_t place, std::int64_t value) {
     operands[place] = value;
-    const std::string line = refusal([&] { static_cast<void>(unit.run(operands)); });
+    const std::string line = refusal([&] { static_cast<void>(unit.test_operands(operands)); });
     operands[place] = 0;
     return line;
   };
@@ -81,7 +81,7 @@ TEST(LibraryRefusal, NamesTheFirstBadOperand) {
   EXPECT_EQ(refused(10, -1), "8: test 0: operand rinf is -1; allowed is 0 to 1");
   EXPECT_EQ(refused(0, 524'287), "no refusal");
   operands.pop_back();
-  EXPECT_THROW(static_cast<void>(unit.run(operands)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(unit.test_operands(operands)), std::invalid_argument);
 }
 
 TEST(LibraryRefusal, WritesNoResultOfABadOperand) {
@@ -90,14 +90,14 @@ TEST(LibraryRefusal, WritesNoResultOfABadOperand) {
   std::vector<std::int64_t> operands(2 * hitpipe_port_count(unit));
   operands.back() = INT64_MAX;
   std::int64_t results[] = {7, 7};
-  EXPECT_EQ(hitpipe_run(unit, operands.data(), 2, results), HITPIPE_BAD_OPERAND);
+  EXPECT_EQ(hitpipe_test_operands(unit, operands.data(), 2, results), HITPIPE_BAD_OPERAND);
   EXPECT_EQ(results[0], 7);
-  EXPECT_EQ(hitpipe_run(unit, operands.data(), 1, results), HITPIPE_OK);
+  EXPECT_EQ(hitpipe_test_operands(unit, operands.data(), 1, results), HITPIPE_OK);
   EXPECT_NE(results[0], 7);
   EXPECT_EQ(results[1], 7);
-  EXPECT_EQ(hitpipe_run(unit, nullptr, 0, nullptr), HITPIPE_OK);
-  EXPECT_EQ(hitpipe_run(unit, nullptr, 1, results), HITPIPE_BAD_ARGUMENT);
-  EXPECT_EQ(hitpipe_run(unit, operands.data(), 1, nullptr), HITPIPE_BAD_ARGUMENT);
+  EXPECT_EQ(hitpipe_test_operands(unit, nullptr, 0, nullptr), HITPIPE_OK);
+  EXPECT_EQ(hitpipe_test_operands(unit, nullptr, 1, results), HITPIPE_BAD_ARGUMENT);
+  EXPECT_EQ(hitpipe_test_operands(unit, operands.data(), 1, nullptr), HITPIPE_BAD_ARGUMENT);
   hitpipe_close(unit);
 }
 

@@ -33,7 +33,8 @@ typedef enum hitpipe_status {
   HITPIPE_BAD_BOX = 5,      /* outside the cube, inverted, NaN */
   HITPIPE_NO_RAY = 6,       /* hitpipe_set_ray() comes first */
   HITPIPE_FAILED = 7,       /* out of memory, or an error of hitpipe itself */
-  HITPIPE_BAD_OPERAND = 8   /* does not fit its port */
+  HITPIPE_BAD_OPERAND = 8,  /* does not fit its port */
+  HITPIPE_BAD_LIBRARY = 9   /* there is no such component library, or it lacks what the design is made of */
 } hitpipe_status;
 
 /* Why the last call of this thread that failed did so: one line, "" if none did. Valid until the next failure
@@ -63,6 +64,11 @@ typedef struct hitpipe_box {
 HITPIPE_API hitpipe_status hitpipe_exact(const hitpipe_ray* ray, const hitpipe_box* boxes, size_t box_count,
                                          uint8_t* met);
 
+/* The same for each ray and a box of its own: met[i] is of ray i and box i. All rays, then all boxes, are
+ * checked before anything is written; an error names the first bad one by its index. */
+HITPIPE_API hitpipe_status hitpipe_exact_pairs(const hitpipe_ray* rays, const hitpipe_box* boxes,
+                                               size_t pair_count, uint8_t* met);
+
 /* ---- Designs ---- */
 
 typedef struct hitpipe_design_info {
@@ -77,6 +83,26 @@ typedef struct hitpipe_design_info {
 HITPIPE_API size_t hitpipe_design_count(void);
 /* index < hitpipe_design_count() */
 HITPIPE_API hitpipe_status hitpipe_design(size_t index, hitpipe_design_info* out);
+
+/* Whether the design has this format, which is spelled as for hitpipe_open(). */
+HITPIPE_API hitpipe_status hitpipe_check_format(const char* design, const char* format);
+
+/* What `hitpipe area` says of a design at a format: without pruning, with stall flow control, one test a
+ * cycle. A library of cells has areas, and a library of a chip has what is taken of the chip. */
+typedef struct hitpipe_price_info {
+  int stages;         /* cycles from operands to results */
+  int stage_delay_ps; /* of the slowest stage */
+  int is_chip;        /* 1: area_um2 is 0; 0: the three numbers behind it are 0 */
+  int64_t area_um2;   /* of the whole unit, for all boxes of a test */
+  int64_t lookup_tables;
+  int64_t registers;
+  int64_t multiplier_blocks;
+} hitpipe_price_info;
+
+/* `library` is a component library as `hitpipe area --library` takes it: the name of a built-in one or a file
+ * NAME.json. NULL or "" is "thesis_250nm", Table 7.1 of the thesis. */
+HITPIPE_API hitpipe_status hitpipe_price(const char* design, const char* format, const char* library,
+                                         hitpipe_price_info* out);
 
 /* ---- A unit: a design at a format ---- */
 
@@ -182,7 +208,7 @@ HITPIPE_API hitpipe_status hitpipe_result(const hitpipe_unit* unit, size_t index
 /* Sets up the ray of all tests that follow. If it is refused, the unit has no ray. */
 HITPIPE_API hitpipe_status hitpipe_set_ray(hitpipe_unit* unit, const hitpipe_ray* ray);
 
-/* What a call of hitpipe_test() writes. Each may be NULL. T is the number of tests: box_count / boxes per
+/* What hitpipe_test() and hitpipe_test_pairs() write. Each may be NULL. T is the number of tests: box_count / boxes per
  * test. */
 typedef struct hitpipe_answers {
   uint8_t* hit;      /* box_count: HIT of the unit's C++ datapath, equal to the Verilog's */
@@ -198,13 +224,23 @@ typedef struct hitpipe_answers {
 HITPIPE_API hitpipe_status hitpipe_test(hitpipe_unit* unit, const hitpipe_box* boxes, size_t box_count,
                                         const hitpipe_answers* out);
 
+/* Tests each ray against a box of its own: test i takes ray i and box i, or, where a test has two boxes, ray i
+ * and boxes 2i and 2i + 1. So there are test_count rays and test_count * boxes per test boxes, and box_count
+ * of hitpipe_answers is the number of boxes. The answers are those of hitpipe_set_ray() and hitpipe_test(),
+ * one test after the other. All rays, then all boxes, are checked before anything is written; an error names
+ * the first bad one by its index. The unit has no ray after the call; a call that fails leaves the ray that
+ * was set. */
+HITPIPE_API hitpipe_status hitpipe_test_pairs(hitpipe_unit* unit, const hitpipe_ray* rays,
+                                              const hitpipe_box* boxes, size_t test_count,
+                                              const hitpipe_answers* out);
+
 /* What the unit answers to operands of your own, whatever set-up they come from: bit for bit the results of
  * the Verilog. Each test has all operands in port order: test_count * port count numbers. `results` gets
  * test_count * result count. A signed operand of width w is from -2^(w-1) to 2^(w-1) - 1, another from 0 to
  * 2^w - 1; a float is the number with its bits. min and max of its port, which your set-up may leave, do not
  * count. All operands are checked before anything is written. No ray needs to be set. Nobody judges the
  * answer: there is no ray and no box. */
-HITPIPE_API hitpipe_status hitpipe_run(const hitpipe_unit* unit, const int64_t* operands, size_t test_count,
+HITPIPE_API hitpipe_status hitpipe_test_operands(const hitpipe_unit* unit, const int64_t* operands, size_t test_count,
                                        int64_t* results);
 
 /* The bits of an operand or result of this width, as a port or $readmemh takes it: two's complement cut to

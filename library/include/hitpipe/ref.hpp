@@ -23,6 +23,7 @@ using Box = hitpipe_box;
 using Bounds = hitpipe_bounds;
 using Transform = hitpipe_transform;
 using DesignInfo = hitpipe_design_info;
+using PriceInfo = hitpipe_price_info;
 using PortInfo = hitpipe_port_info;
 using ResultInfo = hitpipe_result_info;
 
@@ -46,6 +47,14 @@ inline void check(hitpipe_status status) {
   return all;
 }
 
+/// Without `library` in the cells of the thesis.
+[[nodiscard]] inline PriceInfo price(const std::string& design, const std::string& format = "",
+                                     const std::string& library = "") {
+  PriceInfo info;
+  check(hitpipe_price(design.c_str(), format.c_str(), library.c_str(), &info));
+  return info;
+}
+
 /// What a unit says of boxes. Tests are one after another, each with all its operands and all its results.
 struct Answers {
   std::vector<std::uint8_t> hit;    ///< of each box
@@ -65,6 +74,8 @@ class Unit {
       check(hitpipe_result(unit_.get(), i, &results_.emplace_back()));
   }
 
+  /// For calls of the C interface; closed with this object.
+  [[nodiscard]] hitpipe_unit* handle() const { return unit_.get(); }
   [[nodiscard]] std::string_view design() const { return hitpipe_unit_design(unit_.get()); }
   [[nodiscard]] std::string_view format() const { return hitpipe_unit_format(unit_.get()); }
   [[nodiscard]] bool conservative() const { return hitpipe_unit_conservative(unit_.get()) != 0; }
@@ -76,15 +87,24 @@ class Unit {
 
   /// All that hitpipe_test() gives for these boxes.
   [[nodiscard]] Answers test(std::span<const Box> boxes) {
-    const std::size_t tests = boxes.size() / boxes_per_test();
-    Answers all{std::vector<std::uint8_t>(boxes.size()), std::vector<std::uint8_t>(boxes.size()),
-                std::vector<std::int64_t>(tests * ports_.size()),
-                std::vector<std::int64_t>(tests * results_.size())};
-    const hitpipe_answers out{all.hit.data(), all.exact.data(), all.operands.data(), all.results.data()};
+    Answers all = answers_for(boxes.size());
+    const hitpipe_answers out = places(all);
     check(hitpipe_test(unit_.get(), boxes.data(), boxes.size(), &out));
     return all;
   }
   [[nodiscard]] Answers test(const Box& box) { return test({&box, 1}); }
+
+  /// All that hitpipe_test_pairs() gives for each ray and its box, or its two boxes.
+  [[nodiscard]] Answers test_pairs(std::span<const Ray> rays, std::span<const Box> boxes) {
+    if (boxes.size() != rays.size() * boxes_per_test())
+      throw std::invalid_argument("test_pairs: " + std::to_string(rays.size()) + " rays and " +
+                                  std::to_string(boxes.size()) + " boxes; a test has " +
+                                  std::to_string(boxes_per_test()) + " for its ray");
+    Answers all = answers_for(boxes.size());
+    const hitpipe_answers out = places(all);
+    check(hitpipe_test_pairs(unit_.get(), rays.data(), boxes.data(), rays.size(), &out));
+    return all;
+  }
 
   /// The operands of one test as the ports of the Verilog take them: cut to their widths.
   [[nodiscard]] std::vector<std::uint64_t> port_bits(std::span<const std::int64_t> operands) const {
@@ -94,21 +114,22 @@ class Unit {
     return bits;
   }
 
-  /// What the unit answers to operands of your own: all results of each test, as hitpipe_run() gives them.
-  [[nodiscard]] std::vector<std::int64_t> run(std::span<const std::int64_t> operands) const {
+  /// What the unit answers to operands of your own: all results of each test, as hitpipe_test_operands()
+  /// gives them.
+  [[nodiscard]] std::vector<std::int64_t> test_operands(std::span<const std::int64_t> operands) const {
     if (operands.size() % ports_.size() != 0)
-      throw std::invalid_argument("run: a test has " + std::to_string(ports_.size()) + " operands");
+      throw std::invalid_argument("test_operands: a test has " + std::to_string(ports_.size()) + " operands");
     const std::size_t tests = operands.size() / ports_.size();
     std::vector<std::int64_t> results(tests * results_.size());
-    check(hitpipe_run(unit_.get(), operands.data(), tests, results.data()));
+    check(hitpipe_test_operands(unit_.get(), operands.data(), tests, results.data()));
     return results;
   }
 
   /// HIT alone; `out` has as many places as `boxes`.
   void hits(std::span<const Box> boxes, std::span<std::uint8_t> out) {
     if (out.size() < boxes.size()) throw std::invalid_argument("hits: fewer places than boxes");
-    const hitpipe_answers places{out.data(), nullptr, nullptr, nullptr};
-    check(hitpipe_test(unit_.get(), boxes.data(), boxes.size(), &places));
+    const hitpipe_answers hits_only{out.data(), nullptr, nullptr, nullptr};
+    check(hitpipe_test(unit_.get(), boxes.data(), boxes.size(), &hits_only));
   }
 
  private:
@@ -121,6 +142,16 @@ class Unit {
     hitpipe_unit* unit = nullptr;
     check(hitpipe_open(design.c_str(), format.c_str(), &unit));
     return Handle(unit);
+  }
+
+  [[nodiscard]] Answers answers_for(std::size_t boxes) const {
+    const std::size_t tests = boxes / boxes_per_test();
+    return {std::vector<std::uint8_t>(boxes), std::vector<std::uint8_t>(boxes),
+            std::vector<std::int64_t>(tests * ports_.size()),
+            std::vector<std::int64_t>(tests * results_.size())};
+  }
+  static hitpipe_answers places(Answers& all) {
+    return {all.hit.data(), all.exact.data(), all.operands.data(), all.results.data()};
   }
 
   Handle unit_;
