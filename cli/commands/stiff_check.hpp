@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/options/design_options.hpp"
+#include "cli/report/picture.hpp"
 #include "cli/text/table.hpp"
 
 namespace hitpipe::cli {
@@ -17,6 +18,7 @@ struct StiffCheck {
   std::uint64_t seed = 1;
   int threads = 1;
   std::string out;
+  PictureForm pictures = page_form;
   OutputFormat format = OutputFormat::text;
 };
 

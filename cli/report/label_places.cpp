@@ -12,15 +12,16 @@ namespace hitpipe::cli {
 namespace {
 
 constexpr double font_size = 12.0;
-constexpr double line_height = 15.0;
-constexpr double gap = 9.0;       // between mark and label
+constexpr double gap = 3.0;       // between mark and label
 constexpr double overhang = 4.0;  // of a label that begins or ends above its mark
 constexpr int steps_off = 16;     // how many lines above and below are tried
 constexpr std::array<double, 6> steps_out{0, 10, 25, 50, 90, 140};
 
-// What is bad about a place, in pixels of a longer line.
+// What is bad about a place, in units of a longer line.
 constexpr double on_another = 10'000;  // the label lies on a mark or a label
-constexpr double line_on_one = 1'000;  // its line does
+constexpr double on_line = 5'000;      // it lies on a line of the plot
+constexpr double line_on_one = 1'000;  // its line lies on a mark or a label
+constexpr double line_in_stack = 20;   // its line leaves its mark across one that covers it
 constexpr double lines_cross = 300;
 constexpr double has_line = 10;
 constexpr int most_rounds = 50;
@@ -33,9 +34,7 @@ struct Rectangle {
   }
 };
 
-struct Leader {
-  Mark from, to;
-
+struct Leader : PlotSegment {
   [[nodiscard]] bool meets(const Rectangle& r) const {
     double begin = 0;
     double end = 1;
@@ -58,7 +57,7 @@ struct Leader {
 };
 
 Rectangle box_of(const Mark& m) {
-  return {m.x - mark_radius, m.x + mark_radius, m.y - mark_radius, m.y + mark_radius};
+  return {m.x - m.radius, m.x + m.radius, m.y - m.radius, m.y + m.radius};
 }
 
 /// A place that a label may take.
@@ -68,6 +67,9 @@ struct Candidate {
   Leader line;
   double cost;  ///< without the other labels
 };
+
+/// Labels are readable if they cost less.
+constexpr double least_bad = line_on_one;
 
 /// What is bad about two labels together.
 double badness_of(const Candidate& a, const Candidate& b) {
@@ -80,29 +82,31 @@ double badness_of(const Candidate& a, const Candidate& b) {
 
 /// All places in the plot, the best beside the mark on the right. Without any, the first.
 std::vector<Candidate> candidates_of(std::span<const Mark> marks, std::size_t of, double width,
-                                     const Mark& size) {
+                                     const Mark& size, std::span<const PlotSegment> lines) {
   const Mark& m = marks[of];
   std::vector<Candidate> all;
   const auto add = [&](const LabelPlace& p) {
     const Rectangle box{p.left, p.right, p.middle - line_height / 2, p.middle + line_height / 2};
     const bool inside = box.left >= 0 && box.right <= size.x && box.low >= 0 && box.high <= size.y;
     if (!inside && !all.empty()) return;
-    const Leader line{m, {p.anchor(), p.middle}};
+    const Leader line{{m, {p.anchor(), p.middle}}};
     double cost = inside ? 0 : on_another;
     if (p.line) cost += has_line + std::hypot(line.to.x - m.x, line.to.y - m.y);
     if (!p.line) cost += p.align == Align::left && p.middle == m.y ? 0 : p.middle == m.y ? 1 : 3;
     for (std::size_t i = 0; i < marks.size(); ++i) {
       const Rectangle mark = box_of(marks[i]);
       if (box.meets(mark)) cost += on_another;
-      if (i != of && p.line && line.meets(mark)) cost += line_on_one;
+      if (i != of && p.line && line.meets(mark)) cost += cover(m, marks[i]) ? line_in_stack : line_on_one;
     }
+    for (const PlotSegment& each : lines)
+      if (Leader{each}.meets(box)) cost += on_line;
     all.push_back({p, box, line, cost});
   };
   for (int up = -steps_off; up <= steps_off; ++up) {
     const double middle = m.y + line_height * up;
     const bool off = std::abs(up) > 1;
     for (const double out : steps_out) {
-      const double farther = gap + out + (up == 0 ? 0 : line_height);
+      const double farther = m.radius + gap + out + (up == 0 ? 0 : line_height);
       const bool line = up != 0 || out > 0;
       add({m.x + farther, m.x + farther + width, middle, Align::left, line});
       add({m.x - farther - width, m.x - farther, middle, Align::right, line});
@@ -117,10 +121,15 @@ std::vector<Candidate> candidates_of(std::span<const Mark> marks, std::size_t of
 
 }  // namespace
 
+bool cover(const Mark& a, const Mark& b) {
+  return box_of(a).meets(box_of(b));
+}
+
 double text_width(std::string_view text) {
   // Of DejaVu Sans, the widest font that is usual for sans-serif; in font sizes.
   double width = 0;
   for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) continue;  // of a letter that has begun
     const bool narrow = std::string_view("fijlrt/,.-:;'| ()").find(c) != std::string_view::npos;
     const bool wide = std::string_view("mwMW+%@=<>").find(c) != std::string_view::npos;
     width += narrow ? 0.42 : wide ? 1.0 : c >= 'A' && c <= 'Z' ? 0.8 : 0.64;
@@ -129,10 +138,10 @@ double text_width(std::string_view text) {
 }
 
 std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<const std::string> texts,
-                                     Mark plot_size) {
+                                     Mark plot_size, std::span<const PlotSegment> lines) {
   std::vector<std::vector<Candidate>> candidates;
   for (std::size_t i = 0; i < texts.size(); ++i)
-    candidates.push_back(candidates_of(marks, i, text_width(texts[i]), plot_size));
+    candidates.push_back(candidates_of(marks, i, text_width(texts[i]), plot_size, lines));
   std::vector<const Candidate*> chosen(texts.size());
   // Each label takes the best place that the others leave it, until no label moves. A move lessens the sum of
   // all costs, so this ends.
@@ -158,7 +167,13 @@ std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<cons
     }
   }
   std::vector<LabelPlace> places;
-  for (const Candidate* const candidate : chosen) places.push_back(candidate->place);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    LabelPlace place = chosen[i]->place;
+    place.clear = chosen[i]->cost < least_bad;
+    for (std::size_t j = 0; j < i && place.clear; ++j)
+      place.clear = !places[j].clear || badness_of(*chosen[i], *chosen[j]) < least_bad;
+    places.push_back(place);
+  }
   return places;
 }
 
