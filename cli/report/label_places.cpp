@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace hitpipe::cli {
 
@@ -119,6 +120,80 @@ std::vector<Candidate> candidates_of(std::span<const Mark> marks, std::size_t of
   return all;
 }
 
+/// Which places labels take.
+class Choice {
+ public:
+  explicit Choice(std::vector<std::vector<Candidate>> candidates)
+      : candidates_(std::move(candidates)), chosen_(candidates_.size()), is_in_(candidates_.size(), true) {}
+
+  /// Each label takes the best place that the others leave it, until no label moves. A move lessens the sum
+  /// of all costs, so this ends.
+  void settle() {
+    bool moved = true;
+    for (int round = 0; moved && round < most_rounds; ++round) {
+      moved = false;
+      for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        if (!is_in_[i]) continue;
+        double least = chosen_[i] == nullptr ? any : cost(i, *chosen_[i], any);
+        for (const Candidate& candidate : candidates_[i]) {
+          const double its = cost(i, candidate, least);
+          if (its >= least) continue;
+          least = its;
+          chosen_[i] = &candidate;
+          moved = true;
+        }
+      }
+    }
+  }
+
+  /// False if all labels are readable. The last of those that are equally bad goes, so that others have room.
+  bool leave_out_worst() {
+    std::size_t worst = candidates_.size();
+    double most = least_bad;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      const double its = is_in_[i] ? unreadable(i) : 0;
+      if (its < most) continue;
+      most = its;
+      worst = i;
+    }
+    if (worst == candidates_.size()) return false;
+    is_in_[worst] = false;
+    return true;
+  }
+
+  [[nodiscard]] std::vector<LabelPlace> places() const {
+    std::vector<LabelPlace> places;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      places.push_back(chosen_[i]->place);
+      places.back().clear = is_in_[i];
+    }
+    return places;
+  }
+
+ private:
+  /// What keeps readers from a label or its mark; not lines that are long or cross.
+  [[nodiscard]] double unreadable(std::size_t label) const {
+    const auto if_bad = [](double cost) { return cost < least_bad ? 0 : cost; };
+    double sum = if_bad(chosen_[label]->cost);
+    for (std::size_t j = 0; j < chosen_.size(); ++j)
+      if (j != label && is_in_[j]) sum += if_bad(badness_of(*chosen_[label], *chosen_[j]));
+    return sum;
+  }
+
+  static constexpr double any = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] double cost(std::size_t label, const Candidate& candidate, double enough) const {
+    double sum = candidate.cost;
+    for (std::size_t j = 0; j < chosen_.size() && sum < enough; ++j)
+      if (j != label && is_in_[j] && chosen_[j] != nullptr) sum += badness_of(candidate, *chosen_[j]);
+    return sum;
+  }
+
+  std::vector<std::vector<Candidate>> candidates_;
+  std::vector<const Candidate*> chosen_;
+  std::vector<bool> is_in_;
+};
+
 }  // namespace
 
 bool cover(const Mark& a, const Mark& b) {
@@ -142,39 +217,9 @@ std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<cons
   std::vector<std::vector<Candidate>> candidates;
   for (std::size_t i = 0; i < texts.size(); ++i)
     candidates.push_back(candidates_of(marks, i, text_width(texts[i]), plot_size, lines));
-  std::vector<const Candidate*> chosen(texts.size());
-  // Each label takes the best place that the others leave it, until no label moves. A move lessens the sum of
-  // all costs, so this ends.
-  bool moved = true;
-  for (int round = 0; moved && round < most_rounds; ++round) {
-    moved = false;
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-      const auto cost = [&](const Candidate& candidate, double enough) {
-        double sum = candidate.cost;
-        for (std::size_t j = 0; j < texts.size() && sum < enough; ++j)
-          if (j != i && chosen[j] != nullptr) sum += badness_of(candidate, *chosen[j]);
-        return sum;
-      };
-      constexpr double any = std::numeric_limits<double>::infinity();
-      double least = chosen[i] == nullptr ? any : cost(*chosen[i], any);
-      for (const Candidate& candidate : candidates[i]) {
-        const double its = cost(candidate, least);
-        if (its >= least) continue;
-        least = its;
-        chosen[i] = &candidate;
-        moved = true;
-      }
-    }
-  }
-  std::vector<LabelPlace> places;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    LabelPlace place = chosen[i]->place;
-    place.clear = chosen[i]->cost < least_bad;
-    for (std::size_t j = 0; j < i && place.clear; ++j)
-      place.clear = !places[j].clear || badness_of(*chosen[i], *chosen[j]) < least_bad;
-    places.push_back(place);
-  }
-  return places;
+  Choice choice(std::move(candidates));
+  for (choice.settle(); choice.leave_out_worst();) choice.settle();
+  return choice.places();
 }
 
 }  // namespace hitpipe::cli

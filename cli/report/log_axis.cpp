@@ -74,12 +74,16 @@ std::string LogAxis::tics(double length, const Room& room) const {
   };
   if (zero_ > 0) keep({"≤ 0", zero_});
   const double least = zero_ > 0 ? zero_ * 1.5 : least_;
-  // Where there is not room for all, those of fewer digits stay.
+  std::vector<double> chosen;
   for (const std::vector<double>& decade : tic_series) {
-    const std::vector<double> values = tics_of(decade, least, most_);
-    for (const double value : values) keep({fmt::format("{:.6g}", value), value});
-    if (values.size() >= enough) break;
+    chosen = tics_of(decade, least, most_);
+    if (chosen.size() >= enough) break;
   }
+  // Where there is not room for all, those of the shorter series stay.
+  for (const std::vector<double>& decade : tic_series)
+    for (const double value : tics_of(decade, least, most_))
+      if (std::find(chosen.begin(), chosen.end(), value) != chosen.end())
+        keep({fmt::format("{:.6g}", value), value});
   std::sort(kept.begin(), kept.end(), [](const Tic& a, const Tic& b) { return a.value < b.value; });
   std::vector<std::string> texts;
   for (const Tic& tic : kept) texts.push_back(fmt::format("'{}' {:.4g}", tic.text, tic.value));
