@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace hitpipe::cli {
@@ -26,6 +28,8 @@ constexpr double line_in_stack = 20;   // its line leaves its mark across one th
 constexpr double lines_cross = 300;
 constexpr double has_line = 10;
 constexpr int most_rounds = 50;
+constexpr int most_tries = 12;   // before a label is left out
+constexpr double grazed = 0.75;  // of a mark: a line may lie on the rest
 
 struct Rectangle {
   double left, right, low, high;
@@ -57,8 +61,9 @@ struct Leader : PlotSegment {
   }
 };
 
-Rectangle box_of(const Mark& m) {
-  return {m.x - m.radius, m.x + m.radius, m.y - m.radius, m.y + m.radius};
+Rectangle box_of(const Mark& m, double share = 1) {
+  const double radius = share * m.radius;
+  return {m.x - radius, m.x + radius, m.y - radius, m.y + radius};
 }
 
 /// A place that a label may take.
@@ -97,7 +102,8 @@ std::vector<Candidate> candidates_of(std::span<const Mark> marks, std::size_t of
     for (std::size_t i = 0; i < marks.size(); ++i) {
       const Rectangle mark = box_of(marks[i]);
       if (box.meets(mark)) cost += on_another;
-      if (i != of && p.line && line.meets(mark)) cost += cover(m, marks[i]) ? line_in_stack : line_on_one;
+      if (i != of && p.line && line.meets(box_of(marks[i], grazed)))
+        cost += cover(m, marks[i]) ? line_in_stack : line_on_one;
     }
     for (const PlotSegment& each : lines)
       if (Leader{each}.meets(box)) cost += on_line;
@@ -124,7 +130,9 @@ std::vector<Candidate> candidates_of(std::span<const Mark> marks, std::size_t of
 class Choice {
  public:
   explicit Choice(std::vector<std::vector<Candidate>> candidates)
-      : candidates_(std::move(candidates)), chosen_(candidates_.size()), is_in_(candidates_.size(), true) {}
+      : candidates_(std::move(candidates)), chosen_(candidates_.size()), order_(candidates_.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+  }
 
   /// Each label takes the best place that the others leave it, until no label moves. A move lessens the sum
   /// of all costs, so this ends.
@@ -132,8 +140,7 @@ class Choice {
     bool moved = true;
     for (int round = 0; moved && round < most_rounds; ++round) {
       moved = false;
-      for (std::size_t i = 0; i < candidates_.size(); ++i) {
-        if (!is_in_[i]) continue;
+      for (const std::size_t i : order_) {
         double least = chosen_[i] == nullptr ? any : cost(i, *chosen_[i], any);
         for (const Candidate& candidate : candidates_[i]) {
           const double its = cost(i, candidate, least);
@@ -146,26 +153,36 @@ class Choice {
     }
   }
 
-  /// False if all labels are readable. The last of those that are equally bad goes, so that others have room.
-  bool leave_out_worst() {
-    std::size_t worst = candidates_.size();
+  /// The least readable label, if not all can be read.
+  [[nodiscard]] std::optional<std::size_t> worst() const {
+    std::optional<std::size_t> found;
     double most = least_bad;
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      const double its = is_in_[i] ? unreadable(i) : 0;
+    for (const std::size_t i : order_) {
+      const double its = unreadable(i);
       if (its < most) continue;
       most = its;
-      worst = i;
+      found = i;
     }
-    if (worst == candidates_.size()) return false;
-    is_in_[worst] = false;
-    return true;
+    return found;
+  }
+
+  /// All labels lose their places, and this one is the first to take one.
+  void begin_with(std::size_t label) {
+    std::fill(chosen_.begin(), chosen_.end(), nullptr);
+    const auto at = std::find(order_.begin(), order_.end(), label);
+    std::rotate(order_.begin(), at, at + 1);
+  }
+
+  void leave_out(std::size_t label) {
+    std::erase(order_, label);
+    chosen_[label] = nullptr;
   }
 
   [[nodiscard]] std::vector<LabelPlace> places() const {
     std::vector<LabelPlace> places;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      places.push_back(chosen_[i]->place);
-      places.back().clear = is_in_[i];
+      places.push_back((chosen_[i] == nullptr ? &candidates_[i].front() : chosen_[i])->place);
+      places.back().clear = chosen_[i] != nullptr;
     }
     return places;
   }
@@ -176,7 +193,7 @@ class Choice {
     const auto if_bad = [](double cost) { return cost < least_bad ? 0 : cost; };
     double sum = if_bad(chosen_[label]->cost);
     for (std::size_t j = 0; j < chosen_.size(); ++j)
-      if (j != label && is_in_[j]) sum += if_bad(badness_of(*chosen_[label], *chosen_[j]));
+      if (j != label && chosen_[j] != nullptr) sum += if_bad(badness_of(*chosen_[label], *chosen_[j]));
     return sum;
   }
 
@@ -185,13 +202,13 @@ class Choice {
   [[nodiscard]] double cost(std::size_t label, const Candidate& candidate, double enough) const {
     double sum = candidate.cost;
     for (std::size_t j = 0; j < chosen_.size() && sum < enough; ++j)
-      if (j != label && is_in_[j] && chosen_[j] != nullptr) sum += badness_of(candidate, *chosen_[j]);
+      if (j != label && chosen_[j] != nullptr) sum += badness_of(candidate, *chosen_[j]);
     return sum;
   }
 
   std::vector<std::vector<Candidate>> candidates_;
   std::vector<const Candidate*> chosen_;
-  std::vector<bool> is_in_;
+  std::vector<std::size_t> order_;  ///< of the labels that are in
 };
 
 }  // namespace
@@ -218,7 +235,16 @@ std::vector<LabelPlace> place_labels(std::span<const Mark> marks, std::span<cons
   for (std::size_t i = 0; i < texts.size(); ++i)
     candidates.push_back(candidates_of(marks, i, text_width(texts[i]), plot_size, lines));
   Choice choice(std::move(candidates));
-  for (choice.settle(); choice.leave_out_worst();) choice.settle();
+  choice.settle();
+  int tries = 0;
+  for (std::optional<std::size_t> worst = choice.worst(); worst; worst = choice.worst()) {
+    if (tries++ < most_tries) {
+      choice.begin_with(*worst);
+    } else {
+      choice.leave_out(*worst);
+    }
+    choice.settle();
+  }
   return choice.places();
 }
 

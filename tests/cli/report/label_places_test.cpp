@@ -24,6 +24,7 @@ void expect_readable(const std::vector<Mark>& marks, const std::vector<std::stri
   ASSERT_EQ(places.size(), texts.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const LabelPlace& p = places[i];
+    EXPECT_TRUE(p.clear) << texts[i];
     EXPECT_NEAR(p.right - p.left, text_width(texts[i]), 1e-9);
     EXPECT_GE(p.left, 0) << texts[i];
     EXPECT_LE(p.right, size.x) << texts[i];
