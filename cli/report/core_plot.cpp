@@ -114,11 +114,11 @@ Picture cache_plot(const std::string& scene, const CoreFacts& facts, const Pictu
   const PlotFrame frame = plot_frame(form, "cache", "bytes that a ray reads from memory", {});
   return {"core_cache", scene + ": what a cache saves", frame.picture_height,
           frame.settings +
-              fmt::format("unset key\nset xrange [-0.3:{}]\nset yrange [0:{:.6g}]\nset xtics ({})\n",
+              fmt::format("set xrange [-0.3:{}]\nset yrange [0:{:.6g}]\nset xtics ({})\n",
                           static_cast<double>(facts.cache.size()) - 0.7, 1.1 * most, tics) +
               data_block("cache", points),
-          fmt::format("plot $cache using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5, "
-                      "$cache using 1:2:3 with labels offset 0,1\n",
+          fmt::format("plot $cache using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 notitle, "
+                      "$cache using 1:2:3 with labels offset 0,1 notitle\n",
                       style.colour, style.shape, style.size)};
 }
 

@@ -31,7 +31,7 @@ struct Picture {
   std::string name;
   std::string title;        ///< in words; a comment of the program
   double height;            ///< in units
-  std::string settings;     ///< data and settings
+  std::string settings;     ///< data and settings; a plot without a key has no titles
   std::string plots;        ///< the plot commands
   std::size_t unnamed = 0;  ///< marks whose names had no room
 };

@@ -55,7 +55,6 @@ summary{cursor:pointer;padding:.3em 0;font-weight:600}
 )";
 
 constexpr double least_wide_px = 760;  // as in the style of .plot
-
 /// A number, with the separators that readable_number() puts in.
 bool is_number(std::string cell) {
   std::erase(cell, ',');
@@ -224,8 +223,7 @@ void Page::drawing(const std::string& svg, const std::string& alternative, const
 void Page::plot(const DrawnPicture& drawn, const std::string& caption) {
   std::string text = caption;
   if (drawn.unnamed > 0)
-    text +=
-        fmt::format(" There is no room for {} names of marks; {}.gp has them.", drawn.unnamed, drawn.name);
+    text += fmt::format(" Labels without room: {}; {}.gp names all marks.", drawn.unnamed, drawn.name);
   figure(drawn.width_px < least_wide_px ? "drawing" : "drawing plot", drawn.svg, drawn.title,
          fmt::format("<strong>{}.</strong> {}", escaped(drawn.title), escaped(text)));
 }
