@@ -274,9 +274,9 @@ TEST(CheckStiff, PlotsForAPaperHaveItsWidth) {
     printed("check --stiff int_slabs --bits 16/16 --tests 60 --plot-width " + width + " --out " + out);
     return contents_of(out + "/stiffness.gp");
   };
-  EXPECT_THAT(drawn("84mm"), HasSubstr("set terminal svg size 317,"));
-  EXPECT_THAT(drawn("84mm"), HasSubstr("set terminal pdfcairo size 8.4000cm,"));
-  EXPECT_THAT(drawn("84mm"), HasSubstr("font 'sans-serif,8'"));
+  EXPECT_THAT(drawn("84mm"), testing::AllOf(HasSubstr("set terminal svg size 317,"),
+                                            HasSubstr("set terminal pdfcairo size 8.4000cm,"),
+                                            HasSubstr("font 'sans-serif,8'")));
   EXPECT_THAT(drawn("3.5in"), HasSubstr("set terminal svg size 336,"));
   EXPECT_THAT(drawn("240pt"), HasSubstr("set terminal svg size 320,"));
   EXPECT_THAT(drawn("40mm"), HasSubstr("set terminal svg size 151,"));
