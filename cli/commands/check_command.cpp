@@ -14,6 +14,7 @@
 #include "cli/commands/stiff_check.hpp"
 #include "cli/commands/triangle_check.hpp"
 #include "cli/options/design_options.hpp"
+#include "cli/options/picture_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
@@ -244,8 +245,10 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
   add_large_count_option(*command, "--rays", stiff->rays, 1, 1'000'000'000,
                          "With --stiff: rays through the scene for each ratio (1 to 10^9)")
       ->needs(is_stiff);
-  add_folder_option(*command, stiff->out, "With --stiff: folder for the rows as CSV and for the plots as SVG")
+  add_folder_option(*command, stiff->out,
+                    "With --stiff: folder for the rows as CSV and for the plots as SVG, PDF and gnuplot")
       ->needs(is_stiff);
+  add_plot_width_option(*command, stiff->pictures, "With --stiff: ")->needs(is_stiff)->needs("--out");
   for (const char* const other : {"--category", "--rtl", "--replay"})
     exclude(is_stiff, command->get_option(other), "stiff rays have cases of their own, and the C++ answers");
   add_format_option(*command, options->format);

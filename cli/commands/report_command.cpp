@@ -12,6 +12,7 @@
 #include "cli/options/cost_options.hpp"
 #include "cli/options/design_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
+#include "cli/options/picture_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/report/core_plot.hpp"
@@ -43,6 +44,7 @@ struct ReportCommand {
   std::uint64_t tests = 20'000;
   std::uint64_t seed = 1;
   std::string out;
+  PictureForm plots = report_form;
   OutputFormat format = OutputFormat::text;
 };
 
@@ -56,9 +58,9 @@ std::string options_given(const CLI::App& command, Given which, const ref::Hiera
   std::string text;
   for (const CLI::Option* const option : command.get_options()) {
     const std::string name = option->get_name();
-    const bool of_scene = name != "--out" && name != "--rows" && name != "--bits" && name != "--ii" &&
-                          !name.starts_with("--image-") && name != "--tests" && name != "--seed" &&
-                          name != "--threads" && name != "--format";
+    const bool of_scene = name != "--out" && name != "--plot-width" && name != "--rows" && name != "--bits" &&
+                          name != "--ii" && !name.starts_with("--image-") && name != "--tests" &&
+                          name != "--seed" && name != "--threads" && name != "--format";
     const bool of_cost = name == "--library" || name.starts_with("--triangle-");
     const bool of_size = name == "--width" || name == "--height";
     const bool of_hierarchy =
@@ -106,8 +108,8 @@ std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& comm
                        sum("rays_primary"), sum("rays_secondary"), sum("rays_shadow"), sum("rays_rejected"))},
           {"Files beside this page",
            "rows.csv, pictures.csv, pipelines.csv, stability.csv, stiffness.csv, integer_world.csv, "
-           "core.csv, what they share in csv-metadata.json, the diagrams as SVG and the pictures as PNG; the "
-           "page itself needs none of them"}};
+           "core.csv, what they share in csv-metadata.json, the diagrams as SVG, PDF and programs of "
+           "gnuplot, and the pictures as PNG; the page itself needs none of them"}};
 }
 
 int report(const ReportCommand& command, const CLI::App& options) {
@@ -165,7 +167,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   facts.row_commands = sweep_commands(facts.rows, options_given(options, Given::of_sweep, command.hierarchy));
   facts.seed = command.seed;
   progress.emplace("drawing");
-  facts.diagrams = draw_diagrams(facts.rows);
+  facts.diagrams = draw_diagrams(facts.rows, command.plots);
   facts.schematics = draw_schematics();
   const std::string library_option =
       command.cost.library == rtl::default_library
@@ -181,8 +183,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   facts.stiffness_command =
       fmt::format("hitpipe check --stiff --tests {} --seed {} --out FOLDER", command.tests, command.seed);
   facts.stiffness_diagram = {
-      "stiffness.svg", draw_plot(boxes_plot(facts.stiffness)),
-      "False hits on stiff rays by the ratio of the direction's components",
+      draw_picture("report", stiffness_picture(boxes_plot(facts.stiffness), command.plots), command.plots),
       fmt::format("{} boxes for each ratio.", readable_number(std::to_string(command.tests)))};
   progress.emplace("sweeping the integer world");
   facts.world = world_rows({.design = &rtl::find_design("int_triangle"),
@@ -199,7 +200,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   facts.world_command =
       fmt::format("hitpipe sweep int_triangle {}{} --mantissas {} --out integer_world.csv",
                   options_given(options, Given::of_scene, command.hierarchy), library_option, world_mantissa);
-  facts.world_diagram = draw_world(facts.world);
+  facts.world_diagram = draw_world(facts.world, command.plots);
   progress.emplace("tracing with cores");
   facts.core =
       measure_core(scene, {.library = &library,
@@ -210,7 +211,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                            .height = command.scene.height,
                            .threads = command.scene.threads,
                            .progress = [&](double share) { progress->show(share); }});
-  facts.core_drawings = draw_core(scene.name, facts.core);
+  facts.core_diagrams = draw_core(scene.name, facts.core, command.plots);
   progress.emplace("rendering");
   facts.pictures = make_pictures(scene, bvh,
                                  {.design = &command.image.design(),
@@ -232,18 +233,22 @@ int report(const ReportCommand& command, const CLI::App& options) {
       {"pipelines.csv", table_text(pipeline_rows(facts), OutputFormat::csv)},
       {"stability.csv", table_text(stability_rows(facts), OutputFormat::csv)},
       {"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), OutputFormat::csv)},
-      {"stiffness.svg", facts.stiffness_diagram.svg},
-      {"integer_world.csv", table_text(facts.world, OutputFormat::csv)},
-      {"integer_world.svg", facts.world_diagram.svg}};
+      {"integer_world.csv", table_text(facts.world, OutputFormat::csv)}};
   if (!facts.core.rows.empty()) files.push_back({"core.csv", table_text(facts.core.rows, OutputFormat::csv)});
-  for (const auto& drawings : {facts.diagrams, facts.core_drawings})
-    for (const Drawing& d : drawings) files.push_back({d.file, d.svg});
   std::vector<std::string> tables;
   for (const host::File& file : files)
     if (file.name.ends_with(".csv")) tables.push_back(file.name);
   Row notes = notes_of(options);
   notes.update(camera_notes(scene));
   files.push_back({"csv-metadata.json", csv_metadata(tables, notes)});
+  const auto add = [&](const Diagrammed& d) {
+    const std::vector<host::File> drawn = picture_files(d.picture);
+    files.insert(files.end(), drawn.begin(), drawn.end());
+  };
+  for (const auto& diagrams : {facts.diagrams, facts.core_diagrams})
+    std::for_each(diagrams.begin(), diagrams.end(), add);
+  add(facts.stiffness_diagram);
+  add(facts.world_diagram);
   files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());
   files.push_back({"index.html", report_html(facts)});
   host::write_files(command.out, files);
@@ -307,6 +312,7 @@ CLI::App* add_report_command(CLI::App& program, int& exit_code) {
       "Number of stability tests for each unit, and for each ratio of stiff rays (1 to 10^9)");
   add_seed_option(*command, options->seed);
   add_folder_option(*command, options->out, "Folder for index.html, its rows and its pictures")->required();
+  add_plot_width_option(*command, options->plots);
   add_format_option(*command, options->format);
   command->callback([options, command, &exit_code] {
     options->hierarchy.build.threads = options->scene.threads;

@@ -70,10 +70,14 @@ void write(const StiffCheck& command, const std::vector<MeasuredDesign>& designs
   std::vector<host::File> files{
       {"stiffness.csv", table_text(rows, OutputFormat::csv)},
       {metadata_file("stiffness.csv").string(), csv_metadata({"stiffness.csv"}, notes)},
-      {"stiffness.svg", draw_plot(boxes_plot(designs))}};
-  if (!scene.empty()) {
-    files.push_back({"stiffness_scene.svg", draw_plot(traversals_plot(designs, scene))});
-  }
+  };
+  const auto draw = [&](const Plot& plot) {
+    const std::vector<host::File> drawn =
+        picture_files(draw_picture("check", stiffness_picture(plot, command.pictures), command.pictures));
+    files.insert(files.end(), drawn.begin(), drawn.end());
+  };
+  draw(boxes_plot(designs));
+  if (!scene.empty()) draw(traversals_plot(designs, scene));
   host::write_files(command.out, files);
 }
 

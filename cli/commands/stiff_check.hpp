@@ -6,6 +6,7 @@
 
 #include "cli/options/design_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
+#include "cli/report/picture.hpp"
 #include "cli/text/table.hpp"
 
 namespace hitpipe::cli {
@@ -19,6 +20,7 @@ struct StiffCheck {
   std::uint64_t seed = 1;
   int threads = 1;
   std::string out;
+  PictureForm pictures = page_form;
   OutputFormat format = OutputFormat::text;
 };
 

@@ -9,7 +9,8 @@
 
 namespace hitpipe::cli {
 
-/// None when the core has not traced. Throws as run_gnuplot().
-[[nodiscard]] std::vector<Drawing> draw_core(const std::string& scene, const CoreFacts& facts);
+/// None when the core has not traced. Throws as draw_picture().
+[[nodiscard]] std::vector<Diagrammed> draw_core(const std::string& scene, const CoreFacts& facts,
+                                                const PictureForm& form);
 
 }  // namespace hitpipe::cli

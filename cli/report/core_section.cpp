@@ -41,7 +41,7 @@ void add_core_section(Page& page, const ReportFacts& facts) {
                                      number(core.results.front().trace.counts.rays))},
              {"Must be none", fmt::format("wrong answers {} of {}, rows with other reads than software's {}",
                                           number(core.wrong()), number(answers), core.other_reads())}});
-  for (const Drawing& d : facts.core_drawings) page.plot(d.svg, d.alternative, d.caption);
+  for (const Diagrammed& d : facts.core_diagrams) page.plot(d.picture, d.caption);
   page.table(page_table("What cores did with the rays of the picture: core.csv.", shown_rows(core)));
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/report/occupancy_plot.hpp"
 #include "cli/report/plot.hpp"
 #include "cli/report/sweep_plot.hpp"
 #include "host/process.hpp"
@@ -105,7 +106,7 @@ std::vector<MeasuredDesign> measure_stiffness(const StabilityOptions& options) {
   return measured;
 }
 
-std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows) {
+std::vector<Diagrammed> draw_diagrams(std::span<const sim::SweepRow> rows, const PictureForm& form) {
   const std::string& scene = rows.front().scene;
   const int rays = usual_rays_in_flight(rows);
   std::vector<sim::SweepRow> usual;
@@ -115,39 +116,30 @@ std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows) {
   const int interval = std::ranges::min_element(usual, {}, &sim::SweepRow::interval)->interval;
   std::copy_if(usual.begin(), usual.end(), std::back_inserter(soonest),
                [&](const sim::SweepRow& row) { return row.interval == interval; });
-  std::vector<Drawing> drawings;
-  for (const Diagram& diagram : diagrams(rows.front().on_chip())) {
-    drawings.push_back({fmt::format("{}.svg", diagram.name),
-                        run_gnuplot("report", diagram_script(scene, soonest, diagram)),
-                        fmt::format("{}: {}", scene, diagram.title),
-                        fmt::format("{} rays in flight. Columns {} and {} of rows.csv.", rays, diagram.cost,
-                                    diagram.error)});
-  }
-  if (const std::string script = rate_script(scene, usual); !script.empty()) {
-    drawings.push_back(
-        {"area_rate.svg", run_gnuplot("report", script),
-         "Area of each unit against the boxes that it takes in a second",
+  std::vector<Diagrammed> drawn;
+  for (const Diagram& diagram : diagrams(rows.front().on_chip()))
+    drawn.push_back({draw_picture("report", diagram_picture(scene, soonest, diagram, form), form),
+                     fmt::format("{} rays in flight. Columns {} and {} of rows.csv.", rays, diagram.cost,
+                                 diagram.error)});
+  if (const std::optional<Picture> picture = rate_picture(scene, usual, form))
+    drawn.push_back(
+        {draw_picture("report", *picture, form),
          "A number at a mark is the interval between two tests in cycles. Columns box_time_ns and "
          "area_mm2 of rows.csv, on a chip luts."});
-  }
-  if (const std::string script = occupancy_script(scene, rows); !script.empty()) {
-    drawings.push_back({"occupancy.svg", run_gnuplot("report", script),
-                        "Occupancy of each pipeline on " + scene + " against the number of rays in flight",
-                        "Column occupancy_pct of rows.csv: the share of cycles in which a test begins. A "
-                        "pipeline is full when as many rays are "
-                        "in flight as it has stages, and some more to bridge the ends of rays."});
-  }
-  return drawings;
+  if (const std::optional<Picture> picture = occupancy_picture(scene, rows, form))
+    drawn.push_back({draw_picture("report", *picture, form),
+                     "Column occupancy_pct of rows.csv: the share of cycles in which a test begins. A "
+                     "pipeline is full when as many rays are "
+                     "in flight as it has stages, and some more to bridge the ends of rays."});
+  return drawn;
 }
 
-Drawing draw_world(std::span<const Row> rows) {
+Diagrammed draw_world(std::span<const Row> rows, const PictureForm& form) {
   struct Line {
-    const char* title;
-    const char* colour;
+    std::string title;
     std::vector<double> percent;
   };
-  std::array<Line, 2> lines{
-      {{"rays with another triangle", "#0072B2", {}}, {"pixels that differ", "#D55E00", {}}}};
+  std::array<Line, 2> lines{{{"rays with another triangle", {}}, {"pixels that differ", {}}}};
   std::vector<double> all;
   for (const Row& row : rows) {
     lines[0].percent.push_back(row.at("different_rays_pct").get<double>());
@@ -161,18 +153,28 @@ Drawing draw_world(std::span<const Row> rows) {
         fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_string(rows[i].at("bits").get<std::string>()), i);
     data += fmt::format("{} {} {}\n", i, y.shown(lines[0].percent[i]), y.shown(lines[1].percent[i]));
   }
-  std::string script = fmt::format(
-      "set terminal svg size 760,360 font 'sans-serif,13' background 'white'\nset encoding utf8\n"
-      "$rows << END\n{}END\nset logscale y\nset yrange [{}:{}]\nset ytics ({})\nset xrange [-0.3:{}]\n"
-      "set xtics ({})\nset grid ytics lc rgb '#dddddd'\nset key below\n"
-      "set xlabel 'bits of the world'\nset ylabel '%'\nplot",
-      data, y.least(), y.most(), y.tics(), static_cast<double>(rows.size()) - 0.7, names);
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    script +=
-        fmt::format("{} $rows using 1:{} with linespoints lc rgb '{}' pt {} lw 1.5 title {}",
-                    i == 0 ? "" : ",", i + 2, lines[i].colour, 5 + 2 * i, gnuplot_string(lines[i].title));
-  return {"integer_world.svg", run_gnuplot("report", script + "\n"),
-          "Rays with another triangle and pixels that differ, by the bits of the integer world",
+  const PlotFrame frame =
+      plot_frame(form, "bits of the world", "%", std::vector{lines[0].title, lines[1].title});
+  std::string plots;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const DesignStyle style = design_style(i);
+    plots += fmt::format("{} $rows using 1:{} with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 title {}",
+                         i == 0 ? "plot" : ",", i + 2, style.colour, style.shape, style.size,
+                         gnuplot_string(lines[i].title));
+  }
+  return {draw_picture(
+              "report",
+              {"integer_world",
+               "Rays with another triangle and pixels that differ, by the bits of the integer world",
+               frame.picture_height,
+               frame.settings +
+                   fmt::format("set logscale y\nset yrange [{}:{}]\nset ytics ({})\nset xrange [-0.3:{}]\n"
+                               "set xtics ({})\n",
+                               y.least(), y.most(), y.tics_upward(frame.size.y),
+                               static_cast<double>(rows.size()) - 0.7, names) +
+                   data_block("rows", data),
+               plots + "\n"},
+              form),
           "Above the pictures of the float world. A pixel differs if a channel does by more than 1/256."};
 }
 
@@ -190,7 +192,7 @@ std::vector<Schematic> draw_schematics() {
     for (rtl::File& file : *drawings) {
       std::string words = file.name.substr(0, file.name.rfind('.'));
       std::replace(words.begin(), words.end(), '_', ' ');
-      schematic.drawings.push_back({file.name, std::move(file.contents), "Schematic of " + words, words});
+      schematic.drawings.push_back({std::move(file.contents), "Schematic of " + words, words});
     }
     schematics.push_back(std::move(schematic));
   }

@@ -9,6 +9,7 @@
 
 #include "area_model/price.hpp"
 #include "cli/report/core_facts.hpp"
+#include "cli/report/picture.hpp"
 #include "cli/report/report_pictures.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "cli/text/stiffness_report.hpp"
@@ -43,19 +44,23 @@ struct StabilityOptions {
 /// report.
 [[nodiscard]] std::vector<MeasuredDesign> measure_stiffness(const StabilityOptions& options);
 
-struct Drawing {
-  std::string file;
-  std::string svg;
-  std::string alternative;
+struct Diagrammed {
+  DrawnPicture picture;
   std::string caption;
 };
 /// The diagrams of error against cost. A diagram of occupancy too, when several numbers of rays in flight
 /// were measured.
-[[nodiscard]] std::vector<Drawing> draw_diagrams(std::span<const sim::SweepRow> rows);
+[[nodiscard]] std::vector<Diagrammed> draw_diagrams(std::span<const sim::SweepRow> rows,
+                                                    const PictureForm& form);
 
 /// Rays that find another triangle and pixels that differ, by the bits of the integer world.
-[[nodiscard]] Drawing draw_world(std::span<const Row> rows);
+[[nodiscard]] Diagrammed draw_world(std::span<const Row> rows, const PictureForm& form);
 
+struct Drawing {
+  std::string svg;
+  std::string alternative;
+  std::string caption;
+};
 /// The stages of a design, in groups.
 struct Schematic {
   std::string title;
@@ -74,19 +79,19 @@ struct ReportFacts {
   std::string scene;
   std::vector<std::pair<std::string, std::string>> asked;
   std::vector<sim::SweepRow> rows;
-  std::vector<Drawing> diagrams;
+  std::vector<Diagrammed> diagrams;
   ReportPictures pictures;
   std::vector<area::Price> prices;
   std::vector<Stability> stability;
   std::vector<MeasuredDesign> stiffness;
   std::string stiffness_command;
   std::vector<std::string> area_commands;
-  Drawing stiffness_diagram;
+  Diagrammed stiffness_diagram;
   std::vector<Row> world;  ///< of the integer world, by format
   std::string world_command;
-  Drawing world_diagram;
+  Diagrammed world_diagram;
   CoreFacts core;
-  std::vector<Drawing> core_drawings;
+  std::vector<Diagrammed> core_diagrams;
   std::uint64_t seed = 1;
   std::vector<Schematic> schematics;
 };

@@ -54,6 +54,7 @@ summary{cursor:pointer;padding:.3em 0;font-weight:600}
 @media(max-width:600px){body{padding:12px}dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.5em}}
 )";
 
+constexpr double least_wide_px = 760;  // as in the style of .plot
 /// A number, with the separators that readable_number() puts in.
 bool is_number(std::string cell) {
   std::erase(cell, ',');
@@ -216,11 +217,15 @@ void Page::pictures(const std::vector<PagePicture>& pictures) {
 }
 
 void Page::drawing(const std::string& svg, const std::string& alternative, const std::string& caption) {
-  figure("drawing", svg, alternative, caption);
+  figure("drawing", svg, alternative, escaped(caption));
 }
 
-void Page::plot(const std::string& svg, const std::string& alternative, const std::string& caption) {
-  figure("drawing plot", svg, alternative, caption);
+void Page::plot(const DrawnPicture& drawn, const std::string& caption) {
+  std::string text = caption;
+  if (drawn.unnamed > 0)
+    text += fmt::format(" Labels without room: {}; {}.gp names all marks.", drawn.unnamed, drawn.name);
+  figure(drawn.width_px < least_wide_px ? "drawing" : "drawing plot", drawn.svg, drawn.title,
+         fmt::format("<strong>{}.</strong> {}", escaped(drawn.title), escaped(text)));
 }
 
 void Page::figure(const std::string& classes, const std::string& svg, const std::string& alternative,
@@ -228,7 +233,7 @@ void Page::figure(const std::string& classes, const std::string& svg, const std:
   body_ += fmt::format(
       "<figure class=\"{}\"><div class=\"scroll\" tabindex=\"0\">{}</div>\n"
       "<figcaption>{}</figcaption></figure>\n",
-      classes, inline_svg(svg, ++drawings_, alternative), escaped(caption));
+      classes, inline_svg(svg, ++drawings_, alternative), caption);
 }
 
 void Page::commands(const std::vector<std::string>& lines) {

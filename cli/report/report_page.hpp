@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/report/picture.hpp"
 #include "cli/text/table.hpp"
 
 namespace hitpipe::cli {
@@ -54,8 +55,8 @@ class Page {
   void pictures(const std::vector<PagePicture>& pictures);
   /// `svg` is as gnuplot or Graphviz writes it. Its identifiers are made unique in the page.
   void drawing(const std::string& svg, const std::string& alternative, const std::string& caption);
-  /// The same, made smaller if there is less room.
-  void plot(const std::string& svg, const std::string& alternative, const std::string& caption);
+  /// With its title above the caption. A wide one is made smaller if there is less room.
+  void plot(const DrawnPicture& drawn, const std::string& caption);
   void commands(const std::vector<std::string>& lines);
   /// Hides everything up to close() until the reader opens it.
   void open(const std::string& summary);
@@ -64,6 +65,7 @@ class Page {
   [[nodiscard]] std::string html() const;
 
  private:
+  /// `caption` is HTML.
   void figure(const std::string& classes, const std::string& svg, const std::string& alternative,
               const std::string& caption);
 

@@ -293,12 +293,13 @@ std::string report_html(const ReportFacts& facts) {
       "Up: extra tests, above the reference, which is conservative float slabs in software. Axes end "
       "where the data does. Each mark has its formats beside it, as hitpipe list designs spells them, or the "
       "name "
-      "of a design with one format. Formats of one design at the same "
-      "place share a mark; marks of different designs there stand side by side. No unit lies below and "
+      "of a design with one format. Formats of one design that cover one another share a label; where marks "
+      "of "
+      "different designs do, the lower mark is larger and labels name designs too. No unit lies below and "
       "left of the dashed front. The first three diagrams count box tests alone, as the thesis does, the "
       "next two "
       "triangle tests too. The last one has the bytes that a ray reads from memory.");
-  for (const Drawing& d : facts.diagrams) page.plot(d.svg, d.alternative, d.caption);
+  for (const Diagrammed& d : facts.diagrams) page.plot(d.picture, d.caption);
 
   page.heading("Images");
   page.pictures(facts.pictures.images);
@@ -354,8 +355,7 @@ std::string report_html(const ReportFacts& facts) {
       "in "
       "vain; it never misses one. The lines are false_hit_pct of stiffness.csv, rows with boxes \"all\"; the "
       "file has the number of tests and the 95 % interval of each point.");
-  page.plot(facts.stiffness_diagram.svg, facts.stiffness_diagram.alternative,
-            facts.stiffness_diagram.caption);
+  page.plot(facts.stiffness_diagram.picture, facts.stiffness_diagram.caption);
 
   page.heading("The integer world");
   page.paragraph(
@@ -364,7 +364,7 @@ std::string report_html(const ReportFacts& facts) {
       "float scene, and pixels that differ. Beside it stand extra tests of int_major with p = 11 beyond "
       "exact "
       "boxes, the area of both units, and for how long their tests keep them busy: integer_world.csv.");
-  page.plot(facts.world_diagram.svg, facts.world_diagram.alternative, facts.world_diagram.caption);
+  page.plot(facts.world_diagram.picture, facts.world_diagram.caption);
   std::vector<Row> world = facts.world;
   for (Row& row : world)
     for (const char* const counted :

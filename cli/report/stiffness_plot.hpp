@@ -1,10 +1,11 @@
 // A stiffness report as a picture: percent against the ratio of the direction's components, with a panel for
-// each design and a line for each format. gnuplot draws it as SVG. Each line has a mark, and colours that
-// colour-blind readers can tell apart (Okabe and Ito).
+// each design and a line for each format. Panels are on a grid, with axes and a key in common.
 #pragma once
 
 #include <string>
 #include <vector>
+
+#include "cli/report/picture.hpp"
 
 namespace hitpipe::cli {
 
@@ -19,6 +20,7 @@ struct PlotPanel {
 };
 
 struct Plot {
+  std::string name;  ///< of its files
   std::string title;
   std::string counted;         ///< what is counted, in percent; the label of the axis
   std::vector<int> exponents;  ///< of the ratios; one fewer than percentages
@@ -26,10 +28,6 @@ struct Plot {
   double least;  ///< lower end of the axis; smaller percentages are drawn there
 };
 
-/// The gnuplot program of a plot. It is the same text for the same numbers.
-[[nodiscard]] std::string plot_script(const Plot& plot);
-
-/// Throws std::runtime_error, one line, when gnuplot is missing or fails.
-[[nodiscard]] std::string draw_plot(const Plot& plot);
+[[nodiscard]] Picture stiffness_picture(const Plot& plot, const PictureForm& form);
 
 }  // namespace hitpipe::cli

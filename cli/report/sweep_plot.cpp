@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -11,15 +10,12 @@
 
 #include "cli/report/plot.hpp"
 #include "cli/report/sweep_rows.hpp"
+#include "cli/report/unit_marks.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 
 namespace hitpipe::cli {
 
 namespace {
-
-constexpr std::array design_colours{"#0072B2", "#D55E00", "#806000", "#000000", "#00664B", "#CC79A7",
-                                    "#56B4E9", "#8C6D31", "#444444", "#7A1F5C", "#004C77", "#8F3F00"};
-constexpr std::array design_shapes{7, 5, 8, 13, 10, 9, 11, 15, 4, 6, 12, 14};
 
 constexpr const char* extra_boxes = "extra box tests, % above conservative float slabs";
 constexpr const char* extra_triangles = "extra triangle tests, % above conservative float slabs";
@@ -57,49 +53,6 @@ std::vector<double> column(std::span<const sim::SweepRow> units, std::string_vie
   return values;
 }
 
-DesignStyle style_of(const std::string& design) {
-  return design_style(rtl::place_of(rtl::find_design(design)).value());
-}
-
-/// The thesis's units with their occupancy by rays in flight.
-struct OccupancyLine {
-  std::vector<std::string> names;
-  std::string design;  ///< of the first
-  std::map<int, double> by_rays;
-
-  /// So close that the lines would lie on one another.
-  [[nodiscard]] bool is_like(const std::map<int, double>& other) const {
-    return std::equal(by_rays.begin(), by_rays.end(), other.begin(), other.end(),
-                      [](const auto& a, const auto& b) {
-                        return a.first == b.first && std::abs(a.second - b.second) < 1.0;
-                      });
-  }
-};
-
-std::vector<OccupancyLine> occupancy_lines(std::span<const sim::SweepRow> units) {
-  std::vector<OccupancyLine> of_units;
-  for (const sim::SweepRow& unit : units) {
-    if (!is_thesis_unit(unit)) continue;
-    const std::string name = unit_name(unit);
-    auto line = std::find_if(of_units.begin(), of_units.end(),
-                             [&](const OccupancyLine& each) { return each.names.front() == name; });
-    if (line == of_units.end()) line = of_units.insert(of_units.end(), {{name}, unit.design, {}});
-    line->by_rays[unit.rays_in_flight] = unit.occupancy_pct();
-  }
-  std::vector<OccupancyLine> lines;
-  for (const OccupancyLine& unit : of_units) {
-    if (unit.by_rays.size() < 2) continue;
-    const auto like = std::find_if(lines.begin(), lines.end(),
-                                   [&](const OccupancyLine& line) { return line.is_like(unit.by_rays); });
-    if (like == lines.end()) {
-      lines.push_back(unit);
-    } else {
-      like->names.push_back(unit.names.front());
-    }
-  }
-  return lines;
-}
-
 /// One unit of a design at its intervals.
 struct RateLine {
   rtl::Format format;
@@ -125,14 +78,35 @@ std::vector<RateLine> rate_lines(std::span<const sim::SweepRow> units) {
   return lines;
 }
 
-}  // namespace
+constexpr const char* front_title = "Pareto front";
 
-DesignStyle design_style(std::size_t place) {
-  const std::size_t turn = place / design_shapes.size();
-  const std::size_t larger = turn / design_shapes.size();
-  return {design_colours[place % design_colours.size()], design_shapes[(place + turn) % design_shapes.size()],
-          0.9 + 0.3 * static_cast<double>(larger)};
+std::string front_plot() {
+  return fmt::format("plot $front using 1:2 with steps lc rgb '#888888' lw 1.5 dt 2 title '{}'", front_title);
 }
+
+/// The steps of the front, for labels to keep off.
+std::vector<PlotSegment> steps_between(const std::vector<Mark>& corners) {
+  std::vector<PlotSegment> lines;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const Mark bend{corners[i].x, corners[i - 1].y};
+    lines.push_back({corners[i - 1], bend});
+    lines.push_back({bend, corners[i]});
+  }
+  return lines;
+}
+
+/// Where the values of axes are in a plot.
+struct Places {
+  const LogAxis& x;
+  const LogAxis& y;
+  Mark size;
+
+  [[nodiscard]] Mark of(double at_x, double at_y) const {
+    return {x.share(at_x) * size.x, y.share(at_y) * size.y};
+  }
+};
+
+}  // namespace
 
 std::vector<CostAndError> pareto_front(std::vector<CostAndError> units) {
   std::sort(units.begin(), units.end(), [](const CostAndError& a, const CostAndError& b) {
@@ -149,50 +123,52 @@ std::span<const Diagram> diagrams(bool on_chip) {
   return on_chip ? diagrams_of_chips : diagrams_of_cells;
 }
 
-std::string diagram_script(const std::string& scene, std::span<const sim::SweepRow> units,
-                           const Diagram& diagram) {
+Picture diagram_picture(const std::string& scene, std::span<const sim::SweepRow> units,
+                        const Diagram& diagram, const PictureForm& form) {
   const std::vector<double> costs = column(units, diagram.cost);
   const std::vector<double> errors = column(units, diagram.error);
   const LogAxis x(costs);
   const LogAxis y(errors);
-  const Mark size = plot_size();
+  std::vector<std::string> designs;
+  for (const sim::SweepRow& unit : units)
+    if (std::find(designs.begin(), designs.end(), unit.design) == designs.end())
+      designs.push_back(unit.design);
+  std::vector<std::string> keys = designs;
+  keys.emplace_back(front_title);
+  const PlotFrame frame = plot_frame(form, diagram.cost_label, diagram.error_label, keys);
+  const Places places{x, y, frame.size};
+
   std::vector<CostAndError> all;
-  std::vector<Mark> places;
+  std::vector<PlotMark> marks;
   for (std::size_t i = 0; i < units.size(); ++i) {
     all.push_back({x.shown(costs[i]), y.shown(errors[i])});
-    places.push_back({x.share(costs[i]) * size.x, y.share(errors[i]) * size.y});
+    marks.push_back({units[i].design, units[i].bits, style_of(units[i].design), all[i].cost, all[i].error,
+                     places.of(costs[i], errors[i])});
   }
+  enlarge_hidden(marks);
   std::string front;
-  for (const CostAndError& at : pareto_front(all)) front += fmt::format("{:.6g} {:.6g}\n", at.cost, at.error);
-
-  const std::vector<UnitMark> marks = unit_marks(units, places);
-  std::vector<std::string> designs;
-  std::map<std::string, std::string> points;
-  for (const UnitMark& mark : marks) {
-    if (!points.contains(mark.design)) designs.push_back(mark.design);
-    points[mark.design] +=
-        fmt::format("{:.6g} {:.6g}\n", x.at(mark.place.x / size.x), y.at(mark.place.y / size.y));
+  std::vector<Mark> corners;
+  for (const CostAndError& at : pareto_front(all)) {
+    front += fmt::format("{:.6g} {:.6g}\n", at.cost, at.error);
+    corners.push_back(places.of(at.cost, at.error));
   }
-  constexpr std::size_t other_key_entries = 1;  // the front
-  std::string text = plot_head(scene + ": " + diagram.title, designs.size() + other_key_entries);
-  text += fmt::format("set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", x.least(),
-                      x.most(), y.least(), y.most());
-  text += fmt::format("set xtics ({})\nset ytics ({})\nset xlabel {}\nset ylabel {}\n", x.tics(), y.tics(),
-                      gnuplot_string(diagram.cost_label), gnuplot_string(diagram.error_label));
-  text += mark_labels(marks, size) + data_block("front", front);
-  std::string plot = "plot $front using 1:2 with steps lc rgb '#888888' lw 1.5 dt 2 title 'Pareto front'";
-  for (std::size_t i = 0; i < designs.size(); ++i) {
-    const DesignStyle style = style_of(designs[i]);
-    text += data_block(fmt::format("units{}", i), points[designs[i]]);
-    plot += fmt::format(", $units{} using 1:2 with points lc rgb '{}' pt {} ps {:g} lw 1.5 title {}", i,
-                        style.colour, style.shape, style.size, gnuplot_string(designs[i]));
-  }
-  return text + plot + "\n";
+  const PlacedLabels labels =
+      place_mark_labels(unit_labels(marks), marks, steps_between(corners), frame.size);
+  std::string plots = front_plot() + ", " + marks_plot();
+  for (const std::string& design : designs) plots += ", " + mark_key(style_of(design), design);
+  return {diagram.name,
+          scene + ": " + diagram.title,
+          frame.picture_height,
+          frame.settings + axes_settings(x, y, frame.size) + labels.settings + data_block("front", front) +
+              marks_data(marks),
+          plots + "\n",
+          labels.left_out};
 }
 
-std::string rate_script(const std::string& scene, std::span<const sim::SweepRow> units) {
+std::optional<Picture> rate_picture(const std::string& scene, std::span<const sim::SweepRow> units,
+                                    const PictureForm& form) {
   const std::vector<RateLine> lines = rate_lines(units);
-  if (lines.empty()) return "";
+  if (lines.empty()) return {};
   const bool on_chip = units.front().on_chip();
   const auto area = [&](const sim::SweepRow& row) {
     return sim::sweep_column(on_chip ? "luts" : "area_mm2").number(row);
@@ -200,73 +176,52 @@ std::string rate_script(const std::string& scene, std::span<const sim::SweepRow>
   const auto rate = [](const sim::SweepRow& row) { return 1000 / row.box_time_ns(); };
   std::vector<double> rates;
   std::vector<double> areas;
-  for (const RateLine& line : lines)
+  std::vector<CostAndError> all;
+  std::vector<std::string> keys;
+  for (const RateLine& line : lines) {
     for (const sim::SweepRow& row : line.rows) {
       rates.push_back(rate(row));
       areas.push_back(area(row));
+      all.push_back({row.box_time_ns(), area(row)});
     }
+    keys.push_back(rtl::find_design(line.rows.front().design).name_at(line.format));
+  }
   const LogAxis x(rates);
   const LogAxis y(areas);
-  const Mark size = plot_size();
-  constexpr std::size_t other_key_entries = 1;  // the front
-  std::string text = plot_head(scene + ": area and boxes a second", lines.size() + other_key_entries);
-  text += fmt::format(
-      "set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset xtics ({})\nset ytics "
-      "({})\n"
-      "set xlabel 'boxes a second of a full unit, millions'\nset ylabel {}\n",
-      x.least(), x.most(), y.least(), y.most(), x.tics(), y.tics(),
-      gnuplot_string(on_chip ? "lookup tables of the unit" : "area of the unit, mm²"));
-  std::vector<CostAndError> all;
-  std::vector<UnitMark> marks;
-  std::string plot = "plot $front using 1:2 with steps lc rgb '#888888' lw 1.5 dt 2 title 'Pareto front'";
+  std::vector<std::string> all_keys = keys;
+  all_keys.emplace_back(front_title);
+  const PlotFrame frame =
+      plot_frame(form, "boxes a second of a full unit, millions",
+                 on_chip ? "lookup tables of the unit" : "area of the unit, mm²", all_keys);
+  const Places places{x, y, frame.size};
+  std::string front;
+  std::vector<Mark> corners;
+  for (const CostAndError& at : pareto_front(all)) {
+    front += fmt::format("{:.6g} {:.6g}\n", 1000 / at.cost, at.error);
+    corners.push_back(places.of(1000 / at.cost, at.error));
+  }
+  std::vector<PlotSegment> segments = steps_between(corners);
+  std::vector<PlotMark> marks;
+  std::string data = data_block("front", front);
+  std::string plots = front_plot();
   for (std::size_t i = 0; i < lines.size(); ++i) {
+    const DesignStyle style = style_of(lines[i].rows.front().design);
     std::string points;
     for (const sim::SweepRow& row : lines[i].rows) {
-      all.push_back({row.box_time_ns(), area(row)});
       points += fmt::format("{:.6g} {:.6g}\n", rate(row), area(row));
-      marks.push_back({row.design,
-                       fmt::format("{}", row.interval),
-                       {x.share(rate(row)) * size.x, y.share(area(row)) * size.y}});
+      const Mark place = places.of(rate(row), area(row));
+      if (&row != &lines[i].rows.front()) segments.push_back({marks.back().place, place});
+      marks.push_back({row.design, fmt::format("{}", row.interval), style, rate(row), area(row), place});
     }
-    const sim::SweepRow& first = lines[i].rows.front();
-    const DesignStyle style = style_of(first.design);
-    text += data_block(fmt::format("unit{}", i), points);
-    plot += fmt::format(", $unit{} using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 title {}", i,
-                        style.colour, style.shape, style.size,
-                        gnuplot_string(rtl::find_design(first.design).name_at(lines[i].format)));
+    data += data_block(fmt::format("unit{}", i), points);
+    plots += fmt::format(", $unit{} using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 title {}", i,
+                         style.colour, style.shape, style.size, gnuplot_string(keys[i]));
   }
-  std::string front;
-  for (const CostAndError& at : pareto_front(all))
-    front += fmt::format("{:.6g} {:.6g}\n", 1000 / at.cost, at.error);
-  return text + mark_labels(marks, size) + data_block("front", front) + plot + "\n";
-}
-
-std::string occupancy_script(const std::string& scene, std::span<const sim::SweepRow> units) {
-  const std::vector<OccupancyLine> lines = occupancy_lines(units);
-  if (lines.empty()) return "";
-  std::map<int, double> all_rays;
-  for (const OccupancyLine& line : lines) all_rays.insert(line.by_rays.begin(), line.by_rays.end());
-  std::vector<int> tics;
-  for (const auto& [rays, occupancy] : all_rays) tics.push_back(rays);
-  // Long names: one line of the key for each.
-  std::string text = plot_head(scene + ": occupancy of the pipeline against rays in flight",
-                               plot_key_columns * lines.size());
-  text += fmt::format(
-      "set key maxcols 1\nset logscale x 2\nset xrange [{}:{}]\nset yrange [0:101]\nset xtics ({})\n"
-      "set xlabel 'rays in flight'\nset ylabel 'cycles that begin a test, %'\n",
-      0.95 * tics.front(), 1.05 * tics.back(), fmt::join(tics, ","));
-  std::string plot;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const DesignStyle style = style_of(lines[i].design);
-    std::string points;
-    for (const auto& [rays, occupancy] : lines[i].by_rays) points += fmt::format("{} {}\n", rays, occupancy);
-    text += data_block(fmt::format("unit{}", i), points);
-    plot +=
-        fmt::format("{} $unit{} using 1:2 with linespoints lc rgb '{}' pt {} ps {:g} lw 1.5 dt {} title {}",
-                    i == 0 ? "plot" : ",", i, style.colour, style.shape, style.size, i + 1,
-                    gnuplot_string(fmt::format("{}", fmt::join(lines[i].names, ", "))));
-  }
-  return text + plot + "\n";
+  const PlacedLabels labels = place_mark_labels(name_labels(marks), marks, segments, frame.size);
+  return Picture{
+      "area_rate",          scene + ": area and boxes a second",
+      frame.picture_height, frame.settings + axes_settings(x, y, frame.size) + labels.settings + data,
+      plots + "\n",         labels.left_out};
 }
 
 }  // namespace hitpipe::cli

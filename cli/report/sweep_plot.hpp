@@ -1,16 +1,16 @@
-// Diagrams of a sweep (SVG, by gnuplot): error against cost, with the Pareto front, and occupancy against
-// rays in flight. Each mark has its units' names beside it, axes end where the data does, and what is plotted
-// are columns of the rows' file. Each design has a mark of its own, up to twelve in shape as in
+// Diagrams of a sweep, by gnuplot: error against cost, with the Pareto front, and area against rate. Each
+// mark stands where its values are, with its unit's name beside it. Axes end where the data does, and what is
+// plotted are columns of the rows' file. Each design has a mark of its own, up to twelve in shape as in
 // colour, so that the pictures can be read in grey. Colours are Okabe and Ito's.
 #pragma once
 
-#include <compare>
-#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "cli/report/picture.hpp"
 #include "sim/sweep/row.hpp"
 
 namespace hitpipe::cli {
@@ -21,17 +21,6 @@ struct CostAndError {
   double error;
 };
 [[nodiscard]] std::vector<CostAndError> pareto_front(std::vector<CostAndError> units);
-
-struct DesignStyle {
-  std::string_view colour;
-  int shape;  ///< gnuplot's number
-  double size;
-
-  friend auto operator<=>(const DesignStyle&, const DesignStyle&) = default;
-};
-/// The marks of the design at this place of the catalogue. No shape comes twice among the first twelve; the
-/// next take other pairs of colour and shape, and when these are used up too, larger marks.
-[[nodiscard]] DesignStyle design_style(std::size_t place);
 
 /// Two columns of sim::sweep_columns.
 struct Diagram {
@@ -46,16 +35,14 @@ struct Diagram {
 /// With areas in lookup tables on a chip, in mm² elsewhere.
 [[nodiscard]] std::span<const Diagram> diagrams(bool on_chip);
 
-/// The gnuplot programs; the same text for the same numbers. All `units` have the same number of rays in
-/// flight.
-[[nodiscard]] std::string diagram_script(const std::string& scene, std::span<const sim::SweepRow> units,
-                                         const Diagram& diagram);
+/// All `units` have the same number of rays in flight.
+[[nodiscard]] Picture diagram_picture(const std::string& scene, std::span<const sim::SweepRow> units,
+                                      const Diagram& diagram, const PictureForm& form);
 /// A line for each design that was swept at several intervals, in its default format or else its last one:
-/// the unit's area against the boxes a second of a full unit. A mark names its interval. Empty when there is
-/// none.
-[[nodiscard]] std::string rate_script(const std::string& scene, std::span<const sim::SweepRow> units);
-/// A line for the thesis's units that were swept with several numbers of rays in flight. Units that cannot be
-/// told apart share one. Empty when there is none.
-[[nodiscard]] std::string occupancy_script(const std::string& scene, std::span<const sim::SweepRow> units);
+/// the unit's area against the boxes a second of a full unit. A mark names its interval. None when there is
+/// no such design.
+[[nodiscard]] std::optional<Picture> rate_picture(const std::string& scene,
+                                                  std::span<const sim::SweepRow> units,
+                                                  const PictureForm& form);
 
 }  // namespace hitpipe::cli

@@ -54,10 +54,14 @@ std::string text_of(const MeasuredDesign& d, Percent percent, PercentInterval in
   return fmt::format("{}: {}\n{}", d.design->name, what, table_text(rows, OutputFormat::text));
 }
 
-Plot plot_of(const std::vector<MeasuredDesign>& designs, Percent percent, std::string title,
+Plot plot_of(const std::vector<MeasuredDesign>& designs, Percent percent, std::string name, std::string title,
              std::string counted) {
-  Plot plot{
-      .title = std::move(title), .counted = std::move(counted), .exponents = {}, .panels = {}, .least = 0.01};
+  Plot plot{.name = std::move(name),
+            .title = std::move(title),
+            .counted = std::move(counted),
+            .exponents = {},
+            .panels = {},
+            .least = 0.01};
   for (const sim::Stiffness stiffness : sim::stiffnesses()) {
     if (stiffness) plot.exponents.push_back(*stiffness);
   }
@@ -139,13 +143,14 @@ std::string stiffness_text(const std::vector<MeasuredDesign>& designs, const std
 }
 
 Plot boxes_plot(const std::vector<MeasuredDesign>& designs) {
-  return plot_of(designs, boxes_pct, "False hits on stiff rays, of the boxes that they miss", "false hits");
+  return plot_of(designs, boxes_pct, "stiffness", "False hits on stiff rays",
+                 "false hits of the boxes that rays miss");
 }
 
 Plot traversals_plot(const std::vector<MeasuredDesign>& designs, const std::string& scene) {
-  return plot_of(designs, traversals_pct,
-                 fmt::format("Box tests of stiff rays on {}, above conservative float slabs", scene),
-                 "extra box tests");
+  return plot_of(designs, traversals_pct, "stiffness_scene",
+                 fmt::format("Box tests of stiff rays on {}", scene),
+                 "box tests above conservative float slabs");
 }
 
 std::uint64_t wrong_answers(const std::vector<MeasuredDesign>& designs) {

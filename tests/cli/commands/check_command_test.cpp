@@ -256,15 +256,48 @@ TEST(CheckStiff, CountsBoxTestsOfASceneAndWritesRowsAndPlots) {
   EXPECT_THAT(lines.back(),
               testing::MatchesRegex(
                   "int_slabs,n16/16,inf,spheres,[0-9]+,,,,,,,20,[0-9]+,[0-9.]+,-?[0-9.]+,[0-9.]+,0"));
-  EXPECT_EQ(files_below(out), (std::vector<std::string>{"stiffness.csv", "stiffness.csv-metadata.json",
-                                                        "stiffness.svg", "stiffness_scene.svg"}));
+  EXPECT_EQ(files_below(out),
+            (std::vector<std::string>{"stiffness.csv", "stiffness.csv-metadata.json", "stiffness.gp",
+                                      "stiffness.pdf", "stiffness.svg", "stiffness_scene.gp",
+                                      "stiffness_scene.pdf", "stiffness_scene.svg"}));
   EXPECT_EQ(contents_of(out + "/stiffness.csv"), csv);
-  for (const char* const word :
-       {"<?xml", "False hits on stiff rays, of the boxes that they miss", "int_slabs", "16/16", "zero",
-        "ratio of direction components", "false hits, %"})
+  for (const char* const word : {"<?xml", "width=\"800\"", "int_slabs", "16/16", "zero",
+                                 "ratio of direction components", ">false hits of "})
     EXPECT_THAT(contents_of(out + "/stiffness.svg"), HasSubstr(word));
-  EXPECT_THAT(contents_of(out + "/stiffness_scene.svg"),
-              HasSubstr("Box tests of stiff rays on spheres, above conservative float slabs"));
+  EXPECT_THAT(contents_of(out + "/stiffness_scene.svg"), HasSubstr(">box tests above conservative "));
+  EXPECT_THAT(contents_of(out + "/stiffness_scene.gp"),
+              testing::StartsWith("# Box tests of stiff rays on spheres\n"));
+}
+
+TEST(CheckStiff, PlotsForAPaperHaveItsWidth) {
+  const sim::TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const auto drawn = [&](const std::string& width) {
+    printed("check --stiff int_slabs --bits 16/16 --tests 60 --plot-width " + width + " --out " + out);
+    return contents_of(out + "/stiffness.gp");
+  };
+  EXPECT_THAT(drawn("84mm"), testing::AllOf(HasSubstr("set terminal svg size 317,"),
+                                            HasSubstr("set terminal pdfcairo size 8.4000cm,"),
+                                            HasSubstr("font 'sans-serif,8'")));
+  EXPECT_THAT(drawn("3.5in"), HasSubstr("set terminal svg size 336,"));
+  EXPECT_THAT(drawn("240pt"), HasSubstr("set terminal svg size 320,"));
+  EXPECT_THAT(drawn("40mm"), HasSubstr("set terminal svg size 151,"));
+  EXPECT_THAT(drawn("400mm"), HasSubstr("set terminal svg size 1512,"));
+}
+
+TEST(CheckStiff, WrongPlotWidthRejected) {
+  for (const std::string width :
+       {"84", "mm", "8.4cm", "39.9mm", "401mm", "-84mm", "nanmm", "1e9mm", "84 mm"}) {
+    const Outcome outcome =
+        run_hitpipe({"check", "--stiff", "int_slabs", "--out", "none", "--plot-width", width});
+    EXPECT_EQ(outcome.exit_code, 2) << width;
+    EXPECT_EQ(
+        outcome.err,
+        "hitpipe: --plot-width: " + width +
+            " is no width from 40mm to 400mm, such as 84mm, 3.3in or 240pt; see hitpipe check --help\n");
+  }
+  EXPECT_EQ(hitpipe("check --stiff int_slabs --plot-width 84mm").err,
+            "hitpipe: --plot-width requires --out; see hitpipe check --help\n");
 }
 
 }  // namespace

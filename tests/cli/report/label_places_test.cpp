@@ -1,6 +1,7 @@
 // Labels of marks: near them, and on nothing else.
 #include "cli/report/label_places.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -23,6 +24,7 @@ void expect_readable(const std::vector<Mark>& marks, const std::vector<std::stri
   ASSERT_EQ(places.size(), texts.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const LabelPlace& p = places[i];
+    EXPECT_TRUE(p.clear) << texts[i];
     EXPECT_NEAR(p.right - p.left, text_width(texts[i]), 1e-9);
     EXPECT_GE(p.left, 0) << texts[i];
     EXPECT_LE(p.right, size.x) << texts[i];
@@ -76,10 +78,46 @@ TEST(LabelPlaces, ALoneLabelIsBesideItsMark) {
   }
 }
 
+bool meets(const LabelPlace& p, const PlotSegment& line) {
+  for (double along = 0; along <= 1; along += 1.0 / 512)
+    if (within(p, {std::lerp(line.from.x, line.to.x, along), std::lerp(line.from.y, line.to.y, along)}))
+      return true;
+  return false;
+}
+
+TEST(LabelPlaces, LieOnNoLineOfThePlot) {
+  const std::vector<Mark> marks{{100, 200}, {300, 200}};
+  const std::vector<PlotSegment> lines{{marks[0], marks[1]}, {{100, 300}, {100, 200}}};
+  const std::vector<std::string> texts{"int_slabs 24/24", "20/24"};
+  for (const LabelPlace& p : place_labels(marks, texts, size, lines)) {
+    EXPECT_TRUE(p.clear);
+    for (const PlotSegment& line : lines) EXPECT_FALSE(meets(p, line));
+  }
+}
+
+/// Marks may cover one another; their labels are beside all of them.
+TEST(LabelPlaces, OfMarksAtOnePlaceAreReadable) {
+  const std::vector<Mark> marks{{100, 200}, {100, 200, 12}, {101, 201}};
+  const std::vector<std::string> texts{"int_slabs 24/24", "fp_slabs", "fp_plucker"};
+  for (const LabelPlace& p : place_labels(marks, texts, size)) {
+    EXPECT_TRUE(p.clear);
+    EXPECT_FALSE(p.left < 112 && p.right > 88 && std::abs(p.middle - 200) < 12 + half_height);
+  }
+}
+
+TEST(LabelPlaces, WithoutRoomAreNotClear) {
+  const std::vector<Mark> marks{{20, 24}, {22, 24}, {24, 24}};
+  const std::vector<std::string> texts{"24/24", "24/28", "24/32"};
+  const std::vector<LabelPlace> places = place_labels(marks, texts, {60, 30});
+  EXPECT_EQ(std::ranges::count(places, true, &LabelPlace::clear), 1);
+  EXPECT_TRUE(places[0].clear);
+}
+
 TEST(TextWidth, TellsWideLettersFromNarrowOnes) {
   EXPECT_LT(text_width("fill"), text_width("swam"));
   EXPECT_GE(text_width("20+1/12"), 52) << "measured in DejaVu Sans";
   EXPECT_GE(text_width("e5m10"), 42);
+  EXPECT_DOUBLE_EQ(text_width("≤ 0"), text_width("e 0")) << "a letter of three bytes";
 }
 
 }  // namespace

@@ -60,6 +60,21 @@ TEST(Page, GivesEachDrawingIdentifiersOfItsOwn) {
   EXPECT_THAT(html, Not(HasSubstr("<?xml")));
 }
 
+TEST(Page, SaysTheTitleOfAPlotAndWhichLabelsItLacks) {
+  DrawnPicture drawn{
+      .name = "p", .title = "a < b", .script = {}, .svg = "<svg></svg>", .pdf = {}, .width_px = 1000};
+  Page page("t");
+  page.plot(drawn, "c & d.");
+  drawn.width_px = 317;
+  drawn.unnamed = 3;
+  page.plot(drawn, "e.");
+  const std::string html = page.html();
+  EXPECT_THAT(html, HasSubstr("<figure class=\"drawing plot\">"));
+  EXPECT_THAT(html, HasSubstr("<figcaption><strong>a &lt; b.</strong> c &amp; d.</figcaption>"));
+  EXPECT_THAT(html, HasSubstr("<figure class=\"drawing\">")) << "a narrow picture is not made wider";
+  EXPECT_THAT(html, HasSubstr("e. Labels without room: 3; p.gp names all marks.</figcaption>"));
+}
+
 TEST(ColumnHeading, IsWordsWithTheUnitAtTheEnd) {
   EXPECT_EQ(column_heading("clock_mhz"), "clock, MHz");
   EXPECT_EQ(column_heading("stage_delay_ns"), "clock period, ns");

@@ -2,8 +2,10 @@
 #include "cli/report/sweep_plot.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iomanip>
+#include <regex>
 #include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -60,6 +62,15 @@ TEST(ParetoFront, HasWhatNoneBetters) {
 
 const Diagram& diagram(std::string_view name) {
   return *std::ranges::find(diagrams(false), name, &Diagram::name);
+}
+
+std::string diagram_script(const std::string& scene, std::span<const sim::SweepRow> units,
+                           const Diagram& diagram) {
+  return picture_script(diagram_picture(scene, units, diagram, report_form), report_form);
+}
+std::string rate_script(const std::string& scene, std::span<const sim::SweepRow> units) {
+  const std::optional<Picture> picture = rate_picture(scene, units, report_form);
+  return picture ? picture_script(*picture, report_form) : "";
 }
 
 /// One format of each design: its default, or else the last.
@@ -166,37 +177,6 @@ TEST(SweepRows, UsualRaysInFlightAreThoseOfMostRows) {
   EXPECT_EQ(usual_rays_in_flight(std::vector(rows.begin() + 1, rows.begin() + 3)), 2);
 }
 
-TEST(LogAxis, EndsWhereTheDataDoes) {
-  const LogAxis axis(std::vector<double>{0.5, 20, 3});
-  EXPECT_LT(axis.least(), 0.5);
-  EXPECT_GT(axis.least(), 0.4);
-  EXPECT_GT(axis.most(), 20);
-  EXPECT_LT(axis.most(), 25);
-  EXPECT_NEAR(axis.at(axis.share(3)), 3, 1e-12);
-  EXPECT_EQ(axis.tics(), "'0.5' 0.5, '1' 1, '2' 2, '5' 5, '10' 10, '20' 20");
-  const LogAxis narrow(std::vector<double>{1, 1.6});
-  EXPECT_EQ(narrow.tics(), "'1' 1, '1.1' 1.1, '1.2' 1.2, '1.3' 1.3, '1.4' 1.4, '1.6' 1.6");
-  const LogAxis one(std::vector<double>{7});
-  EXPECT_LT(one.least(), 7);
-  EXPECT_GT(one.most(), 7);
-}
-
-TEST(LogAxis, HasAPlaceForWhatIsNotPositive) {
-  const LogAxis axis(std::vector<double>{-1, 0, 10, 1000});
-  EXPECT_EQ(axis.shown(-1), axis.shown(0));
-  EXPECT_LT(axis.shown(0), 10);
-  EXPECT_GT(axis.share(0), 0);
-  EXPECT_NEAR(axis.shown(0), 10 / std::pow(100, 0.3), 1e-12);
-  // Labels have room below and above the units there.
-  EXPECT_GT(axis.share(0), 0.06);
-  EXPECT_GT(axis.share(10) - axis.share(0), 0.2);
-  EXPECT_THAT(axis.tics(), testing::StartsWith("'≤ 0' 2.51"));
-  EXPECT_THAT(axis.tics(), HasSubstr(", '10' 10, "));
-  const LogAxis nothing(std::vector<double>{0, 0});
-  EXPECT_GT(nothing.share(0), 0);
-  EXPECT_LT(nothing.share(0), 1);
-}
-
 TEST(Diagram, NamesEveryUnitBesideItsMark) {
   sim::SweepRow close = row("int_slabs", "24/28", 1001);
   close.area_um2 = 2'001'000;
@@ -208,37 +188,7 @@ TEST(Diagram, NamesEveryUnitBesideItsMark) {
     EXPECT_THAT(script, HasSubstr("set label " + std::string(name) + " at graph "));
 }
 
-/// Marks of two designs at the same place stand side by side, one of a design names its formats.
-TEST(UnitMarks, DoNotCoverOneAnother) {
-  const std::vector rows{row("int_slabs", "20/24", 1), row("int_plucker", "20/24", 1),
-                         row("int_slabs", "20/28", 1), row("int_slabs", "16/16", 1),
-                         row("fp_slabs", "fp32", 1)};
-  const std::vector<Mark> places{{100, 50}, {101, 51}, {103, 50}, {300, 50}, {106, 44}};
-  const std::vector<UnitMark> marks = unit_marks(rows, places);
-  ASSERT_EQ(marks.size(), 4U);
-  EXPECT_EQ(marks[0].name, "20/24,28");
-  EXPECT_EQ(marks[1].name, "20/24");
-  EXPECT_EQ(marks[2].name, "16/16");
-  EXPECT_EQ(marks[3].name, "fp_slabs");
-  EXPECT_EQ(marks[2].place.x, 300);
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j)
-      EXPECT_GE(std::hypot(marks[i].place.x - marks[j].place.x, marks[i].place.y - marks[j].place.y),
-                2 * mark_radius - 1e-6)
-          << i << " " << j;
-  }
-}
-
-/// Shapes tell the first designs apart without colour.
 TEST(Diagram, HasAStyleForEachDesign) {
-  std::set<DesignStyle> styles;
-  std::set<int> shapes;
-  for (std::size_t place = 0; place < 300; ++place) {
-    styles.insert(design_style(place));
-    if (place < 12) shapes.insert(design_style(place).shape);
-  }
-  EXPECT_EQ(styles.size(), 300U);
-  EXPECT_EQ(shapes.size(), 12U);
   std::vector<sim::SweepRow> rows;
   for (const rtl::Design& design : rtl::designs())
     rows.push_back(row(std::string(design.name), rtl::to_string(design.default_format), 1001));
@@ -250,36 +200,73 @@ TEST(Diagram, HasAStyleForEachDesign) {
   }
 }
 
-/// The plot keeps its size.
-TEST(Diagram, GrowsWithItsKey) {
+/// However many cover one another, in a wide picture and in a narrow one.
+TEST(Diagram, MarksStandWhereTheValuesAre) {
   std::vector<sim::SweepRow> rows;
-  for (const char* const design : {"fp_slabs", "int_slabs"})
-    rows.push_back(row(design, rows.size() % 2 == 0 ? "fp32" : "20/24", 1001));
-  EXPECT_THAT(diagram_script("a", rows, diagram("error_area")), HasSubstr("set terminal svg size 1000,592 "));
-  rows.push_back(row("fp_plucker", "fp32", 1001));
-  EXPECT_THAT(diagram_script("a", rows, diagram("error_area")), HasSubstr("set terminal svg size 1000,612 "));
+  for (const char* const design : {"int_slabs", "int_plucker"}) {
+    for (const char* const bits : {"20/24", "20/28", "24/24"}) {
+      rows.push_back(row(design, bits, 1000 + 3 * (rows.size() % 3)));
+      rows.back().area_um2 += 100 * static_cast<std::int64_t>(rows.size());
+    }
+  }
+  rows.push_back(row("fp_slabs", "fp32", 900));
+  for (const PictureForm& form : {report_form, paper_form(84)}) {
+    const std::string script = picture_script(diagram_picture("a", rows, diagram("error_area"), form), form);
+    std::set<std::string> expected;
+    const LogAxis y(std::vector<double>{0.3, 0.6, 0});
+    for (const sim::SweepRow& unit : rows)
+      expected.insert(fmt::format("{:.6g} {:.6g} {} {}", unit.area_per_box_mm2(),
+                                  y.shown(unit.extra_box_tests_pct()), unit.design, unit.bits));
+    std::istringstream lines(script.substr(script.find("$marks << END\n")));
+    std::string line;
+    std::getline(lines, line);
+    std::set<std::string> drawn;
+    while (std::getline(lines, line) && line != "END") {
+      std::istringstream cells(line);
+      std::string at_x, at_y, size, shape, colour, design, bits;
+      cells >> at_x >> at_y >> size >> shape >> colour >> std::quoted(design) >> std::quoted(bits);
+      drawn.insert(at_x + " " + at_y + " " + design + " " + bits);
+    }
+    EXPECT_EQ(drawn, expected);
+    EXPECT_EQ(drawn.size(), 7U);
+  }
 }
 
-/// Units whose lines would lie on one another share one.
-TEST(OccupancyDiagram, HasALineForUnitsThatDiffer) {
-  std::vector<sim::SweepRow> rows(2, row("int_slabs", "20/24", 1000));
-  rows[1].rays_in_flight = 64;
-  for (int i = 0; i < 2; ++i) {
-    rows.push_back(rows[static_cast<std::size_t>(i)]);
-    rows.back().design = "int_plucker";
-    rows.push_back(rows[static_cast<std::size_t>(i)]);
-    rows.back().bits = "24/24";
-    rows.back().cycles *= 2;
-    rows.push_back(rows[static_cast<std::size_t>(i)]);
-    rows.back().bits = "16/16";  // none of the thesis's
+/// gnuplot puts them there.
+TEST(Diagram, MarksOfTheSvgStandWhereTheValuesAre) {
+  std::vector<sim::SweepRow> rows{row("int_slabs", "20/24", 1010), row("int_plucker", "20/24", 1010),
+                                  row("fp_slabs", "fp32", 1100)};
+  rows[1].area_um2 += 1000;
+  rows[2].area_um2 = 4'000'000;
+  const Picture picture = diagram_picture("a", rows, diagram("error_area"), report_form);
+  const std::string svg = draw_picture("a", picture, report_form).svg;
+  const std::vector<double> areas{2, 2.001, 4};
+  const std::vector<double> errors{1, 1, 10};
+  const LogAxis x(areas);
+  const LogAxis y(errors);
+  const PlotFrame frame =
+      plot_frame(report_form, diagram("error_area").cost_label, diagram("error_area").error_label,
+                 std::vector<std::string>{"int_slabs", "int_plucker", "fp_slabs", "front"});
+  std::vector<std::pair<double, double>> found;
+  const std::regex use("<use xlink:href='#gpPt[0-9]+' transform='translate\\(([0-9.]+),([0-9.]+)\\)");
+  for (std::sregex_iterator each(svg.begin(), svg.end(), use), end; each != end; ++each)
+    found.emplace_back(std::stod((*each)[1]), std::stod((*each)[2]));
+  // Those of the key come last.
+  ASSERT_EQ(found.size(), 6U);
+  std::sort(found.begin(), found.begin() + 3);
+  constexpr double right_of_plot = 15;
+  constexpr double above_plot = 12;
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(found[i].first, 1000 - right_of_plot - frame.size.x * (1 - x.share(areas[i])), 0.2);
+    EXPECT_NEAR(found[i].second, above_plot + frame.size.y * (1 - y.share(errors[i])), 0.2);
   }
-  const std::string script = occupancy_script("a", rows);
-  EXPECT_THAT(script, HasSubstr("$unit0 << END\n32 50\n64 50\nEND\n"));
-  EXPECT_THAT(script, HasSubstr("title 'int_slabs 20/24, int_plucker 20/24'"));
-  EXPECT_THAT(script, HasSubstr("title 'int_slabs 24/24'"));
-  EXPECT_THAT(script, HasSubstr("set xrange [30.4:67.2]\nset yrange [0:101]\nset xtics (32,64)\n"));
-  EXPECT_THAT(script, Not(HasSubstr("16/16")));
-  EXPECT_EQ(occupancy_script("a", std::vector{row("int_slabs", "20/24", 1000)}), "");
+}
+
+TEST(Diagram, HasNoTitle) {
+  const std::string script =
+      diagram_script("a", std::vector{row("fp_slabs", "fp32", 1001)}, diagram("error_area"));
+  EXPECT_THAT(script, testing::StartsWith("# a: error and area\n"));
+  EXPECT_THAT(script, Not(HasSubstr("set title")));
 }
 
 }  // namespace
