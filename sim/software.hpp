@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "area_model/set_up.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "sim/check/box_test.hpp"
 #include "sim/check/triangle_test.hpp"
@@ -57,6 +58,9 @@ struct Software {
   ref::TracerOptions (*named_tracer)(const rtl::Format& format) = nullptr;
   /// Null: six planes as wide as their ports, then count and pointer of 4 bytes each.
   std::size_t (*bytes_per_node)(const rtl::Format& format, const ref::CoarseAxes& coarse) = nullptr;
+
+  /// The divisions of a ray's set-up. Null: the design does not say.
+  area::Divisions (*divisions)(const rtl::Format& format) = nullptr;
 
   /// Null: the unit reads nodes, not records of its own.
   NodeRecords (*records)(const rtl::Format& format, const ref::Bvh& bvh) = nullptr;

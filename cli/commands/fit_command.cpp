@@ -97,6 +97,8 @@ double whole_cost(const sim::PricedTests& unit, const sim::TriangleCost& triangl
   row.unit_tests = (row.box_tests + boxes - 1) / boxes;
   row.cycles = row.unit_tests * static_cast<std::uint64_t>(unit.price.interval);
   row.triangle_tests = unit.tests.triangle_tests;
+  row.rays_primary = unit.tests.rays;
+  row.set_up = sim::set_up_cost(*unit.design, unit.format, rtl::Library::thesis());
   return row.whole_area_run_time();
 }
 
@@ -104,6 +106,7 @@ sim::SweepRow measured(const sim::FitResult& fitted, const sim::TriangleCost& tr
   const sim::FittedUnit& unit = fitted.unit;
   sim::SweepRow row = sim::priced_row(*unit.design, unit.format, unit.price);
   row.triangle = triangle;
+  row.set_up = sim::set_up_cost(*unit.design, unit.format, rtl::Library::thesis());
   row.bytes_per_node = static_cast<int>(sim::bytes_per_node(*unit.design, unit.format, unit.coarse));
   sim::add_counts(row, fitted.image);
   return row;

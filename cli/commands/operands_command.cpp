@@ -115,7 +115,8 @@ int make_operands(const OperandsCommand& command, const CLI::App& parsed) {
   const auto show = [&](double share) { progress->show(share); };
   Row row{{"design", design.name}, {"bits", rtl::to_string(format)}};
   if (command.bounds) {
-    const ref::Normalisation& cube = sim::Placement(*command.bounds).transform();
+    const sim::Placement placement(*command.bounds);
+    const ref::Normalisation& cube = placement.transform();
     row.update(
         {{"offset", Row::array({cube.offset.x, cube.offset.y, cube.offset.z})}, {"scale", cube.scale}});
   }

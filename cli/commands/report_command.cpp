@@ -60,8 +60,9 @@ std::string options_given(const CLI::App& command, Given which, const ref::Hiera
     const std::string name = option->get_name();
     const bool of_scene = name != "--out" && name != "--plot-width" && name != "--rows" && name != "--bits" &&
                           name != "--ii" && !name.starts_with("--image-") && name != "--tests" &&
-                          name != "--seed" && name != "--threads" && name != "--format";
-    const bool of_cost = name == "--library" || name.starts_with("--triangle-");
+                          name != "--seed" && name != "--threads" && name != "--format" &&
+                          !option->get_positional();
+    const bool of_cost = name == "--library" || name == "--tests-only" || name.starts_with("--triangle-");
     const bool of_size = name == "--width" || name == "--height";
     const bool of_hierarchy =
         std::ranges::find(hierarchy_option_names(), name) != hierarchy_option_names().end();
@@ -87,11 +88,26 @@ rtl::Format coarsest(std::span<const sim::SweepRow> rows, const DesignChoice& un
   return least;
 }
 
+std::vector<const rtl::Design*> traced_designs() {
+  std::vector<const rtl::Design*> traced;
+  for (const rtl::Design& design : rtl::designs())
+    if (sim::why_not_traced(design).empty()) traced.push_back(&design);
+  return traced;
+}
+
 /// The first conservative design that can be swept.
 std::string image_design() {
-  for (const rtl::Design& design : rtl::designs())
-    if (design.conservative && sim::why_not_traced(design).empty()) return std::string(design.name);
+  for (const rtl::Design* const design : traced_designs())
+    if (design->conservative) return std::string(design->name);
   return "";
+}
+
+/// "int_slabs,int_major ".
+std::string conservative_names(const std::vector<MeasuredDesign>& designs) {
+  std::string names;
+  for (const MeasuredDesign& each : designs)
+    names += fmt::format("{}{}", names.empty() ? "" : ",", each.design->name);
+  return names + " ";
 }
 
 std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& command, const ref::Scene& scene,
@@ -125,13 +141,16 @@ int report(const ReportCommand& command, const CLI::App& options) {
   const rtl::Format image_format = command.image.format();
   const rtl::Library library = command.cost.load();
   const sim::TriangleCost triangle = command.cost.triangle(library);
+  const bool named = !command.swept.names.empty();
+  const std::vector<const rtl::Design*> designs =
+      command.rows.empty() ? priced_by(library, command.swept.designs(sim::why_not_traced), named)
+                           : traced_designs();
+  const std::vector<sim::DesignFormats> formats = command.swept.formats(designs, sim::sweep_formats);
+  const std::vector<ReportUnit> units = report_units(formats, named);
   std::vector<sim::SweepPoint> points;
-  if (command.rows.empty()) {
-    const std::vector<const rtl::Design*> designs =
-        priced_by(library, command.swept.designs(sim::why_not_traced), false);
-    points = report_points(command.swept.formats(designs, sim::sweep_formats),
-                           command.intervals.empty() ? std::vector{1} : command.intervals, library);
-  }
+  if (command.rows.empty())
+    points = report_points(formats, units, command.intervals.empty() ? std::vector{1} : command.intervals,
+                           library);
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   const ref::Bvh bvh = ref::make_hierarchy(scene, command.hierarchy).bvh;
@@ -142,6 +161,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                 .program = program,
                                 .hierarchy = command.hierarchy.name(),
                                 .library = &library,
+                                .tests_only = command.cost.tests_only,
                                 .triangle = triangle,
                                 .progress = [&](double share) { progress->show(share); }};
   progress.emplace("sweeping");
@@ -162,29 +182,32 @@ int report(const ReportCommand& command, const CLI::App& options) {
   facts.command = command_line(options);
 
   facts.scene = scene.name;
+  facts.named = named;
   facts.asked = asked(command, scene, bvh, rows);
   facts.rows = rows;
   facts.row_commands = sweep_commands(facts.rows, options_given(options, Given::of_sweep, command.hierarchy));
   facts.seed = command.seed;
   progress.emplace("drawing");
   facts.diagrams = draw_diagrams(facts.rows, command.plots);
-  facts.schematics = draw_schematics();
+  facts.schematics = draw_schematics(designs);
   const std::string library_option =
       command.cost.library == rtl::default_library
           ? ""
           : fmt::format(" --library {}", host::shell_word(command.cost.library));
-  facts.prices = report_prices(facts.rows, library);
+  facts.prices = report_prices(units, facts.rows, library);
   facts.area_commands = price_commands(facts.prices, library_option);
   progress.emplace("judging");
-  facts.stability =
-      measure_stability({.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
-  facts.stiffness =
-      measure_stiffness({.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
+  facts.stability = measure_stability(
+      units, {.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
+  facts.stiffness = measure_stiffness(
+      designs, {.tests = command.tests, .seed = command.seed, .threads = command.scene.threads});
   facts.stiffness_command =
-      fmt::format("hitpipe check --stiff --tests {} --seed {} --out FOLDER", command.tests, command.seed);
-  facts.stiffness_diagram = {
-      draw_picture("report", stiffness_picture(boxes_plot(facts.stiffness), command.plots), command.plots),
-      fmt::format("{} boxes for each ratio.", readable_number(std::to_string(command.tests)))};
+      fmt::format("hitpipe check --stiff {}--tests {} --seed {} --out FOLDER",
+                  named ? conservative_names(facts.stiffness) : "", command.tests, command.seed);
+  if (!facts.stiffness.empty())
+    facts.stiffness_diagram.emplace(Diagrammed{
+        draw_picture("report", stiffness_picture(boxes_plot(facts.stiffness), command.plots), command.plots),
+        fmt::format("{} boxes for each ratio.", readable_number(std::to_string(command.tests)))});
   progress.emplace("sweeping the integer world");
   facts.world = world_rows({.design = &rtl::find_design("int_triangle"),
                             .formats = usual_world_formats(),
@@ -227,13 +250,13 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                   .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
-  std::vector<host::File> files{
-      {"rows.csv", sim::to_csv(rows)},
-      {"pictures.csv", table_text(facts.pictures.rows, OutputFormat::csv)},
-      {"pipelines.csv", table_text(pipeline_rows(facts), OutputFormat::csv)},
-      {"stability.csv", table_text(stability_rows(facts), OutputFormat::csv)},
-      {"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), OutputFormat::csv)},
-      {"integer_world.csv", table_text(facts.world, OutputFormat::csv)}};
+  std::vector<host::File> files{{"rows.csv", sim::to_csv(rows)},
+                                {"pictures.csv", table_text(facts.pictures.rows, OutputFormat::csv)},
+                                {"pipelines.csv", table_text(pipeline_rows(facts), OutputFormat::csv)},
+                                {"stability.csv", table_text(stability_rows(facts), OutputFormat::csv)},
+                                {"integer_world.csv", table_text(facts.world, OutputFormat::csv)}};
+  if (!facts.stiffness.empty())
+    files.push_back({"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), OutputFormat::csv)});
   if (!facts.core.rows.empty()) files.push_back({"core.csv", table_text(facts.core.rows, OutputFormat::csv)});
   std::vector<std::string> tables;
   for (const host::File& file : files)
@@ -247,7 +270,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   };
   for (const auto& diagrams : {facts.diagrams, facts.core_diagrams})
     std::for_each(diagrams.begin(), diagrams.end(), add);
-  add(facts.stiffness_diagram);
+  if (facts.stiffness_diagram) add(*facts.stiffness_diagram);
   add(facts.world_diagram);
   files.insert(files.end(), facts.pictures.files.begin(), facts.pictures.files.end());
   files.push_back({"index.html", report_html(facts)});
@@ -293,6 +316,8 @@ CLI::App* add_report_command(CLI::App& program, int& exit_code) {
                    "--rows", options->rows,
                    "Read the rows from a CSV file that hitpipe sweep wrote for this scene and size"))
           ->type_name("FILE");
+  exclude(add_designs_option(*command, options->swept, "all"), rows,
+          "the rows of the file have their designs");
   exclude(add_bits_option(*command, options->swept, "as hitpipe sweep"), rows,
           "the rows of the file have their formats");
   exclude(add_intervals_option(*command, options->intervals,

@@ -55,7 +55,9 @@ Row record(const sim::SweepRow& row) {
   Row record;
   for (const sim::SweepColumn& column : sim::sweep_columns) {
     const std::string cell = column.cell(row);
-    record[std::string(column.name)] = column.is_text() ? Row(cell) : Row::parse(cell);
+    record[std::string(column.name)] = column.is_text() ? Row(cell)
+                                       : cell.empty()   ? Row(nullptr)
+                                                        : Row::parse(cell);
   }
   return record;
 }
@@ -163,6 +165,7 @@ int sweep(const SweepCommand& command, const CLI::App& parsed) {
                                         .program = "hitpipe " HITPIPE_VERSION,
                                         .hierarchy = command.hierarchy.name(),
                                         .library = &library,
+                                        .tests_only = command.cost.tests_only,
                                         .triangle = command.cost.triangle(library)},
                             .file = command.out,
                             .more = {command.rows.begin(), command.rows.end()}};
@@ -175,7 +178,8 @@ int sweep(const SweepCommand& command, const CLI::App& parsed) {
   sweep.options.progress = [&](double share) { progress->show(share); };
   Row notes = notes_of(parsed);
   notes.update(camera_notes(scene));
-  host::write_file(metadata_file(command.out), csv_metadata({sweep.file.filename().string()}, notes));
+  sweep.notes = csv_metadata({sweep.file.filename().string()}, notes);
+  sweep.notes_file = metadata_file(sweep.file);
   const std::vector<sim::SweepRow> rows = sim::resume(sweep);
   progress.reset();
   return report(rows, command.hierarchy.text(), command.format);

@@ -53,6 +53,8 @@ void add_cost_options(CLI::App& command, CostChoice& choice) {
   add_library_option(command, choice.library);
   add_triangle_options(command, choice);
   add_cost(command, "--triangle-luts", choice.triangle_luts, "Lookup tables of that triangle unit on a chip");
+  command.add_flag("--tests-only", choice.tests_only,
+                   "The whole cost is that of tests: no divisions of rays' set-up, no energy");
 }
 
 }  // namespace hitpipe::cli

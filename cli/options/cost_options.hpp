@@ -19,6 +19,7 @@ struct CostChoice {
   std::optional<double> triangle_ns;
   std::optional<double> triangle_mm2;
   std::optional<double> triangle_luts;
+  bool tests_only = false;  ///< the whole cost leaves out set-up, and energy is not estimated
 
   /// Throws what rtl::library_called() throws.
   [[nodiscard]] rtl::Library load() const { return rtl::library_called(library); }

@@ -31,7 +31,8 @@ std::string version_of(std::vector<std::string> program, const char* option = "-
 
 }  // namespace
 
-std::vector<area::Price> report_prices(std::span<const sim::SweepRow> rows, const rtl::Library& library) {
+std::vector<area::Price> report_prices(std::span<const ReportUnit> units, std::span<const sim::SweepRow> rows,
+                                       const rtl::Library& library) {
   std::vector<area::Price> prices;
   const auto add = [&](const rtl::Design& design, const rtl::Format& format, int interval) {
     const bool there = std::any_of(prices.begin(), prices.end(), [&](const area::Price& p) {
@@ -41,7 +42,7 @@ std::vector<area::Price> report_prices(std::span<const sim::SweepRow> rows, cons
     prices.push_back(
         area::price(design, format, library, area::Account::built, rtl::FlowControl::stall, interval));
   };
-  for (const area::Entry& entry : area::table_7_2()) add(rtl::find_design(entry.design), entry.format, 1);
+  for (const ReportUnit& unit : units) add(*unit.design, unit.format, 1);
   for (const NamedRow& best : best_rows(rows)) {
     const sim::SweepRow& row = rows[best.row];
     const rtl::Design& design = rtl::find_design(row.design);
@@ -53,12 +54,16 @@ std::vector<area::Price> report_prices(std::span<const sim::SweepRow> rows, cons
 std::vector<std::string> price_commands(std::span<const area::Price> prices,
                                         const std::string& library_option) {
   const auto& six = area::table_7_2();
-  std::vector<std::string> commands{fmt::format("hitpipe area{} --format csv", library_option)};
+  std::vector<std::string> commands;
+  const std::string of_the_six = fmt::format("hitpipe area{} --format csv", library_option);
   for (const area::Price& p : prices) {
     const bool is_of_six = std::any_of(six.begin(), six.end(), [&](const area::Entry& entry) {
       return entry.design == p.design && entry.format == p.format && p.interval == 1;
     });
-    if (is_of_six) continue;
+    if (is_of_six) {
+      if (commands.empty() || commands.front() != of_the_six) commands.insert(commands.begin(), of_the_six);
+      continue;
+    }
     commands.push_back(fmt::format("hitpipe area {}{}{}{} --format csv", p.design,
                                    rtl::find_design(p.design).bits_option(p.format), library_option,
                                    p.interval == 1 ? "" : fmt::format(" --ii {}", p.interval)));
@@ -66,15 +71,15 @@ std::vector<std::string> price_commands(std::span<const area::Price> prices,
   return commands;
 }
 
-std::vector<Stability> measure_stability(const StabilityOptions& options) {
+std::vector<Stability> measure_stability(std::span<const ReportUnit> units, const StabilityOptions& options) {
   const auto categories = ref::adversary::categories();
   std::vector<Stability> measured;
-  for (const area::Entry& entry : area::table_7_2()) {
-    const rtl::Design& design = rtl::find_design(entry.design);
-    const std::string bits = rtl::to_string(entry.format);
+  for (const ReportUnit& unit : units) {
+    const rtl::Design& design = *unit.design;
+    const std::string bits = rtl::to_string(unit.format);
     Stability sum{
-        .design = std::string(entry.design), .bits = bits, .command = {}, .categories = {}, .all = {}};
-    for (const sim::CategoryResult& r : sim::check([&] { return sim::make_box_test(design, entry.format); },
+        .design = std::string(design.name), .bits = bits, .command = {}, .categories = {}, .all = {}};
+    for (const sim::CategoryResult& r : sim::check([&] { return sim::make_box_test(design, unit.format); },
                                                    {.categories = {categories.begin(), categories.end()},
                                                    .tests = options.tests,
                                                    .seed = options.seed,
@@ -83,20 +88,21 @@ std::vector<Stability> measure_stability(const StabilityOptions& options) {
       sum.all += r;
     }
     sum.command = fmt::format("hitpipe check {}{} --tests {} --seed {}", design.name,
-                              design.bits_option(entry.format), options.tests, options.seed);
+                              design.bits_option(unit.format), options.tests, options.seed);
     measured.push_back(std::move(sum));
   }
   return measured;
 }
 
-std::vector<MeasuredDesign> measure_stiffness(const StabilityOptions& options) {
+std::vector<MeasuredDesign> measure_stiffness(std::span<const rtl::Design* const> designs,
+                                              const StabilityOptions& options) {
   std::vector<MeasuredDesign> measured;
-  for (const rtl::Design& design : rtl::designs()) {
-    if (!design.conservative || !sim::why_not_traced(design).empty()) continue;
-    MeasuredDesign made{&design, {}};
-    for (const rtl::Format& format : sim::stiffness_formats(design)) {
+  for (const rtl::Design* const design : designs) {
+    if (!design->conservative) continue;
+    MeasuredDesign made{design, {}};
+    for (const rtl::Format& format : sim::stiffness_formats(*design)) {
       std::vector<sim::StiffBoxes> boxes =
-          sim::stiff_boxes([&] { return sim::make_box_test(design, format); },
+          sim::stiff_boxes([&] { return sim::make_box_test(*design, format); },
                            {.tests = options.tests, .seed = options.seed, .threads = options.threads});
       std::vector<sim::StiffBoxes> all = sim::over_all_kinds(boxes);
       made.formats.push_back({format, std::move(boxes), std::move(all), {}});
@@ -178,10 +184,11 @@ Diagrammed draw_world(std::span<const Row> rows, const PictureForm& form) {
           "Above the pictures of the float world. A pixel differs if a channel does by more than 1/256."};
 }
 
-std::vector<Schematic> draw_schematics() {
+std::vector<Schematic> draw_schematics(std::span<const rtl::Design* const> designs) {
   std::vector<Schematic> schematics;
   const rtl::Library& library = rtl::Library::thesis();
-  for (const rtl::Design& design : rtl::designs()) {
+  for (const rtl::Design* const each : designs) {
+    const rtl::Design& design = *each;
     const rtl::Format format = design.default_format;
     const rtl::Pipeline pipeline = rtl::make_pipeline(design.trace(format), library);
     const rtl::EmittedDesign emitted = rtl::emit(design, format, library, pipeline);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -11,14 +12,16 @@
 #include "cli/report/core_facts.hpp"
 #include "cli/report/picture.hpp"
 #include "cli/report/report_pictures.hpp"
+#include "cli/report/report_sweep.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "cli/text/stiffness_report.hpp"
 #include "sim/check/check.hpp"
 
 namespace hitpipe::cli {
 
-/// Prices of the units in Table 7.2 that the library can price, and of the best rows, each once.
-[[nodiscard]] std::vector<area::Price> report_prices(std::span<const sim::SweepRow> rows,
+/// Prices of the units that the library can price, and of the best rows, each once.
+[[nodiscard]] std::vector<area::Price> report_prices(std::span<const ReportUnit> units,
+                                                     std::span<const sim::SweepRow> rows,
                                                      const rtl::Library& library);
 /// The commands that print them; `library_option` is " --library xc7", or nothing for the default.
 [[nodiscard]] std::vector<std::string> price_commands(std::span<const area::Price> prices,
@@ -37,12 +40,13 @@ struct StabilityOptions {
   std::uint64_t seed = 1;
   int threads = 1;
 };
-/// Measures the thesis's six units.
-[[nodiscard]] std::vector<Stability> measure_stability(const StabilityOptions& options);
+[[nodiscard]] std::vector<Stability> measure_stability(std::span<const ReportUnit> units,
+                                                       const StabilityOptions& options);
 
-/// False hits on stiff rays, of every design that never misses and can trace, in its formats of a stiffness
+/// False hits on stiff rays, of those of these designs that never miss, in their formats of a stiffness
 /// report.
-[[nodiscard]] std::vector<MeasuredDesign> measure_stiffness(const StabilityOptions& options);
+[[nodiscard]] std::vector<MeasuredDesign> measure_stiffness(std::span<const rtl::Design* const> designs,
+                                                            const StabilityOptions& options);
 
 struct Diagrammed {
   DrawnPicture picture;
@@ -67,7 +71,7 @@ struct Schematic {
   std::vector<Drawing> drawings;
 };
 /// One for each design, at its default format. None when Graphviz is not installed.
-[[nodiscard]] std::vector<Schematic> draw_schematics();
+[[nodiscard]] std::vector<Schematic> draw_schematics(std::span<const rtl::Design* const> designs);
 
 /// Versions of the compiler that built this program and of the programs that it calls.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> versions();
@@ -77,6 +81,7 @@ struct ReportFacts {
   std::string command;                    ///< the user's command
   std::vector<std::string> row_commands;  ///< commands that make the rows
   std::string scene;
+  bool named = false;  ///< the user named designs; else all are swept, and the thesis's are looked at
   std::vector<std::pair<std::string, std::string>> asked;
   std::vector<sim::SweepRow> rows;
   std::vector<Diagrammed> diagrams;
@@ -86,8 +91,8 @@ struct ReportFacts {
   std::vector<MeasuredDesign> stiffness;
   std::string stiffness_command;
   std::vector<std::string> area_commands;
-  Diagrammed stiffness_diagram;
-  std::vector<Row> world;  ///< of the integer world, by format
+  std::optional<Diagrammed> stiffness_diagram;  ///< of designs that never miss, if there is one
+  std::vector<Row> world;                       ///< of the integer world, by format
   std::string world_command;
   Diagrammed world_diagram;
   CoreFacts core;

@@ -25,10 +25,10 @@ std::vector<std::string> cost_columns(bool on_chip) {
   } else {
     columns.insert(columns.end(), {"area_mm2", "area_per_box_mm2"});
   }
-  columns.insert(
-      columns.end(),
-      {"occupancy_pct", "run_time_ms", on_chip ? "area_run_time_lut_ms" : "area_run_time_mm2_ms",
-       "whole_run_time_ms", on_chip ? "whole_area_run_time_lut_ms" : "whole_area_run_time_mm2_ms"});
+  columns.insert(columns.end(),
+                 {"occupancy_pct", "run_time_ms", on_chip ? "area_run_time_lut_ms" : "area_run_time_mm2_ms",
+                  "whole_run_time_ms", on_chip ? "whole_area_run_time_lut_ms" : "whole_area_run_time_mm2_ms",
+                  "set_up_run_time_ms", "energy_nj_per_ray"});
   return columns;
 }
 const std::vector<std::string> work_columns{"box_tests",
@@ -38,13 +38,16 @@ const std::vector<std::string> work_columns{"box_tests",
                                             "false_hits_per_million",
                                             "false_misses",
                                             "nodes_fetched",
-                                            "bytes_per_ray"};
+                                            "bytes_per_ray",
+                                            "bytes_per_ray_4kib",
+                                            "bytes_per_ray_16kib",
+                                            "bytes_per_ray_64kib"};
 
 using Rows = std::span<const sim::SweepRow>;
 
-/// The line of rows.csv that holds this row. The file starts with a comment and the header.
+/// The line of rows.csv that holds this row. The file starts with the header.
 std::size_t line_of(std::size_t row) {
-  return row + 3;
+  return row + 2;
 }
 
 std::string readable_cell(const sim::SweepRow& row, const std::string& column) {
@@ -310,10 +313,10 @@ std::string report_html(const ReportFacts& facts) {
 
   page.heading("Pipelines");
   page.table(page_table(
-      fmt::format(
-          "The units of Table 7.2 and those with the least cost under What was found. All that is emitted "
-          "is priced by the component library {}; percent of {} for each box: pipelines.csv.",
-          rows.front().library, area::baseline_design().design),
+      fmt::format("{} and those with the least cost under What was found. All that is emitted "
+                  "is priced by the component library {}; percent of {} for each box: pipelines.csv.",
+                  facts.named ? "The designs that were asked for" : "The units of Table 7.2",
+                  rows.front().library, area::baseline_design().design),
       pipeline_rows(facts)));
 
   page.heading("The sweep");
@@ -353,9 +356,10 @@ std::string report_html(const ReportFacts& facts) {
       "all "
       "three inverse components one scale has few bits left for some axes of such a ray, and accepts boxes "
       "in "
-      "vain; it never misses one. The lines are false_hit_pct of stiffness.csv, rows with boxes \"all\"; the "
-      "file has the number of tests and the 95 % interval of each point.");
-  page.plot(facts.stiffness_diagram.picture, facts.stiffness_diagram.caption);
+      "vain; it never misses one. The lines are the false hits of all kinds of box in stiffness.csv, in "
+      "percent of "
+      "the boxes that the ray misses; the file has the tests and the 95 % interval of each kind.");
+  if (facts.stiffness_diagram) page.plot(facts.stiffness_diagram->picture, facts.stiffness_diagram->caption);
 
   page.heading("The integer world");
   page.paragraph(

@@ -26,17 +26,32 @@ void append_once(std::vector<Value>& values, const Value& value) {
 
 }  // namespace
 
+std::vector<ReportUnit> report_units(const std::vector<sim::DesignFormats>& formats, bool named) {
+  std::vector<ReportUnit> units;
+  if (!named) {
+    for (const area::Entry& entry : area::table_7_2())
+      units.push_back({&rtl::find_design(entry.design), entry.format});
+    return units;
+  }
+  for (const sim::DesignFormats& each : formats) {
+    const bool usual = std::ranges::find(each.formats, each.design->default_format) != each.formats.end();
+    units.push_back({each.design, usual ? each.design->default_format : each.formats.back()});
+  }
+  return units;
+}
+
 std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats,
+                                           const std::vector<ReportUnit>& units,
                                            const std::vector<int>& intervals, const rtl::Library& library) {
   std::map<sim::RowKey, sim::SweepPoint> points;
   const auto add = [&](const std::vector<sim::SweepPoint>& more) {
     for (const sim::SweepPoint& point : more) points.emplace(sim::key_of(point), point);
   };
   add(sim::plan_sweep(formats, usual_rays, intervals));
-  for (const area::Entry& entry : area::table_7_2()) {
-    const sim::DesignFormats unit{&rtl::find_design(entry.design), {entry.format}};
-    if (!sim::why_not_priced(*unit.design, entry.format, library).empty()) continue;
-    add(sim::plan_sweep({&unit, 1}, many_rays));
+  for (const ReportUnit& unit : units) {
+    const sim::DesignFormats alone{unit.design, {unit.format}};
+    if (!sim::why_not_priced(*unit.design, unit.format, library).empty()) continue;
+    add(sim::plan_sweep({&alone, 1}, many_rays));
   }
   std::vector<sim::SweepPoint> all;
   for (const auto& [key, point] : points) all.push_back(point);

@@ -10,9 +10,20 @@
 
 namespace hitpipe::cli {
 
-/// Every design in its formats at each interval with 32 rays in flight, and the thesis's six units with
-/// 1, 2, 4 .. 256.
+/// A unit that a report looks at closely.
+struct ReportUnit {
+  const rtl::Design* design;
+  rtl::Format format;
+};
+/// Of designs that the user named: each in its usual format, or else in the last one that is swept. If none
+/// is named, the thesis's six units (Table 7.2).
+[[nodiscard]] std::vector<ReportUnit> report_units(const std::vector<sim::DesignFormats>& formats,
+                                                   bool named);
+
+/// Every design in its formats at each interval with 32 rays in flight, and the units that the library can
+/// price with 1, 2, 4 .. 256.
 [[nodiscard]] std::vector<sim::SweepPoint> report_points(const std::vector<sim::DesignFormats>& formats,
+                                                         const std::vector<ReportUnit>& units,
                                                          const std::vector<int>& intervals,
                                                          const rtl::Library& library);
 

@@ -92,10 +92,12 @@ std::string area_unit(const sim::SweepRow& row) {
 }
 
 std::string cost_text(const sim::SweepRow& row) {
+  const std::optional<double> energy = row.energy_nj_per_ray();
   return fmt::format(
-      "{:.4g} {} ms, of box tests alone {:.4g}; {:.4g} % extra triangle tests, {:.4g} bytes a ray{}",
+      "{:.4g} {} ms, of box tests alone {:.4g}; {:.4g} % extra triangle tests; {:.4g} bytes{} a ray{}",
       row.whole_area_run_time(), area_unit(row), row.area_run_time(), row.extra_triangle_tests_pct(),
-      row.bytes_per_ray(), row.on_chip() ? fmt::format(", {} multiplier blocks", row.multiplier_blocks) : "");
+      row.bytes_per_ray(), energy ? fmt::format(" and {:.3g} nJ", *energy) : "",
+      row.on_chip() ? fmt::format(", {} multiplier blocks", row.multiplier_blocks) : "");
 }
 
 std::vector<std::string> recommendation(Rows rows) {
@@ -113,14 +115,15 @@ std::vector<std::string> recommendation(Rows rows) {
 }
 
 std::string cost_caveat(const sim::SweepRow& row) {
+  const bool set_up = row.set_up.divisions.has_value();
   const std::string unit = row.on_chip()
                                ? fmt::format("{} LUTs", row.triangle.luts)
                                : fmt::format("{:.4g} mm²", static_cast<double>(row.triangle.area_um2) / 1e6);
   return fmt::format(
-      "Whole counts box tests and triangle tests. A triangle test is taken as {:.4g} ns of a unit of {}. "
-      "Set-up "
-      "of rays, shading and waiting for memory are left out; bytes a ray are read without a cache.{}",
-      static_cast<double>(row.triangle.delay_ps) / 1e3, unit,
+      "Whole counts box tests, triangle tests{}. A triangle test is taken as {:.4g} ns of a unit of {}. {}"
+      "Shading and waiting for memory are left out; bytes a ray are read without a cache.{}",
+      set_up ? " and the divisions of rays' set-up" : "", static_cast<double>(row.triangle.delay_ps) / 1e3,
+      unit, set_up ? "" : "Set-up of rays is not counted. ",
       row.on_chip() ? " Area is lookup tables alone: weigh multiplier blocks and registers beside them."
                     : "");
 }

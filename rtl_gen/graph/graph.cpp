@@ -233,9 +233,9 @@ std::string to_text(const Graph& graph) {
 
 namespace {
 
-/// In words that hold each value of the graph.
+/// Each node's value, in words that hold each.
 template <class W>
-std::vector<std::uint64_t> evaluate_in(const Graph& graph, std::span<const std::uint64_t> inputs) {
+std::vector<W> values_in(const Graph& graph, std::span<const std::uint64_t> inputs) {
   std::vector<W> value(graph.size());
   std::size_t next_input = 0;
   for (NodeId id = 0; id < graph.size(); ++id) {
@@ -247,14 +247,18 @@ std::vector<std::uint64_t> evaluate_in(const Graph& graph, std::span<const std::
     });
     value[id] &= ones_below<W>(n.width);
   }
+  return value;
+}
+
+template <class W>
+std::vector<std::uint64_t> evaluate_in(const Graph& graph, std::span<const std::uint64_t> inputs) {
+  const std::vector<W> value = values_in<W>(graph, inputs);
   std::vector<std::uint64_t> results;
   for (const Output& out : graph.outputs()) results.push_back(static_cast<std::uint64_t>(value[out.node]));
   return results;
 }
 
-}  // namespace
-
-std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uint64_t> inputs) {
+void check_inputs(const Graph& graph, std::span<const std::uint64_t> inputs) {
   if (inputs.size() != graph.inputs().size()) {
     throw std::invalid_argument(fmt::format("graph {}: {} input values for {} inputs", graph.name(),
                                             inputs.size(), graph.inputs().size()));
@@ -266,6 +270,17 @@ std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uin
   };
   for (const NodeId id : graph.inputs()) check_port(id, graph[id].name);
   for (const Output& out : graph.outputs()) check_port(out.node, out.name);
+}
+
+}  // namespace
+
+std::vector<Word> evaluate_nodes(const Graph& graph, std::span<const std::uint64_t> inputs) {
+  check_inputs(graph, inputs);
+  return values_in<Word>(graph, inputs);
+}
+
+std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uint64_t> inputs) {
+  check_inputs(graph, inputs);
   return graph.widest() > 64 ? evaluate_in<Word>(graph, inputs) : evaluate_in<std::uint64_t>(graph, inputs);
 }
 

@@ -164,4 +164,7 @@ struct Submodule {
 /// that passes do not change it. Throws std::invalid_argument for a port that is wider than 64 bits.
 [[nodiscard]] std::vector<std::uint64_t> evaluate(const Graph& graph, std::span<const std::uint64_t> inputs);
 
+/// The same, of every node.
+[[nodiscard]] std::vector<Word> evaluate_nodes(const Graph& graph, std::span<const std::uint64_t> inputs);
+
 }  // namespace hitpipe::rtl

@@ -54,6 +54,7 @@ Software fp_plucker_software() {
   software.box_test = set_up_test<FpPluckerSetup>;
   software.tracer = fp_plucker_tracer;
   software.named_tracer = fp_plucker_named;
+  software.divisions = [](const rtl::Format& /*binary32*/) { return area::Divisions{}; };
   return software;
 }
 

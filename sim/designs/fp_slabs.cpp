@@ -48,6 +48,11 @@ ref::TracerOptions fp_slabs_named(const rtl::Format& /*binary32*/) {
   return {.algorithm = ref::Algorithm::slabs_dsa, .arithmetic = ref::Arithmetic::binary32};
 }
 
+/// Mantissas, with a bit to round.
+area::Divisions fp_slabs_divisions(const rtl::Format& /*binary32*/) {
+  return {.count = 3, .quotient_bits = 25};
+}
+
 }  // namespace
 
 Software fp_slabs_software() {
@@ -56,6 +61,7 @@ Software fp_slabs_software() {
   software.box_test = set_up_test<FpSlabsSetup>;
   software.tracer = fp_slabs_tracer;
   software.named_tracer = fp_slabs_named;
+  software.divisions = fp_slabs_divisions;
   software.comparison_test = ize_slabs_test;
   return software;
 }

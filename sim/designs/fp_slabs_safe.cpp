@@ -114,6 +114,11 @@ std::optional<SceneDemand> fp_slabs_safe_demand(const rtl::Port& port, const rtl
   }
 }
 
+/// A mantissa with its leading one, and the remainder that says whether it is exact.
+area::Divisions fp_slabs_safe_divisions(const rtl::Format& format) {
+  return {.count = 3, .quotient_bits = format.as<hls::FpBits>().fraction + 2};
+}
+
 }  // namespace
 
 Software fp_slabs_safe_software() {
@@ -121,6 +126,7 @@ Software fp_slabs_safe_software() {
   return {.feed = set_up_feed<FpSlabsSafeSetup>,
           .box_test = set_up_test<FpSlabsSafeSetup>,
           .tracer = fp_slabs_safe_tracer,
+          .divisions = fp_slabs_safe_divisions,
           .demand = fp_slabs_safe_demand,
           .smaller_formats = fp_slabs_safe_smaller_formats,
           .sweep_formats = fp_slabs_safe_sweep_formats(),

@@ -51,6 +51,11 @@ ref::TracerOptions int_plucker_named(const rtl::Format& format) {
           .bits = format.as<hls::IntBits>()};
 }
 
+/// The largest component of the direction is the limit itself.
+area::Divisions int_plucker_divisions(const rtl::Format& format) {
+  return {.count = 2, .quotient_bits = format.as<hls::IntBits>().coord};
+}
+
 }  // namespace
 
 Software int_plucker_software() {
@@ -59,6 +64,7 @@ Software int_plucker_software() {
   software.box_test = set_up_test<IntPluckerSetup>;
   software.tracer = int_plucker_tracer;
   software.named_tracer = int_plucker_named;
+  software.divisions = int_plucker_divisions;
   return software;
 }
 

@@ -53,6 +53,10 @@ ref::TracerOptions int_slabs_named(const rtl::Format& format) {
           .bits = format.as<hls::IntBits>()};
 }
 
+area::Divisions int_slabs_divisions(const rtl::Format& format) {
+  return {.count = 3, .quotient_bits = format.as<hls::IntBits>().coord - 1};
+}
+
 }  // namespace
 
 Software int_slabs_software() {
@@ -61,6 +65,7 @@ Software int_slabs_software() {
   software.box_test = set_up_test<IntSlabsSetup>;
   software.tracer = int_slabs_tracer;
   software.named_tracer = int_slabs_named;
+  software.divisions = int_slabs_divisions;
   return software;
 }
 

@@ -214,9 +214,20 @@ MajorBits float_world(const rtl::Format& format) {
   return bits;
 }
 
+namespace {
+
+/// In the integer world the slopes are quotients too, and mantissas are of the slopes.
+area::Divisions major_divisions(const rtl::Format& format) {
+  const auto bits = format.as<hls::MajorBits>();
+  return {.count = bits.slope > 0 ? 4 : 2, .quotient_bits = std::max(bits.mantissa, bits.slope)};
+}
+
+}  // namespace
+
 Software major_design_software() {
   const auto own = ref::adversary::major_categories();
-  return {.demand = major_demand,
+  return {.divisions = major_divisions,
+          .demand = major_demand,
           .smaller_formats = major_smaller_formats,
           .sweep_formats = major_sweep_formats(),
           .stiffness_formats = {MajorBits{20, 1, 13}, MajorBits{16, 1, 12}},

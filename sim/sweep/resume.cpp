@@ -98,6 +98,7 @@ std::vector<SweepRow> resume(const ResumableSweep& sweep) {
   std::vector<SweepPoint> points = sweep.points;
   const SweepSubject subject = sweep_subject(*sweep.scene, *sweep.bvh, sweep.options);
   KeptRows rows(sweep.file, sweep.more, subject, sweep.options.triangle);
+  if (!sweep.notes.empty()) host::write_file(sweep.notes_file, sweep.notes);
   std::erase_if(points, [&](const SweepPoint& point) { return rows.has(point); });
   run_sweep(*sweep.scene, *sweep.bvh, points, sweep.options, [&](const SweepRow& row) { rows.add(row); });
   return rows.contents();

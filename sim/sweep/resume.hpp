@@ -18,6 +18,8 @@ struct ResumableSweep {
   SweepOptions options;
   std::filesystem::path file;
   std::vector<std::filesystem::path> more;  ///< files of rows that were measured elsewhere
+  std::string notes{};                      ///< about the file; written beside it, if there are any
+  std::filesystem::path notes_file{};
 };
 
 /// Takes the rows of `more` files into the file, measures those that it does not hold yet, and returns all

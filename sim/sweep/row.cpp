@@ -38,6 +38,15 @@ std::optional<Number> value_in(const std::string& cell, const Number& /*type*/) 
 std::optional<std::string> value_in(const std::string& cell, const std::string& /*type*/) {
   return cell;
 }
+/// An empty cell holds that nothing is known.
+template <class Number>
+std::optional<std::optional<Number>> value_in(const std::string& cell,
+                                              const std::optional<Number>& /*type*/) {
+  if (cell.empty()) return std::optional<Number>();
+  const std::optional<Number> number = host::number_in<Number>(cell);
+  if (!number) return std::nullopt;
+  return std::optional<std::optional<Number>>(number);
+}
 /// A decimal with exactly this many digits after the point, as a whole number of its last place.
 std::optional<std::int64_t> decimal_in(std::string cell, int digits) {
   if (digits > 0) {
@@ -64,11 +73,22 @@ void read_cell(const SweepColumn& column, const std::string& cell, SweepRow& row
       [&]<class Value>(const Value& value) {
         if constexpr (std::is_same_v<Value, SweepColumn::Decimal>) {
           keep(value.number(row), decimal_in(cell, value.digits));
+        } else if constexpr (std::is_same_v<Value, SweepColumn::Optional>) {
+          keep(value.number(row), value_in(cell, value.number(row)));
         } else if constexpr (std::is_member_object_pointer_v<Value>) {
           keep(row.*value, value_in(cell, row.*value));
         }
       },
       column.value);
+}
+
+template <class Value>
+std::string text_of(const Value& value) {
+  return fmt::format("{}", value);
+}
+template <class Number>
+std::string text_of(const std::optional<Number>& value) {
+  return value ? fmt::format("{}", *value) : "";
 }
 
 }  // namespace
@@ -147,12 +167,25 @@ double SweepRow::reference_bytes_per_ray() const {
                static_cast<double>(rays_traced()));
 }
 
+std::optional<double> SweepRow::energy_nj_per_ray() const {
+  if (!energy_pj_per_box) return std::nullopt;
+  return *energy_pj_per_box * per_ray(box_tests) / 1e3;
+}
+
+std::optional<double> SweepRow::set_up_run_time_ms() const {
+  if (!set_up.divisions) return std::nullopt;
+  return static_cast<double>(rays_traced() * *set_up.divisions) * static_cast<double>(set_up.bits) *
+         static_cast<double>(set_up.delay_ps) / 1e9;
+}
+
 double SweepRow::whole_run_time_ms() const {
   return run_time_ms() + triangle_time_ms(*this);
 }
 
 double SweepRow::whole_area_run_time_mm2_ms() const {
-  return area_run_time_mm2_ms() + static_cast<double>(triangle.area_um2) * triangle_time_ms(*this) / 1e6;
+  return area_run_time_mm2_ms() + (static_cast<double>(triangle.area_um2) * triangle_time_ms(*this) +
+                                   static_cast<double>(set_up.area_um2) * set_up_run_time_ms().value_or(0)) /
+                                      1e6;
 }
 
 double SweepRow::area_per_box_lut() const {
@@ -164,7 +197,8 @@ double SweepRow::area_run_time_lut_ms() const {
 }
 
 double SweepRow::whole_area_run_time_lut_ms() const {
-  return area_run_time_lut_ms() + static_cast<double>(triangle.luts) * triangle_time_ms(*this);
+  return area_run_time_lut_ms() + static_cast<double>(triangle.luts) * triangle_time_ms(*this) +
+         static_cast<double>(set_up.luts) * set_up_run_time_ms().value_or(0);
 }
 
 double SweepRow::area_run_time() const {
@@ -188,8 +222,11 @@ std::string SweepColumn::cell(const SweepRow& row) const {
           const std::int64_t number = figure.number(copy);
           if (figure.digits == 0) return fmt::format("{}", number);
           return area::decimal(number, power_of_ten(figure.digits), figure.digits);
+        } else if constexpr (std::is_same_v<Value, Optional>) {
+          SweepRow copy = row;
+          return text_of(figure.number(copy));
         } else {
-          return fmt::format("{}", std::invoke(figure, row));
+          return text_of(std::invoke(figure, row));
         }
       },
       value);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -22,6 +23,18 @@ struct TriangleCost {
   friend bool operator==(const TriangleCost&, const TriangleCost&) = default;
 };
 
+/// What a ray's set-up costs: divisions, by a machine that makes a bit in each such delay. Without
+/// `divisions` nothing is known of it, or it is not counted.
+struct SetUpCost {
+  std::optional<std::uint64_t> divisions;  ///< of a ray
+  std::int64_t bits = 0;                   ///< of a quotient
+  std::int64_t delay_ps = 0;
+  std::int64_t area_um2 = 0;
+  std::int64_t luts = 0;
+
+  friend bool operator==(const SetUpCost&, const SetUpCost&) = default;
+};
+
 struct SweepRow : SweepSubject {
   int rays_in_flight = 0;
   int interval = 1;  ///< a test may begin every so many cycles
@@ -36,6 +49,8 @@ struct SweepRow : SweepSubject {
   std::int64_t multiplier_blocks = 0;
   int bytes_per_node = 0;  ///< that a unit of this format reads
   TriangleCost triangle;
+  SetUpCost set_up;
+  std::optional<double> energy_pj_per_box;  ///< in OSU cells (area_model/energy.hpp)
 
   std::uint64_t rays_primary = 0;
   std::uint64_t rays_secondary = 0;
@@ -90,10 +105,14 @@ struct SweepRow : SweepSubject {
   [[nodiscard]] double indexed_bytes_per_ray_4kib() const { return per_ray(indexed_bytes_4kib); }
   [[nodiscard]] double indexed_bytes_per_ray_16kib() const { return per_ray(indexed_bytes_16kib); }
   [[nodiscard]] double indexed_bytes_per_ray_64kib() const { return per_ray(indexed_bytes_64kib); }
-  [[nodiscard]] double reference_bytes_per_ray() const;  ///< with nodes of binary32
-  /// Box tests and triangle tests, one after the other.
+  [[nodiscard]] double reference_bytes_per_ray() const;           ///< with nodes of binary32
+  [[nodiscard]] std::optional<double> energy_nj_per_ray() const;  ///< of box tests
+  /// Of all rays' set-up, one bit after the other.
+  [[nodiscard]] std::optional<double> set_up_run_time_ms() const;
+  /// Box tests and triangle tests, one after the other. Set-up goes on beside them.
   [[nodiscard]] double whole_run_time_ms() const;
-  /// The area of each of both units for the time that it works.
+  /// The area of each unit for the time that it works: of boxes, of triangles, and of set-up where it is
+  /// known.
   [[nodiscard]] double whole_area_run_time_mm2_ms() const;
   /// The same in lookup tables, on a chip. Registers and multiplier blocks are counted beside them.
   [[nodiscard]] double area_per_box_lut() const;
@@ -119,11 +138,16 @@ struct SweepColumn {
     std::int64_t& (*number)(SweepRow& row);
     int digits;
   };
+  /// A count that may be unknown.
+  struct Optional {
+    std::optional<std::uint64_t>& (*number)(SweepRow& row);
+  };
 
   std::string_view name;
   /// What the row holds, or a figure that follows from it.
   std::variant<std::string SweepRow::*, int SweepRow::*, std::uint64_t SweepRow::*, double SweepRow::*,
-               Decimal, std::uint64_t (SweepRow::*)() const, double (SweepRow::*)() const>
+               std::optional<double> SweepRow::*, Decimal, Optional, std::uint64_t (SweepRow::*)() const,
+               double (SweepRow::*)() const, std::optional<double> (SweepRow::*)() const>
       value;
 
   [[nodiscard]] bool is_text() const { return std::holds_alternative<std::string SweepRow::*>(value); }
@@ -145,6 +169,7 @@ inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
     {"height", &SweepRow::height},
     {"bounces", &SweepRow::bounces},
     {"library", &SweepRow::library},
+    {"cost", &SweepRow::cost},
     {"rays_in_flight", &SweepRow::rays_in_flight},
     {"ii", &SweepRow::interval},
     {"box_time_ns", &SweepRow::box_time_ns},
@@ -166,6 +191,15 @@ inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
      SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.triangle.area_um2; }, 6}},
     {"triangle_luts",
      SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.triangle.luts; }, 0}},
+    {"set_up_divisions", SweepColumn::Optional{[](SweepRow& row) -> std::optional<std::uint64_t>& {
+       return row.set_up.divisions;
+     }}},
+    {"set_up_bits", SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.set_up.bits; }, 0}},
+    {"set_up_delay_ns",
+     SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.set_up.delay_ps; }, 3}},
+    {"set_up_area_mm2",
+     SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.set_up.area_um2; }, 6}},
+    {"set_up_luts", SweepColumn::Decimal{[](SweepRow& row) -> std::int64_t& { return row.set_up.luts; }, 0}},
     {"rays_primary", &SweepRow::rays_primary},
     {"rays_secondary", &SweepRow::rays_secondary},
     {"rays_shadow", &SweepRow::rays_shadow},
@@ -210,6 +244,9 @@ inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
     {"indexed_bytes_per_ray_16kib", &SweepRow::indexed_bytes_per_ray_16kib},
     {"indexed_bytes_per_ray_64kib", &SweepRow::indexed_bytes_per_ray_64kib},
     {"reference_bytes_per_ray", &SweepRow::reference_bytes_per_ray},
+    {"energy_pj_per_box", &SweepRow::energy_pj_per_box},
+    {"energy_nj_per_ray", &SweepRow::energy_nj_per_ray},
+    {"set_up_run_time_ms", &SweepRow::set_up_run_time_ms},
     {"whole_run_time_ms", &SweepRow::whole_run_time_ms},
     {"whole_area_run_time_mm2_ms", &SweepRow::whole_area_run_time_mm2_ms},
     {"area_per_box_lut", &SweepRow::area_per_box_lut},

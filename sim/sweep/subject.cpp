@@ -55,12 +55,13 @@ SweepSubject sweep_subject(const ref::Scene& scene, const ref::Bvh& bvh, const S
           .width = options.width,
           .height = options.height,
           .bounces = options.light.bounces,
-          .library = printable(options.library->name())};
+          .library = printable(options.library->name()),
+          .cost = options.tests_only ? "tests" : "tests, set-up"};
 }
 
 std::string SweepSubject::text() const {
-  return fmt::format("{}: {}, content {}, hierarchy {}, {} x {} pixels, {} bounces, library {}", program,
-                     scene, content, hierarchy, width, height, bounces, library);
+  return fmt::format("{}: {}, content {}, hierarchy {}, {} x {} pixels, {} bounces, library {}, cost of {}",
+                     program, scene, content, hierarchy, width, height, bounces, library, cost);
 }
 
 }  // namespace hitpipe::sim

@@ -17,6 +17,7 @@ struct SweepSubject {
   int height = 0;
   int bounces = 0;
   std::string library;  ///< of components
+  std::string cost;     ///< what the whole cost counts: "tests, set-up" or "tests"
 
   /// All of it in one line, for messages.
   [[nodiscard]] std::string text() const;

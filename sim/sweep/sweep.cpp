@@ -19,6 +19,7 @@
 #include "sim/fit/fit.hpp"
 #include "sim/generic_tracer.hpp"
 #include "sim/sweep/software_time.hpp"
+#include "sim/sweep/unit_energy.hpp"
 #include "sim/unit/verilated_design.hpp"
 #include "sw_ref/memory/read_bytes.hpp"
 #include "sw_ref/render/render.hpp"
@@ -34,6 +35,8 @@ struct MeasuredUnit {
   std::optional<area::Price> price;
   double software_ratio = 0;
   ref::ReadBytes corners, indices;
+  SetUpCost set_up;
+  std::optional<area::Toggles> toggles;
 };
 
 /// What must be done before a row can be measured.
@@ -145,6 +148,13 @@ class Run {
       unit.indices = read(ref::TriangleLayout::indices);
       unit.verilated.emplace(
           make_unit(*point.design, point.format, library, rtl::FlowControl::stall, point.interval));
+      if (!options_.tests_only) {
+        unit.set_up = set_up_cost(*point.design, point.format, library);
+        if (library.chip() == nullptr)
+          unit.toggles =
+              scene_toggles(*point.design, point.format, unit.verilated->unit().pipeline, scene_, bvh_,
+                            {.width = options_.width, .height = options_.height, .light = options_.light});
+      }
     }
     return unit;
   }
@@ -169,7 +179,12 @@ class Run {
     row.rays_in_flight = point.rays_in_flight;
     row.bytes_per_node = static_cast<int>(bytes_per_node(*point.design, point.format));
     row.triangle = options_.triangle;
+    row.set_up = unit.set_up;
     add_counts(row, result);
+    if (unit.toggles && row.unit_tests > 0)
+      row.energy_pj_per_box = area::energy_pj(*unit.toggles, static_cast<double>(row.cycles) /
+                                                                 static_cast<double>(row.unit_tests)) /
+                              row.boxes_per_test;
     row.different_pixels = different_pixels(result);
     row.bytes_4kib = unit.corners.behind[0];
     row.bytes_16kib = unit.corners.behind[1];
@@ -252,6 +267,20 @@ void add_counts(SweepRow& row, const CosimResult& result) {
   row.rtl_mismatches = result.unit.rtl_mismatches;
   row.different_triangles = result.different_triangles;
   row.cycles = result.unit.cycles;
+}
+
+SetUpCost set_up_cost(const rtl::Design& design, const rtl::Format& format, const rtl::Library& library) {
+  const auto divisions_of = software_of(design).divisions;
+  if (divisions_of == nullptr) return {};
+  const area::Divisions divisions = divisions_of(format);
+  SetUpCost cost{.divisions = static_cast<std::uint64_t>(divisions.count)};
+  if (divisions.count == 0) return cost;
+  const area::DividerPrice price = area::divider_price(divisions, library);
+  cost.bits = divisions.quotient_bits;
+  cost.delay_ps = price.clock_ps;
+  cost.area_um2 = price.area_um2;
+  cost.luts = price.luts;
+  return cost;
 }
 
 TriangleCost triangle_cost(const rtl::Library& library) {

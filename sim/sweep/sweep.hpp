@@ -25,6 +25,7 @@ struct SweepOptions {
   std::string program{"hitpipe"};                         ///< the caller's name and version, as rows name it
   std::string hierarchy{};                                ///< how it was made, as rows name it
   const rtl::Library* library = &rtl::Library::thesis();  ///< units are scheduled and priced by it
+  bool tests_only = false;                                ///< no set-up and no energy in the cost
   TriangleCost triangle{};                                ///< decides no count
   /// Gets the finished share of the rows, 0..1, from any thread.
   std::function<void(double)> progress = [](double) {};
@@ -44,6 +45,10 @@ void add_counts(SweepRow& row, const CosimResult& result);
 /// without float components gets an estimate: its first unit of Table 7.2 times what a triangle unit costs
 /// more than that unit in the thesis's library. Throws std::runtime_error when it cannot price any.
 [[nodiscard]] TriangleCost triangle_cost(const rtl::Library& library);
+
+/// What the divisions of a ray's set-up cost in this library, as far as the design says them.
+[[nodiscard]] SetUpCost set_up_cost(const rtl::Design& design, const rtl::Format& format,
+                                    const rtl::Library& library);
 
 [[nodiscard]] SweepSubject sweep_subject(const ref::Scene& scene, const ref::Bvh& bvh,
                                          const SweepOptions& options);

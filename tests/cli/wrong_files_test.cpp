@@ -171,7 +171,7 @@ TEST_F(WrongFiles, Tools) {
   rejected(cosim, "DIR/file/cache: cannot write to the cache; set HITPIPE_CACHE to another folder",
            {{"HITPIPE_CACHE", filled("DIR/file/cache")}});
   rejected({"check", "--stiff", "int_slabs", "--bits", "12/12", "--tests", "60", "--out", "OUT"},
-           "stiffness: gnuplot was not found; install the package gnuplot-nox", {{"PATH", filled("DIR")}});
+           "check: gnuplot was not found; install the package gnuplot-nox", {{"PATH", filled("DIR")}});
   // Nothing here needs a temporary folder before it is asked to draw.
   EXPECT_EQ(run_hitpipe(cosim, {{"TMPDIR", "/nonexistent"}}).exit_code, 0);
 }

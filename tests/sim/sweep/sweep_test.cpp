@@ -73,6 +73,10 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     EXPECT_EQ(row.rays_primary, 384U);
     EXPECT_EQ(row.rays_shadow, counted.rays_shadow);
     EXPECT_EQ(row.rays_rejected, counted.rejected);
+    EXPECT_TRUE(row.set_up.divisions);
+    ASSERT_TRUE(row.energy_pj_per_box);
+    EXPECT_GT(*row.energy_pj_per_box, 50.0);
+    EXPECT_LT(*row.energy_pj_per_box, 5000.0);
     // The model of memory reads what the unit reads.
     EXPECT_EQ(row.indexed_bytes, row.bytes_fetched() + 16 * row.triangle_tests);
     EXPECT_LT(row.bytes_4kib, row.bytes_fetched());
@@ -187,8 +191,9 @@ TEST(SweepSubject, ChangesWithAllThatDecidesTheRows) {
   ASSERT_EQ(all.size(), 1U);
   EXPECT_THAT(*all.begin(),
               testing::MatchesRegex("hitpipe: hills, content fnv1a-[0-9a-f]+, hierarchy , 256 x 256 "
-                                    "pixels, 5 bounces, library thesis_250nm"));
+                                    "pixels, 5 bounces, library thesis_250nm, cost of tests, set-up"));
   about(scene, bvh, {.program = "hitpipe 2"});
+  about(scene, bvh, {.tests_only = true});
   about(scene, bvh, {.width = 255});
   about(scene, bvh, {.height = 255});
   about(scene, bvh, {.light = {.bounces = 4}});
@@ -206,7 +211,7 @@ TEST(SweepSubject, ChangesWithAllThatDecidesTheRows) {
   changed([](ref::Scene& s) { s.materials[0].reflect.x = 0.25F; });
   changed([](ref::Scene& s) { s.mesh.vertices[3].y += 0.001F; });
   changed([](ref::Scene& s) { s.name = "line\nbreak"; });
-  EXPECT_EQ(all.size(), 14U);
+  EXPECT_EQ(all.size(), 15U);
   for (const std::string& text : all) EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
