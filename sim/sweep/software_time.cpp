@@ -17,6 +17,23 @@ std::vector<ref::RecordedBatch> record(const ref::Scene& scene, const ref::Bvh& 
   return ref::record_rays(scene, bvh, scaled(width), scaled(height), 1);
 }
 
+std::vector<ref::RecordedBatch> record(const ref::Scene& scene, const ref::Bvh& bvh,
+                                       std::span<const AskedRay> rays) {
+  constexpr std::size_t most = std::size_t{SoftwareTime::longest_side} * SoftwareTime::longest_side;
+  const std::size_t step = (rays.size() + most - 1) / most;
+  ref::RecordedBatch closest{ref::RayKind::primary, ref::Query::closest, {}, {}};
+  ref::RecordedBatch any{ref::RayKind::shadow, ref::Query::any, {}, {}};
+  for (std::size_t i = 0; i < rays.size(); i += step)
+    (rays[i].query == ref::Query::any ? any : closest).rays.push_back(rays[i].ray);
+  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, bvh, {});
+  for (ref::RecordedBatch* const batch : {&closest, &any}) {
+    batch->triangles.resize(batch->rays.size());
+    ref::TraceCounts counts;
+    tracer->trace({batch->rays, batch->query, batch->triangles}, counts);
+  }
+  return {closest, any};
+}
+
 }  // namespace
 
 double milli(double time) {
@@ -25,6 +42,9 @@ double milli(double time) {
 
 SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height)
     : scene_(scene), bvh_(bvh), batches_(record(scene, bvh, width, height)) {}
+
+SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const AskedRay> rays)
+    : scene_(scene), bvh_(bvh), batches_(record(scene, bvh, rays)) {}
 
 double SoftwareTime::seconds(const rtl::Design& design, const rtl::Format& format) const {
   constexpr int runs = 3;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
+#include "sim/operands/ray_list.hpp"
 #include "sw_ref/render/recording.hpp"
 
 namespace hitpipe::sim {
@@ -20,6 +22,8 @@ class SoftwareTime {
   /// Scene and hierarchy must outlive this object.
   static constexpr int longest_side = 128;
   SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height);
+  /// Takes rays of the list, evenly spaced, as many as such an image has pixels at most.
+  SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const AskedRay> rays);
 
   /// Times both now, one after the other, and takes the fastest of three runs of each. 1 for the baseline.
   /// Throws what ref::make_tracer() throws.

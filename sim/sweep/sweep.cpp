@@ -42,6 +42,7 @@ struct Reference {
 
 ref::RenderResult render_reference(const ref::Scene& scene, const ref::Bvh& bvh,
                                    const SweepOptions& options) {
+  if (!options.rays.empty()) return {};
   const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, bvh, {});
   return ref::render(
       scene, *tracer,
@@ -59,7 +60,8 @@ class Run {
         finished_(finished),
         points_(longest_first(points)),
         reference_{render_reference(scene, bvh, options),
-                   SoftwareTime(scene, bvh, options.width, options.height)} {
+                   options.rays.empty() ? SoftwareTime(scene, bvh, options.width, options.height)
+                                        : SoftwareTime(scene, bvh, options.rays)} {
     for (const SweepPoint& point : points_) units_.try_emplace(unit_key(point));
   }
 
@@ -152,6 +154,7 @@ class Run {
                                            .threads = threads_of_a_row_,
                                            .referee = true,
                                            .light = options_.light,
+                                           .rays = options_.rays,
                                            .progress = progress});
     SweepRow row = priced_row(*point.design, point.format, *unit.price);
     static_cast<SweepSubject&>(row) = subject_;

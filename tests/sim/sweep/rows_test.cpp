@@ -159,7 +159,7 @@ TEST(SweepRowCells, NumbersThatDoNotBelongRejected) {
           << sweep_columns[column].name << " = " << wrong;
     }
   }
-  EXPECT_EQ(message_of<std::runtime_error>([] { return from_cells({"spheres"}); }), "1 cells; a row has 63");
+  EXPECT_EQ(message_of<std::runtime_error>([] { return from_cells({"spheres"}); }), "1 cells; a row has 66");
 }
 
 TEST(SweepRowCells, FiguresThatDoNotFollowRejected) {
