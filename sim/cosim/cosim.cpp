@@ -202,7 +202,7 @@ bool CosimResult::verified(bool conservative) const {
 
 CosimResult cosimulate(const VerilatedDesign& verilated, const ref::Scene& scene, const ref::Bvh& bvh,
                        const CosimOptions& options) {
-  if (options.width < 1 || options.height < 1)
+  if (options.rays.empty() && (options.width < 1 || options.height < 1))
     throw std::invalid_argument(
         fmt::format("image of {} x {} pixels: allowed is 1 x 1 and more", options.width, options.height));
   const Unit& unit = verilated.unit();

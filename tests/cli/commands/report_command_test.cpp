@@ -24,8 +24,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::vector<std::string> report(const fs::path& out, const std::vector<std::string>& more) {
-  return with({"report", "--scene", "spheres", "--width", "8", "--height", "8", "--tests", "600", "--out",
-               out.string()},
+  return with({"report", "--scene", "spheres", "--width", "8", "--height", "8", "--occlusion", "1",
+               "--diffuse", "2", "--light-seed", "9", "--tests", "600", "--out", out.string()},
               more);
 }
 
@@ -278,12 +278,12 @@ TEST_F(ReportCommand, AsksTheQuestionOfTheIntegerWorld) {
   const fs::path file = folder_->path() / "world.csv";
   EXPECT_THAT(
       page_,
-      HasSubstr(
-          "hitpipe sweep int_triangle --scene spheres --width 8 --height 8 --builder sah --max-triangles 2 "
-          "--mantissas 11 "
-          "--out integer_world.csv"));
+      HasSubstr("hitpipe sweep int_triangle --scene spheres --width 8 --height 8 --diffuse 2 --occlusion 1 "
+                "--light-seed 9 --builder sah --max-triangles 2 --mantissas 11 "
+                "--out integer_world.csv"));
   const Outcome outcome = run_hitpipe({"sweep", "int_triangle", "--scene", "spheres", "--width", "8",
-                                       "--height", "8", "--mantissas", "11", "--out", file.string()});
+                                       "--height", "8", "--diffuse", "2", "--occlusion", "1", "--light-seed",
+                                       "9", "--mantissas", "11", "--out", file.string()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string rows = contents_of(out() / "integer_world.csv");
   EXPECT_EQ(rows, contents_of(file));
@@ -415,7 +415,8 @@ TEST_F(ReportCommand, NamesCommandsThatMeasureTheSameRows) {
   EXPECT_THAT(
       page_,
       HasSubstr(fmt::format(
-          "hitpipe sweep --scene spheres --width 8 --height 8 --builder sah --max-triangles 2 {} --bits {} "
+          "hitpipe sweep --scene spheres --width 8 --height 8 --diffuse 2 --occlusion 1 --light-seed 9 "
+          "--builder sah --max-triangles 2 {} --bits {} "
           "--rays-in-flight 32 --out rows.csv\n",
           fmt::join(others.designs, ","), fmt::join(others.formats, ","))));
   EXPECT_THAT(page_,

@@ -98,6 +98,26 @@ TEST(TraceCommand, WritesThePictureOfItsAnswers) {
   EXPECT_EQ(picture.values, ref::read_image(rendered).values);
 }
 
+TEST(TraceCommand, TracesTheRaysOfAFile) {
+  const sim::TemporaryFolder folder;
+  const std::string rays =
+      folder.write("rays.csv", "ox,oy,oz,dx,dy,dz,any\n0,9,0,0,-1,0,0\n0,9,0,0.1,-1,0,1\n0,9,0,0,1,0,0\n")
+          .string();
+  const std::vector<std::string> words{"trace", "--scene", "spheres", "--rays", rays, "--format", "json"};
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--native"}}) {
+    const Outcome outcome = run_hitpipe(with(words, more));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const nlohmann::json row = nlohmann::json::parse(outcome.out).at(0);
+    EXPECT_EQ(row.at("rays"), 3);
+    EXPECT_EQ(row.at("wrong"), 0);
+    EXPECT_GT(row.at("reads_a_ray"), 1.0);
+  }
+  const Outcome picture = run_hitpipe(with(words, {"--out", (folder.path() / "out").string()}));
+  EXPECT_EQ(picture.exit_code, 2);
+  EXPECT_THAT(picture.err, HasSubstr("--rays excludes --out: the rays of a file make no picture"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
+}
+
 TEST(TraceCommand, RefusesWhatItCannotDo) {
   const auto refused = [](const std::vector<std::string>& more) {
     const Outcome outcome = run_hitpipe(words(more));

@@ -192,7 +192,8 @@ TEST(RowsFile, IsReadAsWritten) {
   write_rows(folder.path() / "rows.csv", rows);
   EXPECT_EQ(read_rows(folder.path() / "rows.csv"), rows);
   const std::string text = to_csv(rows);
-  EXPECT_THAT(text, StartsWith("program,scene,content,triangles,hierarchy,bvh_nodes,width,height,bounces,"));
+  EXPECT_THAT(text, StartsWith("program,scene,content,triangles,hierarchy,bvh_nodes,width,height,bounces,"
+                               "diffuse,occlusion,light_seed,"));
   EXPECT_THAT(text,
               HasSubstr(",rtl_seconds,software_ratio\nhitpipe 1,\"two, \"\"quoted\"\"\",fnv1a-0123,24578,"));
 }
@@ -223,7 +224,9 @@ TEST(RowsFile, OfAnotherVersionIsRefused) {
 TEST(RowsFile, HasRowsOfOneSubject) {
   for (const auto& change : std::vector<void (*)(SweepRow&)>{
            [](SweepRow& row) { row.program = "hitpipe 2"; }, [](SweepRow& row) { row.content = "fnv1a-0"; },
-           [](SweepRow& row) { row.hierarchy = "median 6"; }, [](SweepRow& row) { row.bounces = 4; }}) {
+           [](SweepRow& row) { row.hierarchy = "median 6"; }, [](SweepRow& row) { row.bounces = 4; },
+           [](SweepRow& row) { row.diffuse = 1; }, [](SweepRow& row) { row.occlusion = 1; },
+           [](SweepRow& row) { row.light_seed = 1; }}) {
     SweepRow other = a_row();
     change(other);
     EXPECT_THAT(message_of<std::runtime_error>([&] {
