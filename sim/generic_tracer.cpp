@@ -40,7 +40,8 @@ class GenericTracer final : public ref::Tracer {
     std::vector<std::int64_t> operands(operand_count_);
     std::vector<std::int64_t> results(results_.size());
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
-      typename Walk::Traversal traversal = walk.start(*rays, slot, job.rays[i], job.query);
+      typename Walk::Traversal traversal =
+          walk.start(*rays, slot, job.rays[i], job.query, ref::Loads{job.loads});
       while (!traversal.done()) {
         Walk::ask(*rays, slot, traversal, operands.data());
         evaluate_(operands.data(), results.data());

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -11,11 +12,11 @@
 
 #include "sw_ref/hierarchy/hierarchical_nodes.hpp"
 #include "sw_ref/hierarchy/plain_nodes.hpp"
+#include "sw_ref/memory/read_bytes.hpp"
 #include "sw_ref/render/recording.hpp"
 #include "sw_ref/trace/plucker.hpp"
 #include "sw_ref/trace/store_tracer.hpp"
 #include "thesis/metric.hpp"
-#include "thesis/paging.hpp"
 #include "thesis/printed.hpp"
 #include "thesis/tables.hpp"
 #include "thesis/test_scene.hpp"
@@ -34,32 +35,32 @@ struct Paged {
   std::uint64_t pages = 0;  ///< pages that were read
 };
 
-/// memory_percents are shares of unit_pages; 0 means the pages that this store reads.
+constexpr std::uint32_t page_bytes = 4096;
+constexpr std::size_t runs = memory_percents.size() + 1;
+
+/// Page faults are lines that a cache of pages fetches, when all pages are one set. memory_percents are
+/// shares of unit_pages; 0 means the pages that this store reads.
 template <class Store>
 Paged run(const Scene& scene, const Bvh& bvh, const Store& store, const std::vector<RecordedBatch>& batches,
           int bundle, std::uint64_t unit_pages, const std::function<void()>& step) {
-  using Maker = TestMaker<Plucker<float>>;
-  const Maker make_test;
-  const TraceWith<Store, Maker> with{
-      store, make_test, Leaves(scene.mesh, bvh, TriangleTest::binary32), {.bundle = bundle}};
+  const std::unique_ptr<Tracer> tracer =
+      store_tracer(store, TestMaker<Plucker<float>>(), Leaves(scene.mesh, bvh, TriangleTest::binary32),
+                   {.bundle = bundle});
   Paged result;
   result.bytes = store.size() * store.bytes_per_node;
-  std::vector<std::uint32_t> triangles;
+  result.counts = measure(*tracer, batches, 1).counts;
   const auto faults = [&](std::uint64_t memory_bytes) {
-    PagedScene memory(scene.mesh, bvh, store.bytes_per_node, memory_bytes);
-    result.counts = {};
-    for (const RecordedBatch& batch : batches) {
-      triangles.resize(batch.rays.size());
-      trace_batch(with, {batch.rays, batch.query, triangles}, result.counts.of(batch.kind), memory);
-    }
+    const CacheShape pages{
+        .bytes = std::max<std::uint64_t>(memory_bytes, page_bytes), .line_bytes = page_bytes, .ways = 0};
+    const ReadBytes read =
+        read_bytes(*tracer, scene.mesh, bvh, batches, TriangleLayout::indices, {&pages, 1});
     step();
-    return memory.faults();
+    return read.behind.front() / page_bytes;
   };
   result.pages = faults(std::numeric_limits<std::uint64_t>::max());
   const std::uint64_t unit = unit_pages == 0 ? result.pages : unit_pages;
   for (std::size_t i = 0; i < memory_percents.size(); ++i)
-    result.faults.at(i) =
-        faults(unit * static_cast<std::uint64_t>(memory_percents.at(i)) / 100 * PagedMemory::page_bytes);
+    result.faults.at(i) = faults(unit * static_cast<std::uint64_t>(memory_percents.at(i)) / 100 * page_bytes);
   return result;
 }
 
@@ -83,7 +84,7 @@ ResultTable out_of_core(std::string_view number, const ExperimentOptions& option
     const std::vector<RecordedBatch> batches =
         record_rays(*scene, bvh, options.width, options.height, bundle);
     double done = 0;
-    const auto step = [&] { options.progress(++done / (2.0 * (memory_percents.size() + 1))); };
+    const auto step = [&] { options.progress(++done / (2.0 * runs)); };
     const Paged plain = run(*scene, bvh, PlainNodes(bvh), batches, bundle, 0, step);
     result.emplace(plain,
                    run(*scene, bvh, HierarchicalNodes<8, true>(bvh), batches, bundle, plain.pages, step));
@@ -132,7 +133,7 @@ ResultTable out_of_core(std::string_view number, const ExperimentOptions& option
       "bvh_memory in bytes. Memory in % of all that the binary32 form reads from; {}-byte pages, least "
       "recently used "
       "out first; {} x {} pixels. The thesis's time is of a machine that swapped; no run here swapped",
-      PagedMemory::page_bytes, options.width, options.height));
+      page_bytes, options.width, options.height));
   return table;
 }
 

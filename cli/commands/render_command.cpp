@@ -17,6 +17,7 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/memory/read_bytes.hpp"
 #include "sw_ref/render/image_compare.hpp"
 #include "sw_ref/render/image_file.hpp"
 #include "sw_ref/render/render.hpp"
@@ -30,6 +31,9 @@ namespace {
 struct RenderCommand {
   SceneChoice scene;
   ref::HierarchyOptions hierarchy;
+  std::vector<int> caches;  ///< KiB; empty: reads of memory are not counted
+  std::uint32_t line_bytes = ref::CacheShape{}.line_bytes;
+  std::uint32_t ways = ref::CacheShape{}.ways;
   TraceChoice trace;
   BoxFormatChoice boxes;
   ref::WhittedOptions light;
@@ -120,6 +124,30 @@ struct Traced {
   [[nodiscard]] const ref::Scene& drawn() const { return integers ? integers->scene : scene; }
 };
 
+/// The bytes that memory gives for a ray, by layout of triangles, without a cache and behind each.
+void add_reads(Row& row, const RenderCommand& command, const ref::TracerOptions& tracing,
+               const Traced& traced) {
+  const ref::Scene& scene = traced.scene;
+  const ref::Bvh& bvh = traced.hierarchy.bvh;
+  const auto batches =
+      ref::record_rays(scene, bvh, command.scene.width, command.scene.height, tracing.bundle, command.light);
+  std::vector<ref::CacheShape> caches;
+  for (const int kib : command.caches)
+    caches.push_back({.bytes = static_cast<std::uint64_t>(kib) << 10,
+                      .line_bytes = command.line_bytes,
+                      .ways = command.ways});
+  for (const auto& [layout, name] : {std::pair{ref::TriangleLayout::corners, "bytes_per_ray"},
+                                     std::pair{ref::TriangleLayout::indices, "indexed_bytes_per_ray"}}) {
+    const ref::ReadBytes read = ref::read_bytes(*traced.tracer, scene.mesh, bvh, batches, layout, caches);
+    const auto per_ray = [&](std::uint64_t bytes) {
+      return read.rays == 0 ? 0.0 : static_cast<double>(bytes) / static_cast<double>(read.rays);
+    };
+    row[name] = per_ray(read.without_cache);
+    for (std::size_t i = 0; i < caches.size(); ++i)
+      row[fmt::format("{}_{}kib", name, command.caches[i])] = per_ray(read.behind[i]);
+  }
+}
+
 /// In place: parts refer to each other.
 void make_traced(const RenderCommand& command, Traced& traced) {
   traced.scene = command.scene.load();
@@ -141,6 +169,10 @@ void make_traced(const RenderCommand& command, Traced& traced) {
 void render_scene(const RenderCommand& command) {
   const ref::TracerOptions tracing =
       command.trace.world == World::floats ? command.trace.options() : ref::TracerOptions{};
+  if (!command.caches.empty() && command.trace.world == World::integers)
+    throw std::runtime_error(
+        "--cache: not for --world integer; `hitpipe image --stack` and `hitpipe trace --cache` count its "
+        "reads");
   std::optional<Progress> progress("reading the scene and its hierarchy");
   Traced traced;
   make_traced(command, traced);
@@ -199,6 +231,7 @@ void render_scene(const RenderCommand& command) {
   add_work(row, counts, "triangle_tests", &ref::TraceCounts::triangle_tests);
   add_work(row, counts, "nodes_loaded", &ref::TraceCounts::nodes_loaded);
   add_work(row, counts, "triangles_loaded", &ref::TraceCounts::triangles_loaded);
+  if (!command.caches.empty()) add_reads(row, command, tracing, traced);
   row["seconds"] = seconds.count();
   if (!command.out.empty()) {
     ref::write_image(command.out, result.width, result.height, result.image);
@@ -222,6 +255,24 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
   add_hierarchy_options(*command, options->hierarchy);
   add_trace_options(*command, options->trace);
   add_box_format_option(*command, options->boxes, "exact boxes");
+  CLI::Option* const caches = add_list_option(
+      *command, "--cache", options->caches,
+      "Also count the bytes that memory gives for a ray: without a cache, and behind caches of "
+      "so many KiB, with one thread (1 to 1048576)",
+      "KIB");
+  caches->transform(number_from(1, 1 << 20));
+  const auto of_caches = [&](const char* name, std::uint32_t& value, const char* what,
+                             std::vector<std::uint32_t> allowed) {
+    command->add_option(name, value, what)
+        ->check(CLI::IsMember(std::move(allowed)).description(""))
+        ->needs(caches)
+        ->capture_default_str()
+        ->type_name("N");
+  };
+  of_caches("--cache-line", options->line_bytes, "Bytes of a line: 16, 32, 64, 128, 256 or 4096",
+            {16, 32, 64, 128, 256, 4096});
+  of_caches("--cache-ways", options->ways, "Lines of a set: 1, 2, 4, 8, 16, or 0 for all in one set",
+            {0, 1, 2, 4, 8, 16});
   const auto file = [&](const char* name, std::string& value, const char* what) {
     as_output(command->add_option(name, value, what));
   };

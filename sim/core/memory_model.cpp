@@ -38,12 +38,13 @@ const MemoryOptions& checked(const MemoryOptions& options) {
   return options;
 }
 
-constexpr std::uint32_t blocks_of_line = LineCache::line_bytes / ref::core_block_bytes;
-std::uint32_t line_of(std::uint32_t block) {
-  return block / blocks_of_line;
-}
+constexpr std::uint32_t blocks_of_line = ref::CacheShape{}.line_bytes / ref::core_block_bytes;
 
 }  // namespace
+
+std::uint32_t MemoryModel::line_of(std::uint32_t block) const {
+  return std::min(block, static_cast<std::uint32_t>(blocks_.size())) / blocks_of_line;
+}
 
 MemoryModel::MemoryModel(std::span<const ref::CoreBlock> blocks, const MemoryOptions& options)
     : blocks_(blocks),
@@ -51,7 +52,7 @@ MemoryModel::MemoryModel(std::span<const ref::CoreBlock> blocks, const MemoryOpt
       blocks_of_read_(options.cache_kib > 0 ? blocks_of_line : 1),
       latencies_(options.seed),
       refusals_(~options.seed),
-      cache_(options.cache_kib) {
+      cache_({.bytes = static_cast<std::uint64_t>(options.cache_kib) << 10}) {
   if (!options.in_order && options.least_latency < options.most_latency)
     calendar_.resize(std::bit_ceil(static_cast<std::size_t>(options.most_latency)));
   if (options.cache_kib > 0) on_their_way_.resize(buckets, no_place);

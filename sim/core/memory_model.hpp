@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "sim/core/line_cache.hpp"
 #include "sim/core/linked_queue.hpp"
 #include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
+#include "sw_ref/memory/line_cache.hpp"
 
 namespace hitpipe::sim {
 
@@ -59,8 +59,8 @@ struct MemoryAnswer {
 /// gives first what is ready first, or with in_order what was asked for first. A line enters the cache when
 /// memory gives it, and all requests that wait for it are then ready. A hit takes no time of the memory.
 ///
-/// Behind the image's end all blocks are zero. The same options and requests give the same answers in the
-/// same cycles, on every machine.
+/// Behind the image's end all blocks are zero; to a cache they are one line. The same options and requests
+/// give the same answers in the same cycles, on every machine.
 class MemoryModel {
  public:
   /// `blocks` must outlive the model. Throws std::invalid_argument, one line, for an option that is not
@@ -96,6 +96,7 @@ class MemoryModel {
   };
   using Reads = Request::Reads;
 
+  [[nodiscard]] std::uint32_t line_of(std::uint32_t block) const;
   bool merge(std::uint32_t request);
   void read(std::uint32_t request);
   void receive(std::uint32_t read);
@@ -108,7 +109,7 @@ class MemoryModel {
   MemoryOptions options_;
   std::uint64_t blocks_of_read_;
   ref::adversary::Random latencies_, refusals_;
-  LineCache cache_;
+  ref::LineCache cache_;
   MemoryCounts counts_;
 
   NodePool<Request> requests_;

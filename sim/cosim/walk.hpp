@@ -32,10 +32,10 @@ class OneBoxWalk {
   OneBoxWalk(const WalkScene& scene, std::span<const hls::Result> results)
       : scene_(scene), hit_(rtl::place_of_hit(results)) {}
 
-  [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray,
-                                ref::Query query) const {
+  [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray, ref::Query query,
+                                ref::Loads loads = {}) const {
     rays.start(slot, ray);
-    return {*scene_.bvh, *scene_.mesh, ray, query};
+    return {*scene_.bvh, *scene_.mesh, ray, query, loads};
   }
   static void ask(RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
     rays.operands(slot, {traversal.node(), traversal.length()}, operands);
@@ -84,11 +84,14 @@ class PairWalk {
   PairWalk(const WalkScene& scene, std::span<const hls::Result> results)
       : scene_(scene), records_(*scene.bvh), results_(results) {}
 
-  [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray,
-                                ref::Query query) const {
+  [[nodiscard]] Traversal start(RayFeed& rays, std::size_t slot, const ref::Ray& ray, ref::Query query,
+                                ref::Loads loads = {}) const {
     rays.start(slot, ray);
-    return {
-        {&records_, ref::Leaves(*scene_.mesh, *scene_.bvh)}, ray, query, rays.in_results(slot, ray.length)};
+    return {{&records_, ref::Leaves(*scene_.mesh, *scene_.bvh)},
+            ray,
+            query,
+            rays.in_results(slot, ray.length),
+            loads};
   }
   static void ask(RayFeed& rays, std::size_t slot, const Traversal& traversal, std::int64_t* operands) {
     rays.operands(slot, {traversal.record(), traversal.length(), traversal.parent()}, operands);

@@ -12,6 +12,7 @@
 #include "host/text.hpp"
 #include "rtl_gen/schedule/sharing.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
+#include "sw_ref/memory/scene_memory.hpp"
 
 namespace hitpipe::sim {
 
@@ -128,16 +129,21 @@ std::uint64_t SweepRow::nodes_fetched() const {
 }
 
 std::uint64_t SweepRow::bytes_fetched() const {
-  return nodes_fetched() * static_cast<std::uint64_t>(bytes_per_node) + triangle_tests * bytes_per_triangle;
+  return nodes_fetched() * static_cast<std::uint64_t>(bytes_per_node) +
+         triangle_tests * ref::bytes_of_corners;
+}
+
+double SweepRow::per_ray(std::uint64_t count) const {
+  return ratio(static_cast<double>(count), static_cast<double>(rays_traced()));
 }
 
 double SweepRow::bytes_per_ray() const {
-  return ratio(static_cast<double>(bytes_fetched()), static_cast<double>(rays_traced()));
+  return per_ray(bytes_fetched());
 }
 
 double SweepRow::reference_bytes_per_ray() const {
   return ratio(static_cast<double>(reference_box_tests * sizeof(ref::BvhNode) +
-                                   reference_triangle_tests * bytes_per_triangle),
+                                   reference_triangle_tests * ref::bytes_of_corners),
                static_cast<double>(rays_traced()));
 }
 

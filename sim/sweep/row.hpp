@@ -22,9 +22,6 @@ struct TriangleCost {
   friend bool operator==(const TriangleCost&, const TriangleCost&) = default;
 };
 
-/// A triangle in memory: three corners in binary32.
-inline constexpr int bytes_per_triangle = 36;
-
 struct SweepRow : SweepSubject {
   int rays_in_flight = 0;
   int interval = 1;  ///< a test may begin every so many cycles
@@ -57,6 +54,11 @@ struct SweepRow : SweepSubject {
   std::uint64_t different_pixels = 0;
   std::uint64_t cycles = 0;
 
+  /// From memory, by a model of the same reads in software (sw_ref/memory): behind caches of 4, 16 and 64
+  /// KiB; and all of it with triangles that are read by their indices.
+  std::uint64_t bytes_4kib = 0, bytes_16kib = 0, bytes_64kib = 0;
+  std::uint64_t indexed_bytes = 0, indexed_bytes_4kib = 0, indexed_bytes_16kib = 0, indexed_bytes_64kib = 0;
+
   double rtl_seconds = 0;  ///< measured: CosimResult::rtl_seconds
   double software_ratio =
       0;  ///< measured: time of the design's software traversal, over the baseline design's
@@ -81,6 +83,13 @@ struct SweepRow : SweepSubject {
   [[nodiscard]] std::uint64_t nodes_fetched() const;
   [[nodiscard]] std::uint64_t bytes_fetched() const;
   [[nodiscard]] double bytes_per_ray() const;
+  [[nodiscard]] double bytes_per_ray_4kib() const { return per_ray(bytes_4kib); }
+  [[nodiscard]] double bytes_per_ray_16kib() const { return per_ray(bytes_16kib); }
+  [[nodiscard]] double bytes_per_ray_64kib() const { return per_ray(bytes_64kib); }
+  [[nodiscard]] double indexed_bytes_per_ray() const { return per_ray(indexed_bytes); }
+  [[nodiscard]] double indexed_bytes_per_ray_4kib() const { return per_ray(indexed_bytes_4kib); }
+  [[nodiscard]] double indexed_bytes_per_ray_16kib() const { return per_ray(indexed_bytes_16kib); }
+  [[nodiscard]] double indexed_bytes_per_ray_64kib() const { return per_ray(indexed_bytes_64kib); }
   [[nodiscard]] double reference_bytes_per_ray() const;  ///< with nodes of binary32
   /// Box tests and triangle tests, one after the other.
   [[nodiscard]] double whole_run_time_ms() const;
@@ -98,6 +107,9 @@ struct SweepRow : SweepSubject {
   [[nodiscard]] bool verified(bool conservative) const;
 
   friend bool operator==(const SweepRow&, const SweepRow&) = default;
+
+ private:
+  [[nodiscard]] double per_ray(std::uint64_t count) const;
 };
 
 /// A column of a sweep's CSV file.
@@ -173,6 +185,13 @@ inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
     {"different_triangles", &SweepRow::different_triangles},
     {"different_pixels", &SweepRow::different_pixels},
     {"cycles", &SweepRow::cycles},
+    {"bytes_4kib", &SweepRow::bytes_4kib},
+    {"bytes_16kib", &SweepRow::bytes_16kib},
+    {"bytes_64kib", &SweepRow::bytes_64kib},
+    {"indexed_bytes", &SweepRow::indexed_bytes},
+    {"indexed_bytes_4kib", &SweepRow::indexed_bytes_4kib},
+    {"indexed_bytes_16kib", &SweepRow::indexed_bytes_16kib},
+    {"indexed_bytes_64kib", &SweepRow::indexed_bytes_64kib},
     {"occupancy_pct", &SweepRow::occupancy_pct},
     {"false_hits_per_million", &SweepRow::false_hits_per_million},
     {"extra_box_tests_per_ray", &SweepRow::extra_box_tests_per_ray},
@@ -186,6 +205,13 @@ inline constexpr auto sweep_columns = std::to_array<SweepColumn>({
     {"nodes_fetched", &SweepRow::nodes_fetched},
     {"bytes_fetched", &SweepRow::bytes_fetched},
     {"bytes_per_ray", &SweepRow::bytes_per_ray},
+    {"bytes_per_ray_4kib", &SweepRow::bytes_per_ray_4kib},
+    {"bytes_per_ray_16kib", &SweepRow::bytes_per_ray_16kib},
+    {"bytes_per_ray_64kib", &SweepRow::bytes_per_ray_64kib},
+    {"indexed_bytes_per_ray", &SweepRow::indexed_bytes_per_ray},
+    {"indexed_bytes_per_ray_4kib", &SweepRow::indexed_bytes_per_ray_4kib},
+    {"indexed_bytes_per_ray_16kib", &SweepRow::indexed_bytes_per_ray_16kib},
+    {"indexed_bytes_per_ray_64kib", &SweepRow::indexed_bytes_per_ray_64kib},
     {"reference_bytes_per_ray", &SweepRow::reference_bytes_per_ray},
     {"whole_run_time_ms", &SweepRow::whole_run_time_ms},
     {"whole_area_run_time_mm2_ms", &SweepRow::whole_area_run_time_mm2_ms},

@@ -15,13 +15,18 @@ namespace hitpipe::sim {
 /// Rounded to three digits after the point; more would be noise.
 [[nodiscard]] double milli(double time);
 
+/// The rays in their order, with exact answers. A batch has rays of one query.
+[[nodiscard]] std::vector<ref::RecordedBatch> listed_batches(const ref::Scene& scene, const ref::Bvh& bvh,
+                                                             std::span<const AskedRay> rays);
+
 /// Thread-safe.
 class SoftwareTime {
  public:
   /// Takes the rays of the scene's image at the given size, scaled down to at most `longest_side` pixels.
   /// Scene and hierarchy must outlive this object.
   static constexpr int longest_side = 128;
-  SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height);
+  SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height,
+               const ref::WhittedOptions& light);
   /// Takes rays of the list, evenly spaced, as many as such an image has pixels at most.
   SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const AskedRay> rays);
 

@@ -20,6 +20,7 @@
 #include "sim/generic_tracer.hpp"
 #include "sim/sweep/software_time.hpp"
 #include "sim/unit/verilated_design.hpp"
+#include "sw_ref/memory/read_bytes.hpp"
 #include "sw_ref/render/render.hpp"
 
 namespace hitpipe::sim {
@@ -32,12 +33,14 @@ struct MeasuredUnit {
   std::optional<VerilatedDesign> verilated;
   std::optional<area::Price> price;
   double software_ratio = 0;
+  ref::ReadBytes corners, indices;
 };
 
 /// What must be done before a row can be measured.
 struct Reference {
   ref::RenderResult picture;
   SoftwareTime software;
+  std::vector<ref::RecordedBatch> rays;  ///< of the picture or the list, in one order
 };
 
 ref::RenderResult render_reference(const ref::Scene& scene, const ref::Bvh& bvh,
@@ -60,8 +63,12 @@ class Run {
         finished_(finished),
         points_(longest_first(points)),
         reference_{render_reference(scene, bvh, options),
-                   options.rays.empty() ? SoftwareTime(scene, bvh, options.width, options.height)
-                                        : SoftwareTime(scene, bvh, options.rays)} {
+                   options.rays.empty()
+                       ? SoftwareTime(scene, bvh, options.width, options.height, options.light)
+                       : SoftwareTime(scene, bvh, options.rays),
+                   options.rays.empty()
+                       ? ref::record_rays(scene, bvh, options.width, options.height, 1, options.light)
+                       : listed_batches(scene, bvh, options.rays)} {
     for (const SweepPoint& point : points_) units_.try_emplace(unit_key(point));
   }
 
@@ -134,6 +141,13 @@ class Run {
       unit.price = area::price(*point.design, point.format, library, area::Account::built,
                                rtl::FlowControl::stall, point.interval);
       unit.software_ratio = reference_.software.ratio(*point.design, point.format);
+      const std::unique_ptr<ref::Tracer> tracer =
+          make_tracer(*point.design, {point.format}, scene_.mesh, bvh_);
+      const auto read = [&](ref::TriangleLayout layout) {
+        return ref::read_bytes(*tracer, scene_.mesh, bvh_, reference_.rays, layout, ref::usual_caches());
+      };
+      unit.corners = read(ref::TriangleLayout::corners);
+      unit.indices = read(ref::TriangleLayout::indices);
       unit.verilated.emplace(
           make_unit(*point.design, point.format, library, rtl::FlowControl::stall, point.interval));
     }
@@ -163,6 +177,13 @@ class Run {
     row.triangle = options_.triangle;
     add_counts(row, result);
     row.different_pixels = different_pixels(result);
+    row.bytes_4kib = unit.corners.behind[0];
+    row.bytes_16kib = unit.corners.behind[1];
+    row.bytes_64kib = unit.corners.behind[2];
+    row.indexed_bytes = unit.indices.without_cache;
+    row.indexed_bytes_4kib = unit.indices.behind[0];
+    row.indexed_bytes_16kib = unit.indices.behind[1];
+    row.indexed_bytes_64kib = unit.indices.behind[2];
     row.rtl_seconds = milli(result.rtl_seconds);
     row.software_ratio = unit.software_ratio;
     return row;

@@ -16,14 +16,15 @@ bool same(Query query, std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-std::vector<RecordedBatch> record_rays(const Scene& scene, const Bvh& bvh, int width, int height,
-                                       int bundle) {
+std::vector<RecordedBatch> record_rays(const Scene& scene, const Bvh& bvh, int width, int height, int bundle,
+                                       const WhittedOptions& light) {
   std::vector<RecordedBatch> batches;
   const std::unique_ptr<Tracer> tracer = make_tracer(scene.mesh, bvh, {});
   RenderOptions options;
   options.width = width;
   options.height = height;
   options.tile_side = tile_side_for(bundle);
+  options.light = light;
   options.traced = [&](RayKind kind, const TraceJob& job) {
     batches.push_back(
         {kind, job.query, {job.rays.begin(), job.rays.end()}, {job.triangles.begin(), job.triangles.end()}});

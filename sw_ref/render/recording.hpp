@@ -20,7 +20,8 @@ struct RecordedBatch {
 
 /// Every batch of an image, tile by tile. The batches depend only on the tile side (see tile_side_for()).
 [[nodiscard]] std::vector<RecordedBatch> record_rays(const Scene& scene, const Bvh& bvh, int width,
-                                                     int height, int bundle);
+                                                     int height, int bundle,
+                                                     const WhittedOptions& light = {});
 
 /// The work and time of a tracer for a recording.
 struct Measurement {

@@ -18,7 +18,7 @@ class MajorPairTracer final : public Tracer {
       const IntMajorRaySetup set_up(ray, bits_);
       const MajorDistances distances(set_up.ray(), bits_);
       const auto in_results = [&](float length) { return set_up.length(length); };
-      PairTraversal traversal(scene_, ray, job.query, set_up.length(ray.length));
+      PairTraversal traversal(scene_, ray, job.query, set_up.length(ray.length), Loads{job.loads});
       while (!traversal.done()) {
         traversal.answer(test_pair(distances, records_.boxes(traversal.record()), traversal.parent()),
                          in_results);

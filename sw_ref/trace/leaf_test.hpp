@@ -60,16 +60,17 @@ struct Leaves {
   }
 };
 
-/// An observer is told of each load of a node (index in the hierarchy) or triangle (index in the mesh), in
-/// order. This observer ignores them; a paging model counts them.
-struct NoObserver {
-  void node_loaded(std::uint32_t) {}
-  void triangle_loaded(std::uint32_t) {}
-};
+/// Tells whoever watches.
+struct Loads {
+  LoadObserver* observer = nullptr;
 
-template <class Observer>
-void tell_loads(Observer& observer, std::span<const std::uint32_t> triangles) {
-  for (const std::uint32_t triangle : triangles) observer.triangle_loaded(triangle);
-}
+  void node(std::uint32_t node) const {
+    if (observer != nullptr) observer->node_loaded(node);
+  }
+  void triangles(std::span<const std::uint32_t> triangles) const {
+    if (observer == nullptr) return;
+    for (const std::uint32_t triangle : triangles) observer->triangle_loaded(triangle);
+  }
+};
 
 }  // namespace hitpipe::ref

@@ -57,14 +57,16 @@ template <class Records>
 class PairTraversal {
  public:
   /// `length` is the ray's in units of the results.
-  PairTraversal(const PairHierarchy<Records>& scene, const Ray& ray, Query query, std::int64_t length)
+  PairTraversal(const PairHierarchy<Records>& scene, const Ray& ray, Query query, std::int64_t length,
+                Loads loads = {})
       : scene_(scene),
         ray_(ray),
         length_(ray.length),
         cut_(length),
         parent_{0, cut_},
         class_(direction_class(ray.direction)),
-        query_(query) {}
+        query_(query),
+        loads_(loads) {}
 
   [[nodiscard]] bool done() const { return done_; }
   /// The record whose boxes are to be tested now. Only while !done().
@@ -84,6 +86,7 @@ class PairTraversal {
   void answer(const PairAnswer& answer, const InResults& in_results) {
     counts_.box_tests += boxes();
     ++counts_.nodes_loaded;
+    loads_.node(record_);
     const unsigned nearer = near_child(class_, scene_.records->split_axis(record_));
     for (const unsigned which : {nearer ^ 1U, nearer}) {
       if (!answer.hit[which]) continue;
@@ -118,8 +121,9 @@ class PairTraversal {
       }
       const std::uint32_t before = hit_.triangle;
       const Leaves& leaves = scene_.leaves;
-      const std::uint32_t tests = leaves.test->ray(
-          *leaves.mesh, leaves.triangles(next.child.first, next.child.count), ray_, query_, hit_);
+      const auto triangles = leaves.triangles(next.child.first, next.child.count);
+      const std::uint32_t tests = leaves.test->ray(*leaves.mesh, triangles, ray_, query_, hit_);
+      loads_.triangles(triangles.first(tests));
       counts_.triangle_tests += tests;
       counts_.triangles_loaded += tests;
       if (hit_.triangle == before) continue;
@@ -141,6 +145,7 @@ class PairTraversal {
   std::size_t top_ = 0;
   unsigned class_;
   Query query_;
+  Loads loads_;
   bool done_ = false;
   /// At most one sibling waits per level, and both children of the last.
   std::array<Waiting, std::size_t{BuildOptions::deepest} + 2> stack_;  // only [0, top_) is read

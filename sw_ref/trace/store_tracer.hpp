@@ -17,8 +17,7 @@ class StoreTracer final : public Tracer {
 
   void trace(const TraceJob& job, TraceCounts& counts) const override {
     check_places(job);
-    NoObserver observer;
-    trace_batch(TraceWith<Store, Maker>{store_, make_test_, leaves_, tracing_}, job, counts, observer);
+    trace_batch(TraceWith<Store, Maker>{store_, make_test_, leaves_, tracing_}, job, counts);
   }
 
   [[nodiscard]] std::size_t bytes_per_node() const override { return store_.bytes_per_node; }

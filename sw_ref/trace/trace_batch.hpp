@@ -1,6 +1,5 @@
 // Traces a batch of rays, one by one or in bundles, over a store of nodes with a box test. It is a template
-// over all parts. To watch the loads, as the out-of-core model does (section 5.8), call it with an observer
-// of your own.
+// over all parts.
 #pragma once
 
 #include <algorithm>
@@ -43,27 +42,26 @@ concept HasDistance = requires(const Test& test, const Box& box, typename Test::
   { test.enters(box, distance) } -> std::same_as<bool>;
 };
 
-template <class Store, class Maker, class Observer>
+template <class Store, class Maker>
 TraceCounts trace_one(const TraceWith<Store, Maker>& with, const Ray& ray, Query query, Hit& hit,
-                      Observer& observer) {
+                      Loads loads) {
   using Test = BoxTestOf<Maker>;
   if constexpr (HasDistance<Test, typename Store::Box>) {
     if (with.tracing.order == ChildOrder::by_distance) {
-      return trace_by_distance(with.store, with.leaves, with.make_test(ray), ray, query, hit, observer);
+      return trace_by_distance(with.store, with.leaves, with.make_test(ray), ray, query, hit, loads);
     }
   }
   const unsigned order_class = with.tracing.order == ChildOrder::fixed ? 0 : direction_class(ray.direction);
   const Ray tested{ray.origin, ray.direction, with.tracing.ends ? ray.length : Ray::infinite};
   return trace_ray(with.store, with.leaves, with.make_test(tested), ray, query, order_class,
-                   with.tracing.ends, hit, observer);
+                   with.tracing.ends, hit, loads);
 }
 
-template <class Store, class Maker, class Observer>
-void trace_singly(const TraceWith<Store, Maker>& with, const TraceJob& job, TraceCounts& counts,
-                  Observer& observer) {
+template <class Store, class Maker>
+void trace_singly(const TraceWith<Store, Maker>& with, const TraceJob& job, TraceCounts& counts) {
   for (std::size_t i = 0; i < job.rays.size(); ++i) {
     Hit hit;
-    const TraceCounts work = trace_one(with, job.rays[i], job.query, hit, observer);
+    const TraceCounts work = trace_one(with, job.rays[i], job.query, hit, Loads{job.loads});
     job.triangles[i] = hit.triangle;
     if (!job.work.empty()) job.work[i] = work;
     counts += work;
@@ -71,9 +69,9 @@ void trace_singly(const TraceWith<Store, Maker>& with, const TraceJob& job, Trac
 }
 
 /// Traces the rays first..first + count of the job, as one bundle for each direction class that they have.
-template <class Store, class Maker, class Observer>
+template <class Store, class Maker>
 void trace_bundles(const TraceWith<Store, Maker>& with, const TraceJob& job, std::size_t first,
-                   std::size_t count, TraceCounts& counts, Observer& observer) {
+                   std::size_t count, TraceCounts& counts) {
   using Test = BoxTestOf<Maker>;
   static_assert(std::is_trivially_destructible_v<Test> && std::is_trivially_destructible_v<BundledRay>);
   std::array<unsigned char, largest_bundle> classes;
@@ -101,27 +99,26 @@ void trace_bundles(const TraceWith<Store, Maker>& with, const TraceJob& job, std
       std::construct_at(rays + members, ray, work);
       places[members++] = first + i;
     }
-    BundleTrace bundle(with.store, with.leaves, job.query, std::span(rays, members), tests, observer);
+    BundleTrace bundle(with.store, with.leaves, job.query, std::span(rays, members), tests, Loads{job.loads});
     bundle.run(with.tracing.order == ChildOrder::fixed ? 0 : ray_class, counts);
     for (std::size_t i = 0; i < members; ++i) job.triangles[places[i]] = rays[i].hit.triangle;
   }
 }
 
-/// Adds to `counts`; tells `observer` each load.
-template <class Store, class Maker, class Observer>
-void trace_batch(const TraceWith<Store, Maker>& with, const TraceJob& job, TraceCounts& counts,
-                 Observer& observer) {
+/// Adds to `counts`; tells the job's observer each load.
+template <class Store, class Maker>
+void trace_batch(const TraceWith<Store, Maker>& with, const TraceJob& job, TraceCounts& counts) {
   if constexpr (BundleBoxTest<BoxTestOf<Maker>, typename Store::Box>) {
     if (with.tracing.bundle > 1) {
       const auto most = static_cast<std::size_t>(with.tracing.bundle);
       counts.rays += job.rays.size();
       for (std::size_t first = 0; first < job.rays.size(); first += most) {
-        trace_bundles(with, job, first, std::min(most, job.rays.size() - first), counts, observer);
+        trace_bundles(with, job, first, std::min(most, job.rays.size() - first), counts);
       }
       return;
     }
   }
-  trace_singly(with, job, counts, observer);
+  trace_singly(with, job, counts);
 }
 
 }  // namespace hitpipe::ref

@@ -19,14 +19,14 @@ concept BundleBoxTest = requires(const Test& test, const Box& box) {
   { test.meets(test.mirror()(box)) } -> std::same_as<bool>;
 };
 
-template <class Store, class Test, class Observer>
+template <class Store, class Test>
 class BundleTrace {
  public:
   /// `tests[i]` is the test of `rays[i]`. There are 1 to largest_bundle rays, all of one class. All have a
   /// place for their own work, or none has.
   BundleTrace(const Store& store, const Leaves& leaves, Query query, std::span<BundledRay> rays, Test* tests,
-              Observer& observer)
-      : store_(store), leaves_(leaves), query_(query), rays_(rays), tests_(tests), observer_(observer) {}
+              Loads loads)
+      : store_(store), leaves_(leaves), query_(query), rays_(rays), tests_(tests), loads_(loads) {}
 
   void run(unsigned order_class, TraceCounts& counts) {
     struct Sibling {
@@ -68,7 +68,7 @@ class BundleTrace {
   /// Lists the rays that hit the node's box from `last` on; returns the end of that list.
   std::uint32_t test_box(const typename Store::Node& node, std::uint32_t first, std::uint32_t last,
                          TraceCounts& counts) {
-    observer_.node_loaded(store_.index(node));
+    loads_.node(store_.index(node));
     ++counts.nodes_loaded;
     counts.box_tests += last - first;
     const auto box = tests_[0].mirror()(store_.box(node));
@@ -89,7 +89,7 @@ class BundleTrace {
     const auto triangles = leaves_.triangles(first_triangle, count);
     const std::span<std::uint16_t> numbers(&numbers_[first], last - first);
     const LeafCounts tests = leaves_.test->bundle(*leaves_.mesh, triangles, rays_.data(), numbers, query_);
-    tell_loads(observer_, triangles.first(tests.loaded));
+    loads_.triangles(triangles.first(tests.loaded));
     counts.triangles_loaded += tests.loaded;
     counts.triangle_tests += tests.tests;
     if (query_ == Query::any) return;
@@ -117,7 +117,7 @@ class BundleTrace {
   Query query_;
   std::span<BundledRay> rays_;
   Test* tests_;
-  Observer& observer_;
+  Loads loads_;
   // For each node on the path to the current one, the list of rays that hit it, one list after the other. The
   // array is not initialised, because a list is written before it is read.
   std::array<std::uint16_t, std::size_t{BuildOptions::deepest + 1} * largest_bundle> numbers_;

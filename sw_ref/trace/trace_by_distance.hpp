@@ -12,9 +12,9 @@ namespace hitpipe::ref {
 
 /// As trace_ray(). test.enters() gives the distance of a box, which is never above the distance of a triangle
 /// in it.
-template <class Store, class Test, class Observer>
+template <class Store, class Test>
 TraceCounts trace_by_distance(const Store& store, const Leaves& leaves, Test test, const Ray& ray,
-                              Query query, Hit& hit, Observer& observer) {
+                              Query query, Hit& hit, Loads loads) {
   using Node = typename Store::Node;
   using Distance = typename Test::Distance;
   struct Entered {
@@ -28,7 +28,7 @@ TraceCounts trace_by_distance(const Store& store, const Leaves& leaves, Test tes
   const auto work = [&] { return TraceCounts::of_ray(box_tests, triangle_tests); };
   float length = ray.length;
   const auto enters = [&](const Node& node, Distance& distance) {
-    observer.node_loaded(store.index(node));
+    loads.node(store.index(node));
     ++box_tests;
     return test.enters(store.box(node), distance);
   };
@@ -53,7 +53,7 @@ TraceCounts trace_by_distance(const Store& store, const Leaves& leaves, Test tes
       const auto triangles = leaves.triangles(store.first(at.node), count);
       const std::uint32_t before = hit.triangle;
       const std::uint32_t tests = leaves.test->ray(*leaves.mesh, triangles, ray, query, hit);
-      tell_loads(observer, triangles.first(tests));
+      loads.triangles(triangles.first(tests));
       triangle_tests += tests;
       if (hit.triangle != before) {
         if (query == Query::any) return work();

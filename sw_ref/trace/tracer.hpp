@@ -45,6 +45,15 @@ struct TraceCounts {
   }
 };
 
+/// Is told of each load of a node (its number in the tracer's store) or triangle (its number in the mesh), in
+/// order.
+class LoadObserver {
+ public:
+  virtual ~LoadObserver() = default;
+  virtual void node_loaded(std::uint32_t node) = 0;
+  virtual void triangle_loaded(std::uint32_t triangle) = 0;
+};
+
 /// Rays to trace, and places for the answers.
 struct TraceJob {
   std::span<const Ray> rays;
@@ -54,6 +63,7 @@ struct TraceJob {
   std::span<std::uint32_t> triangles;
   /// The tests of each ray, or empty if they are not needed.
   std::span<TraceCounts> work = {};
+  LoadObserver* loads = nullptr;  ///< null: nobody watches
 };
 
 /// Thread-safe. Its hierarchy and mesh must outlive it and not change.

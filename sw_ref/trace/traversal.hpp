@@ -63,10 +63,10 @@ class DepthFirst {
 
   /// Goes on with the result of the box test of node(). `hit` is the best hit so far; it lies outside, so
   /// that the rest can stay in registers. Calls closer() when a leaf has a better hit and the ray goes on.
-  template <class Observer, class Closer>
+  template <class Closer>
   [[gnu::always_inline]] void answer(bool box_hit, const Store& store, const Leaves& leaves, const Ray& ray,
-                                     Query query, Hit& hit, Observer& observer, const Closer& closer) {
-    observer.node_loaded(store.index(node_));
+                                     Query query, Hit& hit, Loads loads, const Closer& closer) {
+    loads.node(store.index(node_));
     ++box_tests_;
     if (box_hit) {
       const std::int32_t count = store.count(node_);
@@ -79,7 +79,7 @@ class DepthFirst {
       const auto triangles = leaves.triangles(store.first(node_), count);
       const std::uint32_t before = hit.triangle;
       const std::uint32_t tests = leaves.test->ray(*leaves.mesh, triangles, ray, query, hit);
-      tell_loads(observer, triangles.first(tests));
+      loads.triangles(triangles.first(tests));
       triangle_tests_ += tests;
       if (hit.triangle != before) {
         done_ = query == Query::any;
@@ -103,13 +103,12 @@ class DepthFirst {
 
 /// `test` is the box test of `ray`; with `ends` it is cut at each hit. All calls are inlined: a decoded node
 /// then stays in registers.
-template <class Store, SoftwareBoxTest<typename Store::Box> Test, class Observer>
+template <class Store, SoftwareBoxTest<typename Store::Box> Test>
 [[gnu::flatten]] TraceCounts trace_ray(const Store& store, const Leaves& leaves, Test test, const Ray& ray,
-                                       Query query, unsigned order_class, bool ends, Hit& hit,
-                                       Observer& observer) {
+                                       Query query, unsigned order_class, bool ends, Hit& hit, Loads loads) {
   DepthFirst<Store> walk(store, order_class);
   do {
-    walk.answer(test(store.box(walk.node())), store, leaves, ray, query, hit, observer, [&] {
+    walk.answer(test(store.box(walk.node())), store, leaves, ray, query, hit, loads, [&] {
       if (ends) test.cut(cull_length(hit));
     });
   } while (!walk.done());
@@ -121,12 +120,13 @@ template <class Store, SoftwareBoxTest<typename Store::Box> Test, class Observer
 /// The hierarchy has at least one node.
 class Traversal {
  public:
-  Traversal(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query)
+  Traversal(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query, Loads loads = {})
       : store_(bvh),
         leaves_(mesh, bvh),
         ray_(ray),
         length_(ray.length),
         query_(query),
+        loads_(loads),
         walk_(store_, direction_class(ray.direction)) {}
 
   [[nodiscard]] bool done() const { return walk_.done(); }
@@ -142,8 +142,7 @@ class Traversal {
 
   /// Continues with the result of the box test of node(): true if the ray, cut at length(), may meet its box.
   void answer(bool box_hit) {
-    NoObserver none;
-    walk_.answer(box_hit, store_, leaves_, ray_, query_, hit_, none, [&] { length_ = cull_length(hit_); });
+    walk_.answer(box_hit, store_, leaves_, ray_, query_, hit_, loads_, [&] { length_ = cull_length(hit_); });
   }
 
  private:
@@ -153,6 +152,7 @@ class Traversal {
   Hit hit_;
   float length_;
   Query query_;
+  Loads loads_;
   DepthFirst<PlainNodes> walk_;
 };
 
@@ -160,9 +160,8 @@ class Traversal {
 template <class Test>
 Hit trace(const Bvh& bvh, const Mesh& mesh, const Ray& ray, Query query, TraceCounts& counts) {
   Hit hit;
-  NoObserver none;
   counts += trace_ray(PlainNodes(bvh), Leaves(mesh, bvh), Test(ray), ray, query,
-                      direction_class(ray.direction), true, hit, none);
+                      direction_class(ray.direction), true, hit, Loads{});
   return hit;
 }
 

@@ -21,7 +21,7 @@ class SlowMemory {
 
   void ask(std::uint32_t block, std::uint32_t tag) {
     const bool cached = options_.cache_kib > 0;
-    const std::uint32_t line = block / 2;
+    const std::uint32_t line = std::min(block, static_cast<std::uint32_t>(blocks_.size())) / 2;
     Request request{.block = block, .tag = tag, .number = counts.requests++, .ready = {}};
     counts.outside += block >= blocks_.size() ? 1 : 0;
     if (auto& lines = set_of(line); cached && lines.contains(line)) {

@@ -44,6 +44,10 @@ TEST(SweepRowFigures, OfTheWholeCountTriangleTestsAndMemory) {
   EXPECT_EQ(row.nodes_fetched(), 400'000U);
   EXPECT_EQ(row.bytes_fetched(), 400'000U * 23 + 70'000U * 36);
   EXPECT_DOUBLE_EQ(row.bytes_per_ray(), 1465.0);
+  EXPECT_DOUBLE_EQ(row.bytes_per_ray_4kib(), 500.0);
+  EXPECT_DOUBLE_EQ(row.bytes_per_ray_64kib(), 125.0);
+  EXPECT_DOUBLE_EQ(row.indexed_bytes_per_ray(), 1500.0);
+  EXPECT_DOUBLE_EQ(row.indexed_bytes_per_ray_16kib(), 375.0);
   EXPECT_DOUBLE_EQ(row.reference_bytes_per_ray(), (400'800.0 * 32 + 69'000.0 * 36) / 8000);
   SweepRow free = row;
   free.triangle = {};
@@ -159,7 +163,7 @@ TEST(SweepRowCells, NumbersThatDoNotBelongRejected) {
           << sweep_columns[column].name << " = " << wrong;
     }
   }
-  EXPECT_EQ(message_of<std::runtime_error>([] { return from_cells({"spheres"}); }), "1 cells; a row has 66");
+  EXPECT_EQ(message_of<std::runtime_error>([] { return from_cells({"spheres"}); }), "1 cells; a row has 80");
 }
 
 TEST(SweepRowCells, FiguresThatDoNotFollowRejected) {

@@ -44,6 +44,13 @@ inline SweepRow a_row() {
   row.different_triangles = 0;
   row.different_pixels = 0;
   row.cycles = 500'000;
+  row.bytes_4kib = 4'000'000;
+  row.bytes_16kib = 2'000'000;
+  row.bytes_64kib = 1'000'000;
+  row.indexed_bytes = 12'000'000;
+  row.indexed_bytes_4kib = 5'000'000;
+  row.indexed_bytes_16kib = 3'000'000;
+  row.indexed_bytes_64kib = 2'000'000;
   row.rtl_seconds = 0.125;
   row.software_ratio = 1.75;
   return row;

@@ -73,6 +73,10 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     EXPECT_EQ(row.rays_primary, 384U);
     EXPECT_EQ(row.rays_shadow, counted.rays_shadow);
     EXPECT_EQ(row.rays_rejected, counted.rejected);
+    // The model of memory reads what the unit reads.
+    EXPECT_EQ(row.indexed_bytes, row.bytes_fetched() + 16 * row.triangle_tests);
+    EXPECT_LT(row.bytes_4kib, row.bytes_fetched());
+    EXPECT_LE(row.bytes_64kib, row.bytes_16kib);
     EXPECT_EQ(row.boxes_per_test, price.boxes);
     EXPECT_EQ(row.unit_tests, counted.unit.tests);
     EXPECT_EQ(row.box_tests, counted.unit.box_tests);

@@ -282,10 +282,10 @@ TEST_F(TracersOnHills, HaveTheNodesOfTheirEncoding) {
   EXPECT_EQ(make_tracer(mesh_, bvh_, {})->node_count(), bvh_.nodes.size());
 }
 
-struct Recorder {
+struct Recorder final : LoadObserver {
   std::vector<std::uint32_t> nodes, triangles;
-  void node_loaded(std::uint32_t index) { nodes.push_back(index); }
-  void triangle_loaded(std::uint32_t index) { triangles.push_back(index); }
+  void node_loaded(std::uint32_t index) override { nodes.push_back(index); }
+  void triangle_loaded(std::uint32_t index) override { triangles.push_back(index); }
 };
 
 TEST_F(TracersOnHills, ObserverIsToldEveryLoad) {
@@ -299,7 +299,7 @@ TEST_F(TracersOnHills, ObserverIsToldEveryLoad) {
       TraceCounts counts;
       std::vector<std::uint32_t> triangles(rays_.size());
       trace_batch(TraceWith<PlainNodes, TestMaker<ConservativeSlabs>>{nodes, make_test, leaves, tracing},
-                  {rays_, query, triangles}, counts, recorder);
+                  {.rays = rays_, .query = query, .triangles = triangles, .loads = &recorder}, counts);
       EXPECT_EQ(recorder.nodes.size(), counts.nodes_loaded);
       EXPECT_EQ(recorder.triangles.size(), counts.triangles_loaded);
       EXPECT_EQ(recorder.nodes.front(), 0U);
