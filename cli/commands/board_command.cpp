@@ -221,7 +221,7 @@ CLI::App* add_board_command(CLI::App& program, int& exit_code) {
   add_scene_options(*command, options->scene);
   command->get_option("--scene")->required(false);
   add_hierarchy_options(*command, options->hierarchy);
-  add_bounces_option(*command, options->light);
+  add_light_options(*command, options->light);
   add_folder_option(
       *command, options->out,
       "Of a core: folder for the picture that the answers make, SCENE.png; written when all are "

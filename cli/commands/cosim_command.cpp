@@ -47,6 +47,7 @@ struct CosimCommand {
   bool bit_level = false;
   std::string unit;
   ref::WhittedOptions light;
+  std::string rays;  ///< a file; empty: those of a picture
   std::string out;
   OutputFormat format = OutputFormat::text;
 };
@@ -133,7 +134,7 @@ int cosimulate_triangles(const CosimCommand& command) {
   refuse(command.bit_level, "--bit-level");
   return cosimulate_world({command.choice, command.library, command.scene, command.hierarchy, command.boxes,
                            command.box_unit.value_or("int_major"), command.flow_control, command.interval,
-                           command.rays_in_flight, command.light, command.out, command.format});
+                           command.rays_in_flight, command.light, command.rays, command.out, command.format});
 }
 
 int cosimulate(const CosimCommand& command) {
@@ -153,7 +154,10 @@ int cosimulate(const CosimCommand& command) {
   const ref::Scene scene = command.scene.load();
   const fs::path folder = command.out;
   const fs::path image = folder / (fs::path(scene.name).stem().string() + ".png");
-  if (!command.out.empty()) host::announce_output("--out", image);
+  const bool draws = !command.out.empty() && command.rays.empty();
+  if (draws) host::announce_output("--out", image);
+  std::vector<sim::AskedRay> rays;
+  if (!command.rays.empty()) rays = sim::read_ray_list(command.rays, scene.to_cube);
   const ref::LoadedBvh hierarchy = ref::make_hierarchy(scene, command.hierarchy);
   progress.emplace("compiling the Verilog");
   const sim::VerilatedDesign verilated(unit);
@@ -176,11 +180,12 @@ int cosimulate(const CosimCommand& command) {
                                                    .referee = command.referee,
                                                    .bit_level = command.bit_level,
                                                    .light = command.light,
+                                                   .rays = rays,
                                                    .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
   Row row = record(command, unit, scene, hierarchy, result);
-  if (!command.out.empty()) {
+  if (draws) {
     ref::write_image(image, command.scene.width, command.scene.height, result.image);
     row["image"] = image.string();
   }
@@ -234,7 +239,8 @@ CLI::App* add_cosim_command(CLI::App& program, int& exit_code) {
       *command, "--ray-slots", options->ray_slots, {rtl::RaySlots::fewest, rtl::RaySlots::most},
       "Run the unit behind a memory of N rays, as `hitpipe rtl --ray-slots` writes it, with a slot "
       "for each ray in flight");
-  add_bounces_option(*command, options->light);
+  add_light_options(*command, options->light);
+  add_ray_list_option(*command, options->rays);
   command->add_flag("--referee", options->referee, "Exact arithmetic judges every answer");
   command->add_flag("--bit-level", options->bit_level,
                     "Compare every test of a float design with the bit-level C++; otherwise one in 61, and "

@@ -258,7 +258,7 @@ CLI::App* add_fit_command(CLI::App& program, int& exit_code) {
   const auto options = std::make_shared<FitCommand>();
   add_scene_options(*command, options->scene);
   add_hierarchy_options(*command, options->hierarchy);
-  add_bounces_option(*command, options->light);
+  add_light_options(*command, options->light);
   command->add_flag("--no-shadows", options->no_shadows, "Switch the lights off: no shadow rays");
   add_designs_option(*command, options->units, "all");
   command

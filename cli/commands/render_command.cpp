@@ -251,7 +251,7 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
       program.add_subcommand("render", "Render a scene in software by any traversal; compare two images");
   const auto options = std::make_shared<RenderCommand>();
   add_scene_options(*command, options->scene);
-  add_bounces_option(*command, options->light);
+  add_light_options(*command, options->light);
   add_hierarchy_options(*command, options->hierarchy);
   add_trace_options(*command, options->trace);
   add_box_format_option(*command, options->boxes, "exact boxes");

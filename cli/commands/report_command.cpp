@@ -14,6 +14,7 @@
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/options/picture_options.hpp"
 #include "cli/options/scene_options.hpp"
+#include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/report/core_plot.hpp"
 #include "cli/report/report_sections.hpp"
@@ -36,6 +37,7 @@ constexpr int world_mantissa = 11;  ///< p of the boxes in the integer world
 struct ReportCommand {
   SceneChoice scene;
   ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
+  ref::WhittedOptions light;
   DesignChoice image;
   DesignsChoice swept;
   std::vector<int> intervals;  ///< empty: a test in every cycle
@@ -52,8 +54,8 @@ struct ReportCommand {
 enum class Given { of_view, of_scene, of_sweep };
 
 /// The options as the user gave them. Options of the scene go to pictures and to a sweep, options of costs
-/// to a sweep alone. A view is a scene without the picture's size. Commands have other usual hierarchies, so
-/// for them the hierarchy is always said.
+/// to a sweep alone. A view is a scene without the picture's size and light. Commands have other usual
+/// hierarchies, so for them the hierarchy is always said.
 std::string options_given(const CLI::App& command, Given which, const ref::HierarchyOptions& hierarchy) {
   std::string text;
   for (const CLI::Option* const option : command.get_options()) {
@@ -63,11 +65,12 @@ std::string options_given(const CLI::App& command, Given which, const ref::Hiera
                           name != "--seed" && name != "--threads" && name != "--format" &&
                           !option->get_positional();
     const bool of_cost = name == "--library" || name == "--tests-only" || name.starts_with("--triangle-");
-    const bool of_size = name == "--width" || name == "--height";
+    const bool of_picture = name == "--width" || name == "--height" || name == "--bounces" ||
+                            name == "--diffuse" || name == "--occlusion" || name == "--light-seed";
     const bool of_hierarchy =
         std::ranges::find(hierarchy_option_names(), name) != hierarchy_option_names().end();
     if (option->count() == 0 || of_hierarchy || !of_scene || (which != Given::of_sweep && of_cost) ||
-        (which == Given::of_view && of_size))
+        (which == Given::of_view && of_picture))
       continue;
     for (const std::string& result : option->results())
       text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, host::shell_word(result));
@@ -158,6 +161,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
   const sim::SweepOptions sweep{.width = command.scene.width,
                                 .height = command.scene.height,
                                 .threads = command.scene.threads,
+                                .light = command.light,
                                 .program = program,
                                 .hierarchy = command.hierarchy.name(),
                                 .library = &library,
@@ -214,7 +218,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                             .mantissas = {world_mantissa},
                             .scene = command.scene,
                             .hierarchy = command.hierarchy,
-                            .light = {},
+                            .light = command.light,
                             .library = &library,
                             .interval = 1,
                             .out = {},
@@ -246,7 +250,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                   .width = command.scene.width,
                                   .height = command.scene.height,
                                   .threads = command.scene.threads,
-                                  .light = {},
+                                  .light = command.light,
                                   .progress = [&](double share) { progress->show(share); }});
   progress.reset();
 
@@ -311,6 +315,7 @@ CLI::App* add_report_command(CLI::App& program, int& exit_code) {
   const auto options = std::make_shared<ReportCommand>();
   add_scene_options(*command, options->scene);
   add_hierarchy_options(*command, options->hierarchy);
+  add_light_options(*command, options->light);
   const CLI::Option* const rows =
       as_input(command->add_option(
                    "--rows", options->rows,

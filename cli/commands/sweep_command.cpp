@@ -37,6 +37,7 @@ struct SweepCommand {
   std::vector<int> rays_in_flight{32};
   std::vector<int> intervals;  ///< empty: a test in every cycle
   ref::WhittedOptions light;
+  std::string rays;  ///< a file; empty: those of a picture
   CostChoice cost;
   std::vector<std::string> rows;  ///< files with rows that were measured elsewhere
   std::string out;
@@ -142,6 +143,8 @@ int sweep_triangles(const SweepCommand& command, const CLI::App& parsed, const r
   if (command.intervals.size() > 1)
     throw std::runtime_error("--ii: a sweep of a triangle unit takes one interval");
   if (!command.rows.empty()) throw std::runtime_error("--rows: a sweep of a triangle unit takes none");
+  if (!command.rays.empty())
+    throw std::runtime_error("--rays: a sweep of a triangle unit compares pictures, and a file makes none");
   return sweep_world({&design, command.units.formats({&design}, world_formats).front().formats,
                       command.mantissas.empty() ? std::vector{9, 11, 13} : command.mantissas, command.scene,
                       command.hierarchy, command.light, &library,
@@ -171,6 +174,9 @@ int sweep(const SweepCommand& command, const CLI::App& parsed) {
                             .more = {command.rows.begin(), command.rows.end()}};
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
+  std::vector<sim::AskedRay> rays;
+  if (!command.rays.empty()) rays = sim::read_ray_list(command.rays, scene.to_cube);
+  sweep.options.rays = rays;
   const ref::Bvh bvh = ref::make_hierarchy(scene, command.hierarchy).bvh;
   sweep.scene = &scene;
   sweep.bvh = &bvh;
@@ -205,7 +211,8 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
       *command, "--mantissas", options->mantissas,
       "Of a triangle unit: bits p of the boxes' mantissas; one row for each (4 to 32; default: 9,11,13)", "P")
       ->transform(number_from(hls::MajorBits::min_mantissa, hls::MajorBits::max_mantissa));
-  add_bounces_option(*command, options->light);
+  add_light_options(*command, options->light);
+  add_ray_list_option(*command, options->rays);
   add_cost_options(*command, options->cost);
   as_input(add_list_option(
       *command, "--rows", options->rows,

@@ -17,6 +17,7 @@
 #include "cli/options/design_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
+#include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
 #include "cli/text/progress.hpp"
@@ -41,7 +42,8 @@ struct TraceCommand {
   SceneChoice scene;
   ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
-  std::vector<int> rays{128};
+  std::vector<int> rays_in_flight{128};
+  std::string rays;  ///< a file; empty: those of a picture
   CoreChoice core;
   std::vector<int> latency{100};
   sim::MemoryOptions memory;
@@ -69,9 +71,9 @@ Row traced(const TraceCommand& command, const rtl::Core& core, const rtl::Librar
 std::vector<Row> turned(const std::vector<Row>& rows) {
   std::vector<Row> lines;
   for (const auto& [key, first] : rows.front().items()) {
-    if (key == "in_flight") continue;
+    if (key == "rays_in_flight") continue;
     Row line{{"rays in flight", key}};
-    for (const Row& row : rows) line[row.at("in_flight").dump()] = row.at(key);
+    for (const Row& row : rows) line[row.at("rays_in_flight").dump()] = row.at(key);
     lines.push_back(std::move(line));
   }
   return lines;
@@ -103,15 +105,20 @@ void trace_scene(TraceCommand command, int& exit_code) {
     throw std::runtime_error(
         fmt::format("--levels {}: the scene has {} records on a path; allowed is {} to {}",
                     command.core.options.levels, image.levels, image.levels, rtl::CoreOptions::most_levels));
+  std::vector<sim::AskedRay> list;
+  if (!command.rays.empty()) list = sim::read_ray_list(command.rays, loaded.to_cube);
   progress.emplace("walking in software");
-  const sim::PictureRays picture = sim::picture_rays(
-      scene, image, {.world = bits, .boxes = usual_box_format(bits), .places = command.core.places},
-      {.width = command.scene.width, .height = command.scene.height, .progress = [&](double share) {
-         progress->show(share);
-       }});
+  const ref::CoreTracerOptions walking{
+      .world = bits, .boxes = usual_box_format(bits), .places = command.core.places};
+  const sim::PictureRays picture =
+      list.empty() ? sim::picture_rays(scene, image, walking,
+                                       {.width = command.scene.width,
+                                        .height = command.scene.height,
+                                        .progress = [&](double share) { progress->show(share); }})
+                   : sim::listed_rays(scene, image, walking, list);
   progress.emplace("making the core");
   std::vector<rtl::CoreOptions> options;
-  for (const int rays : command.rays) {
+  for (const int rays : command.rays_in_flight) {
     rtl::CoreOptions& core = options.emplace_back(command.core.core(std::nullopt));
     core.bits = usual_ray_format(bits);
     core.rays = rays;
@@ -145,7 +152,9 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
   command->add_option("--bits", options->bits, "Format of the integer world, n+gsS")
       ->capture_default_str()
       ->type_name("FORMAT");
-  command->add_option("--rays", options->rays, "Rays in flight, a row for each number (1 to 256)")
+  command
+      ->add_option("--rays-in-flight", options->rays_in_flight,
+                   "Rays that the core has room for, a row for each number (1 to 256)")
       ->delimiter(',')
       ->capture_default_str()
       ->transform(number_from(1, 256))
@@ -169,6 +178,9 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
                     "The core as C++, which is the same in every cycle; else as Verilog");
   add_folder_option(*command, options->out,
                     "Folder for the picture that the answers make, SCENE.png; written when all are right");
+  add_ray_list_option(*command, options->rays);
+  exclude(command->get_option("--rays"), std::as_const(*command).get_option("--out"),
+          "the rays of a file make no picture");
   add_format_option(*command, options->format);
   command->callback([options, &exit_code] { trace_scene(*options, exit_code); });
   return command;

@@ -1,16 +1,22 @@
 #include "cli/commands/world_cosim.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "cli/text/progress.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
+#include "host/parallel.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "sim/cosim/counts.hpp"
 #include "sim/cosim/world_tracer.hpp"
+#include "sim/operands/ray_list.hpp"
 #include "sw_ref/render/image_file.hpp"
 #include "sw_ref/render/render.hpp"
 
@@ -19,6 +25,50 @@ namespace hitpipe::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What was traced.
+struct WorldWork {
+  ref::RenderCounts counts;
+  std::vector<glm::vec3> image;  ///< empty for a list of rays
+};
+
+WorldWork draw(const WorldCosim& command, const ref::IntScene& scene, const ref::Tracer& tracer,
+               Progress& progress) {
+  const ref::IntSurfaces surfaces(scene);
+  ref::RenderResult result = ref::render(scene.scene, tracer,
+                                         {.width = command.scene.width,
+                                          .height = command.scene.height,
+                                          .threads = command.scene.threads,
+                                          .light = command.light,
+                                          .surfaces = &surfaces,
+                                          .progress = [&](double share) { progress.show(share); }});
+  return {result.counts, std::move(result.image)};
+}
+
+/// In parts, so that several threads have work.
+WorldWork trace(const WorldCosim& command, const std::vector<sim::AskedRay>& list, const ref::Tracer& tracer,
+                Progress& progress) {
+  constexpr std::size_t part = 1024;
+  WorldWork work;
+  for (const ref::Query query : {ref::Query::closest, ref::Query::any}) {
+    std::vector<ref::Ray> rays;
+    for (const sim::AskedRay& asked : list)
+      if (asked.query == query) rays.push_back(asked.ray);
+    std::vector<std::uint32_t> triangles(rays.size());
+    std::vector<ref::TraceCounts> counts((rays.size() + part - 1) / part);
+    const auto trace_part = [&](std::size_t i) {
+      const std::size_t size = std::min(part, rays.size() - i * part);
+      tracer.trace(
+          {std::span(rays).subspan(i * part, size), query, std::span(triangles).subspan(i * part, size)},
+          counts[i]);
+    };
+    host::for_each_index(counts.size(), command.scene.threads, trace_part,
+                         [&](double share) { progress.show(share); });
+    for (const ref::TraceCounts& each : counts)
+      work.counts.of(query == ref::Query::any ? ref::RayKind::shadow : ref::RayKind::primary) += each;
+  }
+  return work;
+}
 
 }  // namespace
 
@@ -36,25 +86,24 @@ int cosimulate_world(const WorldCosim& command) {
   const ref::Scene loaded = command.scene.load();
   const fs::path folder = command.out;
   const fs::path image = folder / (fs::path(loaded.name).stem().string() + ".png");
+  const bool draws = command.rays.empty();
+  if (!command.out.empty() && !draws)
+    throw std::runtime_error("--out: a triangle unit's cosim writes a picture only, and --rays make none");
   if (!command.out.empty()) {
     host::announce_output("--out", image);
     host::make_folder(folder);
   }
+  std::vector<sim::AskedRay> rays;
+  if (!draws) rays = sim::read_ray_list(command.rays, loaded.to_cube);
   const ref::IntScene scene = ref::int_scene(loaded, world, command.hierarchy);
-  const ref::IntSurfaces surfaces(scene);
   progress.emplace("compiling the Verilog");
   const sim::VerilatedDesign box_unit(unit_of(boxes, box_bits));
   const sim::VerilatedDesign triangle_unit(unit_of(design, format));
   const sim::WorldTracer tracer(
       scene, {.boxes = &box_unit, .triangles = &triangle_unit, .rays_in_flight = command.rays_in_flight});
   progress.emplace("co-simulating");
-  const ref::RenderResult result = ref::render(scene.scene, tracer,
-                                               {.width = command.scene.width,
-                                                .height = command.scene.height,
-                                                .threads = command.scene.threads,
-                                                .light = command.light,
-                                                .surfaces = &surfaces,
-                                                .progress = [&](double share) { progress->show(share); }});
+  const WorldWork result =
+      draws ? draw(command, scene, tracer, *progress) : trace(command, rays, tracer, *progress);
   progress.reset();
 
   const sim::WorldCounts counts = tracer.counts();

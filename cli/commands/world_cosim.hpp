@@ -21,6 +21,7 @@ struct WorldCosim {
   int interval;
   int rays_in_flight;
   ref::WhittedOptions light;
+  std::string rays;  ///< a file; empty: those of a picture
   std::string out;
   OutputFormat format;
 };

@@ -1,6 +1,7 @@
 #include "cli/options/trace_options.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
@@ -42,10 +43,32 @@ std::string trace_options_text(const ref::TracerOptions& options) {
                      word_for(arithmetics, options.arithmetic), bits);
 }
 
-void add_bounces_option(CLI::App& command, ref::WhittedOptions& options) {
+void add_light_options(CLI::App& command, ref::WhittedOptions& options) {
   add_count_option(command, "--bounces", options.bounces, {0, ref::WhittedOptions::most_bounces},
-                   "How many times a ray may be mirrored or refracted")
+                   "How many times a ray may be mirrored, refracted or scattered")
       ->capture_default_str();
+  add_count_option(
+      command, "--diffuse", options.diffuse, {0, ref::WhittedOptions::most_samples},
+      "Rays in random directions from each matt surface that the eye sees, for the light of other "
+      "surfaces; later surfaces send one")
+      ->capture_default_str();
+  add_count_option(command, "--occlusion", options.occlusion, {0, ref::WhittedOptions::most_samples},
+                   "Short shadow rays in random directions from the same surfaces, for ambient occlusion")
+      ->capture_default_str();
+  add_large_count_option(command, "--light-seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max(),
+                         "Seed of these directions; the same seed gives the same picture (0 to 2^64 - 1)");
+}
+
+void add_ray_list_option(CLI::App& command, std::string& file) {
+  CLI::Option* const rays =
+      as_input(command.add_option("--rays", file,
+                                  "The rays of this file in place of a picture's: .bin or .rays, or CSV with "
+                                  "the columns ox,oy,oz,dx,dy,dz[,length,any]"))
+          ->type_name("FILE");
+  for (const char* const other :
+       {"--width", "--height", "--bounces", "--diffuse", "--occlusion", "--light-seed"})
+    if (const CLI::Option* const option = command.get_option_no_throw(other))
+      exclude(rays, option, "the rays of a file make no picture");
 }
 
 ref::TracerOptions TraceChoice::options() const {

@@ -15,8 +15,11 @@ class App;
 
 namespace hitpipe::cli {
 
-/// Adds --bounces.
-void add_bounces_option(CLI::App& command, ref::WhittedOptions& options);
+/// Adds --bounces, --diffuse, --occlusion, --light-seed.
+void add_light_options(CLI::App& command, ref::WhittedOptions& options);
+
+/// Adds --rays, a file in place of the picture's rays. The options of the picture and its light are excluded.
+void add_ray_list_option(CLI::App& command, std::string& file);
 
 enum class World : std::uint8_t { floats, integers };
 

@@ -110,7 +110,7 @@ std::vector<Family> families_of(const CoreFacts& facts, const std::vector<Traced
 std::string command_of(const CoreMeasurement& how, const CoreFacts& facts, const CoreSetting& setting,
                        const std::vector<int>& rays) {
   return fmt::format(
-      "hitpipe trace --native {} --width {} --height {} --bits {} --triangle-ii {} --rays {} "
+      "hitpipe trace --native {} --width {} --height {} --bits {} --triangle-ii {} --rays-in-flight {} "
       "--latency {}{}{} --format csv",
       how.scene_options, facts.width, facts.height, name_of(setting.world), setting.triangle_interval,
       fmt::join(rays, ","), setting.latency,

@@ -7,7 +7,7 @@ namespace hitpipe::cli {
 Row trace_row(const rtl::Core& core, const sim::CoreTrace& trace, bool cache) {
   const sim::CoreCounts& counts = trace.counts;
   const auto pct = [&](std::uint64_t cycles) { return trace.cycles_pct(static_cast<double>(cycles)); };
-  Row row{{"in_flight", core.options.rays},
+  Row row{{"rays_in_flight", core.options.rays},
           {"rays", counts.rays},
           {"wrong", trace.wrong},
           {"reads_a_ray", trace.a_ray(trace.blocks())},

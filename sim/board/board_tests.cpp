@@ -88,7 +88,8 @@ class SceneTests final : public BoardTests {
     const auto below = [&](int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); };
     const int x = below(scene_.options.width);
     const int y = below(scene_.options.height);
-    return whitted_.primary(x, y, scene_.options.width, scene_.options.height, 0);
+    return whitted_.primary(x, y, scene_.options.width, scene_.options.height,
+                            static_cast<std::uint32_t>(y * scene_.options.width + x));
   }
 
   void end(std::uint32_t triangle) {

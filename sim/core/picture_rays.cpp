@@ -71,4 +71,17 @@ PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image
   return kept;
 }
 
+PictureRays listed_rays(const ref::IntScene& scene, const ref::CoreImage& image,
+                        const ref::CoreTracerOptions& options, std::span<const AskedRay> rays) {
+  PictureRays kept;
+  kept.scene = &scene;
+  const RecordingTracer tracer(image, options, kept);
+  for (const AskedRay& asked : rays) {
+    std::uint32_t triangle = 0;
+    tracer.trace({{&asked.ray, 1}, asked.query, {&triangle, 1}}, kept.work);
+  }
+  kept.restarts = tracer.restarts();
+  return kept;
+}
+
 }  // namespace hitpipe::sim

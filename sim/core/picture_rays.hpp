@@ -1,4 +1,4 @@
-// The rays of a picture as a core gets them, with what software answers and reads for them.
+// The rays of a picture, or of a list, as a core gets them, with what software answers and reads for them.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "sim/core/core_bench.hpp"
+#include "sim/operands/ray_list.hpp"
 #include "sw_ref/core/core_tracer.hpp"
 #include "sw_ref/render/render.hpp"
 #include "sw_ref/world/int_scene.hpp"
@@ -19,7 +20,7 @@ struct PictureRays {
   std::vector<CoreJob> jobs;
   std::vector<std::uint32_t> triangles;  ///< by job, as TraceJob::triangles
   ref::TraceCounts work;
-  std::vector<glm::vec3> image;  ///< that software's answers make; linear
+  std::vector<glm::vec3> image;  ///< that software's answers make; linear; empty for a list
   std::uint64_t restarts = 0;
 
   /// How many answers are not software's: the triangle, or for any hit whether there is one; or failed, or
@@ -32,5 +33,9 @@ struct PictureRays {
 /// render() and CoreTracer do.
 [[nodiscard]] PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image,
                                        const ref::CoreTracerOptions& options, ref::RenderOptions render);
+
+/// The same of a list, in its order.
+[[nodiscard]] PictureRays listed_rays(const ref::IntScene& scene, const ref::CoreImage& image,
+                                      const ref::CoreTracerOptions& options, std::span<const AskedRay> rays);
 
 }  // namespace hitpipe::sim

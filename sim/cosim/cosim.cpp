@@ -1,25 +1,22 @@
 #include "sim/cosim/cosim.hpp"
 
 #include <algorithm>
-#include <deque>
 #include <memory>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "host/parallel.hpp"
+#include "sim/cosim/ray_source.hpp"
 #include "sim/cosim/ray_unit.hpp"
 #include "sim/feeds/step_feed.hpp"
 #include "sw_ref/judge/box_referee.hpp"
 #include "sw_ref/quantise/guard.hpp"
-#include "sw_ref/render/whitted.hpp"
 #include "sw_ref/trace/slabs.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
-
-constexpr int tile_side = 64;
 
 double per_second(std::uint64_t count, double seconds) {
   return seconds > 0 ? static_cast<double>(count) / seconds : 0.0;
@@ -31,24 +28,14 @@ struct Frame {
   const ref::Bvh& bvh;
   const CosimOptions& options;
   const SceneFeed& feed;
-  const ref::Whitted& whitted;
 };
 
-/// One tile of the image. Its primary rays come in rows. The rays that a ray causes follow as soon as it
-/// ends.
-class Tile {
+/// Takes the rays of a source through a unit of its own, and then through software.
+class Part {
  public:
-  Tile(const Frame& frame, int left, int top)
-      : frame_(frame),
-        left_(left),
-        top_(top),
-        width_(std::min(tile_side, frame.options.width - left)),
-        height_(std::min(tile_side, frame.options.height - top)),
-        light_(pixels()),
-        triangles_(pixels(), ref::Hit::none) {}
+  Part(const Frame& frame, RaySource& source) : frame_(frame), source_(source) {}
 
-  /// Fills the tile's part of the result's image and returns its counts.
-  CosimResult run(CosimResult& frame_result) {
+  CosimResult run() {
     CosimResult counts;
     const rtl::Design& design = *frame_.verilated.unit().design;
     const rtl::Format& format = frame_.verilated.unit().format;
@@ -71,13 +58,6 @@ class Tile {
     counts.rtl_seconds = unit.rtl_seconds();
     counts.unit = unit.counts();
     compare(counts);
-    for (std::size_t pixel = 0; pixel < pixels(); ++pixel) {
-      const std::size_t at = static_cast<std::size_t>(top_ + static_cast<int>(pixel) / width_) *
-                                 static_cast<std::size_t>(frame_.options.width) +
-                             static_cast<std::size_t>(left_ + static_cast<int>(pixel) % width_);
-      frame_result.triangles[at] = triangles_[pixel];
-      frame_result.image[at] = light_[pixel].value();
-    }
     return counts;
   }
 
@@ -89,26 +69,8 @@ class Tile {
     std::uint32_t triangle;
   };
 
-  [[nodiscard]] std::size_t pixels() const {
-    return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  }
-
-  /// The next task to trace. Rays caused by ended rays come before new primary rays. Nothing at the end.
-  std::optional<ref::RayTask> next_task() {
-    if (!waiting_.empty()) {
-      const ref::RayTask task = waiting_.front();
-      waiting_.pop_front();
-      return task;
-    }
-    if (next_pixel_ == pixels()) return std::nullopt;
-    const int x = left_ + static_cast<int>(next_pixel_) % width_;
-    const int y = top_ + static_cast<int>(next_pixel_) / width_;
-    return frame_.whitted.primary(x, y, frame_.options.width, frame_.options.height,
-                                  static_cast<std::uint32_t>(next_pixel_++));
-  }
-
   std::optional<RayJob> next(CosimResult& counts) {
-    while (const std::optional<ref::RayTask> task = next_task()) {
+    while (const std::optional<ref::RayTask> task = source_.next()) {
       if (frame_.options.scene_demands != nullptr)
         ref::check_ray_against(*frame_.options.scene_demands, task->kind, task->ray);
       count_of(task->kind, counts) += 1;
@@ -139,11 +101,7 @@ class Tile {
   }
 
   void ended(std::uint32_t id, std::uint32_t triangle) {
-    const ref::RayTask& task = tasks_[id];
-    if (task.kind == ref::RayKind::primary) triangles_[task.pixel] = triangle;
-    caused_.clear();
-    frame_.whitted.end(task, triangle, light_[task.pixel], caused_);
-    waiting_.insert(waiting_.end(), caused_.begin(), caused_.end());
+    source_.ended(tasks_[id], triangle);
     free_ids_.push_back(id);
   }
 
@@ -158,19 +116,45 @@ class Tile {
   }
 
   const Frame& frame_;
-  int left_;
-  int top_;
-  int width_;
-  int height_;
-  std::size_t next_pixel_ = 0;
+  RaySource& source_;
   std::vector<ref::RayTask> tasks_;      // by id; those that have started and not ended
   std::vector<std::uint32_t> free_ids_;  // of ended tasks
-  std::deque<ref::RayTask> waiting_;
-  std::vector<ref::RayTask> caused_;
   std::vector<Traced> traced_;
-  std::vector<ref::LightSum> light_;      // by pixel of the tile
-  std::vector<std::uint32_t> triangles_;  // by pixel of the tile
 };
+
+/// The counts of each tile, which also draws its part of the result's image.
+std::vector<CosimResult> run_picture(const Frame& frame, CosimResult& result) {
+  const CosimOptions& options = frame.options;
+  const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  result.image.resize(pixels);
+  result.triangles.resize(pixels);
+  const ref::Whitted whitted(frame.scene, options.light);
+  const TileRays::Picture picture{&whitted, options.width, options.height, {result.image, result.triangles}};
+  const int columns = (options.width + TileRays::side - 1) / TileRays::side;
+  const int rows = (options.height + TileRays::side - 1) / TileRays::side;
+  std::vector<CosimResult> parts(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  const auto run_tile = [&](std::size_t i) {
+    const int column = static_cast<int>(i) % columns;
+    const int row = static_cast<int>(i) / columns;
+    TileRays tile(picture, column * TileRays::side, row * TileRays::side);
+    parts[i] = Part(frame, tile).run();
+    tile.draw();
+  };
+  host::for_each_index(parts.size(), options.threads, run_tile, options.progress);
+  return parts;
+}
+
+std::vector<CosimResult> run_list(const Frame& frame, CosimResult& result) {
+  const std::span<const AskedRay> rays = frame.options.rays;
+  result.triangles.resize(rays.size());
+  std::vector<CosimResult> parts((rays.size() + ListRays::most - 1) / ListRays::most);
+  const auto run_part = [&](std::size_t i) {
+    ListRays list(rays, i * ListRays::most, result.triangles);
+    parts[i] = Part(frame, list).run();
+  };
+  host::for_each_index(parts.size(), frame.options.threads, run_part, frame.options.progress);
+  return parts;
+}
 
 }  // namespace
 
@@ -218,29 +202,18 @@ bool CosimResult::verified(bool conservative) const {
 
 CosimResult cosimulate(const VerilatedDesign& verilated, const ref::Scene& scene, const ref::Bvh& bvh,
                        const CosimOptions& options) {
-  if (options.width < 1 || options.height < 1)
+  if (options.rays.empty() && (options.width < 1 || options.height < 1))
     throw std::invalid_argument(
         fmt::format("image of {} x {} pixels: allowed is 1 x 1 and more", options.width, options.height));
   const Unit& unit = verilated.unit();
   std::unique_ptr<SceneFeed> feed = make_feed(*unit.design, unit.format, bvh, unit.coarse);
   if (!unit.ends) feed = with_step(std::move(feed), endless_step(unit.ports()));
   if (!unit.demands.empty()) feed = with_step(std::move(feed), DemandGuard(unit.demands, unit.ports()));
-  const ref::Whitted whitted(scene, options.light);
-  const Frame frame{verilated, scene, bvh, options, *feed, whitted};
+  const Frame frame{verilated, scene, bvh, options, *feed};
   CosimResult result;
   result.unit = UnitCounts::zeros(options.referee);
-  const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  result.image.resize(pixels);
-  result.triangles.resize(pixels);
-  const int columns = (options.width + tile_side - 1) / tile_side;
-  const int rows = (options.height + tile_side - 1) / tile_side;
-  std::vector<CosimResult> parts(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  const auto run_tile = [&](std::size_t i) {
-    const int column = static_cast<int>(i) % columns;
-    const int row = static_cast<int>(i) / columns;
-    parts[i] = Tile(frame, column * tile_side, row * tile_side).run(result);
-  };
-  host::for_each_index(parts.size(), options.threads, run_tile, options.progress);
+  const std::vector<CosimResult> parts =
+      options.rays.empty() ? run_picture(frame, result) : run_list(frame, result);
   for (const CosimResult& part : parts) {
     result.rays_primary += part.rays_primary;
     result.rays_secondary += part.rays_secondary;

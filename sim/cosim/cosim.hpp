@@ -1,15 +1,17 @@
-// Co-simulation: renders a scene with rays of all kinds, where the emitted Verilog answers every box test.
-// The same rays are also traced in software, by a traversal that cannot miss a box.
+// Co-simulation: renders a scene with rays of all kinds, or traces a list of rays, where the emitted Verilog
+// answers every box test. The same rays are also traced in software, by a traversal that cannot miss a box.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "sim/cosim/counts.hpp"
+#include "sim/operands/ray_list.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/trace/traversal.hpp"
 
@@ -28,16 +30,19 @@ struct CosimOptions {
   int threads = 1;
   bool referee = false;
   bool bit_level = false;       ///< the bit-level C++ datapath judges every test of a float design
-  ref::WhittedOptions light{};  ///< how far secondary rays are followed
+  ref::WhittedOptions light{};  ///< which rays follow the primary ones
+  /// If there are any, these rays are traced in place of a picture's. Width, height and light mean nothing.
+  std::span<const AskedRay> rays{};
   /// What the rays of a fitted unit must be. If one is not, std::out_of_range is thrown.
   const ref::SceneDemands* scene_demands = nullptr;
   /// Gets the finished share of the image, 0..1, from any thread.
   std::function<void(double)> progress = [](double) {};
 };
 
-/// The image is cut into tiles, and each tile is traced by a unit of its own. So counts depend on the size of
-/// the image and on the number of rays in flight, but not on the number of threads. Only the seconds differ
-/// between runs.
+/// The image is cut into tiles, and each tile is traced by a unit of its own; a list of rays is cut into
+/// parts. So counts depend on the size of the image and on the number of rays in flight, but not on the
+/// number of threads. Only the seconds differ between runs. Rays of a list for any hit count as shadow rays,
+/// others as primary rays.
 struct CosimResult {
   std::uint64_t rays_primary = 0;
   std::uint64_t rays_secondary = 0;
@@ -55,8 +60,8 @@ struct CosimResult {
   /// datapath, traversals, shading, and the referee if there is one. The software reference runs later and is
   /// not included.
   double loop_seconds = 0;
-  std::vector<glm::vec3> image;          ///< linear, row by row from the top
-  std::vector<std::uint32_t> triangles;  ///< by pixel, found through the Verilog
+  std::vector<glm::vec3> image;          ///< linear, row by row from the top; empty for a list
+  std::vector<std::uint32_t> triangles;  ///< by pixel, or by ray of a list, found through the Verilog
 
   [[nodiscard]] double occupancy_pct() const;
   [[nodiscard]] double extra_box_tests_pct() const;

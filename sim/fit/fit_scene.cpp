@@ -136,7 +136,7 @@ rtl::Format fit_from(const rtl::Design& design) {
 FitScene prepare_fit(ref::Scene scene, const FitOptions& options) {
   start_step(options, "building the hierarchy");
   ref::Bvh bvh = ref::make_hierarchy(scene, options.hierarchy).bvh;
-  const ref::ViewOptions view{options.width, options.height, options.light.bounces};
+  const ref::ViewOptions view{options.width, options.height, options.light};
   ref::SceneDemands demands = ref::scene_demands(scene, bvh, view);
   SceneRays rays = scene_rays(scene, bvh,
                               {.width = options.width,

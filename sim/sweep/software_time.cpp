@@ -11,10 +11,20 @@ namespace hitpipe::sim {
 
 namespace {
 
-std::vector<ref::RecordedBatch> record(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height) {
+std::vector<ref::RecordedBatch> record(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height,
+                                       const ref::WhittedOptions& light) {
   const int longest = std::max({width, height, SoftwareTime::longest_side});
   const auto scaled = [&](int side) { return std::max(1, side * SoftwareTime::longest_side / longest); };
-  return ref::record_rays(scene, bvh, scaled(width), scaled(height), 1);
+  return ref::record_rays(scene, bvh, scaled(width), scaled(height), 1, light);
+}
+
+/// Evenly spaced.
+std::vector<AskedRay> some_of(std::span<const AskedRay> rays) {
+  constexpr std::size_t most = std::size_t{SoftwareTime::longest_side} * SoftwareTime::longest_side;
+  const std::size_t step = (rays.size() + most - 1) / most;
+  std::vector<AskedRay> some;
+  for (std::size_t i = 0; i < rays.size(); i += step) some.push_back(rays[i]);
+  return some;
 }
 
 }  // namespace
@@ -23,8 +33,31 @@ double milli(double time) {
   return std::round(1e3 * time) / 1e3;
 }
 
-SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height)
-    : scene_(scene), bvh_(bvh), batches_(record(scene, bvh, width, height)) {}
+std::vector<ref::RecordedBatch> listed_batches(const ref::Scene& scene, const ref::Bvh& bvh,
+                                               std::span<const AskedRay> rays) {
+  std::vector<ref::RecordedBatch> batches;
+  for (const auto& [ray, query] : rays) {
+    if (batches.empty() || batches.back().query != query) {
+      const bool any = query == ref::Query::any;
+      batches.push_back({any ? ref::RayKind::shadow : ref::RayKind::primary, query, {}, {}});
+    }
+    batches.back().rays.push_back(ray);
+  }
+  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, bvh, {});
+  for (ref::RecordedBatch& batch : batches) {
+    batch.triangles.resize(batch.rays.size());
+    ref::TraceCounts counts;
+    tracer->trace({batch.rays, batch.query, batch.triangles}, counts);
+  }
+  return batches;
+}
+
+SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height,
+                           const ref::WhittedOptions& light)
+    : scene_(scene), bvh_(bvh), batches_(record(scene, bvh, width, height, light)) {}
+
+SoftwareTime::SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const AskedRay> rays)
+    : scene_(scene), bvh_(bvh), batches_(listed_batches(scene, bvh, some_of(rays))) {}
 
 double SoftwareTime::seconds(const rtl::Design& design, const rtl::Format& format) const {
   constexpr int runs = 3;

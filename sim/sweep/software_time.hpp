@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "rtl_gen/catalogue/design.hpp"
+#include "sim/operands/ray_list.hpp"
 #include "sw_ref/render/recording.hpp"
 
 namespace hitpipe::sim {
@@ -13,13 +15,20 @@ namespace hitpipe::sim {
 /// Rounded to three digits after the point; more would be noise.
 [[nodiscard]] double milli(double time);
 
+/// The rays in their order, with exact answers. A batch has rays of one query.
+[[nodiscard]] std::vector<ref::RecordedBatch> listed_batches(const ref::Scene& scene, const ref::Bvh& bvh,
+                                                             std::span<const AskedRay> rays);
+
 /// Thread-safe.
 class SoftwareTime {
  public:
   /// Takes the rays of the scene's image at the given size, scaled down to at most `longest_side` pixels.
   /// Scene and hierarchy must outlive this object.
   static constexpr int longest_side = 128;
-  SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height);
+  SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, int width, int height,
+               const ref::WhittedOptions& light);
+  /// Takes rays of the list, evenly spaced, as many as such an image has pixels at most.
+  SoftwareTime(const ref::Scene& scene, const ref::Bvh& bvh, std::span<const AskedRay> rays);
 
   /// Times both now, one after the other, and takes the fastest of three runs of each. 1 for the baseline.
   /// Throws what ref::make_tracer() throws.

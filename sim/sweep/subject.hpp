@@ -6,6 +6,8 @@
 
 namespace hitpipe::sim {
 
+/// Of a list of rays `content` has the hash of the rays too. It makes no picture, so width, height and what
+/// follows for light are 0.
 struct SweepSubject {
   std::string program;  ///< the caller's name and version
   std::string scene;
@@ -16,8 +18,11 @@ struct SweepSubject {
   int width = 0;
   int height = 0;
   int bounces = 0;
-  std::string library;  ///< of components
-  std::string cost;     ///< what the whole cost counts: "tests, set-up" or "tests"
+  int diffuse = 0;
+  int occlusion = 0;
+  std::uint64_t light_seed = 0;  ///< 0 where nothing is drawn by it
+  std::string library;           ///< of components
+  std::string cost;              ///< what the whole cost counts: "tests, set-up" or "tests"
 
   /// All of it in one line, for messages.
   [[nodiscard]] std::string text() const;

@@ -43,11 +43,12 @@ struct MeasuredUnit {
 struct Reference {
   ref::RenderResult picture;
   SoftwareTime software;
-  std::vector<ref::RecordedBatch> rays;  ///< of the picture, in one order
+  std::vector<ref::RecordedBatch> rays;  ///< of the picture or the list, in one order
 };
 
 ref::RenderResult render_reference(const ref::Scene& scene, const ref::Bvh& bvh,
                                    const SweepOptions& options) {
+  if (!options.rays.empty()) return {};
   const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, bvh, {});
   return ref::render(
       scene, *tracer,
@@ -65,8 +66,12 @@ class Run {
         finished_(finished),
         points_(longest_first(points)),
         reference_{render_reference(scene, bvh, options),
-                   SoftwareTime(scene, bvh, options.width, options.height),
-                   ref::record_rays(scene, bvh, options.width, options.height, 1, options.light)} {
+                   options.rays.empty()
+                       ? SoftwareTime(scene, bvh, options.width, options.height, options.light)
+                       : SoftwareTime(scene, bvh, options.rays),
+                   options.rays.empty()
+                       ? ref::record_rays(scene, bvh, options.width, options.height, 1, options.light)
+                       : listed_batches(scene, bvh, options.rays)} {
     for (const SweepPoint& point : points_) units_.try_emplace(unit_key(point));
   }
 
@@ -150,7 +155,8 @@ class Run {
           make_unit(*point.design, point.format, library, rtl::FlowControl::stall, point.interval));
       if (!options_.tests_only) {
         unit.set_up = set_up_cost(*point.design, point.format, library);
-        if (library.chip() == nullptr)
+        // The tests are of the picture's rays.
+        if (library.chip() == nullptr && options_.rays.empty())
           unit.toggles =
               scene_toggles(*point.design, point.format, unit.verilated->unit().pipeline, scene_, bvh_,
                             {.width = options_.width, .height = options_.height, .light = options_.light});
@@ -173,6 +179,7 @@ class Run {
                                            .threads = threads_of_a_row_,
                                            .referee = true,
                                            .light = options_.light,
+                                           .rays = options_.rays,
                                            .progress = progress});
     SweepRow row = priced_row(*point.design, point.format, *unit.price);
     static_cast<SweepSubject&>(row) = subject_;

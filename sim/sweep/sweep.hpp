@@ -1,5 +1,5 @@
-// Measures units on a whole scene. Each row is a co-simulation with the referee. It is priced, and compared
-// with the software traversal and its image.
+// Measures units on a whole scene or a list of rays in it. Each row is a co-simulation with the referee. It
+// is priced, and compared with the software traversal and its image.
 #pragma once
 
 #include <functional>
@@ -22,6 +22,7 @@ struct SweepOptions {
   int height = 256;
   int threads = 1;  ///< rows measured at the same time; no count depends on it
   ref::WhittedOptions light{};
+  std::span<const AskedRay> rays{};                       ///< as CosimOptions has them
   std::string program{"hitpipe"};                         ///< the caller's name and version, as rows name it
   std::string hierarchy{};                                ///< how it was made, as rows name it
   const rtl::Library* library = &rtl::Library::thesis();  ///< units are scheduled and priced by it

@@ -96,12 +96,13 @@ Aabb all_directions() {
 }  // namespace
 
 std::vector<RayFamily> ray_families(const Scene& scene, const ViewOptions& view) {
-  const RayCauses causes = ray_causes(scene, view.bounces);
+  const RayCauses causes = ray_causes(scene, view.light);
   std::vector<RayFamily> families{primary_family(scene.camera, view)};
   const Aabb surfaces = surface_origins(scene.mesh);
   if (causes.secondary()) {
     families.emplace_back() = {RayKind::secondary, surfaces, all_directions(),
-                               "from the surfaces: mirrors and glass send rays anywhere"};
+                               causes.scattered ? "from the surfaces, which send rays anywhere"
+                                                : "from the surfaces: mirrors and glass send rays anywhere"};
   }
   for (const std::uint32_t i : causes.lights) {
     const Light& light = scene.lights[i];
@@ -117,7 +118,11 @@ std::vector<RayFamily> ray_families(const Scene& scene, const ViewOptions& view)
                         surfaces,
                         {light.position - surfaces.max, light.position - surfaces.min},
                         fmt::format("from the surfaces to light {}", i),
-                        true});
+                        RayEnd::light});
+  }
+  if (causes.occlusion) {
+    families.emplace_back() = {RayKind::shadow, surfaces, all_directions(),
+                               "from the surfaces to what is near, in any direction", RayEnd::reach};
   }
   return families;
 }

@@ -2,6 +2,7 @@
 // and the surfaces, and hold for any pixels of the image.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,13 +12,16 @@
 
 namespace hitpipe::ref {
 
+/// Where the rays of a family end, if not at a surface.
+enum class RayEnd : std::uint8_t { none, light, reach };  ///< reach: of occlusion
+
 /// Every ray of the family has its origin in one box and its computed direction in the other.
 struct RayFamily {
   RayKind kind = RayKind::primary;
   Aabb origin;
   Aabb direction;
-  std::string why;       ///< what the bounds follow from
-  bool has_end = false;  ///< its rays end at a light; others end only where they meet a surface
+  std::string why;  ///< what the bounds follow from
+  RayEnd end = RayEnd::none;
 
   [[nodiscard]] bool has_one_origin() const { return origin.min == origin.max; }
 };
@@ -26,10 +30,10 @@ struct RayFamily {
 struct ViewOptions {
   int width = 256;  ///< only the ratio of the two matters
   int height = 256;
-  int bounces = WhittedOptions{}.bounces;
+  WhittedOptions light{};
 };
 
-/// Primary rays first, then secondary ones, then those to each light.
+/// Primary rays first, then secondary ones, then those to each light and those of occlusion.
 [[nodiscard]] std::vector<RayFamily> ray_families(const Scene& scene, const ViewOptions& view);
 
 }  // namespace hitpipe::ref

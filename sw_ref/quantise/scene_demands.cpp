@@ -33,13 +33,14 @@ std::string span(float low, float high) {
 /// Where rays of the kinds that come start and end, in words.
 std::string ends_of(const std::vector<RayFamily>& rays) {
   std::string words = "primary rays start without an end and end at the nearest hit so far";
-  const auto any_shadow = [&](bool has_end) {
+  const auto any_shadow = [&](RayEnd end) {
     return std::any_of(rays.begin(), rays.end(), [&](const RayFamily& family) {
-      return family.kind == RayKind::shadow && family.has_end == has_end;
+      return family.kind == RayKind::shadow && family.end == end;
     });
   };
-  if (any_shadow(true)) words += "; shadow rays end at their light";
-  if (any_shadow(false)) words += "; shadow rays to a sun have no end";
+  if (any_shadow(RayEnd::light)) words += "; shadow rays end at their light";
+  if (any_shadow(RayEnd::reach)) words += "; shadow rays to what is near end beyond it";
+  if (any_shadow(RayEnd::none)) words += "; shadow rays to a sun have no end";
   return words;
 }
 
@@ -107,10 +108,11 @@ std::vector<Evidence> SceneDemands::evidence() const {
   const bool shadows = has(RayKind::shadow);
   all.push_back(
       {fmt::format("rays: primary{}{}", bending ? ", secondary" : "", shadows ? ", shadow" : ""),
-       fmt::format("{}; {}",
-                   bending ? "surfaces mirror or pass light on"
-                           : "no surface mirrors or passes light on, or no bounce is followed",
-                   shadows ? "lights shine on surfaces that scatter" : "no light shines on any surface")});
+       fmt::format(
+           "{}; {}",
+           bending ? "surfaces mirror, pass or scatter light on"
+                   : "no surface mirrors, passes or scatters light on, or no bounce is followed",
+           shadows ? "lights or the sky shine on surfaces that scatter" : "no light shines on any surface")});
   all.push_back({"rays with and without an end", ends_of(rays), !(finite && infinite)});
   all.push_back({"lengths and endpoints of rays", "they move with every hit", false});
   std::vector<std::string> names;

@@ -31,18 +31,22 @@ Inside inside_cube(const glm::dvec3& start, const glm::dvec3& direction) {
 
 }  // namespace
 
-Ray parallel_ray(const Camera& camera, double across, double upward) {
-  const glm::vec3 direction(camera.forward);
-  const glm::dvec3 start = glm::dvec3(camera.eye) + across * camera.right + upward * camera.up;
+Ray ray_in_cube(const glm::dvec3& start, const glm::vec3& direction, double length) {
   // The direction is the rounded one, so that the ray goes on along its own line.
   const glm::dvec3 way(direction);
   const Inside inside = inside_cube(start, way);
-  if (inside.from > inside.to) {
+  if (inside.from > inside.to || inside.from > length) {
     glm::vec3 corner(1.0F);
     for (int axis = 0; axis < 3; ++axis) corner[axis] = std::copysign(1.0F, direction[axis]);
     return {corner, direction, Ray::infinite};
   }
-  return {glm::clamp(glm::vec3(start + inside.from * way), -1.0F, 1.0F), direction, Ray::infinite};
+  return {glm::clamp(glm::vec3(start + inside.from * way), -1.0F, 1.0F), direction,
+          static_cast<float>(length - inside.from)};
+}
+
+Ray parallel_ray(const Camera& camera, double across, double upward) {
+  const glm::dvec3 start = glm::dvec3(camera.eye) + across * camera.right + upward * camera.up;
+  return ray_in_cube(start, glm::vec3(camera.forward), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace hitpipe::ref

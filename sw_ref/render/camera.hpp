@@ -10,10 +10,14 @@
 
 namespace hitpipe::ref {
 
+/// The ray from `start` in this direction, in the cube [-1, 1]. `length` is its largest t from there, 0 or
+/// more, or infinite. A ray that starts outside the cube starts where it enters it, with the length that is
+/// left. If it does not get there, it starts at a corner from which it leaves the cube, so it meets nothing
+/// either.
+[[nodiscard]] Ray ray_in_cube(const glm::dvec3& start, const glm::vec3& direction, double length);
+
 /// The infinite ray of an orthographic camera at `across`, `upward` of the eye in its plane, in the cube. All
-/// such rays have the direction `forward`, rounded to binary32. A ray that starts outside [-1, 1] starts
-/// where it enters this cube. If it never does, it starts at a corner from which it leaves the cube, so it
-/// meets nothing either.
+/// such rays have the direction `forward`, rounded to binary32, and go as ray_in_cube() says.
 [[nodiscard]] Ray parallel_ray(const Camera& camera, double across, double upward);
 
 /// The infinite ray through pixel (x, y) of a width x height image; (0, 0) is at the upper left. Pixels are

@@ -20,7 +20,7 @@ bool any_of(const glm::vec3& albedo, const glm::vec3& light) {
 
 }  // namespace
 
-RayCauses ray_causes(const Scene& scene, int bounces) {
+RayCauses ray_causes(const Scene& scene, const WhittedOptions& options) {
   std::array<bool, 256> used{};
   used[0] = scene.mesh.materials.empty();
   for (const std::uint8_t material : scene.mesh.materials) used[material] = true;
@@ -33,8 +33,10 @@ RayCauses ray_causes(const Scene& scene, int bounces) {
     causes.mirrors = causes.mirrors || any(material.reflect) || any(material.transmit);
     causes.refracts = causes.refracts || any(material.transmit);
   }
-  if (bounces == 0) causes.mirrors = causes.refracts = false;
+  if (options.bounces == 0) causes.mirrors = causes.refracts = false;
   causes.scatters = any(brightest);
+  causes.scattered = causes.scatters && options.bounces > 0 && options.diffuse > 0;
+  causes.occlusion = causes.scatters && options.occlusion > 0;
   for (std::uint32_t i = 0; i < scene.lights.size(); ++i)
     if (any_of(brightest, scene.lights[i].intensity)) causes.lights.push_back(i);
   causes.smooth = !scene.mesh.normals.empty();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sw_ref/render/whitted_options.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::ref {
@@ -13,14 +14,16 @@ struct RayCauses {
   bool scatters = false;              ///< some surface is not black
   bool mirrors = false;               ///< some surface mirrors, perhaps only by total reflection
   bool refracts = false;              ///< some surface transmits rays; then it also mirrors
+  bool scattered = false;             ///< matt surfaces send rays on in random directions
+  bool occlusion = false;             ///< and find how open their place is
   std::vector<std::uint32_t> lights;  ///< indices of the lights whose light some surface scatters
   bool smooth = false;                ///< surfaces have shading normals of their own
 
-  [[nodiscard]] bool secondary() const { return mirrors; }
-  [[nodiscard]] bool shadow() const { return !lights.empty(); }
+  [[nodiscard]] bool secondary() const { return mirrors || scattered; }
+  [[nodiscard]] bool shadow() const { return !lights.empty() || occlusion; }
 };
 
-/// Considers the materials that triangles use. Without bounces nothing mirrors or refracts.
-[[nodiscard]] RayCauses ray_causes(const Scene& scene, int bounces);
+/// Considers the materials that triangles use. Without bounces nothing mirrors, refracts or sends on.
+[[nodiscard]] RayCauses ray_causes(const Scene& scene, const WhittedOptions& options);
 
 }  // namespace hitpipe::ref

@@ -34,8 +34,8 @@ class TileRenderer {
   TileRenderer(const Frame& frame, RenderResult& result)
       : frame_(frame),
         result_(result),
-        shadows_(causes().lights.size()),
-        secondary_(std::size_t{causes().mirrors} + std::size_t{causes().refracts}),
+        shadows_(causes().lights.size() + std::size_t{causes().occlusion}),
+        secondary_(secondary_sources()),
         generation_(secondary_.size()) {}
 
   void run(std::size_t tile) {
@@ -50,7 +50,7 @@ class TileRenderer {
       const int x = left_ + static_cast<int>(i) % width_;
       const int y = top_ + static_cast<int>(i) / width_;
       batch_.push_back(
-          frame_.whitted.primary(x, y, result_.width, result_.height, static_cast<std::uint32_t>(i)));
+          frame_.whitted.primary(x, y, result_.width, result_.height, static_cast<std::uint32_t>(place(i))));
     }
     note_queue(RayKind::primary, batch_.size());
     trace(batch_);
@@ -77,6 +77,12 @@ class TileRenderer {
 
   [[nodiscard]] const RayCauses& causes() const { return frame_.whitted.causes(); }
 
+  [[nodiscard]] std::size_t secondary_sources() const {
+    if (causes().scattered)
+      return RayTask::scattered + static_cast<std::size_t>(frame_.options.light.diffuse);
+    return std::size_t{causes().mirrors} + std::size_t{causes().refracts};
+  }
+
   void note_queue(RayKind kind, std::size_t tasks) {
     std::uint64_t& most = shading_.queue_bytes.at(static_cast<std::size_t>(kind));
     most = std::max(most, std::uint64_t{tasks * sizeof(RayTask)});
@@ -96,6 +102,13 @@ class TileRenderer {
            static_cast<std::size_t>(x);
   }
 
+  /// The other way round.
+  [[nodiscard]] std::size_t in_tile(std::size_t pixel) const {
+    const auto width = static_cast<std::size_t>(result_.width);
+    return (pixel / width - static_cast<std::size_t>(top_)) * static_cast<std::size_t>(width_) +
+           pixel % width - static_cast<std::size_t>(left_);
+  }
+
   /// Traces tasks of one kind, and sorts the tasks that follow into shadows_ and secondary_.
   void trace(const Queue& batch) {
     if (batch.empty()) return;
@@ -109,14 +122,15 @@ class TileRenderer {
     if (frame_.options.traced) frame_.options.traced(first.kind, job);
     next_.clear();
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      const ShadeWork work = frame_.whitted.end(batch[i], triangles_[i], light_[batch[i].pixel], next_);
+      const ShadeWork work =
+          frame_.whitted.end(batch[i], triangles_[i], light_[in_tile(batch[i].pixel)], next_);
       shading_.surface_points += work.surface_points;
       shading_.light_evaluations += work.light_evaluations;
     }
     for (const RayTask& task : next_)
       (task.kind == RayKind::shadow ? shadows_[task.source] : secondary_[task.source]).push_back(task);
     for (std::size_t i = 0; i < work_.size(); ++i) {
-      const std::size_t at = place(batch[i].pixel);
+      const std::size_t at = batch[i].pixel;
       result_.box_tests[at] += static_cast<float>(work_[i].box_tests);
       result_.triangle_tests[at] += static_cast<float>(work_[i].triangle_tests);
     }
@@ -154,8 +168,8 @@ class TileRenderer {
   ShadingCounts shading_;
   std::vector<LightSum> light_;  // by pixel of the tile
   Queue batch_;
-  std::vector<Queue> shadows_;     // by light of RayCauses
-  std::vector<Queue> secondary_;   // mirrored and refracted, if the scene causes them
+  std::vector<Queue> shadows_;     // by source of their tasks
+  std::vector<Queue> secondary_;   // the same, if the scene causes them
   std::vector<Queue> generation_;  // the secondary rays that are being traced
   Queue next_;
   std::vector<Ray> rays_;
@@ -210,6 +224,10 @@ RenderResult render(const Scene& scene, const Tracer& tracer, const RenderOption
   if (options.width < 1 || options.height < 1)
     throw std::invalid_argument(
         fmt::format("image of {} x {} pixels; at least 1 x 1 is needed", options.width, options.height));
+  if (std::uint64_t{static_cast<unsigned>(options.width)} * static_cast<unsigned>(options.height) >
+      std::numeric_limits<std::uint32_t>::max())
+    throw std::invalid_argument(
+        fmt::format("image of {} x {} pixels; less than 2^32 are allowed", options.width, options.height));
   if (options.threads < 1)
     throw std::invalid_argument(fmt::format("{} threads; at least 1 is needed", options.threads));
   if (options.tile_side < 1)

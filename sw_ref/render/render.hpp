@@ -22,7 +22,7 @@ struct RenderOptions {
   int height = 256;
   int threads = 1;
   int tile_side = 32;                  ///< in pixels; see tile_side_for()
-  WhittedOptions light{};              ///< the limits of secondary rays
+  WhittedOptions light{};              ///< which rays follow
   const Surfaces* surfaces = nullptr;  ///< as Whitted has them
   bool maps = false;                   ///< fill RenderResult::depth, box_tests, triangle_tests
   /// Called from any thread with the finished share of the image, 0..1.

@@ -1,8 +1,9 @@
 // The rays that a pixel needs and the light that they bring, after Whitted (1980): a shadow ray to each
-// light, and a mirrored and a refracted ray from each surface that reflects and transmits. The caller traces
-// the rays in any order and by any means. Everything depends only on ray, triangle and scene, and light is
-// summed in fixed point. So callers that find the same triangles send the same rays and compute the same
-// image, bit for bit.
+// light, and a mirrored and a refracted ray from each surface that reflects and transmits. If they are asked
+// for, rays in random directions gather what matt surfaces send to each other and find how open a place is.
+// The caller traces the rays in any order and by any means. Everything depends only on task, triangle and
+// scene, and light is summed in fixed point. So callers that find the same triangles send the same rays and
+// compute the same image, bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include "sw_ref/render/light_sum.hpp"
 #include "sw_ref/render/ray_causes.hpp"
 #include "sw_ref/render/shade.hpp"
+#include "sw_ref/render/whitted_options.hpp"
 #include "sw_ref/scene/ray.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "sw_ref/trace/tracer.hpp"
@@ -21,7 +23,7 @@ namespace hitpipe::ref {
 
 enum class RayKind : std::uint8_t {
   primary,
-  secondary,  ///< mirrored or refracted
+  secondary,  ///< mirrored, refracted or scattered
   shadow,
 };
 
@@ -29,27 +31,19 @@ enum class RayKind : std::uint8_t {
 struct RayTask {
   static constexpr std::uint8_t mirrored = 0;
   static constexpr std::uint8_t refracted = 1;
+  static constexpr std::uint8_t scattered = 2;  ///< this and above, a number for each path of WhittedOptions
 
   Ray ray;
   glm::vec3 weight{1.0F};   ///< its share of the pixel's light; for a shadow ray: the light that it brings
-  std::uint32_t pixel = 0;  ///< the caller's number
-  std::uint16_t source =
-      0;  ///< for a shadow ray an index of RayCauses::lights, otherwise mirrored or refracted
+  std::uint32_t pixel = 0;  ///< the caller's number; random directions are drawn by it
+  /// Of a shadow ray an index of RayCauses::lights, or their number for one that finds how open a place is;
+  /// otherwise mirrored, refracted, or scattered and above.
+  std::uint16_t source = 0;
   RayKind kind = RayKind::primary;
   std::uint8_t depth = 0;  ///< number of secondary rays from the eye to this ray, including this one
 
+  [[nodiscard]] bool is_scattered() const { return kind == RayKind::secondary && source >= scattered; }
   [[nodiscard]] Query query() const { return kind == RayKind::shadow ? Query::any : Query::closest; }
-};
-
-struct WhittedOptions {
-  static constexpr int most_bounces = 64;
-
-  /// The most secondary rays in a row, 0..most_bounces. Further rays would bring no light.
-  int bounces = 5;
-  /// A secondary ray is not sent if each component of its weight is below the cutoff. Its light counts as
-  /// dark. The parts of a material add up to 1 at most, so a pixel has at most 3 / cutoff rays of equal
-  /// depth.
-  float cutoff = 1.0F / 256.0F;
 };
 
 /// The work done at the end of a ray.
@@ -66,7 +60,8 @@ class Whitted {
 
   [[nodiscard]] const RayCauses& causes() const { return causes_; }
 
-  /// The task of pixel (x, y), called `number`, of a width x height image.
+  /// The task of pixel (x, y), called `number`, of a width x height image. Random directions need numbers
+  /// that say which pixel of the image it is.
   [[nodiscard]] RayTask primary(int x, int y, int width, int height, std::uint32_t number) const;
 
   /// To be called when the task's ray has ended at `triangle`, or Hit::none. Adds light to the task's pixel
@@ -89,12 +84,20 @@ class Whitted {
   /// Returns how many times direct light was computed.
   std::uint32_t add_shadow_rays(const RayTask& task, const SurfacePoint& point, const glm::vec3& diffuse,
                                 std::vector<RayTask>& next) const;
+  void add_occlusion_rays(const RayTask& task, const SurfacePoint& point, const glm::vec3& ambient_light,
+                          std::vector<RayTask>& next) const;
+  void add_scattered_rays(const RayTask& task, const SurfacePoint& point, const glm::vec3& diffuse,
+                          std::vector<RayTask>& next) const;
   void add_secondary_rays(const RayTask& task, const SurfacePoint& point, const Material& material,
                           std::vector<RayTask>& next) const;
+
+  /// Whether a secondary ray of this weight is sent.
+  [[nodiscard]] bool counts(const glm::vec3& weight) const;
 
   const Scene* scene_;
   WhittedOptions options_;
   RayCauses causes_;
+  float reach_ = 0;  ///< of occlusion, in the cube
   FloatSurfaces own_surfaces_;
   const Surfaces* surfaces_;  ///< null: its own
   End end_;

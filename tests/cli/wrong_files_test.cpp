@@ -151,6 +151,13 @@ TEST_F(WrongFiles, FilesAndFolders) {
              "DIR/none.json: cannot read the component library"},
             {"sweep int_slabs --scene spheres --rows DIR/none.csv --out OUT.csv",
              "DIR/none.csv: cannot read the rows"},
+            {"cosim int_slabs --scene spheres --rays DIR/none.csv",
+             "DIR/none.csv: cannot read the file: No such file or directory"},
+            {"sweep int_slabs --scene spheres --rays DIR/none.bin --out OUT.csv",
+             "DIR/none.bin: cannot read the file"},
+            {"trace --scene spheres --rays DIR/two.csv",
+             "DIR/two.csv: line 1: column \"a\" is not known; the first line must name the columns "
+             "ox,oy,oz,dx,dy,dz[,length,any]"},
             {"operands int_slabs --rays DIR/none.csv --boxes DIR/two.csv --out OUT.csv",
              "DIR/none.csv: cannot read the file: No such file or directory"}});
 }

@@ -97,6 +97,53 @@ TEST(CosimCommand, BoxesOfTheIntegerWorldAreAnsweredByThePairUnit) {
   EXPECT_EQ(of_boxes.err, "hitpipe: --box-unit: not for design int_slabs, which tests boxes\n");
 }
 
+TEST(CosimCommand, FollowsRaysInRandomDirections) {
+  const auto number = [](const json& object, const char* key) { return object.at(key).get<std::uint64_t>(); };
+  const std::vector<std::string> judged{"--referee", "--format", "json"};
+  const json usual = json::parse(run_hitpipe(cosim(judged)).out);
+  const Outcome outcome = run_hitpipe(cosim(with({"--diffuse", "1", "--occlusion", "2"}, judged)));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json random = json::parse(outcome.out);
+  for (const char* const key : {"rtl_mismatches", "false_misses", "different_triangles"})
+    EXPECT_EQ(random.at(key), 0) << key;
+  EXPECT_GT(number(random, "rays_secondary"), number(usual, "rays_secondary") + 500);
+  EXPECT_GT(number(random, "rays_shadow"), number(usual, "rays_shadow") + 1000);
+  const json other = json::parse(
+      run_hitpipe(cosim(with({"--diffuse", "1", "--occlusion", "2", "--light-seed", "2"}, judged))).out);
+  EXPECT_NE(other.at("box_tests"), random.at("box_tests"));
+}
+
+/// Boxes alone, and boxes and triangles.
+TEST(CosimCommand, TracesTheRaysOfAFile) {
+  const sim::TemporaryFolder folder;
+  const std::string rays =
+      folder
+          .write(
+              "rays.csv",
+              "ox,oy,oz,dx,dy,dz,length,any\n0,9,0,0,-1,0,inf,0\n0,9,0,0.1,-1,0,inf,1\n0,9,0,0,-1,0,0.5,0\n")
+          .string();
+  const std::vector<std::string> words{"--scene", "spheres", "--rays", rays, "--format", "json"};
+  const std::filesystem::path out = folder.path() / "out";
+  const Outcome boxes = run_hitpipe(with({"cosim", "int_slabs", "--referee", "--out", out.string()}, words));
+  EXPECT_EQ(boxes.exit_code, 0) << boxes.err;
+  const Outcome triangles = run_hitpipe(with({"cosim", "int_triangle"}, words));
+  EXPECT_EQ(triangles.exit_code, 0) << triangles.err;
+  for (const Outcome& outcome : {boxes, triangles}) {
+    const json object = json::parse(outcome.out);
+    EXPECT_EQ(object.at("rays_primary"), 2);
+    EXPECT_EQ(object.at("rays_secondary"), 0);
+    EXPECT_EQ(object.at("rays_shadow"), 1);
+    EXPECT_GT(object.at("box_tests"), 10);
+    EXPECT_FALSE(object.contains("image"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(out / "spheres.png"));
+  EXPECT_TRUE(std::filesystem::exists(out / "int_slabs.v")) << boxes.out;
+  const Outcome picture = run_hitpipe(with({"cosim", "int_triangle", "--out", out.string()}, words));
+  EXPECT_EQ(picture.exit_code, 2);
+  EXPECT_EQ(picture.err,
+            "hitpipe: --out: a triangle unit's cosim writes a picture only, and --rays make none\n");
+}
+
 TEST(CosimCommand, SaysThatNothingWasJudgedWithoutReferee) {
   const json object = json::parse(run_hitpipe(cosim({"--format", "json"})).out);
   EXPECT_TRUE(object.at("false_misses").is_null());

@@ -24,8 +24,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::vector<std::string> report(const fs::path& out, const std::vector<std::string>& more) {
-  return with({"report", "--scene", "spheres", "--width", "8", "--height", "8", "--tests", "600", "--out",
-               out.string()},
+  return with({"report", "--scene", "spheres", "--width", "8", "--height", "8", "--occlusion", "1",
+               "--diffuse", "2", "--light-seed", "9", "--tests", "600", "--out", out.string()},
               more);
 }
 
@@ -278,12 +278,12 @@ TEST_F(ReportCommand, AsksTheQuestionOfTheIntegerWorld) {
   const fs::path file = folder_->path() / "world.csv";
   EXPECT_THAT(
       page_,
-      HasSubstr(
-          "hitpipe sweep int_triangle --scene spheres --width 8 --height 8 --builder sah --max-triangles 2 "
-          "--mantissas 11 "
-          "--out integer_world.csv"));
+      HasSubstr("hitpipe sweep int_triangle --scene spheres --width 8 --height 8 --diffuse 2 --occlusion 1 "
+                "--light-seed 9 --builder sah --max-triangles 2 --mantissas 11 "
+                "--out integer_world.csv"));
   const Outcome outcome = run_hitpipe({"sweep", "int_triangle", "--scene", "spheres", "--width", "8",
-                                       "--height", "8", "--mantissas", "11", "--out", file.string()});
+                                       "--height", "8", "--diffuse", "2", "--occlusion", "1", "--light-seed",
+                                       "9", "--mantissas", "11", "--out", file.string()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string rows = contents_of(out() / "integer_world.csv");
   EXPECT_EQ(rows, contents_of(file));
@@ -338,16 +338,16 @@ TEST_F(ReportCommand, CoresAreBusierWithMoreRaysAndReadLessWithACache) {
                {"triangle_ii", "4"},
                {"latency", "100"},
                {"cache_kib", "0"},
-               {"in_flight", "128"}});
+               {"rays_in_flight", "128"}});
     for (const auto& row : rows)
       if (std::includes(row.begin(), row.end(), of.begin(), of.end())) return std::stod(row.at(column));
     ADD_FAILURE() << "no such row";
     return 0.0;
   };
   for (const char* const latency : {"20", "100", "200"}) {
-    const double few = value({{"latency", latency}, {"in_flight", "8"}}, "port_busy_pct");
-    EXPECT_LT(2 * few, value({{"latency", latency}, {"in_flight", "128"}}, "port_busy_pct")) << latency;
-    EXPECT_LT(value({{"latency", "200"}, {"in_flight", "8"}}, "port_busy_pct"), few + 1e-9) << latency;
+    const double few = value({{"latency", latency}, {"rays_in_flight", "8"}}, "port_busy_pct");
+    EXPECT_LT(2 * few, value({{"latency", latency}, {"rays_in_flight", "128"}}, "port_busy_pct")) << latency;
+    EXPECT_LT(value({{"latency", "200"}, {"rays_in_flight", "8"}}, "port_busy_pct"), few + 1e-9) << latency;
   }
   double bytes = value({}, "bytes_a_ray");
   for (const char* const cache : {"4", "16", "64"}) {
@@ -359,7 +359,7 @@ TEST_F(ReportCommand, CoresAreBusierWithMoreRaysAndReadLessWithACache) {
   for (const char* const bits : {"16+1/11s16", "20+1/11s20"}) {
     EXPECT_LT(value({{"bits", bits}, {"triangle_ii", "16"}}, "area_mm2"),
               value({{"bits", bits}, {"triangle_ii", "4"}}, "area_mm2"));
-    EXPECT_LT(value({{"bits", bits}, {"in_flight", "32"}}, "memory_bits"),
+    EXPECT_LT(value({{"bits", bits}, {"rays_in_flight", "32"}}, "memory_bits"),
               value({{"bits", bits}}, "memory_bits"));
   }
   EXPECT_LT(value({{"bits", "16+1/11s16"}}, "area_mm2"), value({}, "area_mm2"));
@@ -381,7 +381,7 @@ TEST_F(ReportCommand, NamesCommandsThatTraceTheSameCores) {
   std::size_t run = 0;
   for (const auto& row : core_rows(out())) {
     const bool small =
-        row.at("bits") == "16+1/11s16" && row.at("triangle_ii") == "8" && row.at("in_flight") == "32";
+        row.at("bits") == "16+1/11s16" && row.at("triangle_ii") == "8" && row.at("rays_in_flight") == "32";
     if (!small && row.at("cache_kib") != "4") continue;
     ++run;
     const std::vector<std::string> traced = of_trace(row.at("command"));
@@ -393,7 +393,7 @@ TEST_F(ReportCommand, NamesCommandsThatTraceTheSameCores) {
   const std::string of_page =
       "hitpipe trace --native --scene spheres --builder sah --max-triangles 2 --width 8 --height 8 --bits "
       "20+1s20 "
-      "--triangle-ii 4 --rays 8,16,32,64,128,192,256 --latency 20 --format csv";
+      "--triangle-ii 4 --rays-in-flight 8,16,32,64,128,192,256 --latency 20 --format csv";
   EXPECT_THAT(page_, HasSubstr(of_page + "\n"));
   for (const std::string& line : of_trace(of_page)) EXPECT_THAT(csv, HasSubstr("," + line + ","));
 }
@@ -415,7 +415,8 @@ TEST_F(ReportCommand, NamesCommandsThatMeasureTheSameRows) {
   EXPECT_THAT(
       page_,
       HasSubstr(fmt::format(
-          "hitpipe sweep --scene spheres --width 8 --height 8 --builder sah --max-triangles 2 {} --bits {} "
+          "hitpipe sweep --scene spheres --width 8 --height 8 --diffuse 2 --occlusion 1 --light-seed 9 "
+          "--builder sah --max-triangles 2 {} --bits {} "
           "--rays-in-flight 32 --out rows.csv\n",
           fmt::join(others.designs, ","), fmt::join(others.formats, ","))));
   EXPECT_THAT(page_,

@@ -181,7 +181,32 @@ TEST_F(SweepCommand, RowsOfSomethingElseRejected) {
   EXPECT_THAT(outcome.err,
               testing::EndsWith(
                   " 40 x 30 pixels, 2 bounces, library thesis_250nm\"; give another file or remove it\n"));
+  EXPECT_THAT(
+      run_hitpipe(sweep(rows, {"--diffuse", "1"})).err,
+      testing::EndsWith(" 40 x 30 pixels, 5 bounces, 1 diffuse, light seed 1, library thesis_250nm\"; "
+                        "give another file or remove it\n"));
   EXPECT_EQ(contents_of(rows), before);
+}
+
+TEST_F(SweepCommand, TracesTheRaysOfAFile) {
+  const sim::TemporaryFolder folder;
+  const std::string scene = folder.write("comb.obj", comb()).string();
+  const fs::path rays = folder.write("rays.csv", "ox,oy,oz,dx,dy,dz,any\n3,5,40,0,0,-1,0\n3,5,40,0,0,-1,1\n");
+  const std::vector<std::string> words{
+      "sweep",    "int_slabs", "--scene",     scene,   "--bits",
+      "20/24",    "--rays",    rays.string(), "--out", (folder.path() / "rows.csv").string(),
+      "--format", "json"};
+  const Outcome outcome = run_hitpipe(words);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json row = json::parse(outcome.out).at(0);
+  EXPECT_EQ(row.at("width"), 0);
+  EXPECT_EQ(row.at("rays_primary"), 1);
+  EXPECT_EQ(row.at("rays_shadow"), 1);
+  EXPECT_EQ(row.at("different_pixels"), 0);
+  (void)folder.write("rays.csv", "ox,oy,oz,dx,dy,dz\n3,5,40,0,0,-1\n");
+  const Outcome other = run_hitpipe(words);
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, HasSubstr(", rays of a file, library thesis_250nm\", asked for are \""));
 }
 
 TEST_F(SweepCommand, DoesNotReplaceTheRowsThatItTakes) {

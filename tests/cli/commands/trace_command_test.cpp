@@ -26,7 +26,7 @@ nlohmann::json rows_of(const std::vector<std::string>& more) {
 }
 
 TEST(TraceCommand, MoreRaysInFlightKeepThePortBusy) {
-  const nlohmann::json rows = rows_of({"--rays", "1,16,128"});
+  const nlohmann::json rows = rows_of({"--rays-in-flight", "1,16,128"});
   ASSERT_EQ(rows.size(), 3U);
   double busy = 0;
   for (const nlohmann::json& row : rows) {
@@ -43,10 +43,10 @@ TEST(TraceCommand, SaysWhyCyclesWereLost) {
                                         "idle_few_rays_pct"};
   // Each memory, and the cause that takes most of its cycles.
   const std::vector<std::pair<std::vector<std::string>, std::string>> causes{
-      {{"--rays", "2"}, "idle_memory_pct"},
-      {{"--rays", "2", "--latency", "1", "--triangle-ii", "64"}, "idle_inside_pct"},
-      {{"--rays", "64", "--refuse", "80"}, "refused_pct"},
-      {{"--rays", "64", "--latency", "4"}, "port_busy_pct"}};
+      {{"--rays-in-flight", "2"}, "idle_memory_pct"},
+      {{"--rays-in-flight", "2", "--latency", "1", "--triangle-ii", "64"}, "idle_inside_pct"},
+      {{"--rays-in-flight", "64", "--refuse", "80"}, "refused_pct"},
+      {{"--rays-in-flight", "64", "--latency", "4"}, "port_busy_pct"}};
   for (const auto& [more, cause] : causes) {
     const nlohmann::json row = rows_of(more).at(0);
     double sum = 0;
@@ -77,7 +77,7 @@ TEST(TraceCommand, MemoriesOfEveryKindGiveTheSameAnswers) {
 }
 
 TEST(TraceCommand, VerilogPrintsWhatSoftwarePrints) {
-  const std::vector<std::string> more{"--rays", "12", "--latency", "1,40", "--refuse", "10"};
+  const std::vector<std::string> more{"--rays-in-flight", "12", "--latency", "1,40", "--refuse", "10"};
   std::vector<std::string> native = words(more);
   native.push_back("--native");
   const Outcome verilog = run_hitpipe(words(more));
@@ -98,13 +98,33 @@ TEST(TraceCommand, WritesThePictureOfItsAnswers) {
   EXPECT_EQ(picture.values, ref::read_image(rendered).values);
 }
 
+TEST(TraceCommand, TracesTheRaysOfAFile) {
+  const sim::TemporaryFolder folder;
+  const std::string rays =
+      folder.write("rays.csv", "ox,oy,oz,dx,dy,dz,any\n0,9,0,0,-1,0,0\n0,9,0,0.1,-1,0,1\n0,9,0,0,1,0,0\n")
+          .string();
+  const std::vector<std::string> words{"trace", "--scene", "spheres", "--rays", rays, "--format", "json"};
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--native"}}) {
+    const Outcome outcome = run_hitpipe(with(words, more));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const nlohmann::json row = nlohmann::json::parse(outcome.out).at(0);
+    EXPECT_EQ(row.at("rays"), 3);
+    EXPECT_EQ(row.at("wrong"), 0);
+    EXPECT_GT(row.at("reads_a_ray"), 1.0);
+  }
+  const Outcome picture = run_hitpipe(with(words, {"--out", (folder.path() / "out").string()}));
+  EXPECT_EQ(picture.exit_code, 2);
+  EXPECT_THAT(picture.err, HasSubstr("--rays excludes --out: the rays of a file make no picture"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
+}
+
 TEST(TraceCommand, RefusesWhatItCannotDo) {
   const auto refused = [](const std::vector<std::string>& more) {
     const Outcome outcome = run_hitpipe(words(more));
     EXPECT_EQ(outcome.exit_code, 2);
     return outcome.err;
   };
-  EXPECT_THAT(refused({"--rays", "257"}), HasSubstr("1 to 256"));
+  EXPECT_THAT(refused({"--rays-in-flight", "257"}), HasSubstr("1 to 256"));
   EXPECT_THAT(refused({"--stack", "7"}), HasSubstr("--stack 7: allowed is a power of two"));
   EXPECT_THAT(refused({"--latency", "9,3"}), HasSubstr("--latency 9,3: the first is the least"));
   EXPECT_THAT(refused({"--cache", "3"}), HasSubstr("power of two"));

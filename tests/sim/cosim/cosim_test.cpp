@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/cosim/ray_source.hpp"
 #include "sw_ref/render/render.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/formats.hpp"
@@ -218,6 +219,62 @@ TEST(CosimCounts, BouncesLimitSecondaryRays) {
   EXPECT_LE(one.rays_secondary, 2 * one.rays_primary);
   options.light.bounces = 4;
   EXPECT_GT(cosim.run(usual, options).rays_secondary, one.rays_secondary);
+}
+
+TEST(CosimLight, RandomDirectionsAreThoseOfSoftware) {
+  const CosimOfScene cosim("glass");
+  CosimOptions options{.width = 70, .height = 33, .referee = true};
+  options.light.bounces = 2;
+  const CosimResult without = cosim.run(usual, options);
+  options.light.diffuse = 1;
+  options.light.occlusion = 2;
+  const CosimResult result = cosim.run(usual, options);
+  EXPECT_TRUE(result.verified(true));
+  EXPECT_EQ(result.rejected, 0U);
+  EXPECT_GT(result.rays_secondary, without.rays_secondary);
+  EXPECT_GT(result.rays_shadow, without.rays_shadow);
+  const ref::RenderResult software = ref::render(
+      cosim.scene(), *ref::make_tracer(cosim.scene().mesh, ref::build_bvh(cosim.scene().mesh), {}),
+      {.width = 70, .height = 33, .light = options.light});
+  EXPECT_TRUE(same_bits(result.image, software.image));
+  EXPECT_EQ(result.rays_secondary, software.counts.secondary.rays);
+  EXPECT_EQ(result.rays_shadow, software.counts.shadow.rays);
+  options.threads = 3;
+  expect_same_work(cosim.run(usual, options), result);
+}
+
+/// The rays of a picture as a list: no picture, and the same tests.
+TEST(CosimOfAList, TracesItsRaysInPlaceOfAPicture) {
+  const CosimOfScene cosim("glass");
+  std::vector<AskedRay> rays;
+  std::vector<std::uint32_t> triangles;
+  ref::RenderOptions recording{.width = 64, .height = 64};
+  recording.traced = [&](ref::RayKind, const ref::TraceJob& job) {
+    for (const ref::Ray& ray : job.rays) rays.push_back({ray, job.query});
+    triangles.insert(triangles.end(), job.triangles.begin(), job.triangles.end());
+  };
+  (void)ref::render(cosim.scene(),
+                    *ref::make_tracer(cosim.scene().mesh, ref::build_bvh(cosim.scene().mesh), {}), recording);
+  ASSERT_GT(rays.size(), 2 * ListRays::most);
+  const CosimResult picture = cosim.run(usual, {.width = 64, .height = 64, .referee = true});
+  const CosimResult list = cosim.run(usual, {.width = 0, .height = 0, .referee = true, .rays = rays});
+  EXPECT_TRUE(list.verified(true));
+  EXPECT_TRUE(list.image.empty());
+  EXPECT_EQ(list.rays_primary, picture.rays_primary + picture.rays_secondary);
+  EXPECT_EQ(list.rays_secondary, 0U);
+  EXPECT_EQ(list.rays_shadow, picture.rays_shadow);
+  EXPECT_EQ(list.rejected, 0U);
+  EXPECT_EQ(list.unit.box_tests, picture.unit.box_tests);
+  EXPECT_EQ(list.unit.triangle_tests, picture.unit.triangle_tests);
+  EXPECT_EQ(list.reference, picture.reference);
+  ASSERT_EQ(list.triangles.size(), rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const bool any = rays[i].query == ref::Query::any;
+    EXPECT_TRUE(any ? (list.triangles[i] == ref::Hit::none) == (triangles[i] == ref::Hit::none)
+                    : list.triangles[i] == triangles[i])
+        << i;
+  }
+  expect_same_work(cosim.run(usual, {.threads = 3, .referee = true, .rays = rays}), list);
 }
 
 TEST(CosimProgress, TellsEveryTileAndEndsAtOne) {

@@ -110,7 +110,7 @@ TEST(RowsFile, HasTheIntervalOfEachRow) {
   const std::vector<SweepRow> rows{a_row(), a_third()};
   const std::string text = to_csv(rows);
   EXPECT_THAT(text, StartsWith(rows_header()));
-  EXPECT_THAT(text, HasSubstr(",library,rays_in_flight,ii,box_time_ns,design,"));
+  EXPECT_THAT(text, HasSubstr(",library,cost,rays_in_flight,ii,box_time_ns,design,"));
   EXPECT_THAT(text, HasSubstr(",32,1,3.176,int_slabs,n20/24,"));
   EXPECT_THAT(text, HasSubstr(",32,3,9.528,int_slabs,n20/24,"));
   EXPECT_EQ(parse_rows(text, "rows.csv"), rows);
@@ -186,7 +186,7 @@ TEST(SweepRowCells, NumbersThatDoNotBelongRejected) {
           << sweep_columns[column].name << " = " << wrong;
     }
   }
-  EXPECT_EQ(message_of<std::runtime_error>([] { return from_cells({"spheres"}); }), "1 cells; a row has 86");
+  EXPECT_EQ(message_of<std::runtime_error>([] { return from_cells({"spheres"}); }), "1 cells; a row has 89");
 }
 
 TEST(SweepRowCells, FiguresThatDoNotFollowRejected) {
@@ -219,7 +219,8 @@ TEST(RowsFile, IsReadAsWritten) {
   write_rows(folder.path() / "rows.csv", rows);
   EXPECT_EQ(read_rows(folder.path() / "rows.csv"), rows);
   const std::string text = to_csv(rows);
-  EXPECT_THAT(text, StartsWith("program,scene,content,triangles,hierarchy,bvh_nodes,width,height,bounces,"));
+  EXPECT_THAT(text, StartsWith("program,scene,content,triangles,hierarchy,bvh_nodes,width,height,bounces,"
+                               "diffuse,occlusion,light_seed,"));
   EXPECT_THAT(text,
               HasSubstr(",rtl_seconds,software_ratio\nhitpipe 1,\"two, \"\"quoted\"\"\",fnv1a-0123,24578,"));
 }
@@ -250,7 +251,9 @@ TEST(RowsFile, OfAnotherVersionIsRefused) {
 TEST(RowsFile, HasRowsOfOneSubject) {
   for (const auto& change : std::vector<void (*)(SweepRow&)>{
            [](SweepRow& row) { row.program = "hitpipe 2"; }, [](SweepRow& row) { row.content = "fnv1a-0"; },
-           [](SweepRow& row) { row.hierarchy = "median 6"; }, [](SweepRow& row) { row.bounces = 4; }}) {
+           [](SweepRow& row) { row.hierarchy = "median 6"; }, [](SweepRow& row) { row.bounces = 4; },
+           [](SweepRow& row) { row.diffuse = 1; }, [](SweepRow& row) { row.occlusion = 1; },
+           [](SweepRow& row) { row.light_seed = 1; }}) {
     SweepRow other = a_row();
     change(other);
     EXPECT_THAT(message_of<std::runtime_error>([&] {

@@ -88,7 +88,7 @@ TEST(RayKinds, FollowFromLightsMaterialsAndBounces) {
   EXPECT_TRUE(demands_of(sim::hills()).has(RayKind::shadow));
   EXPECT_FALSE(demands_of(sim::hills()).has(RayKind::secondary));
   EXPECT_TRUE(demands_of(glass_hills()).has(RayKind::secondary));
-  EXPECT_FALSE(demands_of(glass_hills(), {64, 48, 0}).has(RayKind::secondary));
+  EXPECT_FALSE(demands_of(glass_hills(), {64, 48, {.bounces = 0}}).has(RayKind::secondary));
 
   Scene dark = sim::hills();
   for (Light& light : dark.lights) light.intensity = glm::vec3(0.0F);
@@ -100,6 +100,25 @@ TEST(RayKinds, FollowFromLightsMaterialsAndBounces) {
   EXPECT_FALSE(demands_of(unused).has(RayKind::secondary));
   unused.mesh.materials.back() = 1;
   EXPECT_TRUE(demands_of(unused).has(RayKind::secondary));
+}
+
+TEST(RayKinds, OfRandomDirectionsAreBounded) {
+  const ViewOptions view{64, 48, {.bounces = 2, .diffuse = 1, .occlusion = 2}};
+  const Scene scene = unlit_hills();
+  const Bvh bvh = build_bvh(scene.mesh);
+  const SceneDemands demands = scene_demands(scene, bvh, view);
+  EXPECT_TRUE(demands.has(RayKind::secondary));
+  EXPECT_TRUE(demands.has(RayKind::shadow));
+  EXPECT_EQ(demands.classes(), 255U);
+  EXPECT_THAT(demands.evidence().at(1).why,
+              testing::HasSubstr("; shadow rays to what is near end beyond it"));
+  RenderOptions options{.width = 64, .height = 48, .light = view.light};
+  options.traced = [&](RayKind kind, const TraceJob& job) {
+    for (const Ray& ray : job.rays) EXPECT_NO_THROW(check_ray_against(demands, kind, ray));
+  };
+  const RenderCounts counts = render(scene, *make_tracer(scene.mesh, bvh, {}), options).counts;
+  EXPECT_GT(counts.secondary.rays, 0U);
+  EXPECT_GT(counts.shadow.rays, 0U);
 }
 
 TEST(DirectionClasses, OfStairsSeenAndLitAlongOne) {

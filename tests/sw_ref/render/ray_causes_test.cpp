@@ -40,7 +40,7 @@ TEST(RayCausesOf, MaterialsWithBounces) {
                                                                 {mirror, false, true, false},
                                                                 {glass, false, true, true},
                                                                 {everything, true, true, true}}) {
-      const RayCauses causes = ray_causes(one_triangle(material), bounces);
+      const RayCauses causes = ray_causes(one_triangle(material), {.bounces = bounces});
       EXPECT_EQ(causes.scatters, scatters);
       EXPECT_EQ(causes.mirrors, mirrors && follows);
       EXPECT_EQ(causes.refracts, refracts && follows);
@@ -54,23 +54,23 @@ TEST(RayCausesOf, MaterialsWithBounces) {
 TEST(RayCausesOf, LightsAreThoseWhoseColourSomeSurfaceScatters) {
   Scene scene = one_triangle(matt);
   scene.lights = {blue, {{}, none}, {{}, {0.0F, 0.1F, 0.0F}}, blue, {{}, glm::vec3(1.0F)}};
-  EXPECT_THAT(ray_causes(scene, 5).lights, ElementsAre(2U, 4U));
+  EXPECT_THAT(ray_causes(scene, {}).lights, ElementsAre(2U, 4U));
   scene.materials[0] = everything;
-  EXPECT_THAT(ray_causes(scene, 5).lights, ElementsAre(0U, 2U, 3U, 4U));
+  EXPECT_THAT(ray_causes(scene, {}).lights, ElementsAre(0U, 2U, 3U, 4U));
   scene.materials[0] = mirror;
-  EXPECT_THAT(ray_causes(scene, 5).lights, IsEmpty());
+  EXPECT_THAT(ray_causes(scene, {}).lights, IsEmpty());
 }
 
 TEST(RayCausesOf, MaterialsThatNoTriangleUsesAreNone) {
   Scene scene = one_triangle(black);
   scene.lights = {blue};
   scene.materials.push_back(everything);
-  EXPECT_FALSE(ray_causes(scene, 5).scatters);
+  EXPECT_FALSE(ray_causes(scene, {}).scatters);
   scene.mesh.materials = {0};
-  EXPECT_FALSE(ray_causes(scene, 5).secondary());
+  EXPECT_FALSE(ray_causes(scene, {}).secondary());
   scene.mesh.materials = {1};
-  EXPECT_TRUE(ray_causes(scene, 5).secondary());
-  EXPECT_TRUE(ray_causes(scene, 5).shadow());
+  EXPECT_TRUE(ray_causes(scene, {}).secondary());
+  EXPECT_TRUE(ray_causes(scene, {}).shadow());
 }
 
 /// The balls of "spheres", with the given materials in turn.
@@ -109,8 +109,8 @@ TEST_P(Thrift, MakesThePictureAndTheRaysOfARendererThatLeavesNothingOut) {
   if (!lit) scene.lights.clear();
   if (!smooth) scene.mesh.normals.clear();
   const Scene whole = with_everything_unseen(scene);
-  const RayCauses causes = ray_causes(scene, 5);
-  const RayCauses all = ray_causes(whole, 5);
+  const RayCauses causes = ray_causes(scene, {});
+  const RayCauses all = ray_causes(whole, {});
   ASSERT_TRUE(all.scatters && all.mirrors && all.refracts && all.shadow());
   const RenderResult thrifty = rendered(scene);
   const RenderResult lavish = rendered(whole);

@@ -326,6 +326,8 @@ TEST(Whitted, OptionsOutOfRangeRejected) {
   };
   EXPECT_EQ(error({.bounces = -1}), "-1 bounces; allowed are 0 to 64");
   EXPECT_EQ(error({.bounces = 65}), "65 bounces; allowed are 0 to 64");
+  EXPECT_EQ(error({.diffuse = -1}), "-1 scattered rays from a surface; allowed are 0 to 256");
+  EXPECT_EQ(error({.occlusion = 257}), "257 occlusion rays from a surface; allowed are 0 to 256");
   EXPECT_EQ(error({.cutoff = -0.5F}), "cutoff -0.5; allowed is 0 or more");
   EXPECT_EQ(error({.cutoff = NAN}), "cutoff nan; allowed is 0 or more");
   Scene bright;
