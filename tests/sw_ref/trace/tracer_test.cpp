@@ -297,15 +297,15 @@ TEST_F(TracersOnHills, OrderByDirectionOrDistanceSavesTests) {
   EXPECT_LT(tests(Algorithm::slabs_dist).triangle_tests, tests(Algorithm::slabs).triangle_tests);
 }
 
-/// Nodes with the exact boxes of the binary hierarchy, and the same order: a node that holds its children is
-/// no other walk. The root's box alone is not tested.
-TEST_F(TracersOnHills, PairsOfManyBitsTestTheBoxesThatOrderByDistanceTests) {
+/// With 18 bits boxes are nearly exact, and to load both children at once is no other walk. Only the root's
+/// box is not tested, and where distances are almost equal the order may change.
+TEST_F(TracersOnHills, PairsOfManyBitsTestWhatSingleBoxesTest) {
   const auto counts = [&](Encoding encoding, Algorithm algorithm = Algorithm::slabs_dist) {
     const TracerOptions options{.algorithm = algorithm, .encoding = encoding};
     return traced(*make_tracer(mesh_, bvh_, options), rays_, Query::closest).counts;
   };
   const auto expect_near = [](std::uint64_t ours, std::uint64_t plain) {
-    EXPECT_NEAR(static_cast<double>(ours), static_cast<double>(plain), 0.002 * static_cast<double>(plain));
+    EXPECT_NEAR(static_cast<double>(ours), static_cast<double>(plain), 0.005 * static_cast<double>(plain));
   };
   const TraceCounts plain = counts(Encoding::plain);
   const TraceCounts pairs = counts(Encoding::pair10);
