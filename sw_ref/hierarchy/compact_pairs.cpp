@@ -1,5 +1,6 @@
 #include "sw_ref/hierarchy/compact_pairs.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -9,6 +10,9 @@
 
 namespace hitpipe::ref {
 namespace {
+
+constexpr std::size_t triangle_bytes = 36;  // three corners in binary32
+constexpr std::size_t line_bytes = 64;
 
 /// A plane belongs to the child that lies farther inside the parent's decoded box. The box of the other grows
 /// by what it lies inside itself.
@@ -42,10 +46,24 @@ CompactPairs<bits>::CompactPairs(const Bvh& bvh) : root_(bvh.nodes.front().box) 
     records_.emplace_back();
     return static_cast<std::uint32_t>(records_.size() - 1);
   };
+  const auto written = [&] { return records_.size() * bytes_per_node + order_.size() * triangle_bytes; };
+  const auto less_likely = [](const Pending& a, const Pending& b) {
+    return half_area(a.record.box) < half_area(b.record.box);
+  };
   std::vector<Pending> pending{{0, {root_, BoxedChild::branch, add_record()}}};
+  // What a ray that comes here reads next is to lie in the same line of a cache: the children of the largest
+  // box are written next, until a line is full. Then another line begins with the children of the last box.
+  std::size_t in_line = 0;  // pending from here on began in this line
+  std::size_t line = 0;
   while (!pending.empty()) {
-    const Pending at = pending.back();
-    pending.pop_back();
+    if (in_line == pending.size() || written() - line >= line_bytes) {
+      in_line = pending.size() - 1;
+      line = written();
+    }
+    const auto next =
+        std::max_element(pending.begin() + static_cast<std::ptrdiff_t>(in_line), pending.end(), less_likely);
+    const Pending at = *next;
+    pending.erase(next);
     const BvhNode& node = binary.nodes[at.node];
     // A root that is a leaf is the only child of its record.
     const std::uint32_t first = node.is_leaf() ? at.node : node.first;
