@@ -3,6 +3,7 @@
 import csv
 import json
 import pathlib
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -60,18 +61,33 @@ def extra(value, exact):
     return f"{100 * (value / exact - 1):.1f}"
 
 
-def rows(scene):
+EXACT = {name: reference for name, _, reference in RENDERED}
+
+
+def figures(scene):
+    """By format: bytes, boxes and triangles a ray."""
     measured = {name: rendered(scene, options) for name, options, _ in RENDERED}
     measured["int_major_pair 20+1/11"] = swept(scene)
     measured["core 20+1s20"] = imaged(scene)
-    exact = {name: reference for name, _, reference in RENDERED}
+    return {name: [*measured[name][0], *measured[name][1:]] for name in ORDER}
+
+
+def rows(scene, of):
     for name in ORDER:
-        bytes_a_ray, boxes, triangles = measured[name]
-        reference = measured[exact.get(name, "plain")]
+        *bytes_a_ray, boxes, triangles = of[name]
+        reference = EXACT.get(name, "plain")
         cells = ["" if each is None else f"{each:.0f}" for each in bytes_a_ray]
         cells += [f"{boxes:.1f}", f"{triangles:.2f}"]
-        cells += ["", ""] if exact.get(name) == name else [extra(boxes, reference[1]), extra(triangles, reference[2])]
+        cells += ["", ""] if reference == name else [extra(boxes, of[reference][4]), extra(triangles, of[reference][5])]
         yield f"| {scene} | {name} | " + " | ".join(cells) + " |\n"
+
+
+def means(all_scenes):
+    """By format: geometric means over the scenes, in percent of plain."""
+    def mean(name, column):
+        ratios = [of[name][column] / of["plain"][column] for of in all_scenes if of[name][column] is not None]
+        return 100 * statistics.geometric_mean(ratios) if ratios else None
+    return {name: [mean(name, column) for column in range(6)] for name in ORDER}
 
 
 text = page.read_text()
@@ -79,6 +95,7 @@ before, rest = text.split("<!-- table -->\n", 1)
 after = rest.split("<!-- end of table -->", 1)[1]
 table = "| scene | format | no cache | 4 KiB | 16 KiB | 64 KiB | boxes | triangles | extra boxes % | extra triangles % |\n"
 table += "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n"
-for each in SCENES:
-    table += "".join(rows(each))
+measured = {scene: figures(scene) for scene in SCENES}
+for scene, of in {"mean, % of plain": means(list(measured.values())), **measured}.items():
+    table += "".join(rows(scene, of))
 page.write_text(f"{before}<!-- table -->\n\n{table}\n<!-- end of table -->{after}")
