@@ -91,8 +91,8 @@ TEST(SceneMemoryTogether, NodesAndTrianglesLieInOneArray) {
     return memory.reads().lines_fetched(0);
   };
   const auto all = [](SceneMemory& memory) {
-    for (const std::uint32_t node : {1, 0}) memory.node_loaded(node);
-    for (const std::uint32_t triangle : {0, 1, 2}) memory.triangle_loaded(triangle);
+    for (const std::uint32_t node : {1U, 0U}) memory.node_loaded(node);
+    for (const std::uint32_t triangle : {0U, 1U, 2U}) memory.triangle_loaded(triangle);
   };
   EXPECT_EQ(lines(TriangleLayout::corners, all), (2 * 16 + 3 * 36) / 4) << "none lies on another";
   EXPECT_EQ(lines(TriangleLayout::indices, all), (2 * 16 + 3 * 4 + 3 * 12 + 12) / 4)
