@@ -108,8 +108,17 @@ void add_trace_options(CLI::App& command, TraceChoice& choice) {
                                {"h4", Encoding::hierarchical_4},
                                {"h8", Encoding::hierarchical_8},
                                {"h12", Encoding::hierarchical_12},
-                               {"h16", Encoding::hierarchical_16}},
-                              "Encoding of the nodes. h: that many bits relative to the parent");
+                               {"h16", Encoding::hierarchical_16},
+                               {"wide4", Encoding::wide4},
+                               {"wide8", Encoding::wide8},
+                               {"wide4-float", Encoding::wide4_float},
+                               {"wide8-float", Encoding::wide8_float},
+                               {"pair6", Encoding::pair6},
+                               {"pair8", Encoding::pair8},
+                               {"pair10", Encoding::pair10}},
+                              "Encoding of the nodes. h: that many bits relative to the parent. wide: 4 or 8 "
+                              "children with 8-bit planes, or float. pair: two children in one record, that "
+                              "many bytes a child. wide takes --traversal slabs-dist");
   command.add_flag("--lut", tracer.look_up_table, "Decode h4 and h8 by table");
   add_choice_option<int>(command, "--bundle", tracer.bundle, {{"1", 1}, {"64", 64}, {"256", 256}},
                          "Maximum number of rays traced together");

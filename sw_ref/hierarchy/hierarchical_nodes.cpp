@@ -1,69 +1,22 @@
 #include "sw_ref/hierarchy/hierarchical_nodes.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "sw_ref/hierarchy/axis_codes.hpp"
 #include "sw_ref/hierarchy/node_store.hpp"
 
 namespace hitpipe::ref {
 namespace {
-
-/// Codes of one axis whose decoded coordinates contain [min, max]. Such codes exist: decoding is monotone in
-/// the code, code 0 decodes to the frame's origin, and the top code to at least its far end. The first guess
-/// is at most a few codes off.
-template <int bits>
-class AxisCodes {
- public:
-  AxisCodes(const RelativeFrame<bits>& frame, int axis) : frame_(frame), axis_(axis) {}
-
-  /// The largest decoded coordinate <= min.
-  [[nodiscard]] std::uint32_t below(float min) const {
-    std::uint32_t code = guess(min);
-    while (code > 0 && decoded(code) > min) --code;
-    while (code < top_code<bits> && decoded(code) < min && decoded(code + 1) <= min) ++code;
-    return code;
-  }
-  /// The least decoded coordinate >= max.
-  [[nodiscard]] std::uint32_t above(float max) const {
-    std::uint32_t code = guess(max);
-    while (code < top_code<bits> && decoded(code) < max) ++code;
-    while (code > 0 && decoded(code) > max && decoded(code - 1) >= max) --code;
-    return code;
-  }
-
- private:
-  [[nodiscard]] float decoded(std::uint32_t code) const {
-    return frame_.decoded(axis_, static_cast<float>(code));
-  }
-  [[nodiscard]] std::uint32_t guess(float x) const {
-    const double code = (static_cast<double>(x) - frame_.origin(axis_)) / frame_.step(axis_);
-    return static_cast<std::uint32_t>(std::clamp(code, 0.0, static_cast<double>(top_code<bits>)));
-  }
-
-  const RelativeFrame<bits>& frame_;
-  int axis_;
-};
-
-/// False also for NaN.
-bool contains(const Aabb& outer, const Aabb& inner) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(outer.min[axis] <= inner.min[axis] && inner.min[axis] <= inner.max[axis] &&
-          inner.max[axis] <= outer.max[axis])) {
-      return false;
-    }
-  }
-  return true;
-}
 
 template <int bits>
 std::array<std::byte, 3 * HierarchicalNode<bits>::axis_bytes> encoded(const Aabb& box, const Aabb& parent) {
   const RelativeFrame<bits> frame(parent);
   std::array<std::byte, 3 * HierarchicalNode<bits>::axis_bytes> bytes{};
   for (int axis = 0; axis < 3; ++axis) {
-    const AxisCodes<bits> codes(frame, axis);
+    const AxisCodes codes(frame, axis);
     const std::uint32_t word = codes.below(box.min[axis]) | codes.above(box.max[axis]) << bits;
     constexpr std::size_t size = HierarchicalNode<bits>::axis_bytes;
     std::memcpy(bytes.data() + static_cast<std::size_t>(axis) * size, &word, size);
@@ -83,7 +36,7 @@ HierarchicalNodes<bits, lut>::HierarchicalNodes(const Bvh& bvh) : nodes_(bvh.nod
           fmt::format("{}-bit nodes: a leaf of {} triangles; at most {} fit, build with fewer per leaf", bits,
                       plain.count, std::numeric_limits<Count>::max()));
     }
-    if (!contains(parent.box, plain.box)) {
+    if (!encloses(parent.box, plain.box)) {
       throw std::invalid_argument(
           index == 0
               ? fmt::format("{}-bit nodes: the root's box leaves the cube of +-{}", bits, hierarchical_frame)
@@ -91,7 +44,7 @@ HierarchicalNodes<bits, lut>::HierarchicalNodes(const Bvh& bvh) : nodes_(bvh.nod
     }
     nodes_[index] = {encoded<bits>(plain.box, parent.box), static_cast<Count>(plain.count), plain.first};
     const Node node = decoded(parent, index);
-    if (!contains(node.box, plain.box)) {
+    if (!encloses(node.box, plain.box)) {
       throw std::logic_error(
           fmt::format("{}-bit nodes: the decoded box of node {} is too small", bits, index));
     }

@@ -53,6 +53,8 @@ inline constexpr float step_share = (1.0F + 0x1p-21F) / static_cast<float>(top_c
 template <int bits>
 class RelativeFrame {
  public:
+  static constexpr std::uint32_t top = top_code<bits>;
+
   /// Code 0 is exactly the parent's min, and the top code N = 2^bits - 1 reaches its max. Proof: let u =
   /// 2^-24 and w = max - min. The difference, the product with the share and the sum are rounded once each.
   /// The product may underflow by 2^-150; the added 2^-126 more than covers that:

@@ -5,7 +5,7 @@ namespace hitpipe::ref {
 ReadBytes read_bytes(const Tracer& tracer, const Mesh& mesh, const Bvh& bvh,
                      std::span<const RecordedBatch> batches, TriangleLayout layout,
                      std::span<const CacheShape> caches) {
-  SceneMemory memory(mesh, bvh, tracer.node_count(), tracer.bytes_per_node(), layout, caches);
+  SceneMemory memory(mesh, bvh, tracer, layout, caches);
   TraceCounts counts;
   std::vector<std::uint32_t> triangles;
   for (const RecordedBatch& batch : batches) {

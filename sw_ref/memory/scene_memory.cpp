@@ -6,7 +6,7 @@ namespace hitpipe::ref {
 
 namespace {
 
-constexpr std::uint64_t entry_bytes = sizeof(std::uint32_t);
+constexpr std::uint64_t number_bytes = sizeof(std::uint32_t);
 constexpr std::uint64_t numbers_bytes = sizeof(glm::uvec3);
 
 }  // namespace
@@ -34,29 +34,36 @@ void ReadCounter::read(std::uint64_t address, std::uint64_t bytes) {
   }
 }
 
-SceneMemory::SceneMemory(const Mesh& mesh, const Bvh& bvh, std::size_t nodes, std::size_t bytes_per_node,
-                         TriangleLayout layout, std::span<const CacheShape> caches)
+SceneMemory::SceneMemory(const Mesh& mesh, const Bvh& bvh, const Tracer& tracer, TriangleLayout layout,
+                         std::span<const CacheShape> caches)
     : mesh_(&mesh),
       layout_(layout),
-      entry_of_(mesh.triangles.size()),
-      bytes_per_node_(bytes_per_node),
-      reads_(caches),
-      nodes_(reads_.add_array(nodes * bytes_per_node)) {
-  for (std::uint32_t i = 0; i < bvh.order.size(); ++i) entry_of_[bvh.order[i]] = i;
-  if (layout == TriangleLayout::corners) {
-    entries_ = reads_.add_array(bvh.order.size() * bytes_of_corners);
-    return;
+      order_(tracer.memory_order()),
+      address_of_(mesh.triangles.size()),
+      bytes_per_node_(tracer.bytes_per_node()),
+      entry_bytes_(layout == TriangleLayout::corners ? bytes_of_corners : number_bytes),
+      reads_(caches) {
+  const std::span<const std::uint32_t> triangles =
+      order_.triangles.empty() ? std::span(bvh.order) : order_.triangles;
+  const std::uint64_t node_bytes = tracer.node_count() * bytes_per_node_;
+  const std::uint64_t all_entries = triangles.size() * entry_bytes_;
+  const bool together = !order_.triangles_before.empty();
+  nodes_ = reads_.add_array(together ? node_bytes + all_entries : node_bytes);
+  const std::uint64_t entries = together ? nodes_ : reads_.add_array(all_entries);
+  std::size_t nodes_before = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    while (nodes_before < order_.triangles_before.size() && order_.triangles_before[nodes_before] <= i)
+      ++nodes_before;
+    address_of_[triangles[i]] = entries + i * entry_bytes_ + nodes_before * bytes_per_node_;
   }
-  entries_ = reads_.add_array(bvh.order.size() * entry_bytes);
+  if (layout == TriangleLayout::corners) return;
   triangles_ = reads_.add_array(mesh.triangles.size() * numbers_bytes);
   vertices_ = reads_.add_array(mesh.vertices.size() * corner_bytes);
 }
 
 void SceneMemory::triangle_loaded(std::uint32_t triangle) {
-  const std::uint64_t entry = entry_of_[triangle];
-  if (layout_ == TriangleLayout::corners)
-    return reads_.read(entries_ + entry * bytes_of_corners, bytes_of_corners);
-  reads_.read(entries_ + entry * entry_bytes, entry_bytes);
+  reads_.read(address_of_[triangle], entry_bytes_);
+  if (layout_ == TriangleLayout::corners) return;
   reads_.read(triangles_ + triangle * numbers_bytes, numbers_bytes);
   const glm::uvec3& corners = mesh_->triangles[triangle];
   for (int i = 0; i < 3; ++i) reads_.read(vertices_ + corners[i] * corner_bytes, corner_bytes);

@@ -50,32 +50,37 @@ class ReadCounter {
 
 /// How triangles lie in memory.
 enum class TriangleLayout : std::uint8_t {
-  corners,  ///< three corners in binary32, in the order of the leaves
-  indices,  ///< the leaf's number of a triangle, its three numbers of corners, the corners
+  corners,  ///< an entry is three corners in binary32; entries lie in the order of the leaves
+  indices,  ///< an entry is the triangle's number; its three numbers of corners, and the corners, lie apart
 };
 
 /// The nodes and triangles of a hierarchy. A tracer tells it what it loads (TraceJob::loads).
 class SceneMemory final : public LoadObserver {
  public:
-  /// `nodes` of `bytes_per_node` each. Mesh and hierarchy must outlive it.
-  SceneMemory(const Mesh& mesh, const Bvh& bvh, std::size_t nodes, std::size_t bytes_per_node,
-              TriangleLayout layout, std::span<const CacheShape> caches);
+  /// The nodes of the tracer, which is of this mesh and hierarchy. All must outlive it.
+  SceneMemory(const Mesh& mesh, const Bvh& bvh, const Tracer& tracer, TriangleLayout layout,
+              std::span<const CacheShape> caches);
 
   void node_loaded(std::uint32_t node) override {
-    reads_.read(nodes_ + node * bytes_per_node_, bytes_per_node_);
+    reads_.read(nodes_ + node * bytes_per_node_ + triangles_before(node) * entry_bytes_, bytes_per_node_);
   }
   void triangle_loaded(std::uint32_t triangle) override;
 
   [[nodiscard]] const ReadCounter& reads() const { return reads_; }
 
  private:
+  [[nodiscard]] std::uint64_t triangles_before(std::uint32_t node) const {
+    return order_.triangles_before.empty() ? 0 : order_.triangles_before[node];
+  }
+
   const Mesh* mesh_;
   TriangleLayout layout_;
-  std::vector<std::uint32_t> entry_of_;  ///< by triangle: its place in Bvh::order
+  MemoryOrder order_;
+  std::vector<std::uint64_t> address_of_;  ///< by triangle: of its entry
   std::uint64_t bytes_per_node_;
+  std::uint64_t entry_bytes_;
   ReadCounter reads_;
   std::uint64_t nodes_;
-  std::uint64_t entries_ = 0;  ///< of layout `corners` the triangles themselves
   std::uint64_t triangles_ = 0;
   std::uint64_t vertices_ = 0;
 };

@@ -36,4 +36,15 @@ struct BasicAabb {
 };
 using Aabb = BasicAabb<float>;
 
+/// The inner box is not empty, and no part of it is outside the outer one. False also for NaN.
+[[nodiscard]] inline bool encloses(const Aabb& outer, const Aabb& inner) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(outer.min[axis] <= inner.min[axis] && inner.min[axis] <= inner.max[axis] &&
+          inner.max[axis] <= outer.max[axis])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace hitpipe::ref

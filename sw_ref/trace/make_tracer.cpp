@@ -11,6 +11,7 @@
 #include "sw_ref/quantise/ray_check.hpp"
 #include "sw_ref/trace/int_plucker.hpp"
 #include "sw_ref/trace/int_slabs.hpp"
+#include "sw_ref/trace/near_first_tracer.hpp"
 #include "sw_ref/trace/plucker.hpp"
 #include "sw_ref/trace/slabs.hpp"
 #include "sw_ref/trace/store_tracer.hpp"
@@ -96,6 +97,14 @@ std::unique_ptr<Tracer> make_tracer(const Mesh& mesh, const Bvh& bvh, const Trac
   });
   // Why there is no such tracer.
   allow(!bvh.nodes.empty(), "tracer: the hierarchy has no node; build it first");
+  if (const std::size_t boxes = boxes_in_node(options.encoding); boxes > 0) {
+    allow(!plucker && options.arithmetic == Arithmetic::conservative && !options.look_up_table &&
+              options.bundle == 1,
+          "tracer: wide nodes and pairs are for single rays and conservative slabs, without a table");
+    allow(by_distance || boxes == 2, "tracer: wide nodes have the order by distance; take slabs_dist");
+    return near_first_tracer(options.encoding, child_order(options.algorithm), mesh, bvh,
+                             options.triangle_test);
+  }
   allow(!plucker || options.arithmetic != Arithmetic::conservative,
         "tracer: conservative arithmetic is for slabs; with Pluecker take binary32 or binary64");
   allow(!integer || !by_distance,

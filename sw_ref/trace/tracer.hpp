@@ -66,6 +66,14 @@ struct TraceJob {
   LoadObserver* loads = nullptr;  ///< null: nobody watches
 };
 
+/// How nodes and triangles lie in memory, for a tracer that needs them to lie in a certain way.
+struct MemoryOrder {
+  std::span<const std::uint32_t> triangles{};  ///< all, one after the other; empty: Bvh::order
+  /// By node: triangles that lie before it in the array that holds both. Nodes lie by number. Empty: nodes
+  /// and triangles have arrays of their own.
+  std::span<const std::uint32_t> triangles_before{};
+};
+
 /// Thread-safe. Its hierarchy and mesh must outlive it and not change.
 class Tracer {
  public:
@@ -76,6 +84,7 @@ class Tracer {
 
   [[nodiscard]] virtual std::size_t bytes_per_node() const = 0;
   [[nodiscard]] virtual std::size_t node_count() const = 0;
+  [[nodiscard]] virtual MemoryOrder memory_order() const { return {}; }
 };
 
 /// Box test and order of the children (chapter 4).
@@ -100,6 +109,13 @@ enum class Encoding : std::uint8_t {
   hierarchical_8,  ///< 12 bytes
   hierarchical_12,
   hierarchical_16,
+  wide4,        ///< 64 bytes a node of 4 children with 8-bit planes (sw_ref/hierarchy/wide_node.hpp)
+  wide8,        ///< 80 bytes a node of 8: CWBVH
+  wide4_float,  ///< 128 bytes: the tree of wide4 in binary32
+  wide8_float,  ///< 256 bytes
+  pair6,        ///< 12 bytes for two children, planes of 8 bits (sw_ref/hierarchy/compact_pairs.hpp)
+  pair8,        ///< 16 bytes, planes of 13 bits
+  pair10,       ///< 20 bytes, planes of 18 bits
 };
 
 enum class TriangleTest : std::uint8_t {

@@ -292,7 +292,9 @@ TEST_F(WrongUseOf, Words) {
        {render + "--traversal dsa",
         "--traversal: dsa is none of slabs, plu, slabs-dist, slabs-dsa, plu-dsa;"},
        {render + "--arithmetic half", "--arithmetic: half is none of float, double, conservative, integer;"},
-       {render + "--encoding h5", "--encoding: h5 is none of plain, h4, h8, h12, h16;"},
+       {render + "--encoding h5",
+        "--encoding: h5 is none of plain, h4, h8, h12, h16, wide4, wide8, wide4-float, wide8-float, pair6, "
+        "pair8, pair10;"},
        {render + "--bundle 32", "--bundle: 32 is none of 1, 64, 256;"},
        {render + "--triangle-test no", "--triangle-test: no is none of exact, float, double;"},
        {"render --compare a.png", "render: 1 images; --compare takes two"},

@@ -90,7 +90,9 @@ TEST(RenderCommand, TracesAsItIsTold) {
            {"--traversal", "slabs-dist", "--arithmetic", "float"},
            {"--traversal", "plu-dsa", "--arithmetic", "double", "--bundle", "64"},
            {"--arithmetic", "integer", "--bits", "16/20"},
-           {"--arithmetic", "float", "--encoding", "h8", "--lut"}}) {
+           {"--arithmetic", "float", "--encoding", "h8", "--lut"},
+           {"--traversal", "slabs-dist", "--encoding", "wide8"},
+           {"--encoding", "pair10"}}) {
     const std::string image = (folder.path() / "image.png").string();
     const Outcome outcome = run_hitpipe(with(small, with(options, {"--out", image, "--format", "json"})));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -100,7 +102,7 @@ TEST(RenderCommand, TracesAsItIsTold) {
   }
   std::vector<int> bytes;
   for (const auto& object : shown) bytes.push_back(object.at("bytes_per_node"));
-  EXPECT_THAT(bytes, testing::ElementsAre(32, 32, 56, 20, 12));
+  EXPECT_THAT(bytes, testing::ElementsAre(32, 32, 56, 20, 12, 80, 20));
   EXPECT_LT(shown[2].at("nodes_loaded"), shown[2].at("box_tests"));
 }
 

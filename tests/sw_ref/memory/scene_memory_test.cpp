@@ -44,10 +44,11 @@ class MemoryOfHills : public testing::Test {
 };
 
 TEST_F(MemoryOfHills, HasTheBytesOfItsLoads) {
-  for (const Encoding encoding : {Encoding::plain, Encoding::hierarchical_4, Encoding::hierarchical_8}) {
-    const auto tracer = make_tracer(
-        scene_.mesh, bvh_,
-        {.algorithm = Algorithm::plu_dsa, .arithmetic = Arithmetic::binary32, .encoding = encoding});
+  for (const Encoding encoding :
+       {Encoding::plain, Encoding::hierarchical_4, Encoding::hierarchical_8, Encoding::wide4, Encoding::wide8,
+        Encoding::wide8_float, Encoding::pair6, Encoding::pair8, Encoding::pair10}) {
+    const auto tracer =
+        make_tracer(scene_.mesh, bvh_, {.algorithm = Algorithm::slabs_dist, .encoding = encoding});
     const TraceCounts loads = counts(*tracer);
     const ReadBytes corners = traced(*tracer, TriangleLayout::corners);
     EXPECT_EQ(corners.rays, loads.rays);
@@ -63,6 +64,43 @@ TEST_F(MemoryOfHills, HasTheBytesOfItsLoads) {
       EXPECT_GT(result.behind[2], 0U);
     }
   }
+}
+
+/// Two nodes of 16 bytes and three triangles in one array: node, triangles 1 and 2, node, triangle 0.
+class TwoNodes final : public Tracer {
+ public:
+  void trace(const TraceJob&, TraceCounts&) const override {}
+  [[nodiscard]] std::size_t bytes_per_node() const override { return 16; }
+  [[nodiscard]] std::size_t node_count() const override { return 2; }
+  [[nodiscard]] MemoryOrder memory_order() const override { return {triangles_, before_}; }
+
+ private:
+  std::vector<std::uint32_t> triangles_{1, 2, 0};
+  std::vector<std::uint32_t> before_{0, 2};
+};
+
+TEST(SceneMemoryTogether, NodesAndTrianglesLieInOneArray) {
+  Mesh mesh;
+  mesh.vertices.resize(3);
+  mesh.triangles.resize(3);
+  const TwoNodes nodes;
+  const auto lines = [&](TriangleLayout layout, const auto& load) {
+    const CacheShape bytes{.bytes = 1 << 20, .line_bytes = 4};
+    SceneMemory memory(mesh, {}, nodes, layout, {&bytes, 1});
+    load(memory);
+    return memory.reads().lines_fetched(0);
+  };
+  const auto all = [](SceneMemory& memory) {
+    for (const std::uint32_t node : {1U, 0U}) memory.node_loaded(node);
+    for (const std::uint32_t triangle : {0U, 1U, 2U}) memory.triangle_loaded(triangle);
+  };
+  EXPECT_EQ(lines(TriangleLayout::corners, all), (2 * 16 + 3 * 36) / 4) << "none lies on another";
+  EXPECT_EQ(lines(TriangleLayout::indices, all), (2 * 16 + 3 * 4 + 3 * 12 + 12) / 4)
+      << "also three numbers of each triangle, and one corner";
+  const CacheShape whole{.bytes = 1 << 20, .line_bytes = 256};
+  SceneMemory memory(mesh, {}, nodes, TriangleLayout::corners, {&whole, 1});
+  all(memory);
+  EXPECT_EQ(memory.reads().lines_fetched(0), 1U);
 }
 
 /// Smaller nodes are fewer lines, also behind a cache.

@@ -1,0 +1,19 @@
+#include "sw_ref/hierarchy/small_leaves.hpp"
+
+namespace hitpipe::ref {
+
+Bvh small_leaves(const Bvh& bvh, int most) {
+  Bvh split = bvh;
+  // Halves are appended, so the loop comes to them too.
+  for (std::size_t i = 0; i < split.nodes.size(); ++i) {
+    const BvhNode leaf = split.nodes[i];
+    if (leaf.count <= most) continue;
+    const std::int32_t half = leaf.count / 2;
+    split.nodes[i] = {leaf.box, -1, static_cast<std::uint32_t>(split.nodes.size())};
+    split.nodes.push_back({leaf.box, half, leaf.first});
+    split.nodes.push_back({leaf.box, leaf.count - half, leaf.first + static_cast<std::uint32_t>(half)});
+  }
+  return split;
+}
+
+}  // namespace hitpipe::ref
