@@ -46,7 +46,7 @@ def swept(scene):
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "rows.csv"
         run("sweep", "int_major_pair", "--bits", "20+1/11", "--scene", scene, "--width", size, "--height", size, "--out", str(out))
-        row = next(csv.DictReader(line for line in out.read_text().splitlines() if not line.startswith("#")))
+        row = next(csv.DictReader(out.read_text().splitlines()))
     rays = float(row["bytes_fetched"]) / float(row["bytes_per_ray"])
     return [float(row["bytes_per_ray" + each]) for each in MEMORY], float(row["box_tests"]) / rays, float(row["triangle_tests"]) / rays
 

@@ -11,19 +11,24 @@ mkdir -p docs/report
 # The diagrams that the page shows.
 grep -o 'report/[a-z_]*\.svg' docs/choosing.md | sort -u | while read -r diagram; do cp "$out/${diagram#report/}" "docs/$diagram"; done
 
-# Of rows.csv, with 32 rays in flight; the columns by their names.
-awk -F, '
-  /^#/ { next }
-  $1 == "scene" { for (i = 1; i <= NF; ++i) at[$i] = i
-    print "| unit | area per box, mm² | extra box tests, % | extra triangle tests, % | run time, ms | whole | area × run time, mm² ms | whole | bytes a ray |"
-    print "|---|--:|--:|--:|--:|--:|--:|--:|--:|"
-    next }
-  $at["rays_in_flight"] == 32 {
-    unit = $at["bits"] == "fp32" ? $at["design"] : $at["design"] " " $at["bits"]
-    printf "| %s | %.4f | %.3f | %.2f | %.3f | %.3f | %.3f | %.3f | %.0f |\n", unit, $at["area_per_box_mm2"],
-      $at["extra_box_tests_pct"] + 0, $at["extra_triangle_tests_pct"] + 0, $at["run_time_ms"], $at["whole_run_time_ms"],
-      $at["area_run_time_mm2_ms"], $at["whole_area_run_time_mm2_ms"], $at["bytes_per_ray"]
-  }' "$out/rows.csv" >"$out/table.md"
+# Of rows.csv, with 32 rays in flight.
+python3 - "$out/rows.csv" >"$out/table.md" <<'END'
+import csv, sys
+
+print("| unit | area per box, mm² | extra box tests, % | extra triangle tests, % | run time, ms | whole | "
+      "area × run time, mm² ms | whole | bytes a ray | behind 16 KiB | nJ a ray |")
+print("|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|")
+for row in csv.DictReader(open(sys.argv[1])):
+    if row["rays_in_flight"] != "32": continue
+    number = lambda column: float(row[column])
+    bits = row["bits"].removeprefix("n")
+    unit = row["design"] if bits == "fp32" else f"{row['design']} {bits}"
+    print(f"| {unit} | {number('area_per_box_mm2'):.4f} | {number('extra_box_tests_pct') + 0:.3f} | "
+          f"{number('extra_triangle_tests_pct') + 0:.2f} | {number('run_time_ms'):.3f} | "
+          f"{number('whole_run_time_ms'):.3f} | {number('area_run_time_mm2_ms'):.3f} | "
+          f"{number('whole_area_run_time_mm2_ms'):.3f} | {number('bytes_per_ray'):.0f} | "
+          f"{number('bytes_per_ray_16kib'):.0f} | {number('energy_nj_per_ray'):.1f} |")
+END
 
 awk -v table="$out/table.md" '
   /<!-- table -->/ { print; print ""; while ((getline line < table) > 0) print line; print ""; skip = 1; next }

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Prints the tables of docs/choosing.md and docs/measured/scenes.md as Markdown: docs/scenes.sh [SIZE [MESH...]]. Images have SIZE x SIZE pixels, 96 in the
-# document. Every built-in scene and every mesh goes through every unit below; the Verilog answers each box test. Rows that
-# out/scenes already holds are not measured again. The program is build/hitpipe.
+# Prints the tables of docs/choosing.md and docs/measured/scenes.md as Markdown: docs/scenes.sh [SIZE [MESH...]]. Images have
+# SIZE x SIZE pixels, 96 in the document. Every built-in scene and every mesh goes through every unit below, by a surface-area tree
+# and by the median split of the thesis; the Verilog answers each box test. Rows that out/scenes-SIZE already holds are not measured
+# again. The program is build/hitpipe.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 size=${1:-128}
@@ -18,8 +19,11 @@ formats=$(IFS=,; echo "${units[*]}")
 scenes=$(build/hitpipe list scenes --format csv | awk -F, 'NR > 1 && $1 != "plant" { print $1 }')
 for scene in $scenes "$@"; do
   name=$(basename "${scene%.*}")
-  build/hitpipe sweep --scene "$scene" --width "$size" --height "$size" "$designs" --bits "$formats" \
-    --out "$out/$name.csv" >/dev/null
+  for tree in "sah 2" "median 6"; do
+    read -r builder most <<<"$tree"
+    build/hitpipe sweep --scene "$scene" --width "$size" --height "$size" "$designs" --bits "$formats" \
+      --builder "$builder" --max-triangles "$most" --out "$out/$name.$builder.csv" >/dev/null
+  done
   [[ -s $out/$name.rays.csv ]] ||
     build/hitpipe render --scene "$scene" --width "$size" --height "$size" --format csv >"$out/$name.rays.csv"
   names+=("$name")
@@ -33,21 +37,23 @@ folder, scenes = sys.argv[1], sys.argv[2:]
 def rows(file):
     return list(csv.DictReader(open(file)))
 
-measured = {scene: rows(f"{folder}/{scene}.csv") for scene in scenes}
-unit = lambda row: (row["design"], row["bits"])
-units = [unit(row) for row in measured[scenes[0]]]
-for scene in scenes:
-    for row in measured[scene]:
-        wrong = [name for name in ("rtl_mismatches", "different_triangles", "different_pixels") if row[name] != "0"]
-        if wrong: sys.exit(f"docs/scenes.sh: {scene}, {unit(row)}: {wrong[0]} is {row[wrong[0]]}; it must be 0")
+trees = {"surface-area tree, at most 2 triangles a leaf": "sah", "median split, at most 6 triangles a leaf": "median"}
+of_tree = {tree: {scene: rows(f"{folder}/{scene}.{builder}.csv") for scene in scenes} for tree, builder in trees.items()}
+unit = lambda row: (row["design"], row["bits"].removeprefix("n"))
+units = [unit(row) for row in of_tree[next(iter(trees))][scenes[0]]]
+every_row = [(scene, row) for measured in of_tree.values() for scene in scenes for row in measured[scene]]
+for scene, row in every_row:
+    wrong = [name for name in ("rtl_mismatches", "different_triangles", "different_pixels") if row[name] != "0"]
+    if wrong: sys.exit(f"docs/scenes.sh: {scene}, {unit(row)}: {wrong[0]} is {row[wrong[0]]}; it must be 0")
 
 def percent(row, work):
     base = int(row[f"reference_{work}_tests"])
     extra = 100 * (int(row[f"{work}_tests"]) - base) / base
     return f"{extra:.0f}" if extra >= 99.5 else f"{extra:.1f}" if extra >= 9.95 else f"{extra:.2f}".replace("-0.00", "0.00")
 
-def table(title, cell):
-    print(f"\n{title}\n")
+def table(title, tree, cell):
+    measured = of_tree[tree]
+    print(f"\n{title}, {tree}:\n")
     print("| scene | stiff rays % | " + " | ".join(f"{design} {bits}" for design, bits in units) + " |")
     print("|---|--:|" + "--:|" * len(units))
     for scene in scenes:
@@ -55,10 +61,11 @@ def table(title, cell):
         stiff = float(rows(f"{folder}/{scene}.rays.csv")[0]["stiff_rays_pct"])
         print(f"| {scene} | {stiff:.1f} | " + " | ".join(cell(of[each]) for each in units) + " |")
 
-table("Extra box tests / extra triangle tests, %:", lambda row: percent(row, "box") + " / " + percent(row, "triangle"))
-table("False hits in a million box tests:", lambda row: f"{float(row['false_hits_per_million']):.0f}")
+for tree in trees:
+    table("Extra box tests / extra triangle tests, %", tree, lambda row: percent(row, "box") + " / " + percent(row, "triangle"))
+    table("False hits in a million box tests", tree, lambda row: f"{float(row['false_hits_per_million']):.0f}")
 print("\nFalse misses of units that promise none: 0; of the others in a million box tests:", end=" ")
-loose = [(u, sum(int(r["false_misses"]) for s in scenes for r in measured[s] if unit(r) == u),
-          sum(int(r["box_tests"]) for s in scenes for r in measured[s] if unit(r) == u)) for u in units]
+loose = [(u, sum(int(row["false_misses"]) for _, row in every_row if unit(row) == u),
+          sum(int(row["box_tests"]) for _, row in every_row if unit(row) == u)) for u in units]
 print(", ".join(f"{u[0]} {u[1]} {1e6 * misses / tests:.3g}" for u, misses, tests in loose if misses) + ".")
 END

@@ -61,6 +61,9 @@ Row record(const ImplementCommand& command, const sim::Target& target, const sim
        {"million_hits_per_s", fmax ? rounded(*fmax * design.kind.objects / interval) : Row(nullptr)},
        {"energy_pj_per_box",
         unit.energy ? rounded(unit.energy->pj_per_test / design.kind.objects) : Row(nullptr)},
+       {"energy_estimate_pj_per_box", unit.estimated_pj_per_test
+                                          ? rounded(*unit.estimated_pj_per_test / design.kind.objects)
+                                          : Row(nullptr)},
        {"energy_sequential_pct", unit.energy ? rounded(unit.energy->sequential_pct) : Row(nullptr)},
        {"cycles_per_test", unit.energy ? rounded(unit.energy->cycles_per_test) : Row(nullptr)},
        {"netlist", unit.simulated ? Row(unit.simulated->said) : Row(nullptr)}});

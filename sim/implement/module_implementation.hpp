@@ -35,7 +35,9 @@ struct Implementation {
   int latency = 0;                           ///< of a unit
   std::optional<NetlistAnswer> simulated{};
   std::optional<Energy> energy{};  ///< of standard cells that Icarus has simulated
-  bool drawn = true;               ///< false: Graphviz is not installed
+  /// What area_model/energy.hpp estimates for the same tests of a unit, in as many cycles.
+  std::optional<double> estimated_pj_per_test{};
+  bool drawn = true;  ///< false: Graphviz is not installed
 
   [[nodiscard]] const ResourceCount* count_of(std::string_view resource) const;
   /// What is used beyond what the chip has: "12 of 8 dsps"; empty when the module fits.

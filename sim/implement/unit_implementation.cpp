@@ -1,7 +1,11 @@
 #include "sim/implement/unit_implementation.hpp"
 
+#include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "area_model/energy.hpp"
 #include "rtl_gen/component/library.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/pipeline.hpp"
@@ -53,6 +57,11 @@ Implementation implement_unit(const rtl::Design& design, const rtl::Format& form
       result.energy = energy_of(target, result.synthesis,
                                 read_activity(bench.read(waves_file(result.synthesis)), module_clock),
                                 *options.simulate, module_clock, *tools.sta, bench);
+      std::vector<std::vector<std::int64_t>> tests;
+      for (rtl::Vector& vector : vectors.all()) tests.push_back(std::move(vector.operands));
+      if (tests.size() >= 2)
+        result.estimated_pj_per_test =
+            area::energy_pj(area::toggles_of(pipeline, library, tests), result.energy->cycles_per_test);
     }
   }
   place_or_time(result, target, tools, bench, options.seeds, options.progress);

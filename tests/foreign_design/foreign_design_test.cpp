@@ -82,7 +82,7 @@ TEST_F(ForeignDesign, IsChecked) {
       {"check", "block_slabs", "--bits", "b12m6", "--tests", "27000", "--rtl", "--format", "json"}));
   const json& all = rows.back();
   EXPECT_EQ(all.at("tests"), 27000);
-  EXPECT_GT(all.at("hits"), 1000);
+  EXPECT_GT(all.at("exact_hits"), 1000);
   EXPECT_EQ(all.at("false_misses"), 0);
   EXPECT_EQ(all.at("rtl_mismatches"), 0);
 }
@@ -117,6 +117,14 @@ TEST_F(ForeignDesign, IsSwept) {
   EXPECT_EQ(rows[2].at("design"), "block_slabs");
   EXPECT_GE(rows[2].at("box_tests"), rows[1].at("box_tests"));
   EXPECT_EQ(of(run_hitpipe(arguments)), rows) << "resumed";
+  // It fills every column but those of its set-up's divisions, of which it says nothing.
+  std::vector<std::string> empty;
+  for (const auto& [column, cell] : rows[2].items())
+    if (cell.is_null()) empty.push_back(column);
+  EXPECT_THAT(empty, testing::UnorderedElementsAre("set_up_divisions", "set_up_run_time_ms"));
+  EXPECT_GT(rows[2].at("software_ratio"), 0.0);
+  EXPECT_GT(rows[2].at("bytes_per_ray_4kib"), 0.0);
+  EXPECT_GT(rows[2].at("energy_pj_per_box"), 0.0);
 }
 
 TEST_F(ForeignDesign, IsFitted) {
@@ -142,6 +150,19 @@ TEST_F(ForeignDesign, IsReported) {
   const std::string page = contents_of(out("report/index.html"));
   EXPECT_THAT(page, HasSubstr("block_slabs b12m8"));
   EXPECT_THAT(contents_of(out("report/rows.csv")), HasSubstr("block_slabs"));
+}
+
+/// A report of one design looks at that design alone.
+TEST_F(ForeignDesign, IsReportedAlone) {
+  const Outcome run = run_hitpipe({"report", "block_slabs", "--scene", "waves", "--width", "16", "--height",
+                                   "16", "--bits", "b12m6,b12m8", "--image-design", "block_slabs",
+                                   "--image-bits", "b12m8", "--tests", "500", "--out", out("alone")});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  for (const char* const table : {"rows.csv", "pipelines.csv", "stability.csv", "stiffness.csv"}) {
+    const std::string text = contents_of(out("alone/" + std::string(table)));
+    EXPECT_THAT(text, HasSubstr("block_slabs"));
+    EXPECT_THAT(text, testing::Not(HasSubstr("int_slabs"))) << table;
+  }
 }
 
 TEST(HardwareAlone, IsPriced) {

@@ -143,6 +143,9 @@ TEST_F(ImplementCommand, AnIntervalDividesTheBoxesASecond) {
     // A test takes the energy of its cycles, gaps included.
     EXPECT_GT(object["energy_pj_per_box"], 10);
     EXPECT_LT(object["energy_pj_per_box"], 1000);
+    EXPECT_NEAR(
+        object["energy_estimate_pj_per_box"].get<double>() / object["energy_pj_per_box"].get<double>(), 1.0,
+        0.3);
     EXPECT_GE(object["cycles_per_test"], interval);
     EXPECT_THAT(contents_of(out_ / "osu018" / "int_slabs_6_6_power.log"), Not(HasSubstr("no activity")));
     EXPECT_NEAR(object["million_hits_per_s"].get<double>() * interval, object["fmax_mhz"].get<double>(),

@@ -120,9 +120,11 @@ TEST_F(ReportCommand, EveryRowOfTheTableIsTheLineOfTheFile) {
     if (row.rays_in_flight != 32) continue;
     const std::vector<std::vector<const char*>> tables{
         {"boxes_per_test", "stages", "stage_delay_ns", "area_mm2", "area_per_box_mm2", "occupancy_pct",
-         "run_time_ms", "area_run_time_mm2_ms", "whole_run_time_ms", "whole_area_run_time_mm2_ms"},
+         "run_time_ms", "area_run_time_mm2_ms", "whole_run_time_ms", "whole_area_run_time_mm2_ms",
+         "set_up_run_time_ms", "energy_nj_per_ray"},
         {"box_tests", "extra_box_tests_pct", "triangle_tests", "extra_triangle_tests_pct",
-         "false_hits_per_million", "false_misses", "nodes_fetched", "bytes_per_ray"}};
+         "false_hits_per_million", "false_misses", "nodes_fetched", "bytes_per_ray", "bytes_per_ray_4kib",
+         "bytes_per_ray_16kib", "bytes_per_ray_64kib"}};
     for (const std::vector<const char*>& columns : tables) {
       std::string line = "<tr><td>" + unit_name(row) + "</td>";
       for (const char* const column : columns)
