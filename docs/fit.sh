@@ -16,7 +16,8 @@ fit() {
     int_plucker fp_slabs_safe --width "$size" --height "$size" --out "$out" --format csv >"$out/rows.csv"
   awk -F, '
     NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
-    { extra = sprintf("%.2f", $at["extra_box_tests_pct"])
+    { sub(/^n/, "", $at["bits"])
+      extra = sprintf("%.2f", $at["extra_box_tests_pct"])
       if (extra + 0 == 0) extra = "0.00"
       printf "| %s | %s | %s | %s | %.4f | %.4f | %.1f | %d to %d | %d | %s |\n", $at["scene"], $at["design"], $at["bits"],
         $at["design"] ~ /^fp/ ? "" : $at["dropped_bits"],

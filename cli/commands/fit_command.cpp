@@ -89,7 +89,7 @@ Row kept_whole(const sim::FittedUnit& unit) {
 }
 
 /// The unit of a step of the search. A test begins whenever one may.
-double whole_cost(const sim::PricedTests& unit, const sim::TriangleCost& triangle) {
+double whole_cost(const sim::PricedTests& unit, const sim::TriangleCost& triangle, bool tests_only) {
   sim::SweepRow row = sim::priced_row(*unit.design, unit.format, unit.price);
   row.triangle = triangle;
   const auto boxes = static_cast<std::uint64_t>(row.boxes_per_test);
@@ -98,15 +98,15 @@ double whole_cost(const sim::PricedTests& unit, const sim::TriangleCost& triangl
   row.cycles = row.unit_tests * static_cast<std::uint64_t>(unit.price.interval);
   row.triangle_tests = unit.tests.triangle_tests;
   row.rays_primary = unit.tests.rays;
-  row.set_up = sim::set_up_cost(*unit.design, unit.format, rtl::Library::thesis());
+  if (!tests_only) row.set_up = sim::set_up_cost(*unit.design, unit.format, rtl::Library::thesis());
   return row.whole_area_run_time();
 }
 
-sim::SweepRow measured(const sim::FitResult& fitted, const sim::TriangleCost& triangle) {
+sim::SweepRow measured(const sim::FitResult& fitted, const sim::TriangleCost& triangle, bool tests_only) {
   const sim::FittedUnit& unit = fitted.unit;
   sim::SweepRow row = sim::priced_row(*unit.design, unit.format, unit.price);
   row.triangle = triangle;
-  row.set_up = sim::set_up_cost(*unit.design, unit.format, rtl::Library::thesis());
+  if (!tests_only) row.set_up = sim::set_up_cost(*unit.design, unit.format, rtl::Library::thesis());
   row.bytes_per_node = static_cast<int>(sim::bytes_per_node(*unit.design, unit.format, unit.coarse));
   sim::add_counts(row, fitted.image);
   return row;
@@ -218,7 +218,9 @@ int fit(const FitCommand& command) {
   if (command.overhead_pct) {
     options.overhead_pct = *command.overhead_pct;
   } else {
-    options.cost = [&](const sim::PricedTests& unit) { return whole_cost(unit, triangle); };
+    options.cost = [&](const sim::PricedTests& unit) {
+      return whole_cost(unit, triangle, command.cost.tests_only);
+    };
   }
   steps.show("reading the scene", 0.0);
   ref::Scene loaded = command.scene.load();
@@ -233,7 +235,7 @@ int fit(const FitCommand& command) {
   for (const Wanted& wanted : designs) {
     const sim::FitResult fitted = sim::fit_to_scene(*wanted.design, wanted.before, scene, options, library);
     drawn = drawn && fitted.drawn;
-    counted.push_back(measured(fitted, triangle));
+    counted.push_back(measured(fitted, triangle, command.cost.tests_only));
     reports.push_back({record(fitted, counted.back(), scene.scene.name, command.hierarchy.name(), rated),
                        fitted.unit.left_out, cost_text(counted.back()), fitted.vectors.first_mismatch});
   }

@@ -6,6 +6,7 @@
 #include "cli/options/world_options.hpp"
 #include "cli/text/table.hpp"
 #include "rtl_gen/verilog/module_interface.hpp"
+#include "sw_ref/hierarchy/load_bvh.hpp"
 #include "sw_ref/render/whitted.hpp"
 
 namespace hitpipe::cli {

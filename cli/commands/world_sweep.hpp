@@ -9,6 +9,7 @@
 #include "cli/text/table.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "sw_ref/hierarchy/load_bvh.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
 

@@ -47,14 +47,14 @@ void add_triangle_options(CLI::App& command, CostChoice& choice) {
   add_cost(command, "--triangle-ns", choice.triangle_ns,
            "Time after which a triangle unit begins another test");
   add_cost(command, "--triangle-mm2", choice.triangle_mm2, "Area of that triangle unit");
+  command.add_flag("--tests-only", choice.tests_only,
+                   "The whole cost is that of tests: no divisions of rays' set-up, no energy");
 }
 
 void add_cost_options(CLI::App& command, CostChoice& choice) {
   add_library_option(command, choice.library);
   add_triangle_options(command, choice);
   add_cost(command, "--triangle-luts", choice.triangle_luts, "Lookup tables of that triangle unit on a chip");
-  command.add_flag("--tests-only", choice.tests_only,
-                   "The whole cost is that of tests: no divisions of rays' set-up, no energy");
 }
 
 }  // namespace hitpipe::cli
