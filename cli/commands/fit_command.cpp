@@ -167,10 +167,11 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std
 }
 
 std::string reports_text(const std::vector<FitReport>& reports, const std::vector<sim::SweepRow>& counted,
-                         const sim::FitScene& scene, OutputFormat format) {
+                         const sim::FitScene& scene, const std::string& hierarchy, OutputFormat format) {
   if (format == OutputFormat::text) {
     std::vector<std::string> advice = recommendation(counted);
     advice.push_back(cost_caveat(counted.front()));
+    advice.push_back("hierarchy: " + hierarchy);
     return fit_text(scene.scene.name, scene.demands, reports, advice);
   }
   std::vector<Row> rows;
@@ -240,7 +241,7 @@ int fit(const FitCommand& command) {
                        fitted.unit.left_out, cost_text(counted.back()), fitted.vectors.first_mismatch});
   }
   steps.end();
-  fmt::print("{}", reports_text(reports, counted, scene, command.format));
+  fmt::print("{}", reports_text(reports, counted, scene, command.hierarchy.text(), command.format));
   if (!drawn) fmt::print(stderr, "hitpipe: {}\n", rtl::not_drawn);
   int exit_code = 0;
   for (const FitReport& report : reports) {

@@ -97,6 +97,7 @@ int check_stiff_rays(const StiffCheck& command, const Row& notes) {
   if (!command.out.empty()) write(command, designs, rows, scene, notes);
   fmt::print("{}", command.format == OutputFormat::text ? stiffness_text(designs, scene)
                                                         : table_text(rows, command.format));
+  if (command.format == OutputFormat::text && loaded) fmt::print("hierarchy: {}\n", command.hierarchy.text());
   const std::uint64_t wrong = wrong_answers(designs);
   if (wrong == 0) return 0;
   fmt::print(stderr,

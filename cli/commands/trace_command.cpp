@@ -130,6 +130,7 @@ void trace_scene(TraceCommand command, int& exit_code) {
   std::vector<Row> rows;
   for (const rtl::Core& core : cores) rows.push_back(traced(command, core, library, image, picture, right));
   fmt::print("{}", table_text(command.format == OutputFormat::text ? turned(rows) : rows, command.format));
+  if (command.format == OutputFormat::text) fmt::print("hierarchy: {}\n", command.hierarchy.text());
   if (!right) exit_code = 1;
   // Software's picture, so it is the core's only if all answers are the same.
   if (right && !command.out.empty())

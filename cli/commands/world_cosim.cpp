@@ -108,9 +108,13 @@ int cosimulate_world(const WorldCosim& command) {
 
   const sim::WorldCounts counts = tracer.counts();
   const ref::TraceCounts work = result.counts.total();
-  Row row{{"design", design.name},     {"bits", rtl::to_string(format)},
-          {"box_unit", boxes.name},    {"box_bits", rtl::to_string(rtl::Format(box_bits))},
-          {"scene", scene.scene.name}, {"triangles", scene.mesh.triangles.size()}};
+  Row row{{"design", design.name},
+          {"bits", rtl::to_string(format)},
+          {"box_unit", boxes.name},
+          {"box_bits", rtl::to_string(rtl::Format(box_bits))},
+          {"scene", scene.scene.name},
+          {"triangles", scene.mesh.triangles.size()},
+          {"hierarchy", command.hierarchy.name()}};
   row.update(door_row(scene));
   row.update(
       {{"rays_primary", result.counts.primary.rays},

@@ -39,7 +39,8 @@ struct Grid {
     return left_of_panels + static_cast<double>(panel % columns) * (panel_width + between_columns);
   }
   [[nodiscard]] double top(std::size_t panel) const {
-    return static_cast<double>(panel / columns) * (name_height + panel_height) + name_height;
+    const std::size_t row = panel / columns;
+    return static_cast<double>(row) * (name_height + panel_height) + name_height;
   }
   [[nodiscard]] double screen_x(double x) const { return x / width; }
   [[nodiscard]] double screen_y(double y) const { return 1 - y / height; }
@@ -60,7 +61,8 @@ Grid grid_of(const Plot& plot, const PictureForm& form, const std::vector<std::s
                                                                           : 1;
   grid.columns = std::min(most, panels);
   const auto columns = static_cast<double>(grid.columns);
-  const auto rows = static_cast<double>((panels + grid.columns - 1) / grid.columns);
+  const std::size_t whole_rows = (panels + grid.columns - 1) / grid.columns;
+  const auto rows = static_cast<double>(whole_rows);
   // A label of two lines takes width from the panels, and that height from the label; hardly ever more.
   for (int round = 0; round < 2; ++round) {
     const auto lines = static_cast<double>(std::max(std::size_t{1}, grid.y_label.size()));

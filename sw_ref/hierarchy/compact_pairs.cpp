@@ -82,7 +82,7 @@ CompactPairs<bits>::CompactPairs(const Bvh& bvh) : root_(bvh.nodes.front().box) 
         add_record();
         continue;
       }
-      pair.counts[i] = static_cast<std::int8_t>(child.count);
+      pair.counts[i] = static_cast<std::int16_t>(child.count);
       const auto triangles = binary.order.begin() + child.first;
       order_.insert(order_.end(), triangles, triangles + child.count);
     }

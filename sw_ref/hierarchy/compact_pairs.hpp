@@ -34,8 +34,8 @@ struct CompactPair {
   std::array<std::uint32_t, 6> planes{};  ///< codes of min x, y, z, then of max
   std::uint8_t owners = 0;                ///< bit i: plane i is child 1's, else child 0's
   std::uint8_t children = 0;
-  std::uint8_t axis = 0;                ///< along which the branch was split
-  std::array<std::int8_t, 2> counts{};  ///< as BoxedChild::count
+  std::uint8_t axis = 0;                 ///< along which the branch was split
+  std::array<std::int16_t, 2> counts{};  ///< as BoxedChild::count
   std::uint32_t record = 0;
   std::uint32_t triangle = 0;
 };
