@@ -122,7 +122,7 @@ std::string cost_caveat(const sim::SweepRow& row) {
   return fmt::format(
       "Whole counts box tests, triangle tests{}. A triangle test is taken as {:.4g} ns of a unit of {}. {}"
       "Shading and waiting for memory are left out; bytes a ray are read without a cache.{}",
-      set_up ? " and the divisions of rays' set-up" : "", static_cast<double>(row.triangle.delay_ps) / 1e3,
+      set_up ? " and the divisions of ray set-up" : "", static_cast<double>(row.triangle.delay_ps) / 1e3,
       unit, set_up ? "" : "Set-up of rays is not counted. ",
       row.on_chip() ? " Area is lookup tables alone: weigh multiplier blocks and registers beside them."
                     : "");
