@@ -10,6 +10,7 @@
 
 import argparse
 import csv
+import re
 import functools
 import json
 import sys
@@ -37,7 +38,10 @@ TABLE_7_1 = [("fp_subtract", 32), ("fp_multiply", 32), ("fp_compare", 32), ("int
              ("int_compare", 24), ("mux2", 24), ("latch", 24)]
 
 def rows_of(*arguments):
-    return list(csv.DictReader(hitpipe(*arguments, "--format", "csv").splitlines()))
+    rows = list(csv.DictReader(hitpipe(*arguments, "--format", "csv").splitlines()))
+    for row in rows:
+        if "bits" in row: row["bits"] = re.sub(r"^n(?=\d)", "", row["bits"])  # CSV has n20/24 for 20/24
+    return rows
 
 
 @functools.cache

@@ -103,22 +103,25 @@ void add_trace_options(CLI::App& command, TraceChoice& choice) {
           "--bits", choice.bits,
           "Number format of integer arithmetic (default: 24/24), or of the integer world (default: 20+1s20)")
       ->type_name("n/t|n+gsS");
-  add_choice_option<Encoding>(command, "--encoding", tracer.encoding,
-                              {{"plain", Encoding::plain},
-                               {"h4", Encoding::hierarchical_4},
-                               {"h8", Encoding::hierarchical_8},
-                               {"h12", Encoding::hierarchical_12},
-                               {"h16", Encoding::hierarchical_16},
-                               {"wide4", Encoding::wide4},
-                               {"wide8", Encoding::wide8},
-                               {"wide4-float", Encoding::wide4_float},
-                               {"wide8-float", Encoding::wide8_float},
-                               {"pair6", Encoding::pair6},
-                               {"pair8", Encoding::pair8},
-                               {"pair10", Encoding::pair10}},
-                              "Encoding of the nodes. h: that many bits relative to the parent. wide: 4 or 8 "
-                              "children with 8-bit planes, or float. pair: two children in one record, that "
-                              "many bytes a child. wide takes --traversal slabs-dist");
+  add_choice_option<Encoding>(
+      command, "--encoding", tracer.encoding,
+      {{"plain", Encoding::plain},
+       {"h4", Encoding::hierarchical_4},
+       {"h8", Encoding::hierarchical_8},
+       {"h12", Encoding::hierarchical_12},
+       {"h16", Encoding::hierarchical_16},
+       {"wide4", Encoding::wide4},
+       {"wide8", Encoding::wide8},
+       {"wide4-float", Encoding::wide4_float},
+       {"wide8-float", Encoding::wide8_float},
+       {"pair6", Encoding::pair6},
+       {"pair8", Encoding::pair8},
+       {"pair10", Encoding::pair10}},
+      "Encoding of the nodes. plain; h4, h8, h12, h16: so many bits relative to the "
+      "parent; wide4, wide8: so many children, with 8-bit planes; wide4-float, "
+      "wide8-float: with floats; pair6, pair8, pair10: two children in one record, so "
+      "many bytes a child. wide takes --traversal slabs-dist")
+      ->type_name("NAME");
   command.add_flag("--lut", tracer.look_up_table, "Decode h4 and h8 by table");
   add_choice_option<int>(command, "--bundle", tracer.bundle, {{"1", 1}, {"64", 64}, {"256", 256}},
                          "Maximum number of rays traced together");

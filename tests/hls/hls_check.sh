@@ -41,6 +41,7 @@ bambu_check() {
 }
 
 "$program" list designs --format csv | tail -n +2 | cut -d, -f1,2 | while IFS=, read -r design default; do
+  default=${default#n}
   case $default in
     */*) case $default in *+*) formats="$default 12+1/10 32+3/28" ;; *) formats="$default 24/24 16/16 6/6 32/63" ;; esac ;;
     *) formats=$default ;;

@@ -119,7 +119,8 @@ TEST_F(FitCommand, SaysWhatIsKeptWhyAndWhatItCosts) {
         "  spread of direction components not bounded\n",
         "\nint_slabs 12/12\n  left out: nothing, the scene needs it all\n",
         "  ports kept whole: irx, iry, irz, ", "\n  whole cost ",
-        "\nLeast whole area × time: int_slabs 12/12: ", "\nWhole counts box tests and triangle tests. "})
+        "\nLeast whole area × time: int_slabs 12/12: ",
+        "\nWhole counts box tests, triangle tests and the divisions of ray set-up. A\n"})
     EXPECT_THAT(kept, HasSubstr(text));
   const Outcome fewer = fit({"--bits", "24/24", "--overhead", "900"});
   EXPECT_EQ(fewer.exit_code, 0) << fewer.err;

@@ -154,7 +154,7 @@ TEST(Diagram, OfTheWholeHasAnotherFrontThanThatOfBoxTests) {
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_THAT(lines[0],
               testing::StartsWith("Least whole area × time: int_slabs 16/16: 0.01454 mm² ms, of box "
-                                  "tests alone 0.01212; 1 % extra triangle tests, "));
+                                  "tests alone 0.01212; 1 % extra triangle tests; "));
   EXPECT_THAT(lines[1],
               testing::StartsWith("By box tests alone it would be int_slabs 8/8, which costs 71.2 % "
                                   "more as a whole: "));

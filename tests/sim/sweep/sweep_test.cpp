@@ -76,7 +76,7 @@ TEST(Sweep, RowsAreTheCountsOfTheirCosimulation) {
     EXPECT_TRUE(row.set_up.divisions);
     ASSERT_TRUE(row.energy_pj_per_box);
     EXPECT_GT(*row.energy_pj_per_box, 10.0);
-    EXPECT_LT(*row.energy_pj_per_box, 5000.0);
+    EXPECT_LT(*row.energy_pj_per_box, 50'000.0) << "with one ray in flight a unit waits, clocked";
     // The model of memory reads what the unit reads.
     EXPECT_EQ(row.indexed_bytes, row.bytes_fetched() + 16 * row.triangle_tests);
     EXPECT_LT(row.bytes_4kib, row.bytes_fetched());
@@ -223,7 +223,7 @@ TEST(SweepSubject, ChangesWithAllThatDecidesTheRows) {
   about(scene, bvh, {.height = 255});
   about(scene, bvh, {.light = {.bounces = 4}});
   about(scene, bvh, {.light = {.seed = 2}});  // nothing is drawn by it
-  EXPECT_EQ(all.size(), 5U);
+  EXPECT_EQ(all.size(), 6U);
   about(scene, bvh, {.light = {.diffuse = 1}});
   about(scene, bvh, {.light = {.diffuse = 1, .seed = 2}});
   about(scene, bvh, {.light = {.occlusion = 1}});
@@ -232,7 +232,7 @@ TEST(SweepSubject, ChangesWithAllThatDecidesTheRows) {
   about(scene, bvh, {.rays = one});
   about(scene, bvh, {.width = 8, .light = {.diffuse = 1}, .rays = one});  // the picture's
   about(scene, bvh, {.rays = another});
-  EXPECT_EQ(all.size(), 10U);
+  EXPECT_EQ(all.size(), 11U);
   about(scene, ref::build_bvh(scene.mesh, {.max_triangles = 1}), {});
   const auto changed = [&](auto change) {
     ref::Scene other = hills();
