@@ -26,8 +26,7 @@ double area_um2(const rtl::Graph& graph, NodeId node, const rtl::Library& librar
   return area * narrower / wider;
 }
 
-/// Which values are at the operands of a component, one after the other, while one test after another passes:
-/// its operations in the order in which they begin in a cycle of the interval.
+/// The operations of each component, in the order in which they take it in turn.
 std::vector<std::vector<NodeId>> components(const rtl::Pipeline& pipeline) {
   std::vector<std::vector<NodeId>> all;
   for (const auto& [instance, operations] : pipeline.binding.instances()) {
@@ -40,6 +39,23 @@ std::vector<std::vector<NodeId>> components(const rtl::Pipeline& pipeline) {
   return all;
 }
 
+/// The share of a component's operand bits that change in a test, for each of its operations, added up.
+double changed_share(const rtl::Graph& graph, const std::vector<NodeId>& operations,
+                     const std::vector<Word>& before, const std::vector<Word>& now) {
+  double changed = 0;
+  int width = 0;
+  for (std::size_t place = 0; place < graph[operations.front()].operands().size(); ++place) {
+    width += graph[graph[operations.front()].args[place]].width;
+    Word at = before[graph[operations.back()].args[place]];
+    for (const NodeId operation : operations) {
+      const Word next = now[graph[operation].args[place]];
+      changed += bits_that_differ(at, next);
+      at = next;
+    }
+  }
+  return changed / width;
+}
+
 }  // namespace
 
 Toggles toggles_of(const rtl::Pipeline& pipeline, const rtl::Library& library,
@@ -49,9 +65,11 @@ Toggles toggles_of(const rtl::Pipeline& pipeline, const rtl::Library& library,
   const std::vector<std::vector<NodeId>> groups = components(pipeline);
   Toggles sum;
   for (const rtl::Register& r : pipeline.placement.registers) sum.register_bits += r.width();
+  std::vector<double> areas;
   for (const std::vector<NodeId>& operations : groups) {
     const NodeId first = operations.front();
-    if (timing_of(graph, first, library).stages > 1) sum.pipelined_um2 += area_um2(graph, first, library);
+    areas.push_back(area_um2(graph, first, library));
+    if (timing_of(graph, first, library).stages > 1) sum.pipelined_um2 += areas.back();
     if (operations.size() == 1) continue;
     for (std::size_t place = 0; place < graph[first].operands().size(); ++place)
       if (is_selected(graph, operations, place)) sum.register_bits += graph[graph[first].args[place]].width;
@@ -63,24 +81,9 @@ Toggles toggles_of(const rtl::Pipeline& pipeline, const rtl::Library& library,
       inputs.push_back(static_cast<std::uint64_t>(test[i]) &
                        static_cast<std::uint64_t>(rtl::ones_below<Word>(graph[graph.inputs()[i]].width)));
     const std::vector<Word> now = evaluate_nodes(graph, inputs);
-    if (!before.empty()) {
-      for (const std::vector<NodeId>& operations : groups) {
-        double changed = 0;
-        int width = 0;
-        const std::size_t places = graph[operations.front()].operands().size();
-        for (std::size_t place = 0; place < places; ++place) {
-          width += graph[graph[operations.front()].args[place]].width;
-          Word at = before[graph[operations.back()].args[place]];
-          for (const NodeId operation : operations) {
-            const Word next = now[graph[operation].args[place]];
-            changed += bits_that_differ(at, next);
-            at = next;
-          }
-        }
-        (operations.size() == 1 ? sum.logic_um2 : sum.shared_um2) +=
-            area_um2(graph, operations.front(), library) * changed / width;
-      }
-    }
+    for (std::size_t i = 0; i < groups.size() && !before.empty(); ++i)
+      (groups[i].size() == 1 ? sum.logic_um2 : sum.shared_um2) +=
+          areas[i] * changed_share(graph, groups[i], before, now);
     before = now;
   }
   const auto steps = static_cast<double>(tests.size() - 1);

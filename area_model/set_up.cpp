@@ -6,7 +6,7 @@ namespace hitpipe::area {
 
 namespace {
 
-/// A step: the remainder, twice as large, less the divisor if it is not smaller. `start` loads both.
+/// One step doubles the remainder and subtracts the divisor where it can. `start` loads both.
 rtl::MachineGraph step_of(const Divisions& divisions) {
   const int wide = divisions.divisor_bits + 1;
   const int quotient_bits = divisions.quotient_bits;

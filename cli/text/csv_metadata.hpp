@@ -1,6 +1,5 @@
-// What CSV files cannot say of themselves: the program, the command line, the scene and its camera. It is in
-// a JSON file beside them, as the W3C's "Metadata Vocabulary for Tabular Data" describes it, so that a table
-// has nothing before its header.
+// A CSV file has no place for the program, the command line, the scene and its camera. They stand in a JSON
+// file beside it, as the W3C's "Metadata Vocabulary for Tabular Data" has them.
 #pragma once
 
 #include <filesystem>
