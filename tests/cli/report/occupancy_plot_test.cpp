@@ -7,26 +7,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/cli/report/swept_row.hpp"
+
 namespace hitpipe::cli::occupancy_plot_test {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-sim::SweepRow row(const std::string& design, const std::string& bits, std::uint64_t box_tests) {
-  sim::SweepRow made;
-  made.scene = "spheres";
-  made.design = design;
-  made.bits = bits;
-  made.rays_in_flight = 32;
-  made.stage_delay_ps = 3000;
-  made.area_um2 = 2'000'000;
-  made.unit_tests = box_tests;
-  made.box_tests = box_tests;
-  made.reference_box_tests = 1000;
-  made.cycles = 2 * box_tests;
-  return made;
-}
 
 /// Units whose lines nearly lie on one another share a style, each at its values.
 TEST(OccupancyDiagram, HasAStyleForUnitsThatDiffer) {

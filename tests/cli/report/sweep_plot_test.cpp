@@ -14,6 +14,7 @@
 #include "cli/report/plot.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "rtl_gen/catalogue/design.hpp"
+#include "tests/cli/report/swept_row.hpp"
 
 namespace hitpipe::cli::sweep_plot_test {
 namespace {
@@ -23,21 +24,6 @@ using testing::Not;
 
 bool operator==(const CostAndError& a, const CostAndError& b) {
   return a.cost == b.cost && a.error == b.error;
-}
-
-sim::SweepRow row(const std::string& design, const std::string& bits, std::uint64_t box_tests) {
-  sim::SweepRow made;
-  made.scene = "spheres";
-  made.design = design;
-  made.bits = bits;
-  made.rays_in_flight = 32;
-  made.stage_delay_ps = 3000;
-  made.area_um2 = 2'000'000;
-  made.unit_tests = box_tests;
-  made.box_tests = box_tests;
-  made.reference_box_tests = 1000;
-  made.cycles = 2 * box_tests;
-  return made;
 }
 
 /// The same boxes by a unit that answers for two in a test.
