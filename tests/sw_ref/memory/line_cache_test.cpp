@@ -45,12 +45,13 @@ std::uint64_t plain(const std::vector<std::uint32_t>& lines, std::size_t sets, s
 TEST(LineCache, FetchesWhatLeastRecentlyUsedListsDo) {
   constexpr unsigned seed = 58;
   std::mt19937 random(seed);
+  const auto below = [&random](std::uint32_t limit) { return static_cast<std::uint32_t>(random() % limit); };
   for (int round = 0; round < 500; ++round) {
     std::vector<std::uint32_t> lines(300);
-    const std::uint32_t spread = 1 + random() % 64;
-    for (std::uint32_t& line : lines) line = random() % spread;
-    const std::uint32_t sets = 1 + random() % 6;
-    const std::uint32_t ways = 1 + random() % 9;
+    const std::uint32_t spread = 1 + below(64);
+    for (std::uint32_t& line : lines) line = below(spread);
+    const std::uint32_t sets = 1 + below(6);
+    const std::uint32_t ways = 1 + below(9);
     const CacheShape shape{.bytes = 64 * std::uint64_t{sets} * ways, .ways = ways};
     ASSERT_EQ(fetched(lines, shape), plain(lines, sets, ways)) << "seed " << seed << ", round " << round;
     const CacheShape one_set{.bytes = 4096 * std::uint64_t{ways}, .line_bytes = 4096, .ways = 0};
