@@ -122,6 +122,7 @@ int run(int argc, char** argv) {
       "  1  the hardware or a picture is wrong\n"
       "  2  asked wrongly, or a file cannot be used");
   try {
+    program.alias(argv[0]);  // commands that print commands call it so
     RenamedWords line = renamed({argv + 1, argv + argc});
     if (!line.notice.empty()) print_error(line.notice);
     std::reverse(line.words.begin(), line.words.end());

@@ -33,6 +33,7 @@ struct Output {
 struct Known {
   std::mutex mutex;
   std::set<Identity> inputs;
+  std::set<std::string> input_names;
   std::vector<Output> outputs;
 };
 
@@ -66,8 +67,15 @@ void never_replace(const std::string& file) {
   Known& all = known();
   const std::lock_guard lock(all.mutex);
   all.inputs.insert(input);
+  if (file != "-") all.input_names.insert(file);
   for (const Output& output : all.outputs)
     if (output.identity == input) refuse_input(output.file);
+}
+
+std::vector<std::string> inputs() {
+  Known& all = known();
+  const std::lock_guard lock(all.mutex);
+  return {all.input_names.begin(), all.input_names.end()};
 }
 
 void announce_output(std::string_view option, const fs::path& file) {

@@ -5,12 +5,16 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hitpipe::host {
 
 /// The run reads this file, so no PendingFile takes its place. "-" is standard input. What is no regular file
 /// is ignored. Throws std::runtime_error if an output was announced that would replace it.
 void never_replace(const std::string& file);
+
+/// The files that the run reads, as they were named to never_replace().
+[[nodiscard]] std::vector<std::string> inputs();
 
 /// The run will write this file, as this option says. Throws std::runtime_error, naming file and reason, if
 /// it cannot be written, if it is an input, or if another option names it too. Makes nothing. "-" is standard

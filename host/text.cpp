@@ -23,7 +23,7 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t col
   std::istringstream words(text);
   for (std::string word; words >> word; column += word.size()) {
     if (column > indent && column + 1 + word.size() > width) {
-      lines += "\n" + std::string(indent, ' ');
+      lines.append(1, '\n').append(indent, ' ');
       column = indent;
     } else if (!lines.empty()) {
       lines += ' ';

@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
 #include "cli/commands/categories.hpp"
@@ -16,16 +15,18 @@
 #include "cli/options/design_options.hpp"
 #include "cli/options/picture_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/pieces/pieces.hpp"
+#include "cli/text/check_report.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "hls/num/bits.hpp"
 #include "host/text.hpp"
 #include "sim/check/check.hpp"
+#include "sim/check/shares.hpp"
 #include "sim/software.hpp"
 #include "sim/unit/drive.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
-#include "sw_ref/judge/box_referee.hpp"
 
 namespace hitpipe::cli {
 
@@ -46,6 +47,8 @@ struct CheckCommand {
   int interval = 1;
   bool stiff = false;
   std::optional<std::string> replay;
+  PiecesChoice pieces;
+  std::string out;  ///< of pieces, or of stiff rays
   OutputFormat format = OutputFormat::text;
 };
 
@@ -58,60 +61,9 @@ std::vector<Category> chosen_categories(const rtl::Design& design, const std::ve
   return chosen_of(all, names);
 }
 
-/// In percent, with its 95 % interval, as columns of CSV and JSON.
-void add_share(Row& row, const std::string& name, const ref::GroupedRatio& share) {
-  const ref::Interval interval = share.share_interval();
-  row[name] = 100 * share.ratio();
-  row[name + "_low"] = 100 * interval.low;
-  row[name + "_high"] = 100 * interval.high;
-}
-
-Row row_of(const CheckCommand& command, const sim::CategoryResult& r, const sim::CategoryResult* comparison) {
-  Row row;
-  if (command.format != OutputFormat::text)
-    row.update({{"design", command.choice.name},
-                {"bits", rtl::to_string(command.choice.format())},
-                {"seed", command.seed}});
-  row.update({{"category", r.category},
-              {"tests", r.tests},
-              {"exact_hits", r.hits},
-              {"false_misses", r.false_misses},
-              {"false_hits", r.false_hits}});
-  if (command.format != OutputFormat::text) {
-    add_share(row, "false_miss_pct", r.false_miss_share);
-    add_share(row, "false_hit_pct", r.false_hit_share);
-  }
-  if (comparison != nullptr) row["ize_misses"] = comparison->false_misses;
-  if (comparison != nullptr && command.format != OutputFormat::text) {
-    add_share(row, "ize_false_miss_pct", comparison->false_miss_share);
-    row["ize_false_hits"] = comparison->false_hits;
-  }
-  if (command.rtl) row["rtl_mismatches"] = r.rtl_mismatches;
-  return row;
-}
-
-/// One line: a share of all tests, in percent.
-std::string share_text(const std::string& what, const std::string& of, const ref::GroupedRatio& share) {
-  const ref::Interval interval = share.share_interval();
-  return fmt::format("{}: {:.4g} % of the boxes {}; 95 %: {:.4g} to {:.4g}; {} rays\n", what,
-                     100 * share.ratio(), of, 100 * interval.low, 100 * interval.high, share.groups());
-}
-
-std::string replay_command(const CheckCommand& command, const Case& c) {
-  const std::string bits = command.choice.design().bits_option(command.choice.format());
-  return fmt::format("hitpipe check {}{} --replay \"{}\"", command.choice.name, bits,
-                     ref::adversary::to_text(c));
-}
-
-/// The exit code for these counts.
-int verdict(const rtl::Design& design, std::uint64_t false_misses, std::uint64_t rtl_mismatches) {
-  return (false_misses > 0 && design.conservative) || rtl_mismatches > 0 ? 1 : 0;
-}
-
-int judge(const CheckCommand& command) {
+CheckFindings findings(const CheckCommand& command, host::Piece piece) {
   const rtl::Design& design = command.choice.design();
   const rtl::Format format = command.choice.format();
-  const std::vector<Category> categories = chosen_categories(design, command.categories);
   std::optional<Progress> progress;
   std::optional<sim::VerilatedDesign> verilated;
   if (command.rtl) {
@@ -120,57 +72,67 @@ int judge(const CheckCommand& command) {
         sim::make_unit(design, format, rtl::Library::thesis(), rtl::FlowControl::stall, command.interval));
   }
   progress.emplace("judging");
-  const sim::MakeBoxTest make = [&] { return sim::make_box_test(design, format); };
   const sim::MakeBoxTest& make_comparison = sim::software_of(design).comparison_test;
   const double runs = make_comparison ? 2.0 : 1.0;
   double finished = 0;
-  sim::CheckOptions options{.categories = categories,
+  sim::CheckOptions options{.categories = chosen_categories(design, command.categories),
                             .tests = command.tests,
                             .seed = command.seed,
+                            .piece = piece,
                             .threads = command.threads,
                             .rtl = verilated ? &*verilated : nullptr,
                             .progress = [&](double share) { progress->show((finished + share) / runs); }};
-  const std::vector<sim::CategoryResult> results = sim::check(make, options);
-  std::vector<sim::CategoryResult> comparison;
+  CheckFindings found{
+      .design = std::string(design.name), .format = format, .seed = command.seed, .rtl = command.rtl};
+  found.categories = sim::check([&] { return sim::make_box_test(design, format); }, options);
   if (make_comparison) {
     finished = 1;
     options.rtl = nullptr;
-    comparison = sim::check(make_comparison, options);
+    found.comparison = sim::check(make_comparison, options);
   }
-  progress.reset();
+  return found;
+}
 
-  std::vector<Row> rows;
-  sim::CategoryResult sum;
-  sim::CategoryResult comparison_sum;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const sim::CategoryResult* const other = comparison.empty() ? nullptr : &comparison[i];
-    rows.push_back(row_of(command, results[i], other));
-    sum += results[i];
-    if (other != nullptr) comparison_sum += *other;
+/// Does what the user wants of a check that can be cut into pieces. `find` does a piece of it.
+template <class Find>
+int judge(const CheckCommand& command, const CLI::App& parsed, std::size_t categories, const Find& find) {
+  constexpr std::string_view parts = "batches of tests";
+  const std::uint64_t batches = sim::Shares(command.tests, categories).batches();
+  if (command.pieces.pieces > 0) {
+    print_pieces(parsed, command.pieces, command.out, batches, parts, "json");
+    return 0;
   }
-  sum.category = "all";
-  // A table of categories has no row of another kind: whoever adds them up would count it twice.
-  if (command.format != OutputFormat::csv)
-    rows.push_back(row_of(command, sum, comparison.empty() ? nullptr : &comparison_sum));
-  if (command.format == OutputFormat::text) {
-    fmt::print("{} {}, seed {}\n", design.name, rtl::to_string(format), command.seed);
-  }
-  fmt::print("{}", table_text(rows, command.format));
-  if (command.format == OutputFormat::text) {
-    fmt::print("{}{}", share_text("false misses", "met", sum.false_miss_share),
-               share_text("false hits", "missed", sum.false_hit_share));
-  }
-  if (sum.false_miss) {
-    const std::unique_ptr<sim::BoxTest> test = make();
-    const Case simple =
-        ref::adversary::shrink(*sum.false_miss, [&](const Case& c) { return sim::is_false_miss(*test, c); });
-    fmt::print(stderr, "hitpipe: {} false misses; the first, simplified: {}\n", sum.false_misses,
-               replay_command(command, simple));
-  }
-  if (sum.rtl_mismatches > 0) {
-    fmt::print(stderr, "hitpipe: {} answers of the Verilog differ from the C++\n", sum.rtl_mismatches);
-  }
-  return verdict(design, sum.false_misses, sum.rtl_mismatches);
+  if (!command.pieces.piece) return report_findings(find(host::Piece{}), command.format);
+  return run_piece(parsed, command.pieces, command.out, batches, parts,
+                   [&] { return to_row(find(*command.pieces.piece)); });
+}
+
+int judge(const CheckCommand& command, const CLI::App& parsed) {
+  const rtl::Design& design = command.choice.design();
+  if (design.kind != hls::triangle_kind)
+    return judge(command, parsed, chosen_categories(design, command.categories).size(),
+                 [&](host::Piece piece) { return findings(command, piece); });
+  return judge(command, parsed, triangle_categories(command.categories).size(), [&](host::Piece piece) {
+    return check_triangle_unit({command.choice, command.categories, command.tests, command.seed,
+                                command.threads, command.rtl, command.interval, piece});
+  });
+}
+
+/// Of all pieces, in order.
+template <class Parse>
+auto sum_of(const std::vector<PieceFile>& pieces, Parse parse) {
+  auto sum = result_of(pieces.front(), parse);
+  for (std::size_t i = 1; i < pieces.size(); ++i) sum += result_of(pieces[i], parse);
+  return sum;
+}
+
+int join(const CheckCommand& command, const CLI::App& parsed) {
+  const std::vector<PieceFile> pieces = joined_pieces(parsed, command.pieces);
+  const auto name = [](const Row& row) { return row.at("design").get<std::string>(); };
+  const rtl::Design& design = rtl::find_design(result_of(pieces.front(), name));
+  return design.kind == hls::triangle_kind
+             ? report_findings(sum_of(pieces, parse_triangle_findings), command.format)
+             : report_findings(sum_of(pieces, parse_findings), command.format);
 }
 
 int replay(const CheckCommand& command) {
@@ -201,7 +163,7 @@ int replay(const CheckCommand& command) {
     row[ports[i].name] = fmt::format("0x{:0{}x}", bits, (ports[i].width + 3) / 4);
   }
   fmt::print("{}", record_text(row, command.format));
-  return verdict(design, meets && !hit ? 1 : 0, rtl_differs ? 1 : 0);
+  return check_verdict(design, meets && !hit ? 1 : 0, rtl_differs ? 1 : 0);
 }
 
 }  // namespace
@@ -245,13 +207,18 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
   add_large_count_option(*command, "--rays", stiff->rays, 1, 1'000'000'000,
                          "With --stiff: rays through the scene for each ratio (1 to 10^9)")
       ->needs(is_stiff);
-  add_folder_option(*command, stiff->out,
-                    "With --stiff: folder for the rows as CSV and for the plots as SVG, PDF and gnuplot")
-      ->needs(is_stiff);
-  add_plot_width_option(*command, stiff->pictures, "With --stiff: ")->needs(is_stiff)->needs("--out");
+  add_plot_width_option(*command, stiff->pictures, "With --stiff: ")->needs(is_stiff);
   for (const char* const other : {"--category", "--rtl", "--replay"})
     exclude(is_stiff, command->get_option(other), "stiff rays have cases of their own, and the C++ answers");
   add_format_option(*command, options->format);
+  CLI::Option* const out = add_pieces_options(
+      *command, options->pieces, options->out, Output::folder,
+      "With --stiff: folder for the rows as CSV and for the plots as SVG, PDF and gnuplot");
+  command->get_option("--plot-width")->needs(out);
+  for (const char* const other : {"--pieces", "--piece", "--join"}) {
+    exclude(is_stiff, command->get_option(other), "stiff rays are few");
+    exclude(command->get_option("--replay"), command->get_option(other), "it judges one case");
+  }
   command->callback([options, stiff, tests, command, &exit_code] {
     if (options->stiff) {
       if (tests->count() > 0) stiff->tests = options->tests;
@@ -260,21 +227,23 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
       stiff->seed = options->seed;
       stiff->threads = options->threads;
       stiff->hierarchy.build.threads = options->threads;
+      stiff->out = options->out;
       stiff->format = options->format;
       exit_code = check_stiff_rays(*stiff, notes_of(*command));
       return;
     }
-    options->choice = stiff->units.only("check");
-    const rtl::Design& design = options->choice.design();
-    if (design.kind == hls::triangle_kind) {
-      if (options->replay)
-        throw std::runtime_error(fmt::format(
-            "--replay: design {} tests triangles; only cases of boxes are replayed", design.name));
-      exit_code = check_triangle_unit({options->choice, options->categories, options->tests, options->seed,
-                                       options->threads, options->rtl, options->interval, options->format});
+    if (!options->pieces.join.empty()) {
+      exit_code = join(*options, *command);
       return;
     }
-    exit_code = options->replay ? replay(*options) : judge(*options);
+    if (!options->out.empty() && !options->pieces.any())
+      throw std::runtime_error("--out: needs --stiff, --pieces or --piece");
+    options->choice = stiff->units.only("check");
+    const rtl::Design& design = options->choice.design();
+    if (options->replay && design.kind == hls::triangle_kind)
+      throw std::runtime_error(
+          fmt::format("--replay: design {} tests triangles; only cases of boxes are replayed", design.name));
+    exit_code = options->replay ? replay(*options) : judge(*options, *command);
   });
   return command;
 }

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,6 +17,7 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/pieces/pieces.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
@@ -40,6 +43,7 @@ struct SweepCommand {
   std::string rays;  ///< a file; empty: those of a picture
   CostChoice cost;
   std::vector<std::string> rows;  ///< files with rows that were measured elsewhere
+  PiecesChoice pieces;
   std::string out;
   OutputFormat format = OutputFormat::text;
 };
@@ -143,6 +147,7 @@ int sweep_triangles(const SweepCommand& command, const CLI::App& parsed, const r
   if (command.intervals.size() > 1)
     throw std::runtime_error("--ii: a sweep of a triangle unit takes one interval");
   if (!command.rows.empty()) throw std::runtime_error("--rows: a sweep of a triangle unit takes none");
+  if (command.pieces.any()) throw std::runtime_error("--pieces: a sweep of a triangle unit has one");
   if (!command.rays.empty())
     throw std::runtime_error("--rays: a sweep of a triangle unit compares pictures, and a file makes none");
   return sweep_world({&design, command.units.formats({&design}, world_formats).front().formats,
@@ -152,25 +157,35 @@ int sweep_triangles(const SweepCommand& command, const CLI::App& parsed, const r
                      notes_of(parsed));
 }
 
-int sweep(const SweepCommand& command, const CLI::App& parsed) {
-  const rtl::Library library = command.cost.load();
-  if (const rtl::Design* const design = triangle_unit_of(command))
-    return sweep_triangles(command, parsed, *design, library);
-  if (!command.mantissas.empty())
-    throw std::runtime_error("--mantissas: only a sweep of a triangle unit has boxes of its own");
+constexpr std::string_view row_parts = "rows";
+
+/// What stands beside the rows. Of a piece it also says which.
+Row notes_beside(const SweepCommand& command, const CLI::App& parsed, const ref::Scene& scene,
+                 std::size_t count) {
+  Row notes = notes_of(parsed);
+  notes["hierarchy"] = command.hierarchy.text();
+  notes.update(camera_notes(scene));
+  if (command.pieces.piece) notes["piece"] = to_row(piece_note(parsed, command.pieces, count, row_parts));
+  return notes;
+}
+
+/// Measures those of the points that the file does not hold yet. The whole sweep has `count`.
+std::vector<sim::SweepRow> measure(const SweepCommand& command, const CLI::App& parsed,
+                                   const rtl::Library& library, const std::vector<sim::SweepPoint>& points,
+                                   std::size_t count, const std::filesystem::path& file) {
   sim::ResumableSweep sweep{.scene = nullptr,
                             .bvh = nullptr,
-                            .points = plan(command, library),
+                            .points = points,
                             .options = {.width = command.scene.width,
                                         .height = command.scene.height,
                                         .threads = command.scene.threads,
                                         .light = command.light,
-                                        .program = "hitpipe " HITPIPE_VERSION,
+                                        .program = program_of(parsed),
                                         .hierarchy = command.hierarchy.name(),
                                         .library = &library,
                                         .tests_only = command.cost.tests_only,
                                         .triangle = command.cost.triangle(library)},
-                            .file = command.out,
+                            .file = file,
                             .more = {command.rows.begin(), command.rows.end()}};
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
@@ -182,13 +197,76 @@ int sweep(const SweepCommand& command, const CLI::App& parsed) {
   sweep.bvh = &bvh;
   progress.emplace("sweeping");
   sweep.options.progress = [&](double share) { progress->show(share); };
-  Row notes = notes_of(parsed);
-  notes.update(camera_notes(scene));
-  sweep.notes = csv_metadata({sweep.file.filename().string()}, notes);
-  sweep.notes_file = metadata_file(sweep.file);
-  const std::vector<sim::SweepRow> rows = sim::resume(sweep);
-  progress.reset();
-  return report(rows, command.hierarchy.text(), command.format);
+  const std::filesystem::path out = command.out;
+  sweep.notes = csv_metadata({out.filename().string()}, notes_beside(command, parsed, scene, count));
+  sweep.notes_file = metadata_file(out);
+  return sim::resume(sweep);
+}
+
+/// The rows of a piece are in a file of their own until there are all, so that its file is whole when it is
+/// there.
+int measure_piece(const SweepCommand& command, const CLI::App& parsed, const rtl::Library& library,
+                  const std::vector<sim::SweepPoint>& points) {
+  const PieceNote asked = piece_note(parsed, command.pieces, points.size(), row_parts);
+  const std::filesystem::path file = command.out;
+  const std::filesystem::path growing = command.out + ".part";
+  if (std::filesystem::exists(file)) {
+    const PieceNote there = note_beside(file).note;
+    if (!same_piece(there, asked)) refuse_other_piece(command.out, there, asked);
+  } else {
+    const host::Piece::Range range = asked.piece.range(points.size());
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(range.first);
+    const std::vector<sim::SweepPoint> mine(first, first + static_cast<std::ptrdiff_t>(range.size()));
+    std::vector<sim::SweepRow> rows = measure(command, parsed, library, mine, points.size(), growing);
+    // Rows of another piece may be in the file, from before.
+    std::erase_if(rows, [&](const sim::SweepRow& row) {
+      const sim::RowKey key = sim::key_of(row.design, row.bits, row.rays_in_flight, row.interval);
+      return std::none_of(mine.begin(), mine.end(),
+                          [&](const sim::SweepPoint& point) { return sim::key_of(point) == key; });
+    });
+    sim::write_rows(file, rows);
+  }
+  std::filesystem::remove(growing);
+  print_done(command.out, asked);
+  return 0;
+}
+
+int sweep(const SweepCommand& command, const CLI::App& parsed) {
+  const rtl::Library library = command.cost.load();
+  if (const rtl::Design* const design = triangle_unit_of(command))
+    return sweep_triangles(command, parsed, *design, library);
+  if (!command.mantissas.empty())
+    throw std::runtime_error("--mantissas: only a sweep of a triangle unit has boxes of its own");
+  const std::vector<sim::SweepPoint> points = plan(command, library);
+  if (command.pieces.pieces > 0) {
+    print_pieces(parsed, command.pieces, command.out, points.size(), row_parts, "csv");
+    return 0;
+  }
+  if (command.pieces.piece) return measure_piece(command, parsed, library, points);
+  return report(measure(command, parsed, library, points, points.size(), command.out),
+                command.hierarchy.text(), command.format);
+}
+
+int join(const SweepCommand& command, const CLI::App& parsed) {
+  std::vector<PieceFile> pieces;
+  for (const std::string& file : command.pieces.join) pieces.push_back(note_beside(file));
+  check_pieces(pieces, program_of(parsed), parsed.get_name());
+  std::vector<sim::SweepRow> rows;
+  for (const PieceFile& piece : pieces) {
+    std::vector<sim::SweepRow> its =
+        rows.empty() ? sim::read_rows(piece.file) : sim::read_rows_of(piece.file, rows.front());
+    if (its.size() != piece.note.parts)
+      throw std::runtime_error(fmt::format("{}: has {} rows, and its piece has {}; run its command again",
+                                           piece.file.string(), its.size(), piece.note.parts));
+    rows.insert(rows.end(), its.begin(), its.end());
+  }
+  const std::filesystem::path out = command.out;
+  rows = sim::join_rows(out, rows);
+  Row notes = pieces.front().result;
+  notes["command"] = pieces.front().note.command + " --out " + host::shell_word(command.out);
+  notes.erase("piece");
+  host::write_file(metadata_file(out), csv_metadata({out.filename().string()}, notes));
+  return report(rows, notes.value("hierarchy", ""), command.format);
 }
 
 }  // namespace
@@ -217,14 +295,15 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
   as_input(add_list_option(
       *command, "--rows", options->rows,
       "Also take the rows of these files, which hitpipe sweep wrote for this scene and size", "FILE"));
-  as_output(
-      command->add_option("--out", options->out,
-                          "File for the rows (.csv); rows that it already holds are not measured again"))
-      ->required();
   add_format_option(*command, options->format);
+  add_pieces_options(*command, options->pieces, options->out, Output::file,
+                     "File for the rows (.csv); rows that it already holds are not measured again")
+      ->required();
+  for (const char* const other : {"--pieces", "--piece"})
+    exclude(command->get_option("--rows"), command->get_option(other), "a piece measures its own rows");
   command->callback([options, command, &exit_code] {
     options->hierarchy.build.threads = options->scene.threads;
-    exit_code = sweep(*options, *command);
+    exit_code = options->pieces.join.empty() ? sweep(*options, *command) : join(*options, *command);
   });
   return command;
 }

@@ -4,16 +4,18 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
 #include "cli/options/experiment_options.hpp"
 #include "cli/options/values.hpp"
+#include "cli/pieces/pieces.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
+#include "host/text.hpp"
 #include "thesis/reproduction_page.hpp"
+#include "thesis/result_file.hpp"
 #include "thesis/result_text.hpp"
 
 namespace hitpipe::cli {
@@ -24,6 +26,7 @@ struct TableCommand {
   std::vector<std::string> numbers;
   bool judge = false;
   thesis::ExperimentOptions experiment;
+  PiecesChoice pieces;
   std::string out;
   OutputFormat format = OutputFormat::text;
 };
@@ -58,33 +61,67 @@ std::vector<const thesis::Experiment*> judged(const TableCommand& command) {
   return experiments;
 }
 
-std::string command_text(const TableCommand& command) {
-  std::string text = "hitpipe table --judge";
-  if (!command.numbers.empty()) text += fmt::format(" {}", fmt::join(command.numbers, " "));
-  text += experiment_options_text(command.experiment);
-  return command.out.empty() ? text : text + " --out " + command.out;
+std::filesystem::path figures_of(std::filesystem::path page) {
+  return page.replace_extension(".csv");
 }
 
-void judge(const TableCommand& command) {
-  const std::filesystem::path page(command.out);
-  if (!command.out.empty() && page.extension() != ".md")
+void announce_page(const TableCommand& command) {
+  if (command.out.empty()) return;
+  if (std::filesystem::path(command.out).extension() != ".md")
     throw CLI::ValidationError("--out", command.out + " does not end in .md");
-  std::filesystem::path figures = page;
-  figures.replace_extension(".csv");
-  if (!command.out.empty()) host::announce_output("--out", figures);
-  std::vector<thesis::ResultTable> tables;
-  for (const thesis::Experiment* const experiment : judged(command))
-    tables.push_back(table_of(*experiment, command));
-  const std::string text = thesis::reproduction_page(tables, command_text(command));
+  host::announce_output("--out", figures_of(command.out));
+}
+
+/// Prints the page, or writes it. `asked` is the command that makes these tables.
+void report(const TableCommand& command, const std::vector<thesis::ResultTable>& tables,
+            const std::string& asked) {
+  const std::string text = thesis::reproduction_page(
+      tables, command.out.empty() ? asked : asked + " --out " + host::shell_word(command.out));
   if (command.out.empty() || command.format != OutputFormat::text)
     fmt::print("{}", command.format == OutputFormat::text
                          ? text
                          : table_text(thesis::reproduction_rows(tables), command.format));
   if (command.out.empty()) return;
-  host::write_files(
-      page.has_parent_path() ? page.parent_path() : ".",
-      {{page.filename().string(), text},
-       {figures.filename().string(), table_text(thesis::reproduction_rows(tables), OutputFormat::csv)}});
+  const std::filesystem::path page(command.out);
+  host::write_files(page.has_parent_path() ? page.parent_path() : ".",
+                    {{page.filename().string(), text},
+                     {figures_of(page).filename().string(),
+                      table_text(thesis::reproduction_rows(tables), OutputFormat::csv)}});
+}
+
+void judge(const TableCommand& command, const CLI::App& parsed) {
+  const std::vector<const thesis::Experiment*> experiments = judged(command);
+  constexpr std::string_view parts = "tables";
+  const auto results = [&](host::Piece piece) {
+    std::vector<thesis::ResultTable> tables;
+    const host::Piece::Range mine = piece.range(experiments.size());
+    for (std::uint64_t i = mine.first; i < mine.end; ++i)
+      tables.push_back(table_of(*experiments[i], command));
+    return tables;
+  };
+  if (command.pieces.pieces > 0)
+    return print_pieces(parsed, command.pieces, command.out, experiments.size(), parts, "json");
+  if (!command.pieces.piece) {
+    announce_page(command);
+    return report(command, results({}), whole_command(parsed));
+  }
+  run_piece(parsed, command.pieces, command.out, experiments.size(), parts, [&] {
+    Row rows = Row::array();
+    for (const thesis::ResultTable& table : results(*command.pieces.piece))
+      rows.push_back(thesis::kept_result(table));
+    return rows;
+  });
+}
+
+void join(const TableCommand& command, const CLI::App& parsed) {
+  announce_page(command);
+  const std::vector<PieceFile> pieces = joined_pieces(parsed, command.pieces);
+  std::vector<thesis::ResultTable> tables;
+  for (const PieceFile& piece : pieces)
+    result_of(piece, [&](const Row& rows) {
+      for (const Row& row : rows) tables.push_back(thesis::parse_result(row));
+    });
+  report(command, tables, pieces.front().note.command);
 }
 
 }  // namespace
@@ -103,13 +140,17 @@ CLI::App* add_table_command(CLI::App& program, int& /*exit_code*/) {
       "--judge", options->judge,
       "Judge each statement and figure of the thesis, about these tables or about all and the text");
   add_experiment_options(*command, options->experiment);
-  as_output(command->add_option(
-                "--out", options->out,
-                "With --judge: page to write, ending in .md; every figure goes to a .csv beside it. "
-                "Without it the page goes to standard output"))
-      ->needs(judges);
   add_format_option(*command, options->format);
-  command->callback([options] { options->judge ? judge(*options) : print_table(*options); });
+  add_pieces_options(*command, options->pieces, options->out, Output::file,
+                     "With --judge: page to write, ending in .md; every figure goes to a .csv beside it. "
+                     "Without it the page goes to standard output")
+      ->needs(judges);
+  for (const char* const option : {"--pieces", "--piece", "--join"})
+    command->get_option(option)->needs(judges);
+  command->callback([options, command] {
+    if (!options->judge) return print_table(*options);
+    options->pieces.join.empty() ? judge(*options, *command) : join(*options, *command);
+  });
   return command;
 }
 

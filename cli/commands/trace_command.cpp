@@ -1,11 +1,13 @@
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,7 @@
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
+#include "cli/pieces/pieces.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "cli/text/trace_text.hpp"
@@ -49,22 +52,16 @@ struct TraceCommand {
   sim::MemoryOptions memory;
   std::string library{rtl::default_library};
   bool native = false;
+  std::uint64_t parts = 1;  ///< of the rays, each traced by a core that is empty
+  PiecesChoice pieces;
   std::string out;  ///< empty: no picture is written
   OutputFormat format = OutputFormat::text;
 };
 
-Row traced(const TraceCommand& command, const rtl::Core& core, const rtl::Library& library,
-           const ref::CoreImage& image, const sim::PictureRays& picture, bool& right) {
-  Progress progress(fmt::format("tracing with {} rays in flight", core.options.rays));
-  std::unique_ptr<rtl::NativeMachine> machine;
-  if (command.native)
-    machine = std::make_unique<sim::NativeCore>(core);
-  else
-    machine = std::make_unique<sim::VerilatedMachine>(core, rtl::to_verilog(core, library));
-  const sim::CoreTrace trace = sim::trace_core(core, *machine, image, picture, command.memory,
-                                               [&](double share) { progress.show(share); });
-  right = right && trace.right();
-  return trace_row(core, trace, command.memory.cache_kib > 0);
+void check_parts(const TraceCommand& command, std::uint64_t most, std::string_view of_what) {
+  if (command.parts > most)
+    throw std::runtime_error(
+        fmt::format("--parts {}: there are {} {}; allowed is 1 to {}", command.parts, most, of_what, most));
 }
 
 /// A line for each figure, since there are more of them than cores.
@@ -79,9 +76,137 @@ std::vector<Row> turned(const std::vector<Row>& rows) {
   return lines;
 }
 
-void trace_scene(TraceCommand command, int& exit_code) {
-  const auto bits = rtl::parse_bits<hls::WorldBits>(command.bits);
-  const rtl::Library library = rtl::library_called(command.library);
+/// A scene as cores trace it: which rays, and each core's machine.
+class Tracing {
+ public:
+  explicit Tracing(const TraceCommand& command)
+      : command_(command),
+        bits_(rtl::parse_bits<hls::WorldBits>(command.bits)),
+        loaded_(command.scene.load()),
+        scene_(ref::int_scene(loaded_, bits_, command.hierarchy)),
+        image_(ref::core_image(scene_)),
+        walking_{.world = bits_, .boxes = usual_box_format(bits_), .places = command.core.places} {
+    if (image_.levels > command.core.options.levels)
+      throw std::runtime_error(fmt::format(
+          "--levels {}: the scene has {} records on a path; allowed is {} to {}", command.core.options.levels,
+          image_.levels, image_.levels, rtl::CoreOptions::most_levels));
+    if (!command.rays.empty()) list_ = sim::read_ray_list(command.rays, loaded_.to_cube);
+    if (!list_.empty()) check_parts(command, list_.size(), "rays");
+  }
+
+  void make_cores() {
+    const rtl::Library library = rtl::library_called(command_.library);
+    std::vector<rtl::CoreOptions> options;
+    for (const int rays : command_.rays_in_flight) {
+      rtl::CoreOptions& core = options.emplace_back(command_.core.core(std::nullopt));
+      core.bits = usual_ray_format(bits_);
+      core.rays = rays;
+      sim::make_room(core, image_);
+    }
+    cores_ = rtl::make_cores(options, library);
+    for (const rtl::Core& core : cores_) {
+      if (command_.native)
+        machines_.push_back(std::make_unique<sim::NativeCore>(core));
+      else
+        machines_.push_back(std::make_unique<sim::VerilatedMachine>(core, rtl::to_verilog(core, library)));
+    }
+  }
+
+  /// The rays of a part, with what software answers and reads for them.
+  [[nodiscard]] sim::PictureRays rays(host::Piece part) const {
+    if (!list_.empty()) {
+      const host::Piece::Range mine = part.range(list_.size());
+      return sim::listed_rays(scene_, image_, walking_, std::span(list_).subspan(mine.first, mine.size()));
+    }
+    return sim::picture_rays(scene_, image_, walking_,
+                             {.width = command_.scene.width,
+                              .height = command_.scene.height,
+                              .tiles = part,
+                              .picture = !command_.pieces.piece});
+  }
+
+  [[nodiscard]] sim::CoreTrace trace(std::size_t core, const sim::PictureRays& rays,
+                                     const std::function<void(double)>& progress) const {
+    return sim::trace_core(cores_[core], *machines_[core], image_, rays, command_.memory, progress);
+  }
+
+  [[nodiscard]] const std::string& name() const { return loaded_.name; }
+
+ private:
+  const TraceCommand& command_;
+  hls::WorldBits bits_;
+  ref::Scene loaded_;
+  ref::IntScene scene_;
+  ref::CoreImage image_;
+  ref::CoreTracerOptions walking_;
+  std::vector<sim::AskedRay> list_;
+  std::vector<rtl::Core> cores_;
+  std::vector<std::unique_ptr<rtl::NativeMachine>> machines_;
+};
+
+/// Prints what the cores did in all their runs, and returns whether it was right.
+bool report(const std::vector<CoreRun>& runs, const std::string& hierarchy, bool cache, OutputFormat format) {
+  std::vector<sim::CoreTrace> cores;
+  for (const CoreRun& run : runs) {
+    if (run.core == cores.size())
+      cores.push_back(run.trace);
+    else
+      cores.at(run.core) += run.trace;
+  }
+  std::vector<Row> rows;
+  bool right = true;
+  for (const sim::CoreTrace& trace : cores) {
+    rows.push_back(trace_row(trace, cache));
+    right = right && trace.right();
+  }
+  fmt::print("{}", table_text(format == OutputFormat::text ? turned(rows) : rows, format));
+  if (format == OutputFormat::text) fmt::print("hierarchy: {}\n", hierarchy);
+  return right;
+}
+
+/// Each core traces each part of the rays. The parts are one after the other, each with all cores.
+std::uint64_t runs_of(const TraceCommand& command) {
+  return command.parts * command.rays_in_flight.size();
+}
+
+std::filesystem::path picture_file(const TraceCommand& command, const std::string& scene) {
+  return std::filesystem::path(command.out) / (std::filesystem::path(scene).stem().string() + ".png");
+}
+
+/// Those of a piece. Adds what the parts show to the picture.
+std::vector<CoreRun> run(const TraceCommand& command, host::Piece piece, std::vector<glm::vec3>& picture,
+                         std::string& scene) {
+  std::optional<Progress> progress("reading the scene");
+  Tracing tracing(command);
+  scene = tracing.name();
+  if (!command.pieces.piece && !command.out.empty()) {
+    host::make_folder(command.out);
+    ref::check_image_place(picture_file(command, scene));
+  }
+  progress.emplace("making the cores");
+  tracing.make_cores();
+  progress.emplace("tracing");
+  const host::Piece::Range mine = piece.range(runs_of(command));
+  const std::size_t cores = command.rays_in_flight.size();
+  std::vector<CoreRun> runs;
+  std::optional<std::uint64_t> part;
+  sim::PictureRays rays;
+  for (std::uint64_t i = mine.first; i < mine.end; ++i) {
+    const auto show = [&](double share) {
+      progress->show((static_cast<double>(i - mine.first) + share) / static_cast<double>(mine.size()));
+    };
+    if (part != i / cores) {
+      part = i / cores;
+      rays = tracing.rays({*part + 1, command.parts});
+      picture.resize(rays.image.size());
+      for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) picture[pixel] += rays.image[pixel];
+    }
+    runs.push_back({i % cores, tracing.trace(i % cores, rays, show)});
+  }
+  return runs;
+}
+
+int trace_scene(TraceCommand command, const CLI::App& parsed) {
   command.hierarchy.build.threads = command.scene.threads;
   command.memory.least_latency = command.latency.front();
   command.memory.most_latency = command.latency.back();
@@ -91,50 +216,41 @@ void trace_scene(TraceCommand command, int& exit_code) {
   if (command.memory.least_latency > command.memory.most_latency)
     throw std::runtime_error(fmt::format("--latency {},{}: the first is the least", command.latency.front(),
                                          command.latency.back()));
-  std::optional<Progress> progress("reading the scene");
-  const ref::Scene loaded = command.scene.load();
-  const std::filesystem::path picture_file =
-      std::filesystem::path(command.out) / (std::filesystem::path(loaded.name).stem().string() + ".png");
-  if (!command.out.empty()) {
-    host::make_folder(command.out);
-    ref::check_image_place(picture_file);
+  if (command.rays.empty())
+    check_parts(command, ref::tile_count({.width = command.scene.width, .height = command.scene.height}),
+                "tiles");
+  constexpr std::string_view parts = "runs of cores";
+  const bool cache = command.memory.cache_kib > 0;
+  std::vector<glm::vec3> picture;
+  std::string scene;
+  if (command.pieces.pieces > 0) {
+    print_pieces(parsed, command.pieces, command.out, runs_of(command), parts, "json");
+    return 0;
   }
-  const ref::IntScene scene = ref::int_scene(loaded, bits, command.hierarchy);
-  const ref::CoreImage image = ref::core_image(scene);
-  if (image.levels > command.core.options.levels)
-    throw std::runtime_error(
-        fmt::format("--levels {}: the scene has {} records on a path; allowed is {} to {}",
-                    command.core.options.levels, image.levels, image.levels, rtl::CoreOptions::most_levels));
-  std::vector<sim::AskedRay> list;
-  if (!command.rays.empty()) list = sim::read_ray_list(command.rays, loaded.to_cube);
-  progress.emplace("walking in software");
-  const ref::CoreTracerOptions walking{
-      .world = bits, .boxes = usual_box_format(bits), .places = command.core.places};
-  const sim::PictureRays picture =
-      list.empty() ? sim::picture_rays(scene, image, walking,
-                                       {.width = command.scene.width,
-                                        .height = command.scene.height,
-                                        .progress = [&](double share) { progress->show(share); }})
-                   : sim::listed_rays(scene, image, walking, list);
-  progress.emplace("making the core");
-  std::vector<rtl::CoreOptions> options;
-  for (const int rays : command.rays_in_flight) {
-    rtl::CoreOptions& core = options.emplace_back(command.core.core(std::nullopt));
-    core.bits = usual_ray_format(bits);
-    core.rays = rays;
-    sim::make_room(core, image);
-  }
-  const std::vector<rtl::Core> cores = rtl::make_cores(options, library);
-  progress.reset();
-  bool right = true;
-  std::vector<Row> rows;
-  for (const rtl::Core& core : cores) rows.push_back(traced(command, core, library, image, picture, right));
-  fmt::print("{}", table_text(command.format == OutputFormat::text ? turned(rows) : rows, command.format));
-  if (command.format == OutputFormat::text) fmt::print("hierarchy: {}\n", command.hierarchy.text());
-  if (!right) exit_code = 1;
+  if (command.pieces.piece)
+    return run_piece(parsed, command.pieces, command.out, runs_of(command), parts, [&] {
+      return kept_runs(run(command, *command.pieces.piece, picture, scene), command.hierarchy.text(), cache);
+    });
+  const std::vector<CoreRun> runs = run(command, {}, picture, scene);
+  const bool right = report(runs, command.hierarchy.text(), cache, command.format);
   // Software's picture, so it is the core's only if all answers are the same.
   if (right && !command.out.empty())
-    ref::write_image(picture_file, command.scene.width, command.scene.height, picture.image);
+    ref::write_image(picture_file(command, scene), command.scene.width, command.scene.height, picture);
+  return right ? 0 : 1;
+}
+
+int join(const TraceCommand& command, const CLI::App& parsed) {
+  if (!command.out.empty()) throw std::runtime_error("--out: pieces make no picture");
+  const std::vector<PieceFile> pieces = joined_pieces(parsed, command.pieces);
+  std::vector<CoreRun> runs;
+  for (const PieceFile& piece : pieces)
+    result_of(piece, [&](const Row& row) {
+      for (const CoreRun& each : parse_runs(row)) runs.push_back(each);
+    });
+  return report(runs, pieces.front().result.value("hierarchy", ""),
+                pieces.front().result.value("cache", false), command.format)
+             ? 0
+             : 1;
 }
 
 }  // namespace
@@ -177,13 +293,20 @@ CLI::App* add_trace_command(CLI::App& program, int& exit_code) {
   add_library_option(*command, options->library);
   command->add_flag("--native", options->native,
                     "The core as C++, which is the same in every cycle; else as Verilog");
-  add_folder_option(*command, options->out,
-                    "Folder for the picture that the answers make, SCENE.png; written when all are right");
   add_ray_list_option(*command, options->rays);
-  exclude(command->get_option("--rays"), std::as_const(*command).get_option("--out"),
-          "the rays of a file make no picture");
+  add_large_count_option(
+      *command, "--parts", options->parts, 1, host::Piece::most,
+      "Cut the rays into so many parts, at most one for each 32 x 32 pixels. A core begins each of them "
+      "empty, so pieces of the work can have some of them (1 to 10^6)");
   add_format_option(*command, options->format);
-  command->callback([options, &exit_code] { trace_scene(*options, exit_code); });
+  add_pieces_options(*command, options->pieces, options->out, Output::folder,
+                     "Folder for the picture that the answers make, SCENE.png; written when all are right");
+  command->callback([options, command, &exit_code] {
+    if (!options->rays.empty() && !options->out.empty() && !options->pieces.any())
+      throw CLI::ParseError("--rays excludes --out: the rays of a file make no picture",
+                            CLI::ExitCodes::ExcludesError);
+    exit_code = options->pieces.join.empty() ? trace_scene(*options, *command) : join(*options, *command);
+  });
   return command;
 }
 

@@ -8,7 +8,6 @@
 
 #include "cli/commands/categories.hpp"
 #include "cli/text/progress.hpp"
-#include "sim/check/triangle_check.hpp"
 #include "sim/unit/unit.hpp"
 
 namespace hitpipe::cli {
@@ -33,14 +32,26 @@ std::string text_of(const ref::IntCase& c) {
 
 }  // namespace
 
-int check_triangle_unit(const TriangleCheck& command) {
+TriangleFindings& TriangleFindings::operator+=(const TriangleFindings& later) {
+  for (std::size_t i = 0; i < categories.size(); ++i) categories[i] += later.categories.at(i);
+  if (first_wrong.empty()) first_wrong = later.first_wrong;
+  seconds += later.seconds;
+  return *this;
+}
+
+std::vector<ref::IntCategory> triangle_categories(const std::vector<std::string>& names) {
+  const auto all = ref::int_categories();
+  return chosen_of(std::vector(all.begin(), all.end()), names);
+}
+
+TriangleFindings check_triangle_unit(const TriangleCheck& command) {
   const rtl::Design& design = command.choice.design();
   const rtl::Format format = command.choice.format();
-  const auto all = ref::int_categories();
   sim::TriangleCheckOptions options;
-  options.categories = chosen_of(std::vector(all.begin(), all.end()), command.categories);
+  options.categories = triangle_categories(command.categories);
   options.tests = command.tests;
   options.seed = command.seed;
+  options.piece = command.piece;
   options.threads = command.threads;
   std::optional<Progress> progress;
   std::optional<sim::VerilatedDesign> verilated;
@@ -53,25 +64,59 @@ int check_triangle_unit(const TriangleCheck& command) {
   progress.emplace("judging");
   options.progress = [&](double share) { progress->show(share); };
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<sim::TriangleCategoryResult> results =
-      sim::check_triangles([&] { return sim::make_triangle_test(design, format); }, options);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  progress.reset();
+  TriangleFindings found{
+      .design = std::string(design.name), .format = format, .seed = command.seed, .rtl = command.rtl};
+  found.categories = sim::check_triangles([&] { return sim::make_triangle_test(design, format); }, options);
+  found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (const sim::TriangleCategoryResult& result : found.categories)
+    if (found.first_wrong.empty() && result.first_wrong) found.first_wrong = text_of(*result.first_wrong);
+  return found;
+}
 
+Row to_row(const TriangleFindings& findings) {
+  Row row{{"design", findings.design},  {"bits", rtl::to_string(findings.format)},
+          {"seed", findings.seed},      {"rtl", findings.rtl},
+          {"categories", Row::array()}, {"first_wrong", findings.first_wrong},
+          {"seconds", findings.seconds}};
+  for (const sim::TriangleCategoryResult& result : findings.categories)
+    row["categories"].push_back(row_of(result, true));
+  return row;
+}
+
+TriangleFindings parse_triangle_findings(const Row& row) {
+  const std::string design = row.at("design").get<std::string>();
+  TriangleFindings findings{
+      .design = design,
+      .format = rtl::find_design(design).parse_format(row.at("bits").get<std::string>()),
+      .seed = row.at("seed").get<std::uint64_t>(),
+      .rtl = row.at("rtl").get<bool>(),
+      .first_wrong = row.at("first_wrong").get<std::string>(),
+      .seconds = row.at("seconds").get<double>()};
+  for (const Row& each : row.at("categories"))
+    findings.categories.push_back({.category = each.at("category").get<std::string>(),
+                                   .tests = each.at("tests").get<std::uint64_t>(),
+                                   .hits = each.at("hits").get<std::uint64_t>(),
+                                   .wrong = each.at("wrong").get<std::uint64_t>(),
+                                   .rtl_mismatches = each.at("rtl_mismatches").get<std::uint64_t>(),
+                                   .first_wrong = {}});
+  return findings;
+}
+
+int report_findings(const TriangleFindings& findings, OutputFormat format) {
   std::vector<Row> rows;
   sim::TriangleCategoryResult sum;
-  for (const sim::TriangleCategoryResult& result : results) {
-    rows.push_back(row_of(result, command.rtl));
+  for (const sim::TriangleCategoryResult& result : findings.categories) {
+    rows.push_back(row_of(result, findings.rtl));
     sum += result;
   }
   sum.category = "all";
-  rows.push_back(row_of(sum, command.rtl));
-  if (command.format == OutputFormat::text)
-    fmt::print("{} {}, seed {}\n", design.name, rtl::to_string(format), command.seed);
-  fmt::print("{}", table_text(rows, command.format));
-  if (command.format == OutputFormat::text) fmt::print("{:.1f} s\n", seconds.count());
-  if (sum.first_wrong)
-    fmt::print(stderr, "hitpipe: {} wrong answers; the first: {}\n", sum.wrong, text_of(*sum.first_wrong));
+  rows.push_back(row_of(sum, findings.rtl));
+  if (format == OutputFormat::text)
+    fmt::print("{} {}, seed {}\n", findings.design, rtl::to_string(findings.format), findings.seed);
+  fmt::print("{}", table_text(rows, format));
+  if (format == OutputFormat::text) fmt::print("{:.1f} s\n", findings.seconds);
+  if (sum.wrong > 0)
+    fmt::print(stderr, "hitpipe: {} wrong answers; the first: {}\n", sum.wrong, findings.first_wrong);
   if (sum.rtl_mismatches > 0)
     fmt::print(stderr, "hitpipe: {} answers of the Verilog differ from the C++\n", sum.rtl_mismatches);
   return sum.wrong > 0 || sum.rtl_mismatches > 0 ? 1 : 0;

@@ -7,6 +7,8 @@
 
 #include "cli/options/design_options.hpp"
 #include "cli/text/table.hpp"
+#include "host/piece.hpp"
+#include "sim/check/triangle_check.hpp"
 
 namespace hitpipe::cli {
 
@@ -18,10 +20,33 @@ struct TriangleCheck {
   int threads;
   bool rtl;
   int interval;
-  OutputFormat format;
+  host::Piece piece;
 };
 
-/// Prints the table and returns the exit code.
-[[nodiscard]] int check_triangle_unit(const TriangleCheck& command);
+struct TriangleFindings {
+  std::string design;
+  rtl::Format format;
+  std::uint64_t seed = 1;
+  bool rtl = false;                                       ///< the Verilog answered too
+  std::vector<sim::TriangleCategoryResult> categories{};  ///< in order
+  std::string first_wrong{};                              ///< as text; empty: all are right
+  double seconds = 0;                                     ///< measured
+
+  /// Of the same check.
+  TriangleFindings& operator+=(const TriangleFindings& later);
+};
+
+[[nodiscard]] TriangleFindings check_triangle_unit(const TriangleCheck& command);
+
+/// The categories of these names. Throws what chosen_of() throws.
+[[nodiscard]] std::vector<ref::IntCategory> triangle_categories(const std::vector<std::string>& names);
+
+[[nodiscard]] Row to_row(const TriangleFindings& findings);
+
+/// Throws nlohmann's exceptions for another form, and what rtl::find_design() and parse_format() throw.
+[[nodiscard]] TriangleFindings parse_triangle_findings(const Row& row);
+
+/// Prints the table, wrong answers on standard error, and returns the exit code.
+int report_findings(const TriangleFindings& findings, OutputFormat format);
 
 }  // namespace hitpipe::cli

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/options/values.hpp"
 #include "host/outputs.hpp"
@@ -48,18 +47,6 @@ void add_experiment_options(CLI::App& command, thesis::ExperimentOptions& option
   add_count_option(command, "--threads", options.threads, {1, 1024},
                    "Number of threads for counting; timing uses one thread")
       ->capture_default_str();
-}
-
-std::string experiment_options_text(const thesis::ExperimentOptions& options) {
-  const thesis::ExperimentOptions defaults;
-  std::string text;
-  for (const auto& [name, scene] : options.scenes) text += fmt::format(" --scene {}={}", name, scene);
-  if (!options.only.empty()) text += fmt::format(" --only {}", fmt::join(options.only, ","));
-  if (options.width != defaults.width) text += fmt::format(" --width {}", options.width);
-  if (options.height != defaults.height) text += fmt::format(" --height {}", options.height);
-  if (options.triangles) text += fmt::format(" --triangles {}", *options.triangles);
-  if (options.repeats != defaults.repeats) text += fmt::format(" --repeats {}", options.repeats);
-  return text;
 }
 
 }  // namespace hitpipe::cli

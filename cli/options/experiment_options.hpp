@@ -1,8 +1,6 @@
 // The options of commands that repeat experiments of the thesis: scenes, sizes, repeats.
 #pragma once
 
-#include <string>
-
 #include "thesis/experiment.hpp"
 
 namespace CLI {
@@ -14,9 +12,5 @@ namespace hitpipe::cli {
 /// Adds --scene, --only, --width, --height, --triangles, --repeats, --threads. The command must keep the
 /// options alive.
 void add_experiment_options(CLI::App& command, thesis::ExperimentOptions& options);
-
-/// What differs from the defaults, as a user would type it, with a blank before each option. Without
-/// --threads.
-[[nodiscard]] std::string experiment_options_text(const thesis::ExperimentOptions& options);
 
 }  // namespace hitpipe::cli

@@ -148,9 +148,9 @@ Row row_of(const CoreMeasurement& how, const CoreFacts& facts, const rtl::Core& 
           {"triangle_ii", setting.triangle_interval},
           {"latency", setting.latency},
           {"cache_kib", setting.cache_kib}};
-  row.update(trace_row(core, result.trace, cached));
+  row.update(trace_row(result.trace, cached));
   if (!cached) row["cache_hits_pct"] = nullptr;
-  row["clock_ps"] = result.clock_ps;
+  row["clock_ps"] = result.trace.clock_ps;
   if (how.library->chip() == nullptr) {
     row["area_mm2"] = Row::parse(area::area_mm2(result.price.area_um2));
   } else {
@@ -218,7 +218,6 @@ CoreFacts measure_core(const ref::Scene& scene, const CoreMeasurement& how) {
         CoreResult& result = facts.results[i];
         const auto& [of, core] = runs[i];
         sim::NativeCore machine(*core);
-        result.clock_ps = core->clock_ps;
         result.trace = sim::trace_core(*core, machine, of->image, of->picture,
                                        {.least_latency = result.setting.latency,
                                         .most_latency = result.setting.latency,

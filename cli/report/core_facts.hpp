@@ -31,7 +31,6 @@ struct CoreSetting {
 
 struct CoreResult {
   CoreSetting setting;
-  int clock_ps = 0;
   area::CorePartPrice price;
   sim::CoreTrace trace;
 };

@@ -16,7 +16,7 @@ namespace hitpipe::cli {
 namespace {
 
 double rate_of(const CoreResult& result) {
-  return result.trace.mrays_s(result.clock_ps);
+  return result.trace.mrays_s();
 }
 
 /// Points "x y" that share a style.

@@ -1,7 +1,10 @@
 #include "cli/text/csv_metadata.hpp"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "host/text.hpp"
 
@@ -16,13 +19,22 @@ Row numbers(const Vector& v) {
 
 }  // namespace
 
-std::string command_line(const CLI::App& command) {
+std::string command_line(const CLI::App& command, const std::vector<std::string>& without,
+                         const std::vector<std::string>& always) {
+  const auto is_in = [](const std::vector<std::string>& names, const CLI::Option* option) {
+    return std::find(names.begin(), names.end(), option->get_name()) != names.end();
+  };
   std::string text = "hitpipe " + command.get_name();
   for (const CLI::Option* const option : command.get_options()) {
-    if (option->count() == 0) continue;
+    if (option->count() == 0 && is_in(always, option))
+      text += " " + option->get_name() + " " + option->get_default_str();
+    if (option->count() == 0 || is_in(without, option)) continue;
     const bool flag = option->get_items_expected_max() == 0;
+    std::vector<std::string> words = flag ? std::vector<std::string>{} : option->results();
+    const bool list = !option->get_positional() && option->get_delimiter() != '\0';
+    if (list) words = {fmt::format("{}", fmt::join(words, std::string(1, option->get_delimiter())))};
     if (flag) text += " " + option->get_name();
-    for (const std::string& word : flag ? std::vector<std::string>{} : option->results()) {
+    for (const std::string& word : words) {
       if (!option->get_positional()) text += " " + option->get_name();
       text += " " + host::shell_word(word);
     }

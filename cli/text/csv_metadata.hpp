@@ -15,8 +15,10 @@ class App;
 
 namespace hitpipe::cli {
 
-/// "hitpipe sweep --scene spheres ...": the words as the user gave them, for a shell.
-[[nodiscard]] std::string command_line(const CLI::App& command);
+/// "hitpipe sweep --scene spheres ...": the words as the user gave them, for a shell. Leaves out the options
+/// `without`, and names those of `always` that the command has even if the user did not.
+[[nodiscard]] std::string command_line(const CLI::App& command, const std::vector<std::string>& without = {},
+                                       const std::vector<std::string>& always = {});
 
 /// Of a command that ran: its program and its command line.
 [[nodiscard]] Row notes_of(const CLI::App& command);

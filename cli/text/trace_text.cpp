@@ -1,26 +1,80 @@
 #include "cli/text/trace_text.hpp"
 
 #include <cstdint>
+#include <utility>
 
 namespace hitpipe::cli {
 
-Row trace_row(const rtl::Core& core, const sim::CoreTrace& trace, bool cache) {
+namespace {
+
+/// Calls add(name, count) for each count of a run.
+template <class Trace, class Add>
+void each_count(Trace& trace, const Add& add) {
+  add("rays", trace.counts.rays);
+  add("cycles", trace.counts.cycles);
+  add("records", trace.counts.records);
+  add("triangles", trace.counts.triangles);
+  add("failed", trace.counts.failed);
+  add("refused", trace.counts.refused);
+  add("few_rays", trace.counts.few_rays);
+  add("waiting", trace.counts.waiting);
+  add("inside", trace.counts.inside);
+  add("memory_cycles", trace.memory.cycles);
+  add("requests", trace.memory.requests);
+  add("outside", trace.memory.outside);
+  add("hits", trace.memory.hits);
+  add("misses", trace.memory.misses);
+  add("merged", trace.memory.merged);
+  add("bytes_read", trace.memory.bytes_read);
+  add("answers", trace.memory.answers);
+  add("most_waiting", trace.memory.most_waiting);
+  add("wrong", trace.wrong);
+  add("same_reads", trace.same_reads);
+  add("restarts", trace.restarts);
+  add("rays_in_flight", trace.rays_in_flight);
+  add("clock_ps", trace.clock_ps);
+}
+
+}  // namespace
+
+Row kept_runs(const std::vector<CoreRun>& runs, const std::string& hierarchy, bool cache) {
+  Row rows = Row::array();
+  for (const CoreRun& run : runs) {
+    Row row{{"core", run.core}};
+    each_count(run.trace, [&](const char* name, const auto& value) { row[name] = value; });
+    if (run.trace.triangle_interval) row["triangle_interval"] = *run.trace.triangle_interval;
+    rows.push_back(std::move(row));
+  }
+  return {{"hierarchy", hierarchy}, {"cache", cache}, {"runs", rows}};
+}
+
+std::vector<CoreRun> parse_runs(const Row& row) {
+  std::vector<CoreRun> runs;
+  for (const Row& each : row.at("runs")) {
+    CoreRun& run = runs.emplace_back();
+    run.core = each.at("core").get<std::size_t>();
+    each_count(run.trace, [&](const char* name, auto& value) { each.at(name).get_to(value); });
+    if (each.contains("triangle_interval"))
+      run.trace.triangle_interval = each.at("triangle_interval").get<int>();
+  }
+  return runs;
+}
+
+Row trace_row(const sim::CoreTrace& trace, bool cache) {
   const sim::CoreCounts& counts = trace.counts;
   const auto pct = [&](std::uint64_t cycles) { return trace.cycles_pct(static_cast<double>(cycles)); };
-  Row row{{"rays_in_flight", core.options.rays},
+  Row row{{"rays_in_flight", trace.rays_in_flight},
           {"rays", counts.rays},
           {"wrong", trace.wrong},
           {"reads_a_ray", trace.a_ray(trace.blocks())},
           {"restarts_a_ray", trace.a_ray(trace.restarts)},
           {"bytes_a_ray", trace.bytes_a_ray()},
           {"cycles_a_ray", trace.a_ray(counts.cycles)},
-          {"mrays_s", trace.mrays_s(core.clock_ps)},
+          {"mrays_s", trace.mrays_s()},
           {"port_busy_pct", trace.port_busy_pct()},
           {"pair_busy_pct", pct(counts.records)}};
-  // A serial test has no fixed time.
-  if (!core.options.serial())
-    row["triangle_busy_pct"] =
-        pct(counts.triangles * static_cast<std::uint64_t>(core.options.triangle_interval));
+  if (trace.triangle_interval)
+    row["triangle_busy_pct"] = pct(counts.triangles * static_cast<std::uint64_t>(*trace.triangle_interval));
   row.update(Row{{"refused_pct", pct(counts.refused)},
                  {"idle_memory_pct", trace.cycles_pct(counts.waiting)},
                  {"idle_inside_pct", trace.cycles_pct(counts.inside)},

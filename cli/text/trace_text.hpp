@@ -1,13 +1,28 @@
 // What a core did with a picture's rays, as figures.
 #pragma once
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "cli/text/table.hpp"
-#include "rtl_gen/core/core.hpp"
 #include "sim/core/core_trace.hpp"
 
 namespace hitpipe::cli {
 
+/// What a core did with some of the rays.
+struct CoreRun {
+  std::size_t core = 0;  ///< of those that trace the same rays
+  sim::CoreTrace trace;
+};
+
+/// As a piece keeps them in its file, with what is said of all.
+[[nodiscard]] Row kept_runs(const std::vector<CoreRun>& runs, const std::string& hierarchy, bool cache);
+
+/// The same again. Throws nlohmann's exceptions for another form.
+[[nodiscard]] std::vector<CoreRun> parse_runs(const Row& row);
+
 /// With a cache also the share of its hits.
-[[nodiscard]] Row trace_row(const rtl::Core& core, const sim::CoreTrace& trace, bool cache);
+[[nodiscard]] Row trace_row(const sim::CoreTrace& trace, bool cache);
 
 }  // namespace hitpipe::cli

@@ -124,6 +124,7 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
   const std::size_t categories = options.categories.size();
   if (categories == 0) return {};
   const Shares shares(options.tests, categories);
+  const host::Piece::Range mine = options.piece.range(shares.batches());
   Sums sums(options.categories);
 
   struct Worker {
@@ -137,12 +138,12 @@ std::vector<CategoryResult> check(const MakeBoxTest& make, const CheckOptions& o
   });
   const auto judge = [&](std::size_t i) {
     Worker& worker = workers.local();
-    const Batch batch = shares[i];
+    const Batch batch = shares[mine.first + i];
     sums.add(batch, judge_batch(*worker.test, options.categories[batch.category],
                                 stream(options.seed, batch.category, batch.number), batch.tests,
                                 worker.rtl ? &*worker.rtl : nullptr));
   };
-  host::for_each_index(shares.batches(), options.threads, judge, options.progress);
+  host::for_each_index(mine.size(), options.threads, judge, options.progress);
   return sums.results();
 }
 

@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
+#include "host/piece.hpp"
 #include "sim/check/box_test.hpp"
 #include "sim/unit/verilated_design.hpp"
 #include "sw_ref/judge/adversary/case.hpp"
@@ -21,6 +22,7 @@ struct CheckOptions {
   /// Of all categories, which have equal shares. A remainder goes to the first categories, one test each.
   std::uint64_t tests = 1'000'000;
   std::uint64_t seed = 1;
+  host::Piece piece{};  ///< of the batches of tests (shares.hpp); only these are judged
   int threads = 1;
   const VerilatedDesign* rtl =
       nullptr;  ///< answers each test too, when given; the box test has its operands and results
@@ -29,7 +31,7 @@ struct CheckOptions {
 };
 
 struct CategoryResult {
-  std::string_view category;
+  std::string category;
   std::uint64_t tests = 0;
   std::uint64_t hits = 0;  ///< by the exact referee
   std::uint64_t false_misses = 0;

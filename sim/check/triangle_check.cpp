@@ -72,6 +72,7 @@ std::vector<TriangleCategoryResult> check_triangles(const MakeTriangleTest& make
   const std::size_t categories = options.categories.size();
   if (categories == 0) return {};
   const Shares shares(options.tests, categories);
+  const host::Piece::Range mine = options.piece.range(shares.batches());
   std::vector<TriangleCategoryResult> sums(categories);
   for (std::size_t c = 0; c < categories; ++c) sums[c].category = options.categories[c].name;
   std::vector<std::uint64_t> first(categories);  // batches of the wrong answers that are kept
@@ -88,7 +89,7 @@ std::vector<TriangleCategoryResult> check_triangles(const MakeTriangleTest& make
   });
   const auto judge = [&](std::size_t i) {
     Worker& worker = workers.local();
-    const Batch batch = shares[i];
+    const Batch batch = shares[mine.first + i];
     const TriangleCategoryResult result = judge_batch(*worker.test, options.categories[batch.category],
                                                       stream(options.seed, batch.category, batch.number),
                                                       batch.tests, worker.rtl ? &*worker.rtl : nullptr);
@@ -100,7 +101,7 @@ std::vector<TriangleCategoryResult> check_triangles(const MakeTriangleTest& make
     }
     sum += result;
   };
-  host::for_each_index(shares.batches(), options.threads, judge, options.progress);
+  host::for_each_index(mine.size(), options.threads, judge, options.progress);
   return sums;
 }
 

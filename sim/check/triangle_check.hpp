@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
+#include "host/piece.hpp"
 #include "sim/check/triangle_test.hpp"
 #include "sim/unit/verilated_design.hpp"
 #include "sw_ref/world/int_cases.hpp"
@@ -18,6 +19,7 @@ struct TriangleCheckOptions {
   std::vector<ref::IntCategory> categories;  ///< which to draw from
   std::uint64_t tests = 1'000'000;           ///< of all categories, which have equal shares
   std::uint64_t seed = 1;
+  host::Piece piece{};  ///< of the batches of tests (shares.hpp); only these are judged
   int threads = 1;
   const VerilatedDesign* rtl = nullptr;  ///< answers each test too, when given
   /// Told the finished share of the tests, 0..1, from any thread.
@@ -25,7 +27,7 @@ struct TriangleCheckOptions {
 };
 
 struct TriangleCategoryResult {
-  std::string_view category;
+  std::string category;
   std::uint64_t tests = 0;
   std::uint64_t hits = 0;   ///< by exact integers
   std::uint64_t wrong = 0;  ///< another HIT, T, determinant or weight

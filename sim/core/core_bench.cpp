@@ -95,6 +95,19 @@ CoreBench::Places::Places(const rtl::Core& core)
       most_steps(place_of(core, "most_steps")),
       most_rays(place_of(core, "most_rays")) {}
 
+CoreCounts& CoreCounts::operator+=(const CoreCounts& later) {
+  rays += later.rays;
+  cycles += later.cycles;
+  records += later.records;
+  triangles += later.triangles;
+  failed += later.failed;
+  refused += later.refused;
+  few_rays += later.few_rays;
+  waiting += later.waiting;
+  inside += later.inside;
+  return *this;
+}
+
 CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const ref::CoreImage& image,
                      const MemoryOptions& memory, const CoreBenchOptions& options)
     : core_(core),

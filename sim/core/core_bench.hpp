@@ -44,6 +44,8 @@ struct CoreCounts {
   /// Cycles in which the core asked for nothing. Each is divided by where the rays were that it has room for:
   /// there were none for it, they waited for memory, or they were in its queues and units.
   double few_rays = 0, waiting = 0, inside = 0;
+
+  CoreCounts& operator+=(const CoreCounts& later);
 };
 
 struct CoreBenchOptions {

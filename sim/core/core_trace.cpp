@@ -10,6 +10,15 @@ void make_room(rtl::CoreOptions& options, const ref::CoreImage& image) {
   options.byte_bits = std::max(options.byte_bits, options.address_bits + 5);
 }
 
+CoreTrace& CoreTrace::operator+=(const CoreTrace& later) {
+  counts += later.counts;
+  memory += later.memory;
+  wrong += later.wrong;
+  same_reads = same_reads && later.same_reads;
+  restarts += later.restarts;
+  return *this;
+}
+
 CoreTrace trace_core(const rtl::Core& core, rtl::NativeMachine& machine, const ref::CoreImage& image,
                      const PictureRays& picture, const MemoryOptions& memory,
                      const std::function<void(double)>& progress) {
@@ -17,7 +26,11 @@ CoreTrace trace_core(const rtl::Core& core, rtl::NativeMachine& machine, const r
   std::vector<CoreAnswer> answers(picture.jobs.size());
   bench.run(picture.jobs, answers, progress);
   const CoreCounts& counts = bench.counts();
-  return {.counts = counts,
+  return {.rays_in_flight = core.options.rays,
+          .clock_ps = core.clock_ps,
+          .triangle_interval =
+              core.options.serial() ? std::nullopt : std::optional(core.options.triangle_interval),
+          .counts = counts,
           .memory = bench.memory_counts(),
           .wrong = picture.wrong(answers),
           .same_reads = counts.records == picture.work.nodes_loaded &&

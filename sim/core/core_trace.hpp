@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "sim/core/core_bench.hpp"
 #include "sim/core/picture_rays.hpp"
@@ -10,11 +11,17 @@
 namespace hitpipe::sim {
 
 struct CoreTrace {
+  int rays_in_flight = 1;
+  int clock_ps = 0;
+  std::optional<int> triangle_interval;  ///< none: a serial test has no fixed time
   CoreCounts counts;
   MemoryCounts memory;
   std::uint64_t wrong = 0;     ///< answers that are not software's
-  bool same_reads = false;     ///< as many records and triangles as in software
+  bool same_reads = true;      ///< as many records and triangles as in software
   std::uint64_t restarts = 0;  ///< of the walks in software
+
+  /// Of the same core, with other rays.
+  CoreTrace& operator+=(const CoreTrace& later);
 
   [[nodiscard]] bool right() const { return wrong == 0 && same_reads; }
   [[nodiscard]] std::uint64_t blocks() const { return counts.records + counts.triangles; }
@@ -27,7 +34,7 @@ struct CoreTrace {
   }
   [[nodiscard]] double port_busy_pct() const { return cycles_pct(static_cast<double>(blocks())); }
   [[nodiscard]] double bytes_a_ray() const { return a_ray(memory.bytes_read); }
-  [[nodiscard]] double mrays_s(int clock_ps) const { return 1e6 / clock_ps / a_ray(counts.cycles); }
+  [[nodiscard]] double mrays_s() const { return 1e6 / clock_ps / a_ray(counts.cycles); }
 };
 
 /// Makes the numbers of blocks and the addresses of a core long enough for an image.

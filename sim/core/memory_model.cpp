@@ -46,6 +46,19 @@ std::uint32_t MemoryModel::line_of(std::uint32_t block) const {
   return std::min(block, static_cast<std::uint32_t>(blocks_.size())) / blocks_of_line;
 }
 
+MemoryCounts& MemoryCounts::operator+=(const MemoryCounts& later) {
+  cycles += later.cycles;
+  requests += later.requests;
+  outside += later.outside;
+  hits += later.hits;
+  misses += later.misses;
+  merged += later.merged;
+  bytes_read += later.bytes_read;
+  answers += later.answers;
+  most_waiting = std::max(most_waiting, later.most_waiting);
+  return *this;
+}
+
 MemoryModel::MemoryModel(std::span<const ref::CoreBlock> blocks, const MemoryOptions& options)
     : blocks_(blocks),
       options_(checked(options)),

@@ -42,6 +42,8 @@ struct MemoryCounts {
   std::uint64_t answers = 0;       ///< cycles in which the port answered
   std::uint64_t most_waiting = 0;  ///< requests on their way at a time
 
+  /// Adds up the counts; of most_waiting takes the larger.
+  MemoryCounts& operator+=(const MemoryCounts& later);
   friend bool operator==(const MemoryCounts&, const MemoryCounts&) = default;
 };
 

@@ -28,9 +28,8 @@ struct PictureRays {
   [[nodiscard]] std::uint64_t wrong(std::span<const CoreAnswer> answers) const;
 };
 
-/// Renders the picture with one thread, so the rays are in one order. `image` is of `scene`, which must
-/// outlive the result where answers have weights. Throws as
-/// render() and CoreTracer do.
+/// Renders the picture, or some of its tiles, with one thread, so the rays are in one order. `image` is of
+/// `scene`, which must outlive the result where answers have weights. Throws as render() and CoreTracer do.
 [[nodiscard]] PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image,
                                        const ref::CoreTracerOptions& options, ref::RenderOptions render);
 

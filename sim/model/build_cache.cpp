@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "host/file_lock.hpp"
 #include "host/files.hpp"
 #include "host/text.hpp"
 
@@ -39,9 +40,12 @@ fs::path cached(const CacheEntry& entry, const fs::path& cache) {
     throw std::runtime_error(
         fmt::format("{}: cannot write to the cache; set HITPIPE_CACHE to another folder", cache.string()));
   };
+  std::optional<host::FileLock> lock;
   std::optional<host::ScratchFolder> aside;
   try {
     host::make_folder(cache);
+    lock.emplace(cache / ".locks", hash);
+    if (holds(folder, entry)) return folder;  // somebody has built it meanwhile
     aside.emplace(cache, "building-");
   } catch (const std::runtime_error&) {
     refuse();

@@ -1,5 +1,6 @@
 // A folder that keeps things once they are built. Each is found again by what it was built from. It is built
-// in a folder of its own and then moved into place as a whole, because processes may race or be killed.
+// in a folder of its own and then moved into place as a whole, because processes may be killed. One process
+// builds it, and others that need it wait.
 #pragma once
 
 #include <filesystem>

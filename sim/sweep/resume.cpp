@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <map>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -29,13 +28,13 @@ std::vector<SweepRow> required_of(std::vector<SweepRow> rows, const std::filesys
 /// Rows by their place in the file. Each new row is written at once, behind the others if its place is there.
 class KeptRows {
  public:
-  /// Takes the rows that the file and `more` files hold. What a triangle test costs is no measurement, so
+  /// Takes the rows that the file holds, and `more` rows. What a triangle test costs is no measurement, so
   /// they get the cost that is asked for now.
-  KeptRows(std::filesystem::path file, std::span<const std::filesystem::path> more, SweepSubject subject,
+  KeptRows(std::filesystem::path file, const std::vector<SweepRow>& more, SweepSubject subject,
            const TriangleCost& triangle)
       : file_(std::move(file)), subject_(std::move(subject)) {
     if (std::filesystem::exists(file_)) take(own_rows(), triangle);
-    for (const std::filesystem::path& each : more) take(read_rows_of(each, subject_), triangle);
+    take(more, triangle);
     // Written before the long run, so that a file that cannot be written is reported at once.
     write_all();
   }
@@ -97,11 +96,19 @@ class KeptRows {
 std::vector<SweepRow> resume(const ResumableSweep& sweep) {
   std::vector<SweepPoint> points = sweep.points;
   const SweepSubject subject = sweep_subject(*sweep.scene, *sweep.bvh, sweep.options);
-  KeptRows rows(sweep.file, sweep.more, subject, sweep.options.triangle);
+  std::vector<SweepRow> more;
+  for (const std::filesystem::path& each : sweep.more)
+    for (SweepRow& row : read_rows_of(each, subject)) more.push_back(std::move(row));
+  KeptRows rows(sweep.file, more, subject, sweep.options.triangle);
   if (!sweep.notes.empty()) host::write_file(sweep.notes_file, sweep.notes);
   std::erase_if(points, [&](const SweepPoint& point) { return rows.has(point); });
   run_sweep(*sweep.scene, *sweep.bvh, points, sweep.options, [&](const SweepRow& row) { rows.add(row); });
   return rows.contents();
+}
+
+std::vector<SweepRow> join_rows(const std::filesystem::path& file, const std::vector<SweepRow>& rows) {
+  if (rows.empty()) return {};
+  return KeptRows(file, rows, rows.front(), rows.front().triangle).contents();
 }
 
 std::vector<SweepRow> read_rows_of(const std::filesystem::path& file, const SweepSubject& subject) {

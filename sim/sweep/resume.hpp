@@ -28,6 +28,11 @@ struct ResumableSweep {
 /// options.
 [[nodiscard]] std::vector<SweepRow> resume(const ResumableSweep& sweep);
 
+/// Takes these rows, which are of one sweep, into the file, as resume() does with the rows of a file. Returns
+/// all rows of the file.
+[[nodiscard]] std::vector<SweepRow> join_rows(const std::filesystem::path& file,
+                                              const std::vector<SweepRow>& rows);
+
 /// Throws what read_rows() throws, and std::runtime_error, one line, when the rows are of something else.
 [[nodiscard]] std::vector<SweepRow> read_rows_of(const std::filesystem::path& file,
                                                  const SweepSubject& subject);

@@ -59,6 +59,21 @@ GroupedRatio& GroupedRatio::operator+=(const GroupedRatio& other) {
   return *this;
 }
 
+GroupedRatio::Sums GroupedRatio::sums() const {
+  return {static_cast<double>(groups_), above_, below_, above_squared_, below_squared_, product_};
+}
+
+GroupedRatio GroupedRatio::of(const Sums& sums) {
+  GroupedRatio ratio;
+  ratio.groups_ = static_cast<std::uint64_t>(sums[0]);
+  ratio.above_ = sums[1];
+  ratio.below_ = sums[2];
+  ratio.above_squared_ = sums[3];
+  ratio.below_squared_ = sums[4];
+  ratio.product_ = sums[5];
+  return ratio;
+}
+
 double GroupedRatio::ratio() const {
   return groups_ == 0 ? 0.0 : above_ / below_;
 }

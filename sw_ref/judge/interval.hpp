@@ -1,6 +1,7 @@
 // 95 % intervals of figures that are measured on a sample.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace hitpipe::ref {
@@ -20,6 +21,12 @@ class GroupedRatio {
   /// A group's share of both sums. A group with nothing in either says nothing and is not counted.
   void add(double above, double below);
   GroupedRatio& operator+=(const GroupedRatio& other);
+
+  /// All that it knows, to be kept in a file: groups, both sums, the sums of both squares and of the
+  /// products.
+  using Sums = std::array<double, 6>;
+  [[nodiscard]] Sums sums() const;
+  [[nodiscard]] static GroupedRatio of(const Sums& sums);
 
   [[nodiscard]] std::uint64_t groups() const { return groups_; }
   /// 0 when there is no group.

@@ -25,7 +25,6 @@ struct Frame {
   const RenderOptions& options;
   Whitted whitted;
   int columns;  // of tiles
-  int rows;
 };
 
 /// Renders one tile after the other and reuses its buffers.
@@ -65,7 +64,8 @@ class TileRenderer {
       }
       trace_shadows();
     }
-    for (std::size_t i = 0; i < light_.size(); ++i) result_.image[place(i)] = light_[i].value();
+    for (std::size_t i = 0; frame_.options.picture && i < light_.size(); ++i)
+      result_.image[place(i)] = light_[i].value();
   }
 
   /// The result of all tiles so far.
@@ -146,6 +146,7 @@ class TileRenderer {
 
   /// To be called directly after trace(batch_).
   void keep_primary_hits() {
+    if (!frame_.options.picture) return;
     for (std::size_t i = 0; i < batch_.size(); ++i) {
       const std::uint32_t triangle = triangles_[i];
       result_.triangles[place(i)] = triangle;
@@ -185,6 +186,11 @@ int tiles(int pixels, int side) {
 
 int tile_side_for(int bundle) {
   return bundle == 64 ? 8 : bundle == 256 ? 16 : 32;
+}
+
+std::uint64_t tile_count(const RenderOptions& options) {
+  return static_cast<std::uint64_t>(tiles(options.width, options.tile_side)) *
+         static_cast<std::uint64_t>(tiles(options.height, options.tile_side));
 }
 
 std::vector<float> extra_box_tests(const RenderResult& result, const RenderResult& reference) {
@@ -232,30 +238,29 @@ RenderResult render(const Scene& scene, const Tracer& tracer, const RenderOption
     throw std::invalid_argument(fmt::format("{} threads; at least 1 is needed", options.threads));
   if (options.tile_side < 1)
     throw std::invalid_argument(fmt::format("tile side {}; at least 1 is needed", options.tile_side));
-  const Frame frame{scene,
-                    tracer,
-                    options,
-                    Whitted(scene, options.light, options.surfaces),
-                    tiles(options.width, options.tile_side),
-                    tiles(options.height, options.tile_side)};
+  const Frame frame{scene, tracer, options, Whitted(scene, options.light, options.surfaces),
+                    tiles(options.width, options.tile_side)};
   RenderResult result;
   result.width = options.width;
   result.height = options.height;
   const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  result.image.resize(pixels);
-  result.triangles.resize(pixels);
+  if (options.picture) {
+    result.image.resize(pixels);
+    result.triangles.resize(pixels);
+  }
   if (options.maps) {
     result.depth.assign(pixels, std::numeric_limits<float>::infinity());
     result.box_tests.resize(pixels);
     result.triangle_tests.resize(pixels);
   }
-  const auto count = static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows);
+  const host::Piece::Range mine = options.tiles.range(tile_count(options));
+  const std::uint64_t count = mine.size();
   std::mutex counting;
   std::atomic<std::size_t> finished = 0;
   // Tiles are small; a thousand steps of progress are enough.
   const auto steps = [&](std::size_t done) { return 1000 * done / count; };
   host::with_threads(options.threads, [&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(mine.first, mine.end), [&](const auto& range) {
       TileRenderer renderer(frame, result);
       for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {
         renderer.run(tile);

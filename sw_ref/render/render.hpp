@@ -11,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "host/piece.hpp"
 #include "sw_ref/render/whitted.hpp"
 #include "sw_ref/scene/scene.hpp"
 #include "sw_ref/trace/tracer.hpp"
@@ -22,9 +23,11 @@ struct RenderOptions {
   int height = 256;
   int threads = 1;
   int tile_side = 32;                  ///< in pixels; see tile_side_for()
+  host::Piece tiles{};                 ///< only these tiles, which are in one order; the rest stays black
+  bool picture = true;                 ///< fill image and triangles; false: only trace
   WhittedOptions light{};              ///< which rays follow
   const Surfaces* surfaces = nullptr;  ///< as Whitted has them
-  bool maps = false;                   ///< fill RenderResult::depth, box_tests, triangle_tests
+  bool maps = false;  ///< fill RenderResult::depth, box_tests, triangle_tests; with a picture
   /// Called from any thread with the finished share of the image, 0..1.
   std::function<void(double)> progress = [](double) {};
   /// If not empty, called from any thread with each batch of rays and its answers.
@@ -34,6 +37,9 @@ struct RenderOptions {
 /// The tile side for bundles of up to `bundle` rays, so that primary rays fill them: 8 for 64, 16 for 256,
 /// otherwise 32.
 [[nodiscard]] int tile_side_for(int bundle);
+
+/// How many tiles a picture has.
+[[nodiscard]] std::uint64_t tile_count(const RenderOptions& options);
 
 /// Counts by kind of ray.
 struct RenderCounts {

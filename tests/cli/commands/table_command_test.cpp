@@ -85,7 +85,7 @@ TEST(TableJudge, WritesThePageAndEveryFigure) {
   const sim::TemporaryFolder folder;
   const std::string out = (folder.path() / "page.md").string();
   const std::string words =
-      "hitpipe table --judge 4.2 6.2 7.1 7.2 --scene Branch=spheres --scene Bunny=spheres "
+      "hitpipe table 4.2 6.2 7.1 7.2 --judge --scene Branch=spheres --scene Bunny=spheres "
       "--width 16 --height 12 --repeats 1 --out " +
       out;
   EXPECT_EQ(printed(words.substr(8)), "");

@@ -71,6 +71,28 @@ TEST(Check, ResultsDoNotDependOnThreads) {
   }
 }
 
+TEST(Check, PiecesTogetherAreTheWhole) {
+  const rtl::Design& fp_slabs = rtl::find_design("fp_slabs");
+  const auto run = [&](host::Piece piece) {
+    return check([&] { return make_box_test(fp_slabs, rtl::Format(hls::Binary32{})); },
+                 {.categories = all_categories(), .tests = 200'000, .seed = seed, .piece = piece});
+  };
+  const std::vector<CategoryResult> whole = run({});
+  for (const std::uint64_t pieces : {2U, 7U, 108U}) {
+    std::vector<CategoryResult> sums = run({1, pieces});
+    for (std::uint64_t number = 2; number <= pieces; ++number) {
+      const std::vector<CategoryResult> piece = run({number, pieces});
+      for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += piece[i];
+    }
+    ASSERT_EQ(sums.size(), whole.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      EXPECT_EQ(text_of(sums[i]), text_of(whole[i])) << pieces;
+      EXPECT_EQ(sums[i].false_miss_share.sums(), whole[i].false_miss_share.sums()) << pieces;
+      EXPECT_EQ(sums[i].false_hit_share.sums(), whole[i].false_hit_share.sums()) << pieces;
+    }
+  }
+}
+
 TEST(Check, RunsAsManyTestsAsAskedInEqualShares) {
   // Numbers around multiples of the 27 categories, of a ray's 32 boxes and of a batch's 2048 tests.
   for (const std::uint64_t tests :

@@ -2,6 +2,7 @@
 #include "sim/check/triangle_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
 
@@ -18,11 +19,12 @@ namespace {
 using hls::WorldBits;
 using ref::IntCrossing;
 
-TriangleCategoryResult sum_of(const MakeTriangleTest& make, std::uint64_t tests) {
+TriangleCategoryResult sum_of(const MakeTriangleTest& make, std::uint64_t tests, host::Piece piece = {}) {
   TriangleCheckOptions options;
   const auto all = ref::int_categories();
   options.categories = {all.begin(), all.end()};
   options.tests = tests;
+  options.piece = piece;
   TriangleCategoryResult sum;
   for (const TriangleCategoryResult& each : check_triangles(make, options)) sum += each;
   return sum;
@@ -31,6 +33,16 @@ TriangleCategoryResult sum_of(const MakeTriangleTest& make, std::uint64_t tests)
 std::unique_ptr<TriangleTest> unit(const std::string& bits) {
   const rtl::Design& design = rtl::find_design("int_triangle");
   return make_triangle_test(design, design.parse_format(bits));
+}
+
+TEST(TriangleCheck, PiecesTogetherAreTheWhole) {
+  const auto counts = [](const TriangleCategoryResult& sum) {
+    return std::array{sum.tests, sum.hits, sum.wrong};
+  };
+  const auto make = [] { return unit("16+1s16"); };
+  TriangleCategoryResult sum;
+  for (std::uint64_t number = 1; number <= 5; ++number) sum += sum_of(make, 60'001, {number, 5});
+  EXPECT_EQ(counts(sum), counts(sum_of(make, 60'001)));
 }
 
 class Formats : public testing::TestWithParam<std::string> {};

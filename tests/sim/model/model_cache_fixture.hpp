@@ -29,7 +29,7 @@ inline std::string error_of_build(const std::filesystem::path& cache) {
 inline std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    names.push_back(entry.path().filename().string());
+    if (entry.path().filename() != ".locks") names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -44,6 +44,27 @@ class Render : public testing::Test {
   }
 };
 
+TEST_F(Render, PiecesOfTilesTogetherAreThePicture) {
+  RenderOptions options{.width = 150, .height = 101};
+  const RenderResult whole = run(options);
+  EXPECT_EQ(tile_count(options), 20U);
+  std::vector<glm::vec3> image(whole.image.size());
+  RenderCounts counts;
+  for (std::uint64_t number = 1; number <= 3; ++number) {
+    options.tiles = {number, 3};
+    const RenderResult piece = run(options);
+    for (std::size_t i = 0; i < image.size(); ++i) image[i] += piece.image[i];
+    counts += piece.counts;
+    options.picture = false;
+    const RenderResult counted = run(options);
+    EXPECT_TRUE(counted.image.empty() && counted.triangles.empty());
+    EXPECT_EQ(counted.counts, piece.counts);
+    options.picture = true;
+  }
+  EXPECT_TRUE(same_bits(image, whole.image));
+  EXPECT_EQ(counts, whole.counts);
+}
+
 TEST_F(Render, DoesNotDependOnThreads) {
   RenderOptions options{.width = 150, .height = 101, .threads = 1, .maps = true};
   const RenderResult one = run(options);
