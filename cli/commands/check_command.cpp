@@ -49,6 +49,7 @@ struct CheckCommand {
   std::optional<std::string> replay;
   PiecesChoice pieces;
   std::string out;  ///< of pieces, or of stiff rays
+  PictureForm pictures = page_form;
   OutputFormat format = OutputFormat::text;
 };
 
@@ -93,29 +94,36 @@ CheckFindings findings(const CheckCommand& command, host::Piece piece) {
   return found;
 }
 
-/// Does what the user wants of a check that can be cut into pieces. `find` does a piece of it.
-template <class Find>
-int judge(const CheckCommand& command, const CLI::App& parsed, std::size_t categories, const Find& find) {
-  constexpr std::string_view parts = "batches of tests";
-  const std::uint64_t batches = sim::Shares(command.tests, categories).batches();
-  if (command.pieces.pieces > 0) {
-    print_pieces(parsed, command.pieces, command.out, batches, parts, "json");
-    return 0;
-  }
-  if (!command.pieces.piece) return report_findings(find(host::Piece{}), command.format);
-  return run_piece(parsed, command.pieces, command.out, batches, parts,
-                   [&] { return to_row(find(*command.pieces.piece)); });
-}
-
 int judge(const CheckCommand& command, const CLI::App& parsed) {
   const rtl::Design& design = command.choice.design();
-  if (design.kind != hls::triangle_kind)
-    return judge(command, parsed, chosen_categories(design, command.categories).size(),
-                 [&](host::Piece piece) { return findings(command, piece); });
-  return judge(command, parsed, triangle_categories(command.categories).size(), [&](host::Piece piece) {
+  const bool triangles = design.kind == hls::triangle_kind;
+  const std::size_t categories = triangles ? triangle_categories(command.categories).size()
+                                           : chosen_categories(design, command.categories).size();
+  const CutWork work{parsed, command.pieces, command.out, sim::Shares(command.tests, categories).batches(),
+                     "batches of tests"};
+  const auto find_triangles = [&](host::Piece piece) {
     return check_triangle_unit({command.choice, command.categories, command.tests, command.seed,
                                 command.threads, command.rtl, command.interval, piece});
-  });
+  };
+  return do_work(
+      work,
+      [&](host::Piece piece) {
+        return triangles ? to_row(find_triangles(piece)) : to_row(findings(command, piece));
+      },
+      [&] {
+        return triangles ? report_findings(find_triangles({}), command.format)
+                         : report_findings(findings(command, {}), command.format);
+      });
+}
+
+int judge_stiff(const CheckCommand& command, const StiffCheck& stiff, const CLI::App& parsed) {
+  return do_work(
+      {parsed, command.pieces, command.out, stiff_formats(stiff), "formats"},
+      [&](host::Piece piece) { return to_row(check_stiff_rays(stiff, piece)); },
+      [&] {
+        return report_findings(check_stiff_rays(stiff, {}),
+                               {command.out, command.pictures, command.format, notes_of(parsed)});
+      });
 }
 
 /// Of all pieces, in order.
@@ -128,6 +136,13 @@ auto sum_of(const std::vector<PieceFile>& pieces, Parse parse) {
 
 int join(const CheckCommand& command, const CLI::App& parsed) {
   const std::vector<PieceFile> pieces = joined_pieces(parsed, command.pieces);
+  if (pieces.front().result.contains("designs")) {
+    Row notes = notes_of(parsed);
+    notes["command"] = joined_command(pieces.front().note.command, command.out);
+    return report_findings(sum_of(pieces, parse_stiff_findings),
+                           {command.out, command.pictures, command.format, notes});
+  }
+  if (!command.out.empty()) throw std::runtime_error("--out: only stiff rays have files");
   const auto name = [](const Row& row) { return row.at("design").get<std::string>(); };
   const rtl::Design& design = rtl::find_design(result_of(pieces.front(), name));
   return design.kind == hls::triangle_kind
@@ -207,7 +222,7 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
   add_large_count_option(*command, "--rays", stiff->rays, 1, 1'000'000'000,
                          "With --stiff: rays through the scene for each ratio (1 to 10^9)")
       ->needs(is_stiff);
-  add_plot_width_option(*command, stiff->pictures, "With --stiff: ")->needs(is_stiff);
+  add_plot_width_option(*command, options->pictures, "With --stiff: ")->needs(is_stiff);
   for (const char* const other : {"--category", "--rtl", "--replay"})
     exclude(is_stiff, command->get_option(other), "stiff rays have cases of their own, and the C++ answers");
   add_format_option(*command, options->format);
@@ -215,11 +230,13 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
       *command, options->pieces, options->out, Output::folder,
       "With --stiff: folder for the rows as CSV and for the plots as SVG, PDF and gnuplot");
   command->get_option("--plot-width")->needs(out);
-  for (const char* const other : {"--pieces", "--piece", "--join"}) {
-    exclude(is_stiff, command->get_option(other), "stiff rays are few");
+  for (const char* const other : {"--pieces", "--piece", "--join"})
     exclude(command->get_option("--replay"), command->get_option(other), "it judges one case");
-  }
   command->callback([options, stiff, tests, command, &exit_code] {
+    if (!options->pieces.join.empty()) {
+      exit_code = join(*options, *command);
+      return;
+    }
     if (options->stiff) {
       if (tests->count() > 0) stiff->tests = options->tests;
       if (stiff->tests > most_stiff)
@@ -227,13 +244,7 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
       stiff->seed = options->seed;
       stiff->threads = options->threads;
       stiff->hierarchy.build.threads = options->threads;
-      stiff->out = options->out;
-      stiff->format = options->format;
-      exit_code = check_stiff_rays(*stiff, notes_of(*command));
-      return;
-    }
-    if (!options->pieces.join.empty()) {
-      exit_code = join(*options, *command);
+      exit_code = judge_stiff(*options, *stiff, *command);
       return;
     }
     if (!options->out.empty() && !options->pieces.any())

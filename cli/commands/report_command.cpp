@@ -220,9 +220,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                             .hierarchy = command.hierarchy,
                             .light = command.light,
                             .library = &library,
-                            .interval = 1,
-                            .out = {},
-                            .format = OutputFormat::csv},
+                            .interval = 1},
                            scene, [&](double share) { progress->show(share); });
   facts.world_command =
       fmt::format("hitpipe sweep int_triangle {}{} --mantissas {} --out integer_world.csv",

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
-#include "cli/text/stiffness_report.hpp"
 #include "host/files.hpp"
 #include "sim/software.hpp"
 #include "sw_ref/scene/scene.hpp"
@@ -65,39 +65,152 @@ void measure(const StiffCheck& command, const CountedScene* loaded, std::vector<
   }
 }
 
-void write(const StiffCheck& command, const std::vector<MeasuredDesign>& designs,
-           const std::vector<Row>& rows, const std::string& scene, const Row& notes) {
+void write(const StiffFindings& findings, const std::vector<Row>& rows, const StiffReport& report) {
   std::vector<host::File> files{
       {"stiffness.csv", table_text(rows, OutputFormat::csv)},
-      {metadata_file("stiffness.csv").string(), csv_metadata({"stiffness.csv"}, notes)},
+      {metadata_file("stiffness.csv").string(), csv_metadata({"stiffness.csv"}, report.notes)},
   };
   const auto draw = [&](const Plot& plot) {
     const std::vector<host::File> drawn =
-        picture_files(draw_picture("check", stiffness_picture(plot, command.pictures), command.pictures));
+        picture_files(draw_picture("check", stiffness_picture(plot, report.pictures), report.pictures));
     files.insert(files.end(), drawn.begin(), drawn.end());
   };
-  draw(boxes_plot(designs));
-  if (!scene.empty()) draw(traversals_plot(designs, scene));
-  host::write_files(command.out, files);
+  draw(boxes_plot(findings.designs));
+  if (!findings.scene.empty()) draw(traversals_plot(findings.designs, findings.scene));
+  host::write_files(report.out, files);
+}
+
+/// Takes away the formats that the piece does not have.
+void keep(std::vector<MeasuredDesign>& designs, host::Piece::Range mine) {
+  std::uint64_t place = 0;
+  for (MeasuredDesign& design : designs)
+    std::erase_if(design.formats, [&](const Measured&) {
+      const bool kept = place >= mine.first && place < mine.end;
+      ++place;
+      return !kept;
+    });
+  std::erase_if(designs, [](const MeasuredDesign& design) { return design.formats.empty(); });
+}
+
+Row kept(const sim::Stiffness& stiffness) {
+  return stiffness ? Row(*stiffness) : Row(nullptr);
+}
+
+sim::Stiffness stiffness_of(const Row& row) {
+  const Row& ratio = row.at("log2_ratio");
+  return ratio.is_null() ? std::nullopt : sim::Stiffness(ratio.get<int>());
+}
+
+Row to_row(const Measured& measured) {
+  Row boxes = Row::array();
+  for (const sim::StiffBoxes& each : measured.boxes)
+    boxes.push_back({{"log2_ratio", kept(each.stiffness)},
+                     {"half_side", each.half_side},
+                     {"aimed", each.aimed},
+                     {"tests", each.tests},
+                     {"exact_hits", each.hits},
+                     {"false_hits", each.false_hits},
+                     {"false_misses", each.false_misses}});
+  Row traversals = Row::array();
+  for (const sim::StiffTraversals& each : measured.traversals)
+    traversals.push_back({{"log2_ratio", kept(each.stiffness)},
+                          {"rays", each.rays},
+                          {"box_tests", each.box_tests},
+                          {"reference_box_tests", each.reference_box_tests},
+                          {"different_triangles", each.different_triangles},
+                          {"work_sums", each.work.sums()}});
+  return {{"bits", rtl::to_string(measured.format)}, {"boxes", boxes}, {"traversals", traversals}};
+}
+
+Measured parse_measured(const rtl::Design& design, const Row& row) {
+  const auto count = [](const Row& each, const char* name) { return each.at(name).get<std::uint64_t>(); };
+  Measured measured{.format = design.parse_format(row.at("bits").get<std::string>()),
+                    .boxes = {},
+                    .all_boxes = {},
+                    .traversals = {}};
+  for (const Row& each : row.at("boxes"))
+    measured.boxes.push_back({.stiffness = stiffness_of(each),
+                              .half_side = each.at("half_side").get<int>(),
+                              .aimed = each.at("aimed").get<bool>(),
+                              .tests = count(each, "tests"),
+                              .hits = count(each, "exact_hits"),
+                              .false_hits = count(each, "false_hits"),
+                              .false_misses = count(each, "false_misses")});
+  measured.all_boxes = sim::over_all_kinds(measured.boxes);
+  for (const Row& each : row.at("traversals"))
+    measured.traversals.push_back(
+        {.stiffness = stiffness_of(each),
+         .rays = count(each, "rays"),
+         .box_tests = count(each, "box_tests"),
+         .reference_box_tests = count(each, "reference_box_tests"),
+         .different_triangles = count(each, "different_triangles"),
+         .work = ref::GroupedRatio::of(each.at("work_sums").get<ref::GroupedRatio::Sums>())});
+  return measured;
 }
 
 }  // namespace
 
-int check_stiff_rays(const StiffCheck& command, const Row& notes) {
-  std::vector<MeasuredDesign> designs = chosen_designs(command);
+StiffFindings& StiffFindings::operator+=(StiffFindings later) {
+  for (MeasuredDesign& design : later.designs) {
+    if (!designs.empty() && designs.back().design == design.design)
+      for (Measured& format : design.formats) designs.back().formats.push_back(std::move(format));
+    else
+      designs.push_back(std::move(design));
+  }
+  return *this;
+}
+
+std::uint64_t stiff_formats(const StiffCheck& command) {
+  std::uint64_t count = 0;
+  for (const MeasuredDesign& design : chosen_designs(command)) count += design.formats.size();
+  return count;
+}
+
+StiffFindings check_stiff_rays(const StiffCheck& command, host::Piece piece) {
+  StiffFindings findings{.scene = {}, .hierarchy = {}, .designs = chosen_designs(command)};
+  keep(findings.designs, piece.range(stiff_formats(command)));
   std::optional<CountedScene> loaded;
   if (!command.scene.empty()) {
     const Progress progress("reading the scene");
     loaded.emplace(CountedScene{ref::load_scene(command.scene), {}});
     loaded->bvh = ref::make_hierarchy(loaded->scene, command.hierarchy).bvh;
+    findings.scene = loaded->scene.name;
+    findings.hierarchy = command.hierarchy.text();
   }
-  const std::string scene = loaded ? loaded->scene.name : "";
-  measure(command, loaded ? &*loaded : nullptr, designs);
-  const std::vector<Row> rows = stiffness_rows(designs, scene);
-  if (!command.out.empty()) write(command, designs, rows, scene, notes);
-  fmt::print("{}", command.format == OutputFormat::text ? stiffness_text(designs, scene)
-                                                        : table_text(rows, command.format));
-  if (command.format == OutputFormat::text && loaded) fmt::print("hierarchy: {}\n", command.hierarchy.text());
+  measure(command, loaded ? &*loaded : nullptr, findings.designs);
+  return findings;
+}
+
+Row to_row(const StiffFindings& findings) {
+  Row designs = Row::array();
+  for (const MeasuredDesign& design : findings.designs) {
+    Row formats = Row::array();
+    for (const Measured& measured : design.formats) formats.push_back(to_row(measured));
+    designs.push_back({{"design", design.design->name}, {"formats", formats}});
+  }
+  return {{"scene", findings.scene}, {"hierarchy", findings.hierarchy}, {"designs", designs}};
+}
+
+StiffFindings parse_stiff_findings(const Row& row) {
+  StiffFindings findings{.scene = row.at("scene").get<std::string>(),
+                         .hierarchy = row.at("hierarchy").get<std::string>(),
+                         .designs = {}};
+  for (const Row& each : row.at("designs")) {
+    const rtl::Design& design = rtl::find_design(each.at("design").get<std::string>());
+    MeasuredDesign& measured = findings.designs.emplace_back(MeasuredDesign{&design, {}});
+    for (const Row& format : each.at("formats")) measured.formats.push_back(parse_measured(design, format));
+  }
+  return findings;
+}
+
+int report_findings(const StiffFindings& findings, const StiffReport& report) {
+  const std::vector<MeasuredDesign>& designs = findings.designs;
+  const std::vector<Row> rows = stiffness_rows(designs, findings.scene);
+  if (!report.out.empty()) write(findings, rows, report);
+  fmt::print("{}", report.format == OutputFormat::text ? stiffness_text(designs, findings.scene)
+                                                       : table_text(rows, report.format));
+  if (report.format == OutputFormat::text && !findings.hierarchy.empty())
+    fmt::print("hierarchy: {}\n", findings.hierarchy);
   const std::uint64_t wrong = wrong_answers(designs);
   if (wrong == 0) return 0;
   fmt::print(stderr,

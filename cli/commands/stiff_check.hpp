@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "cli/options/design_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/report/picture.hpp"
+#include "cli/text/stiffness_report.hpp"
 #include "cli/text/table.hpp"
+#include "host/piece.hpp"
 
 namespace hitpipe::cli {
 
@@ -19,12 +22,36 @@ struct StiffCheck {
   std::uint64_t rays = 2'000;
   std::uint64_t seed = 1;
   int threads = 1;
-  std::string out;
-  PictureForm pictures = page_form;
-  OutputFormat format = OutputFormat::text;
 };
 
-/// Prints the table and returns the exit code. The notes go into the folder, beside the rows.
-[[nodiscard]] int check_stiff_rays(const StiffCheck& command, const Row& notes);
+struct StiffFindings {
+  std::string scene;      ///< its name; empty: none was traversed
+  std::string hierarchy;  ///< as a reader expects it
+  std::vector<MeasuredDesign> designs;
+
+  /// Of the same check, with the formats that follow.
+  StiffFindings& operator+=(StiffFindings later);
+};
+
+/// How many formats of designs there are. Throws as check_stiff_rays().
+[[nodiscard]] std::uint64_t stiff_formats(const StiffCheck& command);
+
+/// Of the formats of the piece. Throws std::runtime_error for designs, formats and scenes that cannot be
+/// used.
+[[nodiscard]] StiffFindings check_stiff_rays(const StiffCheck& command, host::Piece piece);
+
+[[nodiscard]] Row to_row(const StiffFindings& findings);
+/// Throws nlohmann's exceptions for another form, and what rtl::find_design() and parse_format() throw.
+[[nodiscard]] StiffFindings parse_stiff_findings(const Row& row);
+
+struct StiffReport {
+  std::string out;  ///< a folder; empty: nothing is written
+  PictureForm pictures = page_form;
+  OutputFormat format = OutputFormat::text;
+  Row notes;  ///< they go into the folder, beside the rows
+};
+
+/// Prints the table, writes what is to be written, and returns the exit code.
+int report_findings(const StiffFindings& findings, const StiffReport& report);
 
 }  // namespace hitpipe::cli

@@ -147,32 +147,51 @@ int sweep_triangles(const SweepCommand& command, const CLI::App& parsed, const r
   if (command.intervals.size() > 1)
     throw std::runtime_error("--ii: a sweep of a triangle unit takes one interval");
   if (!command.rows.empty()) throw std::runtime_error("--rows: a sweep of a triangle unit takes none");
-  if (command.pieces.any()) throw std::runtime_error("--pieces: a sweep of a triangle unit has one");
   if (!command.rays.empty())
     throw std::runtime_error("--rays: a sweep of a triangle unit compares pictures, and a file makes none");
-  return sweep_world({&design, command.units.formats({&design}, world_formats).front().formats,
-                      command.mantissas.empty() ? std::vector{9, 11, 13} : command.mantissas, command.scene,
-                      command.hierarchy, command.light, &library,
-                      command.intervals.empty() ? 1 : command.intervals.front(), command.out, command.format},
-                     notes_of(parsed));
+  const std::vector<rtl::Format> formats = command.units.formats({&design}, world_formats).front().formats;
+  const auto measured = [&](host::Piece piece) {
+    const host::Piece::Range mine = piece.range(formats.size());
+    const auto first = formats.begin() + static_cast<std::ptrdiff_t>(mine.first);
+    return sweep_world({.design = &design,
+                        .formats = {first, first + static_cast<std::ptrdiff_t>(mine.size())},
+                        .mantissas = command.mantissas.empty() ? std::vector{9, 11, 13} : command.mantissas,
+                        .scene = command.scene,
+                        .hierarchy = command.hierarchy,
+                        .light = command.light,
+                        .library = &library,
+                        .interval = command.intervals.empty() ? 1 : command.intervals.front()},
+                       notes_of(parsed));
+  };
+  return do_work(
+      {parsed, command.pieces, command.out, formats.size(), "formats"},
+      [&](host::Piece piece) { return to_row(measured(piece)); },
+      [&] { return report_world(measured({}), command.out, command.format); });
 }
 
-constexpr std::string_view row_parts = "rows";
+/// Of a triangle unit.
+int join_triangles(const SweepCommand& command, const CLI::App& parsed) {
+  const std::vector<PieceFile> pieces = joined_pieces(parsed, command.pieces);
+  WorldFindings all = result_of(pieces.front(), parse_world_findings);
+  for (std::size_t i = 1; i < pieces.size(); ++i)
+    for (Row& row : result_of(pieces[i], parse_world_findings).rows) all.rows.push_back(std::move(row));
+  all.notes["command"] = joined_command(pieces.front().note.command, command.out);
+  return report_world(all, command.out, command.format);
+}
 
 /// What stands beside the rows. Of a piece it also says which.
-Row notes_beside(const SweepCommand& command, const CLI::App& parsed, const ref::Scene& scene,
-                 std::size_t count) {
-  Row notes = notes_of(parsed);
+Row notes_beside(const SweepCommand& command, const CutWork& work, const ref::Scene& scene) {
+  Row notes = notes_of(work.parsed);
   notes["hierarchy"] = command.hierarchy.text();
   notes.update(camera_notes(scene));
-  if (command.pieces.piece) notes["piece"] = to_row(piece_note(parsed, command.pieces, count, row_parts));
+  if (command.pieces.piece) notes["piece"] = to_row(piece_note(work));
   return notes;
 }
 
-/// Measures those of the points that the file does not hold yet. The whole sweep has `count`.
-std::vector<sim::SweepRow> measure(const SweepCommand& command, const CLI::App& parsed,
+/// Measures those of the points that the file does not hold yet.
+std::vector<sim::SweepRow> measure(const SweepCommand& command, const CutWork& work,
                                    const rtl::Library& library, const std::vector<sim::SweepPoint>& points,
-                                   std::size_t count, const std::filesystem::path& file) {
+                                   const std::filesystem::path& file) {
   sim::ResumableSweep sweep{.scene = nullptr,
                             .bvh = nullptr,
                             .points = points,
@@ -180,7 +199,7 @@ std::vector<sim::SweepRow> measure(const SweepCommand& command, const CLI::App& 
                                         .height = command.scene.height,
                                         .threads = command.scene.threads,
                                         .light = command.light,
-                                        .program = program_of(parsed),
+                                        .program = program_of(work.parsed),
                                         .hierarchy = command.hierarchy.name(),
                                         .library = &library,
                                         .tests_only = command.cost.tests_only,
@@ -198,26 +217,25 @@ std::vector<sim::SweepRow> measure(const SweepCommand& command, const CLI::App& 
   progress.emplace("sweeping");
   sweep.options.progress = [&](double share) { progress->show(share); };
   const std::filesystem::path out = command.out;
-  sweep.notes = csv_metadata({out.filename().string()}, notes_beside(command, parsed, scene, count));
+  sweep.notes = csv_metadata({out.filename().string()}, notes_beside(command, work, scene));
   sweep.notes_file = metadata_file(out);
   return sim::resume(sweep);
 }
 
 /// The rows of a piece are in a file of their own until there are all, so that its file is whole when it is
 /// there.
-int measure_piece(const SweepCommand& command, const CLI::App& parsed, const rtl::Library& library,
+int measure_piece(const SweepCommand& command, const CutWork& work, const rtl::Library& library,
                   const std::vector<sim::SweepPoint>& points) {
-  const PieceNote asked = piece_note(parsed, command.pieces, points.size(), row_parts);
   const std::filesystem::path file = command.out;
   const std::filesystem::path growing = command.out + ".part";
   if (std::filesystem::exists(file)) {
-    const PieceNote there = note_beside(file).note;
-    if (!same_piece(there, asked)) refuse_other_piece(command.out, there, asked);
+    check_same_piece(work, note_beside(file).note);
   } else {
-    const host::Piece::Range range = asked.piece.range(points.size());
+    static_cast<void>(piece_note(work));  // refuses what cannot be done
+    const host::Piece::Range range = command.pieces.chosen().range(points.size());
     const auto first = points.begin() + static_cast<std::ptrdiff_t>(range.first);
     const std::vector<sim::SweepPoint> mine(first, first + static_cast<std::ptrdiff_t>(range.size()));
-    std::vector<sim::SweepRow> rows = measure(command, parsed, library, mine, points.size(), growing);
+    std::vector<sim::SweepRow> rows = measure(command, work, library, mine, growing);
     // Rows of another piece may be in the file, from before.
     std::erase_if(rows, [&](const sim::SweepRow& row) {
       const sim::RowKey key = sim::key_of(row.design, row.bits, row.rays_in_flight, row.interval);
@@ -227,7 +245,7 @@ int measure_piece(const SweepCommand& command, const CLI::App& parsed, const rtl
     sim::write_rows(file, rows);
   }
   std::filesystem::remove(growing);
-  print_done(command.out, asked);
+  print_done(work);
   return 0;
 }
 
@@ -238,16 +256,19 @@ int sweep(const SweepCommand& command, const CLI::App& parsed) {
   if (!command.mantissas.empty())
     throw std::runtime_error("--mantissas: only a sweep of a triangle unit has boxes of its own");
   const std::vector<sim::SweepPoint> points = plan(command, library);
+  const CutWork work{parsed, command.pieces, command.out, points.size(), "rows"};
   if (command.pieces.pieces > 0) {
-    print_pieces(parsed, command.pieces, command.out, points.size(), row_parts, "csv");
+    print_pieces(work, "csv");
     return 0;
   }
-  if (command.pieces.piece) return measure_piece(command, parsed, library, points);
-  return report(measure(command, parsed, library, points, points.size(), command.out),
-                command.hierarchy.text(), command.format);
+  if (command.pieces.piece) return measure_piece(command, work, library, points);
+  return report(measure(command, work, library, points, command.out), command.hierarchy.text(),
+                command.format);
 }
 
 int join(const SweepCommand& command, const CLI::App& parsed) {
+  if (std::filesystem::path(command.pieces.join.front()).extension() == ".json")
+    return join_triangles(command, parsed);
   std::vector<PieceFile> pieces;
   for (const std::string& file : command.pieces.join) pieces.push_back(note_beside(file));
   check_pieces(pieces, program_of(parsed), parsed.get_name());
@@ -263,7 +284,7 @@ int join(const SweepCommand& command, const CLI::App& parsed) {
   const std::filesystem::path out = command.out;
   rows = sim::join_rows(out, rows);
   Row notes = pieces.front().result;
-  notes["command"] = pieces.front().note.command + " --out " + host::shell_word(command.out);
+  notes["command"] = joined_command(pieces.front().note.command, command.out);
   notes.erase("piece");
   host::write_file(metadata_file(out), csv_metadata({out.filename().string()}, notes));
   return report(rows, notes.value("hierarchy", ""), command.format);

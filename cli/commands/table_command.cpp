@@ -75,8 +75,7 @@ void announce_page(const TableCommand& command) {
 /// Prints the page, or writes it. `asked` is the command that makes these tables.
 void report(const TableCommand& command, const std::vector<thesis::ResultTable>& tables,
             const std::string& asked) {
-  const std::string text = thesis::reproduction_page(
-      tables, command.out.empty() ? asked : asked + " --out " + host::shell_word(command.out));
+  const std::string text = thesis::reproduction_page(tables, asked);
   if (command.out.empty() || command.format != OutputFormat::text)
     fmt::print("{}", command.format == OutputFormat::text
                          ? text
@@ -91,7 +90,6 @@ void report(const TableCommand& command, const std::vector<thesis::ResultTable>&
 
 void judge(const TableCommand& command, const CLI::App& parsed) {
   const std::vector<const thesis::Experiment*> experiments = judged(command);
-  constexpr std::string_view parts = "tables";
   const auto results = [&](host::Piece piece) {
     std::vector<thesis::ResultTable> tables;
     const host::Piece::Range mine = piece.range(experiments.size());
@@ -99,18 +97,18 @@ void judge(const TableCommand& command, const CLI::App& parsed) {
       tables.push_back(table_of(*experiments[i], command));
     return tables;
   };
-  if (command.pieces.pieces > 0)
-    return print_pieces(parsed, command.pieces, command.out, experiments.size(), parts, "json");
-  if (!command.pieces.piece) {
-    announce_page(command);
-    return report(command, results({}), whole_command(parsed));
-  }
-  run_piece(parsed, command.pieces, command.out, experiments.size(), parts, [&] {
-    Row rows = Row::array();
-    for (const thesis::ResultTable& table : results(*command.pieces.piece))
-      rows.push_back(thesis::kept_result(table));
-    return rows;
-  });
+  do_work(
+      {parsed, command.pieces, command.out, experiments.size(), "tables"},
+      [&](host::Piece piece) {
+        Row rows = Row::array();
+        for (const thesis::ResultTable& table : results(piece)) rows.push_back(thesis::kept_result(table));
+        return rows;
+      },
+      [&] {
+        announce_page(command);
+        report(command, results({}), joined_command(whole_command(parsed), command.out));
+        return 0;
+      });
 }
 
 void join(const TableCommand& command, const CLI::App& parsed) {
@@ -121,7 +119,7 @@ void join(const TableCommand& command, const CLI::App& parsed) {
     result_of(piece, [&](const Row& rows) {
       for (const Row& row : rows) tables.push_back(thesis::parse_result(row));
     });
-  report(command, tables, pieces.front().note.command);
+  report(command, tables, joined_command(pieces.front().note.command, command.out));
 }
 
 }  // namespace

@@ -219,24 +219,21 @@ int trace_scene(TraceCommand command, const CLI::App& parsed) {
   if (command.rays.empty())
     check_parts(command, ref::tile_count({.width = command.scene.width, .height = command.scene.height}),
                 "tiles");
-  constexpr std::string_view parts = "runs of cores";
   const bool cache = command.memory.cache_kib > 0;
   std::vector<glm::vec3> picture;
   std::string scene;
-  if (command.pieces.pieces > 0) {
-    print_pieces(parsed, command.pieces, command.out, runs_of(command), parts, "json");
-    return 0;
-  }
-  if (command.pieces.piece)
-    return run_piece(parsed, command.pieces, command.out, runs_of(command), parts, [&] {
-      return kept_runs(run(command, *command.pieces.piece, picture, scene), command.hierarchy.text(), cache);
-    });
-  const std::vector<CoreRun> runs = run(command, {}, picture, scene);
-  const bool right = report(runs, command.hierarchy.text(), cache, command.format);
-  // Software's picture, so it is the core's only if all answers are the same.
-  if (right && !command.out.empty())
-    ref::write_image(picture_file(command, scene), command.scene.width, command.scene.height, picture);
-  return right ? 0 : 1;
+  const auto piece = [&](host::Piece mine) {
+    return kept_runs(run(command, mine, picture, scene), command.hierarchy.text(), cache);
+  };
+  const auto all = [&] {
+    const std::vector<CoreRun> runs = run(command, {}, picture, scene);
+    const bool right = report(runs, command.hierarchy.text(), cache, command.format);
+    // Software's picture, so it is the core's only if all answers are the same.
+    if (right && !command.out.empty())
+      ref::write_image(picture_file(command, scene), command.scene.width, command.scene.height, picture);
+    return right ? 0 : 1;
+  };
+  return do_work({parsed, command.pieces, command.out, runs_of(command), "runs of cores"}, piece, all);
 }
 
 int join(const TraceCommand& command, const CLI::App& parsed) {

@@ -1,6 +1,8 @@
 #include "cli/commands/world_sweep.hpp"
 
+#include <filesystem>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -8,7 +10,6 @@
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "host/files.hpp"
-#include "host/outputs.hpp"
 #include "sim/cosim/counts.hpp"
 #include "sw_ref/world/int_error.hpp"
 
@@ -116,23 +117,33 @@ std::vector<Row> world_rows(const WorldSweep& command, const ref::Scene& scene,
   return rows;
 }
 
-int sweep_world(const WorldSweep& command, Row notes) {
+WorldFindings sweep_world(const WorldSweep& command, Row notes) {
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
-  host::announce_output("--out", command.out);
   progress.emplace("sweeping");
-  const std::vector<Row> rows = world_rows(command, scene, [&](double share) { progress->show(share); });
-  progress.reset();
   notes.update(camera_notes(scene));
-  const std::filesystem::path file = command.out;
-  host::write_file(file, table_text(rows, OutputFormat::csv));
-  host::write_file(metadata_file(file), csv_metadata({file.filename().string()}, notes));
-  if (command.format == OutputFormat::text) {
-    fmt::print("{}, {} x {}, {} triangles, {}\n{}", scene.name, command.scene.width, command.scene.height,
-               scene.mesh.triangles.size(), command.hierarchy.text(), text_of(rows));
-  } else {
-    fmt::print("{}", table_text(rows, command.format));
-  }
+  return {.head = fmt::format("{}, {} x {}, {} triangles, {}", scene.name, command.scene.width,
+                              command.scene.height, scene.mesh.triangles.size(), command.hierarchy.text()),
+          .rows = world_rows(command, scene, [&](double share) { progress->show(share); }),
+          .notes = std::move(notes)};
+}
+
+Row to_row(const WorldFindings& findings) {
+  return {{"head", findings.head}, {"rows", findings.rows}, {"notes", findings.notes}};
+}
+
+WorldFindings parse_world_findings(const Row& row) {
+  return {.head = row.at("head").get<std::string>(),
+          .rows = row.at("rows").get<std::vector<Row>>(),
+          .notes = row.at("notes")};
+}
+
+int report_world(const WorldFindings& findings, const std::string& out, OutputFormat format) {
+  const std::filesystem::path file = out;
+  host::write_file(file, table_text(findings.rows, OutputFormat::csv));
+  host::write_file(metadata_file(file), csv_metadata({file.filename().string()}, findings.notes));
+  fmt::print("{}", format == OutputFormat::text ? findings.head + "\n" + text_of(findings.rows)
+                                                : table_text(findings.rows, format));
   return 0;
 }
 

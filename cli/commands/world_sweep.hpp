@@ -24,8 +24,12 @@ struct WorldSweep {
   ref::WhittedOptions light;
   const rtl::Library* library;
   int interval;
-  std::string out;  ///< a .csv file
-  OutputFormat format;
+};
+
+struct WorldFindings {
+  std::string head;  ///< one line: scene, size, triangles, hierarchy
+  std::vector<Row> rows;
+  Row notes;  ///< what stands beside the rows
 };
 
 /// n = 16, 18, 20, 22 and 24 with a finer bit, and as many bits of a slope.
@@ -35,7 +39,14 @@ struct WorldSweep {
 [[nodiscard]] std::vector<Row> world_rows(const WorldSweep& command, const ref::Scene& scene,
                                           const std::function<void(double)>& progress = {});
 
-/// Writes the rows to the file and the notes beside it, prints the rows and returns the exit code.
-[[nodiscard]] int sweep_world(const WorldSweep& command, Row notes);
+/// Reads the scene and measures. The camera is added to the notes.
+[[nodiscard]] WorldFindings sweep_world(const WorldSweep& command, Row notes);
+
+[[nodiscard]] Row to_row(const WorldFindings& findings);
+/// Throws nlohmann's exceptions for another form.
+[[nodiscard]] WorldFindings parse_world_findings(const Row& row);
+
+/// Writes the rows to the .csv file and the notes beside it, prints the rows and returns the exit code.
+int report_world(const WorldFindings& findings, const std::string& out, OutputFormat format);
 
 }  // namespace hitpipe::cli

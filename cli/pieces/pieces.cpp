@@ -52,10 +52,10 @@ std::string contents_hash(const std::string& file) {
   return fmt::format("fnv1a-{:016x}", host::fnv1a(std::as_bytes(std::span(text))));
 }
 
-void check_count(std::string_view option, std::uint64_t pieces, std::uint64_t count, std::string_view parts) {
-  if (pieces > count)
-    throw std::runtime_error(fmt::format("{}: {} pieces of {} {}; allowed is 1 to {}", option, pieces, count,
-                                         parts, std::min(count, host::Piece::most)));
+void check_count(const CutWork& work, std::string_view option, std::uint64_t pieces) {
+  if (pieces > work.count)
+    throw std::runtime_error(fmt::format("{}: {} pieces of {} {}; allowed is 1 to {}", option, pieces,
+                                         work.count, work.parts, std::min(work.count, host::Piece::most)));
 }
 
 }  // namespace
@@ -85,7 +85,8 @@ CLI::Option* add_pieces_options(CLI::App& command, PiecesChoice& choice, std::st
           ->type_name(kind == Output::file ? "FILE" : "FOLDER")
           ->check([&command, kind](const std::string& text) { return check_out(command, kind, text); });
   exclude(piece, pieces, "one prints commands, the other does what one of them says");
-  exclude_all_but(command, join, {"--out", "--format", "--judge"}, "the pieces say it");
+  exclude_all_but(command, join, {"--out", "--format", "--judge", "--stiff", "--plot-width"},
+                  "the pieces say it");
   join->check([&command](const std::string&) {
     for (CLI::Option* const option : command.get_options())
       if (option->get_name() != "--out") option->required(false);
@@ -97,71 +98,77 @@ CLI::Option* add_pieces_options(CLI::App& command, PiecesChoice& choice, std::st
 std::string whole_command(const CLI::App& parsed) {
   std::vector<std::string> seeds{"--seed"};
   if (!given(parsed, "--rays")) seeds.emplace_back("--light-seed");
-  return command_line(parsed, {"--pieces", "--piece", "--join", "--out", "--format", "--threads"}, seeds);
-}
-
-void print_pieces(const CLI::App& parsed, const PiecesChoice& choice, const std::string& folder,
-                  std::uint64_t count, std::string_view parts, std::string_view ending) {
-  if (folder.empty()) throw std::runtime_error("--pieces: needs --out, the folder of their files");
-  check_count("--pieces", choice.pieces, count, parts);
-  const std::vector<std::string>& called = parsed.get_parent()->get_aliases();
-  const std::string program = called.empty() ? "hitpipe" : host::shell_word(called.front());
-  const std::string rest = whole_command(parsed).substr(std::string_view("hitpipe").size());
-  const CLI::Option* const threads = parsed.get_option_no_throw("--threads");
-  const std::string on = threads == nullptr      ? ""
-                         : threads->count() == 0 ? " --threads 1"
-                                                 : " --threads " + threads->results().front();
-  const std::size_t digits = std::to_string(choice.pieces).size();
-  for (std::uint64_t i = 1; i <= choice.pieces; ++i) {
-    const fs::path file = fs::path(folder) / fmt::format("{:0{}}.{}", i, digits, ending);
-    fmt::print("{}{}{} --piece {}/{} --out {}\n", program, rest, on, i, choice.pieces,
-               host::shell_word(file.string()));
-  }
+  return command_line(
+      parsed, {"--pieces", "--piece", "--join", "--out", "--format", "--threads", "--plot-width"}, seeds);
 }
 
 std::string program_of(const CLI::App& parsed) {
   return parsed.get_parent()->version();
 }
 
-PieceNote piece_note(const CLI::App& parsed, const PiecesChoice& choice, std::uint64_t count,
-                     std::string_view parts) {
-  const host::Piece piece = choice.piece.value();
-  check_count("--piece", piece.of, count, parts);
-  PieceNote note{.program = program_of(parsed),
-                 .command = whole_command(parsed),
+void print_pieces(const CutWork& work, std::string_view ending) {
+  if (work.out.empty()) throw std::runtime_error("--pieces: needs --out, the folder of their files");
+  const std::uint64_t pieces = work.choice.pieces;
+  check_count(work, "--pieces", pieces);
+  const std::vector<std::string>& called = work.parsed.get_parent()->get_aliases();
+  const std::string program = called.empty() ? "hitpipe" : host::shell_word(called.front());
+  const std::string rest = whole_command(work.parsed).substr(std::string_view("hitpipe").size());
+  const CLI::Option* const threads = work.parsed.get_option_no_throw("--threads");
+  const std::string on = threads == nullptr      ? ""
+                         : threads->count() == 0 ? " --threads 1"
+                                                 : " --threads " + threads->results().front();
+  for (std::uint64_t i = 1; i <= pieces; ++i) {
+    const fs::path file = fs::path(work.out) / fmt::format("{}.{}", i, ending);
+    fmt::print("{}{}{} --piece {}/{} --out {}\n", program, rest, on, i, pieces,
+               host::shell_word(file.string()));
+  }
+}
+
+PieceNote piece_note(const CutWork& work) {
+  const host::Piece piece = work.choice.chosen();
+  if (work.out.empty()) throw std::runtime_error("--piece: needs --out, the file of the piece");
+  check_count(work, "--piece", piece.of);
+  PieceNote note{.program = program_of(work.parsed),
+                 .command = whole_command(work.parsed),
                  .piece = piece,
-                 .parts = piece.range(count).size()};
+                 .parts = piece.range(work.count).size()};
   for (const std::string& file : host::inputs()) note.inputs[file] = contents_hash(file);
   return note;
 }
 
-void print_done(const std::string& file, const PieceNote& note) {
-  fmt::print("{}: piece {} of {}\n", file, note.piece.number, note.piece.of);
-}
-
-bool same_piece(const PieceNote& one, const PieceNote& other) {
-  return one.program == other.program && one.command == other.command && one.piece == other.piece;
-}
-
-void refuse_other_piece(const std::string& file, const PieceNote& there, const PieceNote& asked) {
+void check_same_piece(const CutWork& work, const PieceNote& there) {
+  const PieceNote asked = piece_note(work);
+  if (there.program == asked.program && there.command == asked.command && there.piece == asked.piece) return;
   throw std::runtime_error(
-      fmt::format("{}: holds {} by {}, asked for is {} by {}; give another file or remove it", file,
+      fmt::format("{}: holds {} by {}, asked for is {} by {}; give another file or remove it", work.out,
                   there.text(), there.program, asked.text(), asked.program));
 }
 
-int run_piece(const CLI::App& parsed, const PiecesChoice& choice, const std::string& file,
-              std::uint64_t count, std::string_view parts, const std::function<Row()>& result) {
-  if (file.empty()) throw std::runtime_error("--piece: needs --out, the file of the piece");
-  const PieceNote asked = piece_note(parsed, choice, count, parts);
-  if (fs::exists(file)) {
-    const PieceNote there = read_piece(file).note;
-    if (!same_piece(there, asked)) refuse_other_piece(file, there, asked);
-  } else {
-    Row made = result();
-    write_piece({file, piece_note(parsed, choice, count, parts), std::move(made)});
+void print_done(const CutWork& work) {
+  const host::Piece piece = work.choice.chosen();
+  fmt::print("{}: piece {} of {}\n", work.out, piece.number, piece.of);
+}
+
+int do_work(const CutWork& work, const std::function<Row(host::Piece)>& piece,
+            const std::function<int()>& all) {
+  if (work.choice.pieces > 0) {
+    print_pieces(work, "json");
+    return 0;
   }
-  print_done(file, asked);
+  if (!work.choice.piece) return all();
+  if (fs::exists(work.out)) {
+    check_same_piece(work, read_piece(work.out).note);
+  } else {
+    static_cast<void>(piece_note(work));  // refuses what cannot be done
+    Row result = piece(work.choice.chosen());
+    write_piece({work.out, piece_note(work), std::move(result)});
+  }
+  print_done(work);
   return 0;
+}
+
+std::string joined_command(const std::string& whole, const std::string& out) {
+  return out.empty() ? whole : whole + " --out " + host::shell_word(out);
 }
 
 std::vector<PieceFile> joined_pieces(const CLI::App& parsed, const PiecesChoice& choice) {

@@ -26,6 +26,8 @@ struct PiecesChoice {
   std::vector<std::string> join;  ///< files of pieces
 
   [[nodiscard]] bool any() const { return pieces > 0 || piece || !join.empty(); }
+  /// Of a command that does all or one of them.
+  [[nodiscard]] host::Piece chosen() const { return piece.value_or(host::Piece{}); }
 };
 
 /// What --out names where no piece is asked for.
@@ -39,33 +41,41 @@ CLI::Option* add_pieces_options(CLI::App& command, PiecesChoice& choice, std::st
 /// Of a command, without what does not decide its result: pieces, output, format, threads. Seeds are named.
 [[nodiscard]] std::string whole_command(const CLI::App& parsed);
 
-/// Prints a command for each piece, as a shell takes it. Its file is FOLDER/NUMBER.ENDING. Throws
-/// std::runtime_error, one line, when there are fewer parts than pieces; `parts` is what there are so many
-/// of, such as "rows".
-void print_pieces(const CLI::App& parsed, const PiecesChoice& choice, const std::string& folder,
-                  std::uint64_t count, std::string_view parts, std::string_view ending);
-
 /// "hitpipe 1.2.3", as pieces name it.
 [[nodiscard]] std::string program_of(const CLI::App& parsed);
 
-/// The note of the piece that is asked for. It has `count` parts of the work, and the hashes of the files
-/// that were read so far. Throws std::runtime_error as print_pieces() does.
-[[nodiscard]] PieceNote piece_note(const CLI::App& parsed, const PiecesChoice& choice, std::uint64_t count,
-                                   std::string_view parts);
+/// What a user asks of work that can be cut.
+struct CutWork {
+  const CLI::App& parsed;
+  const PiecesChoice& choice;
+  const std::string& out;  ///< of --out
+  std::uint64_t count;     ///< of its parts
+  std::string_view parts;  ///< what they are, such as "rows"
+};
+
+/// Prints a command for each piece, as a shell takes it. Its file is FOLDER/NUMBER.ENDING. Throws
+/// std::runtime_error, one line, when there are fewer parts than pieces.
+void print_pieces(const CutWork& work, std::string_view ending);
+
+/// The note of the piece that is asked for, with the hashes of the files that were read so far. Throws
+/// std::runtime_error as print_pieces() does, and when there is no --out.
+[[nodiscard]] PieceNote piece_note(const CutWork& work);
+
+/// Whether this is the piece that `there`, which was found in its place, says it is. Throws
+/// std::runtime_error when it is another.
+void check_same_piece(const CutWork& work, const PieceNote& there);
 
 /// Says that the piece is done.
-void print_done(const std::string& file, const PieceNote& note);
+void print_done(const CutWork& work);
 
-/// Whether these notes are of one piece. Files that were read do not matter.
-[[nodiscard]] bool same_piece(const PieceNote& one, const PieceNote& other);
+/// Prints the pieces; or does one and writes its file, unless the file holds it already; or does all.
+/// `piece` gives what a piece keeps, `all` does everything and returns the exit code. The exit code of a
+/// piece says nothing of its result: --join judges it.
+int do_work(const CutWork& work, const std::function<Row(host::Piece)>& piece,
+            const std::function<int()>& all);
 
-/// Throws std::runtime_error: the file holds another piece than what is asked for.
-[[noreturn]] void refuse_other_piece(const std::string& file, const PieceNote& there, const PieceNote& asked);
-
-/// Does the piece and writes its file, unless the file holds it already. Returns the exit code, which says
-/// nothing of the result: --join judges it.
-int run_piece(const CLI::App& parsed, const PiecesChoice& choice, const std::string& file,
-              std::uint64_t count, std::string_view parts, const std::function<Row()>& result);
+/// The whole command with its output: it makes in one run what pieces are joined to.
+[[nodiscard]] std::string joined_command(const std::string& whole, const std::string& out);
 
 /// The pieces that --join names, in order. Throws what read_pieces() throws.
 [[nodiscard]] std::vector<PieceFile> joined_pieces(const CLI::App& parsed, const PiecesChoice& choice);

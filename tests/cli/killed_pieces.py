@@ -141,6 +141,19 @@ def others():
         printed(command)
     compare("int_triangle", printed("check --join t/1.json t/2.json t/3.json t/4.json --format csv"),
             printed(triangles))
+    world = "sweep int_triangle --scene spheres --width 24 --height 24"
+    for command in commands_of(f"{world} --pieces 3 --out w"):
+        printed(command)
+    compare("sweep of int_triangle", printed("sweep --join w/3.json w/1.json w/2.json --out joined.csv"),
+            printed(f"{world} --out one.csv"))
+    compare("its rows", (FOLDER / "joined.csv").read_text(), (FOLDER / "one.csv").read_text())
+    stiff = "check int_slabs int_major --stiff --tests 1000 --scene spheres --rays 20"
+    for command in commands_of(f"{stiff} --pieces 5 --out stiff"):
+        printed(command)
+    pieces = " ".join(f"stiff/{i}.json" for i in range(1, 6))
+    compare("stiff rays", printed(f"check --stiff --join {pieces} --out joined"), printed(f"{stiff} --out one"))
+    for name in ("stiffness.csv", "stiffness.svg", "stiffness_scene.svg"):
+        compare(name, (FOLDER / "joined" / name).read_text(), (FOLDER / "one" / name).read_text())
     trace = "trace --scene spheres --width 64 --height 64 --native --rays-in-flight 4,16 --parts 4 --latency 5,60"
     for command in commands_of(f"{trace} --pieces 3 --out c"):
         printed(command)
@@ -174,7 +187,8 @@ def refusals():
             f'c8/3.json: holds piece 3 {of} by hitpipe {version}, asked for is piece 3 '
             f'{of.replace("seed 1", "seed 2")} by hitpipe {version}; give another file or remove it')
     refused(f"sweep --join {' '.join(files)} --out x.csv",
-            "c8/1.json-metadata.json: cannot read which piece is beside it")
+            f'c8/1.json: is piece 1 {of}; allowed are pieces of hitpipe sweep')
+    refused("sweep --join none.csv --out x.csv", "none.csv-metadata.json: cannot read which piece is beside it")
     # A sweep's rows: lines that are cut off, and rows of another scene under the same name.
     rows = (FOLDER / "s8/2.csv").read_text()
     joined = f"sweep --join {' '.join(f's8/{i}.csv' for i in range(1, 9))} --out x.csv"
