@@ -138,10 +138,16 @@ PieceNote piece_note(const CutWork& work) {
 
 void check_same_piece(const CutWork& work, const PieceNote& there) {
   const PieceNote asked = piece_note(work);
-  if (there.program == asked.program && there.command == asked.command && there.piece == asked.piece) return;
-  throw std::runtime_error(
-      fmt::format("{}: holds {} by {}, asked for is {} by {}; give another file or remove it", work.out,
-                  there.text(), there.program, asked.text(), asked.program));
+  if (there.program != asked.program || there.command != asked.command || there.piece != asked.piece)
+    throw std::runtime_error(
+        fmt::format("{}: holds {} by {}, asked for is {} by {}; give another file or remove it", work.out,
+                    there.text(), there.program, asked.text(), asked.program));
+  for (const auto& [name, hash] : asked.inputs) {
+    const auto found = there.inputs.find(name);
+    if (found == there.inputs.end() || found->second != hash)
+      throw std::runtime_error(
+          fmt::format("{}: was made with another {}; give another file or remove it", work.out, name));
+  }
 }
 
 void print_done(const CutWork& work) {

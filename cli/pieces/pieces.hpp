@@ -61,8 +61,8 @@ void print_pieces(const CutWork& work, std::string_view ending);
 /// std::runtime_error as print_pieces() does, and when there is no --out.
 [[nodiscard]] PieceNote piece_note(const CutWork& work);
 
-/// Whether this is the piece that `there`, which was found in its place, says it is. Throws
-/// std::runtime_error when it is another.
+/// Throws std::runtime_error when `there`, the note of the file that is in its place, is of another piece, or
+/// of other files than those that were read so far.
 void check_same_piece(const CutWork& work, const PieceNote& there);
 
 /// Says that the piece is done.

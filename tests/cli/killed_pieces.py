@@ -206,6 +206,7 @@ def refusals():
     printed(second)
     refused("sweep --join m/1.csv m/2.csv --out x.csv",
             "m/2.csv: was made with another mesh.obj than the first file")
+    refused(first, "m/1.csv: was made with another mesh.obj; give another file or remove it")
     if (FOLDER / "x.csv").exists():
         wrong.append("a join that is refused leaves a file")
 
