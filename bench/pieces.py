@@ -19,8 +19,8 @@ WORKS = {
     "check --rtl, 2 · 10^7 tests": "check int_slabs --bits 20/24 --tests 20000000 --rtl",
     "sweep, 512 rows of spheres": f"sweep int_slabs --bits {FORMATS} --rays-in-flight {ALL_RAYS} --scene spheres "
                                   "--width 48 --height 48",
-    "trace --native, 10^6 rays of spheres": "trace --scene spheres --width 736 --height 736 --parts 512 --native",
-    "trace --native, 10^6 rays of terrain": "trace --scene terrain --width 736 --height 736 --parts 512 --native",
+    "trace --native, 736 x 736 pixels of spheres": "trace --scene spheres --width 736 --height 736 --parts 512 --native",
+    "trace --native, 736 x 736 pixels of terrain": "trace --scene terrain --width 736 --height 736 --parts 512 --native",
 }
 
 
