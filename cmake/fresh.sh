@@ -27,7 +27,7 @@ if [ "${1:-}" = --in ]; then
   git clone -q --no-hardlinks "$tree" "$root/hitpipe"
   for command in "$@"; do
     begin=$SECONDS
-    chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin ${CI:+CI="$CI"} ${http_proxy:+http_proxy="$http_proxy"} \
+    chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin ${http_proxy:+http_proxy="$http_proxy"} \
       ${https_proxy:+https_proxy="$https_proxy"} sh -c "cd /hitpipe && $command" < /dev/null ||
       fail "$command failed after $((SECONDS - begin)) s"
     times+="fresh: $command took $((SECONDS - begin)) s"$'\n'
