@@ -69,14 +69,15 @@ def kill_and_finish(name, words, result):
     length = (time.monotonic() - begin) / len(commands)
     shutil.rmtree(FOLDER / name)
     killed = set()
-    for attempt in range(20):
+    for attempt in range(40):
         for command in random.sample(commands, 4):
-            if output_of(command).exists():
-                continue
             if kill(command, length * random.uniform(0, 1)):
                 killed.add(command)
-            if output_of(command).exists() and not same(output_of(command).read_text(), whole[command]):
-                wrong.append(f"{name}: {output_of(command).name} is there and not whole")
+                if output_of(command).exists() and not same(output_of(command).read_text(), whole[command]):
+                    wrong.append(f"{name}: {output_of(command).name} is there and not whole")
+            else:  # the machine has less to do now
+                length *= 0.7
+                output_of(command).unlink()
         if attempt >= 3 and len(killed) >= 4:
             break
     if len(killed) < 4:
