@@ -117,11 +117,12 @@ int judge(const CheckCommand& command, const CLI::App& parsed) {
 }
 
 int judge_stiff(const CheckCommand& command, const StiffCheck& stiff, const CLI::App& parsed) {
+  const std::vector<MeasuredDesign> designs = stiff_designs(stiff);
   return do_work(
-      {parsed, command.pieces, command.out, stiff_formats(stiff), "formats"},
-      [&](host::Piece piece) { return to_row(check_stiff_rays(stiff, piece)); },
+      {parsed, command.pieces, command.out, stiff_formats(designs), "formats"},
+      [&](host::Piece piece) { return to_row(check_stiff_rays(stiff, designs, piece)); },
       [&] {
-        return report_findings(check_stiff_rays(stiff, {}),
+        return report_findings(check_stiff_rays(stiff, designs, {}),
                                {command.out, command.pictures, command.format, notes_of(parsed)});
       });
 }

@@ -24,26 +24,6 @@ struct CountedScene {
   ref::Bvh bvh;
 };
 
-/// The conservative designs, unless the user names designs. A wrong name or format is reported here, before
-/// the long run.
-std::vector<MeasuredDesign> chosen_designs(const StiffCheck& command) {
-  const auto own = [](const rtl::Design& design) { return sim::stiffness_formats(design); };
-  std::vector<const rtl::Design*> designs = command.units.designs(sim::why_not_traced);
-  if (command.units.names.empty())
-    std::erase_if(designs, [](const rtl::Design* design) { return !design->conservative; });
-  std::vector<MeasuredDesign> measured;
-  for (const sim::DesignFormats& each : command.units.formats(designs, own)) {
-    if (each.formats.size() > most_formats)
-      throw CLI::ValidationError("--bits", fmt::format("{} formats for {}; allowed are {} at most",
-                                                       each.formats.size(), each.design->name, most_formats));
-    MeasuredDesign made{each.design, {}};
-    for (const rtl::Format& format : each.formats)
-      made.formats.push_back({.format = format, .boxes = {}, .all_boxes = {}, .traversals = {}});
-    measured.push_back(std::move(made));
-  }
-  return measured;
-}
-
 void measure(const StiffCheck& command, const CountedScene* loaded, std::vector<MeasuredDesign>& designs) {
   for (MeasuredDesign& d : designs) {
     for (Measured& m : d.formats) {
@@ -160,15 +140,34 @@ StiffFindings& StiffFindings::operator+=(StiffFindings later) {
   return *this;
 }
 
-std::uint64_t stiff_formats(const StiffCheck& command) {
+std::vector<MeasuredDesign> stiff_designs(const StiffCheck& command) {
+  const auto own = [](const rtl::Design& design) { return sim::stiffness_formats(design); };
+  std::vector<const rtl::Design*> designs = command.units.designs(sim::why_not_traced);
+  if (command.units.names.empty())
+    std::erase_if(designs, [](const rtl::Design* design) { return !design->conservative; });
+  std::vector<MeasuredDesign> measured;
+  for (const sim::DesignFormats& each : command.units.formats(designs, own)) {
+    if (each.formats.size() > most_formats)
+      throw CLI::ValidationError("--bits", fmt::format("{} formats for {}; allowed are {} at most",
+                                                       each.formats.size(), each.design->name, most_formats));
+    MeasuredDesign made{each.design, {}};
+    for (const rtl::Format& format : each.formats)
+      made.formats.push_back({.format = format, .boxes = {}, .all_boxes = {}, .traversals = {}});
+    measured.push_back(std::move(made));
+  }
+  return measured;
+}
+
+std::uint64_t stiff_formats(const std::vector<MeasuredDesign>& designs) {
   std::uint64_t count = 0;
-  for (const MeasuredDesign& design : chosen_designs(command)) count += design.formats.size();
+  for (const MeasuredDesign& design : designs) count += design.formats.size();
   return count;
 }
 
-StiffFindings check_stiff_rays(const StiffCheck& command, host::Piece piece) {
-  StiffFindings findings{.scene = {}, .hierarchy = {}, .designs = chosen_designs(command)};
-  keep(findings.designs, piece.range(stiff_formats(command)));
+StiffFindings check_stiff_rays(const StiffCheck& command, std::vector<MeasuredDesign> designs,
+                               host::Piece piece) {
+  keep(designs, piece.range(stiff_formats(designs)));
+  StiffFindings findings{.scene = {}, .hierarchy = {}, .designs = std::move(designs)};
   std::optional<CountedScene> loaded;
   if (!command.scene.empty()) {
     const Progress progress("reading the scene");

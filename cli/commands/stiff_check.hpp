@@ -33,12 +33,17 @@ struct StiffFindings {
   StiffFindings& operator+=(StiffFindings later);
 };
 
-/// How many formats of designs there are. Throws as check_stiff_rays().
-[[nodiscard]] std::uint64_t stiff_formats(const StiffCheck& command);
-
-/// Of the formats of the piece. Throws std::runtime_error for designs, formats and scenes that cannot be
+/// The conservative designs, unless the user names designs, with their formats; nothing is measured. A line
+/// on standard error names what is left out. Throws std::runtime_error for designs and formats that cannot be
 /// used.
-[[nodiscard]] StiffFindings check_stiff_rays(const StiffCheck& command, host::Piece piece);
+[[nodiscard]] std::vector<MeasuredDesign> stiff_designs(const StiffCheck& command);
+
+/// How many formats these designs have.
+[[nodiscard]] std::uint64_t stiff_formats(const std::vector<MeasuredDesign>& designs);
+
+/// Measures the formats of the piece. Throws std::runtime_error for scenes that cannot be used.
+[[nodiscard]] StiffFindings check_stiff_rays(const StiffCheck& command, std::vector<MeasuredDesign> designs,
+                                             host::Piece piece);
 
 [[nodiscard]] Row to_row(const StiffFindings& findings);
 /// Throws nlohmann's exceptions for another form, and what rtl::find_design() and parse_format() throw.
