@@ -35,7 +35,7 @@ copy() {
   for file in hls/box/int_slabs_operands.hpp hls/pipelines/int_slabs.hpp rtl_gen/designs/int_slabs.cpp; do
     sed "s/int_slabs/$1/g; s/IntSlabs/$2/g; /The 20.24 row/d; /design.printed/,/};/d" "$file" >"${file/int_slabs/$1}"
   done
-  sed "s/IntSlabsSetup/$2Setup/g; s/int_slabs_\(software\|tracer\|named\)/$1_\1/g" sim/designs/int_slabs.cpp >"sim/designs/$1.cpp"
+  sed "s/IntSlabsSetup/$2Setup/g; /^#include/!s/int_slabs_/$1_/g" sim/designs/int_slabs.cpp >"sim/designs/$1.cpp"
   sed -n '/^### int_slabs/,/^### /p' docs/operands.md | sed "\$d; s/int_slabs/$1/g" >>docs/operands.md
   sed -i "s/^  user_slabs$/&\n  $1/" designs.cmake
 }
