@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """killed_pieces.py PROGRAM: pieces that are killed at random times, or have no room on the disk, and are started
 again give the result of one run. What is no whole set of pieces is refused with one line."""
+import json
 import pathlib
 import random
 import resource
@@ -161,6 +162,10 @@ def others():
     for form in ("text", "json"):
         compare("trace", printed(f"trace --join c/2.json c/1.json c/3.json --format {form}"),
                 printed(f"{trace} --format {form}"))
+    for parts, one in zip(json.loads(printed(f"{trace} --format json")),
+                          json.loads(printed(f"{trace.replace('--parts 4', '')} --format json"))):
+        for key in ("rays", "wrong", "reads_a_ray"):
+            compare(f"trace in parts and in one, {key}", parts[key], one[key])
     tables = "table 4.2 6.2 7.1 7.2 --judge --scene Branch=spheres --width 16 --height 12 --repeats 1"
     for command in commands_of(f"{tables} --pieces 3 --out j"):
         printed(command)
