@@ -82,6 +82,7 @@ class Tracing {
   explicit Tracing(const TraceCommand& command)
       : command_(command),
         bits_(rtl::parse_bits<hls::WorldBits>(command.bits)),
+        library_(rtl::library_called(command.library)),
         loaded_(command.scene.load()),
         scene_(ref::int_scene(loaded_, bits_, command.hierarchy)),
         image_(ref::core_image(scene_)),
@@ -95,7 +96,6 @@ class Tracing {
   }
 
   void make_cores() {
-    const rtl::Library library = rtl::library_called(command_.library);
     std::vector<rtl::CoreOptions> options;
     for (const int rays : command_.rays_in_flight) {
       rtl::CoreOptions& core = options.emplace_back(command_.core.core(std::nullopt));
@@ -103,12 +103,12 @@ class Tracing {
       core.rays = rays;
       sim::make_room(core, image_);
     }
-    cores_ = rtl::make_cores(options, library);
+    cores_ = rtl::make_cores(options, library_);
     for (const rtl::Core& core : cores_) {
       if (command_.native)
         machines_.push_back(std::make_unique<sim::NativeCore>(core));
       else
-        machines_.push_back(std::make_unique<sim::VerilatedMachine>(core, rtl::to_verilog(core, library)));
+        machines_.push_back(std::make_unique<sim::VerilatedMachine>(core, rtl::to_verilog(core, library_)));
     }
   }
 
@@ -135,6 +135,7 @@ class Tracing {
  private:
   const TraceCommand& command_;
   hls::WorldBits bits_;
+  rtl::Library library_;
   ref::Scene loaded_;
   ref::IntScene scene_;
   ref::CoreImage image_;
@@ -173,7 +174,7 @@ std::filesystem::path picture_file(const TraceCommand& command, const std::strin
   return std::filesystem::path(command.out) / (std::filesystem::path(scene).stem().string() + ".png");
 }
 
-/// Those of a piece. Adds what the parts show to the picture.
+/// Does the runs of a piece. `picture` gets what their rays show, `scene` the name.
 std::vector<CoreRun> run(const TraceCommand& command, host::Piece piece, std::vector<glm::vec3>& picture,
                          std::string& scene) {
   std::optional<Progress> progress("reading the scene");

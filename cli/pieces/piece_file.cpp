@@ -23,11 +23,8 @@ namespace fs = std::filesystem;
 std::string difference(const PieceNote& first, const PieceNote& other) {
   if (other.command != first.command || other.piece.of != first.piece.of)
     return fmt::format("is {}, and the first file is {}", other.text(), first.text());
-  for (const auto& [name, hash] : first.inputs) {
-    const auto found = other.inputs.find(name);
-    if (found == other.inputs.end() || found->second != hash)
-      return fmt::format("was made with another {} than the first file", name);
-  }
+  if (const std::string input = differing_input(first, other); !input.empty())
+    return fmt::format("was made with another {} than the first file", input);
   return other.inputs.size() == first.inputs.size() ? "" : "was made with other files than the first file";
 }
 
@@ -46,6 +43,14 @@ std::string missing_text(const std::vector<std::uint64_t>& missing, const PieceN
 
 std::string PieceNote::text() const {
   return fmt::format("piece {} of {} of \"{}\"", piece.number, piece.of, command);
+}
+
+std::string differing_input(const PieceNote& note, const PieceNote& other) {
+  for (const auto& [name, hash] : note.inputs) {
+    const auto found = other.inputs.find(name);
+    if (found == other.inputs.end() || found->second != hash) return name;
+  }
+  return "";
 }
 
 Row to_row(const PieceNote& note) {

@@ -24,6 +24,10 @@ struct PieceNote {
   [[nodiscard]] std::string text() const;
 };
 
+/// The first of these inputs that the other piece did not read, or read with other contents; empty if there
+/// is none.
+[[nodiscard]] std::string differing_input(const PieceNote& note, const PieceNote& other);
+
 [[nodiscard]] Row to_row(const PieceNote& note);
 
 /// Throws std::runtime_error, "FILE: ...", for what is no note of a piece.

@@ -142,12 +142,9 @@ void check_same_piece(const CutWork& work, const PieceNote& there) {
     throw std::runtime_error(
         fmt::format("{}: holds {} by {}, asked for is {} by {}; give another file or remove it", work.out,
                     there.text(), there.program, asked.text(), asked.program));
-  for (const auto& [name, hash] : asked.inputs) {
-    const auto found = there.inputs.find(name);
-    if (found == there.inputs.end() || found->second != hash)
-      throw std::runtime_error(
-          fmt::format("{}: was made with another {}; give another file or remove it", work.out, name));
-  }
+  if (const std::string input = differing_input(asked, there); !input.empty())
+    throw std::runtime_error(
+        fmt::format("{}: was made with another {}; give another file or remove it", work.out, input));
 }
 
 void print_done(const CutWork& work) {

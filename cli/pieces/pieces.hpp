@@ -61,8 +61,8 @@ void print_pieces(const CutWork& work, std::string_view ending);
 /// std::runtime_error as print_pieces() does, and when there is no --out.
 [[nodiscard]] PieceNote piece_note(const CutWork& work);
 
-/// Throws std::runtime_error when `there`, the note of the file that is in its place, is of another piece, or
-/// of other files than those that were read so far.
+/// `there` is the note of the file that --out names. Throws std::runtime_error when that file holds another
+/// piece, or was made with other contents of the files that were read so far.
 void check_same_piece(const CutWork& work, const PieceNote& there);
 
 /// Says that the piece is done.

@@ -27,7 +27,7 @@ struct RenderOptions {
   bool picture = true;                 ///< fill image and triangles; false: only trace
   WhittedOptions light{};              ///< which rays follow
   const Surfaces* surfaces = nullptr;  ///< as Whitted has them
-  bool maps = false;  ///< fill RenderResult::depth, box_tests, triangle_tests; with a picture
+  bool maps = false;  ///< fill RenderResult::depth, box_tests, triangle_tests; needs `picture`
   /// Called from any thread with the finished share of the image, 0..1.
   std::function<void(double)> progress = [](double) {};
   /// If not empty, called from any thread with each batch of rays and its answers.

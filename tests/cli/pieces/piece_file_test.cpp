@@ -1,4 +1,5 @@
-// Files of pieces are read back, and what is no whole set of one command's pieces is refused by name.
+// Files of pieces are read back. If they are not all pieces of one command, a message names the file or the
+// piece.
 #include "cli/pieces/piece_file.hpp"
 
 #include <functional>
