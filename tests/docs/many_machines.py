@@ -81,10 +81,12 @@ def by_parallel():
 
 
 def by_ssh():
-    """Two machines that share a disk. What stands for ssh runs the command here, and says which machine it was for."""
+    """Two machines that share a disk. What stands for ssh runs the command here, with the login shell in SHELL as sshd
+    has it, and says which machine it was for."""
     need("parallel")
     (folder / "ssh").write_text('#!/bin/bash\nwhile [[ $1 == -* ]]; do shift; done\n'
-                                f'echo "$1" >> {folder}/machines\nshift\ncd /; eval "$@"\n')
+                                f'echo "$1" >> {folder}/machines\nshift\n'
+                                'cd /; export SHELL=/bin/bash; eval "$@"\n')
     (folder / "ssh").chmod(0o755)
     shell(block("GNU parallel", number=1), PARALLEL_SSH=str(folder / "ssh"))
     machines = set((folder / "machines").read_text().split())
