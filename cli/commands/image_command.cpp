@@ -2,12 +2,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/options/cache_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
@@ -19,6 +21,8 @@
 #include "rtl_gen/catalogue/format.hpp"
 #include "sw_ref/core/core_image.hpp"
 #include "sw_ref/core/core_tracer.hpp"
+#include "sw_ref/memory/read_bytes.hpp"
+#include "sw_ref/render/recording.hpp"
 #include "sw_ref/render/render.hpp"
 
 namespace hitpipe::cli {
@@ -31,6 +35,7 @@ struct ImageCommand {
   std::string bits = rtl::to_string(rtl::Format(hls::WorldBits{}));
   std::string out;
   std::vector<int> places;
+  CacheChoice caches;
   OutputFormat format = OutputFormat::text;
 };
 
@@ -53,21 +58,34 @@ std::vector<Row> reads_of(const ImageCommand& command, const ref::IntScene& scen
     Progress progress("walking");
     const ref::CoreTracer core(
         image, {.world = scene.bits, .boxes = usual_box_format(scene.bits), .places = places});
-    const ref::TraceCounts work = ref::render(scene.scene, core,
-                                              {.width = command.scene.width,
-                                               .height = command.scene.height,
-                                               .threads = command.scene.threads,
-                                               .surfaces = &surfaces,
-                                               .progress = [&](double share) { progress.show(share); }})
-                                      .counts.total();
+    ref::RenderOptions picture{.width = command.scene.width,
+                               .height = command.scene.height,
+                               .threads = command.scene.threads,
+                               .surfaces = &surfaces,
+                               .progress = [&](double share) { progress.show(share); }};
+    ref::Recording recording;
+    if (command.caches.kib.empty()) {
+      recording.counts = ref::render(scene.scene, core, picture).counts;
+    } else {
+      picture.threads = 1;  // caches depend on the order of the rays
+      recording = ref::record_rays(scene.scene, core, picture);
+    }
+    const ref::TraceCounts work = recording.counts.total();
+    const std::uint64_t restarts = core.restarts();
     const auto rays = static_cast<double>(work.rays);
     const auto blocks = static_cast<double>(work.nodes_loaded + work.triangles_loaded);
-    rows.push_back({{"stack", places},
-                    {"rays", work.rays},
-                    {"records_a_ray", static_cast<double>(work.nodes_loaded) / rays},
-                    {"triangles_a_ray", static_cast<double>(work.triangles_loaded) / rays},
-                    {"restarts_a_ray", static_cast<double>(core.restarts()) / rays},
-                    {"bytes_a_ray", blocks * static_cast<double>(ref::core_block_bytes) / rays}});
+    Row row{{"stack", places},
+            {"rays", work.rays},
+            {"records_a_ray", static_cast<double>(work.nodes_loaded) / rays},
+            {"triangles_a_ray", static_cast<double>(work.triangles_loaded) / rays},
+            {"restarts_a_ray", static_cast<double>(restarts) / rays},
+            {"bytes_a_ray", blocks * static_cast<double>(ref::core_block_bytes) / rays}};
+    if (!command.caches.kib.empty())  // to the memory's model all blocks are nodes
+      add_read_bytes(row, "bytes_a_ray",
+                     ref::read_bytes(core, {}, {}, recording.batches, ref::TriangleLayout::corners,
+                                     command.caches.shapes()),
+                     command.caches);
+    rows.push_back(std::move(row));
   }
   return rows;
 }
@@ -98,7 +116,13 @@ void write_image(ImageCommand command) {
     return;
   }
   if (command.format == OutputFormat::text) fmt::print("{}\n", record_text(row, command.format));
-  fmt::print("{}", table_text(reads_of(command, scene, image), command.format));
+  const std::vector<Row> reads = reads_of(command, scene, image);
+  if (command.format != OutputFormat::text || command.caches.kib.empty()) {
+    fmt::print("{}", table_text(reads, command.format));
+    return;
+  }
+  for (const Row& each : reads)  // a table would be too wide
+    fmt::print("{}{}", &each == &reads.front() ? "" : "\n", record_text(each, command.format));
 }
 
 }  // namespace
@@ -114,12 +138,11 @@ CLI::App* add_image_command(CLI::App& program, int& /*exit_code*/) {
       ->type_name("FORMAT");
   as_output(command->add_option("--out", options->out, "Write the blocks to this file"));
   constexpr int most_places = 60;
-  command
-      ->add_option("--stack", options->places,
-                   "Also print what the rays of the picture read, for a stack of so many places (0 to 60)")
-      ->delimiter(',')
-      ->transform(number_from(0, most_places))
-      ->type_name("N");
+  CLI::Option* const places = command->add_option(
+      "--stack", options->places,
+      "Also print what the rays of the picture read, for a stack of so many places (0 to 60)");
+  places->delimiter(',')->transform(number_from(0, most_places))->type_name("N");
+  add_cache_options(*command, options->caches)->needs(places);
   add_format_option(*command, options->format);
   command->callback([options] { write_image(*options); });
   return command;

@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/commands/rescale.hpp"
+#include "cli/options/cache_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/trace_options.hpp"
@@ -31,9 +32,7 @@ namespace {
 struct RenderCommand {
   SceneChoice scene;
   ref::HierarchyOptions hierarchy;
-  std::vector<int> caches;  ///< KiB; empty: reads of memory are not counted
-  std::uint32_t line_bytes = ref::CacheShape{}.line_bytes;
-  std::uint32_t ways = ref::CacheShape{}.ways;
+  CacheChoice caches;
   TraceChoice trace;
   BoxFormatChoice boxes;
   ref::WhittedOptions light;
@@ -131,20 +130,11 @@ void add_reads(Row& row, const RenderCommand& command, const ref::TracerOptions&
   const ref::Bvh& bvh = traced.hierarchy.bvh;
   const auto batches =
       ref::record_rays(scene, bvh, command.scene.width, command.scene.height, tracing.bundle, command.light);
-  std::vector<ref::CacheShape> caches;
-  for (const int kib : command.caches)
-    caches.push_back({.bytes = static_cast<std::uint64_t>(kib) << 10,
-                      .line_bytes = command.line_bytes,
-                      .ways = command.ways});
+  const std::vector<ref::CacheShape> caches = command.caches.shapes();
   for (const auto& [layout, name] : {std::pair{ref::TriangleLayout::corners, "bytes_per_ray"},
                                      std::pair{ref::TriangleLayout::indices, "indexed_bytes_per_ray"}}) {
-    const ref::ReadBytes read = ref::read_bytes(*traced.tracer, scene.mesh, bvh, batches, layout, caches);
-    const auto per_ray = [&](std::uint64_t bytes) {
-      return read.rays == 0 ? 0.0 : static_cast<double>(bytes) / static_cast<double>(read.rays);
-    };
-    row[name] = per_ray(read.without_cache);
-    for (std::size_t i = 0; i < caches.size(); ++i)
-      row[fmt::format("{}_{}kib", name, command.caches[i])] = per_ray(read.behind[i]);
+    add_read_bytes(row, name, ref::read_bytes(*traced.tracer, scene.mesh, bvh, batches, layout, caches),
+                   command.caches);
   }
 }
 
@@ -169,7 +159,7 @@ void make_traced(const RenderCommand& command, Traced& traced) {
 void render_scene(const RenderCommand& command) {
   const ref::TracerOptions tracing =
       command.trace.world == World::floats ? command.trace.options() : ref::TracerOptions{};
-  if (!command.caches.empty() && command.trace.world == World::integers)
+  if (!command.caches.kib.empty() && command.trace.world == World::integers)
     throw std::runtime_error(
         "--cache: not for --world integer; `hitpipe image --stack` and `hitpipe trace --cache` count its "
         "reads");
@@ -231,7 +221,7 @@ void render_scene(const RenderCommand& command) {
   add_work(row, counts, "triangle_tests", &ref::TraceCounts::triangle_tests);
   add_work(row, counts, "nodes_loaded", &ref::TraceCounts::nodes_loaded);
   add_work(row, counts, "triangles_loaded", &ref::TraceCounts::triangles_loaded);
-  if (!command.caches.empty()) add_reads(row, command, tracing, traced);
+  if (!command.caches.kib.empty()) add_reads(row, command, tracing, traced);
   row["seconds"] = seconds.count();
   if (!command.out.empty()) {
     ref::write_image(command.out, result.width, result.height, result.image);
@@ -255,24 +245,7 @@ CLI::App* add_render_command(CLI::App& program, int& exit_code) {
   add_hierarchy_options(*command, options->hierarchy);
   add_trace_options(*command, options->trace);
   add_box_format_option(*command, options->boxes, "exact boxes");
-  CLI::Option* const caches = add_list_option(
-      *command, "--cache", options->caches,
-      "Also count the bytes that memory gives for a ray: without a cache, and behind caches of "
-      "so many KiB, with one thread (1 to 1048576)",
-      "KIB");
-  caches->transform(number_from(1, 1 << 20));
-  const auto of_caches = [&](const char* name, std::uint32_t& value, const char* what,
-                             std::vector<std::uint32_t> allowed) {
-    command->add_option(name, value, what)
-        ->check(CLI::IsMember(std::move(allowed)).description(""))
-        ->needs(caches)
-        ->capture_default_str()
-        ->type_name("N");
-  };
-  of_caches("--cache-line", options->line_bytes, "Bytes of a line: 16, 32, 64, 128, 256 or 4096",
-            {16, 32, 64, 128, 256, 4096});
-  of_caches("--cache-ways", options->ways, "Lines of a set: 1, 2, 4, 8, 16, or 0 for all in one set",
-            {0, 1, 2, 4, 8, 16});
+  add_cache_options(*command, options->caches);
   const auto file = [&](const char* name, std::string& value, const char* what) {
     as_output(command->add_option(name, value, what));
   };

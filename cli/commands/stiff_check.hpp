@@ -17,7 +17,7 @@ namespace hitpipe::cli {
 struct StiffCheck {
   DesignsChoice units;  ///< without names: the designs that never miss
   std::string scene;    ///< empty: only drawn boxes
-  ref::HierarchyOptions hierarchy;
+  ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   std::uint64_t tests = 60'000;
   std::uint64_t rays = 2'000;
   std::uint64_t seed = 1;

@@ -16,7 +16,7 @@ namespace hitpipe::sim {
 
 namespace {
 
-bool meets_a_triangle(const SceneRays& rays) {
+bool meets_a_triangle(const ref::Recording& rays) {
   return std::any_of(rays.batches.begin(), rays.batches.end(), [](const ref::RecordedBatch& batch) {
     return std::any_of(batch.triangles.begin(), batch.triangles.end(),
                        [](std::uint32_t triangle) { return triangle != ref::Hit::none; });
@@ -55,7 +55,8 @@ struct Tried {
                              const FitOptions& options) const {
     FitRate rate = options.rate;
     if (options.rays_per_second <= 0) return rate;
-    rate.boxes_per_second = options.rays_per_second * box_tests / static_cast<double>(scene.rays.count());
+    rate.boxes_per_second =
+        options.rays_per_second * box_tests / static_cast<double>(scene.rays.counts.total().rays);
     if (full > 0) rate.boxes_per_second /= full;
     constexpr double beyond = 1 + 1e-9;
     if (const auto at = too_few.find(key_of(precision)); at != too_few.end())
@@ -90,7 +91,7 @@ std::optional<Precision> precision_of(PrecisionSearch search, const Tried& tried
 double box_tests_of(const PrecisionSearch& search, const Precision& precision, const FitOptions& options) {
   if (options.rays_per_second <= 0) return 0;
   const double extra = extra_box_tests_pct(search, precision.format, precision.coarse, precision.ends);
-  return static_cast<double>(search.rays->reference.total().box_tests) * (1 + extra / 100);
+  return static_cast<double>(search.rays->counts.total().box_tests) * (1 + extra / 100);
 }
 
 /// Makes the unit at that rate and checks it.
@@ -138,12 +139,12 @@ FitScene prepare_fit(ref::Scene scene, const FitOptions& options) {
   ref::Bvh bvh = ref::make_hierarchy(scene, options.hierarchy).bvh;
   const ref::ViewOptions view{options.width, options.height, options.light};
   ref::SceneDemands demands = ref::scene_demands(scene, bvh, view);
-  SceneRays rays = scene_rays(scene, bvh,
-                              {.width = options.width,
-                               .height = options.height,
-                               .threads = options.threads,
-                               .light = options.light,
-                               .progress = start_step(options, "tracing the scene's rays")});
+  ref::Recording rays = ref::record_rays(scene, *ref::make_tracer(scene.mesh, bvh, {}),
+                                         {.width = options.width,
+                                          .height = options.height,
+                                          .threads = options.threads,
+                                          .light = options.light,
+                                          .progress = start_step(options, "tracing the scene's rays")});
   if (!meets_a_triangle(rays))
     throw std::runtime_error(
         fmt::format("scene {}: no ray of the image meets a triangle; a unit fitted to it would be of no use",
@@ -169,7 +170,8 @@ FitResult fit_to_scene(const rtl::Design& design, const rtl::Format& before, con
     if (result.rays_per_second >= options.rays_per_second) return result;
     // A unit is not full all the time, when rays begin and end. It needs so much more.
     const auto takes = static_cast<double>(result.unit.price.boxes_per_second());
-    const double used = result.rays_per_second * box_tests / static_cast<double>(scene.rays.count());
+    const double used =
+        result.rays_per_second * box_tests / static_cast<double>(scene.rays.counts.total().rays);
     tried.full = std::max(tried.full, std::min(1.0, used / takes));
     tried.too_few[key_of(found)] = takes;
   }

@@ -51,7 +51,7 @@ struct FitScene {
   ref::Scene scene;
   ref::Bvh bvh;
   ref::SceneDemands demands;
-  SceneRays rays;
+  ref::Recording rays;  ///< by a traversal without extra tests
 };
 
 /// Why a design cannot be fitted, one line; empty when it can.

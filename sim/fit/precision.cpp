@@ -60,10 +60,10 @@ class Measurements {
     return at->second;
   }
   double extra(const rtl::Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
-    return extra_pct(tests(format, coarse, ends).box_tests, search_.rays->reference.total().box_tests);
+    return extra_pct(tests(format, coarse, ends).box_tests, search_.rays->counts.total().box_tests);
   }
   double extra_triangles(const rtl::Format& format) {
-    return extra_pct(tests(format, {}, true).triangle_tests, search_.rays->reference.total().triangle_tests);
+    return extra_pct(tests(format, {}, true).triangle_tests, search_.rays->counts.total().triangle_tests);
   }
   double cost(const rtl::Format& format, const ref::CoarseAxes& coarse = {}, bool ends = true) {
     const PrecisionKey key{format.numbers(), coarse.dropped, ends};
@@ -164,20 +164,6 @@ ref::CoarseAxes most_dropped(const PrecisionSearch& search, const rtl::Format& f
 
 }  // namespace
 
-SceneRays scene_rays(const ref::Scene& scene, const ref::Bvh& bvh, const ref::RenderOptions& options) {
-  SceneRays rays;
-  const std::unique_ptr<ref::Tracer> tracer = ref::make_tracer(scene.mesh, bvh, {});
-  std::mutex recording;
-  ref::RenderOptions recorded = options;
-  recorded.traced = [&](ref::RayKind kind, const ref::TraceJob& job) {
-    const std::scoped_lock lock(recording);
-    rays.batches.push_back(
-        {kind, job.query, {job.rays.begin(), job.rays.end()}, {job.triangles.begin(), job.triangles.end()}});
-  };
-  rays.reference = ref::render(scene, *tracer, recorded).counts;
-  return rays;
-}
-
 std::string measured_text(double extra_box_tests_pct) {
   return fmt::format("{:.2f} % extra box tests, measured on the scene's rays", extra_box_tests_pct);
 }
@@ -185,7 +171,7 @@ std::string measured_text(double extra_box_tests_pct) {
 double extra_box_tests_pct(const PrecisionSearch& search, const rtl::Format& format,
                            const ref::CoarseAxes& coarse, bool ends) {
   return extra_pct(count_tests(search, format, coarse, ends).box_tests,
-                   search.rays->reference.total().box_tests);
+                   search.rays->counts.total().box_tests);
 }
 
 std::optional<Precision> fewest_bits(const PrecisionSearch& search) {

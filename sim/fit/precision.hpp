@@ -18,16 +18,6 @@
 
 namespace hitpipe::sim {
 
-/// Every ray of an image, and the number of box tests that a traversal without extra tests makes for them.
-struct SceneRays {
-  std::vector<ref::RecordedBatch> batches;
-  ref::RenderCounts reference;
-
-  [[nodiscard]] std::uint64_t count() const { return reference.total().rays; }
-};
-[[nodiscard]] SceneRays scene_rays(const ref::Scene& scene, const ref::Bvh& bvh,
-                                   const ref::RenderOptions& options);
-
 /// What the scene's own rays do not need, as measured.
 struct Precision {
   rtl::Format format;
@@ -55,7 +45,7 @@ struct PrecisionSearch {
   const ref::Scene* scene;
   const ref::Bvh* bvh;
   const ref::SceneDemands* demands;
-  const SceneRays* rays;
+  const ref::Recording* rays;  ///< by a traversal without extra tests
   rtl::Format most;
   double overhead_pct = 2.0;
   PrecisionCost cost{};  ///< if there is one, its least decides, and the limit only says where to begin

@@ -1,6 +1,7 @@
 // The core's walk in software: rays through an image, with a short stack and a restart trail, in exact
 // integers. It says what the core must answer and how many blocks it reads. Its counts of nodes and triangles
-// that are loaded are blocks; every restart reads the root's own record again.
+// that are loaded are blocks; every restart reads the root's own record again. An observer of loads hears of
+// blocks of both kinds as nodes, by their place in the image.
 #pragma once
 
 #include <atomic>
@@ -26,7 +27,7 @@ class CoreTracer final : public Tracer {
 
   void trace(const TraceJob& job, TraceCounts& counts) const override;
   [[nodiscard]] std::size_t bytes_per_node() const override { return core_block_bytes; }
-  [[nodiscard]] std::size_t node_count() const override { return image_.records; }
+  [[nodiscard]] std::size_t node_count() const override { return image_.blocks.size(); }
   /// Of all rays so far.
   [[nodiscard]] std::uint64_t restarts() const { return restarts_; }
 

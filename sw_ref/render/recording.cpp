@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <utility>
 
 #include "host/parallel.hpp"
@@ -16,21 +18,24 @@ bool same(Query query, std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-std::vector<RecordedBatch> record_rays(const Scene& scene, const Bvh& bvh, int width, int height, int bundle,
-                                       const WhittedOptions& light) {
-  std::vector<RecordedBatch> batches;
-  const std::unique_ptr<Tracer> tracer = make_tracer(scene.mesh, bvh, {});
-  RenderOptions options;
-  options.width = width;
-  options.height = height;
-  options.tile_side = tile_side_for(bundle);
-  options.light = light;
+Recording record_rays(const Scene& scene, const Tracer& tracer, RenderOptions options) {
+  Recording recording;
+  std::mutex one_at_a_time;
   options.traced = [&](RayKind kind, const TraceJob& job) {
-    batches.push_back(
+    const std::scoped_lock lock(one_at_a_time);
+    recording.batches.push_back(
         {kind, job.query, {job.rays.begin(), job.rays.end()}, {job.triangles.begin(), job.triangles.end()}});
   };
-  (void)render(scene, *tracer, options);
-  return batches;
+  recording.counts = render(scene, tracer, options).counts;
+  return recording;
+}
+
+std::vector<RecordedBatch> record_rays(const Scene& scene, const Bvh& bvh, int width, int height, int bundle,
+                                       const WhittedOptions& light) {
+  const std::unique_ptr<Tracer> tracer = make_tracer(scene.mesh, bvh, {});
+  return record_rays(scene, *tracer,
+                     {.width = width, .height = height, .tile_side = tile_side_for(bundle), .light = light})
+      .batches;
 }
 
 Measurement measure(const Tracer& tracer, const std::vector<RecordedBatch>& batches, int repeats) {

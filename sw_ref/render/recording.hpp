@@ -18,6 +18,14 @@ struct RecordedBatch {
   std::vector<std::uint32_t> triangles;  ///< the exact answers
 };
 
+struct Recording {
+  std::vector<RecordedBatch> batches;  ///< tile by tile with one thread, otherwise in any order
+  RenderCounts counts;                 ///< of the tracer that found the answers
+};
+
+/// Every batch of an image. What `options.traced` is does not matter.
+[[nodiscard]] Recording record_rays(const Scene& scene, const Tracer& tracer, RenderOptions options);
+
 /// Every batch of an image, tile by tile. The batches depend only on the tile side (see tile_side_for()).
 [[nodiscard]] std::vector<RecordedBatch> record_rays(const Scene& scene, const Bvh& bvh, int width,
                                                      int height, int bundle,

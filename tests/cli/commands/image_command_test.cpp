@@ -12,6 +12,7 @@
 namespace hitpipe::cli::image_command_test {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 class ImageCommand : public testing::Test {
@@ -45,6 +46,34 @@ TEST_F(ImageCommand, SaysWhatRaysRead) {
   EXPECT_THAT(outcome.out, HasSubstr("\n8,"));
 }
 
+// A core with one ray in flight reads block after block, as the walk in software does.
+TEST_F(ImageCommand, BytesBehindACacheAreThoseOfACoreWithOneRay) {
+  const std::vector<std::string> picture{"--scene",  "statue", "--width",  "16",
+                                         "--height", "16",     "--format", "json"};
+  const auto row_of = [&](std::vector<std::string> words) {
+    words.insert(words.end(), picture.begin(), picture.end());
+    const Outcome outcome = run_hitpipe(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out).at(0);
+  };
+  const auto walked = row_of({"image", "--stack", "8", "--cache", "4,64"});
+  const std::vector<std::string> core{"trace", "--native", "--stack", "8", "--rays-in-flight", "1"};
+  for (const auto& [kib, column] : {std::pair{"4", "bytes_a_ray_4kib"}, std::pair{"64", "bytes_a_ray_64kib"},
+                                    std::pair{"0", "bytes_a_ray"}}) {
+    std::vector<std::string> words = core;
+    words.insert(words.end(), {"--cache", kib});
+    EXPECT_EQ(row_of(words).at("bytes_a_ray"), walked.at(column)) << kib;
+  }
+  EXPECT_LT(walked.at("bytes_a_ray_64kib"), walked.at("bytes_a_ray_4kib"));
+}
+
+TEST_F(ImageCommand, ShowsCachesInALineEach) {
+  const Outcome outcome = run_hitpipe({"image", "--scene", "statue", "--width", "16", "--height", "16",
+                                       "--stack", "2,8", "--cache", "4", "--cache-ways", "1"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("\nstack +2\n(.*\n)*bytes_a_ray_4kib .*\n\nstack +8\n"));
+}
+
 TEST_F(ImageCommand, RefusesWhatItCannotDo) {
   const auto refused = [&](std::vector<std::string> more) {
     std::vector<std::string> words{"image", "--scene", "spheres", "--out", file_.string()};
@@ -57,6 +86,7 @@ TEST_F(ImageCommand, RefusesWhatItCannotDo) {
   EXPECT_THAT(refused({"--bits", "20/24"}), HasSubstr("n+gsS"));
   EXPECT_THAT(refused({"--stack", "61"}), HasSubstr("0 to 60"));
   EXPECT_THAT(refused({"--padding", "0"}), HasSubstr("--padding"));
+  EXPECT_THAT(refused({"--cache", "4"}), HasSubstr("--stack"));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST_F(FitToScene, ProvesTheUnitAndWritesItsFiles) {
   const rtl::Library& library = rtl::Library::thesis();
   const rtl::Design& design = rtl::find_design("int_slabs");
   const FitScene scene = prepare_fit(hills(), options());
-  EXPECT_GT(scene.rays.count(), 24U * 16U);
+  EXPECT_GT(scene.rays.counts.total().rays, 24U * 16U);
   const FitResult result = fit_to_scene(design, hls::IntBits{12, 12}, scene, options(), library);
   EXPECT_TRUE(result.verified());
   EXPECT_EQ(result.vectors.vectors, 500U);
@@ -101,8 +101,8 @@ std::int64_t smallest_of_all(const FitScene& scene, FitRate rate, double rays, d
                                .demands = &scene.demands,
                                .rays = &scene.rays,
                                .most = hls::IntBits{10, 10}};
-  const double tests_per_ray =
-      static_cast<double>(scene.rays.reference.total().box_tests) / static_cast<double>(scene.rays.count());
+  const double tests_per_ray = static_cast<double>(scene.rays.counts.total().box_tests) /
+                               static_cast<double>(scene.rays.counts.total().rays);
   std::int64_t smallest = std::numeric_limits<std::int64_t>::max();
   for (int n = hls::IntBits::min_coord; n <= 10; ++n) {
     for (int t = hls::IntBits::min_interval; t <= std::min(10, 2 * n - 1); ++t) {

@@ -307,8 +307,10 @@ class PrecisionOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
   const World world(sim::hills());
-  const SceneRays rays = scene_rays(world.scene, world.bvh, {.width = World::width, .height = World::height});
-  EXPECT_GT(rays.count(), std::uint64_t{World::width} * World::height);
+  const ref::Recording rays =
+      ref::record_rays(world.scene, *ref::make_tracer(world.scene.mesh, world.bvh, {}),
+                       {.width = World::width, .height = World::height});
+  EXPECT_GT(rays.counts.total().rays, std::uint64_t{World::width} * World::height);
   const rtl::Design& design = rtl::find_design(GetParam());
   PrecisionSearch search{.design = &design,
                          .scene = &world.scene,
@@ -352,7 +354,9 @@ TEST_P(PrecisionOf, HillsIsTheFewestBitsWithinTheLimit) {
 
 TEST(PrecisionOfFloats, IsWhetherRaysEnd) {
   const World world(sim::hills());
-  const SceneRays rays = scene_rays(world.scene, world.bvh, {.width = World::width, .height = World::height});
+  const ref::Recording rays =
+      ref::record_rays(world.scene, *ref::make_tracer(world.scene.mesh, world.bvh, {}),
+                       {.width = World::width, .height = World::height});
   for (const char* const name : {"fp_slabs", "fp_plucker"}) {
     PrecisionSearch search{.design = &rtl::find_design(name),
                            .scene = &world.scene,
@@ -372,7 +376,9 @@ TEST(PrecisionOfFloats, IsWhetherRaysEnd) {
 
 TEST(PrecisionOfLeastCost, IsBetweenBitsAndTests) {
   const World world(sim::hills());
-  const SceneRays rays = scene_rays(world.scene, world.bvh, {.width = World::width, .height = World::height});
+  const ref::Recording rays =
+      ref::record_rays(world.scene, *ref::make_tracer(world.scene.mesh, world.bvh, {}),
+                       {.width = World::width, .height = World::height});
   PrecisionSearch search{.design = &rtl::find_design("int_slabs"),
                          .scene = &world.scene,
                          .bvh = &world.bvh,

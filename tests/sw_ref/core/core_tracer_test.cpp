@@ -1,6 +1,9 @@
 // The core's walk in software finds what the exact traversal finds, with any number of places in its stack.
 #include "sw_ref/core/core_tracer.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "sw_ref/render/render.hpp"
@@ -55,6 +58,33 @@ TEST(CoreTracer, SpheresTakeAsManyBlocksAsTheModel) {
   const double blocks = static_cast<double>(made.work.nodes_loaded + made.work.triangles_loaded) /
                         static_cast<double>(made.work.rays);
   EXPECT_NEAR(blocks, 18.2, 1.0);
+}
+
+TEST(CoreTracer, TellsEachBlockThatItReads) {
+  struct Told final : LoadObserver {
+    std::vector<std::uint32_t> blocks;
+    void node_loaded(std::uint32_t block) override { blocks.push_back(block); }
+    void triangle_loaded(std::uint32_t) override { FAIL() << "the image has blocks alone"; }
+  };
+  const IntScene scene = int_scene(sim::hills(), {}, {.build = surface_area_build});
+  const CoreImage image = core_image(scene);
+  const CoreTracer core(image, {});
+  Told told;
+  const Mesh& mesh = scene.scene.mesh;
+  const glm::uvec3 aim = mesh.triangles[100];
+  const glm::vec3 middle = (mesh.vertices[aim.x] + mesh.vertices[aim.y] + mesh.vertices[aim.z]) / 3.0F;
+  const glm::vec3 origin{0.1F, 0.9F, 0.1F};
+  const Ray ray{.origin = origin, .direction = middle - origin};
+  std::uint32_t triangle = IntHit::none;
+  TraceCounts counts;
+  core.trace({.rays = {&ray, 1}, .triangles = {&triangle, 1}, .loads = &told}, counts);
+  EXPECT_NE(triangle, IntHit::none);
+  EXPECT_EQ(told.blocks.size(), counts.nodes_loaded + counts.triangles_loaded);
+  ASSERT_FALSE(told.blocks.empty());
+  EXPECT_EQ(told.blocks.front(), 0U);
+  // The triangle that is hit was read.
+  const auto read = [&](std::uint32_t block) { return triangle_of(image.blocks[block]).number == triangle; };
+  EXPECT_TRUE(std::any_of(told.blocks.begin(), told.blocks.end(), read));
 }
 
 TEST(CoreTracer, OfAnEmptyMeshHitsNothing) {
