@@ -105,7 +105,7 @@ TEST(HelpOfCommands, TellsTheSameOfEverySeed) {
 TEST(Version, IsOneLine) {
   const Outcome outcome = run_hitpipe({"--version"});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_THAT(outcome.out, testing::MatchesRegex("hitpipe [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_THAT(outcome.out, testing::MatchesRegex("hitpipe [0-9]+\\.[0-9]+\\.[0-9]+ \\([0-9a-f]{8}\\)\n"));
 }
 
 TEST(CommandLine, WithoutCommandRejected) {

@@ -38,7 +38,7 @@ class Catalogue(unittest.TestCase):
         listed = json.loads(hitpipe_prints("list", "designs", "--format", "json"))
         self.assertEqual([d.name for d in hitpipe.designs()], [row["design"] for row in listed])
         self.assertEqual([d.default_format for d in hitpipe.designs()], [row["bits"] for row in listed])
-        self.assertEqual(hitpipe.__version__, hitpipe_prints("--version").split()[-1])
+        self.assertEqual(hitpipe.__version__, hitpipe_prints("--version").split()[1])
 
     def test_prices_are_those_of_the_program(self):
         for bits in ("16/16", "20/24"):

@@ -1,0 +1,11 @@
+#include "cli/version.hpp"
+
+#include "sources_hash.hpp"
+
+namespace hitpipe::cli {
+
+std::string_view program_version() {
+  return "hitpipe " HITPIPE_VERSION " (" HITPIPE_SOURCES_HASH ")";
+}
+
+}  // namespace hitpipe::cli
