@@ -110,7 +110,7 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
 
 int run(int argc, char** argv) {
   CLI::App program("Ray-box test units from one C++ source: emit, simulate, judge, price.", "hitpipe");
-  program.set_version_flag("--version", std::string(program_version()), "Print the version and exit");
+  program.set_version_flag("--version", std::string(program_and_sources()), "Print the version and exit");
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.require_subcommand(1);
   program.formatter(std::make_shared<HelpFormatter>());

@@ -22,6 +22,7 @@
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "cli/version.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
 #include "sim/software.hpp"
@@ -157,12 +158,11 @@ int report(const ReportCommand& command, const CLI::App& options) {
   std::optional<Progress> progress("reading the scene");
   const ref::Scene scene = command.scene.load();
   const ref::Bvh bvh = ref::make_hierarchy(scene, command.hierarchy).bvh;
-  const std::string program = options.get_parent()->version();
   const sim::SweepOptions sweep{.width = command.scene.width,
                                 .height = command.scene.height,
                                 .threads = command.scene.threads,
                                 .light = command.light,
-                                .program = program,
+                                .program = std::string(program_version()),
                                 .hierarchy = command.hierarchy.name(),
                                 .library = &library,
                                 .tests_only = command.cost.tests_only,
@@ -182,7 +182,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
     for (sim::SweepRow& row : rows) row.triangle = triangle;
 
   ReportFacts facts;
-  facts.version = program;
+  facts.version = program_and_sources();
   facts.command = command_line(options);
 
   facts.scene = scene.name;

@@ -22,6 +22,7 @@
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
+#include "cli/version.hpp"
 #include "host/files.hpp"
 #include "host/text.hpp"
 #include "sim/cosim/ray_unit.hpp"
@@ -199,7 +200,7 @@ std::vector<sim::SweepRow> measure(const SweepCommand& command, const CutWork& w
                                         .height = command.scene.height,
                                         .threads = command.scene.threads,
                                         .light = command.light,
-                                        .program = program_of(work.parsed),
+                                        .program = std::string(program_version()),
                                         .hierarchy = command.hierarchy.name(),
                                         .library = &library,
                                         .tests_only = command.cost.tests_only,
