@@ -8,8 +8,8 @@ namespace hitpipe::cli {
 /// "hitpipe 0.1.0"
 [[nodiscard]] std::string_view program_version();
 
-/// "hitpipe 0.1.0 (3f9a2c1d)", with the first 32 bits of a hash of the sources that results depend on. Two
-/// builds of the same sources have the same text, whatever machine, folder and compiler they had.
+/// "hitpipe 0.1.0 (3f9a2c1d)", with the first 32 bits of a hash of the sources that results depend on. It
+/// does not depend on machine, folder or compiler.
 [[nodiscard]] std::string_view program_and_sources();
 
 }  // namespace hitpipe::cli

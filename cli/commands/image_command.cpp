@@ -71,14 +71,13 @@ std::vector<Row> reads_of(const ImageCommand& command, const ref::IntScene& scen
       recording = ref::record_rays(scene.scene, core, picture);
     }
     const ref::TraceCounts work = recording.counts.total();
-    const std::uint64_t restarts = core.restarts();
     const auto rays = static_cast<double>(work.rays);
     const auto blocks = static_cast<double>(work.nodes_loaded + work.triangles_loaded);
     Row row{{"stack", places},
             {"rays", work.rays},
             {"records_a_ray", static_cast<double>(work.nodes_loaded) / rays},
             {"triangles_a_ray", static_cast<double>(work.triangles_loaded) / rays},
-            {"restarts_a_ray", static_cast<double>(restarts) / rays},
+            {"restarts_a_ray", static_cast<double>(core.restarts()) / rays},
             {"bytes_a_ray", blocks * static_cast<double>(ref::core_block_bytes) / rays}};
     if (!command.caches.kib.empty())  // to the memory's model all blocks are nodes
       add_read_bytes(row, "bytes_a_ray",

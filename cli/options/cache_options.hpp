@@ -26,7 +26,7 @@ struct CacheChoice {
 /// Adds --cache, --cache-line and --cache-ways. Returns --cache.
 CLI::Option* add_cache_options(CLI::App& command, CacheChoice& caches);
 
-/// Bytes a ray without a cache as the column `name`, and behind each cache as `name`_16kib and so on.
+/// Adds a column `name`, the bytes a ray without a cache, and a column for each cache, such as `name`_16kib.
 void add_read_bytes(Row& row, std::string_view name, const ref::ReadBytes& read, const CacheChoice& caches);
 
 }  // namespace hitpipe::cli

@@ -14,7 +14,7 @@
 namespace hitpipe::cli {
 
 struct PieceNote {
-  std::string program;  ///< name and version
+  std::string program;  ///< its name, version and hash of the sources
   std::string command;  ///< that does all pieces in one run, without its output, its format and its threads
   std::map<std::string, std::string> inputs{};  ///< files that were read, with hashes of their contents
   host::Piece piece;

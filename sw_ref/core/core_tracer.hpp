@@ -1,7 +1,7 @@
 // The core's walk in software: rays through an image, with a short stack and a restart trail, in exact
 // integers. It says what the core must answer and how many blocks it reads. Its counts of nodes and triangles
-// that are loaded are blocks; every restart reads the root's own record again. An observer of loads hears of
-// blocks of both kinds as nodes, by their place in the image.
+// that are loaded are blocks; every restart reads the root's own record again. It tells an observer of
+// loads about every block as a node, by its place in the image.
 #pragma once
 
 #include <atomic>

@@ -15,15 +15,15 @@ struct RecordedBatch {
   RayKind kind;
   Query query;
   std::vector<Ray> rays;
-  std::vector<std::uint32_t> triangles;  ///< the exact answers
+  std::vector<std::uint32_t> triangles;  ///< what the tracer answered
 };
 
 struct Recording {
   std::vector<RecordedBatch> batches;  ///< tile by tile with one thread, otherwise in any order
-  RenderCounts counts;                 ///< of the tracer that found the answers
+  RenderCounts counts;                 ///< what the tracer did for them
 };
 
-/// Every batch of an image. What `options.traced` is does not matter.
+/// Every batch of an image, with the tracer's answers. It sets `options.traced` itself.
 [[nodiscard]] Recording record_rays(const Scene& scene, const Tracer& tracer, RenderOptions options);
 
 /// Every batch of an image, tile by tile. The batches depend only on the tile side (see tile_side_for()).
