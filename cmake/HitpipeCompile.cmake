@@ -1,6 +1,9 @@
 # Warnings and sanitizers that every target of the project shares.
 add_library(hitpipe_compile INTERFACE)
 target_compile_options(hitpipe_compile INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+# No path of the machine that built it is in a program: names of sources begin at the root of the tree.
+target_compile_options(hitpipe_compile INTERFACE
+  -ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -ffile-prefix-map=${PROJECT_BINARY_DIR}/=)
 # A product and a sum stay two roundings, so that pictures are the same on every machine.
 target_compile_options(hitpipe_compile INTERFACE -ffp-contract=off)
 if(HITPIPE_WERROR)

@@ -43,7 +43,7 @@ int trace_by_board(const BoardCore& choice) {
   const int baud = choice.board.baud.value_or(board.baud);
   host::SerialPort port = host::SerialPort::open(choice.port, baud);
   std::optional<Progress> progress("making the core");
-  const rtl::Core core = rtl::make_core(options, library_of(board), core_name);
+  const rtl::Core core = rtl::make_core(options, library_of(board));
   sim::CoreLink link(port, core);
   link.require_same_core();
 
@@ -106,7 +106,7 @@ int simulate_core(const BoardCore& choice) {
   const rtl::Board board = choice.board.board();
   std::optional<Progress> progress("compiling the Verilog");
   const rtl::Library library = library_of(board);
-  const rtl::Core core = rtl::make_core(core_on_board(board, choice.bits), library, core_name);
+  const rtl::Core core = rtl::make_core(core_on_board(board, choice.bits), library);
   sim::SimulatedBoard simulated(
       {.module = rtl::board_module(core.module),
        .verilog = rtl::core_board_top(core, sim::simulated_clocks_per_bit) + rtl::to_verilog(core, library),

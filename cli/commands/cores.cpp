@@ -26,10 +26,9 @@
 namespace hitpipe::cli {
 
 void emit_core(const rtl::CoreOptions& core_options, const CoreRtl& options) {
-  const std::string module = options.module.empty() ? core_name : options.module;
-  rtl::check_module_name(module);
+  if (!options.module.empty()) rtl::check_module_name(options.module);
   const rtl::Library library = rtl::library_called(options.library);
-  const rtl::Core core = rtl::make_core(core_options, library, module);
+  const rtl::Core core = rtl::make_core(core_options, library, options.module);
   std::vector<host::File> files =
       rtl::core_files(core, library, sim::core_test(core, options.cycles, options.seed));
   rtl::add_drawings(files);
@@ -37,7 +36,7 @@ void emit_core(const rtl::CoreOptions& core_options, const CoreRtl& options) {
   std::vector<std::string> names;
   for (const host::File& file : files)
     names.push_back((std::filesystem::path(options.out) / file.name).string());
-  Row row{{"core", module},
+  Row row{{"core", core.module},
           {"bits", rtl::to_string(rtl::Format(core.options.bits))},
           {"rays", core.options.rays},
           {"door", rtl::door_name(core.options.door)}};

@@ -21,7 +21,7 @@ inline constexpr const char* core_name = "core";
 struct CoreRtl {
   std::string out;
   std::string library;
-  std::string module;  ///< empty: "core"
+  std::string module;  ///< empty: that of the core's options
   int cycles;          ///< of the testbench
   std::uint64_t seed;
   OutputFormat format;

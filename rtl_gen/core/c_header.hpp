@@ -7,9 +7,7 @@
 
 namespace hitpipe::rtl {
 
-/// The module's name in capitals, which begins the names of macros.
-[[nodiscard]] std::string macro_name(const Core& core);
-/// MODULE.h: registers and records.
+/// MODULE.h: registers and records. Names in it are those of every core, so one driver takes any of them.
 [[nodiscard]] std::string c_header(const Core& core);
 
 }  // namespace hitpipe::rtl

@@ -356,6 +356,11 @@ int CoreOptions::ray_bits() const {
   return std::max(1, hls::count_bits(rays));
 }
 
+std::string CoreOptions::module() const {
+  const std::string name = "hitpipe_core";
+  return bits == CoreOptions{}.bits ? name : fmt::format("{}_{}", name, Format(bits).identifier());
+}
+
 const CorePart& Core::part(std::string_view name) const {
   const auto found =
       std::find_if(parts.begin(), parts.end(), [&](const CorePart& part) { return part.name == name; });
@@ -379,7 +384,8 @@ std::vector<Core> make_cores(std::span<const CoreOptions> options, const Library
   Units units(library);
   std::vector<Core> cores;
   cores.reserve(options.size());
-  for (const CoreOptions& each : options) cores.push_back(Maker(each, units, module).made());
+  for (const CoreOptions& each : options)
+    cores.push_back(Maker(each, units, module.empty() ? each.module() : module).made());
   return cores;
 }
 

@@ -61,6 +61,9 @@ struct CoreOptions {
 
   /// Bits of a ray's number.
   [[nodiscard]] int ray_bits() const;
+  /// The name of its Verilog module unless the user gives another: "hitpipe_core" at the default format,
+  /// "hitpipe_core_16p1_9s16" at another.
+  [[nodiscard]] std::string module() const;
 };
 
 /// A machine or a unit.
@@ -104,13 +107,13 @@ struct Core {
 };
 
 /// Units are scheduled for the clock that is given or that of the slowest machine, or for their own slowest
-/// component if that is slower. Throws std::runtime_error, one line, for options outside their limits, and
-/// std::logic_error when a wire is missing or does not fit.
+/// component if that is slower. An empty `module` stands for that of the options. Throws std::runtime_error,
+/// one line, for options outside their limits, and std::logic_error when a wire is missing or does not fit.
 [[nodiscard]] Core make_core(const CoreOptions& options, const Library& library,
-                             const std::string& module = "core");
+                             const std::string& module = "");
 /// The same for each of the options, in their order; what they have in common is scheduled once.
 [[nodiscard]] std::vector<Core> make_cores(std::span<const CoreOptions> options, const Library& library,
-                                           const std::string& module = "core");
+                                           const std::string& module = "");
 
 /// The top module, then one for each part. The same core gives the same bytes.
 [[nodiscard]] std::string to_verilog(const Core& core, const Library& library);

@@ -12,6 +12,7 @@
 #include "rtl_gen/core/c_header.hpp"
 #include "rtl_gen/core/picture.hpp"
 #include "rtl_gen/core/wires.hpp"
+#include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 
@@ -77,6 +78,7 @@ Json manifest_of(const Core& core, const Library& library) {
     wires.push_back({end(wire.from, wire.output), end(wire.to, wire.input)});
   }
   return {{"module", core.module},
+          {"license", output_licence},
           {"bits", to_string(Format(options.bits))},
           {"rays", options.rays},
           {"door", door_name(options.door)},
@@ -158,17 +160,18 @@ targets:
 
 std::vector<host::File> core_files(const Core& core, const Library& library, CoreTest test) {
   const CycleTest cycles = test_of(core, std::move(test.cycles));
-  return {{core.module + ".v", to_verilog(core, library)},
-          {axi_module(core) + ".v", axi_verilog(core)},
-          {core.module + ".h", c_header(core)},
-          {core.module + ".json", manifest_of(core, library).dump(2) + "\n"},
-          {core.module + ".core", fusesoc_text(core)},
-          {core.module + ".dot", to_dot(core)},
-          {"tb/" + core.module + "_tb.sv", testbench_text(cycles)},
-          {"tb/" + core.module + "_vectors.hex", vectors_text(cycles)},
-          {"tb/" + axi_module(core) + "_harness.cpp", system_program(core)},
-          {"tb/" + core.module + "_scene.txt", scene_text(core, test.scene)},
-          {"tb/Makefile", testbench_makefile()}};
+  return with_licence(
+      std::vector<host::File>{{core.module + ".v", to_verilog(core, library)},
+                              {axi_module(core) + ".v", axi_verilog(core)},
+                              {core.module + ".h", c_header(core)},
+                              {core.module + ".json", manifest_of(core, library).dump(2) + "\n"},
+                              {core.module + ".core", fusesoc_text(core)},
+                              {core.module + ".dot", to_dot(core)},
+                              {"tb/" + core.module + "_tb.sv", testbench_text(cycles)},
+                              {"tb/" + core.module + "_vectors.hex", vectors_text(cycles)},
+                              {"tb/" + axi_module(core) + "_harness.cpp", system_program(core)},
+                              {"tb/" + core.module + "_scene.txt", scene_text(core, test.scene)},
+                              {"tb/Makefile", testbench_makefile()}});
 }
 
 }  // namespace hitpipe::rtl

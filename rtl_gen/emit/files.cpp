@@ -11,6 +11,7 @@
 #include "host/process.hpp"
 #include "rtl_gen/emit/axi_stream.hpp"
 #include "rtl_gen/emit/hls_top.hpp"
+#include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/port_vectors.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
@@ -177,7 +178,7 @@ std::vector<File> EmittedDesign::files(const std::vector<File>& drawings) const 
   listing["files"] = Json::array();
   for (const File& file : all) listing["files"].push_back(file.name);
   all[1].contents = listing.dump(2) + "\n";
-  return all;
+  return with_licence(std::move(all));
 }
 
 File EmittedDesign::manifest_file() const {

@@ -185,9 +185,10 @@ std::string differences(const V{module}& dut, const std::string& vector, std::ui
   return text;
 }}
 
-void run() {{
+void run(int count, char** arguments) {{
   const std::vector<std::string> vectors = read_vectors("{module}_vectors.hex");
   VerilatedContext context;
+  context.commandArgs(count, arguments);  // +verilator+seed+N and its kind
 #if VM_TRACE
   context.traceEverOn(true);
 #endif
@@ -217,9 +218,9 @@ void run() {{
 
 }}  // namespace
 
-int main() {{
+int main(int count, char** arguments) {{
   try {{
-    run();
+    run(count, arguments);
   }} catch (const std::exception& error) {{
     std::printf("FAIL %s\n", error.what());
     return 1;

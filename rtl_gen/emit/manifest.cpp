@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/text.hpp"
+#include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/verilog/names.hpp"
 
 namespace hitpipe::rtl {
@@ -100,6 +101,7 @@ Json manifest(const Design& design, Format format, const ModuleInterface& unit, 
             {"kind", design.kind.name},
             {"bits", to_string(format)},
             {"module", unit.module},
+            {"license", output_licence},
             {"verilog", {unit.module + ".v"}},
             {"clock", "clk, rising edge"},
             {"reset", "rst, synchronous, active high, valid bits only"},

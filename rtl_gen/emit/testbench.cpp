@@ -59,8 +59,9 @@ struct FlowText {
       // A place of a FIFO fills in an interval, and where a ray is written before each test in up to 4
       // cycles.
       constants = fmt::format(
-          "  // The results stand still for FULL cycles of 8 * FULL, so that all that can hold one is full.\n"
-          "  localparam integer FULL = {};\n",
+          "  // The results stand still for STILL_CYCLES cycles of 8 * STILL_CYCLES, so that all that can "
+          "hold one is full.\n"
+          "  localparam integer STILL_CYCLES = {};\n",
           4 * (latency + 2 * interval) + 16);
       more = rays || stream ? "\n  reg full, taken;" : "\n  reg full;";
       return;
@@ -68,7 +69,7 @@ struct FlowText {
     // Long enough to show what comes that was never sent.
     constants = fmt::format(
         "  // Edges from the one that takes the operands to the one that latches the results.\n"
-        "  localparam integer LATENCY = {};\n  localparam integer IDLE = 2 * LATENCY + 8;\n",
+        "  localparam integer LATENCY = {};\n  localparam integer SILENT_CYCLES = 2 * LATENCY + 8;\n",
         latency);
     more = fmt::format("\n  reg [LATENCY:0] due;  // by boundary: there is a test\n{}  integer idle;",
                        waits ? "  reg taken;\n" : "");
@@ -240,7 +241,7 @@ std::string testbench(const ModuleInterface& unit, int count, int latency, const
   const FlowText flow(ready, ready || unit.interval > 1 || slots != nullptr, slots != nullptr,
                       around.axi_stream, slots != nullptr ? slots->latency(latency) : latency, unit.interval);
   const std::string in_time =
-      fmt::format("cycles < {} * COUNT{} + 1000", 16 * unit.interval, ready ? " + 16 * FULL" : "");
+      fmt::format("cycles < {} * COUNT{} + 1000", 16 * unit.interval, ready ? " + 16 * STILL_CYCLES" : "");
   Wires wires;
   const std::vector<std::string> operands = fields("operands", ports, width);
   for (std::size_t i = 0; i < ports.size(); ++i) wires[ports[i].name] = operands[i];
@@ -291,7 +292,7 @@ module {top}_tb;
   // A vector is a line of hexadecimal digits: the operands in port order, then the results.
   localparam integer BITS = {width};
   localparam integer RESULT_BITS = {result_width};
-  localparam integer DIGITS = (BITS + 3) / 4;
+  localparam integer DIGIT_COUNT = (BITS + 3) / 4;
 {constants}
   reg [BITS-1:0] vectors [0:COUNT-1];
   reg clk, rst, in_valid{out_ready};{more}
@@ -313,8 +314,8 @@ module {top}_tb;
   task read_vectors;
     integer file, length, line, found;
     reg in_comment;
-    reg [8*(DIGITS+1)-1:0] text;
-    reg [8*DIGITS-1:0] digits;
+    reg [8*(DIGIT_COUNT+1)-1:0] text;
+    reg [8*DIGIT_COUNT-1:0] digits;
     reg [BITS-1:0] vector;
     begin
       file = $fopen("{module}_vectors.hex", "r");
@@ -332,7 +333,7 @@ module {top}_tb;
           $sformat(digits, "%h", vector);
           if (text != {{digits, 8'h0a}} || ^vector === 1'bx) begin
             $display("FAIL {module}_vectors.hex, line %0d: not %0d lower-case hexadecimal digits of %0d bits",
-                     line, DIGITS, BITS);
+                     line, DIGIT_COUNT, BITS);
             $fatal(1);
           end
           if (found < COUNT) vectors[found] = vector;
@@ -391,7 +392,7 @@ endmodule
                                       ? " ray_valid = 1'b0; written = 0;"
                                       : " ray_valid = 1'b0; partial = 1'b0; end_only = 1'b0; written = 0;"),
       fmt::arg("held", around.axi_stream ? "(in_valid && !taken) || " : ""), fmt::arg("sendable", sendable),
-      fmt::arg("full", flow.only_with_ready("      full = cycles / FULL % 8 == 1;\n")),
+      fmt::arg("full", flow.only_with_ready("      full = cycles / STILL_CYCLES % 8 == 1;\n")),
       fmt::arg("offers", ready ? "(full || random[9:8] != 2'd0)" : "random[9:8] != 2'd0"),
       fmt::arg("ray_valid", ray_valid), fmt::arg("count", count), fmt::arg("width", width),
       fmt::arg("result_width", result_width), fmt::arg("result_bits", result.bits),
@@ -404,8 +405,8 @@ endmodule
       fmt::arg("no_out_ready", flow.only_with_ready(" out_ready = 1'b0;")),
       fmt::arg("nothing_due", flow.ready ? "" : " due = 0; idle = 0;"),
       fmt::arg("running", flow.ready   ? "received != COUNT && " + in_time
-                          : flow.waits ? "idle != IDLE && " + in_time
-                                       : "idle != IDLE"),
+                          : flow.waits ? "idle != SILENT_CYCLES && " + in_time
+                                       : "idle != SILENT_CYCLES"),
       fmt::arg("drive", flow.drive(compare)));
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/emit/manifest.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/machine/cycle_test.hpp"
@@ -61,6 +62,7 @@ Json machine_manifest(const MachineGraph& graph, const Machine& machine, const F
   return {{"machine", machine.name},
           {"bits", to_string(format)},
           {"module", module},
+          {"license", output_licence},
           {"library", library.name()},
           {"clock_ps", path.clock_ps},
           {"longest_path", path.names},
@@ -96,12 +98,13 @@ std::vector<host::File> machine_files(const Machine& machine, const Format& form
   const MachineGraph graph = machine.graph(format);
   const std::string module = options.module.empty() ? machine.module_at(format) : options.module;
   const CycleTest test = cycle_test(graph, *machine.native(format), module, options);
-  return {{module + ".v", to_verilog(graph, {.module = module, .bits = to_string(format)})},
-          {module + ".json", machine_manifest(graph, machine, format, library, module).dump(2) + "\n"},
-          {module + ".dot", to_dot(graph, fmt::format("{} {}", machine.name, to_string(format)))},
-          {"tb/" + module + "_tb.sv", testbench_text(test)},
-          {"tb/" + module + "_vectors.hex", vectors_text(test)},
-          {"tb/Makefile", testbench_makefile()}};
+  return with_licence(std::vector<host::File>{
+      {module + ".v", to_verilog(graph, {.module = module, .bits = to_string(format)})},
+      {module + ".json", machine_manifest(graph, machine, format, library, module).dump(2) + "\n"},
+      {module + ".dot", to_dot(graph, fmt::format("{} {}", machine.name, to_string(format)))},
+      {"tb/" + module + "_tb.sv", testbench_text(test)},
+      {"tb/" + module + "_vectors.hex", vectors_text(test)},
+      {"tb/Makefile", testbench_makefile()}});
 }
 
 }  // namespace hitpipe::rtl

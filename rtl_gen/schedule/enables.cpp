@@ -81,7 +81,7 @@ void drop_needless_enables(Placement& placement, const Graph& graph, const Sched
   const RegisterTable table(placement, binding.interval);
   // From the last stage back: a register without an enable needs those before it for longer.
   for (auto r = placement.registers.rbegin(); r != placement.registers.rend(); ++r) {
-    if (!r->holds() || !r->others.empty()) continue;
+    if (!r->holds() || r->is_shared()) continue;
     RegisteredSources from(graph, schedule, binding, table, r->boundary);
     if (!from.collect(r->value, bit_range(r->high, r->low))) continue;
     const int last_load = r->last - 1;

@@ -44,6 +44,8 @@ struct Register {
   /// In a unit that takes a test every N cycles: it loads in the phases of its values, their boundaries mod
   /// N, alone, because a later stage than the next reads one.
   [[nodiscard]] bool holds() const;
+  /// Several results of one component pass through it.
+  [[nodiscard]] bool is_shared() const { return !others.empty(); }
   /// All that it has.
   [[nodiscard]] std::vector<Passing> values() const;
   [[nodiscard]] int width() const { return high - low + 1; }

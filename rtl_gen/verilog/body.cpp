@@ -64,6 +64,9 @@ Body::Body(const Graph& graph, const Schedule& schedule, const Placement& placem
   for (const auto& [instance, operations] : instances)
     shared_[instance] = written_shared_component(operations);
   for (const Register& r : placement.registers) registers_.push_back(claim(wished_name(r)));
+  // An earlier stage than the register's own may read it.
+  for (std::size_t i = 0; i < placement.registers.size(); ++i)
+    if (placement.registers[i].is_shared()) declare(i);
   if (std::any_of(placement.registers.begin(), placement.registers.end(),
                   [](const Register& r) { return r.boundary == 0; })) {
     text_ += "\n  // Input latches.\n";
@@ -107,7 +110,7 @@ const Body::SharedComponent& Body::shared_by(NodeId id) const {
 }
 
 std::string Body::wished_name(const Register& r) const {
-  if (!r.others.empty()) return shared_by(r.value).name + "_result";
+  if (r.is_shared()) return shared_by(r.value).name + "_result";
   const BitSpan whole = used_span(graph_, placement_, r.value);
   const std::string& name = names_[r.value].name;
   if (r.high == whole.high && r.low == whole.low) return fmt::format("{}_s{}", name, r.boundary);
@@ -302,6 +305,14 @@ std::string Body::loaded(const std::string& assignments, const std::string& cond
   return fmt::format("  always @(posedge clk) begin\n{}  end\n", body);
 }
 
+void Body::declare(std::size_t i) {
+  const Register& r = placement_.registers[i];
+  std::string what = fmt::format("stage {}", r.boundary);
+  for (const Passing& other : r.others)
+    what += fmt::format(", of {} stage {}", names_[other.value].name, other.boundary);
+  text_ += fmt::format("  reg {}{};{}\n", vector_range(r.width()), registers_[i], comment(what, r.value));
+}
+
 void Body::write_registers(int boundary) {
   const int interval = options_.binding.interval;
   const std::string& enable = options_.enable;
@@ -318,14 +329,10 @@ void Body::write_registers(int boundary) {
   for (std::size_t i = 0; i < placement_.registers.size(); ++i) {
     const Register& r = placement_.registers[i];
     if (r.boundary != boundary) continue;
-    const std::string& name = registers_[i];
-    std::string what = fmt::format("stage {}", boundary);
-    for (const Passing& other : r.others)
-      what += fmt::format(", of {} stage {}", names_[other.value].name, other.boundary);
-    text_ += fmt::format("  reg {}{};{}\n", vector_range(r.width()), name, comment(what, r.value));
+    if (!r.is_shared()) declare(i);
     const std::string condition = loads(r);
-    assignments[condition] += fmt::format("{}{} <= {};\n", condition.empty() ? "    " : "      ", name,
-                                          bits_of(r.value, r.high, r.low, boundary));
+    assignments[condition] += fmt::format("{}{} <= {};\n", condition.empty() ? "    " : "      ",
+                                          registers_[i], bits_of(r.value, r.high, r.low, boundary));
   }
   for (const auto& [condition, all] : assignments) text_ += loaded(all, condition);
 }

@@ -48,6 +48,8 @@ class Body {
   void write_stage(int stage);
   /// Assignments to registers, at each clock edge at which the condition holds; an empty one always holds.
   [[nodiscard]] std::string loaded(const std::string& assignments, const std::string& condition) const;
+  /// The register of this place.
+  void declare(std::size_t i);
   void write_registers(int boundary);
   /// A component and what it is connected to.
   struct Connected {

@@ -63,6 +63,17 @@ ref::Scene random_scene(std::uint32_t triangles, Random& random) {
   return scene;
 }
 
+/// The scene and its image, with at most so many triangles, and with no more levels than the core walks.
+std::pair<ref::IntScene, ref::CoreImage> scene_for(const rtl::CoreOptions& options,
+                                                   std::uint64_t most_triangles, Random& random) {
+  for (auto triangles = static_cast<std::uint32_t>(most_triangles);; triangles /= 2) {
+    ref::IntScene scene = ref::int_scene(random_scene(triangles, random), options.bits.world(),
+                                         {.build = ref::surface_area_build});
+    ref::CoreImage image = ref::core_image(scene);
+    if (image.levels <= options.levels || triangles == 1) return {std::move(scene), std::move(image)};
+  }
+}
+
 /// By a test of each triangle.
 ref::IntHit nearest(const ref::IntRay& ray, const ref::IntMesh& mesh, const hls::WorldBits& world) {
   ref::IntHit best{.triangle = ref::IntHit::none, .t = ray.length};
@@ -80,10 +91,8 @@ rtl::CoreTest core_test(const rtl::Core& core, int cycles, std::uint64_t seed) {
   Random random(seed);
   // A tree of n leaves has less than n records beside the root's own.
   const std::uint64_t most_blocks = std::uint64_t{1} << core.options.address_bits;
-  const auto triangles = static_cast<std::uint32_t>(std::min<std::uint64_t>(200, most_blocks / 2 - 1));
-  const ref::IntScene scene =
-      ref::int_scene(random_scene(triangles, random), world, {.build = ref::surface_area_build});
-  const ref::CoreImage image = ref::core_image(scene);
+  const auto [scene, image] =
+      scene_for(core.options, std::min<std::uint64_t>(200, most_blocks / 2 - 1), random);
   const auto job = [&]() -> CoreJob {
     const ref::Ray ray{.origin = point(random), .direction = point(random), .length = 2.0F};
     return {ray, random.below(3) == 0};

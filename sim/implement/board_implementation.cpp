@@ -8,6 +8,7 @@
 #include "rtl_gen/board/core_top.hpp"
 #include "rtl_gen/board/top.hpp"
 #include "rtl_gen/component/library.hpp"
+#include "rtl_gen/emit/licence.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "rtl_gen/verilog/names.hpp"
 #include "sim/implement/target.hpp"
@@ -110,7 +111,7 @@ BoardImplementation implement_board(const rtl::Design& design, const rtl::Format
   const host::File top_file{
       top + ".v", rtl::board_top(rtl::board_unit(design, format, emitted.module, pipeline), clocks_per_bit)};
   const bool drawn = rtl::write_unit(made.bench.kept(), emitted).drawn;
-  host::write_files(made.bench.kept(), {top_file});
+  host::write_files(made.bench.kept(), {rtl::with_licence(top_file)});
   BoardImplementation result = made.run({top, {emitted.verilog, top_file}});
   result.chip.latency = pipeline.latency();
   result.chip.drawn = drawn;
@@ -123,12 +124,11 @@ BoardImplementation implement_core_board(const rtl::CoreOptions& core_options, c
   const BoardBench made(board, options);
 
   options.progress("writing the core");
-  const rtl::Core core =
-      rtl::make_core(core_options, made.library, options.module.empty() ? "core" : options.module);
+  const rtl::Core core = rtl::make_core(core_options, made.library, options.module);
   const std::string top = rtl::board_module(core.module);
   const host::File core_file{core.module + ".v", rtl::to_verilog(core, made.library)};
   const host::File top_file{top + ".v", rtl::core_board_top(core, clocks_per_bit)};
-  host::write_files(made.bench.kept(), {core_file, top_file});
+  host::write_files(made.bench.kept(), {rtl::with_licence(core_file), rtl::with_licence(top_file)});
   return made.run({top, {core_file, top_file}});
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "rtl_gen/emit/licence.hpp"
 #include "sim/implement/shift_harness.hpp"
 
 namespace hitpipe::sim {
@@ -16,14 +17,15 @@ std::string synthesise_harness(const Target& target, const Synthesis& module, co
                                const Workbench& bench) {
   const std::string top = harness_module(module.top);
   const std::string netlist = top + ".json";
-  bench.put_and_keep({top + ".v", shift_harness(module.top, module_clock,
-                                                ports_of_netlist(bench.read(module.json()), module.top))});
-  // While it is a black box, its cells stay as they are.
+  const std::vector<ChipPort> ports = ports_of_netlist(bench.read(module.json()), module.top);
+  bench.put_and_keep(rtl::with_licence({top + ".v", shift_harness(module.top, module_clock, ports)}));
+  // The netlist has modules of cells without the timing that a newer Yosys wants of them; it has its own.
+  // While the module is a black box, its cells stay as they are.
   const std::string script = fmt::format(
-      "read_json {}\nsetattr -mod -set blackbox 1 {}\nread_verilog {}.v\n{}"
+      "read_json {}\ndelete =A:abc9_box\nsetattr -mod -set blackbox 1 {}\nread_verilog {}.v\n{}"
       "setattr -mod -unset blackbox ={}\nflatten\nopt_clean -purge\nwrite_json {}\n",
       module.json(), module.top, top, synthesis_lines(target, top), module.top, netlist);
-  bench.put_and_keep({top + ".ys", script});
+  bench.put_and_keep(rtl::with_licence({top + ".ys", script}));
   bench.run(yosys, {"-s", top + ".ys"}, top + ".log");
   return netlist;
 }

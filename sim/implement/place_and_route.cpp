@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "rtl_gen/emit/licence.hpp"
+
 namespace hitpipe::sim {
 
 namespace {
@@ -114,7 +116,7 @@ PlacedDesign place_and_route(const Target& target, const PlaceRequest& request, 
     if (request.board != nullptr) {
       const BoardFlow& flow = target.placer->board.value();
       const std::string pins = flow.pins_file(request.top);
-      bench.put_and_keep({pins, flow.pin_constraints(*request.board)});
+      bench.put_and_keep(rtl::with_licence({pins, flow.pin_constraints(*request.board)}));
       arguments.insert(arguments.end(),
                        {flow.pins_option, pins, flow.placed_option, flow.placed_file(request.top, seed)});
     }

@@ -8,6 +8,8 @@
 #include <fnmatch.h>
 #include <nlohmann/json.hpp>
 
+#include "rtl_gen/emit/licence.hpp"
+
 namespace hitpipe::sim {
 
 namespace {
@@ -97,11 +99,13 @@ Synthesis synthesise(const Target& target, const ChipSources& sources, const Too
   const std::string cells = sources.top + "_cells.json";
   const std::string area = sources.top + "_area.txt";
   script += synthesis_lines(target, sources.top);
+  // Cells without hardware, by which newer Yosys remembers where modules were before it flattened them.
+  script += "delete t:$scopeinfo\n";
   script += fmt::format("tee -q -o {} stat -json\n", cells);
   if (!target.liberty.empty()) script += fmt::format("tee -q -o {} stat -liberty {}\n", area, target.liberty);
   script += fmt::format("write_verilog -noattr {}\nwrite_json {}\n", result.verilog(), result.json());
   const std::string script_name = sources.top + "_synthesis.ys";
-  bench.put_and_keep({script_name, script});
+  bench.put_and_keep(rtl::with_licence({script_name, script}));
   bench.run(yosys, {"-s", script_name}, sources.top + "_synthesis.log");
   for (const std::string& name : {cells, result.verilog(), result.json()}) bench.keep(name);
   result.cells = mapped_cells(bench.read(cells));
@@ -122,7 +126,7 @@ double slack_ns(const std::string& output) {
 double critical_path_ns(const Target& target, const Synthesis& netlist, const std::string& clock,
                         const Tool& sta, const Workbench& bench) {
   const std::string name = netlist.top + "_timing.tcl";
-  bench.put_and_keep({name, script(target, netlist, clock)});
+  bench.put_and_keep(rtl::with_licence({name, script(target, netlist, clock)}));
   const std::string output = bench.run(sta, {"-exit", name}, netlist.top + "_timing.log");
   return period_ns - slack_ns(output);
 }

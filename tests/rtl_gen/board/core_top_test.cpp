@@ -27,7 +27,7 @@ TEST(CoreBoardTop, LintIsSilent) {
   for (const char* bits : {"12+0/7s12", "8+0/5s8"}) {
     for (const int rays : {1, 4}) {
       SCOPED_TRACE(fmt::format("{} {}", bits, rays));
-      const Core core = make_core(at(bits, rays), Library::thesis());
+      const Core core = make_core(at(bits, rays), Library::thesis(), "core");
       const ScratchFolder folder;
       write_text(folder / "core.v", to_verilog(core, Library::thesis()));
       write_text(folder / "top.v", core_board_top(core, 12));
@@ -39,7 +39,7 @@ TEST(CoreBoardTop, LintIsSilent) {
 }
 
 TEST(CoreBoardTop, YosysFindsNothingWrong) {
-  const Core core = make_core(at("8+0/5s8"), Library::thesis());
+  const Core core = make_core(at("8+0/5s8"), Library::thesis(), "core");
   const ScratchFolder folder;
   write_text(folder / "core.v", to_verilog(core, Library::thesis()));
   write_text(folder / "top.v", core_board_top(core, 12));

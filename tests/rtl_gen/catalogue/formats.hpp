@@ -11,6 +11,7 @@
 #include "hls/box/fp_format.hpp"
 #include "hls/box/major_format.hpp"
 #include "hls/num/bits.hpp"
+#include "hls/world/ray_format.hpp"
 #include "rtl_gen/catalogue/design.hpp"
 #include "rtl_gen/emit/files.hpp"
 #include "rtl_gen/pipeline.hpp"
@@ -52,18 +53,24 @@ inline std::ostream& operator<<(std::ostream& out, const DesignFormat& d) {
   return out << d.design << ' ' << d.format;
 }
 
-/// Every design of the catalogue, each at the formats of its family: n/t, n+g/p, or the one of floats.
+/// Every design of the catalogue, each at the formats of its family: n/t, n+g/p, floats, and in the integer
+/// world rays and triangles. Without a format of its family a design has its default one.
 inline std::vector<DesignFormat> every_design(const std::vector<std::string>& integers,
                                               const std::vector<std::string>& major = {"20+1/13"},
-                                              const std::vector<std::string>& any_float = {"e8m23"}) {
+                                              const std::vector<std::string>& any_float = {"e8m23"},
+                                              const std::vector<std::string>& rays = {},
+                                              const std::vector<std::string>& triangles = {}) {
   std::vector<DesignFormat> all;
   for (const Design& design : designs()) {
     const Format& usual = design.default_format;
     const std::vector<std::string> one{to_string(usual)};
-    for (const std::string& format : usual.is<hls::IntBits>()     ? integers
-                                     : usual.is<hls::MajorBits>() ? major
-                                     : usual.is<hls::FpBits>()    ? any_float
-                                                                  : one)
+    const std::vector<std::string>& own = usual.is<hls::IntBits>()     ? integers
+                                          : usual.is<hls::MajorBits>() ? major
+                                          : usual.is<hls::FpBits>()    ? any_float
+                                          : usual.is<hls::RayBits>()   ? rays
+                                          : usual.is<hls::WorldBits>() ? triangles
+                                                                       : one;
+    for (const std::string& format : own.empty() ? one : own)
       all.push_back({std::string(design.name), format});
   }
   return all;
