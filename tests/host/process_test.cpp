@@ -39,7 +39,7 @@ std::function<void(pid_t child)> when_started;
 /// Stands before the system's.
 extern "C" int posix_spawnp(pid_t* child, const char* file, const posix_spawn_file_actions_t* actions,
                             const posix_spawnattr_t* attributes, char* const words[],
-                            char* const variables[]) noexcept {
+                            char* const variables[]) {
   static const auto real = reinterpret_cast<decltype(&posix_spawnp)>(dlsym(RTLD_NEXT, "posix_spawnp"));
   const int error = real(child, file, actions, attributes, words, variables);
   if (error == 0 && hitpipe::host::when_started) hitpipe::host::when_started(*child);
