@@ -19,6 +19,7 @@
 #include "cli/old_names.hpp"
 #include "cli/text/help.hpp"
 #include "cli/version.hpp"
+#include "host/ending.hpp"
 #include "host/text.hpp"
 #include "sim/cosim/counts.hpp"
 
@@ -109,6 +110,7 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
 }  // namespace
 
 int run(int argc, char** argv) {
+  host::end_by_signals_cleanly();
   CLI::App program("Ray-box test units from one C++ source: emit, simulate, judge, price.", "hitpipe");
   program.set_version_flag("--version", std::string(program_and_sources()), "Print the version and exit");
   program.set_help_flag("-h,--help", "Print this help and exit");

@@ -1,11 +1,11 @@
 #include "host/process.hpp"
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -18,6 +18,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "host/ending.hpp"
 #include "host/text.hpp"
 
 namespace hitpipe::host {
@@ -79,7 +80,7 @@ class Actions {
   Actions() {
     check(posix_spawn_file_actions_init(&actions_));
     check(posix_spawnattr_init(&attributes_));
-    check(posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP));
+    check(posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK));
     check(posix_spawnattr_setpgroup(&attributes_, 0));
   }
   ~Actions() {
@@ -95,8 +96,9 @@ class Actions {
   void enter(const std::filesystem::path& folder) {
     check(posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str()));
   }
-  /// Returns errno, or 0.
-  int spawn(pid_t& child, std::vector<char*>& words) const {
+  /// The child blocks the signals that this thread blocked before. Returns errno, or 0.
+  int spawn(pid_t& child, std::vector<char*>& words, const HeldSignals& held) {
+    check(posix_spawnattr_setsigmask(&attributes_, &held.before()));
     return posix_spawnp(&child, words.front(), &actions_, &attributes_, words.data(), environ);
   }
 
@@ -109,43 +111,16 @@ class Actions {
   posix_spawnattr_t attributes_{};
 };
 
-/// The groups of the children that run. A program that is ended by a signal ends them too, since a terminal
-/// sends its signals only to the program's own group.
-std::array<std::atomic<pid_t>, 256> running_groups;
-
-void end_with_children(int number) {
-  for (const std::atomic<pid_t>& group : running_groups)
-    if (const pid_t leader = group; leader != 0) kill(-leader, number);
-  static_cast<void>(raise(number));  // comes when this returns, and now ends the program
-}
-
-void take_children_along() {
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction action {};
-    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
-    action.sa_handler = end_with_children;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(number, &action, nullptr);
-  }
-}
-
-/// A child that leads a group of its own. Without wait() it is killed with its group.
+/// A child that leads a group of its own. Without wait() it is killed with its group. A signal that ends the
+/// program ends the group too, since a terminal sends its signals only to the program's own group.
 class Child {
  public:
-  explicit Child(pid_t id) : id_(id) {
-    for (std::atomic<pid_t>& group : running_groups) {
-      pid_t none = 0;
-      if (!group.compare_exchange_strong(none, id_)) continue;
-      group_ = &group;
-      break;
-    }
-  }
+  /// The signals have been held since before it was started.
+  Child(const HeldSignals& held, pid_t id) : id_(id), at_ending_(held, {.end_group = id}) {}
   ~Child() {
-    if (!waited_) {
-      kill_group();
-      static_cast<void>(reap());
-    }
-    if (group_ != nullptr) *group_ = 0;
+    if (waited_) return;
+    kill_group();
+    static_cast<void>(reap());
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -172,8 +147,8 @@ class Child {
   }
 
   pid_t id_;
-  std::atomic<pid_t>* group_ = nullptr;
   bool waited_ = false;
+  AtEnding at_ending_;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -253,16 +228,17 @@ Outcome run(const std::vector<std::string>& words, const RunOptions& options) {
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
 
-  static const bool once = [] {
-    take_children_along();
-    return true;
-  }();
-  static_cast<void>(once);
+  end_by_signals_cleanly();
   Outcome outcome;
-  pid_t id = 0;
-  outcome.start_error = actions.spawn(id, arguments);
-  if (outcome.start_error != 0) return outcome;
-  Child child(id);
+  std::optional<Child> started;
+  {
+    const HeldSignals held;
+    pid_t id = 0;
+    outcome.start_error = actions.spawn(id, arguments, held);
+    if (outcome.start_error != 0) return outcome;
+    started.emplace(held, id);
+  }
+  Child& child = *started;
   out.write.shut();
   err.write.shut();
   if (!drain(child, {{{&out, &outcome.out}, {&err, &outcome.err}}}, Clock::now() + options.time_limit)) {

@@ -31,8 +31,8 @@ struct Outcome {
 
 /// Enough for a program that works, such as place and route: a limit only for programs that hang.
 inline constexpr std::chrono::hours working_time{2};
-/// Enough for a program that only answers, such as its version, or draws.
-inline constexpr std::chrono::seconds answering_time{60};
+/// Enough for a program that only answers, such as its version, or draws, on a machine that is busy too.
+inline constexpr std::chrono::minutes answering_time{5};
 
 struct RunOptions {
   std::filesystem::path folder = {};  ///< the child's folder; empty: the current one

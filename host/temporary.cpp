@@ -107,6 +107,7 @@ Temporary::Temporary(Kind kind, const fs::path& folder, std::string_view prefix)
   constexpr int most_attempts = 100;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     path_ = folder / (std::string(prefix) + random_name());
+    at_ending_.emplace(AtEnding::Act{.remove = path_.string()});
     descriptor_ = make(kind, path_);
     if (descriptor_ >= 0 || errno != EEXIST) break;
   }

@@ -1,11 +1,15 @@
 // Temporary files and folders that belong to a run. Their names are random, so no two runs have the same, on
 // whatever machines. A run holds a lock (flock) on each while it lives. What a dead run has left, the next
-// one removes.
+// one removes. A signal that ends the program removes them too, if the program has called
+// end_by_signals_cleanly().
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "host/ending.hpp"
 
 namespace hitpipe::host {
 
@@ -30,6 +34,7 @@ class Temporary {
  private:
   std::filesystem::path path_;
   int descriptor_;
+  std::optional<AtEnding> at_ending_;
 };
 
 }  // namespace hitpipe::host

@@ -20,6 +20,7 @@
 #include "cli/report/report_sections.hpp"
 #include "cli/report/report_sweep.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/last_line.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "cli/version.hpp"
@@ -169,12 +170,16 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                 .triangle = triangle,
                                 .progress = [&](double share) { progress->show(share); }};
   progress.emplace("sweeping");
+  const fs::path rows_file = fs::path(command.out) / "rows.csv";
+  std::optional<LastLine> line;
+  if (command.rows.empty())
+    line.emplace(fmt::format("the same command goes on with the rows of {}", rows_file.string()));
   std::vector<sim::SweepRow> rows = command.rows.empty()
                                         ? sim::resume({.scene = &scene,
                                                        .bvh = &bvh,
                                                        .points = points,
                                                        .options = sweep,
-                                                       .file = fs::path(command.out) / "rows.csv",
+                                                       .file = rows_file,
                                                        .more = {}})
                                         : take_rows(command.rows, sim::sweep_subject(scene, bvh, sweep));
   // The rows of a sweep have the cost that it was told, unless the user says another one now.

@@ -20,6 +20,7 @@
 #include "cli/pieces/pieces.hpp"
 #include "cli/report/sweep_rows.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/last_line.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/table.hpp"
 #include "cli/version.hpp"
@@ -220,6 +221,7 @@ std::vector<sim::SweepRow> measure(const SweepCommand& command, const CutWork& w
   const std::filesystem::path out = command.out;
   sweep.notes = csv_metadata({out.filename().string()}, notes_beside(command, work, scene));
   sweep.notes_file = metadata_file(out);
+  const LastLine line(fmt::format("the same command goes on with the rows of {}", file.string()));
   return sim::resume(sweep);
 }
 

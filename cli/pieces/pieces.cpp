@@ -10,6 +10,7 @@
 
 #include "cli/options/values.hpp"
 #include "cli/text/csv_metadata.hpp"
+#include "cli/text/last_line.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
 #include "host/text.hpp"
@@ -163,7 +164,10 @@ int do_work(const CutWork& work, const std::function<Row(host::Piece)>& piece,
     check_same_piece(work, read_piece(work.out).note);
   } else {
     static_cast<void>(piece_note(work));  // refuses what cannot be done
-    Row result = piece(work.choice.chosen());
+    const host::Piece chosen = work.choice.chosen();
+    const LastLine line(
+        fmt::format("the same command begins piece {} of {} again", chosen.number, chosen.of));
+    Row result = piece(chosen);
     write_piece({work.out, piece_note(work), std::move(result)});
   }
   print_done(work);

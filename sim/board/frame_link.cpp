@@ -36,8 +36,8 @@ std::string FrameLink::identity() {
   counts_ = {};
   for (int tries = 0; tries < patience_.tries; ++tries) {
     out_ = question;
-    const LinkClock::time_point end = LinkClock::now() + patience_.silence;
-    while (LinkClock::now() < end) {
+    const LinkClock::time_point end = patience_.now() + patience_.silence;
+    while (patience_.now() < end) {
       for (const std::string& payload : exchange(most_wait))
         if (payload.starts_with(std::string{who_kind, '?'})) return payload.substr(2);
     }
@@ -112,7 +112,7 @@ FrameLink::Counts FrameLink::run(const Kind& kind, const Next& next, const Answe
   counts_ = {};
   more_ = true;
   waiting_.clear();
-  const LinkClock::time_point start = LinkClock::now();
+  const LinkClock::time_point start = patience_.now();
   LinkClock::time_point last = start;
   int silences = 0;
   while (true) {
@@ -123,16 +123,16 @@ FrameLink::Counts FrameLink::run(const Kind& kind, const Next& next, const Answe
     for (const std::string& payload : exchange(most_wait))
       progress = receive(kind, payload, answered) || progress;
     if (progress) silences = 0;
-    if (progress || out_.size() < unsent) last = LinkClock::now();
-    if (LinkClock::now() - last < patience_.silence) continue;
+    if (progress || out_.size() < unsent) last = patience_.now();
+    if (patience_.now() - last < patience_.silence) continue;
     if (++silences == patience_.tries)
       throw WrongHardware(fmt::format("{}: the board does not answer any more; {} {}s were answered",
                                       port_.name(), counts_.answered, kind.noun));
     out_.clear();
     for (std::size_t i = waiting_.size(); i > 0; --i) send_again(kind, 0);
-    last = LinkClock::now();
+    last = patience_.now();
   }
-  counts_.seconds = std::chrono::duration<double>(LinkClock::now() - start).count();
+  counts_.seconds = std::chrono::duration<double>(patience_.now() - start).count();
   return counts_;
 }
 

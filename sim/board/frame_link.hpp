@@ -21,6 +21,8 @@ class FrameLink {
   struct Patience {
     std::chrono::milliseconds silence{1000};
     int tries = 4;
+    /// What tells the time. A simulated board may be slow, and then its own time counts.
+    std::function<std::chrono::steady_clock::time_point()> now = std::chrono::steady_clock::now;
   };
   struct Question {
     std::uint64_t number;  ///< for messages and for who asks

@@ -103,7 +103,10 @@ void SimulatedBoard::run(const std::function<bool()>& stop) {
     const bool sleeping = quiet >= options_.quiet_clocks;
     for (const char byte : line_.exchange(out, sleeping ? patience : std::chrono::milliseconds{0}))
       if (!options_.loses(come++)) to_board.send(byte);
-    if (sleeping && to_board.idle()) continue;
+    if (sleeping && to_board.idle()) {
+      options_.waits();
+      continue;
+    }
     for (int clock = 0; clock < clocks_per_exchange; ++clock) {
       quiet = to_board.idle() && from_board.idle() ? quiet + 1 : 0;
       const std::optional<char> byte = from_board.see(cycle_(model_, to_board.level()));

@@ -30,6 +30,8 @@ class SimulatedBoard {
     /// Likewise on its way from the board.
     std::function<bool(std::uint64_t)> loses_answer = [](std::uint64_t) { return false; };
     int quiet_clocks = unit_quiet_clocks;
+    /// Called about 50 times a second while the clock stands still.
+    std::function<void()> waits = [] {};
   };
 
   /// Throws as ModelLibrary and host::SerialPort::pseudo_terminal() do.

@@ -6,11 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "host/process.hpp"
 #include "host/text.hpp"
@@ -18,15 +14,6 @@
 namespace hitpipe::cli {
 
 namespace {
-
-/// Ends the process when the program cannot be run.
-[[noreturn]] void become_hitpipe(const std::vector<std::string>& arguments) {
-  std::vector<char*> words{const_cast<char*>(HITPIPE_PROGRAM)};
-  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
-  words.push_back(nullptr);
-  execv(words.front(), words.data());
-  _exit(127);
-}
 
 /// A slow machine may make any command write lines of progress.
 std::string without_progress(const std::string& text) {
@@ -67,25 +54,6 @@ std::string printed(const std::string& words) {
   EXPECT_EQ(outcome.exit_code, 0) << words;
   EXPECT_EQ(outcome.err, "") << words;
   return outcome.out;
-}
-
-pid_t start_hitpipe(const std::vector<std::string>& arguments) {
-  const pid_t child = fork();
-  if (child == 0) {
-    setpgid(0, 0);
-    const int nowhere = open("/dev/null", O_RDWR);
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
-    become_hitpipe(arguments);
-  }
-  setpgid(child, child);  // child and parent both do this, so the group exists when this returns
-  return child;
-}
-
-bool kill_and_wait(pid_t child) {
-  kill(-child, SIGKILL);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFSIGNALED(status);
 }
 
 std::string always_missing_verilator(const sim::TemporaryFolder& folder) {

@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <sys/types.h>
-
 #include "tests/sim/temporary_folder.hpp"
 
 namespace hitpipe::cli {
@@ -32,13 +30,6 @@ using Variables = std::vector<std::pair<std::string, std::string>>;
 
 /// What it prints. It must end well and be silent on standard error.
 std::string printed(const std::string& words);
-
-/// Starts the program as a process that can be killed, in a group with the processes that it starts. It
-/// prints nothing.
-[[nodiscard]] pid_t start_hitpipe(const std::vector<std::string>& arguments);
-
-/// Kills what start_hitpipe() started. True if the kill ended it, false if it had already ended.
-bool kill_and_wait(pid_t child);
 
 /// A program to run as Verilator, for the variable VERILATOR: the model of an integer design never hits.
 [[nodiscard]] std::string always_missing_verilator(const sim::TemporaryFolder& folder);

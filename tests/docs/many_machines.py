@@ -35,7 +35,7 @@ def block(heading, language="sh", number=0):
 
 def shell(text, **more):
     made = subprocess.run(["bash", "-ec", text], cwd=folder, env={**environment, **more}, capture_output=True,
-                          text=True, check=False, timeout=500)
+                          text=True, check=False, timeout=1200)
     if made.returncode != 0:
         sys.exit(f"{text}exit code {made.returncode}\n{made.stdout}{made.stderr}")
     return made.stdout
@@ -146,7 +146,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
     try:
         shell(f"munged --force --num-threads=2 --key-file={key} --socket={own}/munge.socket --pid-file={own}/munged.pid "
               f"--log-file={own}/munged.log --seed-file={own}/munge.seed\nslurmctld\nslurmd\n")
-        for _ in range(60):
+        for _ in range(1200):
             if "idle" in subprocess.run(["sinfo", "-h"], env=environment, capture_output=True, text=True,
                                         check=False).stdout:
                 break

@@ -31,7 +31,7 @@ properties() {
 }
 
 solve() {
-  timeout 120 yosys-smtbmc --noprogress -s z3 "${symbolic[@]}" "$@"
+  timeout 1200 yosys-smtbmc --noprogress -s z3 "${symbolic[@]}" "$@"
 }
 # From the first reset on, whatever comes before, and the covers are met.
 holds() {

@@ -21,7 +21,7 @@ for target in $targets; do
   for found in "seeds/$name" "$seeds/$name"; do [ ! -d "$found" ] || set -- "$@" "$found"; done
   begin=$(date +%s)
   result=ok
-  "./$target" -seed="${SEED:-1}" -max_total_time="$each" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$name-" \
+  "./$target" -seed="${SEED:-1}" -max_total_time="$each" -timeout=100 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$name-" \
     "$@" >"$name.log" 2>&1 || result="FAILED, see $folder/$name.log"
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$name.log")
   # Assimp makes the slowest target, mesh_obj, take some 20 ms a run, and 20 times that on a machine busy with other work.

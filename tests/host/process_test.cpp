@@ -1,16 +1,21 @@
 // Environment variables name programs; programs get their words unchanged, and their end is reported.
 #include "host/process.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
 
+#include <dlfcn.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,6 +29,26 @@ namespace hitpipe::host {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What happens after a child was started and before run() knows its number.
+std::function<void(pid_t child)> when_started;
+
+}  // namespace
+}  // namespace hitpipe::host
+
+/// Stands before the system's.
+extern "C" int posix_spawnp(pid_t* child, const char* file, const posix_spawn_file_actions_t* actions,
+                            const posix_spawnattr_t* attributes, char* const words[],
+                            char* const variables[]) {
+  static const auto real = reinterpret_cast<decltype(&posix_spawnp)>(dlsym(RTLD_NEXT, "posix_spawnp"));
+  const int error = real(child, file, actions, attributes, words, variables);
+  if (error == 0 && hitpipe::host::when_started) hitpipe::host::when_started(*child);
+  return error;
+}
+
+namespace hitpipe::host {
+namespace {
+
 using sim::EnvironmentValue;
 using sim::TemporaryFolder;
 using testing::ElementsAre;
@@ -130,9 +155,9 @@ bool runs(const std::string& id) {
   return status && status->find(") Z ") == std::string::npos;
 }
 
-/// Kills reach a process a little later.
+/// Kills reach a process a little later. The limit is only for one that was not killed.
 bool is_gone(const std::string& id) {
-  const auto deadline = steady_clock::now() + std::chrono::seconds(10);
+  const auto deadline = steady_clock::now() + std::chrono::minutes(5);
   while (runs(id) && steady_clock::now() < deadline) std::this_thread::sleep_for(milliseconds(1));
   return !runs(id);
 }
@@ -142,11 +167,16 @@ bool has_child() {
 }
 
 TEST(Run, ProgramThatHangsIsStoppedWithAllThatItStarted) {
-  const Outcome ended = run({"sh", "-c", "echo said; sleep 1000 & echo $!; exec sleep 1000"},
-                            {.time_limit = milliseconds(300)});
-  EXPECT_FALSE(ended.succeeded());
-  EXPECT_EQ(ended.failure(), "did not end within 0.3 s and was stopped");
-  ASSERT_TRUE(ended.out.starts_with("said\n"));
+  milliseconds limit{250};
+  Outcome ended;
+  do {  // until it has said all before it is stopped
+    limit *= 2;
+    ended = run({"sh", "-c", "sleep 1000 & echo said $!; exec sleep 1000"}, {.time_limit = limit});
+    EXPECT_FALSE(ended.succeeded());
+    EXPECT_EQ(ended.failure(), fmt::format("did not end within {:g} s and was stopped",
+                                           0.001 * static_cast<double>(limit.count())));
+  } while (ended.out.empty());
+  ASSERT_TRUE(ended.out.starts_with("said "));
   EXPECT_TRUE(is_gone(ended.out.substr(5, ended.out.size() - 6)));
   EXPECT_FALSE(has_child());
 }
@@ -164,9 +194,7 @@ TEST(Run, ProgramThatClosesItsOutputIsWaitedFor) {
 }
 
 TEST(Run, EndsWithItsProgramAlthoughAGrandchildKeepsThePipesOpen) {
-  const auto start = steady_clock::now();
   const Outcome ended = run({"sh", "-c", "sleep 1000 & echo $!; head -c 100000 /dev/zero >&2"});
-  EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(30));
   EXPECT_TRUE(ended.succeeded());
   EXPECT_EQ(ended.err, std::string(100'000, '\0'));
   const std::string grandchild = ended.out.substr(0, ended.out.size() - 1);
@@ -220,6 +248,56 @@ TEST(Run, SignalThatEndsTheProgramEndsItsChildren) {
   ASSERT_EQ(waitpid(tester, &status, 0), tester);
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
   EXPECT_TRUE(is_gone(child));
+}
+
+/// A program that runs a child and gets SIGINT before run() knows the child's number. `send` gets the program
+/// and sends it. Returns the child's number.
+std::string started_at_signal(const std::function<void()>& send) {
+  int told[2];
+  EXPECT_EQ(pipe(told), 0);
+  const pid_t tester = fork();
+  if (tester == 0) {
+    when_started = [&](pid_t child) {
+      const std::string number = std::to_string(child);
+      if (write(told[1], number.data(), number.size()) < 0) _exit(1);
+      send();
+    };
+    static_cast<void>(run({"sleep", "1000"}));
+    _exit(0);
+  }
+  close(told[1]);
+  std::string child(20, '\0');
+  child.resize(static_cast<std::size_t>(std::max<ssize_t>(read(told[0], child.data(), child.size()), 0)));
+  close(told[0]);
+  int status = 0;
+  EXPECT_EQ(waitpid(tester, &status, 0), tester);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
+  return child;
+}
+
+TEST(Run, ChildThatHasJustBeenStartedIsEndedToo) {
+  EXPECT_TRUE(is_gone(started_at_signal([] { kill(getpid(), SIGINT); })));
+}
+
+/// The signal may come to any thread.
+TEST(Run, ChildThatAnotherThreadHasJustStartedIsEndedToo) {
+  EXPECT_TRUE(is_gone(started_at_signal([] {
+    std::thread other([] {
+      sigset_t all;
+      sigemptyset(&all);
+      pthread_sigmask(SIG_SETMASK, &all, nullptr);
+      kill(getpid(), SIGINT);
+      for (;;) pause();
+    });
+    other.detach();
+    // Time for what a wrong program does. A right one waits for this.
+    std::this_thread::sleep_for(milliseconds(100));
+  })));
+}
+
+/// The child may be ended by signals that were blocked when it was started.
+TEST(Run, ChildGetsTheSignalsOfItsProgram) {
+  EXPECT_EQ(run({"sh", "-c", "kill -INT $$; echo lives"}).signal, SIGINT);
 }
 
 TEST(Environment, UnsetAndEmptyVariablesGiveTheOther) {

@@ -22,12 +22,13 @@ std::string all_bytes() {
   return bytes;
 }
 
-/// What comes out of `to` until it is as long as what `from` has sent.
+/// What comes out of `to` until it is as long as what `from` has sent. The limit of minutes is only for
+/// bytes that are lost.
 std::string passed(SerialPort& from, SerialPort& to, const std::string& bytes) {
   std::string out = bytes;
   std::string come;
   std::string nothing;
-  for (int tries = 0; tries < 1000 && come.size() < bytes.size(); ++tries) {
+  for (int tries = 0; tries < 60'000 && come.size() < bytes.size(); ++tries) {
     EXPECT_EQ(from.exchange(out, milliseconds{0}), "");
     come += to.exchange(nothing, milliseconds{10});
   }

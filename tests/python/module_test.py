@@ -159,7 +159,7 @@ class Threads(unittest.TestCase):
     def test_run_while_the_library_works(self):
         unit = hitpipe.Unit("fp_plucker")
         rays, boxes = random_pairs(300_000)
-        stamps, ends = [], threading.Event()
+        stamps, ends, most = [], threading.Event(), 0
 
         def stamp():
             while not ends.wait(0.001):
@@ -167,13 +167,18 @@ class Threads(unittest.TestCase):
 
         other = threading.Thread(target=stamp)
         other.start()
-        began = time.monotonic()
-        unit.test_pairs(rays, boxes)
-        ended = time.monotonic()
+        # On a busy machine the other thread may not come to run in one call.
+        for _ in range(100):
+            began = time.monotonic()
+            unit.test_pairs(rays, boxes)
+            ended = time.monotonic()
+            most = max(most, sum(began < when < ended for when in stamps))
+            if most > 5:
+                break
         ends.set()
         other.join()
         # While the library held the interpreter, there would be one before its work begins, and one when it ends.
-        self.assertGreater(sum(began < when < ended for when in stamps), 5)
+        self.assertGreater(most, 5)
 
 
 

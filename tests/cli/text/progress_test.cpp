@@ -74,10 +74,11 @@ class CapturedError {
 
 constexpr Progress::Pace quick{.first_bar = 40ms, .bar = 20ms, .line = 40ms};
 
-/// What is written from now on, up to the first text that contains `part`; all of it if that does not come.
+/// What is written from now on, up to the first text that contains `part`; all of it if that does not come in
+/// minutes.
 std::string text_until(const CapturedError& error, const std::string& part) {
   std::string text;
-  for (int i = 0; i < 500 && text.find(part) == std::string::npos; ++i) {
+  for (int i = 0; i < 60'000 && text.find(part) == std::string::npos; ++i) {
     text += error.text();
     std::this_thread::sleep_for(10ms);
   }
@@ -96,7 +97,7 @@ TEST(Progress, WritesALineNowAndThenWhereThereIsNoTerminal) {
 TEST(Progress, OfShortWorkIsSilentWhereThereIsNoTerminal) {
   const CapturedError error(CapturedError::Kind::pipe);
   {
-    Progress progress("working");
+    Progress progress("working", {.first_bar = 1h, .bar = 1h, .line = 1h});
     progress.show(0.5);
   }
   EXPECT_EQ(error.text(), "");

@@ -21,7 +21,6 @@ using std::chrono::milliseconds;
 
 constexpr std::size_t test_count = 200;
 constexpr std::uint64_t board_seed = 5;
-constexpr BoardLink::Patience impatient{milliseconds{200}, 3};
 
 const rtl::Design& slabs_design() {
   return rtl::find_design("int_slabs");
@@ -41,17 +40,21 @@ BoardCounts run_tests(BoardLink& link, BoardTests& tests, std::size_t count) {
 }
 
 BoardCounts counts_of(const ServedBoard& board, const rtl::Design& design = slabs_design(),
-                      const rtl::Format& format = small_format()) {
+                      const rtl::Format& format = small_format(),
+                      milliseconds silence = std::chrono::seconds(10)) {
   host::SerialPort port = host::SerialPort::open(board.port(), 1'000'000);
-  BoardLink link(port, design, format);
+  BoardLink link(port, design, format, board.patience(silence));
   link.require_same_unit();
   return run_tests(link, *drawn_tests(design, format, test_count, board_seed), test_count);
 }
 
+/// Minutes: only for a board that does not answer.
+constexpr int most_exchanges = 60'000;
+
 /// What the board answers to these bytes.
 std::string answer_to(host::SerialPort& port, std::string bytes, std::size_t length) {
   std::string answer;
-  for (int tries = 0; tries < 500 && answer.size() < length; ++tries)
+  for (int tries = 0; tries < most_exchanges && answer.size() < length; ++tries)
     answer += port.exchange(bytes, milliseconds{10});
   return answer;
 }
@@ -111,7 +114,8 @@ TEST(SimulatedBoard, WaitsForAUnitThatTakesATestEveryFewCycles) {
 TEST(SimulatedBoard, LostBytesCostTestsSentAgain) {
   SKIP_WITHOUT_PSEUDO_TERMINAL();
   const auto every_150th = [](std::uint64_t byte) { return byte % 150 == 149; };
-  const BoardCounts counts = counts_of(ServedBoard({.loses = every_150th}));
+  const BoardCounts counts =
+      counts_of(ServedBoard({.loses = every_150th}), slabs_design(), small_format(), milliseconds{400});
   EXPECT_EQ(counts.tests, test_count);
   EXPECT_EQ(counts.mismatches, 0U);
   EXPECT_GT(counts.resent, test_count * 15 / 150 / 2);
@@ -134,7 +138,7 @@ TEST(SimulatedBoard, OtherUnitIsRefused) {
   const ServedBoard board;
   host::SerialPort port = host::SerialPort::open(board.port(), 1'000'000);
   const rtl::Format other = hls::IntBits{6, 7};
-  BoardLink link(port, slabs_design(), other);
+  BoardLink link(port, slabs_design(), other, board.patience());
   EXPECT_EQ(message_of<std::runtime_error>([&] { link.require_same_unit(); }),
             fmt::format("{}: the board has \"{}\", and the tests are for \"{}\"", board.port(),
                         rtl::board_identity(slabs_design(), small_format()),
@@ -154,7 +158,7 @@ TEST(BoardLink, BoardThatFallsSilentIsReported) {
   SKIP_WITHOUT_PSEUDO_TERMINAL();
   const ServedBoard board({.loses = [](std::uint64_t byte) { return byte > 1000; }});
   host::SerialPort port = host::SerialPort::open(board.port(), 1'000'000);
-  BoardLink link(port, slabs_design(), small_format(), impatient);
+  BoardLink link(port, slabs_design(), small_format(), board.patience(milliseconds{200}, 3));
   link.require_same_unit();
   const auto tests = drawn_tests(slabs_design(), small_format(), test_count, board_seed);
   EXPECT_THAT(message_of<WrongHardware>([&] { (void)run_tests(link, *tests, test_count); }),
@@ -192,7 +196,7 @@ TEST(SimulatedBoard, AnswersTheTestsOfAScene) {
   const ref::Bvh bvh = ref::build_bvh(scene.mesh);
   const ServedBoard board;
   host::SerialPort port = host::SerialPort::open(board.port(), 1'000'000);
-  BoardLink link(port, slabs_design(), small_format());
+  BoardLink link(port, slabs_design(), small_format(), board.patience());
   const BoardCounts counts = run_tests(
       link, *scene_tests(slabs_design(), small_format(), scene, bvh, {.width = 16, .height = 16}), 300);
   EXPECT_EQ(counts.tests, 300U);

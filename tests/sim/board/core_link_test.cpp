@@ -24,8 +24,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr CoreLink::Patience brief{milliseconds{150}, 40};
-
 rtl::CoreOptions small_options() {
   rtl::CoreOptions options;
   options.bits = rtl::parse_bits<hls::RayBits>("12+0/7s12");
@@ -89,10 +87,10 @@ struct Traced {
   std::uint64_t wrong = 0, hits = 0;
 };
 
-Traced trace(const CoreBoard& board = {}) {
+Traced trace(const CoreBoard& board = {}, milliseconds silence = std::chrono::seconds(10)) {
   const RunningBoard served(setup_of(board));
   host::SerialPort port = host::SerialPort::open(served.port(), 1'000'000);
-  CoreLink link(port, small_core(), brief);
+  CoreLink link(port, small_core(), served.patience(silence, 40));
   link.require_same_core();
   Traced result;
   result.written = link.write(picture().image);
@@ -118,11 +116,11 @@ TEST(CoreOnABoard, AnswersAsSoftware) {
 TEST(CoreOnABoard, LostBytesAreSentAgain) {
   SKIP_WITHOUT_PSEUDO_TERMINAL();
   const auto some = [](std::uint64_t byte) { return byte % 701 == 700; };
-  const Traced there = trace({.loses = some});
+  const Traced there = trace({.loses = some}, milliseconds{150});
   EXPECT_EQ(there.wrong, 0U);
   EXPECT_GT(there.written.resent, 0U);
   EXPECT_GT(there.traced.resent, 0U);
-  const Traced back = trace({.loses_answer = some});
+  const Traced back = trace({.loses_answer = some}, milliseconds{150});
   EXPECT_EQ(back.wrong, 0U);
   EXPECT_GT(back.written.resent, 0U);
   EXPECT_GT(back.traced.resent, 0U);
@@ -134,7 +132,7 @@ TEST(CoreOnABoard, AnswersByteForByte) {
   host::SerialPort port = host::SerialPort::open(served.port(), 1'000'000);
   const auto answer_to = [&](std::string bytes, std::size_t length) {
     std::string answer;
-    for (int tries = 0; tries < 500 && answer.size() < length; ++tries)
+    for (int tries = 0; tries < 60'000 && answer.size() < length; ++tries)
       answer += port.exchange(bytes, milliseconds{10});
     return answer;
   };
@@ -173,7 +171,7 @@ TEST(CoreLink, OtherCoreIsRefused) {
   rtl::CoreOptions options = small_options();
   options.levels = 25;
   const rtl::Core other = rtl::make_core(options, rtl::Library::thesis());
-  CoreLink link(port, other, brief);
+  CoreLink link(port, other, served.patience());
   EXPECT_EQ(message_of<std::runtime_error>([&] { link.require_same_core(); }),
             fmt::format("{}: the board has \"{}\", and the rays are for \"{}\"", served.port(),
                         rtl::core_identity(small_core()), rtl::core_identity(other)));

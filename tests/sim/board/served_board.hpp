@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <thread>
@@ -9,6 +10,7 @@
 
 #include "rtl_gen/board/top.hpp"
 #include "rtl_gen/verilog/module.hpp"
+#include "sim/board/frame_link.hpp"
 #include "sim/board/simulated_board.hpp"
 
 namespace hitpipe::sim {
@@ -40,7 +42,8 @@ inline SimulatedBoard::Options setup_of(const BoardUnderTest& board) {
 class RunningBoard {
  public:
   explicit RunningBoard(SimulatedBoard::Options options)
-      : board_(std::move(options)), thread_([this] { board_.run([this] { return stop_.load(); }); }) {}
+      : board_(counting(std::move(options))),
+        thread_([this] { board_.run([this] { return stop_.load(); }); }) {}
   ~RunningBoard() {
     stop_ = true;
     thread_.join();
@@ -50,7 +53,25 @@ class RunningBoard {
 
   [[nodiscard]] const std::string& port() const { return board_.port(); }
 
+  /// Its time passes only while the board has nothing to do, so the board may be as slow as it likes. It
+  /// must not outlive this.
+  [[nodiscard]] FrameLink::Patience patience(std::chrono::milliseconds silence = std::chrono::seconds(10),
+                                             int tries = 4) const {
+    // A step for each call at most, because what has come is read between two calls.
+    const auto now = [this, seen = 0, time = std::chrono::steady_clock::time_point()]() mutable {
+      if (std::exchange(seen, waits_.load()) != seen) time += std::chrono::milliseconds(20);
+      return time;
+    };
+    return {silence, tries, now};
+  }
+
  private:
+  SimulatedBoard::Options counting(SimulatedBoard::Options options) {
+    options.waits = [this] { ++waits_; };
+    return options;
+  }
+
+  std::atomic<int> waits_ = 0;
   SimulatedBoard board_;
   std::atomic<bool> stop_ = false;
   std::thread thread_;
