@@ -1,11 +1,14 @@
-/* The driver of a core, in C: five calls, and one that reads a counter. Copy it to firmware with core.h, and
-   supply the four functions of the platform. */
+/* The driver of a core, in C: five calls, and one that reads a counter. Copy it to firmware with the
+   core's header, and supply the four functions of the platform. */
 #ifndef DRIVER_H
 #define DRIVER_H
 
 #include <stdbool.h>
 
-#include "core.h"
+#ifndef CORE_HEADER
+#define CORE_HEADER "hitpipe_core.h" /* of a core with another name: -DCORE_HEADER='"NAME.h"' */
+#endif
+#include CORE_HEADER
 
 #define CORE_REGISTERS 0x80000000u /* where the core's registers are on the bus */
 

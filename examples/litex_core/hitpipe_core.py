@@ -17,7 +17,7 @@ class HitpipeCore(LiteXModule):
     registers   AXI4-Lite, 32 bits: for soc.bus.add_slave()
     memory      AXI4, reads only, as wide as the core: for soc.bus.add_master() or a port of LiteDRAM
 
-    CSRs        ray_0, ray_1, ...  a ray as core_pack_ray() of core.h makes it, a word each, the lowest first
+    CSRs        ray_0, ray_1, ...  a ray as core_pack_ray() of the core's header makes it, a word each, the lowest first
                 ray_tag            its tag
                 ray_send           a write sends it. Reads 1: there is room
                 hit_0, hit_1, ...  the oldest answer, for core_unpack_hit()
@@ -27,7 +27,11 @@ class HitpipeCore(LiteXModule):
 
     def __init__(self, platform, rtl, fifo_depth=16):
         rtl = Path(rtl).resolve()
-        manifest = json.loads((rtl / "core.json").read_text())
+        manifests = [json.loads(file.read_text()) for file in sorted(rtl.glob("*.json"))]
+        cores = [manifest for manifest in manifests if "axi" in manifest]
+        if len(cores) != 1:
+            raise ValueError(f"{rtl}: has {len(cores)} manifests of cores; a folder of `hitpipe rtl core` has one")
+        manifest = cores[0]
         core_axi = manifest["axi"]
         if not core_axi["has_one_id"]:
             # LiteDRAM and the adapters of the bus answer in the order of requests, so identifiers buy nothing.

@@ -1,4 +1,4 @@
-/* What driver.h wants of the platform, in a LiteX SoC: firmware takes this file, core.h and driver.h. The
+/* What driver.h wants of the platform, in a LiteX SoC: firmware takes this file, the core's header and driver.h. The
    CSRs are those of hitpipe_core.py, and the SoC calls the module `core`. */
 #include <generated/csr.h>
 

@@ -115,6 +115,14 @@ struct Cell {
   ChipCells taken{};
 };
 
+/// A target of FuseSoC that synthesises for the library's chip.
+struct SynthesisTarget {
+  std::string name;
+  std::string description;
+  std::string flow;     ///< of Edalize
+  std::string options;  ///< of the flow: a JSON object, which is YAML too
+};
+
 /// Delay and stages above the widest row of the file.
 enum class Above {
   same,    ///< bit-parallel (latch, mux): as in the widest row
@@ -160,6 +168,8 @@ class Library {
   [[nodiscard]] const std::string& name() const { return name_; }
   /// The process of the cells; empty if the file does not say. A chip has a device instead.
   [[nodiscard]] const std::string& process() const { return process_; }
+  /// Targets of the FuseSoC cores that are made with the library; none if the file names none.
+  [[nodiscard]] const std::vector<SynthesisTarget>& synthesis_targets() const { return synthesis_targets_; }
   /// Where the figures come from, in the words of the file; may be empty.
   [[nodiscard]] const std::string& source() const { return source_; }
 
@@ -180,6 +190,7 @@ class Library {
   std::string name_;
   std::string process_;
   std::string source_;
+  std::vector<SynthesisTarget> synthesis_targets_;
   std::optional<Chip> chip_;
   int gate_delay_ps_ = 0;
   std::array<Family, component_count> families_;

@@ -135,6 +135,48 @@ Chip chip_from(const nlohmann::json& json, std::string_view origin) {
   return chip;
 }
 
+/// FuseSoC's other targets have other names.
+bool names_synthesis(std::string_view name) {
+  return name.starts_with("synth") && std::all_of(name.begin(), name.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+         });
+}
+
+/// A list of texts, or one value. So what is printed again is flat, and in one line.
+bool is_option(const FileJson& value) {
+  if (!value.is_array()) return value.is_primitive() && !value.is_null();
+  return std::all_of(value.begin(), value.end(), [](const FileJson& each) { return each.is_string(); });
+}
+
+std::string flow_options_of(const FileJson& target, std::string_view where) {
+  const FileJson& options = required(target, "flow_options", where);
+  if (!options.is_object())
+    throw std::runtime_error(fmt::format("{}: \"flow_options\" must be a JSON object", where));
+  for (const auto& [name, value] : options.items())
+    if (!is_option(value))
+      throw std::runtime_error(
+          fmt::format("{}: flow_options: \"{}\" must be a text, a number, true, false or a list of texts",
+                      where, host::shortened(name)));
+  return options.dump();
+}
+
+std::vector<SynthesisTarget> synthesis_targets_from(const FileJson& json, const std::string& where) {
+  if (!json.is_object()) throw std::runtime_error(fmt::format("{}: must be a JSON object", where));
+  std::vector<SynthesisTarget> targets;
+  for (const auto& [name, target] : json.items()) {
+    if (!names_synthesis(name))
+      throw std::runtime_error(
+          fmt::format("{}: target \"{}\", allowed are synth and what begins with it, of a-z, 0-9 and _",
+                      where, host::shortened(name)));
+    const std::string in_target = fmt::format("{}: {}", where, host::shortened(name));
+    targets.push_back({.name = name,
+                       .description = line_of_text(target, "description", in_target),
+                       .flow = line_of_text(target, "flow", in_target),
+                       .options = flow_options_of(target, in_target)});
+  }
+  return targets;
+}
+
 /// A file of cells states all others. Gates have one delay and no area (section 7.3).
 bool has_cells(Component component) {
   return component != Component::gate;
@@ -179,6 +221,9 @@ Library Library::from_json(std::string_view text, std::string_view origin) {
   library.name_ = line_of_text(json, "name", origin);
   if (json.contains("process")) library.process_ = line_of_text(json, "process", origin);
   if (json.contains("source")) library.source_ = text_of(json, "source", origin);
+  if (json.contains("fusesoc"))
+    library.synthesis_targets_ =
+        synthesis_targets_from(json.at("fusesoc"), fmt::format("{}: fusesoc", origin));
   if (json.contains("chip")) {
     library.chip_ = chip_from(json.at("chip"), origin);
     library.gate_delay_ps_ = library.chip_->gate_delay_ps;

@@ -16,6 +16,7 @@
 #include "rtl_gen/emit/port_vectors.hpp"
 #include "rtl_gen/emit/ray_slots.hpp"
 #include "rtl_gen/emit/result_fifo.hpp"
+#include "rtl_gen/emit/synthesis_targets.hpp"
 #include "rtl_gen/emit/testbench.hpp"
 #include "rtl_gen/prune/check_block.hpp"
 #include "rtl_gen/schematic/dot.hpp"
@@ -75,6 +76,7 @@ struct CoreParts {
 };
 
 constexpr const char* check_target = R"(  check:
+    description: Lint the module that checks operands, with Verilator
     flow: lint
     flow_options: {{tool: verilator, verilator_options: [-Wall]}}
     filesets: [check]
@@ -82,9 +84,9 @@ constexpr const char* check_target = R"(  check:
 )";
 
 /// The FuseSoC core file (CAPI 2, flow API). Its targets are default, lint (Verilator), sim (Icarus),
-/// sim_verilator, harness (C++ around the Verilated unit), synth (Yosys) and synth_vivado. Paths are relative
-/// to the core file.
-std::string core_file(const Design& design, Format format, const std::string& module,
+/// sim_verilator, harness (C++ around the Verilated unit), and those of the library. Paths are relative to
+/// the core file.
+std::string core_file(const Design& design, Format format, const std::string& module, const Library& library,
                       const CoreParts& parts) {
   const bool slots = !parts.slots.empty();
   // The outermost, for default, lint and synth.
@@ -124,42 +126,38 @@ filesets:
 
 targets:
   default:
+    description: Verilog of the unit and its wrappers
     filesets: {4}
     toplevel: {5}
   lint:
+    description: Lint with Verilator
     flow: lint
     flow_options: {{tool: verilator, verilator_options: [-Wall]}}
     filesets: {4}
     toplevel: {5}
   sim:
+    description: Simulate the testbench with Icarus Verilog
     flow: sim
     flow_options: {{tool: icarus, iverilog_options: [-g2012, -Wall{6}]}}
     filesets: [{10}, tb]
     toplevel: {5}_tb
   sim_verilator:
+    description: Simulate the testbench with Verilator
     flow: sim
     flow_options: {{tool: verilator, mode: binary, verilator_options: [-Wall{6}]}}
     filesets: [{10}, tb]
     toplevel: {5}_tb
   harness:
+    description: Simulate the Verilated unit with a program in C++
     flow: sim
     flow_options: {{tool: verilator, mode: cc, verilator_options: [-Wall{6}]}}
     filesets: [rtl, harness]
     toplevel: {0}
-  synth:
-    flow: generic
-    flow_options: {{tool: yosys, arch: xilinx, output_format: edif}}
-    filesets: {4}
-    toplevel: {5}
-  synth_vivado:
-    flow: vivado
-    flow_options: {{part: xc7a100tcsg324-1, pnr: none}}
-    filesets: {4}
-    toplevel: {5}
-{8})",
+{11}{8})",
                      module, design.summary, to_string(format), more, filesets, top,
                      parts.check ? ", -DHITPIPE_CHECK" : "", parts.check ? ", fitted" : "",
-                     parts.check ? fmt::format(check_target, module) : "", HITPIPE_VERSION, sources);
+                     parts.check ? fmt::format(check_target, module) : "", HITPIPE_VERSION, sources,
+                     synthesis_targets(library, filesets, top));
 }
 
 }  // namespace
@@ -234,7 +232,7 @@ EmittedDesign emit(const Design& design, Format format, const Library& library, 
   EmittedDesign emitted{
       .module = name,
       .verilog = {name + ".v", std::move(verilog)},
-      .core = {name + ".core", core_file(design, format, name, parts)},
+      .core = {name + ".core", core_file(design, format, name, library, parts)},
       .testbench = {"tb/" + name + "_tb.sv", testbench(unit, count, latency)},
       .more_testbenches = {},
       .harness = {"tb/" + name + "_harness.cpp", harness(unit, count, latency)},

@@ -50,14 +50,34 @@ if(NOT bytes EQUAL 19215)
   message(FATAL_ERROR "picture.pgm has ${bytes} bytes")
 endif()
 
+# The firmware's picture, on the same chip.
+set(firmware ${SOURCE}/examples/litex_core/firmware)
+file(WRITE ${WORK}/firmware.cpp "#include <filesystem>
+#include \"driver.h\"
+extern \"C\" {
+#include \"picture.h\"
+}
+uint32_t place_image(const char* file_name);
+int main(int, char** arguments) {
+  const auto blocks = std::filesystem::file_size(arguments[1]) / CORE_BLOCK_BYTES;
+  return draw_picture(place_image(arguments[1]), static_cast<uint32_t>(blocks)) ? 0 : 1;
+}
+")
+set(includes -I${built}/rtl -I${system} -I${firmware})
+run(${CXX} -x c -std=c99 -Wall -Wextra -Wpedantic -Werror ${includes} -c ${firmware}/picture.c -o ${WORK}/picture.o)
+run(${CXX} -std=c++20 ${includes} ${WORK}/firmware.cpp ${WORK}/picture.o ${built}/libchip.a -pthread -o ${WORK}/firmware)
+string(REPEAT "#" 32 near)
+expect(0 "^ +\n(.*\n)?${near}\n768 answers, 482 hits, 0 failed\n$" ${WORK}/firmware ${built}/scene.bin)
+
 # The image: its second half is missing. Rays that are led there fail, and all are answered.
 file(SIZE ${built}/scene.bin bytes)
 math(EXPR half "${bytes} / 2")
 execute_process(COMMAND head -c ${half} ${built}/scene.bin OUTPUT_FILE ${built}/half.bin COMMAND_ERROR_IS_FATAL ANY)
 expect(1 "^19200 rays, 19200 answers, [0-9]+ hits, [1-9][0-9]* failed\n" ${built}/core_system ${built}/half.bin
        ${built}/picture.pgm)
+expect(1 "\n768 answers, [0-9]+ hits, [1-9][0-9]* failed\n$" ${WORK}/firmware ${built}/half.bin)
 
 # The Verilog: the core is given another tag, so a pixel has two answers and another has none.
-damage(${built}/rtl/core_axi.v ".ray_tag(s_axis_ray_tid)" ".ray_tag(s_axis_ray_tid | 16'd1)")
+damage(${built}/rtl/hitpipe_core_axi.v ".ray_tag(s_axis_ray_tid)" ".ray_tag(s_axis_ray_tid | 16'd1)")
 run(${CMAKE_COMMAND} --build ${built})
 expect(1 "^19200 rays, 19200 answers, 11948 hits, 0 failed\n" ${program})

@@ -1,7 +1,10 @@
 """examples/cocotb_unit without cocotb: its words and its judge, and its driver on the Verilog that `hitpipe rtl` writes, which Icarus
 Verilog runs behind two pipes."""
 import asyncio
+import json
+import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -97,6 +100,49 @@ class Verilog(unittest.TestCase):
         # A unit that never answers ends the run too.
         judge, cycles = self.run_unit("int_slabs", "20/24", ("assign out_valid =", "assign out_valid = 1'b0 &"), count=20)
         self.assertEqual((judge.came, judge.passed(), cycles), (0, False, 1080))
+
+
+class Makefile(unittest.TestCase):
+    """The example's Makefile. In place of cocotb's, one that compiles the Verilog when it is newer, and says for what it would run."""
+    RULES = """
+.PHONY: sim
+sim: model
+	@echo "$$DESIGN,$$BITS"
+model: $(VERILOG_SOURCES)
+	cp $< $@
+"""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.example = pathlib.Path(folder.name, "cocotb_unit")
+        shutil.copytree(SOURCE / "examples/cocotb_unit", self.example, ignore=shutil.ignore_patterns("rtl", "sim_build"))
+        pathlib.Path(folder.name, "Makefile.sim").write_text(self.RULES)
+        config = pathlib.Path(folder.name, "cocotb-config")
+        config.write_text(f"#!/bin/sh\necho '{folder.name}'\n")
+        config.chmod(0o755)
+        self.environment = {name: value for name, value in os.environ.items() if name not in ("DESIGN", "BITS", "TESTS", "MAKEFLAGS")}
+        self.environment["PATH"] = f"{folder.name}:{os.environ['PATH']}"
+
+    def unit_of(self, *variables):
+        """What `make` compiles: the unit's design and format, as the manifest beside it says. DESIGN and BITS are of the same."""
+        run = subprocess.run(["make", "-s", f"HITPIPE={os.environ['HITPIPE']}", *variables], cwd=self.example, env=self.environment,
+                             capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        manifest = json.loads((self.example / "rtl/unit.json").read_text())
+        self.assertEqual((self.example / "model").read_text(), (self.example / "rtl/unit.v").read_text())
+        unit = hitpipe.Unit(*run.stdout.splitlines()[-1].split(","))
+        self.assertEqual((unit.design, unit.format), (manifest["design"], manifest["bits"]))
+        return f"{unit.design} {unit.format}"
+
+    def test_compiles_what_was_asked_for_and_not_what_was_there(self):
+        self.assertEqual(self.unit_of(), "int_slabs 20/24")
+        for design, bits in (("int_slabs", "16/16"), ("int_slabs", "20/24"), ("fp_slabs", "fp32")):
+            self.assertEqual(self.unit_of(f"DESIGN={design}", f"BITS={bits}"), f"{design} {bits}")
+
+    def test_format_is_the_design_s_own_unless_said(self):
+        for design in ("int_major", "fp_slabs", "int_slabs"):
+            self.assertEqual(self.unit_of(f"DESIGN={design}"), f"{design} {hitpipe.Unit(design).format}")
 
 
 class Words(unittest.TestCase):

@@ -346,6 +346,54 @@ TEST(Chip, OnlyAFileThatSaysSoPacksRegisters) {
   EXPECT_TRUE(Library::from_json(json, "toy.json").chip()->packs_registers);
 }
 
+std::string with_synthesis_targets() {
+  std::string json(toy_json);
+  const std::string name = R"("name": "toy_chip",)";
+  return json.insert(json.find(name) + name.size(), R"(
+  "fusesoc": {
+    "synth": {"description": "For toys", "flow": "icestorm", "flow_options": {"pnr": "none", "list": ["-a", "b c"]}},
+    "synth_2": {"description": "Another", "flow": "generic", "flow_options": {}}
+  },)");
+}
+
+TEST(SynthesisTargets, AreThoseOfTheFile) {
+  const Library library = Library::from_json(with_synthesis_targets(), "toy.json");
+  ASSERT_EQ(library.synthesis_targets().size(), 2U);
+  const SynthesisTarget& first = library.synthesis_targets().front();
+  EXPECT_EQ(first.name, "synth");
+  EXPECT_EQ(first.description, "For toys");
+  EXPECT_EQ(first.flow, "icestorm");
+  EXPECT_EQ(first.options, R"({"list":["-a","b c"],"pnr":"none"})");
+  EXPECT_EQ(library.synthesis_targets().back().name, "synth_2");
+}
+
+TEST(SynthesisTargets, ALibraryOfAChipHasOneAndOthersHaveNone) {
+  for (const std::string& name : built_in_names()) {
+    const Library library = library_called(name);
+    const auto& targets = library.synthesis_targets();
+    const bool has_one = std::any_of(targets.begin(), targets.end(),
+                                     [](const SynthesisTarget& target) { return target.name == "synth"; });
+    EXPECT_EQ(has_one, library.chip() != nullptr) << name;
+    EXPECT_TRUE(has_one || targets.empty()) << name;
+  }
+}
+
+TEST(SynthesisTargets, BadEntriesRejected) {
+  const std::string json = with_synthesis_targets();
+  const std::string option = "must be a text, a number, true, false or a list of texts";
+  expect_refusals(
+      json, {{R"("synth_2")", R"("lint")",
+              R"(fusesoc: target "lint", allowed are synth and what begins with it, of a-z, 0-9 and _)"},
+             {R"("synth_2")", R"("synth: 2")",
+              R"(fusesoc: target "synth: 2", allowed are synth and what begins with it, of a-z, 0-9 and _)"},
+             {R"("Another")", R"("a\nb")", R"(fusesoc: synth_2: "description" must be one line)"},
+             {R"("flow": "generic", )", "", R"(fusesoc: synth_2: "flow" is missing)"},
+             {R"({}})", "7}", R"(fusesoc: synth_2: "flow_options" must be a JSON object)"},
+             {R"("none")", "null", R"(fusesoc: synth: flow_options: "pnr" )" + option},
+             {R"("none")", R"({"a": 1})", R"(fusesoc: synth: flow_options: "pnr" )" + option},
+             {R"("b c")", "7", R"(fusesoc: synth: flow_options: "list" )" + option}});
+}
+
 TEST(Chip, BadEntriesRejected) {
   expect_refusals(
       toy_json,

@@ -1,0 +1,8 @@
+/* The image is a part of the firmware, so whatever loads the firmware into SDRAM loads both. */
+  .section .rodata.image, "a"
+  .balign 32 /* CORE_BLOCK_BYTES */
+  .global image_begin
+image_begin:
+  .incbin IMAGE
+  .global image_end
+image_end:

@@ -1,0 +1,26 @@
+/* Firmware in a LiteX SoC: draws the picture on the serial line. */
+#include <irq.h>
+#include <libbase/uart.h>
+#include <stdio.h>
+#include <system.h>
+
+#include "driver.h"
+#include "picture.h"
+
+/* Of image.S. */
+extern const uint8_t image_begin[], image_end[];
+
+int main(void) {
+  irq_setmask(0);
+  irq_setie(1);
+  uart_init();
+
+  /* The core reads SDRAM behind the caches, through which a loader wrote the image. */
+  flush_cpu_dcache();
+  flush_l2_cache();
+  const uint32_t blocks = (uint32_t)(image_end - image_begin) / CORE_BLOCK_BYTES;
+  printf("%s\n", draw_picture((uintptr_t)image_begin, blocks) ? "PASS" : "FAIL");
+  uart_sync();
+  for (;;) {
+  }
+}
