@@ -2,12 +2,14 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
+
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -138,8 +140,9 @@ int make_operands(const OperandsCommand& command, const CLI::App& parsed) {
     file->rename();
     if (form == TestForm::csv) {
       notes.update(notes_of(parsed));
-      host::write_file(metadata_file(command.out),
-                       csv_metadata({std::filesystem::path(command.out).filename().string()}, notes));
+      std::string header;
+      std::getline(std::ifstream(command.out), header);
+      host::write_file(metadata_file(command.out), csv_metadata({csv_table(command.out, header)}, notes));
     }
   }
   progress.reset();

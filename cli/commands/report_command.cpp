@@ -265,9 +265,9 @@ int report(const ReportCommand& command, const CLI::App& options) {
   if (!facts.stiffness.empty())
     files.push_back({"stiffness.csv", table_text(stiffness_rows(facts.stiffness, ""), OutputFormat::csv)});
   if (!facts.core.rows.empty()) files.push_back({"core.csv", table_text(facts.core.rows, OutputFormat::csv)});
-  std::vector<std::string> tables;
+  std::vector<CsvTable> tables;
   for (const host::File& file : files)
-    if (file.name.ends_with(".csv")) tables.push_back(file.name);
+    if (file.name.ends_with(".csv")) tables.push_back(csv_table(file.name, file.contents));
   Row notes = notes_of(options);
   notes.update(camera_notes(scene));
   files.push_back({"csv-metadata.json", csv_metadata(tables, notes)});
@@ -298,7 +298,7 @@ int report(const ReportCommand& command, const CLI::App& options) {
                                 {"rtl_mismatches", wrong.rtl_mismatches},
                                 {"different_triangles", wrong.different_triangles},
                                 {"different_pixels", wrong.different_pixels},
-                                {"core_answers", wrong.core_answers}},
+                                {"wrong_core_answers", wrong.core_answers}},
                                command.format));
   if (facts.schematics.empty())
     fmt::print(

@@ -46,9 +46,11 @@ void measure(const StiffCheck& command, const CountedScene* loaded, std::vector<
 }
 
 void write(const StiffFindings& findings, const std::vector<Row>& rows, const StiffReport& report) {
+  const std::string table = table_text(rows, OutputFormat::csv);
   std::vector<host::File> files{
-      {"stiffness.csv", table_text(rows, OutputFormat::csv)},
-      {metadata_file("stiffness.csv").string(), csv_metadata({"stiffness.csv"}, report.notes)},
+      {"stiffness.csv", table},
+      {metadata_file("stiffness.csv").string(),
+       csv_metadata({csv_table("stiffness.csv", table)}, report.notes)},
   };
   const auto draw = [&](const Plot& plot) {
     const std::vector<host::File> drawn =

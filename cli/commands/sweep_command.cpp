@@ -219,7 +219,7 @@ std::vector<sim::SweepRow> measure(const SweepCommand& command, const CutWork& w
   progress.emplace("sweeping");
   sweep.options.progress = [&](double share) { progress->show(share); };
   const std::filesystem::path out = command.out;
-  sweep.notes = csv_metadata({out.filename().string()}, notes_beside(command, work, scene));
+  sweep.notes = csv_metadata({csv_table(out, sim::to_csv({}))}, notes_beside(command, work, scene));
   sweep.notes_file = metadata_file(out);
   const LastLine line(fmt::format("the same command goes on with the rows of {}", file.string()));
   return sim::resume(sweep);
@@ -289,7 +289,7 @@ int join(const SweepCommand& command, const CLI::App& parsed) {
   Row notes = pieces.front().result;
   notes["command"] = joined_command(pieces.front().note.command, command.out);
   notes.erase("piece");
-  host::write_file(metadata_file(out), csv_metadata({out.filename().string()}, notes));
+  host::write_file(metadata_file(out), csv_metadata({csv_table(out, sim::to_csv({}))}, notes));
   return report(rows, notes.value("hierarchy", ""), command.format);
 }
 

@@ -140,8 +140,9 @@ WorldFindings parse_world_findings(const Row& row) {
 
 int report_world(const WorldFindings& findings, const std::string& out, OutputFormat format) {
   const std::filesystem::path file = out;
-  host::write_file(file, table_text(findings.rows, OutputFormat::csv));
-  host::write_file(metadata_file(file), csv_metadata({file.filename().string()}, findings.notes));
+  const std::string table = table_text(findings.rows, OutputFormat::csv);
+  host::write_file(file, table);
+  host::write_file(metadata_file(file), csv_metadata({csv_table(file, table)}, findings.notes));
   fmt::print("{}", format == OutputFormat::text ? findings.head + "\n" + text_of(findings.rows)
                                                 : table_text(findings.rows, format));
   return 0;

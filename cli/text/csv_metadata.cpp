@@ -1,6 +1,7 @@
 #include "cli/text/csv_metadata.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,6 +16,43 @@ namespace {
 template <class Vector>
 Row numbers(const Vector& v) {
   return {v.x, v.y, v.z};
+}
+
+/// The unit that a column's name ends with. Empty: it is a count or a text.
+std::string_view unit_of(std::string_view column) {
+  struct Unit {
+    std::string_view ending, unit;
+  };
+  // The longer of two endings first.
+  static constexpr std::array units{Unit{"_mm2_ns", "mm2 ns"},
+                                    Unit{"_mm2_ms", "mm2 ms"},
+                                    Unit{"_lut_ms", "LUT ms"},
+                                    Unit{"_pj_per_box", "pJ a box"},
+                                    Unit{"_nj_per_ray", "nJ a ray"},
+                                    Unit{"_per_million", "per million"},
+                                    Unit{"_mm2", "mm2"},
+                                    Unit{"_um2", "um2"},
+                                    Unit{"_lut", "LUT"},
+                                    Unit{"_ps", "ps"},
+                                    Unit{"_ns", "ns"},
+                                    Unit{"_ms", "ms"},
+                                    Unit{"_seconds", "s"},
+                                    Unit{"_mhz", "MHz"},
+                                    Unit{"_pct", "%"}};
+  for (const Unit& each : units)
+    if (column.ends_with(each.ending)) return each.unit;
+  return column.starts_with("bytes_") || column.find("_bytes") != std::string_view::npos ? "bytes" : "";
+}
+
+Row described(const CsvTable& table) {
+  Row columns = Row::array();
+  for (const std::string& name : table.columns) {
+    Row column{{"name", name}};
+    if (const std::string_view unit = unit_of(name); !unit.empty()) column["schema:unitText"] = unit;
+    if (name == "bits") column["dc:description"] = "format of the design, as --bits takes it";
+    columns.push_back(column);
+  }
+  return {{"url", table.name}, {"tableSchema", {{"columns", columns}}}};
 }
 
 }  // namespace
@@ -66,13 +104,17 @@ std::filesystem::path metadata_file(const std::filesystem::path& table) {
   return table.string() + "-metadata.json";
 }
 
-std::string csv_metadata(const std::vector<std::string>& tables, const Row& notes) {
+CsvTable csv_table(const std::filesystem::path& file, std::string_view text) {
+  return {file.filename().string(), host::csv_cells(text.substr(0, text.find('\n')))};
+}
+
+std::string csv_metadata(const std::vector<CsvTable>& tables, const Row& notes) {
   Row row{{"@context", "http://www.w3.org/ns/csvw"}};
   if (tables.size() == 1) {
-    row["url"] = tables.front();
+    row.update(described(tables.front()));
   } else {
     row["tables"] = Row::array();
-    for (const std::string& table : tables) row["tables"].push_back({{"url", table}});
+    for (const CsvTable& table : tables) row["tables"].push_back(described(table));
   }
   row["notes"] = Row::array({notes});
   return record_text(row, OutputFormat::json);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/text/table.hpp"
@@ -29,7 +30,16 @@ namespace hitpipe::cli {
 /// The name of the JSON file beside a table: FILE-metadata.json.
 [[nodiscard]] std::filesystem::path metadata_file(const std::filesystem::path& table);
 
-/// For one table, or for all tables of a folder.
-[[nodiscard]] std::string csv_metadata(const std::vector<std::string>& tables, const Row& notes);
+/// A CSV file by its name, and the names of its columns.
+struct CsvTable {
+  std::string name;
+  std::vector<std::string> columns;
+};
+/// Takes the columns from the first line of the file's text.
+[[nodiscard]] CsvTable csv_table(const std::filesystem::path& file, std::string_view text);
+
+/// For one table, or for all tables of a folder. Each column has its name, and the unit that its name ends
+/// with.
+[[nodiscard]] std::string csv_metadata(const std::vector<CsvTable>& tables, const Row& notes);
 
 }  // namespace hitpipe::cli

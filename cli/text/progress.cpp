@@ -11,13 +11,6 @@ namespace hitpipe::cli {
 
 namespace {
 
-/// ", 3 min 20 s left"; empty as long as nothing is finished.
-std::string time_left(double share, std::chrono::steady_clock::duration elapsed) {
-  if (share <= 0) return "";
-  const std::chrono::duration<double> rest = elapsed * ((1 - share) / share);
-  return fmt::format(", {} left", duration_text(std::chrono::ceil<std::chrono::seconds>(rest)));
-}
-
 std::chrono::seconds whole_seconds(std::chrono::steady_clock::duration elapsed) {
   return std::chrono::duration_cast<std::chrono::seconds>(elapsed);
 }
@@ -57,6 +50,7 @@ void Progress::write_until_the_end() {
   auto next = start_ + (terminal_ ? pace_.first_bar : pace_.line);
   while (!end_.wait_until(lock, next, [this] { return ended_; })) {
     const auto elapsed = Clock::now() - start_;
+    remaining_.add(elapsed, share_);
     if (terminal_) {
       write_bar(elapsed);
     } else {
@@ -64,6 +58,13 @@ void Progress::write_until_the_end() {
     }
     next += terminal_ ? pace_.bar : pace_.line;
   }
+}
+
+/// ", 3 min 20 s left". Empty when nobody knows.
+std::string Progress::time_left() const {
+  const std::optional<RemainingTime::Duration> left = remaining_.left();
+  if (!left) return "";
+  return fmt::format(", {} left", duration_text(std::chrono::ceil<std::chrono::seconds>(*left)));
 }
 
 void Progress::write_bar(Clock::duration elapsed) const {
@@ -74,13 +75,13 @@ void Progress::write_bar(Clock::duration elapsed) const {
   constexpr int width = 20;
   const int filled = static_cast<int>(std::clamp(share_, 0.0, 1.0) * width);
   fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{: <{}}] {:3.0f} %{}", what_, "", filled, "", width - filled,
-             100 * share_, time_left(share_, elapsed));
+             100 * share_, time_left());
 }
 
 void Progress::write_line(Clock::duration elapsed) const {
   const std::string share = share_ > 0 ? fmt::format(", {:.0f} %", 100 * share_) : "";
   fmt::print(stderr, "hitpipe: {}: {}{}{}\n", what_, duration_text(whole_seconds(elapsed)), share,
-             time_left(share_, elapsed));
+             time_left());
 }
 
 }  // namespace hitpipe::cli

@@ -8,6 +8,8 @@
 #include <string>
 #include <thread>
 
+#include "cli/text/remaining_time.hpp"
+
 namespace hitpipe::cli {
 
 class Progress {
@@ -33,6 +35,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
 
   void write_until_the_end();
+  [[nodiscard]] std::string time_left() const;
   void write_bar(Clock::duration elapsed) const;
   void write_line(Clock::duration elapsed) const;
 
@@ -40,8 +43,9 @@ class Progress {
   const Pace pace_;
   const bool terminal_;
   const Clock::time_point start_;
-  std::mutex state_;  // guards both members below
+  std::mutex state_;  // guards the members below up to ended_
   double share_ = 0;
+  RemainingTime remaining_;
   bool ended_ = false;
   std::condition_variable end_;
   std::thread writer_;

@@ -116,6 +116,18 @@ CoreBench::CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const r
       memory_(image.blocks, memory),
       at_(core),
       random_(options.seed) {
+  // A block that was read waits for the tests of all other rays' blocks; one multiplier takes some 200 cycles
+  // a triangle.
+  constexpr std::uint64_t cycles_of_a_test = 1000;
+  const auto rays = static_cast<std::uint64_t>(core.options.rays);
+  most_still_ = static_cast<std::uint64_t>(memory.most_latency) +
+                rays * (static_cast<std::uint64_t>(memory.interval) * 2 + cycles_of_a_test) + 10'000;
+  // A ray tests a triangle once, and can come to a record again from each level above it. In a damaged image
+  // it may come more often, until its steps are used up.
+  constexpr std::uint64_t room = 10;
+  const std::uint64_t blocks =
+      std::uint64_t{image.records} * static_cast<std::uint64_t>(image.levels) + image.triangles;
+  most_blocks_ = room * rays * (blocks + 100);
   const std::uint64_t most_blocks = std::uint64_t{1} << core.options.address_bits;
   if (image.blocks.size() > most_blocks)
     throw std::invalid_argument(fmt::format("the image has {} blocks, but the core reads {} at most",
@@ -135,6 +147,18 @@ void CoreBench::show(const CoreJob& job, std::size_t tag) {
   const std::vector<Word> fields = ray_fields(core_, job);
   std::copy(fields.begin(), fields.end(), inputs_.begin() + static_cast<std::ptrdiff_t>(at_.ray_any));
   inputs_[at_.ray_tag] = tag;
+}
+
+void CoreBench::check_alive(bool asks, bool asked, bool answers) {
+  still_ = asks || answers ? 0 : still_ + 1;
+  blocks_ = answers ? 0 : blocks_ + (asked ? 1 : 0);
+  if (still_ > most_still_)
+    throw std::logic_error(
+        fmt::format("the core stands still: {} cycles without a request or an answer", still_));
+  if (blocks_ > most_blocks_)
+    throw std::logic_error(fmt::format(
+        "the core gives no answer: it asked for {} blocks, more than its {} rays need in this scene", blocks_,
+        core_.options.rays));
 }
 
 void CoreBench::take_block() {
@@ -167,7 +191,6 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
   for (std::size_t tag = in_flight.size(); tag-- > 0;) free_tags.push_back(tag);
   const auto block_mask = static_cast<std::uint64_t>(rtl::ones_below(core_.options.byte_bits - 5));
   std::size_t next = 0, ended = 0, offered = nothing;  // the tag of the job `next`
-  std::uint64_t silent = 0;
   std::size_t flying = 0, reading = 0;  // rays in flight, and those of them that wait for memory
   while (ended < jobs.size()) {
     machine_.outputs(outputs_.data());
@@ -211,7 +234,7 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
     const bool takes =
         options_.held_percent == 0 || random_.below(100) >= static_cast<std::uint64_t>(options_.held_percent);
     inputs_[at_.hit_ready] = takes ? 1 : 0;
-    ++silent;
+    check_alive(asks, asks && ready, out(at_.hit_valid) != 0);
     if (takes && out(at_.hit_valid) != 0) {
       const auto tag = static_cast<std::size_t>(out(at_.hit_tag));
       if (tag >= in_flight.size() || in_flight[tag] == nothing)
@@ -227,11 +250,8 @@ void CoreBench::run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers
       --flying;
       free_tags.push_back(tag);
       ++ended;
-      silent = 0;
       if (progress && ended % 4096 == 0)
         progress(static_cast<double>(ended) / static_cast<double>(jobs.size()));
-    } else if (silent > options_.longest_silence) {
-      throw std::logic_error("the core gives no answers");
     }
     machine_.step(inputs_.data(), false);
     block_ = memory_.step();

@@ -49,10 +49,9 @@ struct CoreCounts {
 };
 
 struct CoreBenchOptions {
-  std::uint32_t most_steps = (1U << 20) - 1;   ///< records that a ray may test, 1 or more
-  std::uint64_t base = 0;                      ///< the image's address, divided by 32
-  std::uint64_t longest_silence = 10'000'000;  ///< cycles
-  int held_percent = 0;                        ///< of all cycles take no answer, at random, 0..99
+  std::uint32_t most_steps = (1U << 20) - 1;  ///< records that a ray may test, 1 or more
+  std::uint64_t base = 0;                     ///< the image's address, divided by 32
+  int held_percent = 0;                       ///< of all cycles take no answer, at random, 0..99
   std::uint64_t seed = 1;
 };
 
@@ -64,8 +63,10 @@ class CoreBench {
   CoreBench(const rtl::Core& core, rtl::NativeMachine& machine, const ref::CoreImage& image,
             const MemoryOptions& memory, const CoreBenchOptions& options = {});
 
-  /// Answers the jobs, each at its place. Throws std::logic_error when the core is silent for too long, or
-  /// answers a ray that it does not have. `progress` gets the share that is done, 0 to 1, from time to time.
+  /// Answers the jobs, each at its place. Throws std::logic_error when the core answers a ray that it does
+  /// not have, and when it stands still: it neither asks nor answers in more cycles than its parts can take,
+  /// or asks for more blocks between two answers than its rays can need in this scene. `progress` gets the
+  /// share that is done, 0 to 1, from time to time.
   void run(std::span<const CoreJob> jobs, std::span<CoreAnswer> answers,
            const std::function<void(double)>& progress = {});
   /// Of all runs.
@@ -75,12 +76,16 @@ class CoreBench {
  private:
   void show(const CoreJob& job, std::size_t tag);
   void take_block();
+  /// `asks` and `answers` say what the core offers; `asked`: memory took a request.
+  void check_alive(bool asks, bool asked, bool answers);
   [[nodiscard]] CoreWeights weights() const;
 
   const rtl::Core& core_;
   rtl::NativeMachine& machine_;
   CoreBenchOptions options_;
   MemoryModel memory_;
+  std::uint64_t most_still_, most_blocks_;  ///< cycles without a request, and blocks, between two answers
+  std::uint64_t still_ = 0, blocks_ = 0;
   /// Places of ports among the inputs or the outputs.
   struct Places {
     explicit Places(const rtl::Core& core);

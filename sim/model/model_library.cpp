@@ -93,6 +93,10 @@ std::string answer_of(const std::string& program, const fs::path& cache,
 
 Tool find_verilator(const fs::path& cache) {
   const auto find = [] { return find_tool("VERILATOR", "verilator", "verilator"); };
+  if (const std::string root = host::environment("VERILATOR_ROOT", "");
+      !root.empty() && !fs::is_directory(root))
+    throw std::runtime_error(fmt::format(
+        "VERILATOR_ROOT is {}, which is no folder; set it to Verilator's folder, or do not set it", root));
   for (const char* const variable : {"VERILATOR", "VERILATOR_ROOT", "VERILATOR_BIN"}) {
     if (!host::environment(variable, "").empty()) return find();
   }

@@ -26,10 +26,10 @@ struct Tool {
   [[nodiscard]] std::string release() const { return version.substr(0, version.find('\n')); }
 };
 
-/// One line: the program cannot be run, and the package that has it, unless that is empty, or the variable
-/// would help.
+/// One line: the program cannot be run, why, unless that is empty, and that the package that has it, unless
+/// that is empty, or the variable would help.
 [[nodiscard]] std::runtime_error cannot_be_run(const Tool& tool, std::string_view package,
-                                               const std::string& variable);
+                                               const std::string& variable, const std::string& why = "");
 
 /// Takes $variable, or `otherwise` if that is not set. A program given by a path can also be run from another
 /// folder. Its version may also be on standard error. Throws cannot_be_run() when the program does not print

@@ -63,7 +63,7 @@ SweepSubject sweep_subject(const ref::Scene& scene, const ref::Bvh& bvh, const S
           .occlusion = picture ? light.occlusion : 0,
           .light_seed = random ? light.seed : 0,
           .library = printable(options.library->name()),
-          .cost = options.tests_only ? "tests" : "tests, set-up"};
+          .cost = options.tests_only ? "tests" : "tests and set-up"};
 }
 
 std::string SweepSubject::text() const {

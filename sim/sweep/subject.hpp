@@ -22,7 +22,7 @@ struct SweepSubject {
   int occlusion = 0;
   std::uint64_t light_seed = 0;  ///< 0 where nothing is drawn by it
   std::string library;           ///< of components
-  std::string cost;              ///< what the whole cost counts: "tests, set-up" or "tests"
+  std::string cost;              ///< what the whole cost counts: "tests and set-up" or "tests"
 
   /// All of it in one line, for messages.
   [[nodiscard]] std::string text() const;

@@ -10,7 +10,7 @@
 
 namespace hitpipe::sim {
 
-/// With these all faults of tests/sim/mutations show.
+/// With these all faults of tests/sim/check/mutations.hpp show.
 inline constexpr int usual_vectors = 6000;
 inline constexpr std::uint64_t usual_seed = 1;
 

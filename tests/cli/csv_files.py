@@ -35,6 +35,8 @@ def check(name, text):
         if len(row) != len(header):
             wrong.append(f"{name}: line {number} has {len(row)} cells, the header {len(header)}")
         for column, cell in zip(header, row):
+            if "," in cell and column != "files":
+                wrong.append(f"{name}: line {number}: {column} is {cell!r}, with a comma")
             if re.fullmatch(r"\d+/\d+", cell):
                 wrong.append(f"{name}: line {number}: {column} is {cell!r}, a date to a spreadsheet")
             if re.search(r"_(pct|ms|ns|mm2|mhz|low|high|ratio|tests|hits|misses)$", column):
@@ -49,7 +51,19 @@ def check_notes(file, tables):
     made = json.loads(file.read_text())
     if made["@context"] != "http://www.w3.org/ns/csvw":
         wrong.append(f"{file.name}: not CSV on the Web")
-    named = [made["url"]] if "url" in made else [table["url"] for table in made["tables"]]
+    described = [made] if "url" in made else made["tables"]
+    named = [table["url"] for table in described]
+    for table in described:
+        columns = table["tableSchema"]["columns"]
+        with open(file.parent / table["url"], newline="") as text:
+            header = next(csv.reader(text))
+        if [column["name"] for column in columns] != header:
+            wrong.append(f"{file.name}: columns {columns} of {table['url']}, whose header is {header}")
+        for column in columns:
+            unit = {"ms": "ms", "ns": "ns", "mm2": "mm2", "pct": "%", "mhz": "MHz"}.get(column["name"].split("_")[-1])
+            said = column.get("schema:unitText", "")
+            if unit and not said.endswith(unit):
+                wrong.append(f"{file.name}: {column} without its unit")
     if sorted(named) != sorted(tables):
         wrong.append(f"{file.name}: names {named}, beside it are {tables}")
     notes = made["notes"][0]

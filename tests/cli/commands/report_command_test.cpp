@@ -331,7 +331,7 @@ TEST_F(ReportCommand, CoresAnswerEveryRayRight) {
   EXPECT_THAT(page_,
               HasSubstr(fmt::format("wrong answers 0 of {}, rows with other reads than software&#39;s 0",
                                     readable_number(std::to_string(answers)))));
-  EXPECT_THAT(outcome_.out, HasSubstr("core_answers         0\n"));
+  EXPECT_THAT(outcome_.out, HasSubstr("wrong_core_answers   0\n"));
 }
 
 /// What the plots of the core must show whatever the scene is.

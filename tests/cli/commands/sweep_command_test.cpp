@@ -174,12 +174,12 @@ TEST_F(SweepCommand, RowsOfSomethingElseRejected) {
   EXPECT_THAT(
       outcome.err,
       HasSubstr(
-          " 40 x 30 pixels, 5 bounces, library thesis_250nm, cost of tests, set-up\", asked for are \""));
+          " 40 x 30 pixels, 5 bounces, library thesis_250nm, cost of tests and set-up\", asked for are \""));
   EXPECT_THAT(outcome.err, testing::EndsWith(" 40 x 30 pixels, 2 bounces, library thesis_250nm, cost of "
-                                             "tests, set-up\"; give another file or remove it\n"));
+                                             "tests and set-up\"; give another file or remove it\n"));
   EXPECT_THAT(run_hitpipe(sweep(rows, {"--diffuse", "1"})).err,
               testing::EndsWith(" 40 x 30 pixels, 5 bounces, 1 diffuse, light seed 1, library thesis_250nm, "
-                                "cost of tests, set-up\"; "
+                                "cost of tests and set-up\"; "
                                 "give another file or remove it\n"));
   EXPECT_EQ(contents_of(rows), before);
 }
@@ -203,7 +203,7 @@ TEST_F(SweepCommand, TracesTheRaysOfAFile) {
   const Outcome other = run_hitpipe(words);
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_THAT(other.err,
-              HasSubstr(", rays of a file, library thesis_250nm, cost of tests, set-up\", asked for are \""));
+              HasSubstr(", rays of a file, library thesis_250nm, cost of tests and set-up\", asked for are \""));
 }
 
 TEST_F(SweepCommand, DoesNotReplaceTheRowsThatItTakes) {
@@ -293,7 +293,7 @@ TEST_F(SweepCommand, PricesByTheLibraryOfAChip) {
   // The rows of one library are not continued with another.
   const Outcome other = run_hitpipe(sweep(out));
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.err, HasSubstr("library xc7, cost of tests, set-up\", asked for are \""));
+  EXPECT_THAT(other.err, HasSubstr("library xc7, cost of tests and set-up\", asked for are \""));
 }
 
 TEST_F(SweepCommand, RowThatIsNotVerifiedFails) {

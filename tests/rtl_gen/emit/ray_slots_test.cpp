@@ -1,5 +1,5 @@
 // The memory of rays before a unit: which operands it holds, that tools take it, that its memories become
-// block RAM, and that manifest and core file tell of it. tests/sim/ray_slots_test.cpp runs it.
+// block RAM, and that manifest and core file tell of it. tests/sim/cosim/ray_slots_test.cpp runs it.
 #include "rtl_gen/emit/ray_slots.hpp"
 
 #include <fmt/format.h>

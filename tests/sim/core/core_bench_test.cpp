@@ -256,9 +256,7 @@ TEST_P(FaultyCore, IsSeen) {
   compared.run(picture.rays.jobs, answers);
   EXPECT_NE(both.first_difference, "");
 
-  CoreBenchOptions options;
-  options.longest_silence = 100'000;
-  CoreBench bench(core, faulty, picture.image, memory, options);
+  CoreBench bench(core, faulty, picture.image, memory);
   bool wrong = false;
   try {
     bench.run(picture.rays.jobs, answers);
@@ -282,6 +280,22 @@ INSTANTIATE_TEST_SUITE_P(Faults, FaultyCore,
                                          Fault{"AnswerWaitsForTheLast", "wire moves = there & ~holds",
                                                "wire moves = there & ~there_1", false}),
                          [](const auto& each) { return each.param.name; });
+
+/// What the bench says of a core whose Verilog has a fault.
+std::string complaint_of(const rtl::Core& core, const char* good, const char* bad) {
+  const Picture picture(2, 12);
+  VerilatedMachine faulty(core, rtl::replaced(rtl::to_verilog(core, library()), good, bad));
+  CoreBench bench(core, faulty, picture.image, {.least_latency = 1, .most_latency = 60});
+  std::vector<CoreAnswer> answers(picture.rays.jobs.size());
+  return message_of<std::logic_error>([&] { bench.run(picture.rays.jobs, answers); });
+}
+
+/// 12 rays, of which each may wait for 1002 cycles, 60 cycles of memory, and some.
+TEST(CoreBench, SaysThatACoreStandsStill) {
+  const rtl::Core core = rtl::make_core(options_of(12, 1), library());
+  EXPECT_EQ(complaint_of(core, "assign hit_valid = replies_hit_valid;", "assign hit_valid = 1'b0;"),
+            "the core stands still: 22085 cycles without a request or an answer");
+}
 
 CoreCounts counts_of(const ref::CoreImage& image, std::uint32_t most_steps) {
   const rtl::Core core = rtl::make_core(options_of(8, 3), library());

@@ -110,7 +110,7 @@ TEST(Implementation, PlacesTheNetlistThatItCounts) {
 
 /// Yosys with what 0.55 does otherwise: it counts cells without hardware that say where modules were, and
 /// refuses modules of cells that it read from a netlist. Both lines are from its own output.
-constexpr const char* newer_yosys = R"(#!/bin/sh
+constexpr const char* newer_yosys = R"sh(#!/bin/sh
 for script; do :; done
 case $script in *.ys) ;; *) exec yosys "$@" ;; esac
 if grep -q '^read_json' "$script" && ! grep -q '^delete =A:abc9_box$' "$script"; then
@@ -120,7 +120,7 @@ fi
 yosys "$@" || exit
 grep -B1 'stat -json' "$script" | grep -q '^delete t:[$]scopeinfo$' ||
   sed -i 's/^\( *\)"SB_CARRY"/\1"$scopeinfo": 6,\n&/' *_cells.json
-)";
+)sh";
 
 TEST(Implementation, TakesANewerYosys) {
   const TemporaryFolder tools, folder;

@@ -31,7 +31,8 @@ TEST_F(ModelTools, MissingVerilatorRejected) {
 TEST_F(ModelTools, ProgramThatSaysNoVersionRejected) {
   const EnvironmentValue verilator("VERILATOR", "/bin/false");
   EXPECT_EQ(error_of_build(cache_),
-            "/bin/false: cannot be run; install the package verilator or set VERILATOR to the program");
+            "/bin/false: cannot be run (it failed with exit code 1); install the package verilator or set "
+            "VERILATOR to the program");
   EXPECT_FALSE(fs::exists(cache_));
 }
 
@@ -46,9 +47,26 @@ TEST_F(ModelTools, TakesACompilerWithArguments) {
   const EnvironmentValue compiler("CXX", "env HITPIPE_TEST=1 c++");
   build_in(cache_);
   EXPECT_EQ(stub_.runs(), 1);
-  const EnvironmentValue missing("CXX", "env no-such-compiler");
+}
+
+TEST_F(ModelTools, SaysWhichWordOfACompilerIsMissing) {
+  const EnvironmentValue language("LC_ALL", "C");
+  const EnvironmentValue compiler("CXX", "env no-such-compiler");
+  EXPECT_EQ(
+      error_of_build(cache_),
+      "env no-such-compiler: cannot be run (it failed with exit code 127: env: 'no-such-compiler': No such "
+      "file or directory); install the package g++ or set CXX to the program");
+  const EnvironmentValue launcher("CXX", "no-such-launcher c++");
+  EXPECT_EQ(
+      error_of_build(cache_),
+      "no-such-launcher c++: cannot be run (no-such-launcher was not found); install the package g++ or set "
+      "CXX to the program");
+}
+
+TEST_F(ModelTools, VerilatorRootThatIsNoFolderRejected) {
+  const EnvironmentValue root("VERILATOR_ROOT", "/none");
   EXPECT_EQ(error_of_build(cache_),
-            "env no-such-compiler: cannot be run; install the package g++ or set CXX to the program");
+            "VERILATOR_ROOT is /none, which is no folder; set it to Verilator's folder, or do not set it");
 }
 
 /// A stand-in for clang++ comes first in PATH.

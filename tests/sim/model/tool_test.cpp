@@ -1,6 +1,7 @@
 // A tool is what its variable names, and is known by what it prints about its version.
 #include "sim/model/tool.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/message_of.hpp"
@@ -33,9 +34,17 @@ TEST_F(FindTool, TakesAVersionOnStandardErrorWhereNoneIsOnStandardOutput) {
 
 TEST_F(FindTool, WithoutAVersionRejected) {
   const std::string name = (folder_.path() / "tool").string();
-  for (const char* const script : {"exit 0", "echo 'unknown option' >&2; exit 1"})
-    EXPECT_EQ(message_of<std::runtime_error>([&] { (void)found(script, "--version"); }),
-              name + ": cannot be run; install the package some-package or set SOME_TOOL to the program");
+  const auto rejected = [&](const std::string& why) {
+    return fmt::format(
+        "{}: cannot be run ({}); install the package some-package or set SOME_TOOL to the program", name,
+        why);
+  };
+  EXPECT_EQ(message_of<std::runtime_error>([&] { (void)found("exit 0", "--version"); }),
+            rejected("it does not say its version"));
+  EXPECT_EQ(message_of<std::runtime_error>([&] {
+              (void)found("echo 'unknown option' >&2; echo 'try --help' >&2; exit 1", "--version");
+            }),
+            rejected("it failed with exit code 1: unknown option"));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ inline SweepRow a_row() {
   row.cycles = 500'000;
   row.set_up = {.divisions = 3, .bits = 20, .delay_ps = 2000, .area_um2 = 100'000};
   row.energy_pj_per_box = 500;
-  row.cost = "tests, set-up";
+  row.cost = "tests and set-up";
   row.bytes_4kib = 4'000'000;
   row.bytes_16kib = 2'000'000;
   row.bytes_64kib = 1'000'000;

@@ -216,7 +216,7 @@ TEST(SweepSubject, ChangesWithAllThatDecidesTheRows) {
   ASSERT_EQ(all.size(), 1U);
   EXPECT_THAT(*all.begin(),
               testing::MatchesRegex("hitpipe: hills, content fnv1a-[0-9a-f]+, hierarchy , 256 x 256 "
-                                    "pixels, 5 bounces, library thesis_250nm, cost of tests, set-up"));
+                                    "pixels, 5 bounces, library thesis_250nm, cost of tests and set-up"));
   about(scene, bvh, {.program = "hitpipe 2"});
   about(scene, bvh, {.tests_only = true});
   about(scene, bvh, {.width = 255});
