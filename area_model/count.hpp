@@ -3,8 +3,7 @@
 //   built    all that is emitted: every register, valid and tag bit, and every component at its real width;
 //            on a chip also every gate
 //   printed  as Table 7.2 counts: docs/reproduction.md says where it departs from the schematics that it
-//   prices,
-//            and each design states its own departures (rtl::ThesisAccounting). Two rules hold in every row:
+//            prices, and each design states its own departures (rtl::ThesisAccounting). Two rules hold in every row:
 //            only latches, muxes, subtractors, multipliers and comparators have area (no valid bits, no tag),
 //            and each row is rounded before the total is taken
 // In both accounts `<` and `>` of the same two operands in one stage are one magnitude comparator.

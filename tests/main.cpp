@@ -1,5 +1,5 @@
-// The main function of the test programs. Arguments are source files: only their tests run, or all if there
-// is none.
+// The main function of the test programs. Arguments are source files, such as tests/host/text_test.cpp: only
+// their tests run, or all if there is none.
 #include <exception>
 #include <iostream>
 #include <stdexcept>

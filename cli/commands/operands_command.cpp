@@ -10,7 +10,6 @@
 #include <string>
 #include <thread>
 
-
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 

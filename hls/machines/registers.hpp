@@ -23,8 +23,10 @@ namespace hitpipe {
 namespace hls {
 
 /// The format "aAhHiIcC", for example a24h32i5c40.
-///   A  bits of a block's number;  H  bits of an address, of bytes, at least A + 5;  I  bits of a ray's
-///   number C  bits of a counter
+///   A  bits of a block's number
+///   H  bits of an address, of bytes, at least A + 5
+///   I  bits of a ray's number
+///   C  bits of a counter
 struct RegisterBits {
   int address = 24;  ///< A
   int bytes = 32;    ///< H

@@ -5,8 +5,7 @@
 //   g  bits by which the ray's origin is finer than the corners, 0..3
 //   p  bits of a mantissa, 4..32
 //   B  bits of a box distance below the corners' unit, -2..3, at most g + F; 0 unless it is given. It says
-//   how
-//      many bits of the length a box unit takes. No other number depends on it.
+//      how many bits of the length a box unit takes. No other number depends on it.
 //   S  bits of a slope, 8..32
 //   F  bits of a distance T below the unit of the origin's grid, 0..8; 0 unless it is given
 #pragma once

@@ -1,9 +1,10 @@
-// Where rays and boxes lie: in the cube [-1, 1], or in a user's own units, which one scale and one offset
-// move into the cube as they do with a scene (sw_ref/scene/normalise.hpp). With own units an origin is
-// computed in double and rounded to binary32 once; a plane is rounded outward from the exact number. A
-// direction stays as it is. A length is a multiple of the direction, so it is scaled.
 // Rays and boxes of CSV files. A ray is rounded to the nearest binary32; a box is rounded outward, so that
 // the binary32 box holds the box as written.
+//
+// They lie in the cube [-1, 1], or in a user's own units. One scale and one offset move those into the cube, as
+// they do with a scene (sw_ref/scene/normalise.hpp): an origin is computed in double and rounded to binary32
+// once, a plane is rounded outward from the exact number, a direction stays as it is, and a length, which is a
+// multiple of the direction, is scaled.
 #pragma once
 
 #include <array>

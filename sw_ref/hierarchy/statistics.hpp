@@ -17,7 +17,7 @@ struct BvhStatistics {
   std::size_t triangles = 0;
   int depth = 0;                       ///< levels; the root is level 1
   std::vector<std::size_t> leaves_of;  ///< leaves_of[n]: leaves with n triangles; the last is not 0
-  double sah_cost = 0;  ///< cost for a random line that meets the root (cost.hpp), with the padded boxes
+  double sah_cost = 0;  ///< cost for a random line that meets the root (appendix B), with the padded boxes
   /// The share of branches, among those that random lines meet, in which the line meets the overlap of the
   /// children's boxes.
   double child_overlap = 0;

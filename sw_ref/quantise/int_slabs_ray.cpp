@@ -10,13 +10,11 @@
 
 namespace hitpipe::ref {
 
-// Why the integer test never misses. G and M are as in grid.hpp, r is the direction, io the rounded
-// origin.
+// Why the integer test never misses. G and M are as in grid.hpp, r is the direction, io the rounded origin.
 //
-// Non-zero components. Let scale = M min|r_i| and c_i = scale / r_i. Then floor_i <= c_i <= ceil_i and |c_i|
-// <= M. Take a common point of ray and box at parameter t, and let T = t * scale * G >= 0. On every axis T =
-// x c_i, where x = G t r_i lies between G (min - o) and G (max - o). As |io - G o| <= 1/2, the outward box
-// has
+// Non-zero components. Let scale = M min|r_i| and c_i = scale / r_i. Then floor_i <= c_i <= ceil_i and
+// |c_i| <= M. Take a common point of ray and box at parameter t, and let T = t * scale * G >= 0. On every axis
+// T = x c_i, where x = G t r_i lies between G (min - o) and G (max - o). As |io - G o| <= 1/2, the outward box has
 //   d0 = floor(G min - 1/2) - io <= G (min - o)   and   d1 = ceil(G max + 1/2) - io >= G (max - o),
 // so d0 <= x <= d1. The unit picks the near end by the sign of floor_i, which is the sign of r_i (the floor
 // of a negative number is negative). It multiplies the near end by the bound of c_i that makes the product

@@ -10,12 +10,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In the folder of an installed program, otherwise where it was built.
+/// Beside an installed program, otherwise in the build folder that the program is in.
 fs::path module_file() {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   const fs::path installed = program.parent_path().parent_path() / HITPIPE_IMAGES_INSTALLED;
-  return fs::exists(installed, ignored) ? installed : fs::path(HITPIPE_IMAGES_BUILT);
+  if (fs::exists(installed, ignored)) return installed;
+  fs::path folder = program.parent_path();
+  while (folder.has_relative_path() && !fs::exists(folder / HITPIPE_IMAGES_BUILT, ignored))
+    folder = folder.parent_path();
+  return folder / HITPIPE_IMAGES_BUILT;
 }
 
 /// Null says nothing: the last call was good, or another thread asked.

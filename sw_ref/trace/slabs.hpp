@@ -137,10 +137,9 @@ class ConservativeSlabs {
   /// Let u = 2^-24. For 2^-100 <= |d| <= 2^100 the exact distance t = (x - o) / d is computed with three
   /// roundings (difference, inverse, product). A difference of floats never underflows inexactly. |x - o| <=
   /// 4 and the inverse lies in [2^-100, 2^100], so nothing overflows and only the product can underflow:
-  ///     |computed - t| <= g |t| + e,   g = (1 + u)^3 - 1 < 4 u,   e = 2^-150,   and computed has the sign of
-  ///     t or is 0.
-  /// Let the exact ray be in the box at t*, 0 <= t* <= length. Then each exact near <= t* <= each exact far,
-  /// hence
+  ///     |computed - t| <= g |t| + e,   g = (1 + u)^3 - 1 < 4 u,   e = 2^-150,
+  /// and computed has the sign of t or is 0.
+  /// Let the exact ray be in the box at t*, 0 <= t* <= length. Then each exact near <= t* <= each exact far, so
   ///     computed near <= t* (1 + g) + e,
   ///     computed far  >= t* (1 - g) - e     (t* >= 0, so it is not computed as negative).
   /// With c = 16 u: the product near (1 - c) is rounded once, to at most (t* (1 + g) + e)(1 - c)(1 + u) + e,

@@ -7,6 +7,19 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX})
 run(${PREFIX}/bin/hitpipe --version)
 run(${PREFIX}/bin/hitpipe area int_slabs)
 
+# No path of the machine that built them is in them.
+file(GLOB_RECURSE binaries ${PREFIX}/bin/hitpipe ${PREFIX}/lib/*.so)
+list(LENGTH binaries count)
+if(count LESS 3)
+  message(FATAL_ERROR "only ${binaries} are installed")
+endif()
+foreach(binary IN LISTS binaries)
+  file(STRINGS ${binary} paths REGEX "(${SOURCE}|${BUILD})/")
+  if(paths)
+    message(FATAL_ERROR "${binary} names files of the machine that built it: ${paths}")
+  endif()
+endforeach()
+
 # The library needs the C++ runtime and nothing else, and exports the functions of its header and nothing else.
 file(GLOB library ${PREFIX}/lib*/libhitpipe_ref.so ${PREFIX}/lib/*/libhitpipe_ref.so)
 run(objdump -p ${library})

@@ -29,7 +29,6 @@ std::vector<std::string> report(const fs::path& out, const std::vector<std::stri
               more);
 }
 
-/// One report with its own sweep, shared by all tests.
 /// The beginning of a line of CSV.
 std::string csv_start(const std::vector<std::string>& cells) {
   std::string line = host::csv_line(cells);
@@ -37,6 +36,7 @@ std::string csv_start(const std::vector<std::string>& cells) {
   return line;
 }
 
+/// One report with its own sweep, shared by all tests.
 class ReportCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {

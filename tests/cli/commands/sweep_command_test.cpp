@@ -202,8 +202,9 @@ TEST_F(SweepCommand, TracesTheRaysOfAFile) {
   (void)folder.write("rays.csv", "ox,oy,oz,dx,dy,dz\n3,5,40,0,0,-1\n");
   const Outcome other = run_hitpipe(words);
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.err,
-              HasSubstr(", rays of a file, library thesis_250nm, cost of tests and set-up\", asked for are \""));
+  EXPECT_THAT(
+      other.err,
+      HasSubstr(", rays of a file, library thesis_250nm, cost of tests and set-up\", asked for are \""));
 }
 
 TEST_F(SweepCommand, DoesNotReplaceTheRowsThatItTakes) {

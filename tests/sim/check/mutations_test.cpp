@@ -324,7 +324,7 @@ TEST_P(TextAsWritten, MissesABoxThatTheRayMeets) {
 }
 
 TEST_P(TextAsWritten, IsInTheDocumentWithItsRayAndBox) {
-  std::ifstream page(std::filesystem::path(__FILE__).parent_path() / "../../../docs/never_misses.md");
+  std::ifstream page(HITPIPE_SOURCE "/docs/never_misses.md");
   const std::string text{std::istreambuf_iterator<char>(page), {}};
   const AsWritten& example = GetParam();
   const std::string command = fmt::format("hitpipe check {} --bits {} --replay \\\n  \"{}\"",
