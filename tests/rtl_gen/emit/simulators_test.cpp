@@ -174,6 +174,14 @@ INSTANTIATE_TEST_SUITE_P(Targets, Simulator,
                            return target.substr(0, target.find(' '));
                          });
 
+/// With this one Verilator's own code answers in place of the harness.
+TEST(SimulatorFolder, HarnessTakesVerilatorsArguments) {
+  EXPECT_EQ(simulated("harness WAVES=vcd").status, 0);
+  const ToolResult result =
+      run_tool(unit_folder() / "tb", "", "build/harness_two_boxes_vcd/Vtwo_boxes", "+verilator+help");
+  EXPECT_THAT(result.output, HasSubstr("Exiting due to command line argument"));
+}
+
 TEST(SimulatorFolder, WritesWaves) {
   const struct {
     const char *target, *file;

@@ -67,7 +67,7 @@ TEST(CoreImplementation, MemoriesAreBlackBoxesAmongStandardCells) {
   EXPECT_GT(core.memory_bits, core.chip.count_of("registers")->used);
   EXPECT_GT(*core.chip.synthesis.area_um2, 0.0);
   EXPECT_GT(*core.chip.critical_path_ns, 0.0);
-  std::ifstream timing(folder.path() / "osu018" / "core_timing.log");
+  std::ifstream timing(folder.path() / "osu018" / (small.module() + "_timing.log"));
   EXPECT_THAT(std::string(std::istreambuf_iterator<char>(timing), {}),
               testing::Not(testing::HasSubstr("Error")));
 }
