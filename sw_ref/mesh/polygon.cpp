@@ -131,7 +131,8 @@ std::string cut(std::vector<glm::dvec2> seen, Triangles& triangles) {
     return fmt::format("has a corner that more than {} of its edges run through", most_through_corner);
   if (found == Winding::right)
     for (glm::dvec2& p : seen) std::swap(p.x, p.y);  // a mirror image
-  return found != Winding::crossing && cut_ears(seen, triangles) ? "" : "crosses itself";
+  return found != Winding::crossing && cut_ears(seen, triangles) ? ""
+                                                                 : "crosses itself or covers an area twice";
 }
 
 }  // namespace

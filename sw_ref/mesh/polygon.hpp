@@ -26,7 +26,7 @@ inline constexpr double most_off_plane = 0.25;
 /// Seen along the axis, they turn as the polygon does, and their areas add up to its area: both exactly. A
 /// polygon with all corners on a line gives triangles without area; less than 3 corners give none. Positions
 /// are finite. A coordinate below 2^-480 counts as 0 beside one of 2^-100 and more. Returns what is wrong
-/// with the polygon, as the end of a sentence that begins with its name: "crosses itself"; empty if nothing
+/// with the polygon, as the end of a sentence that begins with its name; empty if nothing
 /// is, and only then triangles were added. Time is near n log n.
 [[nodiscard]] std::string triangulate(std::span<const glm::dvec3> positions,
                                       std::span<const std::uint32_t> polygon,
