@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/files.hpp"
 #include "host/text.hpp"
 #include "sw_ref/reject.hpp"
 
@@ -23,11 +24,18 @@ nlohmann::json parse_json(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) reject("no such file");
   if (!std::filesystem::is_regular_file(file, error)) reject("is not a regular file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) reject("cannot be opened");
+  const std::optional<std::string> text = host::contents_of(file);
+  if (!text) reject("cannot be opened");
+  return parse_json_text(*text);
+}
+
+nlohmann::json parse_json_text(std::string_view text) {
+  constexpr int deepest = 1000;
   // The library keeps the last of several equal keys and says nothing.
   std::vector<std::set<std::string>> keys;
-  const json::parser_callback_t check = [&](int /*depth*/, json::parse_event_t event, json& value) {
+  const json::parser_callback_t check = [&](int depth, json::parse_event_t event, json& value) {
+    if (depth > deepest)
+      reject(fmt::format("arrays and objects lie more than {} deep in one another", deepest));
     if (event == json::parse_event_t::object_start) keys.emplace_back();
     if (event == json::parse_event_t::object_end) keys.pop_back();
     if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
@@ -36,12 +44,13 @@ nlohmann::json parse_json(const std::filesystem::path& file) {
     return true;
   };
   try {
-    return json::parse(in, check);
+    return json::parse(text, check);
   } catch (const json::exception& problem) {
     // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
-    const std::string text = problem.what();
-    const std::size_t after = text.find("] ");
-    reject("is no JSON: " + (after == std::string::npos ? text : text.substr(after + 2)));
+    std::string_view what = problem.what();
+    what.remove_prefix(std::min(what.find("] ") + 2, what.size()));
+    constexpr std::size_t longest = 300;  // it quotes what it read last, which may be megabytes
+    reject("is no JSON: " + (what.size() > longest ? host::shortened(what) : std::string(what)));
   }
 }
 
@@ -70,11 +79,19 @@ std::vector<std::pair<std::string, Place>> Place::members() const {
 }
 
 std::vector<Place> Place::elements() const {
-  if (!value_->is_array()) fail("must be an array");
+  const std::size_t count = size();
   std::vector<Place> all;
-  for (std::size_t i = 0; i < value_->size(); ++i)
-    all.emplace_back((*value_)[i], fmt::format("{}[{}]", way_, i));
+  for (std::size_t i = 0; i < count; ++i) all.push_back(element(i));
   return all;
+}
+
+std::size_t Place::size() const {
+  if (!value_->is_array()) fail("must be an array");
+  return value_->size();
+}
+
+Place Place::element(std::size_t i) const {
+  return Place((*value_)[i], fmt::format("{}[{}]", way_, i));
 }
 
 std::string Place::word() const {
@@ -95,6 +112,19 @@ bool Place::is_number() const {
 double Place::number() const {
   if (!is_number()) fail("must be a number that is finite");
   return value_->get<double>();
+}
+
+std::vector<double> Place::numbers(std::size_t size) const {
+  if (!value_->is_array() || value_->size() != size)
+    fail(fmt::format("must be an array of {} numbers", size));
+  std::vector<double> all;
+  for (const Place& part : elements()) all.push_back(part.number());
+  return all;
+}
+
+bool Place::truth() const {
+  if (!value_->is_boolean()) fail("must be true or false");
+  return value_->get<bool>();
 }
 
 glm::dvec3 Place::vector() const {
