@@ -15,7 +15,7 @@ namespace {
 
 /// They change no triangle and no transform of a file that is not animated. A name that ends in _ stands for
 /// all names that begin so.
-constexpr std::array<std::string_view, 23> gltf_extensions_read{"KHR_mesh_quantization",
+constexpr std::array<std::string_view, 24> gltf_extensions_read{"KHR_mesh_quantization",
                                                                 "KHR_materials_",
                                                                 "ADOBE_materials_",
                                                                 "KHR_texture_",
@@ -23,6 +23,7 @@ constexpr std::array<std::string_view, 23> gltf_extensions_read{"KHR_mesh_quanti
                                                                 "MSFT_texture_dds",
                                                                 "MSFT_packing_normalRoughnessMetallic",
                                                                 "MSFT_packing_occlusionRoughnessMetallic",
+                                                                "KHR_technique_webgl",
                                                                 "KHR_techniques_webgl",
                                                                 "KHR_lights_punctual",
                                                                 "EXT_lights_ies",
@@ -67,8 +68,11 @@ GltfDocument::GltfDocument(std::string_view bytes, const std::filesystem::path& 
 
 void GltfDocument::check_version() const {
   const Place asset = top().at("asset");
-  const std::string version = asset.at("version").word();
-  if (!version.starts_with("2."))
+  // Some files of glTF 1.0 have a number there.
+  const bool is_number = asset.has("version") && root_["asset"]["version"].is_number();
+  const std::string version =
+      is_number ? fmt::format("{:.1f}", asset.at("version").number()) : asset.at("version").word();
+  if (is_number || !version.starts_with("2."))
     reject(fmt::format("glTF {} is not read; allowed is 2.0", host::shortened(version)));
   if (asset.has("minVersion") && asset.at("minVersion").word() != "2.0")
     asset.at("minVersion")

@@ -18,6 +18,46 @@ namespace {
 
 using nlohmann::json;
 
+/// Refuses what the library lets pass: it keeps the last of several equal keys and says nothing. Its parser
+/// with a callback could do so too, but takes a time that grows with the square of an array's length.
+class JsonCheck : public nlohmann::json_sax<json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(std::int64_t) override { return true; }
+  bool number_unsigned(std::uint64_t) override { return true; }
+  bool number_float(double, const std::string&) override { return true; }
+  bool string(std::string&) override { return true; }
+  bool binary(json::binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return start(); }
+  bool end_array() override { return end(); }
+  bool start_object(std::size_t) override { return start(); }
+  bool end_object() override { return end(); }
+  bool key(std::string& key) override {
+    if (!keys_.back().insert(key).second)
+      reject(fmt::format("the key \"{}\" stands twice in one object", host::shortened(key)));
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const json::exception&) override {
+    return false;  // the parser that follows says it
+  }
+
+ private:
+  bool start() {
+    constexpr std::size_t deepest = 1000;
+    if (keys_.size() == deepest)
+      reject(fmt::format("arrays and objects lie more than {} deep in one another", deepest));
+    keys_.emplace_back();
+    return true;
+  }
+  bool end() {
+    keys_.pop_back();
+    return true;
+  }
+
+  std::vector<std::set<std::string>> keys_;
+};
+
 }  // namespace
 
 nlohmann::json parse_json(const std::filesystem::path& file) {
@@ -30,25 +70,15 @@ nlohmann::json parse_json(const std::filesystem::path& file) {
 }
 
 nlohmann::json parse_json_text(std::string_view text) {
-  constexpr int deepest = 1000;
-  // The library keeps the last of several equal keys and says nothing.
-  std::vector<std::set<std::string>> keys;
-  const json::parser_callback_t check = [&](int depth, json::parse_event_t event, json& value) {
-    if (depth > deepest)
-      reject(fmt::format("arrays and objects lie more than {} deep in one another", deepest));
-    if (event == json::parse_event_t::object_start) keys.emplace_back();
-    if (event == json::parse_event_t::object_end) keys.pop_back();
-    if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      reject(fmt::format("the key \"{}\" stands twice in one object",
-                         host::shortened(value.get<std::string>())));
-    return true;
-  };
+  JsonCheck check;
   try {
-    return json::parse(text, check);
+    json::sax_parse(text, &check);
+    return json::parse(text);
   } catch (const json::exception& problem) {
     // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
     std::string_view what = problem.what();
-    what.remove_prefix(std::min(what.find("] ") + 2, what.size()));
+    const std::size_t after = what.find("] ");
+    if (after != std::string_view::npos) what.remove_prefix(after + 2);
     constexpr std::size_t longest = 300;  // it quotes what it read last, which may be megabytes
     reject("is no JSON: " + (what.size() > longest ? host::shortened(what) : std::string(what)));
   }
