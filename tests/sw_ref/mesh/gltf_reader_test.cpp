@@ -215,7 +215,7 @@ TEST(ReadGltf, SkinsMoveMeshesByTheirJoints) {
   json file = skinned_gltf();
   EXPECT_EQ(read(file).positions, (std::vector<glm::dvec3>{{1, 0, 0}, {2, 0, 0}, {0.5, 1, 4}, {1, 1, 8}}));
   std::vector<float> inverse(32);
-  for (const std::size_t k : {0, 5, 10, 15, 16, 21, 26, 31}) inverse[k] = 1;
+  for (const unsigned k : {0U, 5U, 10U, 15U, 16U, 21U, 26U, 31U}) inverse[k] = 1;
   inverse[12] = -1;
   inverse[30] = -8;
   file["skins"][0]["inverseBindMatrices"] = add_accessor(file, floats(inverse), 5126, 2, "MAT4");
@@ -317,7 +317,8 @@ TEST(ReadGltf, InstancesMayNotTakeAnyMemory) {
   const std::uint64_t instance = 12000000 + 72 + 6 + sizeof(FileMesh::Group);
   EXPECT_EQ(reason(file), expected("nodes[2]", 3 * instance, file.dump().size()));
   file["accessors"][1]["count"] = 4294967292U;
-  EXPECT_EQ(reason(file), expected("nodes[0]", instance - 12000000 + 4 * std::uint64_t{4294967292}, file.dump().size()));
+  EXPECT_EQ(reason(file),
+            expected("nodes[0]", instance - 12000000 + 4 * std::uint64_t{4294967292}, file.dump().size()));
 }
 
 }  // namespace
