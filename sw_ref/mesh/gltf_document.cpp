@@ -72,8 +72,10 @@ void GltfDocument::check_version() const {
   const bool is_number = asset.has("version") && root_["asset"]["version"].is_number();
   const std::string version =
       is_number ? fmt::format("{:.1f}", asset.at("version").number()) : asset.at("version").word();
-  if (is_number || !version.starts_with("2."))
+  if (version.starts_with("1."))
     reject(fmt::format("glTF {} is not read; allowed is 2.0", host::shortened(version)));
+  if (is_number || !version.starts_with("2."))
+    asset.at("version").fail(fmt::format("\"{}\" is not read; allowed is 2.0", host::shortened(version)));
   if (asset.has("minVersion") && asset.at("minVersion").word() != "2.0")
     asset.at("minVersion")
         .fail(fmt::format("\"{}\" is not read; allowed is 2.0",

@@ -282,7 +282,8 @@ TEST(ReadGltf, ExtensionsThatChangeWhatIsSeenAreRefused) {
 TEST(ReadGltf, OtherVersionsAreRefusedByName) {
   EXPECT_EQ(reason_with("/asset/version", "1.0"), "glTF 1.0 is not read; allowed is 2.0");
   EXPECT_EQ(reason_with("/asset/version", 1), "glTF 1.0 is not read; allowed is 2.0");
-  EXPECT_EQ(reason_with("/asset/version", "3.0"), "glTF 3.0 is not read; allowed is 2.0");
+  EXPECT_EQ(reason_with("/asset/version", "3.0"), "asset.version: \"3.0\" is not read; allowed is 2.0");
+  EXPECT_EQ(reason_with("/asset/version", ""), "asset.version: \"\" is not read; allowed is 2.0");
   EXPECT_EQ(reason_with("/asset/minVersion", "2.1"), "asset.minVersion: \"2.1\" is not read; allowed is 2.0");
   EXPECT_EQ(reason_without("", "asset"), "needs the key \"asset\"");
   EXPECT_EQ(reason_without("/asset", "version"), "asset: needs the key \"version\"");
