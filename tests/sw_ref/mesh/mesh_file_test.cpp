@@ -1,5 +1,5 @@
 // Mesh files: the mesh from each format, and one message for each way in which a file can be bad.
-#include "sw_ref/scene/mesh_file.hpp"
+#include "sw_ref/mesh/mesh_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -320,7 +320,6 @@ TEST_F(MeshFile, BrokenGltfIsRejected) {
 }
 
 TEST_F(MeshFile, OtherFormatUnderAKnownNameIsNotGuessed) {
-  // Assimp has a reader for each of these texts, but hitpipe offers none of their formats.
   const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   for (const char* const name : {"a.gltf", "b.glb"})
     EXPECT_THAT(reason(name, off), testing::HasSubstr("(it does not begin as one)")) << name;
