@@ -12,16 +12,16 @@
 namespace hitpipe::ref {
 namespace {
 
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 53U;
+constexpr std::uint64_t gltf_most_bytes = std::uint64_t{1} << 53U;
 
-unsigned component_bytes(unsigned component_type) {
+unsigned gltf_component_bytes(unsigned component_type) {
   if (component_type == GltfAccessor::signed_byte || component_type == GltfAccessor::unsigned_byte) return 1;
   return component_type == GltfAccessor::signed_short || component_type == GltfAccessor::unsigned_short ? 2
                                                                                                         : 4;
 }
 
 unsigned read_component_type(const Place& place) {
-  const std::uint64_t type = place.count(most_bytes);
+  const std::uint64_t type = place.count(gltf_most_bytes);
   if (type < 5120 || type > 5126 || type == 5124)
     place.fail(fmt::format("{} is not a type of components; allowed are 5120 to 5123, 5125 and 5126", type));
   return static_cast<unsigned>(type);
@@ -42,8 +42,8 @@ unsigned read_components(const Place& place) {
   return found->components;
 }
 
-std::uint64_t optional_count(const Place& place, const char* key, std::uint64_t otherwise) {
-  return place.has(key) ? place.at(key).count(most_bytes) : otherwise;
+std::uint64_t gltf_optional_count(const Place& place, const char* key, std::uint64_t otherwise) {
+  return place.has(key) ? place.at(key).count(gltf_most_bytes) : otherwise;
 }
 
 }  // namespace
@@ -64,20 +64,20 @@ GltfAccessor::Range GltfAccessor::range(GltfDocument& document, const Place& pla
                                         unsigned components, std::uint64_t count) {
   const Place view = document.item("bufferViews", place.at("bufferView"));
   const std::string_view buffer = document.buffer(document.index("buffers", view.at("buffer")));
-  const std::uint64_t view_offset = optional_count(view, "byteOffset", 0);
-  const std::uint64_t view_length = view.at("byteLength").count(most_bytes);
+  const std::uint64_t view_offset = gltf_optional_count(view, "byteOffset", 0);
+  const std::uint64_t view_length = view.at("byteLength").count(gltf_most_bytes);
   if (view_offset > buffer.size() || view_length > buffer.size() - view_offset)
     view.fail(fmt::format("has bytes {} to {}; the buffer has {} bytes", view_offset,
                           view_offset + view_length, buffer.size()));
-  const unsigned component = component_bytes(component_type);
+  const unsigned component = gltf_component_bytes(component_type);
   const std::uint64_t element = std::uint64_t{component} * components;
-  const std::uint64_t stride = optional_count(view, "byteStride", element);
+  const std::uint64_t stride = gltf_optional_count(view, "byteStride", element);
   if (view.has("byteStride") && (stride < 4 || stride > 252 || stride % 4 != 0))
     view.at("byteStride")
         .fail(fmt::format("{} is out of range; allowed are multiples of 4 from 4 to 252", stride));
   if (stride < element)
     place.fail(fmt::format("has elements of {} bytes; the stride of its bufferView is {}", element, stride));
-  const std::uint64_t offset = optional_count(place, "byteOffset", 0);
+  const std::uint64_t offset = gltf_optional_count(place, "byteOffset", 0);
   if ((view_offset + offset) % component != 0)
     place.fail(fmt::format("begins at byte {} of the buffer; allowed are multiples of {}",
                            view_offset + offset, component));
@@ -108,7 +108,7 @@ void GltfAccessor::read_sparse(GltfDocument& document, const Place& sparse) {
 }
 
 std::uint32_t GltfAccessor::integer(unsigned component_type, const char* at) {
-  switch (component_bytes(component_type)) {
+  switch (gltf_component_bytes(component_type)) {
     case 1:
       return little_endian<std::uint8_t>(at);
     case 2:
@@ -137,7 +137,7 @@ const char* GltfAccessor::element(std::uint64_t i) const {
 double GltfAccessor::number(std::uint64_t i, unsigned k) const {
   const char* at = element(i);
   if (at == nullptr) return 0;
-  at += std::size_t{k} * component_bytes(values_.component_type);
+  at += std::size_t{k} * gltf_component_bytes(values_.component_type);
   const std::uint32_t bits = integer(values_.component_type, at);
   // Normalised integers are fractions of the largest one; the least signed one is -1 too.
   const auto fraction = [&](double value, double largest) {

@@ -40,7 +40,7 @@ constexpr std::array<std::string_view, 24> gltf_extensions_read{"KHR_mesh_quanti
                                                                 "AGI_stk_metadata",
                                                                 "GODOT_single_root"};
 
-bool is_read(std::string_view extension) {
+bool is_extension_read(std::string_view extension) {
   return std::any_of(gltf_extensions_read.begin(), gltf_extensions_read.end(), [&](std::string_view known) {
     return known.ends_with('_') ? extension.starts_with(known) : extension == known;
   });
@@ -85,7 +85,7 @@ void GltfDocument::check_version() const {
 void GltfDocument::check_extensions() const {
   if (!top().has("extensionsRequired")) return;
   for (const Place& name : top().at("extensionsRequired").elements()) {
-    if (!is_read(name.word()))
+    if (!is_extension_read(name.word()))
       name.fail(fmt::format("the extension \"{}\" is not read; give a file that does not require it",
                             host::shortened(name.word())));
   }

@@ -9,9 +9,9 @@
 namespace hitpipe::ref {
 namespace {
 
-constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_gltf_node = std::numeric_limits<std::uint32_t>::max();
 
-glm::dmat4 matrix_of(const Place& place) {
+glm::dmat4 gltf_matrix(const Place& place) {
   const std::vector<double> numbers = place.numbers(16);
   if (numbers[3] != 0 || numbers[7] != 0 || numbers[11] != 0 || numbers[15] != 1)
     place.fail("has no 0, 0, 0, 1 in its last row; allowed are matrices without perspective");
@@ -24,7 +24,7 @@ glm::dmat4 matrix_of(const Place& place) {
 }
 
 /// A rotation has the length 1 but for rounding, which is taken out.
-glm::dmat4 rotation_of(const Place& place) {
+glm::dmat4 gltf_rotation(const Place& place) {
   const std::vector<double> q = place.numbers(4);
   const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   constexpr double rounding = 0.01;
@@ -40,16 +40,16 @@ glm::dmat4 rotation_of(const Place& place) {
           {0, 0, 0, 1}};
 }
 
-glm::dmat4 transform_of(const Place& node) {
+glm::dmat4 gltf_transform(const Place& node) {
   const bool has_parts = node.has("translation") || node.has("rotation") || node.has("scale");
   if (node.has("matrix")) {
     if (has_parts)
       node.fail("has a matrix, and also translation, rotation or scale; only one of both is allowed");
-    return matrix_of(node.at("matrix"));
+    return gltf_matrix(node.at("matrix"));
   }
   glm::dmat4 transform(1.0);
   if (!has_parts) return transform;
-  if (node.has("rotation")) transform = rotation_of(node.at("rotation"));
+  if (node.has("rotation")) transform = gltf_rotation(node.at("rotation"));
   if (node.has("scale")) {
     const glm::dvec3 scale = node.at("scale").vector();
     for (int k = 0; k < 3; ++k) transform[k] *= scale[k];
@@ -67,15 +67,15 @@ GltfNodes::GltfNodes(const GltfDocument& document) : document_(document) {
 }
 
 void GltfNodes::read_parents() {
-  parents_.assign(document_.size("nodes"), no_node);
+  parents_.assign(document_.size("nodes"), no_gltf_node);
   for (std::uint32_t n = 0; n < parents_.size(); ++n) {
     const Place node = document_.item("nodes", n);
     if (!node.has("children")) continue;
     for (const Place& child : node.at("children").elements()) {
       std::uint32_t& parent = parents_[document_.index("nodes", child)];
-      if (parent != no_node)
+      if (parent != no_gltf_node)
         child.fail(fmt::format("node {} is a child of node {} too; a node has one parent",
-                               child.count(no_node), parent));
+                               child.count(no_gltf_node), parent));
       parent = n;
     }
   }
@@ -88,7 +88,7 @@ void GltfNodes::check_cycles() const {
   for (std::uint32_t n = 0; n < parents_.size(); ++n) {
     way.clear();
     std::uint32_t above = n;
-    for (; above != no_node && !ends[above] && way.size() <= parents_.size(); above = parents_[above])
+    for (; above != no_gltf_node && !ends[above] && way.size() <= parents_.size(); above = parents_[above])
       way.push_back(above);
     if (way.size() > parents_.size())
       document_.item("nodes", std::size_t{above}).fail("is below itself; nodes must be trees");
@@ -101,7 +101,7 @@ void GltfNodes::read_roots() {
     if (document_.top().has("scene"))
       static_cast<void>(document_.index("scenes", document_.top().at("scene")));
     for (std::uint32_t n = 0; n < parents_.size(); ++n) {
-      if (parents_[n] == no_node) roots_.push_back(n);
+      if (parents_[n] == no_gltf_node) roots_.push_back(n);
     }
     return;
   }
@@ -111,7 +111,7 @@ void GltfNodes::read_roots() {
   std::vector<bool> listed(parents_.size(), false);
   for (const Place& number : scene.at("nodes").elements()) {
     const auto node = static_cast<std::uint32_t>(document_.index("nodes", number));
-    if (parents_[node] != no_node)
+    if (parents_[node] != no_gltf_node)
       number.fail(fmt::format("node {} is a child of node {}; a scene has nodes without parent", node,
                               parents_[node]));
     if (listed[node]) number.fail(fmt::format("node {} is in the scene twice; it may be once", node));
@@ -129,7 +129,7 @@ void GltfNodes::visit(const std::function<void(const Place&, std::size_t, const 
   std::vector<Level> levels;
   const auto enter = [&](std::uint32_t n) {
     const Place node = document_.item("nodes", std::size_t{n});
-    const glm::dmat4 own = transform_of(node);
+    const glm::dmat4 own = gltf_transform(node);
     levels.push_back({n, levels.empty() ? own : levels.back().transform * own, 0});
     call(node, n, levels.back().transform);
   };

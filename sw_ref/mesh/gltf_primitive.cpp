@@ -1,17 +1,21 @@
 #include "sw_ref/mesh/gltf_primitive.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "sw_ref/mesh/finite.hpp"
+
 namespace hitpipe::ref {
 namespace {
 
-enum GltfMode : std::uint64_t { triangles = 4, triangle_strip = 5, triangle_fan = 6 };
+constexpr std::uint64_t gltf_triangles = 4;
+constexpr std::uint64_t gltf_strip = 5;
+constexpr std::uint64_t gltf_fan = 6;
 
-const GltfAccessor& vectors(const GltfDocument& document, GltfAccessors& accessors, const Place& number) {
+const GltfAccessor& gltf_vectors(const GltfDocument& document, GltfAccessors& accessors,
+                                 const Place& number) {
   const GltfAccessor& accessor = accessors.at(number);
   if (accessor.type() != "VEC3") accessor.place().fail("is for positions; its type must be VEC3");
   const bool quantised = document.uses("KHR_mesh_quantization");
@@ -24,7 +28,7 @@ const GltfAccessor& vectors(const GltfDocument& document, GltfAccessors& accesso
   return accessor;
 }
 
-const GltfAccessor& vertex_indices(GltfAccessors& accessors, const Place& number) {
+const GltfAccessor& gltf_indices(GltfAccessors& accessors, const Place& number) {
   const GltfAccessor& accessor = accessors.at(number);
   const unsigned type = accessor.component_type();
   if (accessor.type() != "SCALAR" || accessor.normalised() ||
@@ -32,10 +36,6 @@ const GltfAccessor& vertex_indices(GltfAccessors& accessors, const Place& number
        type != GltfAccessor::unsigned_int))
     accessor.place().fail("is for indices; it must be SCALAR, 5121, 5123 or 5125, and not normalized");
   return accessor;
-}
-
-bool is_finite_point(const glm::dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 }  // namespace
@@ -61,20 +61,21 @@ void check_gltf_attributes(const GltfDocument& document, const Place& primitive)
 
 GltfPrimitive::GltfPrimitive(const GltfDocument& document, GltfAccessors& accessors, const Place& primitive,
                              std::span<const double> weights, bool skinned)
-    : place_(primitive), mode_(primitive.has("mode") ? primitive.at("mode").count(triangle_fan) : triangles) {
+    : place_(primitive),
+      mode_(primitive.has("mode") ? primitive.at("mode").count(gltf_fan) : gltf_triangles) {
   const Place attributes = place_.at("attributes");
-  if (mode_ < triangles || !attributes.has("POSITION")) return;
-  positions_ = &vectors(document, accessors, attributes.at("POSITION"));
+  if (mode_ < gltf_triangles || !attributes.has("POSITION")) return;
+  positions_ = &gltf_vectors(document, accessors, attributes.at("POSITION"));
   if (place_.has("extensions") && place_.at("extensions").has("KHR_draco_mesh_compression") &&
       !positions_->has_buffer_view())
     place_.fail("has positions in KHR_draco_mesh_compression alone, which is not read; give plain ones");
-  if (place_.has("indices")) indices_ = &vertex_indices(accessors, place_.at("indices"));
+  if (place_.has("indices")) indices_ = &gltf_indices(accessors, place_.at("indices"));
   const std::uint64_t entries = indices_ ? indices_->count() : positions_->count();
-  const bool whole = mode_ == triangles ? entries % 3 == 0 : entries == 0 || entries >= 3;
+  const bool whole = mode_ == gltf_triangles ? entries % 3 == 0 : entries == 0 || entries >= 3;
   if (!whole)
     place_.fail(fmt::format("has {} {}; mode {} needs {}", entries, indices_ ? "indices" : "positions", mode_,
-                            mode_ == triangles ? "a multiple of 3" : "3 or more"));
-  corners_ = mode_ == triangles || entries == 0 ? entries : 3 * (entries - 2);
+                            mode_ == gltf_triangles ? "a multiple of 3" : "3 or more"));
+  corners_ = mode_ == gltf_triangles || entries == 0 ? entries : 3 * (entries - 2);
   read_targets(document, accessors, weights);
   if (skinned) read_joints(accessors);
 }
@@ -91,7 +92,7 @@ void GltfPrimitive::read_targets(const GltfDocument& document, GltfAccessors& ac
   for (std::size_t t = 0; t < weights.size(); ++t) {
     const Place target = place_.at("targets").element(t);
     if (weights[t] != 0 && target.has("POSITION"))
-      targets_.emplace_back(weights[t], &vectors(document, accessors, target.at("POSITION")));
+      targets_.emplace_back(weights[t], &gltf_vectors(document, accessors, target.at("POSITION")));
   }
 }
 
@@ -118,8 +119,8 @@ std::uint64_t GltfPrimitive::corner(std::uint64_t c) const {
   const std::uint64_t triangle = c / 3;
   const std::uint64_t k = c % 3;
   std::uint64_t entry = c;
-  if (mode_ == triangle_strip) entry = triangle + (k == 0 ? 0 : k == 1 ? 1 + triangle % 2 : 2 - triangle % 2);
-  if (mode_ == triangle_fan) entry = k == 2 ? 0 : triangle + 1 + k;
+  if (mode_ == gltf_strip) entry = triangle + (k == 0 ? 0 : k == 1 ? 1 + triangle % 2 : 2 - triangle % 2);
+  if (mode_ == gltf_fan) entry = k == 2 ? 0 : triangle + 1 + k;
   if (!indices_) return entry;
   const std::uint64_t index = indices_->index(entry);
   if (index >= positions_->count())
@@ -155,11 +156,11 @@ glm::dvec3 GltfPrimitive::position(std::uint64_t i, const glm::dmat4& transform,
   };
   glm::dvec3 p = vector(*positions_);
   for (const auto& [weight, deltas] : targets_) p += weight * vector(*deltas);
-  if (!is_finite_point(p))
+  if (!has_finite_coordinates(p))
     place_.fail(fmt::format("vertex {} lies at ({}, {}, {}); coordinates must be finite", i, p.x, p.y, p.z));
   const glm::dvec3 moved(joints_.empty() ? transform * glm::dvec4(p, 1.0)
                                          : skin_matrix(i, skin) * glm::dvec4(p, 1.0));
-  if (!is_finite_point(moved))
+  if (!has_finite_coordinates(moved))
     place_.fail(fmt::format("a node transform moves vertex {} to ({}, {}, {}); coordinates must be finite", i,
                             moved.x, moved.y, moved.z));
   return moved;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "host/text.hpp"
+#include "sw_ref/mesh/finite.hpp"
 #include "sw_ref/mesh/ply_body.hpp"
 #include "sw_ref/mesh/ply_header.hpp"
 #include "sw_ref/reject.hpp"
@@ -107,7 +108,7 @@ class PlyWalk {
           p[axes[k]] = coordinate(element_->properties[k]);
       }
       body_.end_row();
-      if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
+      if (!has_finite_coordinates(p))
         reject(fmt::format("{}: vertex {} lies at ({}, {}, {}); coordinates must be finite", body_.place(),
                            row_, p.x, p.y, p.z));
       mesh_.positions.push_back(p);

@@ -1,7 +1,6 @@
 #include "sw_ref/mesh/stl_text.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 
@@ -9,6 +8,7 @@
 
 #include "host/text.hpp"
 #include "sw_ref/mesh/decimal.hpp"
+#include "sw_ref/mesh/finite.hpp"
 #include "sw_ref/reject.hpp"
 
 namespace hitpipe::ref {
@@ -144,7 +144,7 @@ FileMesh read_stl_text(std::string_view text) {
 }
 
 void add_stl_corner(FileMesh& mesh, const glm::dvec3& corner, std::string_view unit, std::size_t place) {
-  if (!(std::isfinite(corner.x) && std::isfinite(corner.y) && std::isfinite(corner.z)))
+  if (!has_finite_coordinates(corner))
     reject(fmt::format("{} {}: a vertex lies at ({}, {}, {}); coordinates must be finite", unit, place,
                        corner.x, corner.y, corner.z));
   const std::size_t number = mesh.positions.size();

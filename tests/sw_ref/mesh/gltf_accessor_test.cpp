@@ -1,6 +1,7 @@
 // Buffers and accessors of glTF: every kind of numbers, and one message for each fault.
 #include "sw_ref/mesh/gltf_accessor.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"
+#include "host/outputs.hpp"
 #include "tests/sw_ref/mesh/gltf_files.hpp"
 
 namespace hitpipe::ref::gltf_accessor_test {
@@ -162,6 +164,8 @@ TEST(GltfAccessor, FilesOfBuffersAreBesideTheMesh) {
     return message_of([&] { static_cast<void>(read_with(uri)); });
   };
   EXPECT_EQ(read_with("my%20mesh.bin").corners, square);
+  const std::vector<std::string> inputs = host::inputs();  // which no output may replace
+  EXPECT_EQ(std::count(inputs.begin(), inputs.end(), folder / "my mesh.bin"), 1);
   EXPECT_EQ(read_with("sub/../my mesh.bin").corners, square);
   EXPECT_EQ(reason_of("short.bin"), "buffers[0].byteLength: announces 60 bytes; the buffer has 50");
   EXPECT_EQ(reason_of("none.bin"), "buffer file \"none.bin\": no such file");
