@@ -162,7 +162,6 @@ class EarCutter {
     if (bc < 0) return false;
     const int ca = orientation(c, a, p);
     if (ca < 0) return false;
-    if (ab > 0 && bc > 0 && ca > 0) return true;
     if (ca == 0 && ab > 0 && bc > 0) worth = touching;
     for (const std::uint32_t end : {links_[other].before, links_[other].after}) {
       const glm::dvec2& q = points_[end];

@@ -234,6 +234,16 @@ TEST(Polygon, TouchesItselfInACorner) {
   expect_exact({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 0, 0}, {0, 4, 0}});
 }
 
+TEST(Polygon, AnEdgeFromTheRimOfATriangleIsSeen) {
+  expect_exact({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {2, 2, 0}, {0, 0, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}});
+  expect_exact({{1, 1, 0}, {0, 1, 0}, {1, 2, 0}, {2, 2, 0}, {0, 1, 0}, {2, 1, 0}, {2, 1, 0}, {2, 0, 0}});
+}
+
+TEST(Polygon, ACornerThatEdgesWalkedTwiceHideIsNoEar) {
+  expect_exact(
+      {{1, 1, 0}, {1, 2, 0}, {0, 0, 0}, {1, 3, 0}, {1, 2, 0}, {1, 1, 0}, {3, 3, 0}, {3, 2, 0}, {2, 2, 0}});
+}
+
 TEST(Polygon, CornersInARowAndTwiceInOnePlace) {
   expect_exact({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 1, 0}, {3, 3, 0}, {0, 3, 0}});
   expect_exact({{0, 0, 0}, {0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {3, 3, 0}, {3, 3, 0}, {0, 3, 0}});
