@@ -10,7 +10,7 @@ program, folder = sys.argv[1:]
 CASES = [
     ("gltf_crashes/skin_without_matrices.gltf", 1, None),
     ("gltf_crashes/mime_type.gltf", 2, None),
-    ("gltf_index_out_of_range/range.gltf", r"index 7.*4 ", None),
+    ("gltf_index_out_of_range/range.gltf", r"refers to vertex 7; .* 0 to 3", None),
     ("gltf_percent_uri/p.gltf", 2, None),
     ("gltf_required_extension/instances.gltf", "EXT_mesh_gpu_instancing", None),
     ("gltf_required_extension/unknown.gltf", "extension", None),
