@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/options/design_options.hpp"
@@ -22,6 +23,7 @@
 #include "sim/software.hpp"
 #include "sw_ref/hierarchy/bvh_file.hpp"
 #include "sw_ref/hierarchy/statistics.hpp"
+#include "sw_ref/scene/normalise.hpp"
 
 namespace hitpipe::cli {
 
@@ -52,12 +54,37 @@ Row leaf_sizes(const std::vector<std::size_t>& leaves_of) {
   return sizes;
 }
 
+/// A number has six digits, and all in JSON.
+Row number_cell(double number, OutputFormat format) {
+  return format == OutputFormat::json ? Row(number) : Row(fmt::format("{:.6g}", number));
+}
+
+/// In JSON an array.
+Row point_cell(const glm::dvec3& p, OutputFormat format) {
+  return format == OutputFormat::json ? Row{p.x, p.y, p.z}
+                                      : Row(fmt::format("{:.6g} {:.6g} {:.6g}", p.x, p.y, p.z));
+}
+
+/// What was read: the area of all triangles and their bounds, in the scene's own units.
+Row extent_of(const ref::Scene& scene, OutputFormat format) {
+  double area = 0;
+  for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
+    const ref::Mesh::Corners t = scene.mesh.corners(i);
+    area += glm::length(glm::cross(glm::dvec3(t.b) - glm::dvec3(t.a), glm::dvec3(t.c) - glm::dvec3(t.a))) / 2;
+  }
+  const ref::Bounds cube = ref::mesh_bounds(scene.mesh);
+  return {{"area", number_cell(area / (scene.to_cube.scale * scene.to_cube.scale), format)},
+          {"min", point_cell(scene.to_cube.to_own(cube.min), format)},
+          {"max", point_cell(scene.to_cube.to_own(cube.max), format)}};
+}
+
 Row record(const BvhCommand& command, const ref::Scene& scene, const ref::LoadedBvh& hierarchy,
            double seconds) {
   const ref::BvhStatistics s = ref::statistics(hierarchy.bvh);
   Row row{{"scene", scene.name},
           {"triangles", scene.mesh.triangles.size()},
           {"degenerate_dropped", scene.mesh.dropped.size()}};
+  row.update(extent_of(scene, command.format));
   if (command.hierarchy.file.empty()) {
     row["builder"] = ref::builder_name(command.hierarchy.build.builder);
     row["max_triangles"] = command.hierarchy.build.max_triangles;

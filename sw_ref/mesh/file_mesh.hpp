@@ -1,4 +1,5 @@
-// What a mesh file says, as a reader gives it: nothing is rounded, cut into triangles, joined or left out yet.
+// What a mesh file says, as a reader gives it: nothing is rounded, cut into triangles, joined or left out
+// yet.
 #pragma once
 
 #include <cstddef>

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "host/files.hpp"
 #include "host/text.hpp"
 #include "sw_ref/reject.hpp"
 
@@ -17,31 +18,69 @@ namespace {
 
 using nlohmann::json;
 
+/// Refuses what the library lets pass: it keeps the last of several equal keys and says nothing. Its parser
+/// with a callback could do so too, but takes a time that grows with the square of an array's length.
+class JsonCheck : public nlohmann::json_sax<json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(std::int64_t) override { return true; }
+  bool number_unsigned(std::uint64_t) override { return true; }
+  bool number_float(double, const std::string&) override { return true; }
+  bool string(std::string&) override { return true; }
+  bool binary(json::binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return start(); }
+  bool end_array() override { return end(); }
+  bool start_object(std::size_t) override { return start(); }
+  bool end_object() override { return end(); }
+  bool key(std::string& key) override {
+    if (!keys_.back().insert(key).second)
+      reject(fmt::format("the key \"{}\" stands twice in one object", host::shortened(key)));
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const json::exception&) override {
+    return false;  // the parser that follows says it
+  }
+
+ private:
+  bool start() {
+    constexpr std::size_t deepest = 1000;
+    if (keys_.size() == deepest)
+      reject(fmt::format("arrays and objects lie more than {} deep in one another", deepest));
+    keys_.emplace_back();
+    return true;
+  }
+  bool end() {
+    keys_.pop_back();
+    return true;
+  }
+
+  std::vector<std::set<std::string>> keys_;
+};
+
 }  // namespace
 
 nlohmann::json parse_json(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) reject("no such file");
   if (!std::filesystem::is_regular_file(file, error)) reject("is not a regular file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) reject("cannot be opened");
-  // The library keeps the last of several equal keys and says nothing.
-  std::vector<std::set<std::string>> keys;
-  const json::parser_callback_t check = [&](int /*depth*/, json::parse_event_t event, json& value) {
-    if (event == json::parse_event_t::object_start) keys.emplace_back();
-    if (event == json::parse_event_t::object_end) keys.pop_back();
-    if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      reject(fmt::format("the key \"{}\" stands twice in one object",
-                         host::shortened(value.get<std::string>())));
-    return true;
-  };
+  const std::optional<std::string> text = host::contents_of(file);
+  if (!text) reject("cannot be opened");
+  return parse_json_text(*text);
+}
+
+nlohmann::json parse_json_text(std::string_view text) {
+  JsonCheck check;
   try {
-    return json::parse(in, check);
+    json::sax_parse(text, &check);
+    return json::parse(text);
   } catch (const json::exception& problem) {
     // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
-    const std::string text = problem.what();
-    const std::size_t after = text.find("] ");
-    reject("is no JSON: " + (after == std::string::npos ? text : text.substr(after + 2)));
+    std::string_view what = problem.what();
+    const std::size_t after = what.find("] ");
+    if (after != std::string_view::npos) what.remove_prefix(after + 2);
+    constexpr std::size_t longest = 300;  // it quotes what it read last, which may be megabytes
+    reject("is no JSON: " + (what.size() > longest ? host::shortened(what) : std::string(what)));
   }
 }
 
@@ -70,11 +109,19 @@ std::vector<std::pair<std::string, Place>> Place::members() const {
 }
 
 std::vector<Place> Place::elements() const {
-  if (!value_->is_array()) fail("must be an array");
+  const std::size_t count = size();
   std::vector<Place> all;
-  for (std::size_t i = 0; i < value_->size(); ++i)
-    all.emplace_back((*value_)[i], fmt::format("{}[{}]", way_, i));
+  for (std::size_t i = 0; i < count; ++i) all.push_back(element(i));
   return all;
+}
+
+std::size_t Place::size() const {
+  if (!value_->is_array()) fail("must be an array");
+  return value_->size();
+}
+
+Place Place::element(std::size_t i) const {
+  return Place((*value_)[i], fmt::format("{}[{}]", way_, i));
 }
 
 std::string Place::word() const {
@@ -95,6 +142,19 @@ bool Place::is_number() const {
 double Place::number() const {
   if (!is_number()) fail("must be a number that is finite");
   return value_->get<double>();
+}
+
+std::vector<double> Place::numbers(std::size_t size) const {
+  if (!value_->is_array() || value_->size() != size)
+    fail(fmt::format("must be an array of {} numbers", size));
+  std::vector<double> all;
+  for (const Place& part : elements()) all.push_back(part.number());
+  return all;
+}
+
+bool Place::truth() const {
+  if (!value_->is_boolean()) fail("must be true or false");
+  return value_->get<bool>();
 }
 
 glm::dvec3 Place::vector() const {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "sw_ref/scene/mesh_file.hpp"
+#include "sw_ref/mesh/mesh_file.hpp"
 #include "sw_ref/scene/scene.hpp"
 
 namespace hitpipe::ref {

@@ -48,11 +48,6 @@ void expect_whole(const ref::Bvh& bvh, const ref::Mesh& mesh) {
 
 }  // namespace
 
-/// As in mesh_file_fuzz.cpp.
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libassimp.so";
-}
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const sim::TemporaryFolder folder;
   static const ref::Scene scene =

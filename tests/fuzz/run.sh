@@ -24,7 +24,6 @@ for target in $targets; do
   "./$target" -seed="${SEED:-1}" -max_total_time="$each" -timeout=100 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$name-" \
     "$@" >"$name.log" 2>&1 || result="FAILED, see $folder/$name.log"
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$name.log")
-  # Assimp makes the slowest target, mesh_obj, take some 20 ms a run, and 20 times that on a machine busy with other work.
   if [ "$result" = ok ] && [ "${runs:-0}" -lt 5 ]; then
     result="FAILED, too few runs"
   fi

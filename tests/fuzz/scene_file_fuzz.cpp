@@ -33,11 +33,6 @@ void expect_whole(const ref::Scene& scene) {
 
 }  // namespace
 
-/// As in mesh_file_fuzz.cpp.
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libassimp.so";
-}
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const sim::TemporaryFolder folder;
   static const std::filesystem::path mesh = folder.write(

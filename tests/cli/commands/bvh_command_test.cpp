@@ -64,7 +64,7 @@ TEST(BvhCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   const auto lines = lines_of(printed({"--format", "csv"}));
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0],
-            "scene,triangles,degenerate_dropped,builder,max_triangles,bvh_nodes,leaves,depth,"
+            "scene,triangles,degenerate_dropped,area,min,max,builder,max_triangles,bvh_nodes,leaves,depth,"
             "triangles_per_leaf,triangles_in_largest_leaf,leaves_by_triangles,sah_cost,child_overlap_pct,"
             "node_bytes,order_bytes,build_seconds");
 }

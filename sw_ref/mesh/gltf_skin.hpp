@@ -1,0 +1,31 @@
+// Skins of a glTF file, without animation: each joint is where its node is.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "sw_ref/mesh/gltf_accessor.hpp"
+#include "sw_ref/mesh/gltf_document.hpp"
+#include "sw_ref/mesh/gltf_nodes.hpp"
+
+namespace hitpipe::ref {
+
+class GltfSkins {
+ public:
+  GltfSkins(const GltfDocument& document, const GltfNodes& nodes);
+
+  [[nodiscard]] std::size_t joints(const Place& number) const {
+    return document_.item("skins", number).at("joints").size();
+  }
+  /// For each joint of the skin: how it moves a position that it alone holds.
+  [[nodiscard]] std::vector<glm::dmat4> matrices(GltfAccessors& accessors, const Place& number) const;
+
+ private:
+  const GltfDocument& document_;
+  std::map<std::size_t, glm::dmat4> joints_;  ///< by node
+};
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,11 @@
+// Equal positions of a mesh become one.
+#pragma once
+
+#include "sw_ref/scene/mesh.hpp"
+
+namespace hitpipe::ref {
+
+/// Keeps each position that a triangle uses once, in the order of first appearance.
+void join_positions(Mesh& mesh);
+
+}  // namespace hitpipe::ref

@@ -1,0 +1,172 @@
+#include "sw_ref/mesh/mesh_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/files.hpp"
+#include "host/outputs.hpp"
+#include "host/text.hpp"
+#include "sw_ref/mesh/gltf_reader.hpp"
+#include "sw_ref/mesh/join_positions.hpp"
+#include "sw_ref/mesh/obj_reader.hpp"
+#include "sw_ref/mesh/ply_reader.hpp"
+#include "sw_ref/mesh/stl_reader.hpp"
+#include "sw_ref/mesh/triangles.hpp"
+#include "sw_ref/reject.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
+
+namespace hitpipe::ref {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Read = FileMesh (*)(std::string_view bytes, const fs::path& file);
+
+struct Format {
+  std::string_view extension;
+  Read read;
+};
+constexpr std::array formats{
+    Format{".obj", read_obj},
+    Format{".ply", [](std::string_view bytes, const fs::path&) { return read_ply(bytes); }},
+    Format{".stl", [](std::string_view bytes, const fs::path&) { return read_stl(bytes); }},
+    Format{".gltf", read_gltf},
+    Format{".glb", read_gltf},
+};
+
+std::string lower_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+Read reader_by_name(const fs::path& file) {
+  const std::string extension = lower_extension(file);
+  const auto* const found = std::find_if(formats.begin(), formats.end(),
+                                         [&](const Format& each) { return each.extension == extension; });
+  if (found == formats.end())
+    reject(fmt::format("unknown extension \"{}\"; allowed are .obj, .ply, .stl, .gltf and .glb",
+                       host::shortened(extension)));
+  return found->read;
+}
+
+/// Refuses what is no file of a known format.
+Read reader_of(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) reject("no such file; give a .obj, .ply, .stl, .gltf or .glb file");
+  if (!fs::is_regular_file(status))
+    reject("is not a regular file; give a .obj, .ply, .stl, .gltf or .glb file");
+  const Read reader = reader_by_name(file);
+  if (fs::file_size(file, error) == 0 || error) reject("is empty; at least one triangle is needed");
+  return reader;
+}
+
+FileMesh read(const fs::path& file) {
+  const Read reader = reader_of(file);
+  host::never_replace(file);
+  const std::optional<std::string> bytes = host::contents_of(file);
+  if (!bytes) reject("cannot be read");
+  return reader(*bytes, file);
+}
+
+/// Adding +0 turns -0 into +0, so that equal positions have equal bits.
+std::vector<glm::vec3> rounded(const std::vector<glm::dvec3>& positions) {
+  std::vector<glm::vec3> vertices;
+  vertices.reserve(positions.size());
+  for (const glm::dvec3& p : positions) {
+    const glm::vec3 vertex = glm::vec3(p) + 0.0F;
+    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z))
+      reject(fmt::format("a vertex lies at ({}, {}, {}); coordinates must be finite and below 3.4e38", p.x,
+                         p.y, p.z));
+    vertices.push_back(vertex);
+  }
+  return vertices;
+}
+
+/// The file's groups as runs of triangles of the mesh, which lacks the dropped ones.
+std::vector<MeshGroup> groups_of(FileMesh& file, const std::vector<std::uint32_t>& first,
+                                 const std::vector<std::uint32_t>& dropped) {
+  const auto kept_below = [&](std::uint32_t number) {
+    const auto gone = std::lower_bound(dropped.begin(), dropped.end(), number) - dropped.begin();
+    return number - static_cast<std::uint32_t>(gone);
+  };
+  std::vector<MeshGroup> groups;
+  for (std::size_t i = 0; i < file.groups.size(); ++i) {
+    FileMesh::Group& group = file.groups[i];
+    const std::uint32_t begin = kept_below(first[i]);
+    groups.push_back({std::move(group.name), std::move(group.material), group.surface, begin,
+                      kept_below(first[i + 1]) - begin});
+  }
+  return groups;
+}
+
+Mesh mesh_of(FileMesh file, std::vector<MeshGroup>& groups) {
+  if (file.groups.empty()) file.groups.push_back({});
+  const std::vector<std::uint32_t> first = first_triangles(file);
+  Mesh mesh;
+  mesh.triangles = triangles_of(file);
+  mesh.vertices = rounded(std::exchange(file.positions, {}));
+  if (mesh.triangles.empty()) reject("has no triangle; at least one is needed");
+  drop_degenerate(mesh);
+  groups = groups_of(file, first, mesh.dropped);
+  if (mesh.triangles.empty())
+    reject(fmt::format("has only triangles without area ({}); at least one with area is needed",
+                       mesh.dropped.size()));
+  join_positions(mesh);
+  return mesh;
+}
+
+/// What a message quotes from a broken file can contain line breaks and other control characters.
+std::string one_line_of_mesh_file(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
+  return text;
+}
+
+/// Names the file in what `make` refuses.
+template <class Make>
+auto named(const fs::path& file, Make make) {
+  try {
+    return make();
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(
+        fmt::format("mesh file \"{}\": does not fit into memory; give a smaller mesh", file.string()));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(
+        fmt::format("mesh file \"{}\": {}", file.string(), one_line_of_mesh_file(error.what())));
+  }
+}
+
+}  // namespace
+
+FileMesh read_mesh_file(const fs::path& file) {
+  return named(file, [&] { return read(file); });
+}
+
+Mesh load_mesh(const fs::path& file) {
+  std::vector<MeshGroup> groups;
+  return load_mesh(file, groups);
+}
+
+Mesh load_mesh(const fs::path& file, std::vector<MeshGroup>& groups) {
+  groups.clear();
+  return named(file, [&] { return mesh_of(read(file), groups); });
+}
+
+Mesh load_mesh(std::string_view bytes, const fs::path& file, std::vector<MeshGroup>& groups) {
+  groups.clear();
+  return named(file, [&] { return mesh_of(reader_by_name(file)(bytes, file), groups); });
+}
+
+}  // namespace hitpipe::ref

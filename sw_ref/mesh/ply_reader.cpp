@@ -1,0 +1,164 @@
+#include "sw_ref/mesh/ply_reader.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host/text.hpp"
+#include "sw_ref/mesh/finite.hpp"
+#include "sw_ref/mesh/ply_body.hpp"
+#include "sw_ref/mesh/ply_header.hpp"
+#include "sw_ref/reject.hpp"
+
+namespace hitpipe::ref {
+namespace {
+
+template <class Body>
+class PlyWalk {
+ public:
+  PlyWalk(const PlyHeader& header, Body body) : body_(body) {
+    for (const PlyElement& element : header.elements) {
+      if (element.name == "vertex") vertices_ = element.count;
+    }
+    for (const PlyElement& element : header.elements) {
+      element_ = &element;
+      if (element.name == "vertex")
+        read_vertices();
+      else if (element.name == "face")
+        read_faces();
+      else
+        skip_element();
+    }
+    body_.end();
+  }
+  FileMesh take() { return std::move(mesh_); }
+
+ private:
+  /// Rows that the rest of the file can have, at most as many as announced.
+  [[nodiscard]] std::size_t likely_rows() const {
+    std::size_t least = 0;
+    for (const PlyProperty& p : element_->properties) least += Body::least_bytes(p.count ? *p.count : p.type);
+    return std::min<std::size_t>(element_->count, body_.left() / least);
+  }
+
+  [[noreturn]] void refuse_short_row(const PlyProperty& property) const {
+    if (body_.is_cut())
+      reject(fmt::format("cut short in element {} {}; the header announces {}",
+                         host::shortened(element_->name), row_, element_->count));
+    reject(fmt::format(
+        "{}: element {} {} has too few numbers for \"{}\"; a row has one number for each property",
+        body_.place(), host::shortened(element_->name), row_, host::shortened(property.name)));
+  }
+
+  double number(const PlyProperty& property, const PlyScalar& type) {
+    double value = 0;
+    if (!body_.next(type, value)) refuse_short_row(property);
+    return value;
+  }
+
+  std::uint64_t entries(const PlyProperty& property) {
+    const double entries = number(property, *property.count);
+    if (!(entries >= 0 && entries <= UINT32_MAX) || entries != std::floor(entries))
+      reject(fmt::format("{}: element {} {} has a list of {} entries; allowed are 0 and more", body_.place(),
+                         host::shortened(element_->name), row_, entries));
+    return static_cast<std::uint64_t>(entries);
+  }
+
+  void skip(const PlyProperty& property) {
+    if (!body_.skip(property.type, property.count ? entries(property) : 1)) refuse_short_row(property);
+  }
+
+  void skip_element() {
+    for (row_ = 0; row_ < element_->count; ++row_) {
+      body_.begin_row();
+      for (const PlyProperty& property : element_->properties) skip(property);
+      body_.end_row();
+    }
+  }
+
+  double coordinate(const PlyProperty& property) {
+    const double value = number(property, property.type);
+    if (property.type.kind == PlyScalar::floating) return value;
+    const bool is_signed = property.type.kind == PlyScalar::signed_int;
+    const double end = std::ldexp(1.0, 8 * property.type.bytes - (is_signed ? 1 : 0));
+    if (value != std::floor(value) || value < (is_signed ? -end : 0.0) || value >= end)
+      reject(fmt::format("{}: {} of vertex {} is {}; allowed are the numbers of type {}", body_.place(),
+                         property.name, row_, value, property.type.name));
+    return value;
+  }
+
+  void read_vertices() {
+    // Where each property goes: 0 to 2 are x, y, z.
+    std::vector<int> axes;
+    for (const PlyProperty& p : element_->properties)
+      axes.push_back(p.name == "x" ? 0 : p.name == "y" ? 1 : p.name == "z" ? 2 : -1);
+    mesh_.positions.reserve(likely_rows());
+    for (row_ = 0; row_ < element_->count; ++row_) {
+      body_.begin_row();
+      glm::dvec3 p{};
+      for (std::size_t k = 0; k < axes.size(); ++k) {
+        if (axes[k] < 0)
+          skip(element_->properties[k]);
+        else
+          p[axes[k]] = coordinate(element_->properties[k]);
+      }
+      body_.end_row();
+      if (!has_finite_coordinates(p))
+        reject(fmt::format("{}: vertex {} lies at ({}, {}, {}); coordinates must be finite", body_.place(),
+                           row_, p.x, p.y, p.z));
+      mesh_.positions.push_back(p);
+    }
+  }
+
+  void read_faces() {
+    mesh_.corners.reserve(std::min<std::size_t>(3 * likely_rows(), body_.left()));
+    std::vector<std::uint32_t> face;
+    for (row_ = 0; row_ < element_->count; ++row_) {
+      body_.begin_row();
+      for (const PlyProperty& property : element_->properties) {
+        if (!is_ply_vertex_list(property)) {
+          skip(property);
+          continue;
+        }
+        face.clear();
+        for (std::uint64_t left = entries(property); left > 0; --left) face.push_back(index(property));
+      }
+      body_.end_row();
+      if (face.size() > std::numeric_limits<std::uint32_t>::max() - mesh_.corners.size())
+        reject("the faces have more than 4294967295 corners, which is the most allowed");
+      mesh_.add_face(face);
+    }
+  }
+
+  std::uint32_t index(const PlyProperty& property) {
+    const double index = number(property, property.type);
+    if (index >= 0 && index < static_cast<double>(vertices_) && index == std::floor(index))
+      return static_cast<std::uint32_t>(index);
+    reject(fmt::format("{}: face {} refers to vertex {}; the file has {}", body_.place(), row_, index,
+                       vertices_ == 0 ? "no vertex" : fmt::format("vertices 0 to {}", vertices_ - 1)));
+  }
+
+  Body body_;
+  FileMesh mesh_;
+  std::uint64_t vertices_ = 0;
+  const PlyElement* element_ = nullptr;
+  std::uint64_t row_ = 0;
+};
+
+}  // namespace
+
+FileMesh read_ply(std::string_view bytes) {
+  const PlyHeader header = read_ply_header(bytes);
+  if (header.encoding == PlyHeader::text) return PlyWalk(header, PlyTextBody(bytes, header)).take();
+  constexpr bool is_little = std::endian::native == std::endian::little;
+  if ((header.encoding == PlyHeader::little_endian) == is_little)
+    return PlyWalk(header, PlyBinaryBody<false>(bytes, header.bytes)).take();
+  return PlyWalk(header, PlyBinaryBody<true>(bytes, header.bytes)).take();
+}
+
+}  // namespace hitpipe::ref
