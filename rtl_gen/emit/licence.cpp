@@ -32,9 +32,10 @@ std::string_view comment_sign(const std::filesystem::path& file) {
 host::File with_licence(host::File file) {
   const std::string_view sign = comment_sign(file.name);
   if (sign.empty()) return file;
+  const std::string line = fmt::format("{} SPDX-License-Identifier: {}\n", sign, output_licence);
   const bool is_second = file.contents.starts_with("#!") || file.contents.starts_with("CAPI=");
   const std::size_t at = is_second ? file.contents.find('\n') + 1 : 0;
-  file.contents.insert(at, fmt::format("{} SPDX-License-Identifier: {}\n", sign, output_licence));
+  if (file.contents.compare(at, line.size(), line) != 0) file.contents.insert(at, line);
   return file;
 }
 

@@ -47,6 +47,11 @@ TEST(WithLicence, IsInEveryFileOfACore) {
   expect_licence(core_files(core, Library::thesis(), {}));
 }
 
+TEST(WithLicence, IsThereOnce) {
+  const host::File once = with_licence(host::File{"u.v", "module u;\nendmodule\n"});
+  EXPECT_EQ(with_licence(once).contents, once.contents);
+}
+
 TEST(WithLicence, LeavesAFileWithoutCommentsAsItIs) {
   EXPECT_EQ(with_licence(host::File{"drawing.svg", "<svg/>"}).contents, "<svg/>");
 }

@@ -34,7 +34,7 @@ TEST(Manifest, NamesTheDesignItsConventionsAndItsPorts) {
   json.erase("ports");
   json.erase("by_stage");
   EXPECT_EQ(json, Json::parse(R"({
-    "design": "int_slabs", "kind": "box", "bits": "20/24", "module": "int_slabs", "verilog": ["int_slabs.v"],
+    "design": "int_slabs", "kind": "box", "bits": "20/24", "module": "int_slabs", "license": "0BSD", "verilog": ["int_slabs.v"],
     "clock": "clk, rising edge", "reset": "rst, synchronous, active high, valid bits only", "flow_control": "stall",
     "handshake": "valid/ready; results in order; the whole pipeline waits for out_ready",
     "parameters": {"TAG_BITS": 16}, "results": [{"name": "hit", "meaning": "hit", "box": 0, "width": 1}],

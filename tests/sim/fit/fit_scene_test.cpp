@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "host/files.hpp"
+#include "rtl_gen/emit/licence.hpp"
 #include "tests/message_of.hpp"
 #include "tests/sim/small_scene.hpp"
 #include "tests/sim/temporary_folder.hpp"
@@ -57,7 +58,7 @@ TEST_F(FitToScene, ProvesTheUnitAndWritesItsFiles) {
   for (std::size_t i = 1; i < result.unit.left_out.size(); ++i)
     EXPECT_GE(result.unit.left_out[i - 1].area_um2, result.unit.left_out[i].area_um2);
   const Unit read = read_unit(folder_.path() / "int_slabs", design, library);
-  EXPECT_EQ(read.verilog, result.unit.verilog);
+  EXPECT_EQ(read.verilog, rtl::with_licence({"u.v", result.unit.verilog}).contents);
   EXPECT_EQ(read.demands, result.unit.demands);
   EXPECT_EQ(steps_, (std::vector<std::string>{"building the hierarchy", "tracing the scene's rays",
                                               "int_slabs: looking for the fewest bits",
@@ -187,7 +188,7 @@ TEST(WholeUnit, IsWhatIsWrittenOfTheDesign) {
                                              rtl::make_pipeline(design.trace(hls::IntBits{12, 12}), library))
                                        .files());
   const Unit read = read_unit(folder.path(), design, library);
-  EXPECT_EQ(read.verilog, unit.verilog);
+  EXPECT_EQ(read.verilog, rtl::with_licence({"u.v", unit.verilog}).contents);
   EXPECT_EQ(read.pipeline.latency(), unit.pipeline.latency());
 }
 

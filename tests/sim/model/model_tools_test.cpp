@@ -29,10 +29,13 @@ TEST_F(ModelTools, MissingVerilatorRejected) {
 }
 
 TEST_F(ModelTools, ProgramThatSaysNoVersionRejected) {
-  const EnvironmentValue verilator("VERILATOR", "/bin/false");
-  EXPECT_EQ(error_of_build(cache_),
-            "/bin/false: cannot be run (it failed with exit code 1); install the package verilator or set "
-            "VERILATOR to the program");
+  const std::string program = folder_.write_program("silent", "#!/bin/sh\nexit 1\n").string();
+  const EnvironmentValue verilator("VERILATOR", program);
+  EXPECT_EQ(
+      error_of_build(cache_),
+      program +
+          ": cannot be run (it failed with exit code 1); install the package verilator or set VERILATOR to "
+          "the program");
   EXPECT_FALSE(fs::exists(cache_));
 }
 
