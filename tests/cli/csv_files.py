@@ -35,8 +35,6 @@ def check(name, text):
         if len(row) != len(header):
             wrong.append(f"{name}: line {number} has {len(row)} cells, the header {len(header)}")
         for column, cell in zip(header, row):
-            if "," in cell and column != "files":
-                wrong.append(f"{name}: line {number}: {column} is {cell!r}, with a comma")
             if re.fullmatch(r"\d+/\d+", cell):
                 wrong.append(f"{name}: line {number}: {column} is {cell!r}, a date to a spreadsheet")
             if re.search(r"_(pct|ms|ns|mm2|mhz|low|high|ratio|tests|hits|misses)$", column):
@@ -81,6 +79,8 @@ with tempfile.TemporaryDirectory() as name:
 
     run(f"sweep {small} int_slabs,fp_slabs --bits int_slabs=12/12 --out {out}/sweep.csv")
     rows = check("sweep.csv", (out / "sweep.csv").read_text())
+    if any("," in cell for row in rows for cell in row.values()):
+        wrong.append("sweep.csv: a cell has a comma")
     if min(float(row["area_mm2"]) for row in rows if row["design"] == "int_slabs") <= 0:
         wrong.append("sweep.csv: no area")
     notes = check_notes(out / "sweep.csv-metadata.json", ["sweep.csv"])

@@ -191,7 +191,7 @@ TEST_F(WrongUseOf, Scenes) {
   mesh_rejected("mesh.txt", "v 0 0 0\n",
                 "unknown extension \".txt\"; allowed are .obj, .ply, .stl, .gltf and .glb");
   mesh_rejected("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n",
-                "a vertex lies at (0, nan, 0); coordinates must be finite");
+                "line 3: a vertex lies at (0, nan, 0); coordinates must be finite");
   rejected(
       {{"fit int_slabs --scene DIR/triangle.obj --eye 0,0,2 --target 0,0,4 --width 8 --height 8 --out OUT",
         "scene triangle: no ray of the image meets a triangle; a unit fitted to it would be of no use"},

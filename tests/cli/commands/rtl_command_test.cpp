@@ -170,7 +170,9 @@ TEST_F(RtlCommand, WritesAsManyVectorsAsAsked) {
     return contents_of(file);
   };
   const std::string few = vectors_of("300", "7");
-  EXPECT_THAT(few, StartsWith("// int_slabs 20/24: 300 vectors of seed 7, of which "));
+  EXPECT_THAT(
+      few,
+      StartsWith("// SPDX-License-Identifier: 0BSD\n// int_slabs 20/24: 300 vectors of seed 7, of which "));
   const auto lines = lines_of(few);
   EXPECT_EQ(std::count_if(lines.begin(), lines.end(), [](const auto& l) { return !l.starts_with("//"); }),
             300);
