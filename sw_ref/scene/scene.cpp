@@ -12,9 +12,9 @@
 #include <glm/trigonometric.hpp>
 
 #include "host/text.hpp"
+#include "sw_ref/mesh/mesh_file.hpp"
 #include "sw_ref/reject.hpp"
 #include "sw_ref/scene/built_in.hpp"
-#include "sw_ref/mesh/mesh_file.hpp"
 #include "sw_ref/scene/mesh_scene.hpp"
 #include "sw_ref/scene/scene_file.hpp"
 

@@ -15,9 +15,9 @@
 
 #include "host/outputs.hpp"
 #include "host/text.hpp"
+#include "sw_ref/mesh/mesh_file.hpp"
 #include "sw_ref/scene/built_in.hpp"
 #include "sw_ref/scene/json_place.hpp"
-#include "sw_ref/mesh/mesh_file.hpp"
 #include "sw_ref/scene/mesh_scene.hpp"
 
 namespace hitpipe::ref {
