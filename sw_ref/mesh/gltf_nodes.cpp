@@ -16,9 +16,9 @@ glm::dmat4 gltf_matrix(const Place& place) {
   if (numbers[3] != 0 || numbers[7] != 0 || numbers[11] != 0 || numbers[15] != 1)
     place.fail("has no 0, 0, 0, 1 in its last row; allowed are matrices without perspective");
   glm::dmat4 matrix;
+  std::size_t next = 0;
   for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row)
-      matrix[column][row] = numbers[static_cast<std::size_t>(4 * column + row)];
+    for (int row = 0; row < 4; ++row) matrix[column][row] = numbers[next++];
   }
   return matrix;
 }
