@@ -6,6 +6,10 @@ target_compile_options(hitpipe_compile INTERFACE
   -ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -ffile-prefix-map=${PROJECT_BINARY_DIR}/=)
 # A product and a sum stay two roundings, so that pictures are the same on every machine.
 target_compile_options(hitpipe_compile INTERFACE -ffp-contract=off)
+# Where g++ 12 puts neighbours into one vector, it takes double(float(x)) for x.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(hitpipe_compile INTERFACE -fno-tree-slp-vectorize)
+endif()
 if(HITPIPE_WERROR)
   target_compile_options(hitpipe_compile INTERFACE -Werror)
 endif()

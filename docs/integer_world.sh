@@ -18,7 +18,7 @@ for scene in $(build/hitpipe list scenes --format csv | tail -n +2 | cut -d, -f1
       triangles = triangles sprintf(" %.2f |", $at["extra_triangle_tests_pct"])
     }
     NR % 3 == 1 {
-      printf "| %s | %s | %d | %.2g | %.4f | %d |%s%s\n", $at["scene"], $at["bits"], $at["triangles_without_area"],
+      printf "| %s | %s | %d | %.2g | %.4f | %d |%s%s\n", $at["scene"], $at["bits"], $at["lost_to_rounding"],
              $at["largest_movement"], $at["different_rays_pct"], $at["different_pixels"], boxes, triangles
       boxes = triangles = ""
     }' "$rows"

@@ -43,7 +43,11 @@ std::optional<Scene> test_scene(const std::string& name, const ExperimentOptions
 
 std::string scene_note(const std::string& name, const std::optional<Scene>& scene) {
   if (!scene) return fmt::format("{}: not measured; give a mesh with --scene {}=FILE", name, name);
-  return fmt::format("{}: {}, {} triangles", name, scene->name, scene->mesh.triangles.size());
+  const Mesh& mesh = scene->mesh;
+  const std::string gone = mesh.dropped.empty() ? ""
+                                                : fmt::format(" ({} without area, {} lost to rounding)",
+                                                              mesh.without_area, mesh.lost());
+  return fmt::format("{}: {}, {} triangles{}", name, scene->name, mesh.triangles.size(), gone);
 }
 
 }  // namespace hitpipe::thesis

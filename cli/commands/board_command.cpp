@@ -183,9 +183,8 @@ int core_command(const BoardCommand& command, const CLI::App& parsed) {
     allow_only(parsed, "core is simulated", allowed);
     return simulate_core(core);
   }
-  allowed.insert(allowed.end(), {"--port", "--baud", "--scene", "--triangles", "--eye", "--target", "--up",
-                                 "--fov", "--orthographic", "--perspective", "--light", "--sun", "--width",
-                                 "--height", "--threads", "--out"});
+  allowed.insert(allowed.end(), {"--port", "--baud", "--out"});
+  for (const std::string& name : scene_option_names()) allowed.push_back(name);
   for (const std::string_view name : hierarchy_option_names())
     if (name != "--padding") allowed.emplace_back(name);
   allow_only(parsed, "core is a core", allowed);

@@ -10,6 +10,7 @@
 #include "cli/commands/board_chips.hpp"
 #include "cli/commands/cores.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "host/files.hpp"
 #include "host/serial_port.hpp"
 #include "rtl_gen/board/core_top.hpp"
@@ -55,7 +56,7 @@ int trace_by_board(const BoardCore& choice) {
     host::make_folder(choice.out);
     ref::check_image_place(picture_file);
   }
-  const ref::IntScene scene = ref::int_scene(loaded, options.bits.world(), choice.hierarchy);
+  const ref::IntScene scene = choice.scene.in_integers(loaded, options.bits.world(), choice.hierarchy);
   const ref::CoreImage image = ref::core_image(scene);
   sim::check_fits(core, image);
   progress.emplace("walking in software");
@@ -81,6 +82,7 @@ int trace_by_board(const BoardCore& choice) {
                                 {"port", choice.port},
                                 {"baud", baud},
                                 {"scene", choice.scene.name},
+                                {"mesh", summary_of(scene_row(scene))},
                                 {"blocks", image.blocks.size()},
                                 {"image_seconds", written.seconds},
                                 {"rays", traced.answered},

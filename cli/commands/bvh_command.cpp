@@ -17,6 +17,7 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
 #include "host/text.hpp"
@@ -62,7 +63,7 @@ Row number_cell(double number, OutputFormat format) {
 /// In JSON an array.
 Row point_cell(const glm::dvec3& p, OutputFormat format) {
   return format == OutputFormat::json ? Row{p.x, p.y, p.z}
-                                      : Row(fmt::format("{:.6g} {:.6g} {:.6g}", p.x, p.y, p.z));
+                                      : Row(fmt::format("{:.9g} {:.9g} {:.9g}", p.x, p.y, p.z));
 }
 
 /// What was read: the area of all triangles and their bounds, in the scene's own units.
@@ -81,9 +82,8 @@ Row extent_of(const ref::Scene& scene, OutputFormat format) {
 Row record(const BvhCommand& command, const ref::Scene& scene, const ref::LoadedBvh& hierarchy,
            double seconds) {
   const ref::BvhStatistics s = ref::statistics(hierarchy.bvh);
-  Row row{{"scene", scene.name},
-          {"triangles", scene.mesh.triangles.size()},
-          {"degenerate_dropped", scene.mesh.dropped.size()}};
+  Row row{{"scene", scene.name}};
+  row.update(scene_row(scene));
   row.update(extent_of(scene, command.format));
   if (command.hierarchy.file.empty()) {
     row["builder"] = ref::builder_name(command.hierarchy.build.builder);
@@ -187,7 +187,7 @@ void print_sweep(const BvhCommand& command, const ref::Scene& scene) {
   });
   progress.reset();
   if (command.format == OutputFormat::text) {
-    fmt::print("{}: {} triangles, {}\n", scene.name, scene.mesh.triangles.size(),
+    fmt::print("{}: {}, {}\n", scene.name, summary_of(scene_row(scene)),
                ref::builder_name(command.hierarchy.build.builder));
   }
   fmt::print("{}", table_text(rows, command.format));

@@ -212,11 +212,14 @@ CLI::App* add_check_command(CLI::App& program, int& exit_code) {
       "--stiff", options->stiff,
       "Count false hits as the components of a ray's direction grow apart, of several designs and formats");
   as_input(command->add_option(
-               "--scene", stiff->scene,
+               "--scene", stiff->scene.name,
                "With --stiff: also count the box tests of stiff rays through a built-in scene or a "
                "mesh file"))
       ->needs(is_stiff)
       ->type_name("NAME|FILE");
+  add_cube_options(*command, stiff->scene);
+  for (const char* const name : {"--cube", "--strict", "--faces"})
+    command->get_option(name)->needs(command->get_option("--scene"));
   add_hierarchy_options(*command, stiff->hierarchy);
   for (const std::string_view name : hierarchy_option_names())
     command->get_option(std::string(name))->needs(is_stiff);

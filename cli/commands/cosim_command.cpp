@@ -16,6 +16,7 @@
 #include "cli/options/trace_options.hpp"
 #include "cli/options/values.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
@@ -67,10 +68,9 @@ Row record(const CosimCommand& command, const sim::Unit& unit, const ref::Scene&
   const bool several_boxes = command.choice.design().kind.objects > 1;
   Row row{{"design", command.choice.name}, {"bits", rtl::to_string(unit.format)}};
   if (command.library != rtl::default_library) row["library"] = command.library;
-  row.update({{"scene", scene.name},
-              {"triangles", scene.mesh.triangles.size()},
-              {"degenerate_dropped", scene.mesh.dropped.size()},
-              {"bvh_nodes", hierarchy.bvh.nodes.size()}});
+  row["scene"] = scene.name;
+  row.update(scene_row(scene));
+  row["bvh_nodes"] = hierarchy.bvh.nodes.size();
   row["hierarchy"] = command.hierarchy.name();
   if (!command.hierarchy.file.empty()) row["bvh_boxes_grown"] = hierarchy.boxes_grown;
   row.update({{"rays_primary", r.rays_primary},

@@ -18,6 +18,7 @@
 #include "cli/report/sweep_rows.hpp"
 #include "cli/text/fit_text.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "host/files.hpp"
 #include "rtl_gen/emit/unit_folder.hpp"
 #include "sim/fit/fit_scene.hpp"
@@ -113,7 +114,7 @@ sim::SweepRow measured(const sim::FitResult& fitted, const sim::TriangleCost& tr
 }
 
 /// With `rated`, also how often the unit takes a test.
-Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std::string& scene,
+Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const ref::Scene& scene,
            const std::string& hierarchy, bool rated) {
   const auto& [unit, vectors, result, rays_per_second, drawn] = fitted;
   Row left_out = Row::array();
@@ -131,7 +132,7 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std
                                               ? Row(*unit.precision->endless_extra_box_tests_pct)
                                               : Row(nullptr)},
           {"formats_measured", unit.precision ? unit.precision->formats_measured : 0},
-          {"scene", scene},
+          {"scene", scene.name},
           {"hierarchy", hierarchy},
           {"area_before_mm2", mm2(unit.price_before.area_um2)},
           {"area_after_mm2", mm2(unit.price.area_um2)},
@@ -163,6 +164,7 @@ Row record(const sim::FitResult& fitted, const sim::SweepRow& counted, const std
     row.update({{"ii", unit.price.interval},
                 {"boxes_per_second", unit.price.boxes_per_second()},
                 {"rays_per_second", std::floor(rays_per_second)}});
+  row.update(scene_row(scene));
   return row;
 }
 
@@ -172,6 +174,7 @@ std::string reports_text(const std::vector<FitReport>& reports, const std::vecto
     std::vector<std::string> advice = recommendation(counted);
     advice.push_back(cost_caveat(counted.front()));
     advice.push_back("hierarchy: " + hierarchy);
+    advice.push_back("scene: " + summary_of(scene_row(scene.scene)));
     return fit_text(scene.scene.name, scene.demands, reports, advice);
   }
   std::vector<Row> rows;
@@ -237,7 +240,7 @@ int fit(const FitCommand& command) {
     const sim::FitResult fitted = sim::fit_to_scene(*wanted.design, wanted.before, scene, options, library);
     drawn = drawn && fitted.drawn;
     counted.push_back(measured(fitted, triangle, command.cost.tests_only));
-    reports.push_back({record(fitted, counted.back(), scene.scene.name, command.hierarchy.name(), rated),
+    reports.push_back({record(fitted, counted.back(), scene.scene, command.hierarchy.name(), rated),
                        fitted.unit.left_out, cost_text(counted.back()), fitted.vectors.first_mismatch});
   }
   steps.end();

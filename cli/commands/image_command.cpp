@@ -15,6 +15,7 @@
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
@@ -57,7 +58,8 @@ std::vector<Row> reads_of(const ImageCommand& command, const ref::IntScene& scen
   for (const int places : command.places) {
     Progress progress("walking");
     const ref::CoreTracer core(
-        image, {.world = scene.bits, .boxes = usual_box_format(scene.bits), .places = places});
+        image, scene.mesh.mesh,
+        {.world = scene.bits, .boxes = usual_box_format(scene.bits), .places = places});
     ref::RenderOptions picture{.width = command.scene.width,
                                .height = command.scene.height,
                                .threads = command.scene.threads,
@@ -94,17 +96,17 @@ void write_image(ImageCommand command) {
   if (!command.out.empty()) host::announce_output("--out", command.out);
   command.hierarchy.build.threads = command.scene.threads;
   std::optional<Progress> progress("reading the scene");
-  const ref::IntScene scene = ref::int_scene(command.scene.load(), bits, command.hierarchy);
+  const ref::IntScene scene = command.scene.in_integers(command.scene.load(), bits, command.hierarchy);
   progress.emplace("writing the image");
   const ref::CoreImage image = ref::core_image(scene);
   Row row{{"scene", scene.scene.name},
           {"bits", rtl::to_string(rtl::Format(bits))},
-          {"hierarchy", command.hierarchy.name()},
-          {"triangles", image.triangles},
-          {"records", image.records},
-          {"levels", image.levels},
-          {"blocks", image.blocks.size()},
-          {"bytes", image.bytes()}};
+          {"hierarchy", command.hierarchy.name()}};
+  row.update(scene_row(scene));
+  row.update({{"records", image.records},
+              {"levels", image.levels},
+              {"blocks", image.blocks.size()},
+              {"bytes", image.bytes()}});
   if (!command.out.empty()) {
     host::write_file(command.out, bytes_of(image));
     row["file"] = command.out;

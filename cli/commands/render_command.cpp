@@ -16,6 +16,7 @@
 #include "cli/options/values.hpp"
 #include "cli/options/world_options.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/memory/read_bytes.hpp"
@@ -150,7 +151,7 @@ void make_traced(const RenderCommand& command, Traced& traced) {
   }
   const hls::WorldBits bits = command.trace.world_bits();
   const auto boxes = command.boxes.format(bits);
-  traced.integers = ref::int_scene(traced.scene, bits, hierarchy);
+  traced.integers = command.scene.in_integers(traced.scene, bits, hierarchy);
   traced.surfaces.emplace(*traced.integers);
   traced.tracer =
       ref::int_tracer(traced.integers->mesh, traced.integers->hierarchy(), {.world = bits, .boxes = boxes});
@@ -196,15 +197,12 @@ void render_scene(const RenderCommand& command) {
   progress.reset();
 
   const ref::RenderCounts& counts = result.counts;
-  Row row{{"scene", scene.name},
-          {"stands_for", scene.stand_in_for},
-          {"triangles", scene.mesh.triangles.size()},
-          {"degenerate_dropped", scene.mesh.dropped.size()},
-          {"bvh_nodes", tracer->node_count()}};
+  Row row{{"scene", scene.name}, {"stands_for", scene.stand_in_for}};
+  row.update(traced.integers ? scene_row(*traced.integers) : scene_row(scene));
+  row["bvh_nodes"] = tracer->node_count();
   row["hierarchy"] = command.hierarchy.name();
   if (!command.hierarchy.file.empty() && !traced.integers)
     row["bvh_boxes_grown"] = traced.hierarchy.boxes_grown;
-  if (traced.integers) row.update(door_row(*traced.integers));
   row.update({{"bytes_per_node", tracer->bytes_per_node()},
               {"node_bytes", tracer->node_count() * tracer->bytes_per_node()},
               {"rays_primary", counts.primary.rays},

@@ -22,6 +22,7 @@
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/last_line.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "cli/version.hpp"
 #include "host/files.hpp"
@@ -65,7 +66,7 @@ std::string options_given(const CLI::App& command, Given which, const ref::Hiera
     const bool of_scene = name != "--out" && name != "--plot-width" && name != "--rows" && name != "--bits" &&
                           name != "--ii" && !name.starts_with("--image-") && name != "--tests" &&
                           name != "--seed" && name != "--threads" && name != "--format" &&
-                          !option->get_positional();
+                          name != "--faces" && !option->get_positional();
     const bool of_cost = name == "--library" || name == "--tests-only" || name.starts_with("--triangle-");
     const bool of_picture = name == "--width" || name == "--height" || name == "--bounces" ||
                             name == "--diffuse" || name == "--occlusion" || name == "--light-seed";
@@ -74,7 +75,9 @@ std::string options_given(const CLI::App& command, Given which, const ref::Hiera
     if (option->count() == 0 || of_hierarchy || !of_scene || (which != Given::of_sweep && of_cost) ||
         (which == Given::of_view && of_picture))
       continue;
-    for (const std::string& result : option->results())
+    const bool flag = option->get_items_expected_max() == 0;
+    if (flag) text += fmt::format("{}{}", text.empty() ? "" : " ", name);
+    for (const std::string& result : flag ? std::vector<std::string>{} : option->results())
       text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, host::shell_word(result));
   }
   ref::HierarchyOptions said = hierarchy;
@@ -120,7 +123,7 @@ std::vector<std::pair<std::string, std::string>> asked(const ReportCommand& comm
                                                        std::span<const sim::SweepRow> rows) {
   const auto sum = [&](const char* column) { return readable_number(cell(rows.front(), column)); };
   return {{"Scene", scene.name},
-          {"Triangles", readable_number(std::to_string(scene.mesh.triangles.size()))},
+          {"Mesh", summary_of(scene_row(scene))},
           {"Hierarchy", command.hierarchy.text()},
           {"Nodes of the hierarchy", readable_number(std::to_string(bvh.nodes.size()))},
           {"Image", fmt::format("{} x {} pixels", command.scene.width, command.scene.height)},

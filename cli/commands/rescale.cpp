@@ -75,7 +75,7 @@ Row row_of(const NamedTransform& t, const sim::MovedScene& moved, const sim::Pic
   const auto by_rtl = [&](std::uint64_t count) { return judged ? Row(count) : Row(nullptr); };
   return {{"transform", t.name},
           {"vertices_moved", moved.vertices_moved},
-          {"degenerate_dropped", picture.degenerate_dropped},
+          {"lost_to_rounding", picture.lost_to_rounding},
           {"pixels_other_triangle", changes.other_triangle},
           {"pixels_other_colour", changes.other_colour},
           {"different_triangles", by_rtl(picture.different_triangles)},
@@ -86,7 +86,7 @@ Row row_of(const NamedTransform& t, const sim::MovedScene& moved, const sim::Pic
 Row short_row(const Row& row, bool judged) {
   Row made{{"transform", row.at("transform")},
            {"vertices", row.at("vertices_moved")},
-           {"dropped", row.at("degenerate_dropped")},
+           {"lost", row.at("lost_to_rounding")},
            {"triangle", row.at("pixels_other_triangle")},
            {"colour", row.at("pixels_other_colour")}};
   if (judged) {
@@ -107,7 +107,10 @@ int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const Design
   if (judged) unit = sim::make_unit(design->design(), design->format(), rtl::Library::thesis());
 
   std::optional<Progress> progress("reading the scene");
-  const ref::SceneDescription scene = ref::describe_scene(chosen.name, chosen.placing);
+  // What is lost is said before the long run. Then the mesh is as a file of floats has it, as each moved one is.
+  static_cast<void>(chosen.load());
+  const ref::SceneDescription scene =
+      sim::moved(ref::describe_scene(chosen.name, chosen.placing), {}).description;
   const std::vector<NamedTransform> all = transforms(choice, scene);
   std::optional<sim::VerilatedDesign> verilated;
   if (judged) {
@@ -150,10 +153,9 @@ int rescale(const SceneChoice& chosen, const RescaleChoice& choice, const Design
 }
 
 void add_rescale_options(CLI::App& command, RescaleChoice& choice, const std::vector<std::string>& used) {
-  std::vector<std::string> allowed{"--rescale",     "--scale",  "--offset", "--scene", "--triangles",
-                                   "--eye",         "--target", "--up",     "--fov",   "--orthographic",
-                                   "--perspective", "--light",  "--sun",    "--width", "--height",
-                                   "--threads",     "--format"};
+  std::vector<std::string> allowed{"--rescale", "--scale", "--offset", "--format"};
+  for (const std::string& name : scene_option_names())
+    if (name != "--cube") allowed.push_back(name);  // it does not move with the mesh
   for (const std::string_view name : hierarchy_option_names())
     if (name != "--bvh") allowed.emplace_back(name);
   allowed.insert(allowed.end(), used.begin(), used.end());

@@ -171,9 +171,9 @@ StiffFindings check_stiff_rays(const StiffCheck& command, std::vector<MeasuredDe
   keep(designs, piece.range(stiff_formats(designs)));
   StiffFindings findings{.scene = {}, .hierarchy = {}, .designs = std::move(designs)};
   std::optional<CountedScene> loaded;
-  if (!command.scene.empty()) {
+  if (!command.scene.name.empty()) {
     const Progress progress("reading the scene");
-    loaded.emplace(CountedScene{ref::load_scene(command.scene), {}});
+    loaded.emplace(CountedScene{command.scene.load(), {}});
     loaded->bvh = ref::make_hierarchy(loaded->scene, command.hierarchy).bvh;
     findings.scene = loaded->scene.name;
     findings.hierarchy = command.hierarchy.text();

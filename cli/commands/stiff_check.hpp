@@ -7,6 +7,7 @@
 
 #include "cli/options/design_options.hpp"
 #include "cli/options/hierarchy_options.hpp"
+#include "cli/options/scene_options.hpp"
 #include "cli/report/picture.hpp"
 #include "cli/text/stiffness_report.hpp"
 #include "cli/text/table.hpp"
@@ -16,7 +17,7 @@ namespace hitpipe::cli {
 
 struct StiffCheck {
   DesignsChoice units;  ///< without names: the designs that never miss
-  std::string scene;    ///< empty: only drawn boxes
+  SceneChoice scene;    ///< without a name: only drawn boxes
   ref::HierarchyOptions hierarchy{.build = ref::surface_area_build};
   std::uint64_t tests = 60'000;
   std::uint64_t rays = 2'000;

@@ -22,6 +22,7 @@
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/last_line.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "cli/version.hpp"
 #include "host/files.hpp"
@@ -75,7 +76,8 @@ std::string percent_text(double percent) {
 }
 
 /// Units are compared by the area for each box that a test answers for.
-std::string text_of(const std::vector<sim::SweepRow>& rows, const std::string& hierarchy) {
+/// `notes` are what stands beside the rows.
+std::string text_of(const std::vector<sim::SweepRow>& rows, const Row& notes) {
   if (rows.empty()) return "";
   std::size_t name = 11;
   std::size_t bits = 5;
@@ -104,21 +106,25 @@ std::string text_of(const std::vector<sim::SweepRow>& rows, const std::string& h
   if (several_boxes) text += "area: for each box that a test answers for; area*time: of the whole unit\n";
   std::vector<std::string> below = recommendation(rows);
   below.push_back(cost_caveat(rows.front()));
-  below.push_back(fmt::format("hierarchy: {}", hierarchy));
+  below.push_back(fmt::format("hierarchy: {}", notes.value("hierarchy", "")));
+  if (notes.contains("mesh")) below.push_back(fmt::format("scene: {}", summary_of(notes.at("mesh"))));
   for (const std::string& line : below) text += host::wrapped(line, 2);
   return text;
 }
 
 /// Prints the rows and returns the exit code.
-int report(const std::vector<sim::SweepRow>& rows, const std::string& hierarchy, OutputFormat format) {
+int report(const std::vector<sim::SweepRow>& rows, const Row& notes, OutputFormat format) {
   if (format == OutputFormat::csv) {
     fmt::print("{}", sim::to_csv(rows));
   } else if (format == OutputFormat::json) {
     std::vector<Row> records;
-    for (const sim::SweepRow& row : rows) records.push_back(record(row));
+    for (const sim::SweepRow& row : rows) {
+      records.push_back(record(row));
+      if (notes.contains("mesh")) records.back().update(notes.at("mesh"));
+    }
     fmt::print("{}", table_text(records, format));
   } else {
-    fmt::print("{}", text_of(rows, hierarchy));
+    fmt::print("{}", text_of(rows, notes));
   }
   int exit_code = 0;
   for (const sim::SweepRow& row : rows) {
@@ -190,10 +196,10 @@ Row notes_beside(const SweepCommand& command, const CutWork& work, const ref::Sc
   return notes;
 }
 
-/// Measures those of the points that the file does not hold yet.
+/// Measures those of the points that the file does not hold yet. `notes` gets what stands beside them.
 std::vector<sim::SweepRow> measure(const SweepCommand& command, const CutWork& work,
                                    const rtl::Library& library, const std::vector<sim::SweepPoint>& points,
-                                   const std::filesystem::path& file) {
+                                   const std::filesystem::path& file, Row& notes) {
   sim::ResumableSweep sweep{.scene = nullptr,
                             .bvh = nullptr,
                             .points = points,
@@ -219,7 +225,8 @@ std::vector<sim::SweepRow> measure(const SweepCommand& command, const CutWork& w
   progress.emplace("sweeping");
   sweep.options.progress = [&](double share) { progress->show(share); };
   const std::filesystem::path out = command.out;
-  sweep.notes = csv_metadata({csv_table(out, sim::to_csv({}))}, notes_beside(command, work, scene));
+  notes = notes_beside(command, work, scene);
+  sweep.notes = csv_metadata({csv_table(out, sim::to_csv({}))}, notes);
   sweep.notes_file = metadata_file(out);
   const LastLine line(fmt::format("the same command goes on with the rows of {}", file.string()));
   return sim::resume(sweep);
@@ -238,7 +245,8 @@ int measure_piece(const SweepCommand& command, const CutWork& work, const rtl::L
     const host::Piece::Range range = command.pieces.chosen().range(points.size());
     const auto first = points.begin() + static_cast<std::ptrdiff_t>(range.first);
     const std::vector<sim::SweepPoint> mine(first, first + static_cast<std::ptrdiff_t>(range.size()));
-    std::vector<sim::SweepRow> rows = measure(command, work, library, mine, growing);
+    Row notes;
+    std::vector<sim::SweepRow> rows = measure(command, work, library, mine, growing, notes);
     // Rows of another piece may be in the file, from before.
     std::erase_if(rows, [&](const sim::SweepRow& row) {
       const sim::RowKey key = sim::key_of(row.design, row.bits, row.rays_in_flight, row.interval);
@@ -265,8 +273,9 @@ int sweep(const SweepCommand& command, const CLI::App& parsed) {
     return 0;
   }
   if (command.pieces.piece) return measure_piece(command, work, library, points);
-  return report(measure(command, work, library, points, command.out), command.hierarchy.text(),
-                command.format);
+  Row notes;
+  const std::vector<sim::SweepRow> rows = measure(command, work, library, points, command.out, notes);
+  return report(rows, notes, command.format);
 }
 
 int join(const SweepCommand& command, const CLI::App& parsed) {
@@ -290,7 +299,7 @@ int join(const SweepCommand& command, const CLI::App& parsed) {
   notes["command"] = joined_command(pieces.front().note.command, command.out);
   notes.erase("piece");
   host::write_file(metadata_file(out), csv_metadata({csv_table(out, sim::to_csv({}))}, notes));
-  return report(rows, notes.value("hierarchy", ""), command.format);
+  return report(rows, notes, command.format);
 }
 
 }  // namespace

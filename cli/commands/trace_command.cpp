@@ -24,6 +24,7 @@
 #include "cli/options/world_options.hpp"
 #include "cli/pieces/pieces.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "cli/text/table.hpp"
 #include "cli/text/trace_text.hpp"
 #include "host/files.hpp"
@@ -84,7 +85,7 @@ class Tracing {
         bits_(rtl::parse_bits<hls::WorldBits>(command.bits)),
         library_(rtl::library_called(command.library)),
         loaded_(command.scene.load()),
-        scene_(ref::int_scene(loaded_, bits_, command.hierarchy)),
+        scene_(command.scene.in_integers(loaded_, bits_, command.hierarchy)),
         image_(ref::core_image(scene_)),
         walking_{.world = bits_, .boxes = usual_box_format(bits_), .places = command.core.places} {
     if (image_.levels > command.core.options.levels)
@@ -131,6 +132,7 @@ class Tracing {
   }
 
   [[nodiscard]] const std::string& name() const { return loaded_.name; }
+  [[nodiscard]] Row mesh() const { return scene_row(scene_); }
 
  private:
   const TraceCommand& command_;
@@ -146,7 +148,8 @@ class Tracing {
 };
 
 /// Prints what the cores did in all their runs, and returns whether it was right.
-bool report(const std::vector<CoreRun>& runs, const std::string& hierarchy, bool cache, OutputFormat format) {
+bool report(const std::vector<CoreRun>& runs, const Row& about, OutputFormat format) {
+  const bool cache = about.value("cache", false);
   std::vector<sim::CoreTrace> cores;
   for (const CoreRun& run : runs) {
     if (run.core == cores.size())
@@ -157,11 +160,13 @@ bool report(const std::vector<CoreRun>& runs, const std::string& hierarchy, bool
   std::vector<Row> rows;
   bool right = true;
   for (const sim::CoreTrace& trace : cores) {
-    rows.push_back(trace_row(trace, cache));
+    rows.push_back(format == OutputFormat::text ? Row::object() : about.at("mesh"));
+    rows.back().update(trace_row(trace, cache));
     right = right && trace.right();
   }
   fmt::print("{}", table_text(format == OutputFormat::text ? turned(rows) : rows, format));
-  if (format == OutputFormat::text) fmt::print("hierarchy: {}\n", hierarchy);
+  if (format == OutputFormat::text)
+    fmt::print("hierarchy: {}\nscene: {}\n", about.value("hierarchy", ""), summary_of(about.at("mesh")));
   return right;
 }
 
@@ -174,12 +179,15 @@ std::filesystem::path picture_file(const TraceCommand& command, const std::strin
   return std::filesystem::path(command.out) / (std::filesystem::path(scene).stem().string() + ".png");
 }
 
-/// Does the runs of a piece. `picture` gets what their rays show, `scene` the name.
+/// Does the runs of a piece. `picture` gets what their rays show, `scene` the name, `about` what is said of all.
 std::vector<CoreRun> run(const TraceCommand& command, host::Piece piece, std::vector<glm::vec3>& picture,
-                         std::string& scene) {
+                         std::string& scene, Row& about) {
   std::optional<Progress> progress("reading the scene");
   Tracing tracing(command);
   scene = tracing.name();
+  about = {{"hierarchy", command.hierarchy.text()},
+           {"cache", command.memory.cache_kib > 0},
+           {"mesh", tracing.mesh()}};
   if (!command.pieces.piece && !command.out.empty()) {
     host::make_folder(command.out);
     ref::check_image_place(picture_file(command, scene));
@@ -220,15 +228,16 @@ int trace_scene(TraceCommand command, const CLI::App& parsed) {
   if (command.rays.empty())
     check_parts(command, ref::tile_count({.width = command.scene.width, .height = command.scene.height}),
                 "tiles");
-  const bool cache = command.memory.cache_kib > 0;
   std::vector<glm::vec3> picture;
   std::string scene;
+  Row about;
   const auto piece = [&](host::Piece mine) {
-    return kept_runs(run(command, mine, picture, scene), command.hierarchy.text(), cache);
+    const std::vector<CoreRun> runs = run(command, mine, picture, scene, about);
+    return kept_runs(runs, about);
   };
   const auto all = [&] {
-    const std::vector<CoreRun> runs = run(command, {}, picture, scene);
-    const bool right = report(runs, command.hierarchy.text(), cache, command.format);
+    const std::vector<CoreRun> runs = run(command, {}, picture, scene, about);
+    const bool right = report(runs, about, command.format);
     // Software's picture, so it is the core's only if all answers are the same.
     if (right && !command.out.empty())
       ref::write_image(picture_file(command, scene), command.scene.width, command.scene.height, picture);
@@ -245,10 +254,7 @@ int join(const TraceCommand& command, const CLI::App& parsed) {
     result_of(piece, [&](const Row& row) {
       for (const CoreRun& each : parse_runs(row)) runs.push_back(each);
     });
-  return report(runs, pieces.front().result.value("hierarchy", ""),
-                pieces.front().result.value("cache", false), command.format)
-             ? 0
-             : 1;
+  return report(runs, pieces.front().result, command.format) ? 0 : 1;
 }
 
 }  // namespace

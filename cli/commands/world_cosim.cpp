@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "host/files.hpp"
 #include "host/outputs.hpp"
 #include "host/parallel.hpp"
@@ -95,7 +96,7 @@ int cosimulate_world(const WorldCosim& command) {
   }
   std::vector<sim::AskedRay> rays;
   if (!draws) rays = sim::read_ray_list(command.rays, loaded.to_cube);
-  const ref::IntScene scene = ref::int_scene(loaded, world, command.hierarchy);
+  const ref::IntScene scene = command.scene.in_integers(loaded, world, command.hierarchy);
   progress.emplace("compiling the Verilog");
   const sim::VerilatedDesign box_unit(unit_of(boxes, box_bits));
   const sim::VerilatedDesign triangle_unit(unit_of(design, format));
@@ -108,14 +109,10 @@ int cosimulate_world(const WorldCosim& command) {
 
   const sim::WorldCounts counts = tracer.counts();
   const ref::TraceCounts work = result.counts.total();
-  Row row{{"design", design.name},
-          {"bits", rtl::to_string(format)},
-          {"box_unit", boxes.name},
-          {"box_bits", rtl::to_string(rtl::Format(box_bits))},
-          {"scene", scene.scene.name},
-          {"triangles", scene.mesh.triangles.size()},
-          {"hierarchy", command.hierarchy.name()}};
-  row.update(door_row(scene));
+  Row row{{"design", design.name},     {"bits", rtl::to_string(format)},
+          {"box_unit", boxes.name},    {"box_bits", rtl::to_string(rtl::Format(box_bits))},
+          {"scene", scene.scene.name}, {"hierarchy", command.hierarchy.name()}};
+  row.update(scene_row(scene));
   row.update(
       {{"rays_primary", result.counts.primary.rays},
        {"rays_secondary", result.counts.secondary.rays},

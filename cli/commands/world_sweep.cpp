@@ -9,6 +9,7 @@
 #include "area_model/price.hpp"
 #include "cli/text/csv_metadata.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/scene_text.hpp"
 #include "host/files.hpp"
 #include "sim/cosim/counts.hpp"
 #include "sw_ref/world/int_error.hpp"
@@ -66,7 +67,9 @@ std::vector<Row> rows_of(const WorldSweep& command, const ref::Scene& scene, con
         {"different_pixels_pct", percent(error.different_pixels, error.pixels)},
         {"largest_difference", error.largest_difference},
         {"triangles", error.triangles},
-        {"triangles_without_area", error.without_area},
+        {"degenerate_dropped", scene.mesh.without_area},
+        {"lost_to_rounding", scene.mesh.lost() + error.lost_to_rounding},
+        {"mesh_share_of_cube_pct", 100.0 * scene.mesh_part},
         {"largest_movement", error.largest_movement},
         {"extra_box_tests_pct", sim::percent_above(work.box_tests, error.exact.box_tests)},
         {"extra_triangle_tests_pct", sim::percent_above(work.triangle_tests, error.exact.triangle_tests)}};
@@ -122,8 +125,8 @@ WorldFindings sweep_world(const WorldSweep& command, Row notes) {
   const ref::Scene scene = command.scene.load();
   progress.emplace("sweeping");
   notes.update(camera_notes(scene));
-  return {.head = fmt::format("{}, {} x {}, {} triangles, {}", scene.name, command.scene.width,
-                              command.scene.height, scene.mesh.triangles.size(), command.hierarchy.text()),
+  return {.head = fmt::format("{}, {} x {}, {}, {}", scene.name, command.scene.width, command.scene.height,
+                              summary_of(scene_row(scene)), command.hierarchy.text()),
           .rows = world_rows(command, scene, [&](double share) { progress->show(share); }),
           .notes = std::move(notes)};
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sw_ref/scene/scene.hpp"
+#include "sw_ref/world/int_scene.hpp"
 
 namespace CLI {
 class App;
@@ -17,13 +19,25 @@ struct SceneChoice {
   int width = 256;
   int height = 256;
   int threads = 1;
+  bool strict = false;  ///< triangles that lose their area are an error
+  std::string faces;    ///< a file to write; empty: none
 
-  /// Throws what ref::load_scene() throws.
-  [[nodiscard]] ref::Scene load() const { return ref::load_scene(name, placing); }
+  /// Says on standard error which triangles lose their area, and writes the file of faces. Throws what
+  /// ref::load_scene() throws; and std::runtime_error, one line, for lost triangles if that is strict, and for a
+  /// ray of the picture that begins outside a chosen cube.
+  [[nodiscard]] ref::Scene load() const;
+  /// The same scene in the integer world. Says what it loses there, and throws, likewise.
+  [[nodiscard]] ref::IntScene in_integers(const ref::Scene& scene, const hls::WorldBits& bits,
+                                          const ref::HierarchyOptions& hierarchy) const;
 };
 
-/// Adds --scene (required), --triangles, --eye, --target, --up, --fov, --orthographic, --perspective,
-/// --light, --sun, --width, --height, --threads.
+/// Adds --scene (required), --triangles, --eye, --target, --up, --fov, --orthographic, --perspective, --light,
+/// --sun, --cube, --strict, --faces, --width, --height, --threads.
 void add_scene_options(CLI::App& command, SceneChoice& choice);
+/// Adds --cube, --strict and --faces alone.
+void add_cube_options(CLI::App& command, SceneChoice& choice);
+
+/// The names of all options that add_scene_options() adds.
+[[nodiscard]] std::vector<std::string> scene_option_names();
 
 }  // namespace hitpipe::cli

@@ -38,10 +38,4 @@ void add_box_format_option(CLI::App& command, BoxFormatChoice& choice, const std
       ->type_name("n+g/psS");
 }
 
-Row door_row(const ref::IntScene& scene) {
-  // A hundred thousandth of the cube is 0.00 in the columns of a text.
-  return {{"triangles_without_area", scene.mesh.dropped},
-          {"largest_movement", fmt::format("{:.3g}", scene.mesh.largest_movement)}};
-}
-
 }  // namespace hitpipe::cli

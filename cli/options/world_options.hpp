@@ -32,7 +32,4 @@ struct BoxFormatChoice {
 /// Adds --boxes. `otherwise` tells the help what is used without it.
 void add_box_format_option(CLI::App& command, BoxFormatChoice& choice, const std::string& otherwise);
 
-/// What was lost at the door: triangles and the largest movement of a corner.
-[[nodiscard]] Row door_row(const ref::IntScene& scene);
-
 }  // namespace hitpipe::cli

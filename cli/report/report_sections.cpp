@@ -372,7 +372,8 @@ std::string report_html(const ReportFacts& facts) {
   std::vector<Row> world = facts.world;
   for (Row& row : world)
     for (const char* const counted :
-         {"scene", "rays", "different_rays", "pixels", "different_pixels", "triangles"})
+         {"scene", "rays", "different_rays", "pixels", "different_pixels", "triangles", "degenerate_dropped",
+          "mesh_share_of_cube_pct"})
       row.erase(counted);
   page.table(page_table("What the bits change and cost.", world));
 

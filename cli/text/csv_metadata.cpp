@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/text/scene_text.hpp"
 #include "host/text.hpp"
 
 namespace hitpipe::cli {
@@ -97,6 +98,7 @@ Row camera_notes(const ref::Scene& scene) {
   else
     in_cube["tan_half_height"] = camera.tan_half_height;
   row["camera_in_cube"] = std::move(in_cube);
+  row["mesh"] = scene_row(scene);
   return row;
 }
 

@@ -37,7 +37,7 @@ void each_count(Trace& trace, const Add& add) {
 
 }  // namespace
 
-Row kept_runs(const std::vector<CoreRun>& runs, const std::string& hierarchy, bool cache) {
+Row kept_runs(const std::vector<CoreRun>& runs, Row about) {
   Row rows = Row::array();
   for (const CoreRun& run : runs) {
     Row row{{"core", run.core}};
@@ -45,7 +45,8 @@ Row kept_runs(const std::vector<CoreRun>& runs, const std::string& hierarchy, bo
     if (run.trace.triangle_interval) row["triangle_interval"] = *run.trace.triangle_interval;
     rows.push_back(std::move(row));
   }
-  return {{"hierarchy", hierarchy}, {"cache", cache}, {"runs", rows}};
+  about["runs"] = std::move(rows);
+  return about;
 }
 
 std::vector<CoreRun> parse_runs(const Row& row) {

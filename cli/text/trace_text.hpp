@@ -16,8 +16,8 @@ struct CoreRun {
   sim::CoreTrace trace;
 };
 
-/// As a piece keeps them in its file, with what is said of all.
-[[nodiscard]] Row kept_runs(const std::vector<CoreRun>& runs, const std::string& hierarchy, bool cache);
+/// As a piece keeps them in its file. `about` is what is said of all.
+[[nodiscard]] Row kept_runs(const std::vector<CoreRun>& runs, Row about);
 
 /// The same again. Throws nlohmann's exceptions for another form.
 [[nodiscard]] std::vector<CoreRun> parse_runs(const Row& row);

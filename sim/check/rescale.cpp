@@ -8,24 +8,12 @@
 #include "sim/cosim/cosim.hpp"
 #include "sw_ref/judge/triangle_test.hpp"
 #include "sw_ref/render/render.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
 #include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::sim {
 
 namespace {
-
-/// Placing drops triangles and keeps the order of the others. If a dropped triangle had the same corners as a
-/// kept one, the kept one would have been dropped too. So the first triangle with the same corners is the
-/// right one.
-std::vector<std::uint32_t> numbers_before_placing(const ref::Mesh& before, const ref::Mesh& placed) {
-  std::vector<std::uint32_t> numbers;
-  std::uint32_t at = 0;
-  for (const glm::uvec3& triangle : placed.triangles) {
-    while (before.triangles[at] != triangle) ++at;
-    numbers.push_back(at++);
-  }
-  return numbers;
-}
 
 Picture rendered(const ref::Scene& scene, const PictureOptions& options) {
   Picture picture;
@@ -57,7 +45,7 @@ MovedScene moved(const ref::SceneDescription& scene, const Transform& transform)
   MovedScene result{scene, 0};
   ref::SceneDescription& to = result.description;
   for (std::size_t i = 0; i < to.mesh.vertices.size(); ++i) {
-    const glm::dvec3 own(scene.mesh.vertices[i]);
+    const glm::dvec3& own = scene.mesh.vertices[i];
     const glm::vec3 vertex(move(own));
     if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z)) {
       throw std::runtime_error(
@@ -77,10 +65,10 @@ MovedScene moved(const ref::SceneDescription& scene, const Transform& transform)
 Picture picture(const ref::SceneDescription& scene, const PictureOptions& options) {
   const ref::Scene placed = ref::place(scene);
   Picture result = rendered(placed, options);
-  result.degenerate_dropped = placed.mesh.dropped.size() - scene.mesh.dropped.size();
-  const std::vector<std::uint32_t> numbers = numbers_before_placing(scene.mesh, placed.mesh);
+  result.lost_to_rounding = placed.mesh.lost();
+  const ref::TriangleNumbers numbers(placed.mesh);
   for (std::uint32_t& triangle : result.triangles) {
-    if (triangle != ref::Hit::none) triangle = numbers[triangle];
+    if (triangle != ref::Hit::none) triangle = numbers.of_source(triangle);
   }
   return result;
 }

@@ -41,8 +41,9 @@ struct PictureOptions {
 
 struct Picture {
   std::vector<glm::vec3> image;
-  std::vector<std::uint32_t> triangles;   ///< by pixel, numbered as before placing; Hit::none for the sky
-  std::uint64_t degenerate_dropped = 0;   ///< triangles without area after moving
+  std::vector<std::uint32_t> triangles;  ///< by pixel, the triangle's number; Hit::none for the sky
+  std::uint64_t lost_to_rounding =
+      0;  ///< triangles that have an area in the moved file, and none in the cube
   std::uint64_t different_triangles = 0;  ///< the Verilog against the reference on the same mesh
   std::uint64_t rtl_mismatches = 0;
 };

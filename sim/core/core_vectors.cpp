@@ -8,6 +8,7 @@
 #include "sim/core/native_core.hpp"
 #include "sw_ref/core/core_image.hpp"
 #include "sw_ref/judge/adversary/random.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
 #include "sw_ref/world/int_ray.hpp"
 #include "sw_ref/world/int_scene.hpp"
 
@@ -76,10 +77,11 @@ std::pair<ref::IntScene, ref::CoreImage> scene_for(const rtl::CoreOptions& optio
 
 /// By a test of each triangle.
 ref::IntHit nearest(const ref::IntRay& ray, const ref::IntMesh& mesh, const hls::WorldBits& world) {
+  const ref::TriangleNumbers numbers(mesh.mesh);
   ref::IntHit best{.triangle = ref::IntHit::none, .t = ray.length};
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto crossing = ref::int_crossing(ray, mesh.triangles[i], world);
-    if (crossing) ref::keep_better(crossing->t, i, best);
+    if (crossing) ref::keep_better(crossing->t, numbers.of_source(i), best);
   }
   return best;
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sw_ref/scene/triangle_numbers.hpp"
 #include "sw_ref/world/int_ray.hpp"
 #include "sw_ref/world/int_tracer.hpp"
 #include "sw_ref/world/int_triangle.hpp"
@@ -13,14 +14,16 @@ namespace {
 /// Keeps what it traces.
 class RecordingTracer final : public ref::Tracer {
  public:
-  RecordingTracer(const ref::CoreImage& image, const ref::CoreTracerOptions& options, PictureRays& kept)
-      : core_(image, options), kept_(kept) {}
+  RecordingTracer(const ref::IntScene& scene, const ref::CoreImage& image,
+                  const ref::CoreTracerOptions& options, PictureRays& kept)
+      : core_(image, scene.mesh.mesh, options), numbers_(scene.mesh.mesh), kept_(kept) {}
 
   void trace(const ref::TraceJob& job, ref::TraceCounts& counts) const override {
     core_.trace(job, counts);
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
       kept_.jobs.push_back({job.rays[i], job.query == ref::Query::any});
-      kept_.triangles.push_back(job.triangles[i]);
+      const std::uint32_t hit = job.triangles[i];
+      kept_.triangles.push_back(hit == ref::IntHit::none ? hit : numbers_.of_source(hit));
     }
   }
   [[nodiscard]] std::size_t bytes_per_node() const override { return core_.bytes_per_node(); }
@@ -29,6 +32,7 @@ class RecordingTracer final : public ref::Tracer {
 
  private:
   ref::CoreTracer core_;
+  ref::TriangleNumbers numbers_;
   PictureRays& kept_;
 };
 
@@ -36,8 +40,10 @@ class RecordingTracer final : public ref::Tracer {
 bool has_its_weights(const CoreJob& job, const CoreAnswer& answer, const ref::IntScene* of) {
   if (!answer.weights || !answer.hit.found()) return true;
   const ref::IntScene& scene = *of;
-  const auto crossing = ref::int_crossing(ref::int_ray(job.ray, scene.bits),
-                                          scene.mesh.triangles[answer.hit.triangle], scene.bits);
+  const std::uint32_t triangle = ref::TriangleNumbers(scene.mesh.mesh).in_mesh(answer.hit.triangle);
+  if (triangle == ref::TriangleNumbers::none) return false;
+  const auto crossing =
+      ref::int_crossing(ref::int_ray(job.ray, scene.bits), scene.mesh.triangles[triangle], scene.bits);
   const auto size = [&](ref::Int128 x, int shift) { return (x < 0 ? -x : x) << shift; };
   const int g = scene.bits.finer;
   return crossing && size(answer.weights->det, 2 * g) == crossing->det &&
@@ -60,7 +66,7 @@ PictureRays picture_rays(const ref::IntScene& scene, const ref::CoreImage& image
                          const ref::CoreTracerOptions& options, ref::RenderOptions render) {
   PictureRays kept;
   kept.scene = &scene;
-  const RecordingTracer tracer(image, options, kept);
+  const RecordingTracer tracer(scene, image, options, kept);
   const ref::IntSurfaces surfaces(scene);
   render.surfaces = &surfaces;
   render.threads = 1;
@@ -75,7 +81,7 @@ PictureRays listed_rays(const ref::IntScene& scene, const ref::CoreImage& image,
                         const ref::CoreTracerOptions& options, std::span<const AskedRay> rays) {
   PictureRays kept;
   kept.scene = &scene;
-  const RecordingTracer tracer(image, options, kept);
+  const RecordingTracer tracer(scene, image, options, kept);
   for (const AskedRay& asked : rays) {
     std::uint32_t triangle = 0;
     tracer.trace({{&asked.ray, 1}, asked.query, {&triangle, 1}}, kept.work);

@@ -18,7 +18,7 @@ namespace hitpipe::sim {
 struct PictureRays {
   const ref::IntScene* scene = nullptr;  ///< that it shows; only weights are compared with it
   std::vector<CoreJob> jobs;
-  std::vector<std::uint32_t> triangles;  ///< by job, as TraceJob::triangles
+  std::vector<std::uint32_t> triangles;  ///< by job: the number of what it hits, or IntHit::none
   ref::TraceCounts work;
   std::vector<glm::vec3> image;  ///< that software's answers make; linear; empty for a list
   std::uint64_t restarts = 0;

@@ -51,6 +51,11 @@ AskedRay placed(const OwnRay& own, const ref::Normalisation& to_cube, const Reje
     if (!(std::abs(start[axis]) <= farthest))
       reject(fmt::format("o{} {} lies more than 2^20 times as far away as the scene's cube is wide",
                          "xyz"[axis], own.origin[axis]));
+  if (to_cube.chosen)
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::abs(start[axis]) > 1.0)
+        reject(fmt::format("o{} {} lies outside the cube; a chosen cube must hold all origins", "xyz"[axis],
+                           own.origin[axis]));
   // The direction stays as it is, so t grows as the scene does.
   const double length = own.length * to_cube.scale;
   if (std::isfinite(own.length) && std::isinf(static_cast<float>(length)))

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "sw_ref/scene/triangle_numbers.hpp"
+
 namespace hitpipe::ref {
 
 namespace {
@@ -144,12 +146,14 @@ class ImageWriter {
 
   void write_triangles(std::uint32_t at, const Part& part) {
     for (std::uint32_t i = 0; i < part.count; ++i)
-      image_.blocks[at + i] = to_block(CoreTriangle{triangle(part.first + i), bvh_.order[part.first + i]});
+      image_.blocks[at + i] =
+          to_block(CoreTriangle{triangle(part.first + i), numbers_.of_source(bvh_.order[part.first + i])});
     image_.triangles += part.count;
   }
 
   const IntScene& scene_;
   const Bvh& bvh_;
+  TriangleNumbers numbers_{scene_.mesh.mesh};
   std::vector<IntBox> boxes_;
   CoreImage image_;
 };

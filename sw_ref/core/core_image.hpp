@@ -53,7 +53,7 @@ struct CoreImage {
   [[nodiscard]] std::uint64_t bytes() const { return blocks.size() * core_block_bytes; }
 };
 
-/// Triangles have the numbers of scene.mesh. A leaf with more triangles than a record can count is split into
+/// Triangles have their numbers in the source of the mesh (TriangleNumbers). A leaf with more triangles than a record can count is split into
 /// halves. Throws std::runtime_error, one line, when the hierarchy has more levels than the core's trail.
 [[nodiscard]] CoreImage core_image(const IntScene& scene);
 

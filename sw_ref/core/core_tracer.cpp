@@ -50,8 +50,8 @@ Walked walked(const CoreImage& image, const CoreTracerOptions& options, const In
 
 }  // namespace
 
-CoreTracer::CoreTracer(const CoreImage& image, const CoreTracerOptions& options)
-    : image_(image), options_(options) {
+CoreTracer::CoreTracer(const CoreImage& image, const Mesh& mesh, const CoreTracerOptions& options)
+    : image_(image), numbers_(mesh), options_(options) {
   check_box_format(options.world, options.boxes);
   if (options.places < 0) throw std::invalid_argument("a stack has 0 places or more");
 }
@@ -60,7 +60,7 @@ void CoreTracer::trace(const TraceJob& job, TraceCounts& counts) const {
   check_places(job);
   for (std::size_t i = 0; i < job.rays.size(); ++i) {
     const Walked made = walked(image_, options_, int_ray(job.rays[i], options_.world), job.query, job.loads);
-    job.triangles[i] = made.hit.triangle;
+    job.triangles[i] = made.hit.found() ? numbers_.in_mesh(made.hit.triangle) : IntHit::none;
     const TraceCounts work{1, 2 * made.counts.records, made.triangles, made.counts.records, made.triangles};
     if (!job.work.empty()) job.work[i] = work;
     counts += work;

@@ -10,6 +10,7 @@
 #include "hls/box/major_format.hpp"
 #include "hls/world/world_format.hpp"
 #include "sw_ref/core/core_image.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
 #include "sw_ref/trace/tracer.hpp"
 
 namespace hitpipe::ref {
@@ -22,8 +23,8 @@ struct CoreTracerOptions {
 
 class CoreTracer final : public Tracer {
  public:
-  /// The image must outlive it. Throws std::invalid_argument, one line, for formats that do not go together.
-  CoreTracer(const CoreImage& image, const CoreTracerOptions& options);
+  /// `image` is of `mesh`, an IntMesh's, whose triangles the answers name; both must outlive it. Throws std::invalid_argument, one line, for formats that do not go together.
+  CoreTracer(const CoreImage& image, const Mesh& mesh, const CoreTracerOptions& options);
 
   void trace(const TraceJob& job, TraceCounts& counts) const override;
   [[nodiscard]] std::size_t bytes_per_node() const override { return core_block_bytes; }
@@ -33,6 +34,7 @@ class CoreTracer final : public Tracer {
 
  private:
   const CoreImage& image_;
+  TriangleNumbers numbers_;
   CoreTracerOptions options_;
   mutable std::atomic<std::uint64_t> restarts_{0};
 };

@@ -1,11 +1,55 @@
 #include "sw_ref/judge/triangle_test.hpp"
 
+#include <array>
 #include <bit>
+#include <cstddef>
+
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include "sw_ref/judge/wide_int.hpp"
 
 namespace hitpipe::ref {
 namespace {
+
+/// Doubles as integers of any size, in units of 2^-1074.
+using BigVec = std::array<boost::multiprecision::cpp_int, 3>;
+
+BigVec in_big_units(const glm::dvec3& v) {
+  BigVec big;
+  for (int axis = 0; axis < 3; ++axis) {
+    int exponent = 0;
+    const double part = std::frexp(v[axis], &exponent);  // a multiple of 2^-53, and v of 2^-1074
+    constexpr int digits = 53;
+    boost::multiprecision::cpp_int& x = big[static_cast<std::size_t>(axis)];
+    x = static_cast<std::int64_t>(std::ldexp(part, digits));
+    const int shift = exponent - digits + 1074;
+    if (shift >= 0)
+      x <<= static_cast<unsigned>(shift);
+    else
+      x /= boost::multiprecision::cpp_int(1) << static_cast<unsigned>(-shift);  // without a rest
+  }
+  return big;
+}
+
+/// False if doubles cannot say it.
+bool surely_has_area(const SourceMesh::Corners& corners) {
+  // A component of (b - a) x (c - a) errs by at most 4 u times the sum of its |products|: 2 roundings of
+  // entries, 1 of the product, 1 of the difference. 8 u covers the rounding of the bound. `least` covers
+  // products that underflow.
+  constexpr double least = 0x1p-1000;
+  const glm::dvec3 b = corners.b - corners.a;
+  const glm::dvec3 c = corners.c - corners.a;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const double left = b[i] * c[j];
+    const double right = b[j] * c[i];
+    if (std::abs(left - right) >
+        8 * triangle_filter::unit_roundoff * (std::abs(left) + std::abs(right)) + least) {
+      return true;
+    }
+  }
+  return false;
+}
 
 /// t = numerator / denominator. The denominator is 0 if the line misses the triangle or is parallel to it;
 /// otherwise it is > 0.
@@ -88,6 +132,19 @@ bool before_exactly(const Mesh& mesh, std::uint32_t left, std::uint32_t right, c
 
 }  // namespace triangle_filter
 
+bool has_area(const SourceMesh::Corners& corners) {
+  if (surely_has_area(corners)) return true;
+  if (corners.a == corners.b || corners.b == corners.c || corners.c == corners.a) return false;
+  const BigVec a = in_big_units(corners.a);
+  const BigVec b = in_big_units(corners.b);
+  const BigVec c = in_big_units(corners.c);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if ((b[i] - a[i]) * (c[j] - a[j]) != (b[j] - a[j]) * (c[i] - a[i])) return true;
+  }
+  return false;
+}
+
 float cull_length(const Hit& hit) {
   if (!(hit.t_high <= std::numeric_limits<float>::max())) {
     return std::numeric_limits<float>::infinity();
@@ -101,18 +158,7 @@ float cull_length(const Hit& hit) {
 }
 
 bool has_area(const Mesh::Corners& corners) {
-  // A component of (b - a) x (c - a) errs by at most 4 u times the sum of its |products|: 2 roundings of
-  // entries, 1 of the product, 1 of the difference. 8 u covers the rounding of the bound.
-  const glm::dvec3 b = glm::dvec3(corners.b) - glm::dvec3(corners.a);
-  const glm::dvec3 c = glm::dvec3(corners.c) - glm::dvec3(corners.a);
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const double left = b[i] * c[j];
-    const double right = b[j] * c[i];
-    if (std::abs(left - right) > 8 * triangle_filter::unit_roundoff * (std::abs(left) + std::abs(right))) {
-      return true;
-    }
-  }
+  if (surely_has_area({corners.a, corners.b, corners.c})) return true;
   const WideVec a = in_units(corners.a);
   const WideVec normal = cross(difference(in_units(corners.b), a), difference(in_units(corners.c), a));
   return normal[0] != 0 || normal[1] != 0 || normal[2] != 0;

@@ -44,6 +44,8 @@ bool intersect_triangle(const Mesh& mesh, std::uint32_t triangle, const Ray& ray
 /// Whether the corners, finite binary32 values, span a triangle: false if they are exactly collinear or
 /// equal.
 [[nodiscard]] bool has_area(const Mesh::Corners& corners);
+/// The same of finite binary64 values below 2^128 in magnitude.
+[[nodiscard]] bool has_area(const SourceMesh::Corners& corners);
 
 namespace triangle_filter {
 

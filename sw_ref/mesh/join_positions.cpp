@@ -9,18 +9,18 @@ namespace hitpipe::ref {
 
 namespace {
 
-std::uint64_t hash(const glm::vec3& p) {
+std::uint64_t hash(const glm::dvec3& p) {
   constexpr std::uint64_t odd =
       0x9E3779B97F4A7C15U;  // 2^64 divided by the golden ratio, as in Fibonacci hashing
-  std::uint64_t h = std::bit_cast<std::uint32_t>(p.x) * odd;
-  h = (std::rotl(h, 27) ^ std::bit_cast<std::uint32_t>(p.y)) * odd;
-  h = (std::rotl(h, 27) ^ std::bit_cast<std::uint32_t>(p.z)) * odd;
+  std::uint64_t h = std::bit_cast<std::uint64_t>(p.x) * odd;
+  h = (std::rotl(h, 27) ^ std::bit_cast<std::uint64_t>(p.y)) * odd;
+  h = (std::rotl(h, 27) ^ std::bit_cast<std::uint64_t>(p.z)) * odd;
   return h ^ h >> 32U;
 }
 
 }  // namespace
 
-void join_positions(Mesh& mesh) {
+void join_positions(SourceMesh& mesh) {
   constexpr std::uint32_t none = ~0U;
   constexpr std::uint32_t used = none - 1;
   std::vector<std::uint32_t> renumbered(mesh.vertices.size(), none);

@@ -6,6 +6,6 @@
 namespace hitpipe::ref {
 
 /// Keeps each position that a triangle uses once, in the order of first appearance.
-void join_positions(Mesh& mesh);
+void join_positions(SourceMesh& mesh);
 
 }  // namespace hitpipe::ref

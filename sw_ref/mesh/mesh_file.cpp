@@ -81,45 +81,41 @@ FileMesh read(const fs::path& file) {
 }
 
 /// Adding +0 turns -0 into +0, so that equal positions have equal bits.
-std::vector<glm::vec3> rounded(const std::vector<glm::dvec3>& positions) {
-  std::vector<glm::vec3> vertices;
-  vertices.reserve(positions.size());
-  for (const glm::dvec3& p : positions) {
-    const glm::vec3 vertex = glm::vec3(p) + 0.0F;
-    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z))
+std::vector<glm::dvec3> checked(std::vector<glm::dvec3> positions) {
+  const auto fits = [](double x) { return std::abs(x) <= double{std::numeric_limits<float>::max()}; };
+  for (glm::dvec3& p : positions) {
+    if (!fits(p.x) || !fits(p.y) || !fits(p.z))
       reject(fmt::format("a vertex lies at ({}, {}, {}); coordinates must be finite and below 3.4e38", p.x,
                          p.y, p.z));
-    vertices.push_back(vertex);
+    p += 0.0;
   }
-  return vertices;
+  return positions;
 }
 
 /// The file's groups as runs of triangles of the mesh, which lacks the dropped ones.
 std::vector<MeshGroup> groups_of(FileMesh& file, const std::vector<std::uint32_t>& first,
-                                 const std::vector<std::uint32_t>& dropped) {
-  const auto kept_below = [&](std::uint32_t number) {
-    const auto gone = std::lower_bound(dropped.begin(), dropped.end(), number) - dropped.begin();
-    return number - static_cast<std::uint32_t>(gone);
-  };
+                                 const TriangleNumbers& numbers) {
   std::vector<MeshGroup> groups;
   for (std::size_t i = 0; i < file.groups.size(); ++i) {
     FileMesh::Group& group = file.groups[i];
-    const std::uint32_t begin = kept_below(first[i]);
+    const std::uint32_t begin = numbers.kept_below(first[i]);
     groups.push_back({std::move(group.name), std::move(group.material), group.surface, begin,
-                      kept_below(first[i + 1]) - begin});
+                      numbers.kept_below(first[i + 1]) - begin});
   }
   return groups;
 }
 
-Mesh mesh_of(FileMesh file, std::vector<MeshGroup>& groups) {
+SourceMesh mesh_of(FileMesh file, std::vector<MeshGroup>& groups) {
   if (file.groups.empty()) file.groups.push_back({});
   const std::vector<std::uint32_t> first = first_triangles(file);
-  Mesh mesh;
+  SourceMesh mesh;
+  mesh.faces = first_numbers(file);
   mesh.triangles = triangles_of(file);
-  mesh.vertices = rounded(std::exchange(file.positions, {}));
+  mesh.vertices = checked(std::move(file.positions));
   if (mesh.triangles.empty()) reject("has no triangle; at least one is needed");
-  drop_degenerate(mesh);
-  groups = groups_of(file, first, mesh.dropped);
+  drop(mesh, flat_triangles(mesh));
+  mesh.without_area = static_cast<std::uint32_t>(mesh.dropped.size());
+  groups = groups_of(file, first, TriangleNumbers(mesh));
   if (mesh.triangles.empty())
     reject(fmt::format("has only triangles without area ({}); at least one with area is needed",
                        mesh.dropped.size()));
@@ -154,17 +150,17 @@ FileMesh read_mesh_file(const fs::path& file) {
   return named(file, [&] { return read(file); });
 }
 
-Mesh load_mesh(const fs::path& file) {
+SourceMesh load_mesh(const fs::path& file) {
   std::vector<MeshGroup> groups;
   return load_mesh(file, groups);
 }
 
-Mesh load_mesh(const fs::path& file, std::vector<MeshGroup>& groups) {
+SourceMesh load_mesh(const fs::path& file, std::vector<MeshGroup>& groups) {
   groups.clear();
   return named(file, [&] { return mesh_of(read(file), groups); });
 }
 
-Mesh load_mesh(std::string_view bytes, const fs::path& file, std::vector<MeshGroup>& groups) {
+SourceMesh load_mesh(std::string_view bytes, const fs::path& file, std::vector<MeshGroup>& groups) {
   groups.clear();
   return named(file, [&] { return mesh_of(reader_by_name(file)(bytes, file), groups); });
 }

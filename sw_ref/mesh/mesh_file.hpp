@@ -20,10 +20,10 @@ namespace hitpipe::ref {
 [[nodiscard]] FileMesh read_mesh_file(const std::filesystem::path& file);
 
 /// All triangles of a file in its own units: polygons are cut into triangles, faces of one or two corners are
-/// left out, positions are rounded to binary32, equal ones are joined, and triangles without area are dropped
-/// and counted. At least one triangle remains. Throws as read_mesh_file() does, and if a polygon crosses itself,
-/// a coordinate is beyond binary32, or no triangle has an area.
-[[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
+/// left out, equal positions are joined, and triangles without area are dropped and counted. At least one
+/// triangle remains. Throws as read_mesh_file() does, and if a polygon crosses itself, a coordinate is beyond
+/// binary32, or no triangle has an area.
+[[nodiscard]] SourceMesh load_mesh(const std::filesystem::path& file);
 
 /// Consecutive triangles of a file that have one name and one material there; names may be empty.
 struct MeshGroup {
@@ -35,9 +35,9 @@ struct MeshGroup {
 };
 
 /// The same, and also the groups of the triangles. The groups follow one another and cover the mesh.
-[[nodiscard]] Mesh load_mesh(const std::filesystem::path& file, std::vector<MeshGroup>& groups);
+[[nodiscard]] SourceMesh load_mesh(const std::filesystem::path& file, std::vector<MeshGroup>& groups);
 /// The same of bytes in memory. The file's name says the format, and the files that a mesh names are beside it.
-[[nodiscard]] Mesh load_mesh(std::string_view bytes, const std::filesystem::path& file,
-                             std::vector<MeshGroup>& groups);
+[[nodiscard]] SourceMesh load_mesh(std::string_view bytes, const std::filesystem::path& file,
+                                   std::vector<MeshGroup>& groups);
 
 }  // namespace hitpipe::ref

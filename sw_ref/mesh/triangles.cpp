@@ -60,6 +60,17 @@ std::vector<glm::uvec3> triangles_of(FileMesh& mesh) {
   return triangles;
 }
 
+std::vector<std::uint32_t> first_numbers(const FileMesh& mesh) {
+  std::vector<std::uint32_t> first;
+  first.reserve(mesh.sizes.size());
+  std::uint32_t count = 0;
+  for (const std::uint32_t size : mesh.sizes) {
+    first.push_back(count);
+    count += triangles_in(size);
+  }
+  return first;
+}
+
 std::vector<std::uint32_t> first_triangles(const FileMesh& mesh) {
   std::vector<std::uint32_t> first;
   std::uint32_t count = 0;

@@ -15,6 +15,9 @@ namespace hitpipe::ref {
 /// polygon that triangulate() refuses, and when there are more triangles than can be numbered.
 [[nodiscard]] std::vector<glm::uvec3> triangles_of(FileMesh& mesh);
 
+/// Of each face: the number of triangles before it. Empty where all faces are triangles.
+[[nodiscard]] std::vector<std::uint32_t> first_numbers(const FileMesh& mesh);
+
 /// Of each group, and at the end of all: the number of triangles before it.
 [[nodiscard]] std::vector<std::uint32_t> first_triangles(const FileMesh& mesh);
 

@@ -44,8 +44,20 @@ Ray ray_in_cube(const glm::dvec3& start, const glm::vec3& direction, double leng
           static_cast<float>(length - inside.from)};
 }
 
-Ray parallel_ray(const Camera& camera, double across, double upward) {
-  const glm::dvec3 start = glm::dvec3(camera.eye) + across * camera.right + upward * camera.up;
+std::optional<std::uint64_t> first_ray_outside(const Camera& camera, int width, int height) {
+  if (camera.projection == Projection::perspective) return std::nullopt;  // its eye is in the cube
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const glm::dvec3 start = glm::abs(start_of(camera, x, y, width, height));
+      if (start.x > 1.0 || start.y > 1.0 || start.z > 1.0)
+        return static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(width) +
+               static_cast<std::uint64_t>(x);
+    }
+  }
+  return std::nullopt;
+}
+
+Ray parallel_ray(const glm::dvec3& start, const Camera& camera) {
   return ray_in_cube(start, glm::vec3(camera.forward), std::numeric_limits<double>::infinity());
 }
 

@@ -149,8 +149,8 @@ void build_branch(Shapes& shapes, double detail) {
 
 }  // namespace
 
-SceneDescription branch(std::size_t triangles) {
-  SceneDescription scene;
+BuiltInDescription branch(std::size_t triangles) {
+  BuiltInDescription scene;
   scene.mesh.triangles.reserve(triangles);
   Shapes shapes(scene.mesh, Shapes::Normals::smooth);
   build_branch(shapes, detail_for(triangles, build_branch));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@
 namespace hitpipe::ref {
 namespace {
 
-SceneDescription only_spheres(std::size_t /*triangles*/) {
+BuiltInDescription only_spheres(std::size_t /*triangles*/) {
   return spheres();
 }
 
@@ -68,10 +69,10 @@ SceneDescription make_built_in(std::string_view name, std::optional<std::size_t>
   if (wanted < scene->least || wanted > scene->most)
     throw std::runtime_error(fmt::format("scene \"{}\": {} triangles; allowed are {} to {}", name, wanted,
                                          scene->least, scene->most));
-  SceneDescription description = scene->make(wanted);
-  description.name = scene->name;
-  description.stand_in_for = scene->stands_for;
-  return description;
+  BuiltInDescription made = scene->make(wanted);
+  made.name = scene->name;
+  made.stand_in_for = scene->stands_for;
+  return as_source(std::move(made));
 }
 
 std::string built_in_names() {

@@ -19,7 +19,7 @@ struct BuiltInScene {
   std::size_t most;
   int lights;
   const char* what;
-  SceneDescription (*make)(std::size_t triangles);
+  BuiltInDescription (*make)(std::size_t triangles);
 
   [[nodiscard]] bool scales() const { return least != most; }
 };

@@ -144,8 +144,8 @@ std::vector<Material> paints() {
   return all;
 }
 
-SceneDescription whole_city(std::size_t triangles) {
-  SceneDescription scene;
+BuiltInDescription whole_city(std::size_t triangles) {
+  BuiltInDescription scene;
   scene.mesh.triangles.reserve(triangles);
   scene.mesh.materials.reserve(triangles);
   scene.mesh.vertices.reserve(triangles * 2 / 3);  // a box has 8 vertices for 12 triangles
@@ -159,8 +159,8 @@ SceneDescription whole_city(std::size_t triangles) {
 }  // namespace
 }  // namespace city_parts
 
-SceneDescription city(std::size_t triangles) {
-  SceneDescription scene = city_parts::whole_city(triangles);
+BuiltInDescription city(std::size_t triangles) {
+  BuiltInDescription scene = city_parts::whole_city(triangles);
   scene.eye = {25.0, 260.0, -40.0};
   scene.target = {25.0, 0.0, -40.0};
   scene.up = {0.0, 0.0, -1.0};  // north
@@ -169,8 +169,8 @@ SceneDescription city(std::size_t triangles) {
   return scene;
 }
 
-SceneDescription city_oblique(std::size_t triangles) {
-  SceneDescription scene = city_parts::whole_city(triangles);
+BuiltInDescription city_oblique(std::size_t triangles) {
+  BuiltInDescription scene = city_parts::whole_city(triangles);
   scene.eye = {500.0, 520.0, 560.0};
   scene.target = {70.0, 30.0, 10.0};
   scene.fov_degrees = 26.0;

@@ -18,13 +18,13 @@
 namespace hitpipe::ref {
 namespace {
 
-/// The side of the box that the triangle lies in, 0..5 (axis, then min or max), or -1. Bounds are of the
-/// binary32 vertices, so equality is exact.
-int side_of(const Mesh::Corners& t, const Bounds& walls) {
+/// The side of the box that the triangle lies in, 0..5 (axis, then min or max), or -1. Bounds are coordinates of
+/// vertices, so equality is exact.
+int side_of(const SourceMesh::Corners& t, const Bounds& walls) {
   for (int axis = 0; axis < 3; ++axis) {
     if (t.a[axis] != t.b[axis] || t.a[axis] != t.c[axis]) continue;
-    if (double{t.a[axis]} == walls.min[axis]) return 2 * axis;
-    if (double{t.a[axis]} == walls.max[axis]) return 2 * axis + 1;
+    if (t.a[axis] == walls.min[axis]) return 2 * axis;
+    if (t.a[axis] == walls.max[axis]) return 2 * axis + 1;
   }
   return -1;
 }
@@ -33,21 +33,19 @@ int side_of(const Mesh::Corners& t, const Bounds& walls) {
 /// its camera must be inside. The bounds of the room's contents; nothing if the mesh is not a room or the
 /// room is empty. In a room the triangles in each of the six planes of the bounding box have a total area of
 /// at least 99 % of that side.
-std::optional<Bounds> room_contents(const Mesh& mesh, const Bounds& walls) {
+std::optional<Bounds> room_contents(const SourceMesh& mesh, const Bounds& walls) {
   constexpr double covered = 0.99;
   const glm::dvec3 size = walls.max - walls.min;
   std::array<double, 6> area{};
   std::optional<Bounds> contents;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Mesh::Corners t = mesh.corners(i);
+    const SourceMesh::Corners t = mesh.corners(i);
     if (const int side = side_of(t, walls); side >= 0) {
-      const glm::dvec3 a = t.a;
-      area[static_cast<std::size_t>(side)] +=
-          0.5 * glm::length(glm::cross(glm::dvec3(t.b) - a, glm::dvec3(t.c) - a));
+      area[static_cast<std::size_t>(side)] += 0.5 * glm::length(glm::cross(t.b - t.a, t.c - t.a));
       continue;
     }
     if (!contents) contents = Bounds{t.a, t.a};
-    for (const glm::vec3& corner : {t.a, t.b, t.c}) contents->grow(corner);
+    for (const glm::dvec3& corner : {t.a, t.b, t.c}) contents->grow(corner);
   }
   for (int side = 0; side < 6; ++side) {
     const int axis = side / 2;
@@ -108,7 +106,7 @@ void assign_surfaces(SceneDescription& scene, std::span<const MeshGroup> groups)
 
 }  // namespace
 
-SceneDescription mesh_scene(Mesh mesh, std::string name, std::span<const MeshGroup> groups) {
+SceneDescription mesh_scene(SourceMesh mesh, std::string name, std::span<const MeshGroup> groups) {
   const Bounds box = mesh_bounds(mesh);
   const double radius = glm::length((box.max - box.min) / box.longest()) * 0.5 * box.longest();
   SceneDescription scene{std::move(name), std::move(mesh), {}, {}, box.centre(), {0.0, 1.0, 0.0}, 40.0, {}};

@@ -13,7 +13,7 @@ namespace hitpipe::ref {
 /// right. A room is seen and lit from inside. Triangles of `groups` have the surfaces that these state, all
 /// others one plain material. A scene has at most 256 materials; a group beyond them gets the most similar
 /// one.
-[[nodiscard]] SceneDescription mesh_scene(Mesh mesh, std::string name,
+[[nodiscard]] SceneDescription mesh_scene(SourceMesh mesh, std::string name,
                                           std::span<const MeshGroup> groups = {});
 
 }  // namespace hitpipe::ref

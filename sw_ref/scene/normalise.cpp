@@ -7,10 +7,25 @@
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "sw_ref/scene/triangle_numbers.hpp"
 
 namespace hitpipe::ref {
+
+namespace {
+
+template <class Vertex>
+Bounds bounds_of(const MeshOf<Vertex>& mesh) {
+  Bounds box{glm::dvec3(std::numeric_limits<double>::infinity()),
+             glm::dvec3(-std::numeric_limits<double>::infinity())};
+  for (const glm::uvec3& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) box.grow(glm::dvec3(mesh.vertices[t[k]]));
+  }
+  return box;
+}
+
+}  // namespace
 
 double Bounds::longest() const {
   const glm::dvec3 extent = max - min;
@@ -22,13 +37,24 @@ void Bounds::grow(const glm::dvec3& point) {
   max = glm::max(max, point);
 }
 
+void Losses::add(double thickness) {
+  thinnest = triangles == 0 ? thickness : std::min(thinnest, thickness);
+  thickest = std::max(thickest, thickness);
+  ++triangles;
+}
+
+double thickness(const SourceMesh::Corners& corners) {
+  const glm::dvec3 b = corners.b - corners.a;
+  const glm::dvec3 c = corners.c - corners.a;
+  const double longest = std::max({glm::length(b), glm::length(c), glm::length(c - b)});
+  return longest == 0.0 ? 0.0 : glm::length(glm::cross(b, c)) / longest;
+}
+
+Bounds mesh_bounds(const SourceMesh& mesh) {
+  return bounds_of(mesh);
+}
 Bounds mesh_bounds(const Mesh& mesh) {
-  Bounds box{glm::dvec3(std::numeric_limits<double>::infinity()),
-             glm::dvec3(-std::numeric_limits<double>::infinity())};
-  for (const glm::uvec3& t : mesh.triangles) {
-    for (int k = 0; k < 3; ++k) box.grow(glm::dvec3(mesh.vertices[t[k]]));
-  }
-  return box;
+  return bounds_of(mesh);
 }
 
 Normalisation fit_to_cube(Bounds box, std::span<const glm::dvec3> points) {
@@ -46,20 +72,35 @@ glm::vec3 normalised(const glm::dvec3& own, const Normalisation& normalisation) 
   return p;
 }
 
-void normalise(Mesh& mesh, const Normalisation& normalisation) {
+Mesh normalise(SourceMesh mesh, const Normalisation& normalisation, Losses& lost) {
   std::vector<bool> used(mesh.vertices.size());
   for (const glm::uvec3& t : mesh.triangles) used[t.x] = used[t.y] = used[t.z] = true;
   constexpr auto bound = static_cast<float>(cube_bound);
+  std::vector<glm::vec3> vertices;
+  vertices.reserve(mesh.vertices.size());
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    glm::vec3& vertex = mesh.vertices[v];
-    vertex = used[v] ? normalised(glm::dvec3(vertex), normalisation)
-                     : glm::clamp(glm::vec3(normalisation.to_cube(glm::dvec3(vertex))), -bound, bound);
+    vertices.push_back(used[v]
+                           ? normalised(mesh.vertices[v], normalisation)
+                           : glm::clamp(glm::vec3(normalisation.to_cube(mesh.vertices[v])), -bound, bound));
   }
-  drop_degenerate(mesh);
-  if (mesh.triangles.empty())
+  Mesh placed{.vertices = std::move(vertices),
+              .normals = std::move(mesh.normals),
+              .triangles = std::move(mesh.triangles),
+              .materials = std::move(mesh.materials),
+              .dropped = std::move(mesh.dropped),
+              .without_area = mesh.without_area,
+              .faces = std::move(mesh.faces)};
+  const std::vector<std::uint32_t> flat = flat_triangles(placed);
+  for (const std::uint32_t triangle : flat) {
+    const glm::uvec3& t = placed.triangles[triangle];
+    lost.add(thickness({mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]}));
+  }
+  drop(placed, flat);
+  if (placed.triangles.empty())
     throw std::runtime_error(
         "scene: no triangle keeps an area when its corners are rounded to binary32 in the cube; at least one "
         "must");
+  return placed;
 }
 
 }  // namespace hitpipe::ref

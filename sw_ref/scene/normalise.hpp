@@ -1,6 +1,7 @@
 // The uniform transform from a scene's own units into the cube that all later stages work in.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include <glm/vec3.hpp>
@@ -22,10 +23,30 @@ constexpr double smallest_mesh_part = 0x1p-10;
 struct Normalisation {
   glm::dvec3 offset{0.0};  ///< the centre, in own units
   double scale = 1.0;      ///< > 0
+  bool chosen = false;     ///< by a CubeChoice: a ray that begins outside is refused
 
   [[nodiscard]] glm::dvec3 to_cube(const glm::dvec3& own) const { return (own - offset) * scale; }
   [[nodiscard]] glm::dvec3 to_own(const glm::dvec3& cube) const { return cube / scale + offset; }
 };
+
+/// A cube that somebody wants, in own units: its middle, and half its side, more than 0.
+struct CubeChoice {
+  glm::dvec3 centre{0.0};
+  double half = 1.0;
+};
+
+/// Triangles that lose their area when their corners are rounded. The thickness of a triangle is its height over
+/// its longest side, in own units.
+struct Losses {
+  std::uint32_t triangles = 0;
+  double thinnest = 0.0;
+  double thickest = 0.0;
+
+  void add(double thickness);
+};
+
+/// The height over the longest side.
+[[nodiscard]] double thickness(const SourceMesh::Corners& corners);
 
 /// A box in own units.
 struct Bounds {
@@ -39,15 +60,16 @@ struct Bounds {
 };
 
 /// The bounds of the vertices that triangles use; the mesh must have a triangle.
+[[nodiscard]] Bounds mesh_bounds(const SourceMesh& mesh);
 [[nodiscard]] Bounds mesh_bounds(const Mesh& mesh);
 
 /// Fits the box and the points into +-cube_bound. They must be finite, and their union must have some extent.
 [[nodiscard]] Normalisation fit_to_cube(Bounds box, std::span<const glm::dvec3> points);
 
-/// Moves the vertices; each is computed in double and rounded to binary32 once. Triangles that lose their
-/// area are dropped and counted. Vertices that no triangle uses are not moved, only cut to the cube. Throws
-/// std::runtime_error if no triangle is left.
-void normalise(Mesh& mesh, const Normalisation& normalisation);
+/// The mesh in the cube. Each vertex is computed in double and rounded to binary32 once. Triangles that lose
+/// their area are dropped, and counted in `lost`. Vertices that no triangle uses are not moved, only cut to the
+/// cube. Throws std::runtime_error if no triangle is left.
+[[nodiscard]] Mesh normalise(SourceMesh mesh, const Normalisation& normalisation, Losses& lost);
 
 /// A point, moved and rounded in the same way. Throws std::logic_error if it is not within +-cube_bound.
 [[nodiscard]] glm::vec3 normalised(const glm::dvec3& own, const Normalisation& normalisation);

@@ -18,8 +18,8 @@ void build_plant(Shapes& shapes, double detail) {
   plant::add_boiler(shapes, detail);
 }
 
-SceneDescription whole_plant(std::size_t triangles) {
-  SceneDescription scene;
+BuiltInDescription whole_plant(std::size_t triangles) {
+  BuiltInDescription scene;
   scene.mesh.triangles.reserve(triangles);
   scene.mesh.materials.reserve(triangles);
   scene.mesh.vertices.reserve(triangles * 2 / 3);  // a box has 8 vertices for 12 triangles, a rod 1 for 1
@@ -65,8 +65,8 @@ void cut_to_slab(Mesh& mesh, double middle, double reach) {
 
 }  // namespace
 
-SceneDescription plant_front(std::size_t triangles) {
-  SceneDescription scene = whole_plant(triangles);
+BuiltInDescription plant_front(std::size_t triangles) {
+  BuiltInDescription scene = whole_plant(triangles);
   scene.eye = {6.0, 24.0, 96.0};
   scene.target = {33.0, 19.5, 16.0};
   scene.fov_degrees = 50.0;
@@ -74,8 +74,8 @@ SceneDescription plant_front(std::size_t triangles) {
   return scene;
 }
 
-SceneDescription plant_north(std::size_t triangles) {
-  SceneDescription scene = whole_plant(triangles);
+BuiltInDescription plant_north(std::size_t triangles) {
+  BuiltInDescription scene = whole_plant(triangles);
   scene.eye = {66.0, 2.2, -14.0};
   scene.target = {34.0, 19.0, 20.0};
   scene.fov_degrees = 60.0;
@@ -85,8 +85,8 @@ SceneDescription plant_north(std::size_t triangles) {
   return scene;
 }
 
-SceneDescription plant_boiler(std::size_t triangles) {
-  SceneDescription scene = whole_plant(triangles);
+BuiltInDescription plant_boiler(std::size_t triangles) {
+  BuiltInDescription scene = whole_plant(triangles);
   scene.eye = {25.0, 9.5, 20.4};
   scene.target = {31.0, 18.5, 13.5};
   scene.fov_degrees = 75.0;
@@ -94,8 +94,8 @@ SceneDescription plant_boiler(std::size_t triangles) {
   return scene;
 }
 
-SceneDescription plant_slice(std::size_t /*triangles*/) {
-  SceneDescription scene = whole_plant(400'000);
+BuiltInDescription plant_slice(std::size_t /*triangles*/) {
+  BuiltInDescription scene = whole_plant(400'000);
   constexpr double middle = 20.0;  // of the yard
   cut_to_slab(scene.mesh, middle, 1.4);
   scene.eye = {-2.0, 12.0, middle + 0.3};

@@ -237,8 +237,8 @@ void build_poppy(Shapes& shapes, double detail) {
 
 }  // namespace
 
-SceneDescription poppy(std::size_t triangles) {
-  SceneDescription scene;
+BuiltInDescription poppy(std::size_t triangles) {
+  BuiltInDescription scene;
   scene.mesh.triangles.reserve(triangles);
   Shapes shapes(scene.mesh, Shapes::Normals::smooth);
   build_poppy(shapes, detail_for(triangles, build_poppy));

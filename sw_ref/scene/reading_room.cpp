@@ -245,8 +245,8 @@ std::vector<Material> surfaces() {
 }  // namespace
 }  // namespace reading_room_parts
 
-SceneDescription reading_room(std::size_t triangles) {
-  SceneDescription scene;
+BuiltInDescription reading_room(std::size_t triangles) {
+  BuiltInDescription scene;
   Shapes shapes(scene.mesh, Shapes::Normals::flat);
   reading_room_parts::build_room(shapes, detail_for(triangles, reading_room_parts::build_room));
   scene.materials = reading_room_parts::surfaces();

@@ -90,6 +90,9 @@ void check_light(const LightSource& light, std::size_t number) {
 void check_distances(const SceneDescription& scene, const Bounds& box, const Normalisation& fit) {
   const double part = box.longest() * fit.scale / 2.0;
   if (part >= smallest_mesh_part) return;
+  if (scene.cube)
+    reject(fmt::format("cube of {} around {}: the mesh has {:.2g} of its side; at least {} is needed",
+                       scene.cube->half, text(scene.cube->centre), part, smallest_mesh_part));
   std::string blamed = fmt::format("camera: eye {}", text(scene.eye));
   double farthest = largest(scene.eye - box.centre());
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -102,6 +105,47 @@ void check_distances(const SceneDescription& scene, const Bounds& box, const Nor
   reject(fmt::format(
       "{} is so far from the mesh that {:.2g} of the scene would be left for it; at least {} is needed",
       blamed, part, smallest_mesh_part));
+}
+
+/// A cube that is chosen must hold what rays begin at.
+void check_inside(const SceneDescription& scene, const Bounds& box) {
+  const CubeChoice& cube = *scene.cube;
+  const auto inside = [&](const glm::dvec3& point, double sides) {
+    const glm::dvec3 p = glm::abs(point - cube.centre) / cube.half;
+    return p.x <= sides && p.y <= sides && p.z <= sides;
+  };
+  const std::string where = fmt::format("cube of {} around {}", cube.half, text(cube.centre));
+  if (!inside(box.min, 1.0) || !inside(box.max, 1.0))
+    reject(fmt::format("{}: the mesh reaches from {} to {}; all of it must lie in the cube", where,
+                       text(box.min), text(box.max)));
+  if (!inside(scene.eye, 1.0))
+    reject(fmt::format("{}: ray 0 of the picture begins at the eye {}; rays must begin in the cube", where,
+                       text(scene.eye)));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (scene.lights[i].kind == LightKind::point && !inside(scene.lights[i].position, farthest_light))
+      reject(fmt::format("{}: light {} lies at {}; allowed is up to 2^20 times as far from its middle", where,
+                         i, text(scene.lights[i].position)));
+}
+
+Normalisation fit(const SceneDescription& scene, const Bounds& box) {
+  if (scene.cube) {
+    check_inside(scene, box);
+    return {scene.cube->centre, cube_bound / scene.cube->half, true};
+  }
+  std::vector<glm::dvec3> points{scene.eye};
+  for (const LightSource& light : scene.lights)
+    if (light.kind == LightKind::point) points.push_back(light.position);
+  const Normalisation fit = fit_to_cube(box, points);
+  if (!std::isfinite(fit.scale))
+    reject(fmt::format("scene: it reaches from {} to {}; it must be at least 1e-307 wide", text(box.min),
+                       text(box.max)));
+  return fit;
+}
+
+/// The light of a chosen cube may lie outside it.
+glm::vec3 place_of(const LightSource& light, const Normalisation& fit) {
+  if (light.kind == LightKind::sun) return unit(light.position);
+  return fit.chosen ? glm::vec3(fit.to_cube(light.position)) : normalised(light.position, fit);
 }
 
 /// Half the height of an orthographic image in the cube. It is the same for a field of view at the target.
@@ -151,35 +195,42 @@ SceneDescription describe(const std::string& name_or_path, std::optional<std::si
         fmt::format("scene \"{}\": a mesh file has the triangles it has; their number can be chosen for: {}",
                     name_or_path, scaling_names()));
   std::vector<MeshGroup> groups;
-  Mesh mesh = load_mesh(path, groups);
+  SourceMesh mesh = load_mesh(path, groups);
   return mesh_scene(std::move(mesh), path.stem().string(), groups);
 }
 
 }  // namespace
 
+SceneDescription as_source(BuiltInDescription made) {
+  return {.name = std::move(made.name),
+          .mesh = as_source(std::move(made.mesh)),
+          .materials = std::move(made.materials),
+          .eye = made.eye,
+          .target = made.target,
+          .up = made.up,
+          .fov_degrees = made.fov_degrees,
+          .lights = std::move(made.lights),
+          .stand_in_for = std::move(made.stand_in_for),
+          .projection = made.projection,
+          .cube = made.cube};
+}
+
 Scene place(SceneDescription description) {
   for (std::size_t i = 0; i < description.materials.size(); ++i) check_material(description.materials[i], i);
   check_camera(description);
-  std::vector<glm::dvec3> points{description.eye};
-  for (std::size_t i = 0; i < description.lights.size(); ++i) {
-    check_light(description.lights[i], i);
-    if (description.lights[i].kind == LightKind::point) points.push_back(description.lights[i].position);
-  }
+  for (std::size_t i = 0; i < description.lights.size(); ++i) check_light(description.lights[i], i);
   const Bounds box = mesh_bounds(description.mesh);
   Scene scene;
-  scene.to_cube = fit_to_cube(box, points);
+  scene.to_cube = fit(description, box);
+  scene.mesh_part = box.longest() * scene.to_cube.scale / (2.0 * cube_bound);
   check_distances(description, box, scene.to_cube);
   scene.camera = camera(description, scene.to_cube);
-  for (const LightSource& light : description.lights) {
-    const glm::vec3 place = light.kind == LightKind::sun ? glm::vec3(unit(light.position))
-                                                         : normalised(light.position, scene.to_cube);
-    scene.lights.push_back({place, glm::vec3(light.intensity), light.kind});
-  }
+  for (const LightSource& light : description.lights)
+    scene.lights.push_back({place_of(light, scene.to_cube), glm::vec3(light.intensity), light.kind});
   scene.name = std::move(description.name);
   scene.stand_in_for = std::move(description.stand_in_for);
   scene.materials = std::move(description.materials);
-  scene.mesh = std::move(description.mesh);
-  normalise(scene.mesh, scene.to_cube);
+  scene.mesh = normalise(std::move(description.mesh), scene.to_cube, scene.lost);
   return scene;
 }
 
@@ -191,6 +242,7 @@ SceneDescription describe_scene(const std::string& name_or_path, const SceneOpti
   description.fov_degrees = options.fov_degrees.value_or(description.fov_degrees);
   description.projection = options.projection.value_or(description.projection);
   if (!options.lights.empty()) description.lights = options.lights;
+  if (options.cube) description.cube = options.cube;
   return description;
 }
 

@@ -60,6 +60,8 @@ struct Scene {
   std::vector<Light> lights;
   Normalisation to_cube;     ///< from the scene's own units, for reports
   std::string stand_in_for;  ///< for reports: the thesis's scene that it stands in for; empty: none
+  Losses lost;               ///< to binary32
+  double mesh_part = 1.0;    ///< the mesh's longest side, as a part of the cube's
 };
 
 /// A light in the scene's own units.
@@ -78,12 +80,14 @@ struct SceneOptions {
   std::optional<Projection> projection;
   std::vector<LightSource> lights;       ///< if any, they replace the scene's own
   std::optional<std::size_t> triangles;  ///< about how many, for a built-in scene that scales
+  std::optional<CubeChoice> cube;
 };
 
 /// A mesh with its placing, before it is moved into the cube.
-struct SceneDescription {
+template <class Vertex>
+struct DescriptionOf {
   std::string name;
-  Mesh mesh;
+  MeshOf<Vertex> mesh;
   std::vector<Material> materials;
   glm::dvec3 eye{0.0};
   glm::dvec3 target{0.0};
@@ -94,18 +98,26 @@ struct SceneDescription {
   /// An orthographic image is as high as the field of view is at the target. So both projections show the
   /// same part of what is there.
   Projection projection = Projection::perspective;
+  std::optional<CubeChoice> cube = {};  ///< nothing: the smallest that holds mesh, eye and point lights
 };
+using SceneDescription = DescriptionOf<glm::dvec3>;
+/// A built-in scene as it is made: its corners are binary32.
+using BuiltInDescription = DescriptionOf<glm::vec3>;
 
-/// The built-in scene "spheres": 12 spheres of 2,048 triangles on a floor of 2, 24,578 in total. Some mirror,
-/// and some are glass. There are two lights.
-[[nodiscard]] SceneDescription spheres();
+/// The same scene.
+[[nodiscard]] SceneDescription as_source(BuiltInDescription made);
+
+/// How far from a chosen cube's middle a point light may lie, in half sides.
+constexpr double farthest_light = 0x1p20;
 
 /// Checks materials and placing and moves everything into the cube. Throws std::runtime_error, one line, for
 /// a material with a part out of range, and for a camera or light that cannot be placed. That is one with a
 /// coordinate that is not finite, eye equal to target, up parallel to the view, a field of view or intensity
 /// out of range, an orthographic image of height 0 or 2^20 times as high as the cube, a sun without a
 /// direction, or a point so far away that less than smallest_mesh_part of the cube would be left for the
-/// mesh. Suns are not placed in the cube, only their directions are.
+/// mesh. Suns are not placed in the cube, only their directions are. In a cube that the description chooses,
+/// it also throws for a mesh or an eye outside, and for an image whose rays begin outside; lights may lie
+/// outside, up to farthest_light times half a side.
 [[nodiscard]] Scene place(SceneDescription description);
 
 /// Reads the input of place(): a built-in scene by name, or a scene file (.json) or mesh file by path. A mesh

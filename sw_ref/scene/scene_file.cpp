@@ -19,6 +19,7 @@
 #include "sw_ref/scene/built_in.hpp"
 #include "sw_ref/scene/json_place.hpp"
 #include "sw_ref/scene/mesh_scene.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
 
 namespace hitpipe::ref {
 namespace {
@@ -128,12 +129,14 @@ class Surfaces {
   void assign_range(const Place& place, std::uint8_t material) {
     const std::vector<Place> ends = place.elements();
     if (ends.size() != 2) place.fail("must be an array of two numbers, the first and the last triangle");
-    const std::uint64_t last_of_all = scene_->mesh.triangles.size() - 1;
+    const TriangleNumbers numbers(scene_->mesh);
+    const std::uint64_t last_of_all = numbers.in_source() - 1;
     const std::uint64_t first = ends[0].count(last_of_all);
     const std::uint64_t last = ends[1].count(last_of_all);
     if (first > last)
       place.fail(fmt::format("the first triangle, {}, comes after the last, {}", first, last));
-    assign(first, last + 1, material);
+    assign(numbers.kept_below(static_cast<std::uint32_t>(first)),
+           numbers.kept_below(static_cast<std::uint32_t>(last + 1)), material);
   }
   void assign_groups(const Place& place, std::string MeshGroup::*label, std::uint8_t material) {
     const std::string wanted = place.word();
@@ -165,7 +168,7 @@ SceneDescription read_base(const Place& top, const std::filesystem::path& file,
                            scaling_names()));
     const std::filesystem::path mesh = file.parent_path() / top.at("mesh").word();
     host::never_replace(mesh);
-    Mesh triangles_of_file = load_mesh(mesh, groups);
+    SourceMesh triangles_of_file = load_mesh(mesh, groups);
     return mesh_scene(std::move(triangles_of_file), file.stem().string(), groups);
   }
   const Place name = top.at("built_in");

@@ -116,8 +116,8 @@ void append_floor(Mesh& mesh) {
 
 }  // namespace
 
-SceneDescription spheres() {
-  SceneDescription scene;
+BuiltInDescription spheres() {
+  BuiltInDescription scene;
   scene.name = "spheres";
   append_floor(scene.mesh);
   const UnitSphere sphere = unit_sphere();

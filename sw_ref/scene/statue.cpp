@@ -41,8 +41,8 @@ void append_figure(Mesh& mesh, std::size_t wanted, float x, bool mirrored) {
     std::swap(mesh.triangles[t].y, mesh.triangles[t].z);  // still counter-clockwise from outside
 }
 
-SceneDescription hall(std::size_t triangles) {
-  SceneDescription scene;
+BuiltInDescription hall(std::size_t triangles) {
+  BuiltInDescription scene;
   scene.mesh.vertices.reserve(triangles / 2 + 1000);
   scene.mesh.triangles.reserve(triangles);
   scene.mesh.materials.reserve(triangles);
@@ -65,14 +65,14 @@ SceneDescription hall(std::size_t triangles) {
 
 }  // namespace
 
-SceneDescription statue(std::size_t triangles) {
-  SceneDescription scene = hall(triangles);
+BuiltInDescription statue(std::size_t triangles) {
+  BuiltInDescription scene = hall(triangles);
   append_figure(scene.mesh, triangles - hall_triangles, 0.0F, false);
   return scene;
 }
 
-SceneDescription two_statues(std::size_t triangles) {
-  SceneDescription scene = hall(triangles);
+BuiltInDescription two_statues(std::size_t triangles) {
+  BuiltInDescription scene = hall(triangles);
   const std::size_t second = triangles * 15'000'000 / 43'057'792;  // figure 5.4: 28,057,792 and 15,000,000
   append_figure(scene.mesh, triangles - second - hall_triangles, -0.78F, true);
   append_figure(scene.mesh, second, 0.78F, false);

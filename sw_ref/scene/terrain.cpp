@@ -65,8 +65,8 @@ std::uint8_t colour_of(const Mesh::Corners& corners) {
 
 }  // namespace
 
-SceneDescription terrain(std::size_t triangles) {
-  SceneDescription scene;
+BuiltInDescription terrain(std::size_t triangles) {
+  BuiltInDescription scene;
   const int side = static_cast<int>(std::sqrt(static_cast<double>(triangles) / 2.0));
   const int rows = static_cast<int>(static_cast<double>(triangles) / 2.0 / side);
   scene.mesh.vertices.reserve(static_cast<std::size_t>(side + 1) * static_cast<std::size_t>(rows + 1));

@@ -1,24 +1,38 @@
 #include "sw_ref/scene/triangle_numbers.hpp"
 
 #include <utility>
-#include <vector>
 
 #include "sw_ref/judge/triangle_test.hpp"
 
 namespace hitpipe::ref {
 
-void drop_degenerate(Mesh& mesh) {
+namespace {
+
+template <class Vertex>
+std::vector<std::uint32_t> flat(const MeshOf<Vertex>& mesh) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+    if (!has_area(mesh.corners(i))) found.push_back(i);
+  return found;
+}
+
+template <class Vertex>
+void drop_from(MeshOf<Vertex>& mesh, std::span<const std::uint32_t> triangles) {
+  if (triangles.empty()) return;
   std::vector<std::uint32_t> dropped;
+  dropped.reserve(mesh.dropped.size() + triangles.size());
   auto earlier = mesh.dropped.begin();
-  std::uint32_t source = 0;
+  auto now = triangles.begin();
+  std::uint32_t number = 0;
   const auto skip_earlier = [&] {
-    for (; earlier != mesh.dropped.end() && *earlier == source; ++earlier) dropped.push_back(source++);
+    for (; earlier != mesh.dropped.end() && *earlier == number; ++earlier) dropped.push_back(number++);
   };
   std::size_t kept = 0;
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i, ++source) {
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i, ++number) {
     skip_earlier();
-    if (!has_area(mesh.corners(i))) {
-      dropped.push_back(source);
+    if (now != triangles.end() && *now == i) {
+      dropped.push_back(number);
+      ++now;
       continue;
     }
     mesh.triangles[kept] = mesh.triangles[i];
@@ -31,9 +45,25 @@ void drop_degenerate(Mesh& mesh) {
   mesh.dropped = std::move(dropped);
 }
 
+}  // namespace
+
+std::vector<std::uint32_t> flat_triangles(const SourceMesh& mesh) {
+  return flat(mesh);
+}
+std::vector<std::uint32_t> flat_triangles(const Mesh& mesh) {
+  return flat(mesh);
+}
+
+void drop(SourceMesh& mesh, std::span<const std::uint32_t> triangles) {
+  drop_from(mesh, triangles);
+}
+void drop(Mesh& mesh, std::span<const std::uint32_t> triangles) {
+  drop_from(mesh, triangles);
+}
+
 std::uint32_t TriangleNumbers::of_source(std::uint32_t triangle) const {
   // dropped[k] - k triangles of the mesh come before the k-th that was dropped.
-  const std::vector<std::uint32_t>& dropped = mesh_->dropped;
+  const std::vector<std::uint32_t>& dropped = *dropped_;
   std::size_t low = 0;
   std::size_t high = dropped.size();
   while (low < high) {
@@ -45,6 +75,12 @@ std::uint32_t TriangleNumbers::of_source(std::uint32_t triangle) const {
     }
   }
   return triangle + static_cast<std::uint32_t>(low);
+}
+
+std::uint32_t TriangleNumbers::face_of(std::uint32_t number) const {
+  if (faces_->empty()) return number;
+  return static_cast<std::uint32_t>(std::upper_bound(faces_->begin(), faces_->end(), number) -
+                                    faces_->begin() - 1);
 }
 
 }  // namespace hitpipe::ref

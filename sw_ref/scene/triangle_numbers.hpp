@@ -1,37 +1,60 @@
-// The numbers of triangles in the source of a mesh, and in the mesh, which lacks those without area.
+// The numbers of triangles in the source of a mesh, and in the mesh, which lacks some of them.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "sw_ref/scene/mesh.hpp"
 
 namespace hitpipe::ref {
 
-/// Takes the triangles without area out of the mesh and adds their numbers to Mesh::dropped.
-void drop_degenerate(Mesh& mesh);
+/// The triangles of the mesh that have no area, ascending.
+[[nodiscard]] std::vector<std::uint32_t> flat_triangles(const SourceMesh& mesh);
+[[nodiscard]] std::vector<std::uint32_t> flat_triangles(const Mesh& mesh);
+
+/// Takes triangles out of the mesh, ascending ones, and adds their numbers to MeshOf::dropped.
+void drop(SourceMesh& mesh, std::span<const std::uint32_t> triangles);
+void drop(Mesh& mesh, std::span<const std::uint32_t> triangles);
 
 /// The mesh must outlive it and not change.
 class TriangleNumbers {
  public:
   static constexpr std::uint32_t none = ~0U;
 
-  explicit TriangleNumbers(const Mesh& mesh) : mesh_(&mesh) {}
+  template <class Vertex>
+  explicit TriangleNumbers(const MeshOf<Vertex>& mesh)
+      : dropped_(&mesh.dropped),
+        faces_(&mesh.faces),
+        in_source_(mesh.triangles.size() + mesh.dropped.size()) {}
 
   /// How many triangles the source has.
-  [[nodiscard]] std::size_t in_source() const { return mesh_->triangles.size() + mesh_->dropped.size(); }
-  /// The number in the mesh of triangle `source` < in_source(); `none` if it was dropped.
-  [[nodiscard]] std::uint32_t in_mesh(std::uint32_t source) const {
-    const auto at = std::lower_bound(mesh_->dropped.begin(), mesh_->dropped.end(), source);
-    if (at != mesh_->dropped.end() && *at == source) return none;
-    return source - static_cast<std::uint32_t>(at - mesh_->dropped.begin());
+  [[nodiscard]] std::size_t in_source() const { return in_source_; }
+  /// How many triangles of the mesh have smaller numbers.
+  [[nodiscard]] std::uint32_t kept_below(std::uint32_t number) const {
+    return number - dropped_below(number);
   }
-  /// The number in the source of a triangle of the mesh.
+  /// The triangle of the mesh that has the number; `none` if the mesh lacks it. `number` < in_source().
+  [[nodiscard]] std::uint32_t in_mesh(std::uint32_t number) const {
+    const std::uint32_t below = dropped_below(number);
+    return below < dropped_->size() && (*dropped_)[below] == number ? none : number - below;
+  }
+  /// The number of a triangle of the mesh.
   [[nodiscard]] std::uint32_t of_source(std::uint32_t triangle) const;
+  /// The face of the file, from 0, that the triangle with this number is part of.
+  [[nodiscard]] std::uint32_t face_of(std::uint32_t number) const;
 
  private:
-  const Mesh* mesh_;
+  [[nodiscard]] std::uint32_t dropped_below(std::uint32_t number) const {
+    return static_cast<std::uint32_t>(std::lower_bound(dropped_->begin(), dropped_->end(), number) -
+                                      dropped_->begin());
+  }
+
+  const std::vector<std::uint32_t>* dropped_;
+  const std::vector<std::uint32_t>* faces_;
+  std::size_t in_source_;
 };
 
 }  // namespace hitpipe::ref

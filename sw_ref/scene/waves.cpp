@@ -39,8 +39,8 @@ glm::dvec3 point(double u, double v) {
 
 }  // namespace
 
-SceneDescription waves(std::size_t triangles) {
-  SceneDescription scene;
+BuiltInDescription waves(std::size_t triangles) {
+  BuiltInDescription scene;
   Shapes shapes(scene.mesh, Shapes::Normals::smooth);
   const double cells = static_cast<double>(triangles) / 2.0;
   const int columns = static_cast<int>(std::sqrt(cells * half_width / half_length));

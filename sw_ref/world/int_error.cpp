@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sw_ref/render/render.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
 #include "sw_ref/trace/tracer.hpp"
 #include "sw_ref/world/int_scene.hpp"
 #include "sw_ref/world/int_tracer.hpp"
@@ -27,13 +28,16 @@ std::vector<std::uint32_t> answers(const Tracer& tracer, const Batch& batch, Tra
   return found;
 }
 
-void compare_rays(const Batch& batch, const std::vector<std::uint32_t>& found, IntError& error) {
+void compare_rays(const Batch& batch, const TriangleNumbers& before, const std::vector<std::uint32_t>& found,
+                  const TriangleNumbers& after, IntError& error) {
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool before = batch.triangles[i] != IntHit::none;
-    const bool after = found[i] != IntHit::none;
-    const bool same = batch.query == Query::any ? before == after : batch.triangles[i] == found[i];
+    const bool hit_before = batch.triangles[i] != IntHit::none;
+    const bool hit_after = found[i] != IntHit::none;
+    const bool same =
+        hit_before == hit_after && (!hit_before || batch.query == Query::any ||
+                                    before.of_source(batch.triangles[i]) == after.of_source(found[i]));
     error.different_rays += same ? 0 : 1;
-    error.lost_hits += before && !after ? 1 : 0;
+    error.lost_hits += hit_before && !hit_after ? 1 : 0;
   }
 }
 
@@ -70,26 +74,25 @@ IntError int_error(const Scene& scene, const IntErrorOptions& options) {
 
   IntError error;
   error.triangles = static_cast<std::uint32_t>(integers.mesh.triangles.size());
-  error.without_area = integers.mesh.dropped;
+  error.lost_to_rounding = integers.mesh.lost.triangles;
   error.largest_movement = integers.mesh.largest_movement;
-  const auto tracer = [&](const std::optional<hls::MajorBits>& boxes, bool numbers_before_rounding) {
-    return int_tracer(
-        integers.mesh, integers.hierarchy(),
-        {.world = options.world, .boxes = boxes, .numbers_before_rounding = numbers_before_rounding});
+  const auto tracer = [&](const std::optional<hls::MajorBits>& boxes) {
+    return int_tracer(integers.mesh, integers.hierarchy(), {.world = options.world, .boxes = boxes});
   };
-  const std::unique_ptr<Tracer> exact = tracer(std::nullopt, true);
+  const std::unique_ptr<Tracer> exact = tracer(std::nullopt);
+  const TriangleNumbers before(scene.mesh);
+  const TriangleNumbers after(integers.mesh.mesh);
   for (const Batch& batch : batches) {
     error.rays += batch.rays.size();
-    compare_rays(batch, answers(*exact, batch, error.exact), error);
+    compare_rays(batch, before, answers(*exact, batch, error.exact), after, error);
   }
   for (const hls::MajorBits& boxes : options.boxes) {
-    const std::unique_ptr<Tracer> with = tracer(boxes, true);
+    const std::unique_ptr<Tracer> with = tracer(boxes);
     TraceCounts& counts = error.with.emplace_back();
     for (const Batch& batch : batches) (void)answers(*with, batch, counts);
   }
   drawing.surfaces = &int_surfaces;
-  compare_pixels(float_picture.image, render(integers.scene, *tracer(std::nullopt, false), drawing).image,
-                 error);
+  compare_pixels(float_picture.image, render(integers.scene, *tracer(std::nullopt), drawing).image, error);
   return error;
 }
 

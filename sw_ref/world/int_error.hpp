@@ -29,8 +29,8 @@ struct IntError {
   std::uint64_t different_rays = 0;  ///< another closest triangle, or another answer of a shadow ray
   std::uint64_t lost_hits = 0;       ///< of these: a triangle in the float world, none in the integer world
   std::uint32_t triangles = 0;
-  std::uint32_t without_area = 0;  ///< triangles that were dropped
-  double largest_movement = 0;     ///< of a corner, in units of the [-1, 1] cube
+  std::uint32_t lost_to_rounding = 0;  ///< triangles of the float world that lose their area on the grid
+  double largest_movement = 0;         ///< of a corner, in units of the [-1, 1] cube
   std::uint64_t pixels = 0;
   std::uint64_t different_pixels = 0;  ///< some channel differs by more than 1/256
   double largest_difference = 0;       ///< of a channel

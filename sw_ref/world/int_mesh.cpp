@@ -9,6 +9,7 @@
 
 #include "hls/world/world_format.hpp"
 #include "sw_ref/quantise/grid.hpp"
+#include "sw_ref/scene/triangle_numbers.hpp"
 
 namespace hitpipe::ref {
 
@@ -21,6 +22,17 @@ IntBox empty_box() {
   box.min.fill(std::numeric_limits<std::int32_t>::max());
   box.max.fill(std::numeric_limits<std::int32_t>::min());
   return box;
+}
+
+Corner on_grid(const glm::vec3& vertex, int coord_bits) {
+  Corner corner{};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(std::abs(vertex[axis]) <= 1.0F))
+      throw std::out_of_range(fmt::format("a corner at {} is outside the cube", vertex[axis]));
+    corner[static_cast<std::size_t>(axis)] =
+        static_cast<std::int32_t>(fine_nearest(vertex[axis], coord_bits));
+  }
+  return corner;
 }
 
 void grow(IntBox& box, const Corner& corner) {
@@ -39,39 +51,41 @@ IntMesh int_mesh(const Mesh& mesh, int coord_bits) {
   const auto scale = static_cast<double>(grid_scale(coord_bits));
   IntMesh made;
   made.coord_bits = coord_bits;
-  made.mesh = {
-      .vertices = {}, .normals = mesh.normals, .triangles = {}, .materials = {}, .dropped = mesh.dropped};
+  made.mesh = mesh;
   std::vector<Corner> corners;
   corners.reserve(mesh.vertices.size());
-  for (const glm::vec3& vertex : mesh.vertices) {
-    Corner corner{};
-    glm::vec3 moved{};
+  for (glm::vec3& vertex : made.mesh.vertices) {
+    const Corner corner = on_grid(vertex, coord_bits);
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(std::abs(vertex[axis]) <= 1.0F))
-        throw std::out_of_range(fmt::format("a corner at {} is outside the cube", vertex[axis]));
-      const std::int64_t rounded = fine_nearest(vertex[axis], coord_bits);
-      corner[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(rounded);
-      const double place = static_cast<double>(rounded) / scale;
-      moved[axis] = static_cast<float>(place);
+      const double place = static_cast<double>(corner[static_cast<std::size_t>(axis)]) / scale;
       made.largest_movement =
           std::max(made.largest_movement, std::abs(place - static_cast<double>(vertex[axis])));
+      vertex[axis] = static_cast<float>(place);
     }
     corners.push_back(corner);
-    made.mesh.vertices.push_back(moved);
   }
-  for (std::uint32_t number = 0; number < mesh.triangles.size(); ++number) {
-    const glm::uvec3& t = mesh.triangles[number];
+  std::vector<std::uint32_t> flat;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
     const IntTriangle triangle{{corners[t.x], corners[t.y], corners[t.z]}};
-    if (is_degenerate(triangle)) {
-      ++made.dropped;
+    if (!is_degenerate(triangle)) {
+      made.triangles.push_back(triangle);
       continue;
     }
-    made.triangles.push_back(triangle);
-    made.numbers.push_back(number);
-    made.mesh.triangles.push_back(t);
-    if (!mesh.materials.empty()) made.mesh.materials.push_back(mesh.materials[number]);
+    flat.push_back(i);
+    made.lost.add(thickness({mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]}));
   }
+  drop(made.mesh, flat);
   return made;
+}
+
+std::uint32_t lost_on_grid(const Mesh& mesh, int coord_bits) {
+  return static_cast<std::uint32_t>(
+      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const glm::uvec3& t) {
+        return is_degenerate(
+            {{on_grid(mesh.vertices[t.x], coord_bits), on_grid(mesh.vertices[t.y], coord_bits),
+              on_grid(mesh.vertices[t.z], coord_bits)}});
+      }));
 }
 
 std::vector<IntBox> int_boxes(const IntMesh& mesh, const Bvh& bvh) {

@@ -8,6 +8,7 @@
 #include "sw_ref/hierarchy/bvh.hpp"
 #include "sw_ref/quantise/int_box.hpp"
 #include "sw_ref/scene/mesh.hpp"
+#include "sw_ref/scene/normalise.hpp"
 #include "sw_ref/world/int_triangle.hpp"
 
 namespace hitpipe::ref {
@@ -15,12 +16,10 @@ namespace hitpipe::ref {
 struct IntMesh {
   int coord_bits = 0;                  ///< n
   std::vector<IntTriangle> triangles;  ///< none is degenerate
-  /// By triangle: its number in the mesh that was rounded. The other triangles of that mesh have lost their
-  /// area.
-  std::vector<std::uint32_t> numbers;
-  std::uint32_t dropped = 0;    ///< how many have lost their area
-  double largest_movement = 0;  ///< of a corner, in units of the [-1, 1] cube
-  /// The same triangles in binary32: corner / G. Rounding them again gives the same integers.
+  Losses lost;                         ///< on this grid; thicknesses are in the cube
+  double largest_movement = 0;         ///< of a corner, in units of the [-1, 1] cube
+  /// The same triangles in binary32: corner / G. Rounding them again gives the same integers. Triangles have the
+  /// numbers that they had.
   Mesh mesh;
 };
 
@@ -28,6 +27,9 @@ struct IntMesh {
 /// triangles; n is in 4..24. Throws std::invalid_argument for another n and std::out_of_range for a corner
 /// outside the cube.
 [[nodiscard]] IntMesh int_mesh(const Mesh& mesh, int coord_bits);
+
+/// How many triangles of the mesh would lose their area on a grid of so many bits.
+[[nodiscard]] std::uint32_t lost_on_grid(const Mesh& mesh, int coord_bits);
 
 /// By node of the hierarchy: the smallest box of all corners below. A node without triangles is not in a
 /// hierarchy.

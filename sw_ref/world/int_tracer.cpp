@@ -55,9 +55,7 @@ class IntTracer final : public Tracer {
     for (std::size_t i = 0; i < job.rays.size(); ++i) {
       TraceCounts work{.rays = 1};
       const IntRay ray = int_ray(job.rays[i], options_.world);
-      const std::uint32_t found = bvh_ == nullptr ? IntHit::none : trace_one(ray, job.query, work);
-      const bool renumber = options_.numbers_before_rounding && found != IntHit::none;
-      job.triangles[i] = renumber ? mesh_->numbers[found] : found;
+      job.triangles[i] = bvh_ == nullptr ? IntHit::none : trace_one(ray, job.query, work);
       if (!job.work.empty()) job.work[i] = work;
       counts += work;
     }

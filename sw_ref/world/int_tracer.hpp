@@ -19,8 +19,6 @@ struct IntTracerOptions {
   /// Boxes are tested as int_major does in this format; nothing: exactly. Its n, g and S must be the world's,
   /// and its F at most g + F of the world.
   std::optional<hls::MajorBits> boxes{};
-  /// Answers are numbers of the mesh that was rounded, not of the integer mesh.
-  bool numbers_before_rounding = false;
 };
 
 /// Throws std::invalid_argument, one line, when boxes of the format cannot be tested for rays of the world.

@@ -22,9 +22,10 @@ namespace {
 using namespace hitpipe;
 using fuzz::expect;
 
-void expect_whole(const ref::Mesh& mesh) {
+template <class Vertex>
+void expect_whole(const ref::MeshOf<Vertex>& mesh) {
   expect(!mesh.triangles.empty(), "at least one triangle is left");
-  for (const glm::vec3& v : mesh.vertices)
+  for (const Vertex& v : mesh.vertices)
     expect(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z), "vertices are finite");
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const glm::uvec3& t = mesh.triangles[i];
@@ -34,7 +35,7 @@ void expect_whole(const ref::Mesh& mesh) {
   }
 }
 
-void expect_covering(const std::vector<ref::MeshGroup>& groups, const ref::Mesh& mesh) {
+void expect_covering(const std::vector<ref::MeshGroup>& groups, const ref::SourceMesh& mesh) {
   std::uint32_t end = 0;
   for (const ref::MeshGroup& group : groups) {
     expect(group.first == end, "groups follow one another");
@@ -50,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   try {
     std::vector<ref::MeshGroup> groups;
-    ref::Mesh mesh = ref::load_mesh(bytes, folder / "mesh." HITPIPE_EXTENSION, groups);
+    ref::SourceMesh mesh = ref::load_mesh(bytes, folder / "mesh." HITPIPE_EXTENSION, groups);
     expect_whole(mesh);
     expect_covering(groups, mesh);
     expect_whole(ref::place(ref::mesh_scene(std::move(mesh), "mesh", groups)).mesh);

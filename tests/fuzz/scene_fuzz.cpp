@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -46,14 +47,19 @@ class Numbers {
 };
 
 /// The triangles with area and finite corners, as the reader of mesh files would keep them.
-ref::Mesh read_mesh(Numbers& numbers) {
-  ref::Mesh mesh;
+/// As a mesh file's coordinates must.
+bool fits(double x) {
+  return std::abs(x) <= double{std::numeric_limits<float>::max()};
+}
+
+ref::SourceMesh read_mesh(Numbers& numbers) {
+  ref::SourceMesh mesh;
   while (numbers.left() >= 9) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     bool finite = true;
     for (int corner = 0; corner < 3; ++corner) {
-      const glm::vec3 v(numbers.vector());
-      finite = finite && std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+      const glm::dvec3 v(numbers.vector());
+      finite = finite && fits(v.x) && fits(v.y) && fits(v.z);
       mesh.vertices.push_back(v);
     }
     const glm::uvec3 triangle(first, first + 1, first + 2);

@@ -145,7 +145,8 @@ TEST(BoardCommand, TracesAPictureByACore) {
   const Outcome large = trace({"--bits", "8+0/5s8", "--triangles", "20000"});
   EXPECT_EQ(large.exit_code, 2);
   EXPECT_THAT(large.err,
-              testing::MatchesRegex("hitpipe: the scene's image has [0-9]+ blocks of 32 bytes, and "
+              testing::MatchesRegex("hitpipe: waves: [^\n]+ lose their area at 8 bits[^\n]+\nhitpipe: the "
+                                    "scene's image has [0-9]+ blocks of 32 bytes, and "
                                     "the memory of the board's chip has room for 4096\n"));
   const Outcome other = trace({});
   EXPECT_EQ(other.exit_code, 2);

@@ -64,7 +64,8 @@ TEST(BvhCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   const auto lines = lines_of(printed({"--format", "csv"}));
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0],
-            "scene,triangles,degenerate_dropped,area,min,max,builder,max_triangles,bvh_nodes,leaves,depth,"
+            "scene,triangles,degenerate_dropped,lost_to_rounding,mesh_share_of_cube_pct,area,min,max,builder,"
+            "max_triangles,bvh_nodes,leaves,depth,"
             "triangles_per_leaf,triangles_in_largest_leaf,leaves_by_triangles,sah_cost,child_overlap_pct,"
             "node_bytes,order_bytes,build_seconds");
 }
@@ -72,7 +73,8 @@ TEST(BvhCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
 TEST(BvhCommand, SweepsTheLeafSizesOfAppendixB) {
   const std::string text = printed({"--sweep"});
   EXPECT_LE(widest_line(text), 80U);
-  EXPECT_THAT(text, StartsWith("spheres: 24578 triangles, median\nmax_triangles  bvh_nodes"));
+  EXPECT_THAT(text, StartsWith("spheres: 24578 triangles (0 without area, 0 lost), 97.8 % of the cube, "
+                               "median\nmax_triangles  bvh_nodes"));
   const Json rows = figures({"--sweep"});
   ASSERT_EQ(rows.size(), 23U);
   EXPECT_EQ(rows[0].at("max_triangles"), 1);

@@ -163,7 +163,8 @@ TEST(CosimCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   const auto lines = lines_of(csv.out);
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0],
-            "design,bits,scene,triangles,degenerate_dropped,bvh_nodes,hierarchy,rays_primary,rays_secondary,"
+            "design,bits,scene,triangles,degenerate_dropped,lost_to_rounding,mesh_share_of_cube_pct,bvh_"
+            "nodes,hierarchy,rays_primary,rays_secondary,"
             "rays_shadow,rays_rejected,box_tests,hits,rtl_mismatches,bit_level_tests,false_misses,false_hits,"
             "different_"
             "triangles,"

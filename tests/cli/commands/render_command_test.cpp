@@ -66,7 +66,8 @@ TEST(RenderCommand, PrintsTextThatFitsEightyColumnsAndCsv) {
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(
       lines[0],
-      "scene,stands_for,triangles,degenerate_dropped,bvh_nodes,hierarchy,bytes_per_node,node_bytes,rays_"
+      "scene,stands_for,triangles,degenerate_dropped,lost_to_rounding,mesh_share_of_cube_pct,bvh_nodes,"
+      "hierarchy,bytes_per_node,node_bytes,rays_"
       "primary,"
       "rays_secondary,rays_shadow,stiff_rays_pct,zero_component_rays_pct,surface_points,light_evaluations,"
       "queue_bytes_primary,queue_bytes_secondary,queue_bytes_shadow,"
@@ -206,7 +207,7 @@ TEST(RenderRescale, CountsThePixelsThatChange) {
     EXPECT_THAT(lines[2 + i], testing::ContainsRegex(" 0 +0 +0 +0$"));
   }
   EXPECT_EQ(lines_of(printed(words + "--scale 2 --format csv")),
-            (std::vector<std::string>{"transform,vertices_moved,degenerate_dropped,pixels_other_triangle,"
+            (std::vector<std::string>{"transform,vertices_moved,lost_to_rounding,pixels_other_triangle,"
                                       "pixels_other_colour,different_triangles,rtl_mismatches",
                                       "2,0,0,0,0,,"}));
   const Outcome too_large = hitpipe(words + "--scale 2^127");

@@ -379,7 +379,11 @@ TEST_F(ReportCommand, NamesCommandsThatTraceTheSameCores) {
     arguments.erase(arguments.begin());
     const Outcome outcome = run_hitpipe(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return lines_of(outcome.out);
+    std::vector<std::string> lines = lines_of(outcome.out);
+    // The page says once, for all rows, what the first five cells say of the mesh.
+    for (std::string& line : lines)
+      for (int cell = 0; cell < 5; ++cell) line.erase(0, line.find(',') + 1);
+    return lines;
   };
   const std::string csv = contents_of(out() / "core.csv");
   std::size_t run = 0;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "sw_ref/judge/triangle_test.hpp"
+#include "sw_ref/scene/built_in.hpp"
 #include "tests/message_of.hpp"
 
 namespace hitpipe::sim::rescale_test {
@@ -31,7 +32,7 @@ void expect_same(const Picture& picture, const Picture& original, const char* wh
 }
 
 TEST(Rescale, PowersOfTwoMoveNoBit) {
-  const ref::SceneDescription scene = ref::spheres();
+  const ref::SceneDescription scene = ref::make_built_in("spheres", {});
   const Picture original = picture(scene, small);
   for (const int exponent : {-100, -10, -1, 1, 10, 100}) {
     const MovedScene scaled = moved(scene, {.scale = std::ldexp(1.0, exponent)});
@@ -45,7 +46,7 @@ TEST(Rescale, PowersOfTwoMoveNoBit) {
 }
 
 TEST(Rescale, PowersOfTwoMoveNoBitThroughTheVerilog) {
-  const ref::SceneDescription scene = ref::spheres();
+  const ref::SceneDescription scene = ref::make_built_in("spheres", {});
   const rtl::Design& design = rtl::find_design("int_slabs");
   const VerilatedDesign verilated(make_unit(design, hls::IntBits{20, 24}, rtl::Library::thesis()));
   PictureOptions options = small;
@@ -65,7 +66,7 @@ TEST(Rescale, PowersOfTwoMoveNoBitThroughTheVerilog) {
 }
 
 TEST(Rescale, CountsTheVerticesThatUndoingDoesNotBringBack) {
-  ref::SceneDescription scene = ref::spheres();
+  ref::SceneDescription scene = ref::make_built_in("spheres", {});
   scene.mesh.vertices = {{1.0F, 0.0F, 0.0F}, {3.0F, 10.0F, 2.0F}, {0x1.000002p0F, 0.0F, 0.0F}};
   // Three times 1 + 2^-23 is 3 + 3 * 2^-23, between two numbers 2^-22 apart.
   EXPECT_EQ(moved(scene, {.scale = 3.0}).vertices_moved, 1U);
@@ -78,7 +79,7 @@ TEST(Rescale, CountsTheVerticesThatUndoingDoesNotBringBack) {
 }
 
 TEST(Rescale, MovesCameraAndLightsAlike) {
-  const ref::SceneDescription scene = ref::spheres();
+  const ref::SceneDescription scene = ref::make_built_in("spheres", {});
   const MovedScene shifted = moved(scene, {.scale = 2.0, .offset = {1.0, 2.0, 3.0}});
   const auto expected = [](const glm::dvec3& p) { return 2.0 * p + glm::dvec3(1.0, 2.0, 3.0); };
   EXPECT_EQ(shifted.description.eye, expected(scene.eye));
@@ -92,7 +93,7 @@ TEST(Rescale, MovesCameraAndLightsAlike) {
 }
 
 TEST(Rescale, LeavesSunsWhereTheyAre) {
-  ref::SceneDescription scene = ref::spheres();
+  ref::SceneDescription scene = ref::make_built_in("spheres", {});
   scene.lights[0] = {{0.0, 1.0, 0.25}, {1.0, 1.0, 1.0}, ref::LightKind::sun};
   const MovedScene shifted = moved(scene, {.scale = 2.0, .offset = {1.0, 2.0, 3.0}});
   EXPECT_EQ(shifted.description.lights[0].position, scene.lights[0].position);
@@ -100,13 +101,13 @@ TEST(Rescale, LeavesSunsWhereTheyAre) {
 }
 
 TEST(Rescale, FarOffsetChangesPixelsAndLosesTriangles) {
-  const ref::SceneDescription scene = ref::spheres();
+  const ref::SceneDescription scene = ref::make_built_in("spheres", {});
   const Picture original = picture(scene, small);
   const MovedScene far = moved(scene, {.offset = glm::dvec3(1e6)});
   EXPECT_GT(far.vertices_moved, scene.mesh.vertices.size() / 2);
   const Picture seen = picture(far.description, small);
-  EXPECT_GT(seen.degenerate_dropped, 0U);
-  EXPECT_LT(seen.degenerate_dropped, scene.mesh.triangles.size());
+  EXPECT_GT(seen.lost_to_rounding, 0U);
+  EXPECT_LT(seen.lost_to_rounding, scene.mesh.triangles.size());
   // Triangles keep their numbers although some before them were dropped.
   const PixelChanges changes = pixel_changes(original, seen);
   EXPECT_GT(changes.other_triangle, 10U);
@@ -114,7 +115,7 @@ TEST(Rescale, FarOffsetChangesPixelsAndLosesTriangles) {
 }
 
 TEST(Rescale, VertexBeyondBinary32Rejected) {
-  ref::SceneDescription scene = ref::spheres();
+  ref::SceneDescription scene = ref::make_built_in("spheres", {});
   scene.mesh.vertices = {{1.0F, 0.5F, 0.0F}};
   EXPECT_EQ(message_of([&] { static_cast<void>(moved(scene, {.scale = 0x1p128})); }),
             "vertex 0: (1, 0.5, 0) leaves the range of binary32");

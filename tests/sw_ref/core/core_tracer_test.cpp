@@ -22,7 +22,7 @@ struct Figures {
 /// Compares all rays of a picture and returns what they cost.
 Figures traced(const IntScene& scene, const CoreTracerOptions& options, int size) {
   const CoreImage image = core_image(scene);
-  const CoreTracer core(image, options);
+  const CoreTracer core(image, scene.mesh.mesh, options);
   const auto exact = int_tracer(scene.mesh, scene.hierarchy(), {.world = options.world});
   const IntSurfaces surfaces(scene);
   RenderOptions render_options;
@@ -68,7 +68,7 @@ TEST(CoreTracer, TellsEachBlockThatItReads) {
   };
   const IntScene scene = int_scene(sim::hills(), {}, {.build = surface_area_build});
   const CoreImage image = core_image(scene);
-  const CoreTracer core(image, {});
+  const CoreTracer core(image, scene.mesh.mesh, {});
   Told told;
   const Mesh& mesh = scene.scene.mesh;
   const glm::uvec3 aim = mesh.triangles[100];
@@ -92,7 +92,7 @@ TEST(CoreTracer, OfAnEmptyMeshHitsNothing) {
   empty.mesh = {};
   const IntScene scene = int_scene(empty, {});
   const CoreImage image = core_image(scene);
-  const CoreTracer core(image, {});
+  const CoreTracer core(image, scene.mesh.mesh, {});
   const Ray ray{{0, 0, 0}, {1, 0, 0}, Ray::infinite};
   std::uint32_t found = 0;
   TraceCounts counts;
@@ -102,9 +102,11 @@ TEST(CoreTracer, OfAnEmptyMeshHitsNothing) {
 }
 
 TEST(CoreTracer, RefusesOtherFormats) {
-  const CoreImage image = core_image(int_scene(sim::hills(), {}));
-  EXPECT_THROW(CoreTracer(image, {.boxes = hls::MajorBits{16, 1, 11, 0, 16}}), std::invalid_argument);
-  EXPECT_THROW(CoreTracer(image, {.places = -1}), std::invalid_argument);
+  const IntScene scene = int_scene(sim::hills(), {});
+  const CoreImage image = core_image(scene);
+  const Mesh& mesh = scene.mesh.mesh;
+  EXPECT_THROW(CoreTracer(image, mesh, {.boxes = hls::MajorBits{16, 1, 11, 0, 16}}), std::invalid_argument);
+  EXPECT_THROW(CoreTracer(image, mesh, {.places = -1}), std::invalid_argument);
 }
 
 }  // namespace

@@ -139,5 +139,35 @@ TEST(HasArea, MatchesRationalArithmetic) {
   EXPECT_LT(without, 36'000);
 }
 
+/// Corners in double: on a line, or nudged off it by one unit in the last place, of any magnitude.
+TEST(HasArea, OfDoublesIsThatOfRationals) {
+  Random random(seed + 7);
+  int without = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const auto number = [&] { return static_cast<double>(random.between(-9, 9)); };
+    SourceMesh::Corners c{{number(), number(), number()}, {number(), number(), number()}, {}};
+    const double along = static_cast<double>(random.between(-2, 4)) * 0.25;
+    c.c = c.a + (c.b - c.a) * along;
+    const double scale = std::ldexp(1.0, random.between(-1070, 120));
+    for (glm::dvec3* const corner : {&c.a, &c.b, &c.c}) *corner *= scale;
+    if (random.coin()) {
+      double& x = c.b[random.axis()];
+      x = std::nextafter(x, random.coin() ? HUGE_VAL : -HUGE_VAL);
+    }
+    const auto part = [&](const glm::dvec3& corner, int axis) {
+      return cases::exact(corner[axis]) - cases::exact(c.a[axis]);
+    };
+    bool expected = false;
+    for (int k = 0; k < 3; ++k) {
+      const int j = (k + 1) % 3;
+      expected = expected || part(c.b, k) * part(c.c, j) != part(c.b, j) * part(c.c, k);
+    }
+    ASSERT_EQ(has_area(c), expected) << i;
+    without += expected ? 0 : 1;
+  }
+  EXPECT_GT(without, 2'000);
+  EXPECT_LT(without, 18'000);
+}
+
 }  // namespace
 }  // namespace hitpipe::ref::triangle_test_test

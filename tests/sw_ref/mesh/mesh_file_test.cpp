@@ -36,7 +36,9 @@ class MeshFile : public testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
     return folder_ / name;
   }
-  Mesh load(const std::string& name, const std::string& bytes) const { return load_mesh(write(name, bytes)); }
+  SourceMesh load(const std::string& name, const std::string& bytes) const {
+    return load_mesh(write(name, bytes));
+  }
 
   /// The reason why the file is refused. Also checks that the message begins with the file's name.
   std::string reason(const std::string& name, const std::string& bytes) const {
@@ -119,35 +121,35 @@ TEST_F(MeshFile, TextPlyIsReadWithEitherLineEnd) {
   std::string text = ply("3", "1", ply_corners + "3 0 1 2\n");
   EXPECT_EQ(load("lf.ply", text).triangles.size(), 1U);
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, 1, '\r');
-  const Mesh mesh = load("crlf.ply", text);
+  const SourceMesh mesh = load("crlf.ply", text);
   ASSERT_EQ(mesh.triangles.size(), 1U);
-  EXPECT_EQ(mesh.corners(0).b, glm::vec3(1, 0, 0));
+  EXPECT_EQ(mesh.corners(0).b, glm::dvec3(1, 0, 0));
 }
 
 TEST_F(MeshFile, BinaryPlyIsReadInEitherByteOrder) {
-  const Mesh little = load("l.ply", ply("3", "1", binary_triangle(false, 2), "binary_little_endian"));
-  const Mesh big = load("b.ply", ply("3", "1", binary_triangle(true, 2), "binary_big_endian"));
+  const SourceMesh little = load("l.ply", ply("3", "1", binary_triangle(false, 2), "binary_little_endian"));
+  const SourceMesh big = load("b.ply", ply("3", "1", binary_triangle(true, 2), "binary_big_endian"));
   ASSERT_EQ(little.triangles.size(), 1U);
   ASSERT_EQ(big.triangles.size(), 1U);
-  EXPECT_EQ(little.corners(0).c, glm::vec3(0, 1, 0));
-  EXPECT_EQ(big.corners(0).c, glm::vec3(0, 1, 0));
+  EXPECT_EQ(little.corners(0).c, glm::dvec3(0, 1, 0));
+  EXPECT_EQ(big.corners(0).c, glm::dvec3(0, 1, 0));
 }
 
 TEST_F(MeshFile, StlCornersAreJoined) {
-  const Mesh text = load("t.stl", text_stl("1 0 0"));
+  const SourceMesh text = load("t.stl", text_stl("1 0 0"));
   EXPECT_EQ(text.vertices.size(), 3U);
-  const Mesh binary =
+  const SourceMesh binary =
       load("b.STL", binary_stl(2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0, -0.F, 1, -0.F}}));
   EXPECT_EQ(binary.triangles.size(), 2U);
   EXPECT_EQ(binary.vertices.size(), 4U);  // 6 corners, two shared, one of them written with -0
 }
 
 TEST_F(MeshFile, GltfNodeTransformsAreApplied) {
-  const Mesh mesh = load("m.gltf", gltf());
+  const SourceMesh mesh = load("m.gltf", gltf());
   ASSERT_EQ(mesh.triangles.size(), 1U);
-  EXPECT_EQ(mesh.corners(0).a, glm::vec3(10, 0, 0));
-  EXPECT_EQ(mesh.corners(0).b, glm::vec3(12, 0, 0));
-  EXPECT_EQ(mesh.corners(0).c, glm::vec3(10, 2, 0));
+  EXPECT_EQ(mesh.corners(0).a, glm::dvec3(10, 0, 0));
+  EXPECT_EQ(mesh.corners(0).b, glm::dvec3(12, 0, 0));
+  EXPECT_EQ(mesh.corners(0).c, glm::dvec3(10, 2, 0));
 }
 
 TEST_F(MeshFile, GlbIsRead) {
@@ -169,20 +171,20 @@ TEST_F(MeshFile, GlbIsRead) {
 }
 
 TEST_F(MeshFile, PolygonsAreTriangulatedAndLinesDropped) {
-  const Mesh mesh = load("m.obj", obj_corners + "v 1 1 0\nv 0.5 0.5 1\nf 1 2 4 3\nl 1 5\nf -5 -4 -1\n");
+  const SourceMesh mesh = load("m.obj", obj_corners + "v 1 1 0\nv 0.5 0.5 1\nf 1 2 4 3\nl 1 5\nf -5 -4 -1\n");
   EXPECT_EQ(mesh.triangles.size(), 3U);
   EXPECT_EQ(mesh.dropped.size(), 0U);
 }
 
 TEST_F(MeshFile, DegenerateTrianglesAreDroppedAndCounted) {
-  const Mesh mesh = load("m.obj", obj_corners + "v 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 3\nf 2 4 3\n");
+  const SourceMesh mesh = load("m.obj", obj_corners + "v 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 3\nf 2 4 3\n");
   EXPECT_EQ(mesh.triangles.size(), 2U);
   EXPECT_EQ(mesh.dropped.size(), 2U);
 }
 
 TEST_F(MeshFile, UnusedVerticesAreLeftOut) {
-  const Mesh mesh = load("m.obj", "v 9 9 9\n" + obj_corners + "f 2 3 4\n");
-  EXPECT_EQ(mesh.vertices, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  const SourceMesh mesh = load("m.obj", "v 9 9 9\n" + obj_corners + "f 2 3 4\n");
+  EXPECT_EQ(mesh.vertices, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
 
 TEST_F(MeshFile, MissingFolderEmptyAndUnknownAreRejected) {
@@ -222,13 +224,14 @@ TEST_F(MeshFile, PolygonThatCrossesItselfIsRejected) {
 
 TEST_F(MeshFile, GroupsCoverTheTrianglesThatAreLeft) {
   std::vector<MeshGroup> groups;
-  const Mesh mesh = load_mesh(
+  const SourceMesh mesh = load_mesh(
       write("g.obj",
             obj_corners + "v 1 1 0\no one\nf 1 2 4 3\nl 1 2\no two\nf 1 1 2\nf 1 2 3\no three\nf 2 2 2\n"),
       groups);
   ASSERT_EQ(groups.size(), 3U);
   EXPECT_EQ(mesh.triangles.size(), 3U);
   EXPECT_EQ(mesh.dropped, (std::vector<std::uint32_t>{2, 4}));
+  EXPECT_EQ(mesh.without_area, 2U);
   EXPECT_EQ(groups[0].name, "one");
   EXPECT_EQ(groups[0].count, 2U);
   EXPECT_EQ(groups[1].name, "two");

@@ -78,6 +78,10 @@ TEST(ParallelRay, DirectionIsTheRoundedOneAlongASlantToo) {
   }
 }
 
+glm::dvec3 on_plane(const Camera& camera, double across, double upward) {
+  return glm::dvec3(camera.eye) + across * camera.right + upward * camera.up;
+}
+
 TEST(ParallelRay, FromOutsideTheCubeStartsWhereItEnters) {
   Camera camera = plan();
   camera.forward = glm::normalize(glm::dvec3(-1.0, -1.0, 0.0));
@@ -85,9 +89,9 @@ TEST(ParallelRay, FromOutsideTheCubeStartsWhereItEnters) {
   camera.up = glm::normalize(glm::dvec3(-1.0, 1.0, 0.0));
   // 0.5 up from (0.25, 0.75) is (-0.10, 1.10), above the cube's top.
   const double upward = 0.5;
-  const glm::dvec3 start = glm::dvec3(camera.eye) + upward * camera.up;
+  const glm::dvec3 start = on_plane(camera, 0.0, upward);
   ASSERT_GT(start.y, 1.1);
-  const Ray ray = parallel_ray(camera, 0.0, upward);
+  const Ray ray = parallel_ray(start, camera);
   EXPECT_EQ(ray.origin.y, 1.0F);
   EXPECT_NEAR(ray.origin.x, start.x - (start.y - 1.0), 1e-6);
   EXPECT_EQ(ray.origin.z, camera.eye.z);
@@ -96,12 +100,22 @@ TEST(ParallelRay, FromOutsideTheCubeStartsWhereItEnters) {
 
 TEST(ParallelRay, ThatNeverEntersTheCubeLeavesItAtOnce) {
   Camera camera = plan();
-  EXPECT_EQ(parallel_ray(camera, 0.76, 0.0).origin, glm::vec3(1.0F, -1.0F, 1.0F));
-  EXPECT_EQ(parallel_ray(camera, 1e6, -1e6).origin, glm::vec3(1.0F, -1.0F, 1.0F));
+  EXPECT_EQ(parallel_ray(on_plane(camera, 0.76, 0.0), camera).origin, glm::vec3(1.0F, -1.0F, 1.0F));
+  EXPECT_EQ(parallel_ray(on_plane(camera, 1e6, -1e6), camera).origin, glm::vec3(1.0F, -1.0F, 1.0F));
   camera.forward = glm::normalize(glm::dvec3(1.0, -1.0, -0.5));
-  EXPECT_EQ(parallel_ray(camera, 3.0, 0.0).origin, glm::vec3(1.0F, -1.0F, -1.0F));
+  EXPECT_EQ(parallel_ray(on_plane(camera, 3.0, 0.0), camera).origin, glm::vec3(1.0F, -1.0F, -1.0F));
   // It enters on the left of that.
-  EXPECT_NE(parallel_ray(camera, 0.5, 0.0).origin, glm::vec3(1.0F, -1.0F, -1.0F));
+  EXPECT_NE(parallel_ray(on_plane(camera, 0.5, 0.0), camera).origin, glm::vec3(1.0F, -1.0F, -1.0F));
+}
+
+TEST(ParallelRay, FirstThatBeginsOutsideTheCubeIsFound) {
+  Camera camera = plan();  // it looks down from (0.25, 0.75, -0.125); its rows go along x
+  camera.half_height = 0.5;
+  EXPECT_EQ(first_ray_outside(camera, 100, 100), std::nullopt);
+  // 1.25 of the pixels' 2 lie to the left of x = 1: columns 0 to 124.
+  EXPECT_EQ(first_ray_outside(camera, 200, 100), 175U);
+  camera.projection = Projection::perspective;
+  EXPECT_EQ(first_ray_outside(camera, 200, 100), std::nullopt);
 }
 
 TEST(Depth, IsFromTheEyeOrFromThePlane) {

@@ -52,7 +52,7 @@ RaysOfACity rays_of(const Scene& scene) {
 using Directions = std::set<std::tuple<float, float, float>>;
 
 TEST(City, FacesAreExactlyAcrossAnAxis) {
-  const Scene scene = place(city(fewest));
+  const Scene scene = place(as_source(city(fewest)));
   for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i) {
     const Mesh::Corners c = scene.mesh.corners(i);
     int planes = 0;
@@ -63,13 +63,13 @@ TEST(City, FacesAreExactlyAcrossAnAxis) {
 
 /// Binary32 holds such coordinates exactly, so faces that should lie in one plane do.
 TEST(City, CornersLieOnAGridOfAnEighthOfAMetre) {
-  const SceneDescription scene = city(fewest);
+  const BuiltInDescription scene = city(fewest);
   for (const glm::vec3& v : scene.mesh.vertices)
     for (int axis = 0; axis < 3; ++axis) ASSERT_EQ(v[axis] * 8.0F, std::floor(v[axis] * 8.0F));
 }
 
 TEST(City, FromAboveHasOnlyVerticalRays) {
-  const RaysOfACity rays = rays_of(place(city(fewest)));
+  const RaysOfACity rays = rays_of(place(as_source(city(fewest))));
   EXPECT_EQ(rays.primary.count, 48U * 48U);
   EXPECT_EQ(rays.primary.directions, (Directions{{0.0F, -1.0F, 0.0F}}));
   EXPECT_EQ(rays.shadow.directions, (Directions{{0.0F, 1.0F, 0.0F}}));
@@ -82,7 +82,7 @@ TEST(City, FromAboveHasOnlyVerticalRays) {
 }
 
 TEST(City, AtASlantHasShadowRaysAlongAxesAndShadows) {
-  const Scene scene = place(city_oblique(fewest));
+  const Scene scene = place(as_source(city_oblique(fewest)));
   const RaysOfACity rays = rays_of(scene);
   const glm::vec3 forward(scene.camera.forward);
   EXPECT_EQ(rays.primary.directions, (Directions{{forward.x, forward.y, forward.z}}));
@@ -96,7 +96,7 @@ TEST(City, AtASlantHasShadowRaysAlongAxesAndShadows) {
 /// More triangles add details; they do not move houses.
 TEST(City, DetailLeavesThePlanAsItIs) {
   const auto land = [](std::size_t triangles) {
-    const SceneDescription scene = city(triangles);
+    const BuiltInDescription scene = city(triangles);
     const Bounds bounds = mesh_bounds(scene.mesh);
     return std::tuple(bounds.min.x, bounds.max.x, bounds.min.y, bounds.max.y, bounds.min.z, bounds.max.z);
   };

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t fewest_of_a_room = 60'000;
 
 TEST(ReadingRoom, IsClosedButForItsSkylights) {
-  const Scene scene = place(reading_room(fewest_of_a_room));
+  const Scene scene = place(as_source(reading_room(fewest_of_a_room)));
   const Bvh bvh = build_bvh(scene.mesh);
   std::uint64_t sky = 0;
   std::uint64_t primary = 0;
@@ -46,7 +46,7 @@ TEST(ReadingRoom, IsClosedButForItsSkylights) {
 
 /// Binary32 holds such coordinates exactly, so faces that should lie in one plane do.
 TEST(ReadingRoom, WallsAndShelvesLieOnAGrid) {
-  const SceneDescription scene = reading_room(fewest_of_a_room);
+  const BuiltInDescription scene = reading_room(fewest_of_a_room);
   std::uint64_t on_grid = 0;
   for (const glm::vec3& v : scene.mesh.vertices) on_grid += v.x * 64.0F == std::floor(v.x * 64.0F) ? 1 : 0;
   EXPECT_GT(on_grid, scene.mesh.vertices.size() * 95 / 100);

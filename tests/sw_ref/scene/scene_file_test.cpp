@@ -45,7 +45,7 @@ TEST_F(SceneFile, ReadsAllThatItMaySay) {
     "materials": {"dull": {"albedo": 0.25}, "glass": {"transmit": [0.9, 1, 0.8], "refractive_index": 1.5},
                   "mirror": {"albedo": [0.1, 0.2, 0.1], "reflect": 0.75}},
     "default_material": "dull",
-    "assign": [{"material": "glass", "group": "middle"}, {"material": "mirror", "triangles": [3, 3]}]
+    "assign": [{"material": "glass", "group": "middle"}, {"material": "mirror", "triangles": [4, 4]}]
   })");
   EXPECT_EQ(scene.name, "my");
   EXPECT_EQ(scene.eye, glm::dvec3(1, 2, 9));
@@ -167,8 +167,8 @@ TEST_F(SceneFile, WithAnythingWrongRejected) {
        "assign[0]: needs exactly one of the keys: group, group_material, triangles"},
       {R"({"mesh": "mesh.obj", "materials": {"m": {}}, "assign": [{"material": "m", "group": "roof"}]})",
        "assign[0].group: the mesh has no \"roof\"; it has: lower, middle, upper"},
-      {R"({"mesh": "mesh.obj", "materials": {"m": {}}, "assign": [{"material": "m", "triangles": [2, 4]}]})",
-       "assign[0].triangles[1]: must be a whole number of 0 to 3"},
+      {R"({"mesh": "mesh.obj", "materials": {"m": {}}, "assign": [{"material": "m", "triangles": [2, 5]}]})",
+       "assign[0].triangles[1]: must be a whole number of 0 to 4"},
       {R"({"mesh": "mesh.obj", "materials": {"m": {}}, "assign": [{"material": "m", "triangles": [2, 1]}]})",
        "assign[0].triangles: the first triangle, 2, comes after the last, 1"},
   };

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "sw_ref/scene/scene.hpp"
+#include "sw_ref/scene/built_in_scenes.hpp"
 
 namespace hitpipe::ref::spheres_test {
 namespace {
@@ -33,7 +33,7 @@ TEST(Spheres, SomeMirrorSomeAreOfGlassMostAreSolid) {
 }
 
 TEST(Spheres, BallsRestOnTheFloorAndDoNotCross) {
-  const SceneDescription scene = spheres();
+  const BuiltInDescription scene = spheres();
   struct Ball {
     glm::dvec3 low{1e9}, high{-1e9};
   };

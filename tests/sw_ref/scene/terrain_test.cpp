@@ -16,14 +16,14 @@ glm::dvec3 normal_of(const Mesh& mesh, std::uint32_t triangle) {
 
 TEST(Terrain, FacesUpEverywhere) {
   for (const std::size_t triangles : {10'000U, 120'000U}) {
-    const SceneDescription scene = terrain(triangles);
+    const BuiltInDescription scene = terrain(triangles);
     for (std::uint32_t i = 0; i < scene.mesh.triangles.size(); ++i)
       ASSERT_GT(normal_of(scene.mesh, i).y, 0.0) << i;
   }
 }
 
 TEST(Terrain, PointsAreOutOfTheirGrid) {
-  const SceneDescription scene = terrain(10'000);
+  const BuiltInDescription scene = terrain(10'000);
   std::size_t in_line = 0;
   for (std::size_t i = 1; i < scene.mesh.vertices.size(); ++i)
     in_line += scene.mesh.vertices[i].z == scene.mesh.vertices[i - 1].z ? 1 : 0;
@@ -31,7 +31,7 @@ TEST(Terrain, PointsAreOutOfTheirGrid) {
 }
 
 TEST(Terrain, IsSeenAndLitAlongItsSurface) {
-  const Scene scene = place(terrain(200'000));
+  const Scene scene = place(as_source(terrain(200'000)));
   const Bvh bvh = build_bvh(scene.mesh);
   RenderOptions options{.width = 64, .height = 64};
   std::size_t seen = 0;

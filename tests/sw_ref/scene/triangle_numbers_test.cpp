@@ -19,11 +19,11 @@ Mesh six_triangles() {
 
 TEST(TriangleNumbers, AreThoseOfTheSourceAfterTrianglesAreDroppedTwice) {
   Mesh mesh = six_triangles();
-  drop_degenerate(mesh);
+  drop(mesh, flat_triangles(mesh));
   EXPECT_THAT(mesh.dropped, ElementsAre(1U, 4U, 5U));
   EXPECT_THAT(mesh.materials, ElementsAre(0, 2, 3));
   mesh.vertices[3] = mesh.vertices[0];  // triangle 2 loses its area, 3 does not
-  drop_degenerate(mesh);
+  drop(mesh, flat_triangles(mesh));
   EXPECT_THAT(mesh.dropped, ElementsAre(1U, 2U, 4U, 5U));
   EXPECT_THAT(mesh.materials, ElementsAre(0, 3));
   const TriangleNumbers numbers(mesh);
@@ -39,10 +39,25 @@ TEST(TriangleNumbers, AreKeptWhereNothingIsDropped) {
   Mesh mesh = six_triangles();
   mesh.triangles.resize(1);
   mesh.materials.clear();
-  drop_degenerate(mesh);
+  drop(mesh, flat_triangles(mesh));
   EXPECT_TRUE(mesh.dropped.empty());
   EXPECT_EQ(TriangleNumbers(mesh).of_source(0), 0U);
   EXPECT_EQ(TriangleNumbers(mesh).in_source(), 1U);
+}
+
+TEST(TriangleNumbers, OfAFaceFollowEachOther) {
+  Mesh mesh = six_triangles();
+  // Face 0 has two triangles, face 1 has one, face 2 is a line, face 3 has three.
+  mesh.faces = {0, 2, 3, 3};
+  drop(mesh, flat_triangles(mesh));
+  const TriangleNumbers numbers(mesh);
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t number = 0; number < numbers.in_source(); ++number)
+    faces.push_back(numbers.face_of(number));
+  EXPECT_THAT(faces, ElementsAre(0U, 0U, 1U, 3U, 3U, 3U));
+  std::vector<std::uint32_t> below;
+  for (std::uint32_t number = 0; number <= 6; ++number) below.push_back(numbers.kept_below(number));
+  EXPECT_THAT(below, ElementsAre(0U, 1U, 1U, 2U, 3U, 3U, 3U));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ inline Mesh grid_soup(Random& random, int triangles) {
       const int axis = below(random, 3);
       b[axis] = c[axis] = a[axis];
     }
-    if (!has_area({a, b, c})) continue;
+    if (!has_area(Mesh::Corners{a, b, c})) continue;
     add_triangle(mesh, a, b, c);
     if (below(random, 5) == 0) add_triangle(mesh, b, c, a);
   }

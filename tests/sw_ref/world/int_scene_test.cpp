@@ -50,8 +50,8 @@ TEST(IntScene, TakesTheHierarchyOfAFile) {
     const hls::WorldBits bits{n, 1, n, 0};
     const IntScene own = int_scene(scene, bits);
     const IntScene read = int_scene(scene, bits, {.file = file});
-    EXPECT_EQ(read.mesh.dropped, own.mesh.dropped);
-    EXPECT_EQ(n<20, read.mesh.dropped> 0);
+    EXPECT_EQ(read.mesh.mesh.dropped, own.mesh.mesh.dropped);
+    EXPECT_EQ(n<20, read.mesh.lost.triangles> 0);
     EXPECT_EQ(read.bvh->order.size(), own.mesh.triangles.size());
     const auto picture = [](const IntScene& of) {
       const IntSurfaces surfaces(of);

@@ -87,7 +87,7 @@ TEST(IntTracer, FindsWhatForceFinds) {
     const WorldBits bits{static_cast<int>(draw.integer(4, 10)), static_cast<int>(draw.integer(0, 2)),
                          static_cast<int>(draw.integer(2, 12)), static_cast<int>(draw.integer(0, 2))};
     const IntMesh mesh = int_mesh(random_mesh(draw, 24, bits), bits.coord);
-    dropped += mesh.dropped;
+    dropped += mesh.lost.triangles;
     if (mesh.triangles.empty()) continue;
     const Bvh bvh = build_bvh(mesh.mesh, {.max_triangles = 2, .padding = 0.0F});
     const auto exact = int_tracer(mesh, &bvh, {.world = bits});
@@ -238,7 +238,7 @@ TEST(IntMesh, IsItsOwnRounding) {
     const IntMesh once = int_mesh(random_mesh(draw, 200, {24, 0, 8, 0}), n);
     const IntMesh twice = int_mesh(once.mesh, n);
     EXPECT_EQ(twice.triangles, once.triangles);
-    EXPECT_EQ(twice.dropped, 0U);
+    EXPECT_EQ(twice.lost.triangles, 0U);
     EXPECT_LE(once.largest_movement,
               0.5 / static_cast<double>(WorldBits{n, 0, 8, 0}.largest_corner()) + 1e-15);
   }
