@@ -371,9 +371,8 @@ std::string report_html(const ReportFacts& facts) {
   page.plot(facts.world_diagram.picture, facts.world_diagram.caption);
   std::vector<Row> world = facts.world;
   for (Row& row : world)
-    for (const char* const counted :
-         {"scene", "rays", "different_rays", "pixels", "different_pixels", "triangles", "degenerate_dropped",
-          "mesh_share_of_cube_pct"})
+    for (const char* const counted : {"scene", "rays", "different_rays", "pixels", "different_pixels",
+                                      "triangles", "degenerate_dropped", "mesh_share_of_cube_pct"})
       row.erase(counted);
   page.table(page_table("What the bits change and cost.", world));
 
