@@ -1,5 +1,6 @@
 # The designs: one line each, in the order in which the program lists them. NAME stands for
-#   rtl_gen/designs/NAME.cpp   what it is as hardware: its pipeline, and its rows of the thesis's table
+#   hls/pipelines/NAME.hpp     its pipeline, a struct that is called after the file: IntSlabs of int_slabs
+#   rtl_gen/designs/NAME.cpp   only if there is more to say than the struct, such as rows of the thesis's table
 #   sim/designs/NAME.cpp       what software knows of it: set-up of rays and boxes, software traversal
 # docs/designs.md tells how to add one.
 set(HITPIPE_DESIGNS
@@ -15,7 +16,7 @@ set(HITPIPE_DESIGNS
   int_ray
 )
 
-# The machines: one line each. NAME stands for hls/machines/NAME.hpp and rtl_gen/machines/NAME.cpp.
+# The machines: one line each. NAME stands for hls/machines/NAME.hpp, with a struct called after the file.
 set(HITPIPE_MACHINES
   divider
   walker
