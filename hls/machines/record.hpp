@@ -58,7 +58,7 @@ constexpr Name<A + B - 1> operator+(const Name<A>& a, const Name<B>& b) {
   return both;
 }
 
-template <Name N, auto W, bool Signed, bool HasReset, std::int64_t Reset>
+template <Name N, auto W, bool Signed, bool HasReset, std::int64_t Reset, auto Exists = true>
 struct FieldOf {
   static constexpr bool is_signed = Signed;
   static constexpr const char* name() { return N.text; }
@@ -69,6 +69,10 @@ struct FieldOf {
   template <class F>
   static constexpr auto width(const F& format) {
     return number_in<W>(format);
+  }
+  template <class F>
+  static constexpr bool exists(const F& format) {
+    return number_in<Exists>(format) != 0;
   }
   template <class D, class F>
   using Value = std::conditional_t<Signed, SignedWord<D, Number<W, F>>, Word<D, Number<W, F>>>;
@@ -82,6 +86,12 @@ using SignedData = FieldOf<N, W, true, false, 0>;
 /// A register that a reset sets.
 template <Name N, auto W = 1, std::int64_t Reset = 0>
 using Control = FieldOf<N, W, false, true, Reset>;
+
+/// The same, only in formats where that holds.
+template <Name N, auto W, auto Exists>
+using DataIf = FieldOf<N, W, false, false, 0, Exists>;
+template <Name N, auto W, auto Exists>
+using ControlIf = FieldOf<N, W, false, true, 0, Exists>;
 
 /// Fields, or memories. Messages of compilers are shorter if it has a name: struct In : List<a, b> {};
 template <auto... Fields>
@@ -116,7 +126,10 @@ template <class D, class F, auto... Fields>
 struct Slots<D, F, List<Fields...>> : Slot<D, F, std::remove_const_t<decltype(Fields)>>... {
   template <class Format, class Self, class Visit>
   static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    (visit(Fields.shape(format), self[Fields]), ...);
+    const auto visit_one = [&](auto field) {
+      if (field.exists(format)) visit(field.shape(format), self[field]);
+    };
+    (visit_one(Fields), ...);
   }
 };
 }  // namespace detail
