@@ -39,6 +39,7 @@ class Record {
     else
       return bits;
   }
+  static constexpr typename Parts::Items parts() { return {}; }
 
  private:
   F format_;

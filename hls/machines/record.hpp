@@ -197,8 +197,15 @@ class Writable {
     using Value = std::remove_reference_t<decltype(record_[field])>;
     return Written<Value, Log>(Field::name(), record_[field], log_);
   }
+  /// All parts of a word of a memory, as fields.
+  constexpr void copy(const auto& word) const { copy_all(word, word.parts()); }
 
  private:
+  template <auto... Parts>
+  constexpr void copy_all(const auto& word, List<Parts...>) const {
+    ((void((*this)[Parts] = word[Parts])), ...);
+  }
+
   Record& record_;
   Log& log_;
 };
