@@ -82,8 +82,7 @@ struct Beats {
   struct In : List<request_valid, request_ready, request_id, request_upper, beat_valid, beat_0, beat_1,
                    beat_2, beat_3, beat_4, beat_5, beat_6, beat_7> {};
   struct Out : List<beat_ready, read_valid, read_id, read_word_0, read_word_1, read_word_2, read_word_3> {};
-  struct Registers
-      : Join<Queue::Registers, List<count, there_1, id_1, word_0_1, word_1_1, word_2_1, word_3_1>> {};
+  struct State : Join<Queue::State, List<count, there_1, id_1, word_0_1, word_1_1, word_2_1, word_3_1>> {};
   struct Memory : List<askers> {};
 
   template <class D>

@@ -105,8 +105,8 @@ struct BestHits {
   struct Out : List<takes, begins, begin_ray, begin_cut, asked_number, best, best_number, divided,
                     divided_ray, divided_stops, leaf_done, leaf_done_ray, leaf_done_cut, leaf_done_stops,
                     leaf_done_lost, answers, answered, answer_t, answer_number, answer_failed> {};
-  struct Registers : List<begins_1, begun_1, length_1, divided_1, closer_1, divider_1, t_1, leaf_1, stops_1,
-                          lost_1, leaf_ray_1, answers_1, failed_1, answered_1> {};
+  struct State : List<begins_1, begun_1, length_1, divided_1, closer_1, divider_1, t_1, leaf_1, stops_1,
+                      lost_1, leaf_ray_1, answers_1, failed_1, answered_1> {};
   struct Memory : List<numbers, kinds, divided_bests, leaf_bests, answer_bests> {};
 
   template <class D>

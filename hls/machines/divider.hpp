@@ -76,8 +76,8 @@ struct Divider {
   using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>, Fixed<CoreBits{{20, 1, 20, 0, 0}, 7}>>;
   struct In : List<tested, hit, ray, det_high, det_low, num_high, num_low, number, best, best_number> {};
   struct Out : List<asked, done, t, closer> {};
-  struct Registers
-      : Join<Queue::Registers, List<left, compares, answers, at, remainder, thrice, quotient, nearer>> {};
+  struct State : Join<Queue::State, List<left, compares, answers, at, remainder, thrice, quotient, nearer>> {
+  };
   struct Memory : List<rays, dets, nums> {};
 
   template <class D>

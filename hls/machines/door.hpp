@@ -57,8 +57,8 @@ struct Door {
   using BuiltIn = FormatList<Fixed<DoorBits{20, 5}>, Fixed<DoorBits{20, 7}>>;
   struct In : List<ray_valid, ray_length, ray_error, ray_any, most_rays, takes, freed, freed_ray> {};
   struct Out : List<ray_ready, begun_at, new_ray, begun, length, any_hit> {};
-  struct Registers
-      : Join<List<given>, Free::Registers, List<has, next_number, begins_1, begun_1, length_1, any_1>> {};
+  struct State : Join<List<given>, Free::State, List<has, next_number, begins_1, begun_1, length_1, any_1>> {
+  };
   struct Memory : List<free_rays> {};
 
   template <class D>

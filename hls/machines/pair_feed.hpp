@@ -137,9 +137,8 @@ struct PairFeed {
              origin_a, origin_b, floor_a, ceil_a, floor_b, ceil_b, exp_a, exp_b, parent_near, parent_far,
              xmin, ymin, zmin, xmax, ymax, zmax, own_xmin, own_ymin, own_zmin, own_xmax, own_ymax, own_zmax> {
   };
-  struct Registers
-      : List<there_1, ray_1, xmin_1, ymin_1, zmin_1, xmax_1, ymax_1, zmax_1, own_xmin_1, own_ymin_1,
-             own_zmin_1, own_xmax_1, own_ymax_1, own_zmax_1, block_1, count_0_1, count_1_1> {};
+  struct State : List<there_1, ray_1, xmin_1, ymin_1, zmin_1, xmax_1, ymax_1, zmax_1, own_xmin_1, own_ymin_1,
+                      own_zmin_1, own_xmax_1, own_ymax_1, own_zmax_1, block_1, count_0_1, count_1_1> {};
   struct Memory : List<origins, bounds_a, bounds_b, intervals> {};
 
   template <class D>

@@ -17,7 +17,7 @@ struct RayQueue {
   static constexpr Control<Prefix + Name("used"), ray_count_bits> used{};
   static constexpr Control<Prefix + Name("oldest"), ray_bits> oldest{};
   static constexpr Control<Prefix + Name("there")> there{};
-  using Registers = List<used, oldest, there>;
+  using State = List<used, oldest, there>;
 
   /// Where a word is written if one enters in this cycle.
   static constexpr auto place(const auto& now) {

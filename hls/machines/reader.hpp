@@ -81,8 +81,8 @@ struct Reader {
   struct In
       : List<go, goer, block, triangles, tested, hit, tester, divides, divided_ray, stops, granted, last> {};
   struct Out : List<asks, wanted, asker, triangle, done, of, stopped, lost> {};
-  struct Registers : Join<Goes::Registers, Missed::Registers, Divided::Registers,
-                          List<there_1, stops_1, settled_1, ray_1, writes, writer, leaf>> {};
+  struct State : Join<Goes::State, Missed::State, Divided::State,
+                      List<there_1, stops_1, settled_1, ray_1, writes, writer, leaf>> {};
   struct Memory : List<go_words, missed_rays, divided_rays, leaves> {};
 
   template <class D>

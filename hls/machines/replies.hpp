@@ -68,8 +68,7 @@ struct Replies {
   struct In : List<ray_valid, ray_ready, begun_at, ray_tag, ray_error, answer, answered, answer_t,
                    answer_number, answer_failed, hit_ready> {};
   struct Out : List<hit_valid, hit_tag, hit_t, hit_number, hit_failed, freed, freed_ray> {};
-  struct Registers
-      : Join<Queue::Registers, List<there_1, ray_1, failed_1, t_1, number_1, freed_2, freed_ray_2>> {};
+  struct State : Join<Queue::State, List<there_1, ray_1, failed_1, t_1, number_1, freed_2, freed_ray_2>> {};
   struct Memory : List<waiting, tags> {};
 
   template <class D>

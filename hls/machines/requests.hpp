@@ -52,7 +52,7 @@ struct Requests {
   using BuiltIn = FormatList<Fixed<RequestBits{24, 32, 5}>, Fixed<RequestBits{24, 32, 7}>>;
   struct In : List<asks, wanted, asker, triangle, base, request_ready> {};
   struct Out : List<granted, request_valid, request_address, request_id> {};
-  struct Registers : List<there_1, block_1, id_1, there_2, block_2, id_2> {};
+  struct State : List<there_1, block_1, id_1, there_2, block_2, id_2> {};
   struct Memory : List<> {};
 
   template <class D>

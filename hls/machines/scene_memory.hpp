@@ -57,7 +57,7 @@ struct SceneMemory {
   struct In : List<request_valid, request_address, request_id, word_valid, word_place, word> {};
   struct Out : List<request_ready, word_ready, read_valid, read_id, read_word_0, read_word_1, read_word_2,
                     read_word_3> {};
-  struct Registers : List<count, there_1, id_1, word_0_1, word_1_1, word_2_1> {};
+  struct State : List<count, there_1, id_1, word_0_1, word_1_1, word_2_1> {};
   struct Memory : List<blocks> {};
 
   template <class D>

@@ -28,7 +28,7 @@ struct TriangleFeed {
   struct In : Join<queue::In, List<unit_takes>> {};
   struct Out : Join<List<reads, read_ray, number, begins, test_ray>, queue::Origins, queue::Slopes,
                     queue::Corner0, queue::Corner1, queue::Corner2> {};
-  using Registers = queue::Registers;
+  using State = queue::State;
   using Memory = queue::Memory;
 
   template <class D>

@@ -25,7 +25,7 @@ constexpr Control<"ready"> ready;      // the words of the oldest triangle's ray
 constexpr Control<"reads_1"> reads_1;  // a triangle has come in the last cycle
 constexpr Data<"reader_1", ray_bits> reader_1;
 constexpr Data<"number_1", triangle_number_bits> number_1;
-struct Registers : Join<Queue::Registers, List<ready, reads_1, reader_1, number_1>> {};
+struct State : Join<Queue::State, List<ready, reads_1, reader_1, number_1>> {};
 
 // The oldest triangle by axis, and its ray by ray axis. They mean something if `ready` is 1.
 constexpr Data<"major_y"> major_y;

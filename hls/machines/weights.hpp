@@ -101,7 +101,7 @@ struct Weights {
              answer, answer_tag, answer_failed, answer_number, answer_t, left, left_ray, hit_ready> {};
   struct Out : List<takes, hit_valid, hit_tag, hit_failed, hit_number, hit_t, hit_det_high, hit_det_low,
                     hit_u_high, hit_u_low, hit_v_high, hit_v_low, freed, freed_ray> {};
-  struct Registers : List<has, there, ray, tag, failed, number, t, freed_1, freed_ray_1> {};
+  struct State : List<has, there, ray, tag, failed, number, t, freed_1, freed_ray_1> {};
   struct Memory : List<last_det, last_u, last_v, best_det, best_u, best_v> {};
 
   template <class D>

@@ -48,7 +48,7 @@ concept HasLists = requires {
 template <class M>
 struct WithRecords : M {
   template <class D, class F>
-  using State = hls::Values<D, F, typename M::Registers>;
+  using State = hls::Values<D, F, typename M::State>;
   template <class D, class F>
   using Inputs = hls::Values<D, F, typename M::In>;
   template <class D, class F>

@@ -48,7 +48,7 @@ struct Largest {
   using BuiltIn = FormatList<Fixed<CoreBits{{8, 0, 8, 0, 0}, 3}>>;
   struct In : List<enters, x, y> {};
   struct Out : List<largest, last_x, last_y, square> {};
-  struct Registers : List<most, count, kept, earlier> {};
+  struct State : List<most, count, kept, earlier> {};
   struct Memory : List<pairs, squares> {};
 
   template <class D>
@@ -80,7 +80,7 @@ struct Largest {
   }
 };
 
-using Registers = Values<Native, Fixed<CoreBits{}>, Largest<Variant::usual>::Registers>;
+using Registers = Values<Native, Fixed<CoreBits{}>, Largest<Variant::usual>::State>;
 using NextCount = decltype(std::declval<Next<Registers, NoLog>>()[count]);
 template <class X>
 concept CanBeRead = requires(X x, ap_uint<4> y) {

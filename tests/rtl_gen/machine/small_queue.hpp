@@ -25,7 +25,7 @@ struct SmallQueue {
   using BuiltIn = FormatList<Fixed<CoreBits{{8, 0, 8, 0, 0}, 3}>>;
   struct In : List<push, pop, ray> {};
   struct Out : List<some, first> {};
-  struct Registers : List<used, oldest> {};
+  struct State : List<used, oldest> {};
   struct Memory : List<rays> {};
 
   template <class D>
