@@ -40,11 +40,22 @@ class Record {
       return bits;
   }
   static constexpr typename Parts::Items parts() { return {}; }
+  constexpr const X& word() const { return word_; }
 
  private:
   F format_;
   X word_;
 };
+
+/// A word that is no memory's, as a record.
+template <class Parts, class F, class X>
+constexpr Record<Parts, F, X> record_of(const F& format, const X& word) {
+  return {format, word};
+}
+/// Its width.
+template <class Parts>
+inline constexpr auto record_width =
+    [](const auto& format) { return detail::total_width(format, typename Parts::Items()); };
 
 /// Words that are numbers of W bits.
 template <auto W>
