@@ -3,8 +3,8 @@
 #pragma once
 
 #include "hls/box/format.hpp"
+#include "hls/machines/id_queue.hpp"
 #include "hls/machines/memory.hpp"
-#include "hls/machines/ray_queue.hpp"
 #include "hls/num/levels.hpp"
 
 namespace hitpipe::hls {
@@ -61,7 +61,7 @@ constexpr Data<"read_word_1", 64> read_word_1;
 constexpr Data<"read_word_2", 64> read_word_2;
 constexpr Data<"read_word_3", 64> read_word_3;
 
-using Queue = RayQueue<>;  // who asked
+using Queue = IdQueue<>;  // who asked
 constexpr ControlIf<"count", &BeatBits::count, &BeatBits::several>
     count;                             // beats of the oldest block that have come
 constexpr Control<"there_1"> there_1;  // a whole block

@@ -3,95 +3,10 @@
 
 #include <tuple>
 
-#include "hls/machines/machine.hpp"
-#include "hls/machines/ray_queue.hpp"
+#include "hls/machines/id_queue.hpp"
 #include "hls/machines/record.hpp"
-#include "hls/num/bits.hpp"
 
-namespace hitpipe {
-namespace hls {
-
-/// A new ray, as the unit int_ray makes it (hls/world/ray_operands.hpp): what both tests want to know. F has
-/// the widths `point()`, of an origin, and `ray`, of a ray's number.
-template <class D, class F>
-struct NewRay {
-  static constexpr F format{};
-  using bit = typename D::bit;
-  using Point = SignedWord<D, decltype(format.point())>;
-
-  bit valid, ready;  ///< both are 1: the ray begins
-  Word<D, decltype(format.ray + 0_w)> at;
-  bit major_y, major_z;
-  bit back_m, back_a, back_b;
-  Point origin_m, origin_a, origin_b;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& f, Self& self, Visit&& visit) {
-    visit(data_field("ray_valid", 1), self.valid);
-    visit(data_field("ray_ready", 1), self.ready);
-    visit(data_field("begun_at", f.ray), self.at);
-    visit(data_field("ray_major_y", 1), self.major_y);
-    visit(data_field("ray_major_z", 1), self.major_z);
-    visit(data_field("ray_back_m", 1), self.back_m);
-    visit(data_field("ray_back_a", 1), self.back_a);
-    visit(data_field("ray_back_b", 1), self.back_b);
-    visit(data_field("ray_origin_m", f.point(), true), self.origin_m);
-    visit(data_field("ray_origin_a", f.point(), true), self.origin_a);
-    visit(data_field("ray_origin_b", f.point(), true), self.origin_b);
-  }
-};
-
-/// A block of the image that memory gives: 32 bytes as four words, the first bytes in the low bits of word 0.
-/// Above the ray's number an identifier has a bit that is 1 for a triangle.
-template <class D, class F>
-struct BlockRead {
-  static constexpr F format{};
-  using Part = Word<D, decltype(format.ray * 0_w + 64_w)>;
-
-  typename D::bit valid;
-  Word<D, decltype(format.ray + 1_w)> id;
-  Part word_0, word_1, word_2, word_3;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& f, Self& self, Visit&& visit) {
-    visit(data_field("read_valid", 1), self.valid);
-    visit(data_field("read_id", f.ray + 1), self.id);
-    visit(data_field("read_word_0", 64), self.word_0);
-    visit(data_field("read_word_1", 64), self.word_1);
-    visit(data_field("read_word_2", 64), self.word_2);
-    visit(data_field("read_word_3", 64), self.word_3);
-  }
-
-  constexpr auto ray() const { return slice(id, width_of(id) - 2_w, 0_w); }
-  constexpr auto triangle() const { return bit_at(id, width_of(id) - 1_w); }
-
-  template <int I>
-  constexpr const Part& word() const {
-    static_assert(I >= 0 && I < 4, "a block has four words");
-    if constexpr (I == 0) return word_0;
-    if constexpr (I == 1) return word_1;
-    if constexpr (I == 2) return word_2;
-    if constexpr (I == 3) return word_3;
-  }
-  /// Bits At .. At + Bits - 1 of the block.
-  template <int At, int Bits>
-  constexpr auto piece() const {
-    constexpr int first = At / 64, last = (At + Bits - 1) / 64, low = At % 64;
-    if constexpr (first == last) {
-      return slice(word<first>(), Width<low + Bits - 1>(), Width<low>());
-    } else {
-      return cat(slice(word<last>(), Width<(At + Bits - 1) % 64>(), 0_w),
-                 slice(word<first>(), 63_w, Width<low>()));
-    }
-  }
-  /// The coordinate with that number, in `width` bits.
-  template <int I, class W>
-  constexpr auto coordinate(const W& width) const {
-    return resize(as_signed(piece<24 * I, 24>()), width);
-  }
-};
-
-namespace core_ports {
+namespace hitpipe::hls::core_ports {
 
 /// Of an origin.
 inline constexpr auto point_bits = [](const auto& format) { return format.point(); };
@@ -148,7 +63,4 @@ constexpr auto coordinate(const auto& in, const auto& width) {
   return resize(as_signed(piece<24 * I, 24>(in)), width);
 }
 
-}  // namespace core_ports
-
-}  // namespace hls
-}  // namespace hitpipe
+}  // namespace hitpipe::hls::core_ports

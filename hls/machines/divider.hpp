@@ -8,12 +8,13 @@
 #pragma once
 
 #include "hls/box/format.hpp"
+#include "hls/machines/id_queue.hpp"
 #include "hls/machines/memory.hpp"
-#include "hls/machines/ray_queue.hpp"
 #include "hls/num/levels.hpp"
 #include "hls/world/core_format.hpp"
 
-namespace hitpipe::hls::divider {
+namespace hitpipe::hls {
+namespace divider {
 
 /// Cycles of division, for that many bits of T.
 constexpr int cycles(int distance) {
@@ -52,7 +53,7 @@ constexpr Data<"done"> done;              // 1: `asked`, `t` and `closer` are an
 constexpr Data<"t", &CoreBits::distance> t;
 constexpr Data<"closer"> closer;  // (T, number) is less than (best, best_number)
 
-using Queue = RayQueue<>;                   // tests that wait; the oldest is divided
+using Queue = IdQueue<>;                    // tests that wait; the oldest is divided
 constexpr Control<"left", left_bits> left;  // cycles of division to come
 constexpr Control<"compares"> compares;     // the cycles after the division
 constexpr Control<"answers"> answers;
@@ -163,8 +164,8 @@ struct Divider {
   }
 };
 
-}  // namespace hitpipe::hls::divider
+}  // namespace divider
 
-namespace hitpipe::hls {
 using divider::Divider;
-}
+
+}  // namespace hitpipe::hls

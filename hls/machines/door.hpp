@@ -3,8 +3,8 @@
 #pragma once
 
 #include "hls/box/format.hpp"
+#include "hls/machines/id_queue.hpp"
 #include "hls/machines/memory.hpp"
-#include "hls/machines/ray_queue.hpp"
 
 namespace hitpipe::hls {
 
@@ -39,7 +39,7 @@ constexpr Data<"length", &DoorBits::distance> length;
 constexpr Data<"any"> any_hit;
 
 constexpr Control<"given", &DoorBits::count> given;  // numbers that have been given for the first time
-using Free = RayQueue<"free_">;                      // numbers that answers gave back
+using Free = IdQueue<"free_">;                       // numbers that answers gave back
 constexpr Control<"has"> has;                        // a number for the next ray
 constexpr Data<"next", &DoorBits::ray> next_number;
 constexpr Control<"begins_1"> begins_1;  // a ray that has come

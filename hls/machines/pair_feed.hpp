@@ -128,10 +128,10 @@ struct PairFeed {
   using Bits = PairFeedBits;
   using BuiltIn =
       FormatList<Fixed<PairFeedBits{20, 1, 11, 0, 24, 5}>, Fixed<PairFeedBits{20, 1, 11, 0, 24, 7}>>;
-  struct In : Join<core_ports::NewRay,
+  struct In : Join<NewRay,
                    List<ray_floor_a, ray_ceil_a, ray_exp_a, ray_floor_b, ray_ceil_b, ray_exp_b, go, goer,
                         enters_at, leaves_at>,
-                   core_ports::BlockRead> {};
+                   BlockRead> {};
   struct Out
       : List<begins, test_ray, block, count_0, count_1, major_y, major_z, back_m, back_a, back_b, origin_m,
              origin_a, origin_b, floor_a, ceil_a, floor_b, ceil_b, exp_a, exp_b, parent_near, parent_far,

@@ -7,8 +7,8 @@
 // No block outside the image is asked for.
 #pragma once
 
+#include "hls/machines/id_queue.hpp"
 #include "hls/machines/memory.hpp"
-#include "hls/machines/ray_queue.hpp"
 #include "hls/machines/walk_format.hpp"
 
 namespace hitpipe::hls {
@@ -51,9 +51,9 @@ constexpr Data<"of", &ReaderBits::ray> of;
 constexpr Data<"stopped"> stopped;  // and wants nothing else
 constexpr Data<"lost"> lost;        // because a block that it wants is not in the image
 
-using Goes = RayQueue<"goes_">;
-using Missed = RayQueue<"missed_">;
-using Divided = RayQueue<"divided_">;
+using Goes = IdQueue<"goes_">;
+using Missed = IdQueue<"missed_">;
+using Divided = IdQueue<"divided_">;
 constexpr Control<"there_1"> there_1;  // a ray whose triangle has been tested
 constexpr Data<"stops_1"> stops_1;
 constexpr Data<"settled_1"> settled_1;  // no word was to be written when the leaf's was asked for

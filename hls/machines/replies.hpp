@@ -4,8 +4,8 @@
 #pragma once
 
 #include "hls/box/format.hpp"
+#include "hls/machines/id_queue.hpp"
 #include "hls/machines/memory.hpp"
-#include "hls/machines/ray_queue.hpp"
 #include "hls/world/core_format.hpp"
 
 namespace hitpipe::hls {
@@ -44,7 +44,7 @@ constexpr Data<"hit_failed"> hit_failed;
 constexpr Data<"freed"> freed;  // to the door
 constexpr Data<"freed_ray", &ReplyBits::ray> freed_ray;
 
-using Queue = RayQueue<>;
+using Queue = IdQueue<>;
 constexpr Control<"there_1"> there_1;  // an answer that leaves
 constexpr Data<"ray_1", &ReplyBits::ray> ray_1;
 constexpr Data<"failed_1"> failed_1;

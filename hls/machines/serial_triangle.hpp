@@ -10,14 +10,15 @@
 #include "hls/box/format.hpp"
 #include "hls/machines/memory.hpp"
 #include "hls/machines/triangle_program.hpp"
-#include "hls/machines/waiting_triangles.hpp"
+#include "hls/machines/triangle_queue.hpp"
 #include "hls/num/levels.hpp"
 #include "hls/world/core_format.hpp"
 
-namespace hitpipe::hls::serial_triangle {
+namespace hitpipe::hls {
+namespace serial_triangle {
 
 namespace program = triangle_program;
-namespace queue = waiting_triangles;
+namespace queue = triangle_queue;
 
 /// Bits of a stored word, with a sign. It has room for a number of E1, E2, q, r and D, and two words have
 /// room for one of P or C.
@@ -287,8 +288,8 @@ struct SerialTriangle {
   }
 };
 
-}  // namespace hitpipe::hls::serial_triangle
+}  // namespace serial_triangle
 
-namespace hitpipe::hls {
 using serial_triangle::SerialTriangle;
-}
+
+}  // namespace hitpipe::hls

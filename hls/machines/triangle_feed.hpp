@@ -3,12 +3,13 @@
 #pragma once
 
 #include "hls/machines/memory.hpp"
-#include "hls/machines/waiting_triangles.hpp"
+#include "hls/machines/triangle_queue.hpp"
 #include "hls/world/core_format.hpp"
 
-namespace hitpipe::hls::triangle_feed {
+namespace hitpipe::hls {
+namespace triangle_feed {
 
-namespace queue = waiting_triangles;
+namespace queue = triangle_queue;
 
 constexpr Data<"unit_takes"> unit_takes;  // the unit takes a test in this cycle
 
@@ -53,8 +54,8 @@ struct TriangleFeed {
   }
 };
 
-}  // namespace hitpipe::hls::triangle_feed
+}  // namespace triangle_feed
 
-namespace hitpipe::hls {
 using triangle_feed::TriangleFeed;
-}
+
+}  // namespace hitpipe::hls

@@ -13,12 +13,13 @@
 // waits. A level is named by the place of its bit.
 #pragma once
 
+#include "hls/machines/id_queue.hpp"
 #include "hls/machines/memory.hpp"
-#include "hls/machines/ray_queue.hpp"
 #include "hls/machines/walk_format.hpp"
 #include "hls/num/one_hot.hpp"
 
-namespace hitpipe::hls::walker {
+namespace hitpipe::hls {
+namespace walker {
 
 constexpr Data<"begins"> begins;  // a new ray, where `takes` was 1: it begins at the root's own record
 constexpr Data<"begun", &WalkBits::ray> begun;
@@ -77,9 +78,9 @@ struct LeafDone : List<leaf_ray, lost, stops, cut> {};
 constexpr Data<"was_there"> was_there;  // it is no new ray
 struct Other : List<begun, was_there, length> {};
 
-using Pairs = RayQueue<"pairs_">;
-using Leaves = RayQueue<"leaves_">;
-using Others = RayQueue<"others_">;
+using Pairs = IdQueue<"pairs_">;
+using Leaves = IdQueue<"leaves_">;
+using Others = IdQueue<"others_">;
 // Stage 1: a ray that is taken up, and what has happened to it; nothing: the stage is empty.
 constexpr Data<"ray_1", &WalkBits::ray> ray_1;
 constexpr Control<"pair_1"> pair_1;
@@ -323,8 +324,8 @@ struct Walker {
   }
 };
 
-}  // namespace hitpipe::hls::walker
+}  // namespace walker
 
-namespace hitpipe::hls {
 using walker::Walker;
-}
+
+}  // namespace hitpipe::hls

@@ -38,13 +38,7 @@ class WriteCounts {
   std::map<std::string, int> counts_;
 };
 
-/// A machine whose fields are lists.
-template <class M>
-concept HasLists = requires {
-  typename M::Out;
-};
-
-/// Its records of values, and one cycle of it.
+/// The records of values that follow from a machine's lists, and one cycle of it.
 template <class M>
 struct WithRecords : M {
   template <class D, class F>
@@ -72,25 +66,6 @@ struct WithRecords : M {
                         hls::Next<State<D, F>, Log>(now, state, log));
   }
 };
-/// A machine that has its records already.
-template <class M>
-struct AsItIs : M {
-  template <class D, class F, class State, class Memories, class Log>
-  static constexpr auto outputs(const F& format, const State& state, Memories& memories, Log& log) {
-    const auto out = M::template outputs<D>(format, state, memories);
-    out.for_each(format, out, [&](const hls::Field& field, const auto&) { log.written(field.name); });
-    return out;
-  }
-  template <class D, class F, class State, class Inputs, class Memories, class Log>
-  static constexpr void step(const F& format, State& state, const Inputs& in, Memories& memories, Log& log) {
-    M::template step<D>(format, state, in, memories);
-    state.for_each(format, state, [&](const hls::Field& field, const auto&) { log.written(field.name); });
-  }
-};
-template <class M>
-using Form = typename std::conditional_t<HasLists<M>, std::type_identity<WithRecords<M>>,
-                                         std::type_identity<AsItIs<M>>>::type;
-
 /// A memory of a traced machine. Its accesses become inputs and outputs of the graph.
 class TracedMemory {
  public:
@@ -218,7 +193,7 @@ class HostMemory {
   bool holds_ = false;  ///< it keeps the word that it gives: its one port writes
 };
 
-/// M is a Form.
+/// M has its records.
 template <class M, class D, class F>
 class NativeMachineOf final : public NativeMachine {
  public:
@@ -263,7 +238,7 @@ class NativeMachineOf final : public NativeMachine {
 
 template <class Machine>
 MachineGraph traced_machine(const typename Machine::Bits& format) {
-  using M = detail::Form<Machine>;
+  using M = detail::WithRecords<Machine>;
   using Bits = typename M::Bits;
   MachineGraph machine{
       .name = M::name, .state = {}, .inputs = {}, .outputs = {}, .memories = {}, .graph = Graph(M::name)};
@@ -303,7 +278,7 @@ MachineGraph traced_machine(const typename Machine::Bits& format) {
 
 template <class Machine>
 std::unique_ptr<NativeMachine> native_machine(const typename Machine::Bits& format, Collision collision) {
-  using M = detail::Form<Machine>;
+  using M = detail::WithRecords<Machine>;
   using Any = std::conditional_t < requires {
     requires M::wide;
   }
