@@ -4,189 +4,137 @@
 
 #include "hls/box/format.hpp"
 #include "hls/machines/id_queue.hpp"
-#include "hls/machines/machine.hpp"
-#include "hls/num/bits.hpp"
+#include "hls/machines/memory.hpp"
+#include "hls/num/levels.hpp"
 
-namespace hitpipe {
-namespace hls {
+namespace hitpipe::hls {
 
 /// The format "dDiI", for example d64i5.
-///   D  bits of a beat: 64, 128, 256, 512;  I  bits of a ray's number
 struct BeatBits {
-  int data = 256;  ///< D
-  int ray = 5;     ///< I
+  int data = 256;  ///< D: bits of a beat: 64, 128, 256, 512
+  int ray = 5;     ///< I: bits of a ray's number
 
   static constexpr FormatField fields[] = {{"d", "D", 64, 512}, {"i", "I", 1, 8}};
   static constexpr const char* condition = "D a power of two";
-  static constexpr const char* type = "BeatFormat";
 
   constexpr int rays() const { return power_of_two(ray); }
+  constexpr int id() const { return ray + 1; }
   constexpr int words() const { return data / 64; }
-  /// Of a block; a beat of 512 bits has one half of its words.
+  /// Of a block.
   constexpr int beats() const { return max(1, 256 / data); }
+  constexpr bool several() const { return beats() > 1; }
   /// Of a number of beats.
   constexpr int count() const { return data == 64 ? 2 : 1; }
-  constexpr bool valid() const { return (data & (data - 1)) == 0; }
-  friend constexpr bool operator==(const BeatBits& a, const BeatBits& b) {
-    return a.data == b.data && a.ray == b.ray;
+  /// A beat has two blocks. One of them is wanted.
+  constexpr bool halves() const { return data == 512; }
+  /// The identifier, and above it the half.
+  constexpr int asker() const { return halves() ? id() + 1 : id(); }
+  template <int Word>
+  constexpr bool has() const {
+    return Word < words();
   }
-};
-template <int Data, int Ray>
-struct BeatFormat {
-  static constexpr BeatBits bits{Data, Ray};
-  static_assert(bits.valid(), "there is no such format dDiI");
-  Width<Ray> ray{};
-  constexpr Width<bits.count()> count() const { return {}; }
-  constexpr operator BeatBits() const { return bits; }
+  constexpr bool valid() const { return (data & (data - 1)) == 0; }
+  friend constexpr bool operator==(const BeatBits&, const BeatBits&) = default;
 };
 
 namespace beats {
 
-/// Widths as types, in a format.
-template <class F>
-struct Widths {
-  static constexpr F format{};
-  using Id = decltype(format.ray + 1_w);
-  using Count = decltype(format.count());
-  using Part = decltype(format.ray * 0_w + 64_w);
-};
+constexpr Data<"request_valid"> request_valid;  // this and `request_ready` are 1: a block is asked for
+constexpr Data<"request_ready"> request_ready;
+constexpr Data<"request_id", &BeatBits::id> request_id;
+constexpr DataIf<"request_upper", 1, &BeatBits::halves> request_upper;  // the block is in the upper half
+constexpr Data<"beat_valid"> beat_valid;  // a beat; it is taken if `beat_ready` is 1
+constexpr Data<"beat_0", 64> beat_0;
+constexpr DataIf<"beat_1", 64, &BeatBits::has<1>> beat_1;
+constexpr DataIf<"beat_2", 64, &BeatBits::has<2>> beat_2;
+constexpr DataIf<"beat_3", 64, &BeatBits::has<3>> beat_3;
+constexpr DataIf<"beat_4", 64, &BeatBits::has<4>> beat_4;
+constexpr DataIf<"beat_5", 64, &BeatBits::has<5>> beat_5;
+constexpr DataIf<"beat_6", 64, &BeatBits::has<6>> beat_6;
+constexpr DataIf<"beat_7", 64, &BeatBits::has<7>> beat_7;
 
-template <class D, class F>
-struct State {
-  using bit = typename D::bit;
-  using Part = Word<D, typename Widths<F>::Part>;
+constexpr Data<"beat_ready"> beat_ready;
+constexpr Data<"read_valid"> read_valid;  // a block, which the core takes at once
+constexpr Data<"read_id", &BeatBits::id> read_id;
+constexpr Data<"read_word_0", 64> read_word_0;
+constexpr Data<"read_word_1", 64> read_word_1;
+constexpr Data<"read_word_2", 64> read_word_2;
+constexpr Data<"read_word_3", 64> read_word_3;
 
-  IdQueue<D, F> queue;                       ///< who asked
-  Word<D, typename Widths<F>::Count> count;  ///< beats of the oldest block that have come
-  bit there;                                 ///< a whole block
-  Word<D, typename Widths<F>::Id> id;
-  Part words[4];
+using Queue = IdQueue<>;  // who asked
+constexpr ControlIf<"count", &BeatBits::count, &BeatBits::several>
+    count;                             // beats of the oldest block that have come
+constexpr Control<"there_1"> there_1;  // a whole block
+constexpr Data<"id_1", &BeatBits::id> id_1;
+constexpr Data<"word_0_1", 64> word_0_1;
+constexpr Data<"word_1_1", 64> word_1_1;
+constexpr Data<"word_2_1", 64> word_2_1;
+constexpr Data<"word_3_1", 64> word_3_1;
 
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const BeatBits bits = format;
-    IdQueue<D, F>::for_each({"used", "oldest", "there"}, bits.ray, self.queue, visit);
-    if (bits.beats() > 1) visit(control_field("count", bits.count()), self.count);
-    visit(control_field("there_1", 1), self.there);
-    visit(data_field("id_1", bits.ray + 1), self.id);
-    constexpr const char* names[] = {"word_0_1", "word_1_1", "word_2_1", "word_3_1"};
-    for (int i = 0; i < 4; ++i) visit(data_field(names[i], 64), self.words[i]);
-  }
-};
-
-template <class D, class F>
-struct Inputs {
-  using bit = typename D::bit;
-  using Part = Word<D, typename Widths<F>::Part>;
-
-  bit asks, granted;  ///< both are 1: a block is asked for
-  Word<D, typename Widths<F>::Id> asker;
-  bit upper;  ///< the block is in the upper half of a beat of 512 bits
-  bit valid;  ///< a beat; it is taken if `beat_ready` is 1
-  Part words[8];
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const BeatBits bits = format;
-    visit(data_field("request_valid", 1), self.asks);
-    visit(data_field("request_ready", 1), self.granted);
-    visit(data_field("request_id", bits.ray + 1), self.asker);
-    if (bits.data == 512) visit(data_field("request_upper", 1), self.upper);
-    visit(data_field("beat_valid", 1), self.valid);
-    constexpr const char* names[] = {"beat_0", "beat_1", "beat_2", "beat_3",
-                                     "beat_4", "beat_5", "beat_6", "beat_7"};
-    for (int i = 0; i < bits.words(); ++i) visit(data_field(names[i], 64), self.words[i]);
-  }
-};
-
-template <class D, class F>
-struct Outputs {
-  using bit = typename D::bit;
-  using Part = Word<D, typename Widths<F>::Part>;
-
-  bit ready;
-  bit there;  ///< a block, which the core takes at once
-  Word<D, typename Widths<F>::Id> id;
-  Part words[4];
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const BeatBits bits = format;
-    visit(data_field("beat_ready", 1), self.ready);
-    visit(data_field("read_valid", 1), self.there);
-    visit(data_field("read_id", bits.ray + 1), self.id);
-    constexpr const char* names[] = {"read_word_0", "read_word_1", "read_word_2", "read_word_3"};
-    for (int i = 0; i < 4; ++i) visit(data_field(names[i], 64), self.words[i]);
-  }
-};
-
-template <class Memory>
-struct Memories {
-  Memory askers;  ///< the queue
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const BeatBits bits = format;
-    visit(MemoryShape{"askers", bits.rays(), asker_bits(bits), MemoryKind::block}, self.askers);
-  }
-  /// The identifier, and above it the half.
-  static constexpr int asker_bits(const BeatBits& bits) { return bits.ray + (bits.data == 512 ? 2 : 1); }
-};
+constexpr Block<"askers", &BeatBits::rays, &BeatBits::asker> askers;  // the queue
 
 struct Beats {
   static constexpr const char* name = "beats";
   static constexpr const char* summary = "makes blocks of a memory bus's beats, which come in order";
   static constexpr const char* header = __FILE__;
   using Bits = BeatBits;
-  using BuiltIn = FormatList<BeatFormat<64, 5>>;
-  template <class D, class F>
-  using State = beats::State<D, F>;
-  template <class D, class F>
-  using Inputs = beats::Inputs<D, F>;
-  template <class D, class F>
-  using Outputs = beats::Outputs<D, F>;
-  template <class Memory>
-  using Memories = beats::Memories<Memory>;
+  using BuiltIn = FormatList<Fixed<BeatBits{64, 5}>>;
+  struct In : List<request_valid, request_ready, request_id, request_upper, beat_valid, beat_0, beat_1,
+                   beat_2, beat_3, beat_4, beat_5, beat_6, beat_7> {};
+  struct Out : List<beat_ready, read_valid, read_id, read_word_0, read_word_1, read_word_2, read_word_3> {};
+  struct State : Join<Queue::State, List<count, there_1, id_1, word_0_1, word_1_1, word_2_1, word_3_1>> {};
+  struct Memory : List<askers> {};
 
-  template <class D, class F, class Memory>
-  static constexpr Outputs<D, F> outputs(const F& /*format*/, const State<D, F>& state, Memories<Memory>&) {
-    return {state.queue.there,
-            state.there,
-            state.id,
-            {state.words[0], state.words[1], state.words[2], state.words[3]}};
+  template <class D>
+  static constexpr void outputs(const auto& /*f*/, const auto& now, const auto& /*memory*/, const auto& out) {
+    out[beat_ready] = now[Queue::there];
+    out[read_valid] = now[there_1];
+    out[read_id] = now[id_1];
+    out[read_word_0] = now[word_0_1];
+    out[read_word_1] = now[word_1_1];
+    out[read_word_2] = now[word_2_1];
+    out[read_word_3] = now[word_3_1];
   }
 
-  template <class D, class F, class Memory>
-  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
-                             Memories<Memory>& memories) {
+  template <class D>
+  static constexpr void step(const auto& f, const auto& now, const auto& in, const auto& memory,
+                             const auto& next) {
     using Bit = typename D::bit;
-    const BeatBits bits = format;
-    const auto i = format.ray;
-    const Bit enters = as("enters", in.asks & in.granted);
-    const auto place = as("place", state.queue.place(i));
-    const Bit taken = as("taken", in.valid & state.queue.there);
+    const BeatBits bits = f;
+    const auto halves = 0_w < number_in<&BeatBits::halves>(f);
+    const Bit enters = as("enters", in[request_valid] & in[request_ready]);
+    const auto asker =
+        change_if(halves, in[request_id], [&](const auto& id) { return cat(in[request_upper], id); });
+    memory[askers].write(enters, as("place", Queue::place(now)), asker);
+
+    const Bit taken = as("taken", in[beat_valid] & now[Queue::there]);
     Bit last = taken;
-    if (bits.data == 512) {
-      memories.askers.write(enters, place, cat(in.upper, in.asker));
-      const auto word = memories.askers.word(i + 2_w);
-      for (int k = 0; k < 4; ++k)
-        state.words[k] = select(Bit(bit_at(word, i + 1_w)), in.words[k + 4], in.words[k]);
-      state.id = slice(word, i, 0_w);
-    } else {
-      memories.askers.write(enters, place, in.asker);
-      state.id = memories.askers.word(i + 1_w);
-      // The words of a beat come in above, and those of the beats before move down.
-      for (int k = 0; k < 4; ++k) {
-        const int from = k + bits.words();
-        state.words[k] = select(taken, from < 4 ? state.words[from] : in.words[from - 4], state.words[k]);
-      }
+    if (bits.several()) {
+      last = taken & is<D>(now[count], bits.beats() - 1);
+      next[count] = plus(now[count], taken);
     }
-    if (bits.beats() > 1) {
-      last = taken & Bit(state.count == D::lit(bits.beats() - 1, format.count()));
-      state.count = as_unsigned(resize(state.count + taken, format.count()));
-    }
-    state.there = as("last_beat", last);
-    memories.askers.ask(state.queue.step(i, enters, last));
+    next[there_1] = as("last_beat", last);
+    memory[askers].ask(Queue::step<D>(now, next, enters, last));
+
+    const auto asked = memory[askers].word();
+    next[id_1] = slice(asked, width_of(in[request_id]) - 1_w, 0_w);
+    // The words of a beat come in above, and those of the beats before move down; or a half of them comes in.
+    using Part = std::remove_cvref_t<decltype(in[beat_0])>;
+    const Part held[] = {now[word_0_1], now[word_1_1], now[word_2_1], now[word_3_1]};
+    const Part came[] = {in[beat_0], in[beat_1], in[beat_2], in[beat_3],
+                         in[beat_4], in[beat_5], in[beat_6], in[beat_7]};
+    const auto part = [&](int k) -> Part {
+      return either(
+          halves, asked, [&](const auto& word) { return select(Bit(sign(word)), came[k + 4], came[k]); },
+          [&](const auto&) {
+            const int from = k + bits.words();
+            return select(taken, from < 4 ? held[from] : came[from - 4], held[k]);
+          });
+    };
+    next[word_0_1] = part(0);
+    next[word_1_1] = part(1);
+    next[word_2_1] = part(2);
+    next[word_3_1] = part(3);
   }
 };
 
@@ -194,5 +142,4 @@ struct Beats {
 
 using beats::Beats;
 
-}  // namespace hls
-}  // namespace hitpipe
+}  // namespace hitpipe::hls

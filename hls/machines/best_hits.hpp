@@ -5,217 +5,93 @@
 #pragma once
 
 #include "hls/box/format.hpp"
-#include "hls/machines/machine.hpp"
-#include "hls/num/bits.hpp"
+#include "hls/machines/memory.hpp"
 #include "hls/world/core_format.hpp"
 
-namespace hitpipe {
-namespace hls {
+namespace hitpipe::hls {
 
 /// The format "tTcCdDiI", for example t20c1d20i5.
-///   T  bits of a distance;  C  low bits of it that a box distance has not;  D  bits of a box distance, at
-///   least T - C;  I  bits of a ray's number
 struct BestBits {
-  int distance = 20;  ///< T
-  int dropped = 1;    ///< C
-  int box = 20;       ///< D
-  int ray = 5;        ///< I
+  int distance = 20;  ///< T: bits of a distance
+  int dropped = 1;    ///< C: low bits of it that a box distance has not
+  int box = 20;       ///< D: bits of a box distance, at least T - C
+  int ray = 5;        ///< I: bits of a ray's number
 
   static constexpr FormatField fields[] = {
       {"t", "T", 4, 36}, {"c", "C", 0, 11}, {"d", "D", 4, 36, "36"}, {"i", "I", 1, 8}};
   static constexpr const char* condition = "D at least T-C, and C less than T";
-  static constexpr const char* type = "BestFormat";
 
   constexpr int rays() const { return power_of_two(ray); }
   constexpr bool valid() const { return dropped < distance && box >= distance - dropped; }
-  friend constexpr bool operator==(const BestBits& a, const BestBits& b) {
-    return a.distance == b.distance && a.dropped == b.dropped && a.box == b.box && a.ray == b.ray;
-  }
-};
-template <int Distance, int Dropped, int Box, int Ray>
-struct BestFormat {
-  static constexpr BestBits bits{Distance, Dropped, Box, Ray};
-  static_assert(bits.valid(), "there is no such format tTcCdDiI");
-  Width<Distance> distance{};
-  Width<Dropped> dropped{};
-  Width<Box> box{};
-  Width<Ray> ray{};
-  constexpr operator BestBits() const { return bits; }
+  friend constexpr bool operator==(const BestBits&, const BestBits&) = default;
 };
 
 namespace best_hits {
 
-/// Widths as types, in a format.
-template <class F>
-struct Widths {
-  static constexpr F format{};
-  static constexpr auto number_of(const F& f) { return f.ray * 0_w + Width<triangle_number_bits>(); }
-  static constexpr auto best_of(const F& f) { return f.distance + number_of(f); }
+constexpr Data<"new_ray"> new_ray;  // where `takes` was 1
+constexpr Data<"begun", &BestBits::ray> begun;
+constexpr Data<"length", &BestBits::distance> length;
+constexpr Data<"any"> any_hit;                // it wants any hit, else the nearest
+constexpr Data<"walker_takes"> walker_takes;  // the walker takes a new ray in this cycle
+constexpr Data<"reads"> reads;                // a triangle has been read for a ray
+constexpr Data<"read_ray", &BestBits::ray> read_ray;
+constexpr Data<"number", triangle_number_bits> number;
+constexpr Data<"asked", &BestBits::ray> asked;  // the divider's
+constexpr Data<"done"> done;
+constexpr Data<"closer"> closer;
+constexpr Data<"t", &BestBits::distance> t;
+constexpr Data<"leaf"> leaf;  // a ray is done with its leaf
+constexpr Data<"leaf_ray", &BestBits::ray> leaf_ray;
+constexpr Data<"stops"> stops;
+constexpr Data<"lost"> lost;
+constexpr Data<"ended"> ended;  // a walk has ended
+constexpr Data<"ender", &BestBits::ray> ender;
+constexpr Data<"failed"> failed;
 
-  using Ray = decltype(format.ray + 0_w);
-  using Distance = decltype(format.distance + 0_w);
-  using Box = decltype(format.box + 0_w);
-  using Number = decltype(number_of(format));
-};
+constexpr Data<"takes"> takes;    // a new ray may begin in this cycle
+constexpr Data<"begins"> begins;  // to the walker
+constexpr Data<"begin_ray", &BestBits::ray> begin_ray;
+constexpr Data<"begin_cut", &BestBits::box> begin_cut;  // its length as a box distance
+constexpr Data<"asked_number", triangle_number_bits>
+    asked_number;                                  // to the divider, of the ray that it asked for
+constexpr Data<"best", &BestBits::distance> best;  // likewise
+constexpr Data<"best_number", triangle_number_bits> best_number;  // likewise
+constexpr Data<"divided"> divided;                                // to the reader: a hit has been compared
+constexpr Data<"divided_ray", &BestBits::ray> divided_ray;
+constexpr Data<"divided_stops"> divided_stops;
+constexpr Data<"leaf_done"> leaf_done;  // to the walker: a ray is done with its leaf
+constexpr Data<"leaf_done_ray", &BestBits::ray> leaf_done_ray;
+constexpr Data<"leaf_done_cut", &BestBits::box> leaf_done_cut;
+constexpr Data<"leaf_done_stops"> leaf_done_stops;
+constexpr Data<"leaf_done_lost"> leaf_done_lost;
+constexpr Data<"answers"> answers;  // a ray's answer
+constexpr Data<"answered", &BestBits::ray> answered;
+constexpr Data<"answer_t", &BestBits::distance> answer_t;
+constexpr Data<"answer_number", triangle_number_bits> answer_number;  // all ones: no hit
+constexpr Data<"answer_failed"> answer_failed;
 
-template <class D, class F>
-struct State {
-  using bit = typename D::bit;
-  using W = Widths<F>;
+constexpr Control<"begins_1"> begins_1;  // a new ray on its way to the walker
+constexpr Data<"begun_1", &BestBits::ray> begun_1;
+constexpr Data<"length_1", &BestBits::distance> length_1;
+constexpr Control<"divided_1"> divided_1;  // what the divider has said
+constexpr Data<"closer_1"> closer_1;
+constexpr Data<"divider_1", &BestBits::ray> divider_1;
+constexpr Data<"t_1", &BestBits::distance> t_1;
+constexpr Control<"leaf_1"> leaf_1;  // a ray whose best hit was asked for
+constexpr Data<"stops_1"> stops_1;
+constexpr Data<"lost_1"> lost_1;
+constexpr Data<"leaf_ray_1", &BestBits::ray> leaf_ray_1;
+constexpr Control<"answers_1"> answers_1;
+constexpr Data<"failed_1"> failed_1;
+constexpr Data<"answered_1", &BestBits::ray> answered_1;
 
-  // A new ray on its way to the walker.
-  bit begins;
-  Word<D, typename W::Ray> begun;
-  Word<D, typename W::Distance> length;
-  // What the divider has said.
-  bit divided, closer;
-  Word<D, typename W::Ray> divider;
-  Word<D, typename W::Distance> t;
-  // A ray whose best hit was asked for.
-  bit leaf, stops, lost;
-  Word<D, typename W::Ray> leaf_ray;
-  bit answers, failed;
-  Word<D, typename W::Ray> answered;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const BestBits bits = format;
-    visit(control_field("begins_1", 1), self.begins);
-    visit(data_field("begun_1", bits.ray), self.begun);
-    visit(data_field("length_1", bits.distance), self.length);
-    visit(control_field("divided_1", 1), self.divided);
-    visit(data_field("closer_1", 1), self.closer);
-    visit(data_field("divider_1", bits.ray), self.divider);
-    visit(data_field("t_1", bits.distance), self.t);
-    visit(control_field("leaf_1", 1), self.leaf);
-    visit(data_field("stops_1", 1), self.stops);
-    visit(data_field("lost_1", 1), self.lost);
-    visit(data_field("leaf_ray_1", bits.ray), self.leaf_ray);
-    visit(control_field("answers_1", 1), self.answers);
-    visit(data_field("failed_1", 1), self.failed);
-    visit(data_field("answered_1", bits.ray), self.answered);
-  }
-};
-
-template <class D, class F>
-struct Inputs {
-  using bit = typename D::bit;
-  using W = Widths<F>;
-
-  bit begin;  ///< a new ray, where `takes` was 1
-  Word<D, typename W::Ray> begun;
-  Word<D, typename W::Distance> length;
-  bit any;           ///< it wants any hit, else the nearest
-  bit walker_takes;  ///< the walker takes a new ray in this cycle
-  bit reads;         ///< a triangle has been read for a ray
-  Word<D, typename W::Ray> reader;
-  Word<D, typename W::Number> number;
-  Word<D, typename W::Ray> asked;  ///< the divider's
-  bit done, closer;
-  Word<D, typename W::Distance> t;
-  bit leaf;  ///< a ray is done with its leaf
-  Word<D, typename W::Ray> leaf_ray;
-  bit stops, lost;
-  bit ended;  ///< a walk has ended
-  Word<D, typename W::Ray> ender;
-  bit failed;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const BestBits bits = format;
-    visit(data_field("new_ray", 1), self.begin);
-    visit(data_field("begun", bits.ray), self.begun);
-    visit(data_field("length", bits.distance), self.length);
-    visit(data_field("any", 1), self.any);
-    visit(data_field("walker_takes", 1), self.walker_takes);
-    visit(data_field("reads", 1), self.reads);
-    visit(data_field("read_ray", bits.ray), self.reader);
-    visit(data_field("number", triangle_number_bits), self.number);
-    visit(data_field("asked", bits.ray), self.asked);
-    visit(data_field("done", 1), self.done);
-    visit(data_field("closer", 1), self.closer);
-    visit(data_field("t", bits.distance), self.t);
-    visit(data_field("leaf", 1), self.leaf);
-    visit(data_field("leaf_ray", bits.ray), self.leaf_ray);
-    visit(data_field("stops", 1), self.stops);
-    visit(data_field("lost", 1), self.lost);
-    visit(data_field("ended", 1), self.ended);
-    visit(data_field("ender", bits.ray), self.ender);
-    visit(data_field("failed", 1), self.failed);
-  }
-};
-
-template <class D, class F>
-struct Outputs {
-  using bit = typename D::bit;
-  using W = Widths<F>;
-
-  bit takes;   ///< a new ray may begin in this cycle
-  bit begins;  ///< to the walker
-  Word<D, typename W::Ray> begun;
-  Word<D, typename W::Box> cut;             ///< its length as a box distance
-  Word<D, typename W::Number> number;       ///< to the divider, of the ray that it asked for
-  Word<D, typename W::Distance> best;       ///< likewise
-  Word<D, typename W::Number> best_number;  ///< likewise
-  bit divided;                              ///< to the reader: a hit has been compared
-  Word<D, typename W::Ray> divider;
-  bit stops;
-  bit leaf;  ///< to the walker: a ray is done with its leaf
-  Word<D, typename W::Ray> leaf_ray;
-  Word<D, typename W::Box> leaf_cut;
-  bit leaf_stops, leaf_lost;
-  bit answers;  ///< a ray's answer
-  Word<D, typename W::Ray> answered;
-  Word<D, typename W::Distance> answer_t;
-  Word<D, typename W::Number> answer_number;  ///< all ones: no hit
-  bit answer_failed;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const BestBits bits = format;
-    visit(data_field("takes", 1), self.takes);
-    visit(data_field("begins", 1), self.begins);
-    visit(data_field("begin_ray", bits.ray), self.begun);
-    visit(data_field("begin_cut", bits.box), self.cut);
-    visit(data_field("asked_number", triangle_number_bits), self.number);
-    visit(data_field("best", bits.distance), self.best);
-    visit(data_field("best_number", triangle_number_bits), self.best_number);
-    visit(data_field("divided", 1), self.divided);
-    visit(data_field("divided_ray", bits.ray), self.divider);
-    visit(data_field("divided_stops", 1), self.stops);
-    visit(data_field("leaf_done", 1), self.leaf);
-    visit(data_field("leaf_done_ray", bits.ray), self.leaf_ray);
-    visit(data_field("leaf_done_cut", bits.box), self.leaf_cut);
-    visit(data_field("leaf_done_stops", 1), self.leaf_stops);
-    visit(data_field("leaf_done_lost", 1), self.leaf_lost);
-    visit(data_field("answers", 1), self.answers);
-    visit(data_field("answered", bits.ray), self.answered);
-    visit(data_field("answer_t", bits.distance), self.answer_t);
-    visit(data_field("answer_number", triangle_number_bits), self.answer_number);
-    visit(data_field("answer_failed", 1), self.answer_failed);
-  }
-};
-
-/// By ray. The best hits are there three times, since three read them.
-template <class Memory>
-struct Memories {
-  Memory numbers;  ///< of the triangle that is tested
-  Memory kinds;    ///< 1: any hit
-  Memory divided_bests, leaf_bests, answer_bests;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const BestBits bits = format;
-    const auto memory = [&](const char* name, int width, Memory& of) {
-      visit(MemoryShape{name, bits.rays(), width, MemoryKind::block}, of);
-    };
-    memory("numbers", triangle_number_bits, self.numbers);
-    memory("kinds", 1, self.kinds);
-    memory("divided_bests", Widths<BestBits>::best_of(bits), self.divided_bests);
-    memory("leaf_bests", Widths<BestBits>::best_of(bits), self.leaf_bests);
-    memory("answer_bests", Widths<BestBits>::best_of(bits), self.answer_bests);
-  }
-};
+// By ray. The best hits are there three times, since three read them.
+struct Best : List<best, best_number> {};
+constexpr Block<"numbers", &BestBits::rays, triangle_number_bits> numbers;  // of the triangle that is tested
+constexpr Block<"kinds", &BestBits::rays, 1> kinds;                         // 1: any hit
+constexpr BlockOf<"divided_bests", &BestBits::rays, Best> divided_bests;
+constexpr BlockOf<"leaf_bests", &BestBits::rays, Best> leaf_bests;
+constexpr BlockOf<"answer_bests", &BestBits::rays, Best> answer_bests;
 
 struct BestHits {
   static constexpr const char* name = "best_hits";
@@ -223,98 +99,90 @@ struct BestHits {
   static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = BestBits;
-  using BuiltIn = FormatList<BestFormat<20, 1, 20, 5>, BestFormat<20, 1, 20, 7>>;
-  template <class D, class F>
-  using State = best_hits::State<D, F>;
-  template <class D, class F>
-  using Inputs = best_hits::Inputs<D, F>;
-  template <class D, class F>
-  using Outputs = best_hits::Outputs<D, F>;
-  template <class Memory>
-  using Memories = best_hits::Memories<Memory>;
+  using BuiltIn = FormatList<Fixed<BestBits{20, 1, 20, 5}>, Fixed<BestBits{20, 1, 20, 7}>>;
+  struct In : List<new_ray, begun, length, any_hit, walker_takes, reads, read_ray, number, asked, done,
+                   closer, t, leaf, leaf_ray, stops, lost, ended, ender, failed> {};
+  struct Out : List<takes, begins, begin_ray, begin_cut, asked_number, best, best_number, divided,
+                    divided_ray, divided_stops, leaf_done, leaf_done_ray, leaf_done_cut, leaf_done_stops,
+                    leaf_done_lost, answers, answered, answer_t, answer_number, answer_failed> {};
+  struct State : List<begins_1, begun_1, length_1, divided_1, closer_1, divider_1, t_1, leaf_1, stops_1,
+                      lost_1, leaf_ray_1, answers_1, failed_1, answered_1> {};
+  struct Memory : List<numbers, kinds, divided_bests, leaf_bests, answer_bests> {};
 
-  template <class D, class F, class Memory>
-  static constexpr Outputs<D, F> outputs(const F& format, const State<D, F>& state,
-                                         Memories<Memory>& memories) {
-    const auto number_bits = Widths<F>::number_of(format);
-    const auto best_bits = Widths<F>::best_of(format);
-    const auto cut_of = [&](const auto& t) {
-      return resize(slice(t, format.distance - 1_w, format.dropped), format.box);
+  template <class D>
+  static constexpr void outputs(const auto& f, const auto& now, const auto& memory, const auto& out) {
+    const auto cut_of = [&](const auto& distance) {
+      const auto kept = slice(distance, width_of(distance) - 1_w, number_in<&BestBits::dropped>(f));
+      return resize(kept, begin_cut.width(f));
     };
-    const auto t_of = [&](const auto& best) { return slice(best, best_bits - 1_w, number_bits); };
-    const auto number_of = [&](const auto& best) { return slice(best, number_bits - 1_w, 0_w); };
-    const auto compared = memories.divided_bests.word(best_bits);
-    const auto at_leaf = memories.leaf_bests.word(best_bits);
-    const auto answer = memories.answer_bests.word(best_bits);
-
-    Outputs<D, F> out;
-    out.takes = takes<D>(state);
-    out.begins = state.begins;
-    out.begun = state.begun;
-    out.cut = cut_of(state.length);
-    out.number = memories.numbers.word(number_bits);
-    out.best = t_of(compared);
-    out.best_number = number_of(compared);
-    out.divided = state.divided;
-    out.divider = state.divider;
-    out.stops = state.closer & typename D::bit(memories.kinds.word(1_w + format.ray * 0_w));
-    out.leaf = state.leaf;
-    out.leaf_ray = state.leaf_ray;
-    out.leaf_cut = cut_of(t_of(at_leaf));
-    out.leaf_stops = state.stops;
-    out.leaf_lost = state.lost;
-    out.answers = state.answers;
-    out.answered = state.answered;
-    out.answer_t = t_of(answer);
-    out.answer_number = number_of(answer);
-    out.answer_failed = state.failed;
-    return out;
+    const auto compared = memory[divided_bests].word();
+    const auto at_leaf = memory[leaf_bests].word();
+    const auto answer = memory[answer_bests].word();
+    out[takes] = may_begin(now);
+    out[begins] = now[begins_1];
+    out[begin_ray] = now[begun_1];
+    out[begin_cut] = cut_of(now[length_1]);
+    out[asked_number] = memory[numbers].word();
+    out[best] = compared[best];
+    out[best_number] = compared[best_number];
+    out[divided] = now[divided_1];
+    out[divided_ray] = now[divider_1];
+    out[divided_stops] = now[closer_1] & typename D::bit(memory[kinds].word());
+    out[leaf_done] = now[leaf_1];
+    out[leaf_done_ray] = now[leaf_ray_1];
+    out[leaf_done_cut] = cut_of(at_leaf[best]);
+    out[leaf_done_stops] = now[stops_1];
+    out[leaf_done_lost] = now[lost_1];
+    out[answers] = now[answers_1];
+    out[answered] = now[answered_1];
+    out[answer_t] = answer[best];
+    out[answer_number] = answer[best_number];
+    out[answer_failed] = now[failed_1];
   }
 
-  template <class D, class F, class Memory>
-  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
-                             Memories<Memory>& memories) {
+  template <class D>
+  static constexpr void step(const auto& /*f*/, const auto& now, const auto& in, const auto& memory,
+                             const auto& next) {
     using Bit = typename D::bit;
-    const auto number_bits = Widths<F>::number_of(format);
-    const Bit taken = takes<D>(state);
-    const Bit begins = as("begins_ray", in.begin & taken);
-    const Bit improves = as("improves", state.divided & state.closer);
-    const Bit writes = as("writes_best", begins | improves);
-    const auto place = as("best_place", select(begins, in.begun, state.divider));
-    const auto best = as("best_written", select(begins, cat(in.length, D::lit(-1, number_bits)),
-                                                cat(state.t, memories.numbers.word(number_bits))));
-    memories.divided_bests.write(writes, place, best);
-    memories.leaf_bests.write(writes, place, best);
-    memories.answer_bests.write(writes, place, best);
-    memories.kinds.write(begins, in.begun, in.any);
-    memories.numbers.write(in.reads, in.reader, in.number);
-    memories.divided_bests.ask(in.asked);
-    memories.numbers.ask(in.asked);
-    memories.kinds.ask(in.asked);
-    memories.leaf_bests.ask(in.leaf_ray);
-    memories.answer_bests.ask(in.ender);
+    const Bit new_one = as("begins_ray", in[new_ray] & may_begin(now));
+    const Bit improves = as("improves", now[divided_1] & now[closer_1]);
+    const Bit writes = as("writes_best", new_one | improves);
+    const auto place = as("best_place", select(new_one, in[begun], now[divider_1]));
+    const auto no_triangle = D::lit(-1, width_of(in[number]));
+    const auto tested = memory[numbers].word();
+    const auto word =
+        as("best_written", select(new_one, cat(in[length], no_triangle), cat(now[t_1], tested)));
+    memory[divided_bests].write(writes, place, word);
+    memory[leaf_bests].write(writes, place, word);
+    memory[answer_bests].write(writes, place, word);
+    memory[kinds].write(new_one, in[begun], in[any_hit]);
+    memory[numbers].write(in[reads], in[read_ray], in[number]);
+    memory[divided_bests].ask(in[asked]);
+    memory[numbers].ask(in[asked]);
+    memory[kinds].ask(in[asked]);
+    memory[leaf_bests].ask(in[leaf_ray]);
+    memory[answer_bests].ask(in[ender]);
 
-    state.begun = select(begins, in.begun, state.begun);
-    state.length = select(begins, in.length, state.length);
-    state.begins = begins | (state.begins & ~in.walker_takes);
-    state.divided = in.done;
-    state.closer = in.closer;
-    state.divider = in.asked;
-    state.t = in.t;
-    state.leaf = in.leaf;
-    state.stops = in.stops;
-    state.lost = in.lost;
-    state.leaf_ray = in.leaf_ray;
-    state.answers = in.ended;
-    state.failed = in.failed;
-    state.answered = in.ender;
+    next.where(new_one)[begun_1] = in[begun];
+    next.where(new_one)[length_1] = in[length];
+    next[begins_1] = new_one | (now[begins_1] & ~in[walker_takes]);
+    next[divided_1] = in[done];
+    next[closer_1] = in[closer];
+    next[divider_1] = in[asked];
+    next[t_1] = in[t];
+    next[leaf_1] = in[leaf];
+    next[stops_1] = in[stops];
+    next[lost_1] = in[lost];
+    next[leaf_ray_1] = in[leaf_ray];
+    next[answers_1] = in[ended];
+    next[failed_1] = in[failed];
+    next[answered_1] = in[ender];
   }
 
  private:
   /// A hit that the divider has compared is written in the next cycle, and then no ray begins.
-  template <class D, class F>
-  static constexpr typename D::bit takes(const State<D, F>& state) {
-    return as("takes_ray", ~state.begins & ~state.divided);
+  static constexpr auto may_begin(const auto& now) {
+    return as("takes_ray", ~now[begins_1] & ~now[divided_1]);
   }
 };
 
@@ -322,5 +190,4 @@ struct BestHits {
 
 using best_hits::BestHits;
 
-}  // namespace hls
-}  // namespace hitpipe
+}  // namespace hitpipe::hls

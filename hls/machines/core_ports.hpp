@@ -1,91 +1,66 @@
 // Ports of a core that several of its machines are wired to (docs/core.md).
 #pragma once
 
-#include "hls/machines/machine.hpp"
-#include "hls/num/bits.hpp"
+#include <tuple>
 
-namespace hitpipe {
-namespace hls {
+#include "hls/machines/id_queue.hpp"
+#include "hls/machines/record.hpp"
 
-/// A new ray, as the unit int_ray makes it (hls/world/ray_operands.hpp): what both tests want to know. F has
-/// the widths `point()`, of an origin, and `ray`, of a ray's number.
-template <class D, class F>
-struct NewRay {
-  static constexpr F format{};
-  using bit = typename D::bit;
-  using Point = SignedWord<D, decltype(format.point())>;
+namespace hitpipe::hls::core_ports {
 
-  bit valid, ready;  ///< both are 1: the ray begins
-  Word<D, decltype(format.ray + 0_w)> at;
-  bit major_y, major_z;
-  bit back_m, back_a, back_b;
-  Point origin_m, origin_a, origin_b;
+/// Of an origin.
+inline constexpr auto point_bits = [](const auto& format) { return format.point(); };
 
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& f, Self& self, Visit&& visit) {
-    visit(data_field("ray_valid", 1), self.valid);
-    visit(data_field("ray_ready", 1), self.ready);
-    visit(data_field("begun_at", f.ray), self.at);
-    visit(data_field("ray_major_y", 1), self.major_y);
-    visit(data_field("ray_major_z", 1), self.major_z);
-    visit(data_field("ray_back_m", 1), self.back_m);
-    visit(data_field("ray_back_a", 1), self.back_a);
-    visit(data_field("ray_back_b", 1), self.back_b);
-    visit(data_field("ray_origin_m", f.point(), true), self.origin_m);
-    visit(data_field("ray_origin_a", f.point(), true), self.origin_a);
-    visit(data_field("ray_origin_b", f.point(), true), self.origin_b);
-  }
-};
+// A new ray, as the unit int_ray makes it (hls/world/ray_operands.hpp): what both tests want to know.
+constexpr Data<"ray_valid"> ray_valid;  // this and `ray_ready` are 1: the ray begins
+constexpr Data<"ray_ready"> ray_ready;
+constexpr Data<"begun_at", ray_bits> begun_at;
+constexpr Data<"ray_major_y"> ray_major_y;
+constexpr Data<"ray_major_z"> ray_major_z;
+constexpr Data<"ray_back_m"> ray_back_m;
+constexpr Data<"ray_back_a"> ray_back_a;
+constexpr Data<"ray_back_b"> ray_back_b;
+constexpr SignedData<"ray_origin_m", point_bits> ray_origin_m;
+constexpr SignedData<"ray_origin_a", point_bits> ray_origin_a;
+constexpr SignedData<"ray_origin_b", point_bits> ray_origin_b;
+struct NewRay : List<ray_valid, ray_ready, begun_at, ray_major_y, ray_major_z, ray_back_m, ray_back_a,
+                     ray_back_b, ray_origin_m, ray_origin_a, ray_origin_b> {};
 
-/// A block of the image that memory gives: 32 bytes as four words, the first bytes in the low bits of word 0.
-/// Above the ray's number an identifier has a bit that is 1 for a triangle.
-template <class D, class F>
-struct BlockRead {
-  static constexpr F format{};
-  using Part = Word<D, decltype(format.ray * 0_w + 64_w)>;
+// A block of the image that memory gives: 32 bytes as four words, the first bytes in the low bits of word 0.
+// Above the ray's number an identifier has a bit that is 1 for a triangle.
+constexpr Data<"read_valid"> read_valid;
+constexpr Data<"read_id", ray_count_bits> read_id;
+constexpr Data<"read_word_0", 64> read_word_0;
+constexpr Data<"read_word_1", 64> read_word_1;
+constexpr Data<"read_word_2", 64> read_word_2;
+constexpr Data<"read_word_3", 64> read_word_3;
+struct BlockRead : List<read_valid, read_id, read_word_0, read_word_1, read_word_2, read_word_3> {};
 
-  typename D::bit valid;
-  Word<D, decltype(format.ray + 1_w)> id;
-  Part word_0, word_1, word_2, word_3;
+/// Who gets the block.
+constexpr auto read_ray(const auto& in) {
+  return slice(in[read_id], width_of(in[read_id]) - 2_w, 0_w);
+}
+constexpr auto reads_triangle(const auto& in) {
+  return sign(in[read_id]);
+}
+/// Bits At .. At + Bits - 1 of the block.
+template <int At, int Bits>
+constexpr auto piece(const auto& in) {
+  constexpr auto word = []<int I>(Width<I>) {
+    return std::get<I>(std::tuple(read_word_0, read_word_1, read_word_2, read_word_3));
+  };
+  constexpr int first = At / 64, last = (At + Bits - 1) / 64, low = At % 64;
+  const auto& lower = in[word(Width<first>())];
+  if constexpr (first == last)
+    return slice(lower, Width<low + Bits - 1>(), Width<low>());
+  else
+    return cat(slice(in[word(Width<last>())], Width<(At + Bits - 1) % 64>(), 0_w),
+               slice(lower, 63_w, Width<low>()));
+}
+/// The coordinate with that number, in `width` bits.
+template <int I>
+constexpr auto coordinate(const auto& in, const auto& width) {
+  return resize(as_signed(piece<24 * I, 24>(in)), width);
+}
 
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& f, Self& self, Visit&& visit) {
-    visit(data_field("read_valid", 1), self.valid);
-    visit(data_field("read_id", f.ray + 1), self.id);
-    visit(data_field("read_word_0", 64), self.word_0);
-    visit(data_field("read_word_1", 64), self.word_1);
-    visit(data_field("read_word_2", 64), self.word_2);
-    visit(data_field("read_word_3", 64), self.word_3);
-  }
-
-  constexpr auto ray() const { return slice(id, width_of(id) - 2_w, 0_w); }
-  constexpr auto triangle() const { return bit_at(id, width_of(id) - 1_w); }
-
-  template <int I>
-  constexpr const Part& word() const {
-    static_assert(I >= 0 && I < 4, "a block has four words");
-    if constexpr (I == 0) return word_0;
-    if constexpr (I == 1) return word_1;
-    if constexpr (I == 2) return word_2;
-    if constexpr (I == 3) return word_3;
-  }
-  /// Bits At .. At + Bits - 1 of the block.
-  template <int At, int Bits>
-  constexpr auto piece() const {
-    constexpr int first = At / 64, last = (At + Bits - 1) / 64, low = At % 64;
-    if constexpr (first == last) {
-      return slice(word<first>(), Width<low + Bits - 1>(), Width<low>());
-    } else {
-      return cat(slice(word<last>(), Width<(At + Bits - 1) % 64>(), 0_w),
-                 slice(word<first>(), 63_w, Width<low>()));
-    }
-  }
-  /// The coordinate with that number, in `width` bits.
-  template <int I, class W>
-  constexpr auto coordinate(const W& width) const {
-    return resize(as_signed(piece<24 * I, 24>()), width);
-  }
-};
-
-}  // namespace hls
-}  // namespace hitpipe
+}  // namespace hitpipe::hls::core_ports

@@ -9,143 +9,64 @@
 
 #include "hls/box/format.hpp"
 #include "hls/machines/id_queue.hpp"
-#include "hls/machines/machine.hpp"
-#include "hls/num/bits.hpp"
+#include "hls/machines/memory.hpp"
 #include "hls/num/levels.hpp"
 #include "hls/world/core_format.hpp"
 
-namespace hitpipe {
-namespace hls {
+namespace hitpipe::hls {
 namespace divider {
 
 /// Cycles of division, for that many bits of T.
 constexpr int cycles(int distance) {
   return (distance + 1) / 2;
 }
-template <int N>
-constexpr Width<cycles(N)> cycles(Width<N>) {
-  return {};
-}
 /// Cycles from one test to the next: it is loaded, divided and compared.
 constexpr int interval(const WorldBits& format) {
   return cycles(format.distance()) + 2;
 }
 
-template <class F>
-constexpr auto quotient_width(const F& format) {
-  return cycles(format.distance()) * 2_w;
-}
-template <class F>
-constexpr auto left_width(const F& format) {
-  return count_bits(cycles(format.distance()) + 1_w);
-}
+inline constexpr auto divisions = [](const CoreBits& f) { return cycles(f.distance()); };
+inline constexpr auto left_bits = [](const CoreBits& f) { return count_bits(divisions(f) + 1); };
+inline constexpr auto quotient_bits = [](const CoreBits& f) { return 2 * divisions(f); };
+inline constexpr auto raised_by = [](const CoreBits& f) { return f.slope + f.fraction; };
+// A number with a sign has two ports: the high half has the sign, and the low half may have a bit less.
+inline constexpr auto det_low_bits = [](const CoreBits& f) { return f.determinant() / 2; };
+inline constexpr auto det_high_bits = [](const CoreBits& f) { return f.determinant() - det_low_bits(f); };
+inline constexpr auto num_low_bits = [](const CoreBits& f) { return f.volume() / 2; };
+inline constexpr auto num_high_bits = [](const CoreBits& f) { return f.volume() - num_low_bits(f); };
 
-/// Widths as types, in a format.
-template <class F>
-struct Widths {
-  static constexpr F format{};
-  using Ray = decltype(format.ray + 0_w);
-  using Distance = decltype(format.distance());
-  using Quotient = decltype(quotient_width(format));
-  using Left = decltype(left_width(format));
-  using Determinant = decltype(format.determinant());
-  using Number = decltype(format.ray * 0_w + Width<triangle_number_bits>());
-};
+constexpr Data<"tested"> tested;  // this and `hit` are 1: a test of int_triangle ends in this cycle with HIT
+constexpr Data<"hit"> hit;
+constexpr Data<"ray", ray_bits> ray;  // of that test
+constexpr SignedData<"det_high", det_high_bits> det_high;
+constexpr Data<"det_low", det_low_bits> det_low;
+constexpr SignedData<"num_high", num_high_bits> num_high;
+constexpr Data<"num_low", num_low_bits> num_low;
+constexpr Data<"number", triangle_number_bits>
+    number;  // of the triangle that the ray `asked` was tested with
+constexpr Data<"best", &CoreBits::distance>
+    best;  // T of the best hit of that ray; its length before the first
+constexpr Data<"best_number", triangle_number_bits> best_number;  // all ones before the first
 
-template <class D, class F>
-struct State {
-  using bit = typename D::bit;
-  using W = Widths<F>;
+constexpr Data<"asked", ray_bits> asked;  // the ray whose best and number are wanted in the next cycles
+constexpr Data<"done"> done;              // 1: `asked`, `t` and `closer` are an answer
+constexpr Data<"t", &CoreBits::distance> t;
+constexpr Data<"closer"> closer;  // (T, number) is less than (best, best_number)
 
-  IdQueue<D, F> queue;                               ///< tests that wait; the oldest is divided
-  Word<D, typename W::Left> left;                    ///< cycles of division to come
-  bit compares, answers;                             ///< the cycles after the division
-  Word<D, typename W::Ray> at;                       ///< the ray whose test is divided
-  SignedWord<D, typename W::Determinant> remainder;  ///< -|det| .. |det| - 1
-  SignedWord<D, typename W::Determinant> thrice;     ///< the low bits of 3 det
-  Word<D, typename W::Quotient> quotient;  ///< bits of T enter below; what is to be divided leaves above
-  bit closer;
+using Queue = IdQueue<>;                    // tests that wait; the oldest is divided
+constexpr Control<"left", left_bits> left;  // cycles of division to come
+constexpr Control<"compares"> compares;     // the cycles after the division
+constexpr Control<"answers"> answers;
+constexpr Data<"at", ray_bits> at;                                    // the ray whose test is divided
+constexpr SignedData<"remainder", &CoreBits::determinant> remainder;  // -|det| .. |det| - 1
+constexpr SignedData<"thrice", &CoreBits::determinant> thrice;        // the low bits of 3 det
+constexpr Data<"quotient", quotient_bits>
+    quotient;  // bits of T enter below; what is to be divided leaves above
+constexpr Data<"nearer"> nearer;
 
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const CoreBits bits = format;
-    IdQueue<D, F>::for_each({"used", "oldest", "there"}, bits.ray, self.queue, visit);
-    visit(control_field("left", left_width(bits)), self.left);
-    visit(control_field("compares", 1), self.compares);
-    visit(control_field("answers", 1), self.answers);
-    visit(data_field("at", bits.ray), self.at);
-    visit(data_field("remainder", bits.determinant(), true), self.remainder);
-    visit(data_field("thrice", bits.determinant(), true), self.thrice);
-    visit(data_field("quotient", quotient_width(bits)), self.quotient);
-    visit(data_field("nearer", 1), self.closer);
-  }
-};
-
-template <class D, class F>
-struct Inputs {
-  using bit = typename D::bit;
-  using W = Widths<F>;
-
-  bit tested, hit;               ///< both are 1: a test of int_triangle ends in this cycle with HIT
-  Word<D, typename W::Ray> ray;  ///< of that test
-  typename F::template DeterminantHigh<D> det_high;
-  typename F::template DeterminantLow<D> det_low;
-  typename F::template VolumeHigh<D> num_high;
-  typename F::template VolumeLow<D> num_low;
-  Word<D, typename W::Number> number;       ///< of the triangle that the ray `asked` was tested with
-  Word<D, typename W::Distance> best;       ///< T of the best hit of that ray; its length before the first
-  Word<D, typename W::Number> best_number;  ///< all ones before the first
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const CoreBits bits = format;
-    const auto high = [](int width) { return width - width / 2; };
-    const auto low = [](int width) { return width / 2; };
-    visit(data_field("tested", 1), self.tested);
-    visit(data_field("hit", 1), self.hit);
-    visit(data_field("ray", bits.ray), self.ray);
-    visit(data_field("det_high", high(bits.determinant()), true), self.det_high);
-    visit(data_field("det_low", low(bits.determinant())), self.det_low);
-    visit(data_field("num_high", high(bits.volume()), true), self.num_high);
-    visit(data_field("num_low", low(bits.volume())), self.num_low);
-    visit(data_field("number", triangle_number_bits), self.number);
-    visit(data_field("best", bits.distance()), self.best);
-    visit(data_field("best_number", triangle_number_bits), self.best_number);
-  }
-};
-
-template <class D, class F>
-struct Outputs {
-  using bit = typename D::bit;
-  using W = Widths<F>;
-
-  Word<D, typename W::Ray> asked;  ///< the ray whose best and number are wanted in the next cycles
-  bit done;                        ///< 1: `asked`, `t` and `closer` are an answer
-  Word<D, typename W::Distance> t;
-  bit closer;  ///< (T, number) is less than (best, best_number)
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const CoreBits bits = format;
-    visit(data_field("asked", bits.ray), self.asked);
-    visit(data_field("done", 1), self.done);
-    visit(data_field("t", bits.distance()), self.t);
-    visit(data_field("closer", 1), self.closer);
-  }
-};
-
-template <class Memory>
-struct Memories {
-  Memory rays, dets, nums;  ///< the queue
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const CoreBits bits = format;
-    visit(MemoryShape{"rays", bits.rays(), bits.ray, MemoryKind::block}, self.rays);
-    visit(MemoryShape{"dets", bits.rays(), bits.determinant(), MemoryKind::block}, self.dets);
-    visit(MemoryShape{"nums", bits.rays(), bits.volume(), MemoryKind::block}, self.nums);
-  }
-};
+constexpr Block<"rays", &CoreBits::rays, ray_bits> rays;  // the queue
+constexpr Block<"dets", &CoreBits::rays, &CoreBits::determinant> dets;
+constexpr Block<"nums", &CoreBits::rays, &CoreBits::volume> nums;
 
 struct Divider {
   static constexpr const char* name = "divider";
@@ -153,94 +74,93 @@ struct Divider {
   static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = CoreBits;
-  using BuiltIn = FormatList<CoreFormat<20, 1, 20, 0, 0, 5>, CoreFormat<20, 1, 20, 0, 0, 7>>;
-  template <class D, class F>
-  using State = divider::State<D, F>;
-  template <class D, class F>
-  using Inputs = divider::Inputs<D, F>;
-  template <class D, class F>
-  using Outputs = divider::Outputs<D, F>;
-  template <class Memory>
-  using Memories = divider::Memories<Memory>;
+  using BuiltIn = FormatList<Fixed<CoreBits{{20, 1, 20, 0, 0}, 5}>, Fixed<CoreBits{{20, 1, 20, 0, 0}, 7}>>;
+  struct In : List<tested, hit, ray, det_high, det_low, num_high, num_low, number, best, best_number> {};
+  struct Out : List<asked, done, t, closer> {};
+  struct State : Join<Queue::State, List<left, compares, answers, at, remainder, thrice, quotient, nearer>> {
+  };
+  struct Memory : List<rays, dets, nums> {};
 
-  template <class D, class F, class Memory>
-  static constexpr Outputs<D, F> outputs(const F& format, const State<D, F>& state, Memories<Memory>&) {
-    return {state.at, state.answers, slice(state.quotient, format.distance() - 1_w, 0_w), state.closer};
+  template <class D>
+  static constexpr void outputs(const auto& f, const auto& now, const auto& /*memory*/, const auto& out) {
+    out[asked] = now[at];
+    out[done] = now[answers];
+    out[t] = slice(now[quotient], t.width(f) - 1_w, 0_w);
+    out[closer] = now[nearer];
   }
 
-  template <class D, class F, class Memory>
-  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
-                             Memories<Memory>& memories) {
+  template <class D>
+  static constexpr void step(const auto& f, const auto& now, const auto& in, const auto& memory,
+                             const auto& next) {
     using Bit = typename D::bit;
+    const auto det_bits = number_in<&CoreBits::determinant>(f);
+    const auto num_bits = number_in<&CoreBits::volume>(f);
+    const auto shift = number_in<raised_by>(f);
+    const auto t_bits = quotient.width(f);
 
     // The queue. The words of its oldest test are asked for all the time.
-    const auto place = as("place", state.queue.place(format.ray));
-    const Bit enters = as("enters", in.tested & in.hit);
-    memories.rays.write(enters, place, in.ray);
-    memories.dets.write(enters, place, cat(in.det_high, in.det_low));
-    memories.nums.write(enters, place, cat(in.num_high, in.num_low));
-    const Bit divides = as("divides", any<D>(state.left));
-    const Bit loads = as("loads", state.queue.there & ~divides & ~state.compares);
-    const auto oldest = state.queue.step(format.ray, enters, state.compares);
-    memories.rays.ask(oldest);
-    memories.dets.ask(oldest);
-    memories.nums.ask(oldest);
+    const auto place = as("place", Queue::place(now));
+    const Bit enters = as("enters", in[tested] & in[hit]);
+    memory[rays].write(enters, place, in[ray]);
+    memory[dets].write(enters, place, cat(in[det_high], in[det_low]));
+    memory[nums].write(enters, place, cat(in[num_high], in[num_low]));
+    const Bit divides = as("divides", any<D>(now[left]));
+    const Bit loads = as("loads", now[Queue::there] & ~divides & ~now[compares]);
+    const auto oldest = Queue::step<D>(now, next, enters, now[compares]);
+    memory[rays].ask(oldest);
+    memory[dets].ask(oldest);
+    memory[nums].ask(oldest);
 
     // |num| 2^(S+F) above and below the bits of T.
-    const auto num = as_signed(memories.nums.word(format.volume()));
-    const auto size = as("size", select(Bit(sign(num)), resize(D::lit(0, 1_w) - num, format.volume()), num));
-    const auto whole =
-        cat(slice(size, format.volume() - 2_w, 0_w), D::lit(0, format.slope + format.fraction));
-    const auto quotient_bits = quotient_width(format);
+    const auto num = as_signed(memory[nums].word());
+    const auto size = as("size", select(Bit(sign(num)), resize(D::lit(0, 1_w) - num, num_bits), num));
+    const auto whole = cat(slice(size, num_bits - 2_w, 0_w), D::lit(0, shift));
     const auto above =
-        resize(as_signed(cat(D::lit(0, 1_w), slice(whole, width_of(whole) - 1_w, quotient_bits))),
-               format.determinant());
-    const auto below = slice(whole, quotient_bits - 1_w, 0_w);
-    const auto brings_down = format.slope + format.fraction < quotient_bits;  // else `below` is 0
+        resize(as_signed(cat(D::lit(0, 1_w), slice(whole, width_of(whole) - 1_w, t_bits))), det_bits);
+    const auto below = slice(whole, t_bits - 1_w, 0_w);
+    const auto brings_down = shift < t_bits;  // else `below` is 0
 
     // Two bits of T. Twice the remainder, with |det| taken away or added, has the first bit as its sign; then
     // the same again gives the second. So four times the remainder changes by |det| or by 3 |det|. Both are
     // computed beside the first bit, which selects one.
-    const auto det = as_signed(memories.dets.word(format.determinant()));
-    const Bit negative = sign(state.remainder);
+    const auto det = as_signed(memory[dets].word());
+    const Bit negative = sign(now[remainder]);
     const Bit subtracts = as("subtracts", ~(negative ^ Bit(sign(det))));  // det, which may be negative
     const auto change_by = [&](const auto& x) {
       return as_signed(x ^ as_signed(spread(subtracts, width_of(x))));
     };
-    const auto quotient_top = quotient_bits - 1_w;
+    const auto quotient_top = t_bits - 1_w;
     const auto zero = D::lit(0, 1_w);
     const auto first_digit = either(
-        brings_down, state.quotient, [&](const auto& q) { return bit_at(q, quotient_top); },
+        brings_down, now[quotient], [&](const auto& q) { return bit_at(q, quotient_top); },
         [&](const auto&) { return zero; });
     const auto second_digit = either(
-        brings_down, state.quotient, [&](const auto& q) { return bit_at(q, quotient_top - 1_w); },
+        brings_down, now[quotient], [&](const auto& q) { return bit_at(q, quotient_top - 1_w); },
         [&](const auto&) { return zero; });
-    const auto doubled = as_signed(cat(cat(state.remainder, first_digit), zero));
-    const auto bound =
-        as_signed(cat(det ^ as_signed(spread(Bit(~subtracts), format.determinant())), Bit(~subtracts)));
+    const auto doubled = as_signed(cat(cat(now[remainder], first_digit), zero));
+    const auto bound = as_signed(cat(det ^ as_signed(spread(Bit(~subtracts), det_bits)), Bit(~subtracts)));
     const Bit first_negative = as("first_negative", Bit(doubled < bound));
-    const auto quadrupled = cat(cat(state.remainder, first_digit), second_digit);
+    const auto quadrupled = cat(cat(now[remainder], first_digit), second_digit);
     const auto changed = [&](const char* name, const auto& x) {
       const auto sum = as_signed(cat(quadrupled, D::lit(1, 1_w))) + as_signed(cat(change_by(x), subtracts));
-      return as(name, as_signed(slice(sum, format.determinant(), 1_w)));
+      return as(name, as_signed(slice(sum, det_bits, 1_w)));
     };
     const auto by_one = changed("by_one", det);
-    const auto by_three = changed("by_three", state.thrice);
-    const auto remainder = select(Bit(first_negative ^ negative), by_one, by_three);
-    const auto quotient = cat(slice(state.quotient, quotient_bits - 3_w, 0_w),
-                              cat(Bit(~first_negative), Bit(~Bit(sign(remainder)))));
+    const auto by_three = changed("by_three", now[thrice]);
+    const auto divided = select(Bit(first_negative ^ negative), by_one, by_three);
+    const auto longer =
+        cat(slice(now[quotient], t_bits - 3_w, 0_w), cat(Bit(~first_negative), Bit(~Bit(sign(divided)))));
 
-    const auto t = slice(state.quotient, format.distance() - 1_w, 0_w);
-    state.closer = Bit(cat(t, in.number) < cat(in.best, in.best_number));
-    state.at = select(loads, memories.rays.word(format.ray), state.at);
-    state.remainder = select(loads, above, remainder);
-    state.thrice = select(loads, resize(det + as_signed(cat(det, zero)), format.determinant()), state.thrice);
-    state.quotient = change_if(brings_down, select(divides, quotient, state.quotient),
+    const auto found = slice(now[quotient], t.width(f) - 1_w, 0_w);
+    next[nearer] = Bit(cat(found, in[number]) < cat(in[best], in[best_number]));
+    next.where(loads)[at] = memory[rays].word();
+    next[remainder] = select(loads, above, divided);
+    next.where(loads)[thrice] = resize(det + as_signed(cat(det, zero)), det_bits);
+    next[quotient] = change_if(brings_down, select(divides, longer, now[quotient]),
                                [&](const auto& kept) { return select(loads, below, kept); });
-    state.answers = state.compares;
-    state.compares = as("last", Bit(state.left == D::lit(1, left_width(format))));
-    const auto one_less = resize(as_unsigned(state.left - divides), left_width(format));
-    state.left = select(loads, D::lit(cycles(format.distance()), left_width(format)), one_less);
+    next[answers] = now[compares];
+    next[compares] = as("last", is<D>(now[left], 1));
+    next[left] = select(loads, D::lit(divisions(f), left.width(f)), minus(now[left], divides));
   }
 };
 
@@ -248,5 +168,4 @@ struct Divider {
 
 using divider::Divider;
 
-}  // namespace hls
-}  // namespace hitpipe
+}  // namespace hitpipe::hls

@@ -3,48 +3,37 @@
 // asked for all the time, and `there` says that the memories give them in this cycle.
 #pragma once
 
-#include "hls/machines/machine.hpp"
-#include "hls/num/bits.hpp"
+#include "hls/machines/record.hpp"
 
-namespace hitpipe {
-namespace hls {
+namespace hitpipe::hls {
 
-/// Registers. F is a format with the width `ray`.
-template <class D, class F>
+/// Bits of a ray's number, and of a number of rays.
+inline constexpr auto ray_bits = [](const auto& format) { return format.ray; };
+inline constexpr auto ray_count_bits = [](const auto& format) { return format.ray + 1; };
+
+/// Registers whose names begin with the prefix. The format has `ray`, the bits of a ray's number.
+template <Name Prefix = "">
 struct IdQueue {
-  static constexpr F widths{};
-  using Place = Word<D, decltype(widths.ray + 0_w)>;
-
-  Word<D, decltype(widths.ray + 1_w)> used;  ///< rays in it
-  Place oldest;                              ///< the place of the oldest of them
-  typename D::bit there;                     ///< the memories give its words
-
-  struct Names {
-    const char *used, *oldest, *there;
-  };
-  template <class Self, class Visit>
-  static constexpr void for_each(const Names& names, int ray, Self& self, Visit&& visit) {
-    visit(control_field(names.used, ray + 1), self.used);
-    visit(control_field(names.oldest, ray), self.oldest);
-    visit(control_field(names.there, 1), self.there);
-  }
+  static constexpr Control<Prefix + Name("used"), ray_count_bits> used{};
+  static constexpr Control<Prefix + Name("oldest"), ray_bits> oldest{};
+  static constexpr Control<Prefix + Name("there")> there{};
+  using State = List<used, oldest, there>;
 
   /// Where a word is written if one enters in this cycle.
-  template <class W>
-  [[nodiscard]] constexpr auto place(const W& ray) const {
-    return resize(oldest + slice(used, ray - 1_w, 0_w), ray);
+  static constexpr auto place(const auto& now) {
+    return plus(now[oldest], slice(now[used], width_of(now[oldest]) - 1_w, 0_w));
   }
   /// One cycle: the oldest leaves, and one enters. Only one that is there may leave. Gives the place whose
   /// words are to be asked for.
-  template <class W>
-  constexpr auto step(const W& ray, const typename D::bit& enters, const typename D::bit& leaves) {
-    oldest = resize(oldest + leaves, ray);
-    const auto rest = as_unsigned(resize(used - leaves, ray + 1_w));
-    there = any<D>(rest);
-    used = as_unsigned(resize(rest + enters, ray + 1_w));
-    return oldest;
+  template <class D>
+  static constexpr auto step(const auto& now, const auto& next, const auto& enters, const auto& leaves) {
+    const auto first = plus(now[oldest], leaves);
+    const auto rest = minus(now[used], leaves);
+    next[oldest] = first;
+    next[there] = any<D>(rest);
+    next[used] = plus(rest, enters);
+    return first;
   }
 };
 
-}  // namespace hls
-}  // namespace hitpipe
+}  // namespace hitpipe::hls

@@ -1,23 +1,24 @@
 // What a machine says of itself. A machine is control: a state, and a step that is one clock cycle. It is
 // written over the same value domains as a datapath, so one source is software, Verilog, proof and price.
-//   State, Inputs, Outputs   records with for_each(format, record, visit), which calls visit(Field, field)
-//   Memories                 likewise with visit(MemoryShape, memory)
-//   outputs<D>(format, state, memories)
+//   In, Out, State, Memory   lists of ports, registers and memories (record.hpp, memory.hpp)
+//   outputs<D>(format, now, memory, out)
 //                            gives the outputs of the cycle, from registers and words alone
-//   step<D>(format, state, in, memories)
-//                            leaves the next state in `state`
+//   step<D>(format, now, in, memory, next)
+//                            gives the next state
+// step() reads the old state, `now`, and writes `next`, which it cannot read. So the order of its statements
+// means nothing. It writes a register once. One that it does not write keeps its value.
 // All that they compute is one combinational graph. The only registers are the state and the words that
 // memories give. What a machine gives to another one does not depend on what it is given in the same cycle,
 // so the order in which machines step does not matter, and no path leads through two of them.
 //
 // A memory has one port to write and one to read. A word that is read while it is written is the old one.
-//   memory.write(enable, place, word)
-//   memory.read(place, width)   kind lookup: the word at that place, in the same cycle
-//   memory.ask(place)           kinds block and rom: which word the next cycle wants
-//   memory.word(width)          kinds block and rom: the word that the last cycle asked for
+//   memory[m].write(enable, place, word)
+//   memory[m].read(place)   kind lookup: the word at that place, in the same cycle
+//   memory[m].ask(place)    kinds block and rom: which word the next cycle wants
+//   memory[m].word()        kinds block and rom: the word that the last cycle asked for
 // A memory of kind single has one port for both:
-//   memory.access(writes, place, word)  writes the word if `writes` is 1, else asks for that at the place
-//   memory.word(width)                  the word that the last cycle without a write asked for
+//   memory[m].access(writes, place, word)  writes the word if `writes` is 1, else asks for that at the place
+//   memory[m].word()                       the word that the last cycle without a write asked for
 #pragma once
 
 #include <cstdint>
@@ -33,15 +34,6 @@ struct Field {
   bool has_reset = false;  ///< of a register: a reset gives it the value; else it keeps what it holds
   std::int64_t reset = 0;
 };
-/// A register whose value means nothing until the machine has written it.
-constexpr Field data_field(const char* name, int width, bool is_signed = false) {
-  return {name, width, is_signed};
-}
-/// A register without a sign that a reset sets.
-constexpr Field control_field(const char* name, int width, std::int64_t reset = 0) {
-  return {name, width, false, true, reset};
-}
-
 enum class MemoryKind {
   lookup,  ///< small: lookup tables of a chip, or registers
   block,   ///< large: a chip's block RAM

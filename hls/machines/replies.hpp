@@ -5,153 +5,58 @@
 
 #include "hls/box/format.hpp"
 #include "hls/machines/id_queue.hpp"
-#include "hls/machines/machine.hpp"
-#include "hls/num/bits.hpp"
+#include "hls/machines/memory.hpp"
 #include "hls/world/core_format.hpp"
 
-namespace hitpipe {
-namespace hls {
+namespace hitpipe::hls {
 
 /// The format "tTgGiI", for example t20g16i5.
-///   T  bits of a distance;  G  bits of a tag;  I  bits of a ray's number
 struct ReplyBits {
-  int distance = 20;  ///< T
-  int tag = 16;       ///< G
-  int ray = 5;        ///< I
+  int distance = 20;  ///< T: bits of a distance
+  int tag = 16;       ///< G: bits of a tag
+  int ray = 5;        ///< I: bits of a ray's number
 
   static constexpr FormatField fields[] = {{"t", "T", 4, 36}, {"g", "G", 1, 64}, {"i", "I", 1, 8}};
-  static constexpr const char* type = "ReplyFormat";
 
   constexpr int rays() const { return power_of_two(ray); }
-  friend constexpr bool operator==(const ReplyBits& a, const ReplyBits& b) {
-    return a.distance == b.distance && a.tag == b.tag && a.ray == b.ray;
-  }
-};
-template <int Distance, int Tag, int Ray>
-struct ReplyFormat {
-  static constexpr ReplyBits bits{Distance, Tag, Ray};
-  Width<Distance> distance{};
-  Width<Tag> tag{};
-  Width<Ray> ray{};
-  constexpr operator ReplyBits() const { return bits; }
+  friend constexpr bool operator==(const ReplyBits&, const ReplyBits&) = default;
 };
 
 namespace replies {
 
-/// Widths as types, in a format.
-template <class F>
-struct Widths {
-  static constexpr F format{};
-  static constexpr auto number_of(const F& f) { return f.ray * 0_w + Width<triangle_number_bits>(); }
-  /// Of a word in the queue: ray, failed, T, number.
-  static constexpr auto answer_of(const F& f) { return f.ray + f.distance + number_of(f) + 1_w; }
+constexpr Data<"ray_valid"> ray_valid;  // this and `ray_ready` are 1: a ray begins
+constexpr Data<"ray_ready"> ray_ready;
+constexpr Data<"begun_at", &ReplyBits::ray> begun_at;
+constexpr Data<"ray_tag", &ReplyBits::tag> ray_tag;
+constexpr Data<"ray_error"> ray_error;  // it is no ray
+constexpr Data<"answer"> answer;        // best_hits has the answer of a ray
+constexpr Data<"answered", &ReplyBits::ray> answered;
+constexpr Data<"answer_t", &ReplyBits::distance> answer_t;
+constexpr Data<"answer_number", triangle_number_bits> answer_number;
+constexpr Data<"answer_failed"> answer_failed;
+constexpr Data<"hit_ready"> hit_ready;  // the answer that is given is taken
 
-  using Ray = decltype(format.ray + 0_w);
-  using Tag = decltype(format.tag + 0_w);
-  using Distance = decltype(format.distance + 0_w);
-  using Number = decltype(number_of(format));
-};
+constexpr Data<"hit_valid"> hit_valid;
+constexpr Data<"hit_tag", &ReplyBits::tag> hit_tag;
+constexpr Data<"hit_t", &ReplyBits::distance> hit_t;
+constexpr Data<"hit_number", triangle_number_bits> hit_number;  // all ones: no hit
+constexpr Data<"hit_failed"> hit_failed;
+constexpr Data<"freed"> freed;  // to the door
+constexpr Data<"freed_ray", &ReplyBits::ray> freed_ray;
 
-template <class D, class F>
-struct State {
-  using W = Widths<F>;
-  using bit = typename D::bit;
+using Queue = IdQueue<>;
+constexpr Control<"there_1"> there_1;  // an answer that leaves
+constexpr Data<"ray_1", &ReplyBits::ray> ray_1;
+constexpr Data<"failed_1"> failed_1;
+constexpr Data<"t_1", &ReplyBits::distance> t_1;
+constexpr Data<"number_1", triangle_number_bits> number_1;
+constexpr Control<"freed_2"> freed_2;
+constexpr Data<"freed_ray_2", &ReplyBits::ray> freed_ray_2;
 
-  IdQueue<D, F> queue;
-  bit there;  ///< an answer that leaves
-  Word<D, typename W::Ray> ray;
-  bit failed;
-  Word<D, typename W::Distance> t;
-  Word<D, typename W::Number> number;
-  bit freed;
-  Word<D, typename W::Ray> freed_ray;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const ReplyBits bits = format;
-    IdQueue<D, F>::for_each({"used", "oldest", "there"}, bits.ray, self.queue, visit);
-    visit(control_field("there_1", 1), self.there);
-    visit(data_field("ray_1", bits.ray), self.ray);
-    visit(data_field("failed_1", 1), self.failed);
-    visit(data_field("t_1", bits.distance), self.t);
-    visit(data_field("number_1", triangle_number_bits), self.number);
-    visit(control_field("freed_2", 1), self.freed);
-    visit(data_field("freed_ray_2", bits.ray), self.freed_ray);
-  }
-};
-
-template <class D, class F>
-struct Inputs {
-  using W = Widths<F>;
-  using bit = typename D::bit;
-
-  bit valid, ready;  ///< both are 1: a ray begins
-  Word<D, typename W::Ray> at;
-  Word<D, typename W::Tag> tag;
-  bit error;    ///< it is no ray
-  bit answers;  ///< best_hits has the answer of a ray
-  Word<D, typename W::Ray> answered;
-  Word<D, typename W::Distance> t;
-  Word<D, typename W::Number> number;
-  bit failed;
-  bit taken;  ///< the answer that is given is taken
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const ReplyBits bits = format;
-    visit(data_field("ray_valid", 1), self.valid);
-    visit(data_field("ray_ready", 1), self.ready);
-    visit(data_field("begun_at", bits.ray), self.at);
-    visit(data_field("ray_tag", bits.tag), self.tag);
-    visit(data_field("ray_error", 1), self.error);
-    visit(data_field("answer", 1), self.answers);
-    visit(data_field("answered", bits.ray), self.answered);
-    visit(data_field("answer_t", bits.distance), self.t);
-    visit(data_field("answer_number", triangle_number_bits), self.number);
-    visit(data_field("answer_failed", 1), self.failed);
-    visit(data_field("hit_ready", 1), self.taken);
-  }
-};
-
-template <class D, class F>
-struct Outputs {
-  using W = Widths<F>;
-  using bit = typename D::bit;
-
-  bit there;
-  Word<D, typename W::Tag> tag;
-  Word<D, typename W::Distance> t;
-  Word<D, typename W::Number> number;  ///< all ones: no hit
-  bit failed;
-  bit freed;  ///< to the door
-  Word<D, typename W::Ray> freed_ray;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const ReplyBits bits = format;
-    visit(data_field("hit_valid", 1), self.there);
-    visit(data_field("hit_tag", bits.tag), self.tag);
-    visit(data_field("hit_t", bits.distance), self.t);
-    visit(data_field("hit_number", triangle_number_bits), self.number);
-    visit(data_field("hit_failed", 1), self.failed);
-    visit(data_field("freed", 1), self.freed);
-    visit(data_field("freed_ray", bits.ray), self.freed_ray);
-  }
-};
-
-template <class Memory>
-struct Memories {
-  Memory waiting;  ///< the queue
-  Memory tags;     ///< by ray, with its error above
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const ReplyBits bits = format;
-    using W = Widths<ReplyBits>;
-    visit(MemoryShape{"waiting", bits.rays(), W::answer_of(bits), MemoryKind::block}, self.waiting);
-    visit(MemoryShape{"tags", bits.rays(), bits.tag + 1, MemoryKind::block}, self.tags);
-  }
-};
+struct Answer : List<answered, answer_failed, answer_t, answer_number> {};
+struct Tag : List<ray_error, ray_tag> {};
+constexpr BlockOf<"waiting", &ReplyBits::rays, Answer> waiting;  // the queue
+constexpr BlockOf<"tags", &ReplyBits::rays, Tag> tags;           // by ray
 
 struct Replies {
   static constexpr const char* name = "replies";
@@ -159,53 +64,47 @@ struct Replies {
   static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = ReplyBits;
-  using BuiltIn = FormatList<ReplyFormat<20, 16, 5>, ReplyFormat<20, 16, 7>>;
-  template <class D, class F>
-  using State = replies::State<D, F>;
-  template <class D, class F>
-  using Inputs = replies::Inputs<D, F>;
-  template <class D, class F>
-  using Outputs = replies::Outputs<D, F>;
-  template <class Memory>
-  using Memories = replies::Memories<Memory>;
+  using BuiltIn = FormatList<Fixed<ReplyBits{20, 16, 5}>, Fixed<ReplyBits{20, 16, 7}>>;
+  struct In : List<ray_valid, ray_ready, begun_at, ray_tag, ray_error, answer, answered, answer_t,
+                   answer_number, answer_failed, hit_ready> {};
+  struct Out : List<hit_valid, hit_tag, hit_t, hit_number, hit_failed, freed, freed_ray> {};
+  struct State : Join<Queue::State, List<there_1, ray_1, failed_1, t_1, number_1, freed_2, freed_ray_2>> {};
+  struct Memory : List<waiting, tags> {};
 
-  template <class D, class F, class Memory>
-  static constexpr Outputs<D, F> outputs(const F& format, const State<D, F>& state,
-                                         Memories<Memory>& memories) {
-    const auto tag = memories.tags.word(format.tag + 1_w);
-    return {state.there,
-            slice(tag, format.tag - 1_w, 0_w),
-            state.t,
-            state.number,
-            state.failed | typename D::bit(bit_at(tag, format.tag)),
-            state.freed,
-            state.freed_ray};
+  template <class D>
+  static constexpr void outputs(const auto& /*f*/, const auto& now, const auto& memory, const auto& out) {
+    const auto tag = memory[tags].word();
+    out[hit_valid] = now[there_1];
+    out[hit_tag] = tag[ray_tag];
+    out[hit_t] = now[t_1];
+    out[hit_number] = now[number_1];
+    out[hit_failed] = now[failed_1] | tag[ray_error];
+    out[freed] = now[freed_2];
+    out[freed_ray] = now[freed_ray_2];
   }
 
-  template <class D, class F, class Memory>
-  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
-                             Memories<Memory>& memories) {
+  template <class D>
+  static constexpr void step(const auto& /*f*/, const auto& now, const auto& in, const auto& memory,
+                             const auto& next) {
     using Bit = typename D::bit;
-    const auto i = format.ray;
-    const auto number_bits = Widths<F>::number_of(format);
-    const auto failed_at = number_bits + format.distance;
-    memories.tags.write(as("ray_begins", in.valid & in.ready), in.at, cat(in.error, in.tag));
-    memories.waiting.write(in.answers, as("place", state.queue.place(i)),
-                           cat(cat(in.answered, in.failed), cat(in.t, in.number)));
+    const Bit begins = as("ray_begins", in[ray_valid] & in[ray_ready]);
+    memory[tags].write(begins, in[begun_at], in[ray_error], in[ray_tag]);
+    memory[waiting].write(in[answer], as("place", Queue::place(now)), in[answered], in[answer_failed],
+                          in[answer_t], in[answer_number]);
 
-    const auto word = memories.waiting.word(Widths<F>::answer_of(format));
-    const Bit leaves = as("leaves", state.there & in.taken);
-    const Bit holds = as("holds", state.there & ~in.taken);
-    const Bit moves = as("moves", state.queue.there & ~holds);
-    state.freed = leaves;
-    state.freed_ray = state.ray;
-    state.ray = as("leaving_ray", select(holds, state.ray, slice(word, failed_at + i, failed_at + 1_w)));
-    state.failed = select(holds, state.failed, Bit(bit_at(word, failed_at)));
-    state.t = select(holds, state.t, slice(word, failed_at - 1_w, number_bits));
-    state.number = select(holds, state.number, slice(word, number_bits - 1_w, 0_w));
-    state.there = holds | moves;
-    memories.tags.ask(state.ray);
-    memories.waiting.ask(state.queue.step(i, in.answers, moves));
+    const auto oldest = memory[waiting].word();
+    const Bit holds = as("holds", now[there_1] & ~in[hit_ready]);
+    const Bit moves = as("moves", now[Queue::there] & ~holds);
+    const auto ray = as("leaving_ray", select(holds, now[ray_1], oldest[answered]));
+    next[freed_2] = as("leaves", now[there_1] & in[hit_ready]);
+    next[freed_ray_2] = now[ray_1];
+    next[ray_1] = ray;
+    next[failed_1] = select(holds, now[failed_1], oldest[answer_failed]);
+    next[t_1] = select(holds, now[t_1], oldest[answer_t]);
+    next[number_1] = select(holds, now[number_1], oldest[answer_number]);
+    next[there_1] = holds | moves;
+    memory[tags].ask(ray);
+    memory[waiting].ask(Queue::step<D>(now, next, in[answer], moves));
   }
 };
 
@@ -213,5 +112,4 @@ struct Replies {
 
 using replies::Replies;
 
-}  // namespace hls
-}  // namespace hitpipe
+}  // namespace hitpipe::hls

@@ -3,164 +3,83 @@
 #pragma once
 
 #include "hls/box/format.hpp"
-#include "hls/machines/machine.hpp"
-#include "hls/num/bits.hpp"
+#include "hls/machines/memory.hpp"
 
-namespace hitpipe {
-namespace hls {
+namespace hitpipe::hls {
 
 /// The format "aAhHiI", for example a24h32i5.
-///   A  bits of a block's number;  H  bits of an address, of bytes, at least A + 5;  I  bits of a ray's
-///   number
 struct RequestBits {
-  int address = 24;  ///< A
-  int bytes = 32;    ///< H
-  int ray = 5;       ///< I
+  int address = 24;  ///< A: bits of a block's number
+  int bytes = 32;    ///< H: bits of an address, of bytes, at least A + 5
+  int ray = 5;       ///< I: bits of a ray's number
 
   static constexpr FormatField fields[] = {{"a", "A", 4, 32}, {"h", "H", 9, 64}, {"i", "I", 1, 8}};
   static constexpr const char* condition = "H at least A+5";
-  static constexpr const char* type = "RequestFormat";
 
+  constexpr int block() const { return bytes - 5; }
+  constexpr int id() const { return ray + 1; }
   constexpr bool valid() const { return bytes >= address + 5; }
-  friend constexpr bool operator==(const RequestBits& a, const RequestBits& b) {
-    return a.address == b.address && a.bytes == b.bytes && a.ray == b.ray;
-  }
-};
-template <int Address, int Bytes, int Ray>
-struct RequestFormat {
-  static constexpr RequestBits bits{Address, Bytes, Ray};
-  static_assert(bits.valid(), "there is no such format aAhHiI");
-  Width<Address> address{};
-  Width<Bytes> bytes{};
-  Width<Ray> ray{};
-  constexpr operator RequestBits() const { return bits; }
+  friend constexpr bool operator==(const RequestBits&, const RequestBits&) = default;
 };
 
 namespace requests {
 
-/// Widths as types, in a format.
-template <class F>
-struct Widths {
-  static constexpr F format{};
-  using Ray = decltype(format.ray + 0_w);
-  using Id = decltype(format.ray + 1_w);
-  using Address = decltype(format.address + 0_w);
-  using Block = decltype(format.bytes - 5_w);
-  using Bytes = decltype(format.bytes + 0_w);
-};
+constexpr Data<"asks"> asks;  // the reader's
+constexpr Data<"wanted", &RequestBits::address> wanted;
+constexpr Data<"asker", &RequestBits::ray> asker;
+constexpr Data<"triangle"> triangle;
+constexpr Data<"base", &RequestBits::block>
+    base;  // the image's address, divided by 32; constant while rays are in flight
+constexpr Data<"request_ready"> request_ready;  // memory takes the request that is given
 
-template <class D, class F>
-struct Request {
-  using W = Widths<F>;
-  typename D::bit there;
-  Word<D, typename W::Block> block;
-  Word<D, typename W::Id> id;
-};
-/// One of two requests.
-template <class D, class F>
-constexpr Request<D, F> select(const typename D::bit& bit, const Request<D, F>& a, const Request<D, F>& b) {
-  return {select(bit, a.there, b.there), select(bit, a.block, b.block), select(bit, a.id, b.id)};
-}
+constexpr Data<"granted"> granted;  // to the reader
+constexpr Data<"request_valid"> request_valid;
+constexpr Data<"request_address", &RequestBits::bytes> request_address;  // a multiple of 32
+constexpr Data<"request_id", &RequestBits::id> request_id;  // the ray, and above it 1 for a triangle
 
-template <class D, class F>
-struct State {
-  Request<D, F> first, second;  ///< the first one is asked for
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const RequestBits bits = format;
-    visit(control_field("there_1", 1), self.first.there);
-    visit(data_field("block_1", bits.bytes - 5), self.first.block);
-    visit(data_field("id_1", bits.ray + 1), self.first.id);
-    visit(control_field("there_2", 1), self.second.there);
-    visit(data_field("block_2", bits.bytes - 5), self.second.block);
-    visit(data_field("id_2", bits.ray + 1), self.second.id);
-  }
-};
-
-template <class D, class F>
-struct Inputs {
-  using W = Widths<F>;
-  using bit = typename D::bit;
-
-  bit asks;  ///< the reader's
-  Word<D, typename W::Address> wanted;
-  Word<D, typename W::Ray> asker;
-  bit triangle;
-  Word<D, typename W::Block> base;  ///< the image's address, divided by 32; constant while rays are in flight
-  bit taken;                        ///< memory takes the request that is given
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const RequestBits bits = format;
-    visit(data_field("asks", 1), self.asks);
-    visit(data_field("wanted", bits.address), self.wanted);
-    visit(data_field("asker", bits.ray), self.asker);
-    visit(data_field("triangle", 1), self.triangle);
-    visit(data_field("base", bits.bytes - 5), self.base);
-    visit(data_field("request_ready", 1), self.taken);
-  }
-};
-
-template <class D, class F>
-struct Outputs {
-  using W = Widths<F>;
-  using bit = typename D::bit;
-
-  bit granted;  ///< to the reader
-  bit there;
-  Word<D, typename W::Bytes> bytes;  ///< the address, a multiple of 32
-  Word<D, typename W::Id> id;        ///< the ray, and above it 1 for a triangle
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const RequestBits bits = format;
-    visit(data_field("granted", 1), self.granted);
-    visit(data_field("request_valid", 1), self.there);
-    visit(data_field("request_address", bits.bytes), self.bytes);
-    visit(data_field("request_id", bits.ray + 1), self.id);
-  }
-};
-
-template <class Memory>
-struct Memories {
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format&, Self&, Visit&&) {}
-};
+constexpr Control<"there_1"> there_1;  // the first of two requests: it is asked for
+constexpr Data<"block_1", &RequestBits::block> block_1;
+constexpr Data<"id_1", &RequestBits::id> id_1;
+constexpr Control<"there_2"> there_2;  // the second
+constexpr Data<"block_2", &RequestBits::block> block_2;
+constexpr Data<"id_2", &RequestBits::id> id_2;
 
 struct Requests {
   static constexpr const char* name = "requests";
   static constexpr const char* summary = "requests to memory, with their addresses";
   static constexpr const char* header = __FILE__;
   using Bits = RequestBits;
-  using BuiltIn = FormatList<RequestFormat<24, 32, 5>, RequestFormat<24, 32, 7>>;
-  template <class D, class F>
-  using State = requests::State<D, F>;
-  template <class D, class F>
-  using Inputs = requests::Inputs<D, F>;
-  template <class D, class F>
-  using Outputs = requests::Outputs<D, F>;
-  template <class Memory>
-  using Memories = requests::Memories<Memory>;
+  using BuiltIn = FormatList<Fixed<RequestBits{24, 32, 5}>, Fixed<RequestBits{24, 32, 7}>>;
+  struct In : List<asks, wanted, asker, triangle, base, request_ready> {};
+  struct Out : List<granted, request_valid, request_address, request_id> {};
+  struct State : List<there_1, block_1, id_1, there_2, block_2, id_2> {};
+  struct Memory : List<> {};
 
-  template <class D, class F, class Memory>
-  static constexpr Outputs<D, F> outputs(const F& format, const State<D, F>& state, Memories<Memory>&) {
-    return {typename D::bit(~state.second.there), state.first.there,
-            cat(state.first.block, D::lit(0, 5_w + format.ray * 0_w)), state.first.id};
+  template <class D>
+  static constexpr void outputs(const auto& /*f*/, const auto& now, const auto& /*memory*/, const auto& out) {
+    out[granted] = ~now[there_2];
+    out[request_valid] = now[there_1];
+    out[request_address] = cat(now[block_1], D::lit(0, 5_w));
+    out[request_id] = now[id_1];
   }
 
-  template <class D, class F, class Memory>
-  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in, Memories<Memory>&) {
+  template <class D>
+  static constexpr void step(const auto& /*f*/, const auto& now, const auto& in, const auto& /*memory*/,
+                             const auto& next) {
     using Bit = typename D::bit;
-    const Request<D, F> fresh{in.asks,
-                              as("block", as_unsigned(resize(in.base + in.wanted, format.bytes - 5_w))),
-                              cat(in.triangle, in.asker)};
-    const Bit holds = as("holds", state.first.there & ~in.taken);
-    const Request<D, F> next = select(state.second.there, state.second, fresh);
-    const Bit waits = as("waits", holds & next.there);
-    state.first = select(holds, state.first, next);
-    state.second = next;
-    state.second.there = waits;
+    const Bit second = now[there_2];
+    const auto fresh_block = as("block", plus(in[base], in[wanted]));
+    // The request behind the first one.
+    const Bit there = select(second, second, in[asks]);
+    const auto block = select(second, now[block_2], fresh_block);
+    const auto id = select(second, now[id_2], cat(in[triangle], in[asker]));
+    const Bit holds = as("holds", now[there_1] & ~in[request_ready]);
+    next[there_1] = select(holds, now[there_1], there);
+    next[block_1] = select(holds, now[block_1], block);
+    next[id_1] = select(holds, now[id_1], id);
+    next[there_2] = as("waits", holds & there);
+    next[block_2] = block;
+    next[id_2] = id;
   }
 };
 
@@ -168,5 +87,4 @@ struct Requests {
 
 using requests::Requests;
 
-}  // namespace hls
-}  // namespace hitpipe
+}  // namespace hitpipe::hls

@@ -3,175 +3,92 @@
 #pragma once
 
 #include "hls/box/format.hpp"
-#include "hls/machines/machine.hpp"
-#include "hls/num/bits.hpp"
+#include "hls/machines/memory.hpp"
 
-namespace hitpipe {
-namespace hls {
+namespace hitpipe::hls {
 
 /// The format "aAiI", for example a12i1.
-///   A  bits of a block's number: the memory has 2^A blocks;  I  bits of a ray's number
 struct SceneMemoryBits {
-  int address = 12;  ///< A
-  int ray = 1;       ///< I
+  int address = 12;  ///< A: bits of a block's number: the memory has 2^A blocks
+  int ray = 1;       ///< I: bits of a ray's number
 
   static constexpr FormatField fields[] = {{"a", "A", 4, 16}, {"i", "I", 1, 8}};
-  static constexpr const char* condition = "";
-  static constexpr const char* type = "SceneMemoryFormat";
 
   constexpr int words() const { return 4 * power_of_two(address); }
-  constexpr bool valid() const { return true; }
-  friend constexpr bool operator==(const SceneMemoryBits& a, const SceneMemoryBits& b) {
-    return a.address == b.address && a.ray == b.ray;
-  }
-};
-template <int Address, int Ray>
-struct SceneMemoryFormat {
-  static constexpr SceneMemoryBits bits{Address, Ray};
-  Width<Address> address{};
-  Width<Ray> ray{};
-  constexpr operator SceneMemoryBits() const { return bits; }
+  constexpr int place() const { return address + 2; }
+  constexpr int bytes() const { return address + 5; }
+  constexpr int id() const { return ray + 1; }
+  friend constexpr bool operator==(const SceneMemoryBits&, const SceneMemoryBits&) = default;
 };
 
 namespace scene_memory {
 
-/// Widths as types, in a format.
-template <class F>
-struct Widths {
-  static constexpr F format{};
-  using Id = decltype(format.ray + 1_w);
-  using Bytes = decltype(format.address + 5_w);
-  using Place = decltype(format.address + 2_w);
-  using Count = decltype(format.ray * 0_w + 2_w);
-  using Part = decltype(format.ray * 0_w + 64_w);
-};
+constexpr Data<"request_valid"> request_valid;  // the core's request stays until it is taken
+constexpr Data<"request_address", &SceneMemoryBits::bytes> request_address;
+constexpr Data<"request_id", &SceneMemoryBits::id> request_id;
+constexpr Data<"word_valid"> word_valid;  // a word of the image, which stays until it is taken
+constexpr Data<"word_place", &SceneMemoryBits::place> word_place;
+constexpr Data<"word", 64> word;
 
-template <class D, class F>
-struct State {
-  using W = Widths<F>;
+constexpr Data<"request_ready"> request_ready;
+constexpr Data<"word_ready"> word_ready;
+constexpr Data<"read_valid"> read_valid;  // a block, which the core takes at once
+constexpr Data<"read_id", &SceneMemoryBits::id> read_id;
+constexpr Data<"read_word_0", 64> read_word_0;
+constexpr Data<"read_word_1", 64> read_word_1;
+constexpr Data<"read_word_2", 64> read_word_2;
+constexpr Data<"read_word_3", 64> read_word_3;
 
-  Word<D, typename W::Count> count;  ///< words of the block that have been asked for
-  typename D::bit there;             ///< a whole block; its last word is the memory's
-  Word<D, typename W::Id> id;
-  Word<D, typename W::Part> words[3];
+constexpr Control<"count", 2> count;   // words of the block that have been asked for
+constexpr Control<"there_1"> there_1;  // a whole block; its last word is the memory's
+constexpr Data<"id_1", &SceneMemoryBits::id> id_1;
+constexpr Data<"word_0_1", 64> word_0_1;
+constexpr Data<"word_1_1", 64> word_1_1;
+constexpr Data<"word_2_1", 64> word_2_1;
 
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const SceneMemoryBits bits = format;
-    visit(control_field("count", 2), self.count);
-    visit(control_field("there_1", 1), self.there);
-    visit(data_field("id_1", bits.ray + 1), self.id);
-    constexpr const char* names[] = {"word_0_1", "word_1_1", "word_2_1"};
-    for (int i = 0; i < 3; ++i) visit(data_field(names[i], 64), self.words[i]);
-  }
-};
-
-template <class D, class F>
-struct Inputs {
-  using W = Widths<F>;
-  using bit = typename D::bit;
-
-  bit asks;  ///< the core's request stays until it is taken
-  Word<D, typename W::Bytes> bytes;
-  Word<D, typename W::Id> asker;
-  bit writes;  ///< a word of the image, which stays until it is taken
-  Word<D, typename W::Place> place;
-  Word<D, typename W::Part> written;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const SceneMemoryBits bits = format;
-    visit(data_field("request_valid", 1), self.asks);
-    visit(data_field("request_address", bits.address + 5), self.bytes);
-    visit(data_field("request_id", bits.ray + 1), self.asker);
-    visit(data_field("word_valid", 1), self.writes);
-    visit(data_field("word_place", bits.address + 2), self.place);
-    visit(data_field("word", 64), self.written);
-  }
-};
-
-template <class D, class F>
-struct Outputs {
-  using W = Widths<F>;
-  using bit = typename D::bit;
-  using Part = Word<D, typename W::Part>;
-
-  bit ready;       ///< takes the core's request
-  bit word_ready;  ///< takes the word of the image
-  bit there;       ///< a block, which the core takes at once
-  Word<D, typename W::Id> id;
-  Part words[4];
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const SceneMemoryBits bits = format;
-    visit(data_field("request_ready", 1), self.ready);
-    visit(data_field("word_ready", 1), self.word_ready);
-    visit(data_field("read_valid", 1), self.there);
-    visit(data_field("read_id", bits.ray + 1), self.id);
-    constexpr const char* names[] = {"read_word_0", "read_word_1", "read_word_2", "read_word_3"};
-    for (int i = 0; i < 4; ++i) visit(data_field(names[i], 64), self.words[i]);
-  }
-};
-
-template <class Memory>
-struct Memories {
-  Memory blocks;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const SceneMemoryBits bits = format;
-    visit(MemoryShape{"blocks", bits.words(), 64, MemoryKind::single}, self.blocks);
-  }
-};
+constexpr Single<"blocks", &SceneMemoryBits::words, 64> blocks;
 
 struct SceneMemory {
   static constexpr const char* name = "scene_memory";
   static constexpr const char* summary = "reads blocks of an image that is in a memory of the chip";
   static constexpr const char* header = __FILE__;
   using Bits = SceneMemoryBits;
-  using BuiltIn = FormatList<SceneMemoryFormat<12, 1>>;
-  template <class D, class F>
-  using State = scene_memory::State<D, F>;
-  template <class D, class F>
-  using Inputs = scene_memory::Inputs<D, F>;
-  template <class D, class F>
-  using Outputs = scene_memory::Outputs<D, F>;
-  template <class Memory>
-  using Memories = scene_memory::Memories<Memory>;
+  using BuiltIn = FormatList<Fixed<SceneMemoryBits{12, 1}>>;
+  struct In : List<request_valid, request_address, request_id, word_valid, word_place, word> {};
+  struct Out : List<request_ready, word_ready, read_valid, read_id, read_word_0, read_word_1, read_word_2,
+                    read_word_3> {};
+  struct State : List<count, there_1, id_1, word_0_1, word_1_1, word_2_1> {};
+  struct Memory : List<blocks> {};
 
-  template <class D, class F, class Memory>
-  static constexpr Outputs<D, F> outputs(const F& format, const State<D, F>& state,
-                                         Memories<Memory>& memories) {
-    using Bit = typename D::bit;
-    const auto w = format.ray * 0_w;
+  template <class D>
+  static constexpr void outputs(const auto& /*f*/, const auto& now, const auto& memory, const auto& out) {
     // The core holds its request while the words are read, so its address needs no register here.
-    return {Bit(state.count == D::lit(3, w + 2_w)),
-            Bit(state.count == D::lit(0, w + 2_w)),
-            state.there,
-            state.id,
-            {state.words[0], state.words[1], state.words[2], memories.blocks.word(w + 64_w)}};
+    out[request_ready] = is<D>(now[count], 3);
+    out[word_ready] = is<D>(now[count], 0);
+    out[read_valid] = now[there_1];
+    out[read_id] = now[id_1];
+    out[read_word_0] = now[word_0_1];
+    out[read_word_1] = now[word_1_1];
+    out[read_word_2] = now[word_2_1];
+    out[read_word_3] = memory[blocks].word();
   }
 
-  template <class D, class F, class Memory>
-  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
-                             Memories<Memory>& memories) {
+  template <class D>
+  static constexpr void step(const auto& f, const auto& now, const auto& in, const auto& memory,
+                             const auto& next) {
     using Bit = typename D::bit;
-    const auto w = format.ray * 0_w;
-    const Bit free = as("free", Bit(state.count == D::lit(0, w + 2_w)));
-    const Bit writes = as("writes", in.writes & free);
-    const Bit reads = as("reads", in.asks & ~writes);
-    const auto block = slice(in.bytes, format.address + 4_w, 5_w);
-    const auto place = as("place", select(writes, in.place, cat(block, state.count)));
-    const auto last_word = memories.blocks.word(w + 64_w);
-    memories.blocks.access(writes, place, in.written);
+    const Bit writes = as("writes", in[word_valid] & as("free", is<D>(now[count], 0)));
+    const Bit reads = as("reads", in[request_valid] & ~writes);
+    const auto block = slice(in[request_address], request_address.width(f) - 1_w, 5_w);
+    const auto place = as("place", select(writes, in[word_place], cat(block, now[count])));
+    memory[blocks].access(writes, place, in[word]);
     // The words of a block come in above, one after the other, and those before move down.
-    state.words[0] = state.words[1];
-    state.words[1] = state.words[2];
-    state.words[2] = last_word;
-    state.id = in.asker;
-    state.there = as("last_word", reads & Bit(state.count == D::lit(3, w + 2_w)));
-    state.count = as_unsigned(resize(state.count + reads, w + 2_w));
+    next[word_0_1] = now[word_1_1];
+    next[word_1_1] = now[word_2_1];
+    next[word_2_1] = memory[blocks].word();
+    next[id_1] = in[request_id];
+    next[there_1] = as("last_word", reads & is<D>(now[count], 3));
+    next[count] = plus(now[count], reads);
   }
 };
 
@@ -179,5 +96,4 @@ struct SceneMemory {
 
 using scene_memory::SceneMemory;
 
-}  // namespace hls
-}  // namespace hitpipe
+}  // namespace hitpipe::hls

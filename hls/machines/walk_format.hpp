@@ -12,7 +12,6 @@
 namespace hitpipe {
 namespace hls {
 
-/// A format whose widths are known at run time.
 struct WalkBits {
   int distance = 20;  ///< D
   int address = 24;   ///< A
@@ -22,28 +21,14 @@ struct WalkBits {
 
   static constexpr FormatField fields[] = {
       {"d", "D", 4, 36}, {"a", "A", 4, 32}, {"l", "L", 2, 60}, {"k", "K", 1, 6}, {"i", "I", 1, 8}};
-  static constexpr const char* type = "WalkFormat";
 
   constexpr int rays() const { return power_of_two(ray); }
   constexpr int places() const { return power_of_two(stack); }
-  friend constexpr bool operator==(const WalkBits& a, const WalkBits& b) {
-    return a.distance == b.distance && a.address == b.address && a.levels == b.levels && a.stack == b.stack &&
-           a.ray == b.ray;
-  }
-};
-
-/// The same with widths known when the code is compiled: WalkFormat<20, 24, 60, 3, 5> is d20a24l60k3i5.
-template <int Distance, int Address, int Levels, int Stack, int Ray>
-struct WalkFormat {
-  static constexpr WalkBits bits{Distance, Address, Levels, Stack, Ray};
-
-  Width<Distance> distance{};
-  Width<Address> address{};
-  Width<Levels> levels{};
-  Width<Stack> stack{};
-  Width<Ray> ray{};
-
-  constexpr operator WalkBits() const { return bits; }
+  constexpr int stacks() const { return rays() * places(); }
+  /// Of a level's number, and of the number of places that hold something.
+  constexpr int level() const { return count_bits(levels + 1); }
+  constexpr int used() const { return stack + 1; }
+  friend constexpr bool operator==(const WalkBits&, const WalkBits&) = default;
 };
 
 /// Bits of the number of triangles in a leaf; all ones is a record, 0 no child.

@@ -14,226 +14,121 @@
 #pragma once
 
 #include "hls/machines/id_queue.hpp"
-#include "hls/machines/machine.hpp"
+#include "hls/machines/memory.hpp"
 #include "hls/machines/walk_format.hpp"
-#include "hls/num/bits.hpp"
 #include "hls/num/one_hot.hpp"
 
-namespace hitpipe {
-namespace hls {
+namespace hitpipe::hls {
 namespace walker {
 
-/// Widths as types, in a format.
-template <class F>
-struct Widths {
-  static constexpr F format{};
-  static constexpr auto level_of(const F& f) { return count_bits(f.levels + 1_w); }
-  static constexpr auto walk_of(const F& f) {
-    return f.levels + level_of(f) * 2_w + f.stack * 2_w + 1_w + Width<step_count_bits>();
-  }
-  static constexpr auto child_of(const F& f) { return f.address + Width<child_count_bits>(); }
-  static constexpr auto entry_of(const F& f) { return child_of(f) + f.distance * 2_w; }
+constexpr Data<"begins"> begins;  // a new ray, where `takes` was 1: it begins at the root's own record
+constexpr Data<"begun", &WalkBits::ray> begun;
+constexpr Data<"length", &WalkBits::distance> length;
+constexpr Data<"reads"> reads;  // a record has been read for a ray: the blocks of its children
+constexpr Data<"read_ray", &WalkBits::ray> read_ray;
+constexpr Data<"block", &WalkBits::address> block;  // of child 0; child 1 follows
+constexpr Data<"count_0", child_count_bits> count_0;
+constexpr Data<"count_1", child_count_bits> count_1;
+constexpr Data<"tested"> tested;  // int_major_pair has tested the boxes of that record, now or later
+constexpr Data<"ray", &WalkBits::ray> ray;
+constexpr Data<"hit_0"> hit_0;
+constexpr Data<"hit_1"> hit_1;
+constexpr Data<"second_first"> second_first;
+constexpr Data<"near_0", &WalkBits::distance> near_0;
+constexpr Data<"far_0", &WalkBits::distance> far_0;
+constexpr Data<"near_1", &WalkBits::distance> near_1;
+constexpr Data<"far_1", &WalkBits::distance> far_1;
+constexpr Data<"leaf"> leaf;  // the triangles of a leaf have been tested
+constexpr Data<"leaf_ray", &WalkBits::ray> leaf_ray;
+constexpr Data<"cut", &WalkBits::distance> cut;  // the ray's length now, as a box distance
+constexpr Data<"stops"> stops;                   // nothing else is wanted of this ray
+constexpr Data<"lost"> lost;                     // with `stops`: it wanted a block that is not in the image
+// Records that a walk may test; constant while rays are in flight.
+constexpr Data<"most_steps", step_count_bits> most_steps;
 
-  using Ray = decltype(format.ray + 0_w);
-  using Distance = decltype(format.distance + 0_w);
-  using Address = decltype(format.address + 0_w);
-  using Trail = decltype(format.levels + 0_w);
-  using Level = decltype(level_of(format));
-  using Entry = decltype(entry_of(format));
-  using Used = decltype(format.stack + 1_w);
-  using Top = decltype(format.stack + 0_w);
-  using Count = decltype(format.ray * 0_w + Width<child_count_bits>());
-  using Steps = decltype(format.ray * 0_w + Width<step_count_bits>());
-};
+constexpr Data<"takes"> takes;            // a new ray may begin in this cycle
+constexpr Data<"goes"> goes;              // the ray wants a record, or the triangles of a leaf
+constexpr Data<"ended"> ended;            // the ray's walk has ended
+constexpr Data<"failed"> failed;          // with `ended`: at a bound, of steps or of levels, or lost
+constexpr Data<"of", &WalkBits::ray> of;  // the ray
+constexpr Data<"wanted", &WalkBits::address> wanted;         // the block
+constexpr Data<"triangles", child_count_bits> triangles;     // all ones: it is a record
+constexpr Data<"enters_at", &WalkBits::distance> enters_at;  // where the ray is within it
+constexpr Data<"leaves_at", &WalkBits::distance> leaves_at;
 
-/// A ray that is taken up, and what has happened to it; nothing: the stage is empty.
-template <class D, class F>
-struct Taken {
-  using W = Widths<F>;
-  Word<D, typename W::Ray> ray;
-  typename D::bit pair, leaf, fresh, again;
-  typename D::bit stops, lost;
-  Word<D, typename W::Distance> cut;
-};
+// Words. What a ray's word in `walks` holds:
+constexpr Data<"trail", &WalkBits::levels> trail;
+constexpr Data<"level", &WalkBits::level> level;
+constexpr Data<"resumed", &WalkBits::level> resumed;  // the level that was taken up again last
+constexpr Data<"used", &WalkBits::used> used;         // places of the stack that hold something
+constexpr Data<"top", &WalkBits::stack> top;          // the next place
+constexpr Data<"steps", step_count_bits> steps;
+struct Walk : List<trail, level, resumed, used, top, steps> {};
+// A child of a record, and where the ray is within it.
+constexpr Data<"child", &WalkBits::address> child;
+constexpr Data<"count", child_count_bits> count;
+constexpr Data<"near", &WalkBits::distance> near;
+constexpr Data<"far", &WalkBits::distance> far;
+struct Entry : List<child, count, near, far> {};
+constexpr Data<"second", &WalkBits::address> second;  // the block of child 1
+struct Children : List<second, count_1, block, count_0> {};
+struct Box0 : List<second_first, hit_0, near_0, far_0> {};
+struct Box1 : List<hit_1, near_1, far_1> {};
+struct LeafDone : List<leaf_ray, lost, stops, cut> {};
+constexpr Data<"was_there"> was_there;  // it is no new ray
+struct Other : List<begun, was_there, length> {};
 
-template <class D, class F>
-struct State {
-  using bit = typename D::bit;
-  using W = Widths<F>;
+using Pairs = IdQueue<"pairs_">;
+using Leaves = IdQueue<"leaves_">;
+using Others = IdQueue<"others_">;
+// Stage 1: a ray that is taken up, and what has happened to it; nothing: the stage is empty.
+constexpr Data<"ray_1", &WalkBits::ray> ray_1;
+constexpr Control<"pair_1"> pair_1;
+constexpr Control<"leaf_1"> leaf_1;
+constexpr Control<"fresh_1"> fresh_1;
+constexpr Control<"again_1"> again_1;
+constexpr Data<"stops_1"> stops_1;
+constexpr Data<"lost_1"> lost_1;
+constexpr Data<"cut_1", &WalkBits::distance> cut_1;
+// Stage 2.
+constexpr Data<"ray_2", &WalkBits::ray> ray_2;
+constexpr Control<"there_2"> there_2;
+constexpr Data<"descends_2"> descends_2;
+constexpr Data<"begins_2"> begins_2;
+constexpr Data<"pops_2"> pops_2;
+constexpr Data<"ends_2"> ends_2;
+constexpr Data<"lost_2"> lost_2;
+constexpr Data<"some_2"> some_2;  // the stack has a place
+constexpr Data<"trail_2", &WalkBits::levels> trail_2;
+constexpr Data<"popped_2", &WalkBits::levels> popped_2;
+constexpr Data<"level_2", &WalkBits::level> level_2;
+constexpr Data<"resumed_2", &WalkBits::level> resumed_2;
+constexpr Data<"used_2", &WalkBits::used> used_2;
+constexpr Data<"top_2", &WalkBits::stack> top_2;
+constexpr Data<"steps_2", step_count_bits> steps_2;
+constexpr Data<"cut_2", &WalkBits::distance> cut_2;
+constexpr Data<"entry_2", record_width<Entry>> entry_2;
+// What leaves.
+constexpr Data<"ray_3", &WalkBits::ray> ray_3;
+constexpr Control<"goes_3"> goes_3;
+constexpr Control<"ended_3"> ended_3;
+constexpr Data<"failed_3"> failed_3;
+constexpr Control<"again_3"> again_3;
+constexpr Data<"block_3", &WalkBits::address> block_3;
+constexpr Data<"count_3", child_count_bits> count_3;
+constexpr Data<"near_3", &WalkBits::distance> near_3;
+constexpr Data<"far_3", &WalkBits::distance> far_3;
 
-  IdQueue<D, F> pairs, leaves, others;
-  Taken<D, F> taken;  ///< stage 1
-  // Stage 2.
-  Word<D, typename W::Ray> ray_2;
-  bit there_2;
-  bit descends_2, begins_2, pops_2, ends_2, lost_2;
-  bit some_2;  ///< the stack has a place
-  Word<D, typename W::Trail> trail_2, popped_2;
-  Word<D, typename W::Level> level_2, resumed_2;
-  Word<D, typename W::Used> used_2;
-  Word<D, typename W::Top> top_2;
-  Word<D, typename W::Steps> steps_2;
-  Word<D, typename W::Distance> cut_2;
-  Word<D, typename W::Entry> entry_2;
-  // What leaves.
-  Word<D, typename W::Ray> ray_3;
-  bit goes, ended, failed, again;
-  Word<D, typename W::Address> block;
-  Word<D, typename W::Count> count;
-  Word<D, typename W::Distance> near, far;
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const WalkBits bits = format;
-    const int level = Widths<WalkBits>::level_of(bits);
-    IdQueue<D, F>::for_each({"pairs_used", "pairs_oldest", "pairs_there"}, bits.ray, self.pairs, visit);
-    IdQueue<D, F>::for_each({"leaves_used", "leaves_oldest", "leaves_there"}, bits.ray, self.leaves, visit);
-    IdQueue<D, F>::for_each({"others_used", "others_oldest", "others_there"}, bits.ray, self.others, visit);
-    visit(data_field("ray_1", bits.ray), self.taken.ray);
-    visit(control_field("pair_1", 1), self.taken.pair);
-    visit(control_field("leaf_1", 1), self.taken.leaf);
-    visit(control_field("fresh_1", 1), self.taken.fresh);
-    visit(control_field("again_1", 1), self.taken.again);
-    visit(data_field("stops_1", 1), self.taken.stops);
-    visit(data_field("lost_1", 1), self.taken.lost);
-    visit(data_field("cut_1", bits.distance), self.taken.cut);
-    visit(data_field("ray_2", bits.ray), self.ray_2);
-    visit(control_field("there_2", 1), self.there_2);
-    visit(data_field("descends_2", 1), self.descends_2);
-    visit(data_field("begins_2", 1), self.begins_2);
-    visit(data_field("pops_2", 1), self.pops_2);
-    visit(data_field("ends_2", 1), self.ends_2);
-    visit(data_field("lost_2", 1), self.lost_2);
-    visit(data_field("some_2", 1), self.some_2);
-    visit(data_field("trail_2", bits.levels), self.trail_2);
-    visit(data_field("popped_2", bits.levels), self.popped_2);
-    visit(data_field("level_2", level), self.level_2);
-    visit(data_field("resumed_2", level), self.resumed_2);
-    visit(data_field("used_2", bits.stack + 1), self.used_2);
-    visit(data_field("top_2", bits.stack), self.top_2);
-    visit(data_field("steps_2", step_count_bits), self.steps_2);
-    visit(data_field("cut_2", bits.distance), self.cut_2);
-    visit(data_field("entry_2", Widths<WalkBits>::entry_of(bits)), self.entry_2);
-    visit(data_field("ray_3", bits.ray), self.ray_3);
-    visit(control_field("goes_3", 1), self.goes);
-    visit(control_field("ended_3", 1), self.ended);
-    visit(data_field("failed_3", 1), self.failed);
-    visit(control_field("again_3", 1), self.again);
-    visit(data_field("block_3", bits.address), self.block);
-    visit(data_field("count_3", child_count_bits), self.count);
-    visit(data_field("near_3", bits.distance), self.near);
-    visit(data_field("far_3", bits.distance), self.far);
-  }
-};
-
-template <class D, class F>
-struct Inputs {
-  using bit = typename D::bit;
-  using W = Widths<F>;
-
-  bit begins;  ///< a new ray, where `takes` was 1: it begins at the root's own record
-  Word<D, typename W::Ray> begun;
-  Word<D, typename W::Distance> length;
-  bit reads;  ///< a record has been read for a ray: the blocks of its children
-  Word<D, typename W::Ray> reader;
-  Word<D, typename W::Address> block;  ///< of child 0; child 1 follows
-  Word<D, typename W::Count> count_0, count_1;
-  bit tested;  ///< int_major_pair has tested the boxes of that record, now or later
-  Word<D, typename W::Ray> ray;
-  bit hit_0, hit_1, second_first;
-  Word<D, typename W::Distance> near_0, far_0, near_1, far_1;
-  bit leaf;  ///< the triangles of a leaf have been tested
-  Word<D, typename W::Ray> leaf_ray;
-  Word<D, typename W::Distance> cut;      ///< the ray's length now, as a box distance
-  bit stops;                              ///< nothing else is wanted of this ray
-  bit lost;                               ///< with `stops`: it wanted a block that is not in the image
-  Word<D, typename W::Steps> most_steps;  ///< records that a walk may test; constant while rays are in flight
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const WalkBits bits = format;
-    visit(data_field("begins", 1), self.begins);
-    visit(data_field("begun", bits.ray), self.begun);
-    visit(data_field("length", bits.distance), self.length);
-    visit(data_field("reads", 1), self.reads);
-    visit(data_field("read_ray", bits.ray), self.reader);
-    visit(data_field("block", bits.address), self.block);
-    visit(data_field("count_0", child_count_bits), self.count_0);
-    visit(data_field("count_1", child_count_bits), self.count_1);
-    visit(data_field("tested", 1), self.tested);
-    visit(data_field("ray", bits.ray), self.ray);
-    visit(data_field("hit_0", 1), self.hit_0);
-    visit(data_field("hit_1", 1), self.hit_1);
-    visit(data_field("second_first", 1), self.second_first);
-    visit(data_field("near_0", bits.distance), self.near_0);
-    visit(data_field("far_0", bits.distance), self.far_0);
-    visit(data_field("near_1", bits.distance), self.near_1);
-    visit(data_field("far_1", bits.distance), self.far_1);
-    visit(data_field("leaf", 1), self.leaf);
-    visit(data_field("leaf_ray", bits.ray), self.leaf_ray);
-    visit(data_field("cut", bits.distance), self.cut);
-    visit(data_field("stops", 1), self.stops);
-    visit(data_field("lost", 1), self.lost);
-    visit(data_field("most_steps", step_count_bits), self.most_steps);
-  }
-};
-
-template <class D, class F>
-struct Outputs {
-  using bit = typename D::bit;
-  using W = Widths<F>;
-
-  bit takes;                                ///< a new ray may begin in this cycle
-  bit goes;                                 ///< the ray wants a record, or the triangles of a leaf
-  bit ended;                                ///< the ray's walk has ended
-  bit failed;                               ///< with `ended`: at a bound, of steps or of levels, or lost
-  Word<D, typename W::Ray> of;              ///< the ray
-  Word<D, typename W::Address> wanted;      ///< the block
-  Word<D, typename W::Count> triangles;     ///< all ones: it is a record
-  Word<D, typename W::Distance> near, far;  ///< where the ray is within it
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const WalkBits bits = format;
-    visit(data_field("takes", 1), self.takes);
-    visit(data_field("goes", 1), self.goes);
-    visit(data_field("ended", 1), self.ended);
-    visit(data_field("failed", 1), self.failed);
-    visit(data_field("of", bits.ray), self.of);
-    visit(data_field("wanted", bits.address), self.wanted);
-    visit(data_field("triangles", child_count_bits), self.triangles);
-    visit(data_field("enters_at", bits.distance), self.near);
-    visit(data_field("leaves_at", bits.distance), self.far);
-  }
-};
-
-template <class Memory>
-struct Memories {
-  Memory pair_rays, leaf_rays, other_rays;  ///< the queues
-  Memory boxes_0, boxes_1;                  ///< by ray: what the boxes of its record are to it
-  Memory children;                          ///< by ray: where they are
-  Memory walks, cuts;                       ///< by ray
-  Memory stacks;                            ///< by ray and place
-
-  template <class Format, class Self, class Visit>
-  static constexpr void for_each(const Format& format, Self& self, Visit&& visit) {
-    const WalkBits bits = format;
-    using W = Widths<WalkBits>;
-    const auto memory = [&](const char* name, int words, int width, Memory& of) {
-      visit(MemoryShape{name, words, width, MemoryKind::block}, of);
-    };
-    const int rays = bits.rays();
-    memory("pair_rays", rays, bits.ray, self.pair_rays);
-    memory("leaf_rays", rays, bits.ray + 2 + bits.distance, self.leaf_rays);
-    memory("other_rays", rays, bits.ray + 1 + bits.distance, self.other_rays);
-    memory("boxes_0", rays, 2 + 2 * bits.distance, self.boxes_0);
-    memory("boxes_1", rays, 1 + 2 * bits.distance, self.boxes_1);
-    memory("children", rays, 2 * W::child_of(bits), self.children);
-    memory("walks", rays, W::walk_of(bits), self.walks);
-    memory("cuts", rays, bits.distance, self.cuts);
-    memory("stacks", rays * bits.places(), W::entry_of(bits), self.stacks);
-  }
-};
+constexpr Block<"pair_rays", &WalkBits::rays, &WalkBits::ray> pair_rays;  // the queues
+constexpr BlockOf<"leaf_rays", &WalkBits::rays, LeafDone> leaf_rays;
+constexpr BlockOf<"other_rays", &WalkBits::rays, Other> other_rays;
+constexpr BlockOf<"boxes_0", &WalkBits::rays, Box0>
+    boxes_0;  // by ray: what the boxes of its record are to it
+constexpr BlockOf<"boxes_1", &WalkBits::rays, Box1> boxes_1;
+constexpr BlockOf<"children", &WalkBits::rays, Children> children;  // by ray: where they are
+constexpr BlockOf<"walks", &WalkBits::rays, Walk> walks;            // by ray
+constexpr Block<"cuts", &WalkBits::rays, &WalkBits::distance> cuts;
+constexpr BlockOf<"stacks", &WalkBits::stacks, Entry> stacks;  // by ray and place
 
 struct Walker {
   static constexpr const char* name = "walker";
@@ -241,233 +136,191 @@ struct Walker {
   static constexpr const char* header = __FILE__;
   static constexpr bool wide = true;  ///< some values have more than 64 bits
   using Bits = WalkBits;
-  using BuiltIn = FormatList<WalkFormat<20, 24, 60, 3, 5>, WalkFormat<20, 24, 60, 3, 7>>;
-  template <class D, class F>
-  using State = walker::State<D, F>;
-  template <class D, class F>
-  using Inputs = walker::Inputs<D, F>;
-  template <class D, class F>
-  using Outputs = walker::Outputs<D, F>;
-  template <class Memory>
-  using Memories = walker::Memories<Memory>;
+  using BuiltIn = FormatList<Fixed<WalkBits{20, 24, 60, 3, 5}>, Fixed<WalkBits{20, 24, 60, 3, 7}>>;
+  struct In : List<begins, begun, length, reads, read_ray, block, count_0, count_1, tested, ray, hit_0, hit_1,
+                   second_first, near_0, far_0, near_1, far_1, leaf, leaf_ray, cut, stops, lost, most_steps> {
+  };
+  struct Out : List<takes, goes, ended, failed, of, wanted, triangles, enters_at, leaves_at> {};
+  struct State : Join<Pairs::State, Leaves::State, Others::State,
+                      List<ray_1, pair_1, leaf_1, fresh_1, again_1, stops_1, lost_1, cut_1>,
+                      List<ray_2, there_2, descends_2, begins_2, pops_2, ends_2, lost_2, some_2, trail_2,
+                           popped_2, level_2, resumed_2, used_2, top_2, steps_2, cut_2, entry_2>,
+                      List<ray_3, goes_3, ended_3, failed_3, again_3, block_3, count_3, near_3, far_3>> {};
+  struct Memory : List<pair_rays, leaf_rays, other_rays, boxes_0, boxes_1, children, walks, cuts, stacks> {};
 
-  template <class D, class F, class Memory>
-  static constexpr Outputs<D, F> outputs(const F& /*format*/, const State<D, F>& state, Memories<Memory>&) {
-    return {typename D::bit(~state.again),
-            state.goes,
-            state.ended,
-            state.failed,
-            state.ray_3,
-            state.block,
-            state.count,
-            state.near,
-            state.far};
+  template <class D>
+  static constexpr void outputs(const auto& /*f*/, const auto& now, const auto& /*memory*/, const auto& out) {
+    out[takes] = ~now[again_3];
+    out[goes] = now[goes_3];
+    out[ended] = now[ended_3];
+    out[failed] = now[failed_3];
+    out[of] = now[ray_3];
+    out[wanted] = now[block_3];
+    out[triangles] = now[count_3];
+    out[enters_at] = now[near_3];
+    out[leaves_at] = now[far_3];
   }
 
-  template <class D, class F, class Memory>
-  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
-                             Memories<Memory>& memories) {
-    record_words<D>(format, in, memories);
-    const auto next = taken_up<D>(format, state, in, memories);
-    follow<D>(format, state, in, memories);
-    choose<D>(format, state, memories);
-    state.taken = next;
+  template <class D>
+  static constexpr void step(const auto& f, const auto& now, const auto& in, const auto& memory,
+                             const auto& next) {
+    record_words<D>(in, memory);
+    take_up<D>(now, in, memory, next);
+    follow<D>(f, now, in, memory, next);
+    choose<D>(f, now, memory, next);
   }
 
  private:
   static constexpr std::int64_t record_count = (1 << child_count_bits) - 1;
 
-  /// What a ray's word in `walks` holds.
-  template <class D, class F>
-  struct Walk {
-    using W = Widths<F>;
-    Word<D, typename W::Trail> trail;
-    Word<D, typename W::Level> level, resumed;  ///< `resumed`: the level that was taken up again last
-    Word<D, typename W::Used> used;             ///< places of the stack that hold something
-    Word<D, typename W::Top> top;               ///< the next place
-    Word<D, typename W::Steps> steps;
-
-    template <class X>
-    static constexpr Walk of(const F& f, const X& word) {
-      const auto level_bits = W::level_of(f);
-      const auto top_at = Width<step_count_bits>() + f.ray * 0_w;
-      const auto used_at = top_at + f.stack;
-      const auto resumed_at = used_at + f.stack + 1_w;
-      const auto level_at = resumed_at + level_bits;
-      const auto trail_at = level_at + level_bits;
-      return {slice(word, W::walk_of(f) - 1_w, trail_at), slice(word, trail_at - 1_w, level_at),
-              slice(word, level_at - 1_w, resumed_at),    slice(word, resumed_at - 1_w, used_at),
-              slice(word, used_at - 1_w, top_at),         slice(word, top_at - 1_w, 0_w)};
-    }
-    constexpr auto word() const { return cat(trail, cat(cat(level, resumed), cat(cat(used, top), steps))); }
-  };
-
   /// The words of a ray whose record is read or tested.
-  template <class D, class F, class M>
-  static constexpr void record_words(const F& format, const Inputs<D, F>& in, M& memories) {
+  template <class D>
+  static constexpr void record_words(const auto& in, const auto& memory) {
     using Bit = typename D::bit;
-    const auto bits = width_of(in.count_0);
-    const Bit record = as("first_is_record", Bit(in.count_0 == D::lit(record_count, bits)));
-    const auto blocks = as("first_blocks", select(record, D::lit(1, bits), in.count_0));
-    const auto second = as("second_block", as_unsigned(resize(in.block + blocks, format.address)));
-    memories.children.write(in.reads, in.reader, cat(cat(second, in.count_1), cat(in.block, in.count_0)));
-    memories.boxes_0.write(in.tested, in.ray, cat(cat(in.second_first, in.hit_0), cat(in.near_0, in.far_0)));
-    memories.boxes_1.write(in.tested, in.ray, cat(in.hit_1, cat(in.near_1, in.far_1)));
+    const Bit record = as("first_is_record", is<D>(in[count_0], record_count));
+    const auto blocks = as("first_blocks", select(record, D::lit(1, width_of(in[count_0])), in[count_0]));
+    const auto second_block = as("second_block", plus(in[block], blocks));
+    memory[children].write(in[reads], in[read_ray], second_block, in[count_1], in[block], in[count_0]);
+    memory[boxes_0].write(in[tested], in[ray], in[second_first], in[hit_0], in[near_0], in[far_0]);
+    memory[boxes_1].write(in[tested], in[ray], cat(in[hit_1], cat(in[near_1], in[far_1])));
   }
 
   /// Stage 0.
-  template <class D, class F, class M>
-  static constexpr Taken<D, F> taken_up(const F& format, State<D, F>& s, const Inputs<D, F>& in,
-                                        M& memories) {
+  template <class D>
+  static constexpr void take_up(const auto& now, const auto& in, const auto& memory, const auto& next) {
     using Bit = typename D::bit;
-    const auto i = format.ray;
-    const auto d = format.distance;
-    const Bit enters = as("enters", in.begins | s.again);
-    memories.pair_rays.write(in.tested, as("pair_place", s.pairs.place(i)), in.ray);
-    memories.leaf_rays.write(in.leaf, as("leaf_place", s.leaves.place(i)),
-                             cat(cat(in.leaf_ray, in.lost), cat(in.stops, in.cut)));
-    memories.other_rays.write(enters, as("other_place", s.others.place(i)),
-                              cat(select(s.again, s.ray_3, in.begun), cat(s.again, in.length)));
+    const Bit again = now[again_3];
+    const Bit enters = as("enters", in[begins] | again);
+    memory[pair_rays].write(in[tested], as("pair_place", Pairs::place(now)), in[ray]);
+    memory[leaf_rays].write(in[leaf], as("leaf_place", Leaves::place(now)), in[leaf_ray], in[lost], in[stops],
+                            in[cut]);
+    memory[other_rays].write(enters, as("other_place", Others::place(now)),
+                             cat(select(again, now[ray_3], in[begun]), cat(again, in[length])));
 
     // Leaves come first, because few of them wait.
-    const Bit leaf = as("takes_leaf", s.leaves.there);
-    const Bit other = as("takes_other", s.others.there & ~leaf);
-    const Bit pair = as("takes_pair", s.pairs.there & ~leaf & ~s.others.there);
-    const auto leaf_word = memories.leaf_rays.word(i + d + 2_w);
-    const auto other_word = memories.other_rays.word(i + d + 1_w);
-    const Bit was_there = bit_at(other_word, d);
-    Taken<D, F> next;
-    next.ray =
-        as("taken_ray", select(leaf, slice(leaf_word, i + d + 1_w, d + 2_w),
-                               select(other, slice(other_word, i + d, d + 1_w), memories.pair_rays.word(i))));
-    next.pair = pair;
-    next.leaf = leaf;
-    next.fresh = other & ~was_there;
-    next.again = other & was_there;
-    next.stops = bit_at(leaf_word, d);
-    next.lost = bit_at(leaf_word, d + 1_w);
-    next.cut = select(leaf, slice(leaf_word, d - 1_w, 0_w), slice(other_word, d - 1_w, 0_w));
-    memories.pair_rays.ask(s.pairs.step(i, in.tested, pair));
-    memories.leaf_rays.ask(s.leaves.step(i, in.leaf, leaf));
-    memories.other_rays.ask(s.others.step(i, enters, other));
-    memories.boxes_0.ask(next.ray);
-    memories.boxes_1.ask(next.ray);
-    memories.children.ask(next.ray);
-    memories.walks.ask(next.ray);
-    memories.cuts.ask(next.ray);
-    return next;
+    const Bit takes_leaf = as("takes_leaf", now[Leaves::there]);
+    const Bit takes_other = as("takes_other", now[Others::there] & ~takes_leaf);
+    const Bit takes_pair = as("takes_pair", now[Pairs::there] & ~takes_leaf & ~now[Others::there]);
+    const auto of_leaf = memory[leaf_rays].word();
+    const auto other = memory[other_rays].word();
+    const auto taken = as("taken_ray", select(takes_leaf, of_leaf[leaf_ray],
+                                              select(takes_other, other[begun], memory[pair_rays].word())));
+    next[ray_1] = taken;
+    next[pair_1] = takes_pair;
+    next[leaf_1] = takes_leaf;
+    next[fresh_1] = takes_other & ~Bit(other[was_there]);
+    next[again_1] = takes_other & Bit(other[was_there]);
+    next[stops_1] = of_leaf[stops];
+    next[lost_1] = of_leaf[lost];
+    next[cut_1] = select(takes_leaf, of_leaf[cut], other[length]);
+    memory[pair_rays].ask(Pairs::step<D>(now, next, in[tested], takes_pair));
+    memory[leaf_rays].ask(Leaves::step<D>(now, next, in[leaf], takes_leaf));
+    memory[other_rays].ask(Others::step<D>(now, next, enters, takes_other));
+    memory[boxes_0].ask(taken);
+    memory[boxes_1].ask(taken);
+    memory[children].ask(taken);
+    memory[walks].ask(taken);
+    memory[cuts].ask(taken);
   }
 
   /// Stage 1.
-  template <class D, class F, class M>
-  static constexpr void choose(const F& format, State<D, F>& s, M& memories) {
+  template <class D>
+  static constexpr void choose(const auto& f, const auto& now, const auto& memory, const auto& next) {
     using Bit = typename D::bit;
-    using W = Widths<F>;
-    const auto d = format.distance;
-    const auto& taken = s.taken;
-    const auto walk = Walk<D, F>::of(format, memories.walks.word(W::walk_of(format)));
-    const auto boxes_0 = memories.boxes_0.word(d * 2_w + 2_w);
-    const auto boxes_1 = memories.boxes_1.word(d * 2_w + 1_w);
-    const auto children = memories.children.word(W::child_of(format) * 2_w);
-    const auto child_0 = slice(children, W::child_of(format) - 1_w, 0_w);
-    const auto child_1 = slice(children, W::child_of(format) * 2_w - 1_w, W::child_of(format));
-    const auto count_of = [](const auto& child) { return slice(child, Width<child_count_bits - 1>(), 0_w); };
+    const auto walk = memory[walks].word();
+    const auto box_0 = memory[boxes_0].word();
+    const auto box_1 = memory[boxes_1].word();
+    const auto both_children = memory[children].word();
+    const Bit not_fresh = ~now[fresh_1];
 
-    const Bit meets_0 = as("meets_0", Bit(bit_at(boxes_0, d * 2_w)) & any<D>(count_of(child_0)));
-    const Bit meets_1 = as("meets_1", Bit(bit_at(boxes_1, d * 2_w)) & any<D>(count_of(child_1)));
+    const Bit meets_0 = as("meets_0", Bit(box_0[hit_0]) & any<D>(both_children[count_0]));
+    const Bit meets_1 = as("meets_1", Bit(box_1[hit_1]) & any<D>(both_children[count_1]));
     const Bit both = as("both", meets_0 & meets_1);
     const Bit one = as("one", meets_0 ^ meets_1);
-    const auto here = as("here", slice(one_hot<D>(walk.level), format.levels - 1_w, 0_w));
-    const Bit first_done = as("first_done", any<D>(walk.trail & here));
-    const Bit is_resumed = as("is_resumed", Bit(walk.level == walk.resumed));
+    const auto here = as("here", slice(one_hot<D>(walk[level]), trail.width(f) - 1_w, 0_w));
+    const Bit first_done = as("first_done", any<D>(walk[trail] & here));
+    const Bit is_resumed = as("is_resumed", Bit(walk[level] == walk[resumed]));
     // One child where a level is taken up again: it is the first, which is done.
-    const Bit descends = as("descends", taken.pair & (both | (one & ~is_resumed)));
-    const Bit second_first = bit_at(boxes_0, d * 2_w + 1_w);
-    const Bit takes_1 = as("takes_1", select(both, Bit(second_first ^ first_done), meets_1));
-    const Bit pushes = as("pushes", taken.pair & both & ~first_done);
-    const Bit pops = as("pops", ~taken.fresh & ~descends);
-    const auto entry_0 = cat(child_0, slice(boxes_0, d * 2_w - 1_w, 0_w));
-    const auto entry_1 = cat(child_1, slice(boxes_1, d * 2_w - 1_w, 0_w));
-    memories.stacks.write(pushes, cat(taken.ray, walk.top), select(takes_1, entry_0, entry_1));
-    memories.stacks.ask(cat(taken.ray, as_unsigned(resize(walk.top - D::lit(1, 1_w), format.stack))));
+    const Bit descends = as("descends", now[pair_1] & (both | (one & ~is_resumed)));
+    const Bit takes_1 = as("takes_1", select(both, Bit(Bit(box_0[second_first]) ^ first_done), meets_1));
+    const Bit pushes = as("pushes", now[pair_1] & both & ~first_done);
+    const Bit pops = as("pops", ~now[fresh_1] & ~descends);
+    const auto entry_0 = cat(both_children[block], both_children[count_0], box_0[near_0], box_0[far_0]);
+    const auto entry_1 = cat(both_children[second], both_children[count_1], box_1[near_1], box_1[far_1]);
+    memory[stacks].write(pushes, cat(now[ray_1], walk[top]), select(takes_1, entry_0, entry_1));
+    memory[stacks].ask(cat(now[ray_1], minus(walk[top], D::lit(1, 1_w))));
 
     // A level of which one child is met, or none, has nothing that waits. To pop is to add 1 at the level:
     // the carry stops at the deepest level of which a child waits, and the bit there becomes 1.
-    const auto marked = as("marked", walk.trail | (here & spread(Bit(taken.pair & ~both), format.levels)));
+    const auto marked = as("marked", walk[trail] | only(Bit(now[pair_1] & ~both), here));
     const auto sum = as("sum", cat(D::lit(0, 1_w), marked) + here);
-    const auto popped = slice(sum, format.levels - 1_w, 0_w);
-    const auto kept = select(pops, popped, marked);
-    s.trail_2 = kept & spread(Bit(~taken.fresh), format.levels);
-    s.popped_2 = popped & ~marked;
-    s.level_2 = walk.level;
-    s.resumed_2 = select(taken.fresh, D::lit(format.levels, W::level_of(format)), walk.resumed);
-    const Bit full = bit_at(walk.used, format.stack);
-    const auto used = as_unsigned(resize(walk.used + Bit(pushes & ~full), format.stack + 1_w));
-    s.used_2 = used & spread(Bit(~taken.fresh), format.stack + 1_w);
-    s.some_2 = any<D>(walk.used);
+    const auto popped = slice(sum, trail.width(f) - 1_w, 0_w);
+    next[trail_2] = only(not_fresh, select(pops, popped, marked));
+    next[popped_2] = popped & ~marked;
+    next[level_2] = walk[level];
+    next[resumed_2] = select(now[fresh_1], D::lit(trail.width(f), level.width(f)), walk[resumed]);
+    const Bit full = sign(walk[used]);
+    next[used_2] = only(not_fresh, plus(walk[used], Bit(pushes & ~full)));
+    next[some_2] = any<D>(walk[used]);
     // Any place is as good as the first, but a simulator does not know what a new ray's word holds.
-    s.top_2 = as_unsigned(resize(walk.top + pushes, format.stack)) & spread(Bit(~taken.fresh), format.stack);
-    s.steps_2 = walk.steps & spread(Bit(~taken.fresh), width_of(walk.steps));
-    s.cut_2 = as("cut_now", select(Bit(taken.leaf | taken.fresh), taken.cut, memories.cuts.word(d)));
-    s.entry_2 = select(takes_1, entry_1, entry_0);
-    s.ray_2 = taken.ray;
-    s.there_2 = taken.pair | taken.leaf | taken.fresh | taken.again;
-    s.descends_2 = descends;
-    s.begins_2 = taken.fresh;
-    s.pops_2 = pops;
-    s.lost_2 = taken.leaf & taken.lost;
-    s.ends_2 = (taken.leaf & taken.stops) | (pops & Bit(bit_at(sum, format.levels)));
+    next[top_2] = only(not_fresh, plus(walk[top], pushes));
+    next[steps_2] = only(not_fresh, walk[steps]);
+    next[cut_2] = as("cut_now", select(Bit(now[leaf_1] | now[fresh_1]), now[cut_1], memory[cuts].word()));
+    next[entry_2] = select(takes_1, entry_1, entry_0);
+    next[ray_2] = now[ray_1];
+    next[there_2] = now[pair_1] | now[leaf_1] | now[fresh_1] | now[again_1];
+    next[descends_2] = descends;
+    next[begins_2] = now[fresh_1];
+    next[pops_2] = pops;
+    next[lost_2] = now[leaf_1] & now[lost_1];
+    next[ends_2] = (now[leaf_1] & now[stops_1]) | (pops & Bit(bit_at(sum, trail.width(f))));
   }
 
   /// Stage 2.
-  template <class D, class F, class M>
-  static constexpr void follow(const F& format, State<D, F>& s, const Inputs<D, F>& in, M& memories) {
+  template <class D>
+  static constexpr void follow(const auto& f, const auto& now, const auto& in, const auto& memory,
+                               const auto& next) {
     using Bit = typename D::bit;
-    using W = Widths<F>;
-    const auto d = format.distance;
-    const auto level_bits = W::level_of(format);
-    const auto stacked = memories.stacks.word(W::entry_of(format));
-    const auto near_of = [&](const auto& entry) { return slice(entry, d * 2_w - 1_w, d); };
+    const auto d = near.width(f);
+    const auto stacked = memory[stacks].word();
 
-    const Bit resumes = as("resumes", s.pops_2 & s.some_2);
-    const Bit is_met = as("is_met", Bit(near_of(stacked) <= s.cut_2));  // else the ray has become too short
+    const Bit resumes = as("resumes", now[pops_2] & now[some_2]);
+    const Bit is_met = as("is_met", Bit(stacked[near] <= now[cut_2]));  // else the ray has become too short
     const Bit again = as("again", resumes & ~is_met);
-    const Bit from_root = as("from_root", s.begins_2 | (s.pops_2 & ~s.some_2));
+    const Bit from_root = as("from_root", now[begins_2] | (now[pops_2] & ~now[some_2]));
     const auto root =
-        cat(cat(D::lit(0, format.address), D::lit(record_count, Width<child_count_bits>() + d * 0_w)),
-            cat(D::lit(0, d), s.cut_2));
-    const auto entry = as("entry", select(from_root, root, select(s.descends_2, s.entry_2, stacked)));
-    const auto far = slice(entry, d - 1_w, 0_w);
-    const auto count = slice(entry, d * 2_w + Width<child_count_bits - 1>(), d * 2_w);
-    const Bit record = as("is_record", Bit(count == D::lit(record_count, width_of(count))));
+        cat(D::lit(0, child.width(f)), D::lit(record_count, count.width(f)), D::lit(0, d), now[cut_2]);
+    const auto word =
+        as("entry", select(from_root, root, select(now[descends_2], now[entry_2], stacked.word())));
+    const auto entry = record_of<Entry>(f, word);
+    const Bit record = as("is_record", is<D>(entry[count], record_count));
 
     // A record is one level deeper than the record whose child it is; a leaf is of that level.
-    const auto resumed = as("resumed", select(s.pops_2, place_of<D>(s.popped_2, level_bits), s.resumed_2));
-    const auto parent = as("parent", select(s.pops_2, resumed, s.level_2));
-    const auto level = select(from_root, D::lit(format.levels - 1_w, level_bits),
-                              as_unsigned(resize(parent - Bit(record & ~again), level_bits)));
+    const auto level_bits = level.width(f);
+    const auto taken_up =
+        as("resumed", select(now[pops_2], place_of<D>(now[popped_2], level_bits), now[resumed_2]));
+    const auto parent = as("parent", select(now[pops_2], taken_up, now[level_2]));
+    const Bit deeper = record & ~again;
+    const auto its_level = select(from_root, D::lit(trail.width(f) - 1_w, level_bits), minus(parent, deeper));
     const Bit too_deep = as("too_deep", ~from_root & ~any<D>(parent));
-    const Bit too_long = as("too_long", Bit(s.steps_2 == in.most_steps));
+    const Bit too_long = as("too_long", Bit(now[steps_2] == in[most_steps]));
     const Bit fails = as("fails", record & ~again & (too_deep | too_long));
 
     const Bit leaves_stack = as("leaves_stack", resumes);
-    const Walk<D, F> walk{s.trail_2,
-                          level,
-                          resumed,
-                          as_unsigned(resize(s.used_2 - leaves_stack, format.stack + 1_w)),
-                          as_unsigned(resize(s.top_2 - leaves_stack, format.stack)),
-                          as_unsigned(resize(s.steps_2 + Bit(record & ~again), width_of(s.steps_2)))};
-    memories.walks.write(s.there_2, s.ray_2, walk.word());
-    memories.cuts.write(s.there_2, s.ray_2, s.cut_2);
-    s.ray_3 = s.ray_2;
-    s.goes = s.there_2 & ~s.ends_2 & ~fails & ~again;
-    s.ended = s.there_2 & (s.ends_2 | fails);
-    s.failed = (fails & ~s.ends_2) | s.lost_2;
-    s.again = s.there_2 & ~s.ends_2 & again;
-    s.block = slice(entry, W::entry_of(format) - 1_w, d * 2_w + Width<child_count_bits>());
-    s.count = count;
-    s.near = near_of(entry);
-    s.far = select(Bit(far < s.cut_2), far, s.cut_2);
+    const auto walk = cat(now[trail_2], cat(cat(its_level, taken_up), cat(minus(now[used_2], leaves_stack),
+                                                                          minus(now[top_2], leaves_stack),
+                                                                          plus(now[steps_2], deeper))));
+    memory[walks].write(now[there_2], now[ray_2], walk);
+    memory[cuts].write(now[there_2], now[ray_2], now[cut_2]);
+    next[ray_3] = now[ray_2];
+    next[goes_3] = now[there_2] & ~now[ends_2] & ~fails & ~again;
+    next[ended_3] = now[there_2] & (now[ends_2] | fails);
+    next[failed_3] = (fails & ~now[ends_2]) | now[lost_2];
+    next[again_3] = now[there_2] & ~now[ends_2] & again;
+    next[block_3] = entry[child];
+    next[count_3] = entry[count];
+    next[near_3] = entry[near];
+    next[far_3] = select(Bit(entry[far] < now[cut_2]), entry[far], now[cut_2]);
   }
 };
 
@@ -475,5 +328,4 @@ struct Walker {
 
 using walker::Walker;
 
-}  // namespace hls
-}  // namespace hitpipe
+}  // namespace hitpipe::hls

@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "hls/machines/memory.hpp"
+#include "hls/machines/record.hpp"
 #include "hls/num/domain.hpp"
 #include "hls/num/sized.hpp"
 #include "rtl_gen/graph/trace.hpp"
@@ -21,6 +25,47 @@ namespace hitpipe::rtl {
 
 namespace detail {
 
+/// How often each field was written in a step.
+class WriteCounts {
+ public:
+  void written(const std::string& field) { ++counts_[field]; }
+  [[nodiscard]] int of(const std::string& field) const {
+    const auto found = counts_.find(field);
+    return found == counts_.end() ? 0 : found->second;
+  }
+
+ private:
+  std::map<std::string, int> counts_;
+};
+
+/// The records of values that follow from a machine's lists, and one cycle of it.
+template <class M>
+struct WithRecords : M {
+  template <class D, class F>
+  using State = hls::Values<D, F, typename M::State>;
+  template <class D, class F>
+  using Inputs = hls::Values<D, F, typename M::In>;
+  template <class D, class F>
+  using Outputs = hls::Values<D, F, typename M::Out>;
+  template <class Memory>
+  using Memories = hls::detail::MemorySlots<Memory, typename M::Memory::Items>;
+
+  template <class D, class F, class Memory, class Log>
+  static constexpr Outputs<D, F> outputs(const F& format, const State<D, F>& now, Memories<Memory>& memories,
+                                         Log& log) {
+    Outputs<D, F> out;
+    M::template outputs<D>(format, now, hls::Accesses<typename M::Memory, F, Memory>(format, memories),
+                           hls::Writable<Outputs<D, F>, Log>(out, log));
+    return out;
+  }
+  template <class D, class F, class Memory, class Log>
+  static constexpr void step(const F& format, State<D, F>& state, const Inputs<D, F>& in,
+                             Memories<Memory>& memories, Log& log) {
+    const State<D, F> now = state;
+    M::template step<D>(format, now, in, hls::Accesses<typename M::Memory, F, Memory>(format, memories),
+                        hls::Next<State<D, F>, Log>(now, state, log));
+  }
+};
 /// A memory of a traced machine. Its accesses become inputs and outputs of the graph.
 class TracedMemory {
  public:
@@ -148,6 +193,7 @@ class HostMemory {
   bool holds_ = false;  ///< it keeps the word that it gives: its one port writes
 };
 
+/// M has its records.
 template <class M, class D, class F>
 class NativeMachineOf final : public NativeMachine {
  public:
@@ -161,14 +207,14 @@ class NativeMachineOf final : public NativeMachine {
   }
 
   void outputs(Word* outputs) override {
-    const auto out = M::template outputs<D>(format_, state_, memories_);
+    const auto out = M::template outputs<D>(format_, state_, memories_, log_);
     out.for_each(format_, out, [&](const hls::Field&, const auto& x) { *outputs++ = pattern_of(x); });
   }
 
   void step(const Word* inputs, bool reset) override {
     in_.for_each(format_, in_,
                  [&](const hls::Field& field, auto& x) { set_pattern(x, *inputs++, field.width); });
-    M::template step<D>(format_, state_, in_, memories_);
+    M::template step<D>(format_, state_, in_, memories_, log_);
     memories_.for_each(format_, memories_, [](const hls::MemoryShape&, auto& memory) { memory.clock(); });
     if (!reset) return;
     state_.for_each(format_, state_, [](const hls::Field& field, auto& x) {
@@ -185,12 +231,14 @@ class NativeMachineOf final : public NativeMachine {
   typename M::template State<D, F> state_{};
   typename M::template Inputs<D, F> in_{};
   typename M::template Memories<HostMemory<D>> memories_{};
+  hls::NoLog log_;
 };
 
 }  // namespace detail
 
-template <class M>
-MachineGraph traced_machine(const typename M::Bits& format) {
+template <class Machine>
+MachineGraph traced_machine(const typename Machine::Bits& format) {
+  using M = detail::WithRecords<Machine>;
   using Bits = typename M::Bits;
   MachineGraph machine{
       .name = M::name, .state = {}, .inputs = {}, .outputs = {}, .memories = {}, .graph = Graph(M::name)};
@@ -211,23 +259,26 @@ MachineGraph traced_machine(const typename M::Bits& format) {
     machine.memories.push_back(shape);
     memory.declare(shape);
   });
-  const auto out = M::template outputs<Trace>(format, state, memories);
-  M::template step<Trace>(format, state, in, memories);
+  detail::WriteCounts given, written;
+  const auto out = M::template outputs<Trace>(format, state, memories, given);
+  M::template step<Trace>(format, state, in, memories, written);
+  // verify() refuses a name that is given twice, and an output that is not given.
   state.for_each(format, state, [&](const hls::Field& field, const auto& x) {
     const std::string name = std::string("next_") + field.name;
-    graph.output(name, x.id());
+    for (int i = 0; i < std::max(1, written.of(field.name)); ++i) graph.output(name, x.id());
     // A value that the C++ does not name; a register that another one follows keeps its own name.
     if (graph[x.id()].op != Op::input) graph.annotate(x.id(), name + "_value", {});
   });
   out.for_each(format, out, [&](const hls::Field& field, const auto& x) {
     machine.outputs.push_back(field);
-    graph.output(field.name, x.id());
+    for (int i = 0; i < given.of(field.name); ++i) graph.output(field.name, x.id());
   });
   return machine;
 }
 
-template <class M>
-std::unique_ptr<NativeMachine> native_machine(const typename M::Bits& format, Collision collision) {
+template <class Machine>
+std::unique_ptr<NativeMachine> native_machine(const typename Machine::Bits& format, Collision collision) {
+  using M = detail::WithRecords<Machine>;
   using Any = std::conditional_t < requires {
     requires M::wide;
   }

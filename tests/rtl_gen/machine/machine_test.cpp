@@ -53,7 +53,10 @@ INSTANTIATE_TEST_SUITE_P(
                "ray has 65 bits; allowed are 1 to 64"},
         Broken{"OtherWidth", [](MachineGraph& m) { m.state[0].width = 5; },
                "next_used has 4 bits; allowed are 5"},
-        Broken{"NotGiven", [](MachineGraph& m) { m.outputs.push_back(hls::data_field("more", 1)); },
+        Broken{"NotGiven",
+               [](MachineGraph& m) {
+                 m.outputs.push_back(hls::Field{"more", 1});
+               },
                "the step gives more 0 times"},
         Broken{"NotTaken", [](MachineGraph& m) { m.graph.output("more", m.graph.constant(1, 0)); },
                "output more of the graph: nothing takes it"},
@@ -61,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
                "rays has 6 words; allowed are powers of two from 2 on"},
         Broken{"PathThrough",
                [](MachineGraph& m) {
-                 m.outputs.push_back(hls::data_field("echo", 1));
+                 m.outputs.push_back(hls::Field{"echo", 1});
                  m.graph.output("echo", input_called(m.graph, "pop"));
                },
                "output echo depends on input pop, so a path leads through the machine"},

@@ -34,10 +34,10 @@ TEST(MachineModule, HasThisText) {
   wire [2:0] rays_word;
 
   // What a cycle computes.
-  wire [2:0] place = oldest + used[2:0];  // machine/small_queue.hpp:89
+  wire [2:0] place = oldest + used[2:0];  // machine/small_queue.hpp:40
   wire [3:0] next_used_value_add = used + {3'd0, push};
-  wire taken_eq = used == 4'h0;  // for machine/small_queue.hpp:91
-  wire taken = ~taken_eq & pop;  // machine/small_queue.hpp:91
+  wire taken_eq = used == 4'h0;  // for machine/small_queue.hpp:42
+  wire taken = ~taken_eq & pop;  // machine/small_queue.hpp:42
   wire [3:0] next_used_value = next_used_value_add - {3'd0, taken};
   wire [2:0] next_oldest_value = oldest + {2'd0, taken};
 

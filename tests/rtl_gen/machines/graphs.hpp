@@ -1,0 +1,25 @@
+// The graphs of all machines as text, without the lines of their C++.
+#pragma once
+
+#include <string>
+
+#include "rtl_gen/graph/canonical.hpp"
+#include "rtl_gen/machine/machine.hpp"
+
+namespace hitpipe::rtl {
+
+inline std::string machine_graphs() {
+  std::string text;
+  for (const Machine& machine : machines()) {
+    const std::string graph = to_text(canonical(machine.graph(machine.default_format).graph));
+    for (std::size_t at = 0; at < graph.size();) {
+      const std::size_t end = graph.find('\n', at);
+      const std::string line = graph.substr(at, end - at);
+      text += line.substr(0, line.find(" @ ")) + '\n';
+      at = end + 1;
+    }
+  }
+  return text;
+}
+
+}  // namespace hitpipe::rtl
