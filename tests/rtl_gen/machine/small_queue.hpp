@@ -2,8 +2,8 @@
 #pragma once
 
 #include "hls/box/format.hpp"
-#include "hls/machines/memory.hpp"
 #include "hls/machines/id_queue.hpp"
+#include "hls/machines/memory.hpp"
 #include "hls/world/core_format.hpp"
 #include "rtl_gen/machine/machine_of.hpp"
 
