@@ -44,6 +44,11 @@ Ray ray_in_cube(const glm::dvec3& start, const glm::vec3& direction, double leng
           static_cast<float>(length - inside.from)};
 }
 
+double start_in_cube(const glm::dvec3& start, const glm::vec3& direction) {
+  const Inside inside = inside_cube(start, glm::dvec3(direction));
+  return inside.from > inside.to ? 0.0 : inside.from;
+}
+
 Ray parallel_ray(const Camera& camera, double across, double upward) {
   const glm::dvec3 start = glm::dvec3(camera.eye) + across * camera.right + upward * camera.up;
   return ray_in_cube(start, glm::vec3(camera.forward), std::numeric_limits<double>::infinity());

@@ -16,6 +16,9 @@ namespace hitpipe::ref {
 /// either.
 [[nodiscard]] Ray ray_in_cube(const glm::dvec3& start, const glm::vec3& direction, double length);
 
+/// The t from `start` at which ray_in_cube() lets the ray start; 0 for a ray that never gets there.
+[[nodiscard]] double start_in_cube(const glm::dvec3& start, const glm::vec3& direction);
+
 /// The infinite ray of an orthographic camera at `across`, `upward` of the eye in its plane, in the cube. All
 /// such rays have the direction `forward`, rounded to binary32, and go as ray_in_cube() says.
 [[nodiscard]] Ray parallel_ray(const Camera& camera, double across, double upward);

@@ -42,10 +42,12 @@ std::string in_binary(const std::vector<AskedRay>& rays) {
 
 std::string in_csv(const std::vector<AskedRay>& rays) {
   std::string text = "ox,oy,oz,dx,dy,dz,length,any\n";
-  for (const auto& [ray, query] : rays)
+  for (const AskedRay& asked : rays) {
+    const ref::Ray& ray = asked.ray;
     text +=
         fmt::format("{},{},{},{},{},{},{},{}\n", ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x,
-                    ray.direction.y, ray.direction.z, ray.length, query == ref::Query::any ? 1 : 0);
+                    ray.direction.y, ray.direction.z, ray.length, asked.query == ref::Query::any ? 1 : 0);
+  }
   return text;
 }
 
