@@ -355,7 +355,8 @@ CLI::App* add_sweep_command(CLI::App& program, int& exit_code) {
       ->required();
   for (const char* const other : {"--pieces", "--piece"})
     exclude(command->get_option("--rows"), command->get_option(other), "a piece measures its own rows");
-  exclude(command->get_option("--answers"), command->get_option("--rows"), "they were measured elsewhere");
+  exclude(command->get_option("--answers"), command->get_option("--rows"),
+          "their rays were traced elsewhere");
   exclude_answers_of_pieces(*command);
   command->callback([options, command, &exit_code] {
     options->hierarchy.build.threads = options->scene.threads;

@@ -129,6 +129,15 @@ TEST_F(RayList, RaysFromOutsideStartWhereTheyEnterTheCube) {
   }
 }
 
+TEST_F(RayList, KnowsWhatLiesOutsideTheCube) {
+  const auto outside = [&](const std::string& cells) {
+    return read("r.csv", "ox,oy,oz,dx,dy,dz,length\n" + cells + "\n").at(0).outside;
+  };
+  EXPECT_EQ(outside("-5,0.5,0,2,0,0,inf"), 2.0);
+  EXPECT_EQ(outside("0.1,0.5,0,2,0,0,inf"), 0.0);
+  EXPECT_EQ(outside("5,0,0,1,0,0,inf"), 0.0);
+}
+
 TEST_F(RayList, WrongCsvGetsALine) {
   const std::string header = "ox,oy,oz,dx,dy,dz,length,any\n0,0,0,1,0,0,inf,0\n";
   const auto line = [&](const std::string& cells, const std::string& message) {
